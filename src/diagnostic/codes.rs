@@ -1,0 +1,146 @@
+//! The list of codes and their explanations.
+
+use std::fmt;
+
+/// The name under which a kind of finding is explained, such as `bank::unknown-key`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Code(&'static str);
+
+/// A code with its page.
+#[derive(Clone, Copy, Debug)]
+pub struct Page {
+    /// The code.
+    pub code: Code,
+    /// What it is about, in one line.
+    pub title: &'static str,
+    /// What it means and how to mend it, in Markdown.
+    pub text: &'static str,
+}
+
+/// Declares each code once: its constant, its name, its title and its page.
+macro_rules! codes {
+    ($($constant:ident $name:literal $title:literal $text:literal)*) => {
+        impl Code {
+            $(#[doc = $title] pub const $constant: Self = Self($name);)*
+        }
+
+        /// All codes with their pages, in the order of the book.
+        pub const PAGES: &[Page] = &[$(Page { code: Code::$constant, title: $title, text: $text }),*];
+    };
+}
+
+codes! {
+    TOML_SYNTAX "bank::syntax" "The file is not valid TOML."
+        "The reader of TOML stopped at the marked place.\nTypical causes: a quote that is not closed, a backslash in double quotes (write `\\\\` or use single quotes), a table header that is written twice."
+    MISSING_KEY "bank::missing-key" "A key that has to be there is not."
+        "The named table needs this key.\nThe reference of the item file lists the keys of each table and which of them are required."
+    UNKNOWN_KEY "bank::unknown-key" "A key that nothing reads."
+        "Keys are checked so that a misspelt one is not silently without effect.\nThe help names the nearest key that the table may have."
+    WRONG_KIND "bank::wrong-kind" "A value of another kind than its key asks for."
+        "For instance a number where a text is due, or a text where an array of tables is due."
+    TEXT_MARKUP "text::markup" "A text has something in it that no text may have."
+        "Texts are Markdown with math between dollar signs and placeholders, and nothing else: no HTML, no images, links to pages alone, no control characters, bounded in length and nesting."
+    TEXT_PLACEHOLDER "text::placeholder" "A placeholder that cannot be read."
+        "A placeholder is `<< name >>` or `<< name.form >>`, where the form is one of `given`, `symbol`, `name`, `number`, `unit`, `formula`, `substituted`, `equation`.\nA figure or plot stands in a paragraph of its own.\nThe sign `<<` itself is written `\\<<`, in a formula `\\ll`."
+    TEXT_MATH "text::math" "A formula that cannot be read."
+        "Formulas are LaTeX as `amsmath` has it, as far as it concerns formulas: letters, signs, fractions, roots, scripts, accents, delimiters, matrices, cases, aligned lines, words.\nCommands that define, colour or draw are not read."
+    TEXT_DOLLAR "text::dollar" "A dollar sign that is printed as it stands."
+        "A formula stands between dollar signs without blanks inside, `$x$`, or between double ones without an empty line, `$$x$$`.\nIn the cell of a table a bar ends the cell even in a formula: write `\\lvert x\\rvert`.\nInside `\\text{…}` there is no math.\nThe sign itself is written `\\$`."
+    FORMULA_SYNTAX "formula::syntax" "A formula that cannot be read."
+        "Products are written with `*`, powers with `^`, comparisons with `==`, decimals with a point.\nA number may bear a unit in brackets right after it, `0.1[m]`.\nA case, `if … then … else …`, needs parentheses inside another formula."
+    FORMULA_UNKNOWN_NAME "formula::unknown-name" "A name that stands for nothing here."
+        "A formula may use parameters, quantities, `t`, the coordinates of the model and what the model offers as `model.…`.\nThe help gives the nearest known name."
+    FORMULA_DIMENSION "formula::dimension" "Dimensions that do not fit."
+        "Both sides of a sum, a comparison, a case and an equation have one dimension.\nThe arguments of `exp`, `ln` and the trigonometric functions are pure numbers; radians are pure.\nThe exponent of a quantity with a dimension is a constant.\nZero has every dimension; any other number may bear a unit, `0.1[m]`."
+    FORMULA_FORM "formula::form" "A number, condition, vector or matrix where another is due."
+        "Conditions stand after `if` and between `and`, `or`, `not`; everything else is a number, a vector or a matrix.\nSums need equal shapes, products of matrices conformable ones; indices count from 1.\nComplex numbers cannot be compared or rounded."
+    FORMULA_PROGRAM "formula::program" "A formula that cannot be computed."
+        "A derivative is asked for that cannot be formed: rounding functions have none."
+    BANK_FORMAT "bank::format" "The bank was written for another version of the format."
+        "`format` in `bank.toml` says for which version of the bank format its files were written.\nThe changelog tells what changed between the versions and how to migrate."
+    FOLDER "bank::folder" "The folder of a bank lacks something."
+        "A bank is a folder with `bank.toml`, and in each chapter's folder `_chapter.toml` and the items, named in small letters, digits and hyphens."
+    QUANTITY "bank::quantity" "A number, unit or range that cannot be read."
+        "A quantity is a decimal and a unit, `12.5 cm`; a range is `0.5 .. 5 kg`.\nA slash divides by the one factor after it; two slashes, or a product after a slash, are refused because people read them differently."
+    PARAMETER "bank::parameter" "A parameter that cannot be drawn, or a value that it cannot have."
+        "A parameter with a `range` has a `step` in the same unit; the values lo, lo + step, … up to hi are drawn.\nThe sign of the range is the domain of the parameter: a value outside it is refused."
+    NAME "bank::name" "A word that cannot be a name."
+        "A name begins with a letter and has letters, digits and underscores.\n`t`, `i`, `pi`, `e`, `inf`, `model`, `models` and the functions belong to the formula language."
+    NAME_TAKEN "bank::name-taken" "Two things of an item have one name."
+        "Parameters, symbols, quantities and parts share one list of names, so that a formula is never ambiguous.\nA part may bear the name of a quantity only if that quantity is its key."
+    DIMENSION "bank::dimension" "Dimensions that do not agree."
+        "Every formula is checked when the item is loaded: both sides of a sum or comparison agree, arguments of functions are pure numbers, and the formula of a quantity has the dimension of its declared unit.\nThe radian has dimension 1, so `x = r*theta` is in order."
+    CYCLE "bank::cycle" "A quantity that depends on itself."
+        "Quantities may use each other, but not in a circle, and not in chains of more than 200."
+    FORMULA_SIZE "bank::formula-size" "A formula that grows too large."
+        "A formula has at most 10,000 parts and a depth of 200, also when the functions of time that it uses are put in place."
+    CONDITION "bank::condition" "A number where a condition is due."
+        "Constraints, `when` and options that are right by formula need a comparison, such as `zeta < 1`."
+    UNKNOWN_PLACEHOLDER "bank::unknown-placeholder" "A text shows something that the item does not have."
+        "A placeholder names a parameter, a quantity with a unit, something of a model, a plot or the figure.\nA datum has no formula; an abbreviation (a quantity without unit) has no value to print."
+    TOPIC "bank::topic" "A topic that is not in the vocabulary of the bank."
+        "The words that items may have as topics stand in `[topics]` of `bank.toml`, each with what it means."
+    ALLOW "bank::allow" "Something that cannot be lifted."
+        "`allow` lifts guards and lints by name: `repeated-frequencies`, `near-critical`, `near-resonance`, `large-angle`, `few-instances`, `single-route`."
+    ANSWER_KIND "bank::answer-kind" "A kind of answer that does not exist."
+        "The reference of the item file lists the kinds of answers with their keys."
+    PART "bank::part" "A part without identity, or with the identity or weight of none."
+        "A part is known by its `id`, or by its key if that is a name; identities are unique in an item. `points` is a positive number."
+    MISTAKE "bank::mistake" "A named mistake that says nothing, or too much."
+        "A mistake has either `answer`, the value that the slip gives, or `with`, the quantities that the slip replaces; its `credit` lies from 0 to 1."
+    CHECK "bank::check" "A known result of something that the item does not have."
+        "`given` names parameters, `expect` names quantities and parts."
+    CHECK_EXPECTED "check::expected" "A known result that the item does not give."
+        "`vibank check` solves the item for the data of each `[[check]]`.\nA number has to agree to half a unit of its last written digit, so write all digits that the source has; another response has to be right.\nA function has one value for each time in `at`."
+    CHECK_ROUTES "check::routes" "Two routes to a quantity that do not agree."
+        "A quantity with `verify` is computed by both routes for many draws.\nThey have to agree but for rounding; functions are compared at many times, shapes up to their sign."
+    KEY "bank::key" "A key of a form that its kind does not take."
+        "A `numeric` part takes a real number or a list of them, an `integer` part a pure number."
+    TOLERANCE "bank::tolerance" "A tolerance that cannot be read."
+        "A tolerance is `2 %`, `0.05 rad`, `3 sf`, `1 % of omega2`, or several of these joined by commas, of which the widest counts."
+    OPTIONS "bank::options" "Options of a choice that cannot be chosen from."
+        "A choice has from 2 to 26 options with identities of their own, and at least one that can be right."
+    MODEL_COORDINATE "model::coordinate" "A model moves something that it does not declare."
+        "What bears a prime is a coordinate or a name in `kinematics`.\n`forces`, `friction`, `initial` and `equilibrium` are keyed by coordinates.\nA name stands for one thing, and kinematic names do not need each other in a circle."
+    MODEL_DIMENSION "model::dimension" "A term of an energy or force has the wrong dimension."
+        "`kinetic` and `potential` are energies, `dissipation` is a power, a generalized force is an energy per coordinate: N along a length, N m along an angle.\nEach term is checked by itself."
+    MODEL_KINETIC "model::kinetic" "A kinetic energy that gives no equation of motion."
+        "The kinetic energy is of the second degree in the velocities, and the velocity of every coordinate occurs squared.\nWhat is prescribed may add terms of lower degree.\nAccelerations stand in no energy."
+    MODEL_EQUILIBRIUM "model::equilibrium" "A model that rests nowhere, or not where it is said to."
+        "A model is linearized about a position at rest.\nA potential energy without lower bound is most often a slipped sign; a constant force needs something that balances it."
+    MODEL_FORMULA "model::formula" "A formula of a model that cannot be differentiated."
+        "Energies are differentiated by coordinates and velocities.\nRounding functions have no derivative, and formulas may not grow beyond all bounds."
+    MODEL_QUANTITY "model::quantity" "A path that leads to no quantity of a model."
+        "A model offers its quantities as `model.…` or `models.<name>.…`; with several coordinates those of one coordinate take its name last, `model.motion.x1`.\nThe reference of the item file lists them."
+    BLUEPRINT "blueprint::value" "A blueprint says something that cannot be done."
+        "A blueprint names a title, a seed (or a secret file), the number of variants or a class list, and at least one question with an item or a filter.\nThe reference of the blueprint lists all keys with their values and defaults."
+}
+
+impl Code {
+    /// Its name, as in `vibank explain NAME`.
+    pub fn name(self) -> &'static str {
+        self.0
+    }
+
+    /// Its page.
+    pub fn page(self) -> &'static Page {
+        PAGES
+            .iter()
+            .find(|page| page.code == self)
+            .expect("the list declares code and page together")
+    }
+
+    /// The code of this name.
+    pub fn of_name(name: &str) -> Option<Self> {
+        PAGES
+            .iter()
+            .map(|page| page.code)
+            .find(|code| code.0 == name)
+    }
+}
+
+impl fmt::Display for Code {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(self.0)
+    }
+}

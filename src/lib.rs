@@ -1,0 +1,42 @@
+//! Problem bank and exercise generator for the physics of vibrations.
+
+// Layer 0: text, random streams, bare numbers, typeset mathematics, units.
+pub mod math;
+pub mod numerics;
+pub mod seed;
+pub mod source;
+pub mod unit;
+
+// Layer 1: findings.
+pub mod diagnostic;
+
+// Layer 2: formulas, and the vibrations of the textbooks.
+pub mod expr;
+pub mod vibration;
+
+// Layer 3: texts, and mechanics from energies.
+pub mod document;
+pub mod mechanics;
+
+// Layer 4: an item's quantities, and the kinds of answers.
+pub mod answer;
+pub mod quantity;
+
+// Layer 5: items.
+pub mod bank;
+
+// Layers 6 to 8: what is drawn from an item, and its marking.
+pub mod instance;
+
+pub mod solution;
+
+pub mod grade;
+pub mod scene;
+pub mod suitability;
+
+// Layer 9: sheets and reports.
+pub mod worksheet;
+
+// Layer 10: formats.
+#[cfg(feature = "render")]
+pub mod output;

@@ -1,0 +1,82 @@
+//! What can be wrong with the form of a file.
+
+use super::{Span, nearest};
+
+/// A fault in the form of a file: syntax, a key, the kind of a value.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Problem {
+    /// The file is no TOML there.
+    #[error("{message}")]
+    Syntax {
+        /// What the reader of TOML says.
+        message: String,
+        /// Where.
+        span: Span,
+    },
+    /// A key that has to be there is not.
+    #[error("{} has no `{key}`", called(table))]
+    Missing {
+        /// The table, as it is called in the file.
+        table: String,
+        /// The key.
+        key: &'static str,
+        /// Its header.
+        span: Span,
+    },
+    /// A key that nothing reads.
+    #[error("`{key}` is no key of {}", called(table))]
+    Unknown {
+        /// The table, as it is called in the file.
+        table: String,
+        /// The key as written.
+        key: String,
+        /// The keys that the table may have.
+        known: Vec<&'static str>,
+        /// The key.
+        span: Span,
+    },
+    /// A value of another kind than its key asks for.
+    #[error("`{key}` is {found}, expected {expected}")]
+    Kind {
+        /// The key.
+        key: String,
+        /// What is due.
+        expected: &'static str,
+        /// What stands there.
+        found: String,
+        /// The value.
+        span: Span,
+    },
+}
+
+/// A table as messages call it; the table of the whole file has no name.
+fn called(table: &str) -> String {
+    if table.is_empty() {
+        "the file".to_owned()
+    } else {
+        format!("`{table}`")
+    }
+}
+
+impl Problem {
+    /// Where it is.
+    pub fn span(&self) -> Span {
+        match self {
+            Self::Syntax { span, .. } | Self::Missing { span, .. } => *span,
+            Self::Unknown { span, .. } | Self::Kind { span, .. } => *span,
+        }
+    }
+
+    /// A way out, where one is known.
+    pub fn help(&self) -> Option<String> {
+        match self {
+            Self::Syntax { .. } => None,
+            Self::Kind { key, expected, .. } => Some(format!("give `{key}` as {expected}")),
+            Self::Missing { table, key, .. } => Some(format!("add `{key}` to {}", called(table))),
+            Self::Unknown { key, known, .. } => Some(match nearest(key, known.iter().copied()) {
+                Some(name) => format!("did you mean `{name}`?"),
+                None => format!("the keys are {}", known.join(", ")),
+            }),
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! The tree of a bank file, with the place of every key and value.
+
+use serde::{Deserialize, Serialize};
+
+use super::Span;
+
+/// A value as it stands in a file.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Value {
+    /// What it is.
+    pub data: Data,
+    /// Where it stands; quotes and brackets included.
+    #[serde(skip)]
+    pub span: Span,
+}
+
+/// What a value is.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Data {
+    /// `true` or `false`.
+    Boolean(bool),
+    /// A text.
+    Text(String),
+    /// An array.
+    List(Vec<Value>),
+    /// A table, inline or under a header.
+    Table(Vec<Entry>),
+    /// A number, kept as it was written.
+    Number {
+        /// Its digits.
+        number: String,
+    },
+}
+
+/// One key of a table and its value, in file order.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Entry {
+    /// The key.
+    pub key: String,
+    /// Where the key stands.
+    #[serde(skip)]
+    pub span: Span,
+    /// Its value.
+    pub value: Value,
+}
+
+impl Data {
+    /// What it is, in words for a message.
+    pub fn describe(&self) -> &'static str {
+        match self {
+            Self::Boolean(_) => "a boolean",
+            Self::Text(_) => "a text",
+            Self::List(_) => "an array",
+            Self::Table(_) => "a table",
+            Self::Number { .. } => "a number",
+        }
+    }
+}
