@@ -1,0 +1,260 @@
+//! The four operations, between double-double numbers and with `f64` on either side.
+
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use super::Dd;
+use crate::numerics::exact::{fast_two_sum, two_prod, two_sum};
+
+/// The result, or the plain operation on the leading parts where that is not finite.
+#[inline]
+fn guarded(result: Dd, plain: impl FnOnce() -> f64) -> Dd {
+    if result.hi.is_finite() {
+        result
+    } else {
+        Dd::from(plain())
+    }
+}
+
+impl Neg for Dd {
+    type Output = Self;
+
+    #[inline]
+    fn neg(self) -> Self {
+        Self {
+            hi: -self.hi,
+            lo: -self.lo,
+        }
+    }
+}
+
+impl Add for Dd {
+    type Output = Self;
+
+    /// `AccurateDWPlusDW`, relative error 3 u².
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        let (high, high_error) = two_sum(self.hi, other.hi);
+        let (low, low_error) = two_sum(self.lo, other.lo);
+        let (high, correction) = fast_two_sum(high, high_error + low);
+        guarded(Self::normalized(high, low_error + correction), || {
+            self.hi + other.hi
+        })
+    }
+}
+
+impl Add<f64> for Dd {
+    type Output = Self;
+
+    /// `DWPlusFP`, relative error 2 u².
+    #[inline]
+    fn add(self, other: f64) -> Self {
+        let (high, error) = two_sum(self.hi, other);
+        guarded(Self::normalized(high, self.lo + error), || self.hi + other)
+    }
+}
+
+impl Mul for Dd {
+    type Output = Self;
+
+    /// `DWTimesDW`, relative error 5 u².
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        let (high, error) = two_prod(self.hi, other.hi);
+        let cross = self.hi * other.lo + self.lo * other.hi;
+        guarded(Self::normalized(high, error + cross), || self.hi * other.hi)
+    }
+}
+
+impl Mul<f64> for Dd {
+    type Output = Self;
+
+    /// `DWTimesFP1`, relative error 1.5 u².
+    #[inline]
+    fn mul(self, other: f64) -> Self {
+        let (high, error) = two_prod(self.hi, other);
+        let (high, correction) = fast_two_sum(high, self.lo * other);
+        guarded(Self::normalized(high, correction + error), || {
+            self.hi * other
+        })
+    }
+}
+
+impl Div for Dd {
+    type Output = Self;
+
+    /// `DWDivDW2`, relative error 15 u².
+    #[inline]
+    fn div(self, other: Self) -> Self {
+        let quotient = self.hi / other.hi;
+        if loses_its_error(self.hi, quotient) {
+            return raised(self, |raised| raised / other);
+        }
+        let back = other * quotient;
+        let rest = (self.hi - back.hi) + (self.lo - back.lo);
+        guarded(Self::normalized(quotient, rest / other.hi), || quotient)
+    }
+}
+
+/// Whether the product of divisor and quotient is so small that the error of that product underflows,
+/// although the quotient itself has all its digits.
+#[inline]
+fn loses_its_error(dividend: f64, quotient: f64) -> bool {
+    dividend.abs() < 1e-290 && dividend != 0.0 && quotient.abs() > 1e-285
+}
+
+/// A quotient of a dividend that is raised by 2²⁰⁰ and brought back, both exactly.
+#[cold]
+fn raised(dividend: Dd, divide: impl FnOnce(Dd) -> Dd) -> Dd {
+    let (up, down) = (
+        2.0_f64.to_bits() + (199 << 52),
+        2.0_f64.to_bits() - (201 << 52),
+    );
+    let scaled = |number: Dd, factor: u64| {
+        let factor = f64::from_bits(factor);
+        Dd {
+            hi: number.hi * factor,
+            lo: number.lo * factor,
+        }
+    };
+    scaled(divide(scaled(dividend, up)), down)
+}
+
+impl Div<f64> for Dd {
+    type Output = Self;
+
+    /// `DWDivFP3`, relative error 3 u².
+    #[inline]
+    fn div(self, other: f64) -> Self {
+        let quotient = self.hi / other;
+        if loses_its_error(self.hi, quotient) {
+            return raised(self, |raised| raised / other);
+        }
+        let (back, error) = two_prod(quotient, other);
+        let rest = (self.hi - back) - error + self.lo;
+        guarded(Self::normalized(quotient, rest / other), || quotient)
+    }
+}
+
+impl Sub for Dd {
+    type Output = Self;
+
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Sub<f64> for Dd {
+    type Output = Self;
+
+    #[inline]
+    fn sub(self, other: f64) -> Self {
+        self + -other
+    }
+}
+
+impl Add<Dd> for f64 {
+    type Output = Dd;
+
+    #[inline]
+    fn add(self, other: Dd) -> Dd {
+        other + self
+    }
+}
+
+impl Sub<Dd> for f64 {
+    type Output = Dd;
+
+    #[inline]
+    fn sub(self, other: Dd) -> Dd {
+        -other + self
+    }
+}
+
+impl Mul<Dd> for f64 {
+    type Output = Dd;
+
+    #[inline]
+    fn mul(self, other: Dd) -> Dd {
+        other * self
+    }
+}
+
+impl Div<Dd> for f64 {
+    type Output = Dd;
+
+    #[inline]
+    fn div(self, other: Dd) -> Dd {
+        Dd::from(self) / other
+    }
+}
+
+impl<T> AddAssign<T> for Dd
+where
+    Dd: Add<T, Output = Dd>,
+{
+    #[inline]
+    fn add_assign(&mut self, other: T) {
+        *self = *self + other;
+    }
+}
+
+impl<T> SubAssign<T> for Dd
+where
+    Dd: Sub<T, Output = Dd>,
+{
+    #[inline]
+    fn sub_assign(&mut self, other: T) {
+        *self = *self - other;
+    }
+}
+
+impl<T> MulAssign<T> for Dd
+where
+    Dd: Mul<T, Output = Dd>,
+{
+    #[inline]
+    fn mul_assign(&mut self, other: T) {
+        *self = *self * other;
+    }
+}
+
+impl<T> DivAssign<T> for Dd
+where
+    Dd: Div<T, Output = Dd>,
+{
+    #[inline]
+    fn div_assign(&mut self, other: T) {
+        *self = *self / other;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn quotients_undo_products(a in 1e-9..1e9, b in 1e-3..1e3, c in -1e9..1e9) {
+            let (x, y) = (Dd::sum(a, b * 1e-20), Dd::sum(c + 2e9, a * 1e-20));
+            let error = (x * y / y - x).abs() / x;
+            prop_assert!(error.hi() < 1e-30, "{error:?}");
+        }
+
+        #[test]
+        fn no_operation_leaves_a_stray_low_part(a in any::<f64>(), b in any::<f64>()) {
+            let (x, y) = (Dd::from(a), Dd::from(b));
+            for (z, plain) in [(x + y, a + b), (x * y, a * b), (x / y, a / b), (x + b, a + b), (x * b, a * b), (x / b, a / b)] {
+                prop_assert!(z.hi() == plain || plain.is_nan() && z.is_nan(), "{z:?} {plain}");
+                prop_assert!(!z.lo().is_nan());
+            }
+        }
+    }
+
+    #[test]
+    fn sums_keep_what_a_single_number_drops() {
+        let x = Dd::ONE + 1e-25 - 1.0;
+        assert_eq!(x, Dd::from(1e-25));
+    }
+}

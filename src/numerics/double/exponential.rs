@@ -1,0 +1,181 @@
+//! Exponentials, logarithms and powers.
+
+use super::Dd;
+use super::constants::{INVERSE_FACTORIALS, LN_2_PARTS, LN_2_REST};
+use crate::numerics::elementary::{exp, ln_1p};
+use crate::numerics::exact::two_prod;
+
+/// Beyond this magnitude the exponential leaves the range of `f64`.
+const EXPONENT_LIMIT: f64 = 750.0;
+
+impl Dd {
+    /// Exponential e^x.
+    #[must_use]
+    pub fn exp(self) -> Self {
+        if let Some(limit) = self.exponent_out_of_range() {
+            return limit;
+        }
+        let (n, rest) = self.halvings();
+        (rest.small_expm1() + 1.0).scale(n)
+    }
+
+    /// e^x - 1 without cancellation at small x.
+    #[must_use]
+    pub fn expm1(self) -> Self {
+        match self.exponent_out_of_range() {
+            Some(limit) => limit - 1.0,
+            None => match self.halvings() {
+                (0, rest) => rest.small_expm1(),
+                (n, rest) => (rest.small_expm1() + 1.0).scale(n) - 1.0,
+            },
+        }
+    }
+
+    /// The exponential rounded to `f64`, for the price of one exponential of `f64`.
+    #[inline]
+    #[must_use]
+    pub fn exp_to_f64(self) -> f64 {
+        let leading = exp(self.hi);
+        if leading.is_finite() {
+            leading + leading * self.lo
+        } else {
+            leading
+        }
+    }
+
+    /// Natural logarithm; NaN below zero.
+    #[must_use]
+    pub fn ln(self) -> Self {
+        if self.hi <= 0.0 || !self.is_finite() {
+            return Self::from(crate::numerics::elementary::ln(self.hi));
+        }
+        let n = crate::numerics::elementary::binary_exponent(self.hi);
+        let mantissa = self.scale(-n);
+        let (n, mantissa) = if mantissa.hi > Self::SQRT_2.hi {
+            (n + 1, mantissa.scale(-1))
+        } else {
+            (n, mantissa)
+        };
+        let part = (mantissa - 1.0).small_ln_1p();
+        if n == 0 {
+            part
+        } else {
+            LN_2_REST * f64::from(n)
+                + part
+                + LN_2_PARTS[1] * f64::from(n)
+                + LN_2_PARTS[0] * f64::from(n)
+        }
+    }
+
+    /// ln(1 + x) without cancellation at small x.
+    #[must_use]
+    pub fn ln_1p(self) -> Self {
+        if self.hi > -0.4 && self.hi < 0.7 {
+            self.small_ln_1p()
+        } else {
+            (self + 1.0).ln()
+        }
+    }
+
+    /// Power x^y, with a relative error of about (1 + |y ln x|) 1e-31.
+    #[must_use]
+    pub fn pow(self, exponent: Self) -> Self {
+        const REPEATED: f64 = 1024.0;
+        if exponent.lo == 0.0 && exponent.hi.abs() <= REPEATED && exponent.hi == exponent.hi.trunc()
+        {
+            return self.powi(exponent.hi as i32);
+        }
+        let plain = crate::numerics::elementary::pow(self.hi, exponent.hi);
+        if self.hi <= 0.0
+            || !self.is_finite()
+            || !exponent.is_finite()
+            || !plain.is_finite()
+            || plain == 0.0
+        {
+            return Self::from(plain);
+        }
+        (self.ln() * exponent).exp()
+    }
+
+    /// Power with an integer exponent, by repeated squaring.
+    #[must_use]
+    pub fn powi(self, n: i32) -> Self {
+        let mut rest = n.unsigned_abs();
+        let mut square = self;
+        let mut product = Self::ONE;
+        while rest > 0 {
+            if rest & 1 == 1 {
+                product *= square;
+            }
+            square *= square;
+            rest >>= 1;
+        }
+        if n >= 0 {
+            product
+        } else if product.is_finite() && product.hi != 0.0 {
+            product.recip()
+        } else {
+            Self::from(crate::numerics::elementary::powi(self.hi, n))
+        }
+    }
+
+    /// The limit of the exponential where the argument is out of its range or no number.
+    fn exponent_out_of_range(self) -> Option<Self> {
+        (self.hi.abs() >= EXPONENT_LIMIT || self.is_nan()).then(|| Self::from(exp(self.hi)))
+    }
+
+    /// The nearest n to x/ln 2, and x - n ln 2. The subtrahends that count are exact.
+    fn halvings(self) -> (i32, Self) {
+        let n = (self.hi / Self::LN_2.hi).round_ties_even();
+        if n == 0.0 {
+            return (0, self);
+        }
+        let (first, _) = two_prod(n, LN_2_PARTS[0]);
+        let (second, _) = two_prod(n, LN_2_PARTS[1]);
+        (n as i32, self - first - second - LN_2_REST * n)
+    }
+
+    /// Taylor series of e^x - 1 for |x| <= 0.35. Terms below u of the sum are formed in `f64`.
+    fn small_expm1(self) -> Self {
+        const LAST: usize = 26;
+        const FIRST_SHORT: usize = 14;
+        let tail = (FIRST_SHORT..=LAST)
+            .rev()
+            .fold(0.0, |sum, n| sum * self.hi + INVERSE_FACTORIALS[n].hi);
+        let sum = (2..FIRST_SHORT).rev().fold(Self::from(tail), |sum, n| {
+            sum * self + INVERSE_FACTORIALS[n]
+        });
+        self + self.square() * sum
+    }
+
+    /// ln(1 + x) for |x| < 0.75: one Newton step of third order from the value in `f64`.
+    fn small_ln_1p(self) -> Self {
+        let start = ln_1p(self.hi);
+        let power = Self::from(start).expm1();
+        let step = (self - power) / (power + 1.0);
+        step - step.square() * 0.5 + start
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limits_are_those_of_single_numbers() {
+        assert_eq!(Dd::from(1e3).exp().hi(), f64::INFINITY);
+        assert_eq!(Dd::from(-1e3).exp().hi(), 0.0);
+        assert_eq!(Dd::from(-1e3).expm1().hi(), -1.0);
+        assert!(Dd::NAN.exp().is_nan());
+        assert_eq!(Dd::ZERO.ln().hi(), f64::NEG_INFINITY);
+        assert!(Dd::from(-1.0).ln().is_nan());
+        assert_eq!(Dd::from(0.0).pow(Dd::from(-0.5)).hi(), f64::INFINITY);
+        assert_eq!(Dd::from(2.0).powi(-1074).hi(), 5e-324);
+    }
+
+    #[test]
+    fn subnormal_arguments_have_logarithms() {
+        let x = Dd::from(5e-324).ln();
+        assert!((x + Dd::LN_2 * 1074.0).abs().hi() < 1e-28);
+    }
+}
