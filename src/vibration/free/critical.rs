@@ -1,0 +1,56 @@
+//! Critically damped motion.
+//!
+//! ```text
+//! x = e^(-λt) (x0 + (v0 + λ x0) t)
+//! v = e^(-λt) (v0 - λ (v0 + λ x0) t)
+//! ```
+
+use super::super::oscillator::Scaled;
+use super::super::state::State;
+use super::decay;
+use crate::numerics::{Dd, sum_of_products};
+
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Critical {
+    pub(super) initial: State,
+    /// Factor of the time in the position, v0 + λ x0.
+    pub(super) position_slope: f64,
+    /// Factor of the time in the velocity, -λ (v0 + λ x0).
+    pub(super) velocity_slope: f64,
+    /// -λ.
+    pub(super) growth: Dd,
+}
+
+impl Critical {
+    pub(super) fn of(scaled: &Scaled, initial: State) -> Self {
+        let State { position, velocity } = initial;
+        let growth = -scaled.decay_rate();
+        let slope = sum_of_products(2.0 * scaled.mass, velocity, scaled.damping, position)
+            / (2.0 * scaled.mass);
+        Self {
+            initial,
+            position_slope: slope,
+            velocity_slope: growth.hi() * slope,
+            growth,
+        }
+    }
+
+    #[inline]
+    pub(super) fn exponent(&self, t: f64) -> f64 {
+        self.growth.hi() * t
+    }
+
+    #[inline]
+    pub(super) fn position<const LIFTED: bool>(&self, t: f64) -> f64 {
+        decay::<LIFTED>(self.growth, t) * (self.initial.position + self.position_slope * t)
+    }
+
+    #[inline]
+    pub(super) fn state<const LIFTED: bool>(&self, t: f64) -> State {
+        let envelope = decay::<LIFTED>(self.growth, t);
+        State {
+            position: envelope * (self.initial.position + self.position_slope * t),
+            velocity: envelope * (self.initial.velocity + self.velocity_slope * t),
+        }
+    }
+}

@@ -1,0 +1,81 @@
+//! Undamped and underdamped motion; one formula up to the limit of critical damping.
+//!
+//! ```text
+//! x = e^(-λt) (x0 cos ω_d t + (2 m v0 + c x0)/s sin ω_d t)
+//! v = e^(-λt) (v0 cos ω_d t - (2 k x0 + c v0)/s sin ω_d t),   s = √(4 m k - c²)
+//! ```
+
+use super::super::oscillator::Scaled;
+use super::super::state::State;
+use super::decay;
+use crate::numerics::{Dd, atan2, hypot, sum_of_products};
+
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Oscillating {
+    pub(super) initial: State,
+    /// Factor of the sine in the position.
+    pub(super) position_sine: f64,
+    /// Factor of the sine in the velocity.
+    pub(super) velocity_sine: f64,
+    /// -λ.
+    pub(super) growth: Dd,
+    /// ω_d.
+    pub(super) frequency: Dd,
+    pub(super) is_damped: bool,
+}
+
+impl Oscillating {
+    pub(super) fn of(scaled: &Scaled, root: Dd, initial: State) -> Self {
+        let Scaled {
+            mass,
+            damping,
+            stiffness,
+            ..
+        } = *scaled;
+        let State { position, velocity } = initial;
+        Self {
+            initial,
+            position_sine: sum_of_products(2.0 * mass, velocity, damping, position) / root.hi(),
+            velocity_sine: -sum_of_products(2.0 * stiffness, position, damping, velocity)
+                / root.hi(),
+            growth: -scaled.decay_rate(),
+            frequency: root / (2.0 * mass),
+            is_damped: damping > 0.0,
+        }
+    }
+
+    #[inline]
+    pub(super) fn exponent(&self, t: f64) -> f64 {
+        self.growth.hi() * t
+    }
+
+    #[inline]
+    pub(super) fn envelope<const LIFTED: bool>(&self, t: f64) -> f64 {
+        if self.is_damped {
+            decay::<LIFTED>(self.growth, t)
+        } else {
+            1.0
+        }
+    }
+
+    #[inline]
+    pub(super) fn position<const LIFTED: bool>(&self, t: f64) -> f64 {
+        let (sine, cosine) = (self.frequency * t).sin_cos_to_f64();
+        self.envelope::<LIFTED>(t) * (self.initial.position * cosine + self.position_sine * sine)
+    }
+
+    #[inline]
+    pub(super) fn state<const LIFTED: bool>(&self, t: f64) -> State {
+        let (sine, cosine) = (self.frequency * t).sin_cos_to_f64();
+        let envelope = self.envelope::<LIFTED>(t);
+        State {
+            position: envelope * (self.initial.position * cosine + self.position_sine * sine),
+            velocity: envelope * (self.initial.velocity * cosine + self.velocity_sine * sine),
+        }
+    }
+
+    pub(super) fn amplitude_and_phase(&self) -> (f64, f64) {
+        let (cosine, sine) = (self.initial.position, self.position_sine);
+        (hypot(cosine, sine), atan2(sine, cosine))
+    }
+}

@@ -1,0 +1,100 @@
+//! Systems given by matrices, or by springs and squares that are no network of attractive springs.
+
+use nalgebra::DMatrix;
+
+use super::mass_root::MassRoot;
+use super::solve::{Solution, completed};
+use super::system::{Inertia, Stiffness, System};
+use super::{ModesError, factor};
+use crate::numerics::cholesky::{Real, cholesky, congruent};
+use crate::numerics::symmetric::Symmetric;
+
+/// Largest size whose matrices are factored in double-double arithmetic.
+const MAX_EXACT: usize = 64;
+
+pub(super) fn solve(system: &System) -> Result<(MassRoot, Solution), ModesError> {
+    if system.degrees_of_freedom() <= MAX_EXACT {
+        factored(system, system.exact_stiffness_matrix())
+    } else {
+        factored(system, system.stiffness_matrix())
+    }
+}
+
+/// Matrices: Cholesky of M, then pivoted Cholesky of `L⁻¹ K L⁻ᵀ` and its singular values;
+/// two-sided rotations if that is indefinite.
+fn factored<T: Real>(
+    system: &System,
+    stiffness: DMatrix<T>,
+) -> Result<(MassRoot, Solution), ModesError> {
+    let size = system.degrees_of_freedom();
+    let (root, weighted) = match &system.inertia {
+        Inertia::Masses(masses) => (MassRoot::of_masses(masses), divided(&stiffness, masses)),
+        Inertia::Matrix(mass) => {
+            let lower = cholesky(&mass.map(T::from), size as f64 * f64::EPSILON / 2.0)
+                .ok_or(ModesError::MassNotPositiveDefinite)?;
+            let weighted = congruent(&lower, &stiffness);
+            (MassRoot::Lower(lower.map(Real::rounded)), weighted)
+        }
+    };
+    if weighted.iter().any(|x| !x.rounded().is_finite()) {
+        return Err(ModesError::OutOfRange);
+    }
+    let floor = rounding_floor(system, &weighted);
+    let solution = match factor::of_matrix(weighted.clone(), &floor) {
+        Some(factor) => completed(size, factor.left_singular(), Vec::new()),
+        None => indefinite(weighted.map(Real::rounded)),
+    };
+    Ok((root, solution))
+}
+
+/// `K_ij / sqrt(m_i m_j)`.
+fn divided<T: Real>(stiffness: &DMatrix<T>, masses: &[f64]) -> DMatrix<T> {
+    DMatrix::from_fn(masses.len(), masses.len(), |i, j| {
+        if i == j {
+            stiffness[(i, i)] / T::from(masses[i])
+        } else {
+            stiffness[(i, j)] / (T::from(masses[i]) * T::from(masses[j])).root()
+        }
+    })
+}
+
+/// What rounding may leave of a pivot: `n u` of the diagonal for matrices, which come rounded, and nearly nothing for
+/// squares, which determine their matrix.
+fn rounding_floor<T: Real>(system: &System, weighted: &DMatrix<T>) -> Vec<f64> {
+    let size = system.degrees_of_freedom() as f64;
+    let diagonal: Vec<f64> = weighted
+        .diagonal()
+        .iter()
+        .map(|x| x.rounded().abs())
+        .collect();
+    let largest = diagonal.iter().copied().fold(0.0, f64::max);
+    let is_exact = !matches!(system.stiffness, Stiffness::Matrix(_))
+        && system.degrees_of_freedom() <= MAX_EXACT;
+    let unit = if is_exact { 1e-29 } else { f64::EPSILON / 2.0 };
+    let coupled = matches!(system.inertia, Inertia::Matrix(_));
+    diagonal
+        .into_iter()
+        .map(|entry| size * unit * if coupled { largest } else { entry })
+        .collect()
+}
+
+/// Eigenvalues of either sign; those that rounding could have made are zero.
+fn indefinite(weighted: DMatrix<f64>) -> Solution {
+    let size = weighted.nrows() as f64;
+    let zero = weighted.amax() * size * f64::EPSILON / 2.0;
+    let Symmetric { values, vectors } = Symmetric::of(weighted);
+    let rates = values
+        .into_iter()
+        .map(|value| {
+            if value.abs() <= zero {
+                0.0
+            } else {
+                value.abs().sqrt().copysign(value)
+            }
+        })
+        .collect();
+    Solution {
+        rates,
+        vectors: vectors.as_slice().to_vec(),
+    }
+}

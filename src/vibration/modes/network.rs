@@ -1,0 +1,236 @@
+//! Networks of attractive springs: elimination and rotations.
+
+use super::solve::{Solution, completed};
+use super::system::Link;
+use super::{Pair, factor};
+use crate::numerics::jacobi::dot;
+
+pub(super) fn solve(masses: &[f64], springs: &[Link]) -> Solution {
+    if let Some(solution) = pair(masses, springs) {
+        return solution;
+    }
+    let elastic = factor::of_network(masses, springs).left_singular();
+    let rigid = rigid_motions(masses, springs);
+    let mut solution = completed(masses.len(), elastic, rigid);
+    remove_stiff_motions(masses, springs, &mut solution);
+    take_rayleigh_quotients(masses, springs, &mut solution);
+    solution
+}
+
+/// Two masses whose closed form is in range.
+fn pair(masses: &[f64], springs: &[Link]) -> Option<Solution> {
+    let &[first, second] = masses else {
+        return None;
+    };
+    let mut sums = [0.0; 3];
+    for spring in springs {
+        match spring.ends {
+            [0, 1] | [1, 0] => sums[0] += spring.coefficient,
+            [0, 2] | [2, 0] => sums[2] += spring.coefficient,
+            _ => sums[1] += spring.coefficient,
+        }
+    }
+    Pair::is_in_range(masses, sums).then(|| Solution {
+        rates: Pair::exact_frequencies([first, second], sums).to_vec(),
+        vectors: Pair::of_network([first, second], sums)
+            .weighted_shapes()
+            .concat(),
+    })
+}
+
+/// Mass-weighted translations of the parts that no spring ties to the ground.
+fn rigid_motions(masses: &[f64], springs: &[Link]) -> Vec<Vec<f64>> {
+    let part = parts(masses.len(), springs);
+    let ground = part[0];
+    (1..part.len())
+        .filter(|&node| part[node] == node && node != ground)
+        .map(|free| {
+            let largest = (1..part.len())
+                .filter(|&node| part[node] == free)
+                .map(|node| masses[node - 1])
+                .fold(0.0, f64::max);
+            let mut motion: Vec<f64> = (1..part.len())
+                .map(|node| {
+                    if part[node] == free {
+                        (masses[node - 1] / largest).sqrt()
+                    } else {
+                        0.0
+                    }
+                })
+                .collect();
+            let length = dot(&motion, &motion).sqrt();
+            for x in &mut motion {
+                *x /= length;
+            }
+            motion
+        })
+        .collect()
+}
+
+/// For each node, the ground first, the first node of the connected part it belongs to.
+fn parts(nodes: usize, springs: &[Link]) -> Vec<usize> {
+    let mut parent: Vec<usize> = (0..=nodes).collect();
+    let root = |parent: &[usize], mut node: usize| {
+        while parent[node] != node {
+            node = parent[node];
+        }
+        node
+    };
+    for spring in springs.iter().filter(|spring| spring.coefficient != 0.0) {
+        let [first, second] = spring.ends.map(|node| root(&parent, node));
+        parent[first.max(second)] = first.min(second);
+    }
+    (0..=nodes).map(|node| root(&parent, node)).collect()
+}
+
+/// The elongations of all springs in all modes, up to a common factor.
+struct Displacements<'a> {
+    springs: &'a [Link],
+    /// Elongations of one mode after the other.
+    elongations: Vec<f64>,
+}
+
+impl<'a> Displacements<'a> {
+    fn of(masses: &[f64], springs: &'a [Link], vectors: &[f64]) -> Self {
+        let roots: Vec<f64> = masses
+            .iter()
+            .map(|m| factor::root_of_ratio(*m, masses[0]))
+            .collect();
+        let elongations = vectors
+            .chunks_exact(masses.len())
+            .flat_map(|weighted| {
+                let shape = displacement(weighted, &roots);
+                springs.iter().map(move |spring| spring.elongation(&shape))
+            })
+            .collect();
+        Self {
+            springs,
+            elongations,
+        }
+    }
+
+    fn elongations(&self, mode: usize) -> &[f64] {
+        &self.elongations[mode * self.springs.len()..][..self.springs.len()]
+    }
+
+    /// `φᵢᵀ K φⱼ` as a sum over the springs.
+    fn coupling(&self, i: usize, j: usize) -> f64 {
+        let pairs = self.elongations(i).iter().zip(self.elongations(j));
+        self.springs
+            .iter()
+            .zip(pairs)
+            .map(|(spring, (x, y))| spring.coefficient * x * y)
+            .sum()
+    }
+}
+
+fn displacement(weighted: &[f64], roots: &[f64]) -> Vec<f64> {
+    weighted
+        .iter()
+        .zip(roots)
+        .map(|(y, root)| y / root)
+        .collect()
+}
+
+/// Takes out of each shape what it has of motions that are much stiffer.
+///
+/// Rounding leaves as much of every motion in a shape. A stiff one of light masses moves them far, so that little of it
+/// is seen in mass-weighted displacements; but it is known much better from the forces. One step of the correction of Ogita
+/// and Aishima for these pairs of modes. Skipped for densely coupled networks, where it would cost as much as all the rest.
+fn remove_stiff_motions(masses: &[f64], springs: &[Link], solution: &mut Solution) {
+    const STIFFER: f64 = 100.0;
+    let Solution { rates, vectors } = solution;
+    let size = masses.len();
+    let (Some(&softest), Some(&stiffest)) = (rates.iter().find(|rate| **rate > 0.0), rates.last())
+    else {
+        return;
+    };
+    if stiffest <= STIFFER * softest || !is_sparse_and_in_range(masses, springs, stiffest) {
+        return;
+    }
+    let displacements = Displacements::of(masses, springs, vectors);
+    let before = vectors.clone();
+    let weighted = |mode: usize| &before[mode * size..][..size];
+    for soft in 0..size {
+        let rate = rates[soft];
+        let first = if rate > 0.0 {
+            rates.partition_point(|other| *other <= STIFFER * rate)
+        } else {
+            size
+        };
+        for (stiff, stiff_rate) in rates.iter().enumerate().skip(first) {
+            let (soft_square, stiff_square) = (rate * rate, stiff_rate * stiff_rate);
+            let overlap = dot(weighted(soft), weighted(stiff));
+            let coupling = displacements.coupling(soft, stiff) / masses[0];
+            let share = (coupling - soft_square * overlap) / (soft_square - stiff_square);
+            let target = &mut vectors[soft * size..][..size];
+            target
+                .iter_mut()
+                .zip(weighted(stiff))
+                .for_each(|(x, y)| *x += share * y);
+        }
+    }
+}
+
+/// Frequencies this far below the largest, over the size, are left as they are; see [`are_spread`].
+const WIDEST: f64 = 3e6;
+
+/// Whether some elastic frequency is so far below the largest that the error of its Rayleigh quotient, the square of the
+/// shape's times the ratio of the eigenvalues, may exceed rounding.
+pub(super) fn are_spread(rates: &[f64]) -> bool {
+    let softest = rates.iter().find(|rate| **rate > 0.0);
+    let stiffest = rates.last().copied().unwrap_or_default();
+    softest.is_some_and(|softest| softest * WIDEST < stiffest * rates.len() as f64)
+}
+
+/// Replaces frequencies by Rayleigh quotients `Σ k e² / Σ m φ²`: sums of positive terms, whose error is that of the shape
+/// squared.
+fn take_rayleigh_quotients(masses: &[f64], springs: &[Link], solution: &mut Solution) {
+    let Solution { rates, vectors } = solution;
+    let stiffest = rates.last().copied().unwrap_or_default();
+    if !is_sparse_and_in_range(masses, springs, stiffest) {
+        return;
+    }
+    let size = masses.len();
+    let root = |m: &f64| factor::root_of_ratio(*m, masses[0]);
+    let roots: Vec<f64> = masses.iter().map(root).collect();
+    let mut shape = vec![0.0; size];
+    for (rate, weighted) in rates.iter_mut().zip(vectors.chunks_exact(size)) {
+        if *rate * WIDEST < stiffest * size as f64 {
+            continue;
+        }
+        let (mut potential, mut kinetic) = (0.0, 0.0);
+        for (i, component) in shape.iter_mut().enumerate() {
+            *component = weighted[i] / roots[i];
+            kinetic += masses[i] * *component * *component;
+        }
+        for spring in springs {
+            let elongation = spring.elongation(&shape);
+            potential += spring.coefficient * elongation * elongation;
+        }
+        *rate = (potential / kinetic).sqrt();
+    }
+    sort(size, solution);
+}
+
+/// Whether sums over the springs of all modes cost little beside the rotations, and none of them leaves the range of numbers.
+fn is_sparse_and_in_range(masses: &[f64], springs: &[Link], stiffest: f64) -> bool {
+    const SPARSE: usize = 16;
+    const RANGE: std::ops::Range<f64> = 1e-70..1e70;
+    springs.len() <= SPARSE * masses.len()
+        && masses.iter().all(|m| RANGE.contains(m))
+        && RANGE.contains(&stiffest)
+}
+
+fn sort(size: usize, solution: &mut Solution) {
+    if solution.rates.is_sorted() {
+        return;
+    }
+    let mut order: Vec<usize> = (0..solution.rates.len()).collect();
+    order.sort_by(|&i, &j| solution.rates[i].total_cmp(&solution.rates[j]));
+    solution.vectors = order
+        .iter()
+        .flat_map(|&mode| solution.vectors[mode * size..][..size].to_vec())
+        .collect();
+    solution.rates = order.iter().map(|&mode| solution.rates[mode]).collect();
+}
