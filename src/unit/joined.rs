@@ -1,0 +1,170 @@
+//! Letters without a space between them: one unit, or several, `Nm`, `kgm`, `Nms`.
+
+use std::ops::Range;
+
+use super::error::{Error, ErrorKind};
+use super::nearest::unknown;
+use super::table::{Found, PREFIXES, ROWS, bare_symbol, symbol, word};
+
+/// The most units that are written together.
+const MOST: usize = 4;
+
+/// The longest run of letters that may be several units.
+const LONGEST: usize = 12;
+
+/// Several units in a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Joined {
+    units: [Found; MOST],
+    length: usize,
+}
+
+impl Joined {
+    const NONE: Self = Self {
+        units: [Found { row: 0, prefix: 0 }; MOST],
+        length: 0,
+    };
+
+    fn with(mut self, found: Found) -> Option<Self> {
+        // Nobody writes `mm` for square metres.
+        let is_repeated = self.iter().any(|known| known.row == found.row);
+        // Inside, a prefix is at home with metres, seconds and the kilogram only: `mps` is no picosecond.
+        let is_odd = self.length > 0 && !is_plain(found);
+        if is_repeated || is_odd {
+            return None;
+        }
+        *self.units.get_mut(self.length)? = found;
+        self.length += 1;
+        Some(self)
+    }
+
+    pub(super) fn iter(&self) -> impl Iterator<Item = Found> {
+        self.units.into_iter().take(self.length)
+    }
+
+    /// The lower, the likelier: few prefixes inside, then few units. So `Nms` is N m s, and `mAh` is mA h.
+    fn unlikeliness(&self) -> (usize, usize) {
+        let inside = self
+            .iter()
+            .skip(1)
+            .filter(|found| found.prefix != 0 && !is_kilogram(*found))
+            .count();
+        (inside, self.length)
+    }
+
+    fn text(&self) -> String {
+        let names = self.iter().map(|found| {
+            let prefix = PREFIXES
+                .iter()
+                .find(|prefix| prefix.power == found.prefix)
+                .map_or("", |prefix| prefix.symbols[0]);
+            format!("{prefix}{}", ROWS[usize::from(found.row)].symbols[0])
+        });
+        names.collect::<Vec<_>>().join(" ")
+    }
+}
+
+fn is_plain(found: Found) -> bool {
+    let symbol = ROWS[usize::from(found.row)].symbols[0];
+    match found.prefix {
+        0 => true,
+        -3 => matches!(symbol, "m" | "s"),
+        -2 => symbol == "m",
+        3 => matches!(symbol, "m" | "g"),
+        _ => false,
+    }
+}
+
+fn is_kilogram(found: Found) -> bool {
+    found.prefix == 3 && ROWS[usize::from(found.row)].symbols[0] == "g"
+}
+
+/// What a run of letters means: a symbol, a word, or several symbols.
+pub(super) fn units(name: &str, span: Range<usize>) -> Result<Joined, Error> {
+    let single = symbol(name)
+        .or_else(|| word(name))
+        .or_else(|| capital_kilo(name));
+    if let Some(joined) = single.and_then(|found| Joined::NONE.with(found)) {
+        return Ok(joined);
+    }
+    if let Some(stem) = name
+        .strip_suffix('s')
+        .filter(|stem| ["g", "kg", "mm", "cm", "km"].contains(stem))
+    {
+        let kind = ErrorKind::AmbiguousUnit {
+            found: name.to_owned(),
+            one: stem.to_owned(),
+            other: format!("{stem} s"),
+        };
+        return Err(Error::new(kind, span));
+    }
+    let mut search = Search {
+        best: None,
+        rival: None,
+    };
+    if name.len() <= LONGEST {
+        search.split(name, Joined::NONE);
+    }
+    match (search.best, search.rival) {
+        (None, _) => Err(unknown(name, span)),
+        (Some(best), None) => Ok(best),
+        (Some(best), Some(rival)) => {
+            let kind = ErrorKind::AmbiguousUnit {
+                found: name.to_owned(),
+                one: best.text(),
+                other: rival.text(),
+            };
+            Err(Error::new(kind, span))
+        }
+    }
+}
+
+/// `KN`, `Khz`: a kilo that should be small. Kelvin stands alone.
+fn capital_kilo(name: &str) -> Option<Found> {
+    let rest = name.strip_prefix('K')?;
+    let row = bare_symbol(rest).or_else(|| {
+        word(rest)
+            .filter(|found| found.prefix == 0 && rest == "hz")
+            .map(|found| found.row)
+    });
+    row.filter(|&row| ROWS[usize::from(row)].prefixes)
+        .map(|row| Found { row, prefix: 3 })
+}
+
+/// The likeliest way to cut a run into symbols, and another one as likely.
+struct Search {
+    best: Option<Joined>,
+    rival: Option<Joined>,
+}
+
+impl Search {
+    fn split(&mut self, rest: &str, head: Joined) {
+        if rest.is_empty() {
+            self.offer(head);
+            return;
+        }
+        let ends = rest.char_indices().map(|(at, char)| at + char.len_utf8());
+        for end in ends {
+            let found = symbol(&rest[..end]).filter(|found| ROWS[usize::from(found.row)].joins);
+            if let Some(longer) = found.and_then(|found| head.with(found)) {
+                self.split(&rest[end..], longer);
+            }
+        }
+    }
+
+    fn offer(&mut self, joined: Joined) {
+        match self
+            .best
+            .map(|best| joined.unlikeliness().cmp(&best.unlikeliness()))
+        {
+            Some(std::cmp::Ordering::Greater) => {}
+            Some(std::cmp::Ordering::Equal) => self.rival = Some(joined),
+            _ => {
+                *self = Self {
+                    best: Some(joined),
+                    rival: None,
+                }
+            }
+        }
+    }
+}

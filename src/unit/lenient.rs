@@ -1,0 +1,518 @@
+//! Units as people type them.
+//!
+//! ```text
+//! unit    = item { ( " " | "·" | "*" | "." | "-" | "/" | "per" ) item }
+//! item    = "1" | "(" unit ")" [ power ] | "\frac{" unit "}{" unit "}" | ( "square" | "cubic" ) letters | letters [ power ]
+//! power   = ( "^" | "**" ) exponent | "²" | "2" | "-2" | "squared" | "cubed"
+//! letters = symbol, word, or symbols without spaces
+//! ```
+//!
+//! A slash divides by the one item after it. What follows such an item without another slash might belong above or
+//! below, so it is refused with both readings named.
+
+use super::error::{Error, ErrorKind};
+use super::factor::{Builder, Factor};
+use super::joined;
+use super::product::Unit;
+use super::rational::Rational;
+use super::scanner::Scanner;
+use super::strict::is_letter;
+
+/// The deepest nesting of parentheses.
+const DEEPEST: usize = 8;
+
+/// Reads the unit after a number, which may be joined to it by a sign of multiplication.
+pub(super) fn after_number(text: &str) -> Result<Unit, Error> {
+    let unspaced = text.trim_start();
+    match TIMES_SIGNS
+        .into_iter()
+        .find_map(|sign| unspaced.strip_prefix(sign))
+    {
+        Some(rest) if !rest.trim().is_empty() => {
+            unit(rest).map_err(|error| error.shifted(text.len() - rest.len()))
+        }
+        _ => unit(text),
+    }
+}
+
+/// Reads a unit that makes up the whole text; nothing is `1`.
+pub(super) fn unit(text: &str) -> Result<Unit, Error> {
+    // The point at the end of a sentence.
+    let text = text.trim_end().trim_end_matches('.');
+    let mut reader = Reader {
+        scanner: Scanner::new(text)?,
+        builder: Builder::new(),
+        depth: 0,
+    };
+    reader.space();
+    if !reader.scanner.is_at_end() {
+        reader.product()?;
+        match reader.scanner.peek() {
+            None => {}
+            Some(')' | '}' | ']') => return Err(reader.scanner.error(ErrorKind::Parenthesis)),
+            Some(found) => return Err(reader.scanner.error(ErrorKind::Unexpected { found })),
+        }
+    }
+    reader
+        .builder
+        .finish()
+        .map_err(|kind| Error::new(kind, 0..text.len()))
+}
+
+struct Reader<'a> {
+    scanner: Scanner<'a>,
+    builder: Builder,
+    depth: usize,
+}
+
+/// What stands between two items.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Between {
+    Product,
+    Slash,
+}
+
+impl Reader<'_> {
+    fn product(&mut self) -> Result<(), Error> {
+        self.space();
+        let mut divided = false;
+        if self.slash() {
+            divided = true;
+            self.divisor()?;
+        } else {
+            self.item()?;
+        }
+        loop {
+            match self.between() {
+                Some(Between::Slash) => {
+                    divided = true;
+                    self.divisor()?;
+                }
+                Some(Between::Product) if divided => {
+                    return Err(self.scanner.error(ErrorKind::ProductAfterSlash));
+                }
+                Some(Between::Product) => self.item()?,
+                None => return Ok(()),
+            }
+        }
+    }
+
+    fn divisor(&mut self) -> Result<(), Error> {
+        let start = self.builder.len();
+        self.space();
+        self.item()?;
+        self.builder.divide(start);
+        Ok(())
+    }
+
+    /// Moves to the next item, if there is one.
+    fn between(&mut self) -> Option<Between> {
+        self.space();
+        if self.slash() {
+            return Some(Between::Slash);
+        }
+        let sign = self.product_sign();
+        self.space();
+        let begins = |next| is_letter(next) || matches!(next, '(' | '{' | '[' | '\\');
+        (sign || self.scanner.peek().is_some_and(begins)).then_some(Between::Product)
+    }
+
+    fn slash(&mut self) -> bool {
+        let mut ahead = self.scanner;
+        let slash = match ahead.peek() {
+            Some('/' | '⁄' | '∕' | '÷') => ahead.skip(),
+            Some('p' | 'P') => ahead.run(is_letter).eq_ignore_ascii_case("per"),
+            _ => false,
+        };
+        if slash {
+            self.scanner = ahead;
+        }
+        slash
+    }
+
+    fn product_sign(&mut self) -> bool {
+        match self.scanner.peek() {
+            Some('·' | '⋅' | '•' | '∙' | '×' | '*' | '.' | '-' | '‐' | '‑') => {
+                self.scanner.skip()
+            }
+            Some('\\') => self.scanner.takes_text("\\cdot") || self.scanner.takes_text("\\times"),
+            _ => false,
+        }
+    }
+
+    /// Moves past white space and what only sets the face of letters.
+    fn space(&mut self) {
+        self.scanner.space();
+        while let Some('\\' | '~' | '$') = self.scanner.peek() {
+            if !INVISIBLE
+                .into_iter()
+                .any(|sign| self.scanner.takes_text(sign))
+            {
+                return;
+            }
+            self.scanner.space();
+        }
+    }
+
+    fn item(&mut self) -> Result<(), Error> {
+        self.space();
+        if self.scanner.peek() == Some('\\')
+            && FRACTIONS
+                .into_iter()
+                .any(|sign| self.scanner.takes_text(sign))
+        {
+            return self.fraction();
+        }
+        let start = self.builder.len();
+        if let Some(close) = self.opening() {
+            self.nested(close)?;
+            return self.power(start);
+        }
+        if self.scanner.takes_one() {
+            return Ok(());
+        }
+        let multiplied = self.square_or_cubic();
+        self.letters()?;
+        if let Some(power) = multiplied {
+            self.raise(self.builder.len() - 1, power)?;
+        }
+        self.power(self.builder.len() - 1)
+    }
+
+    /// Moves past an opening bracket, and returns the closing one.
+    fn opening(&mut self) -> Option<char> {
+        let close = match self.scanner.peek()? {
+            '(' => ')',
+            '{' => '}',
+            '[' => ']',
+            _ => return None,
+        };
+        self.scanner.skip();
+        Some(close)
+    }
+
+    fn nested(&mut self, close: char) -> Result<(), Error> {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return Err(self.scanner.error(ErrorKind::Parenthesis));
+        }
+        self.product()?;
+        self.space();
+        self.depth -= 1;
+        if self.scanner.takes(close) {
+            Ok(())
+        } else {
+            Err(self.scanner.error(ErrorKind::Parenthesis))
+        }
+    }
+
+    fn fraction(&mut self) -> Result<(), Error> {
+        let start = self.builder.len();
+        for divisor in [false, true] {
+            let start = if divisor { self.builder.len() } else { start };
+            self.space();
+            if !self.scanner.takes('{') {
+                return Err(self.scanner.error(ErrorKind::Parenthesis));
+            }
+            self.nested('}')?;
+            if divisor {
+                self.builder.divide(start);
+            }
+        }
+        Ok(())
+    }
+
+    /// The power in `square metres` and `cubic metres`.
+    fn square_or_cubic(&mut self) -> Option<Rational> {
+        let mut ahead = self.scanner;
+        let power = match ahead.peek()? {
+            's' if ahead.run(is_letter) == "square" => 2,
+            'c' if ahead.run(is_letter) == "cubic" => 3,
+            _ => return None,
+        };
+        ahead.space();
+        self.scanner = ahead;
+        Some(Rational::integer(power))
+    }
+
+    fn letters(&mut self) -> Result<(), Error> {
+        let start = self.scanner.at();
+        let name = match self.scanner.peek() {
+            Some('\\' | '^') => self.sign(),
+            Some('g') if self.scanner.takes_text("g0") => "g0",
+            _ => self.scanner.run(is_letter),
+        };
+        if name.is_empty() {
+            return Err(self.scanner.error(ErrorKind::UnitMissing));
+        }
+        let span = start..self.scanner.at();
+        for found in joined::units(name, span.clone())?.iter() {
+            self.builder
+                .push(Factor::new(found, Rational::ONE))
+                .map_err(|kind| Error::new(kind, span.clone()))?;
+        }
+        Ok(())
+    }
+
+    /// The unit of a sign in LaTeX; nothing if there is none.
+    fn sign(&mut self) -> &'static str {
+        let known = SIGNS
+            .into_iter()
+            .find(|(sign, _)| self.scanner.takes_text(sign));
+        known.map_or("", |(_, unit)| unit)
+    }
+
+    /// Reads a power, if there is one, and raises what stands from the factor `start` on.
+    fn power(&mut self, start: usize) -> Result<(), Error> {
+        let place = self.scanner.at();
+        let mut ahead = self.scanner;
+        let mut spaced = ahead;
+        spaced.space();
+        if spaced.peek() == Some('^')
+            && !SIGNS
+                .into_iter()
+                .any(|(sign, _)| spaced.rest().starts_with(sign))
+        {
+            ahead = spaced;
+        }
+        let power = if ahead.takes('^') || ahead.takes_text("**") {
+            ahead.space();
+            ahead
+                .exponent(true)
+                .and_then(|power| halved(&mut ahead, power))
+        } else if let Some(power) = ahead.superscript() {
+            Some(power)
+        } else if begins_exponent(ahead.rest()) {
+            ahead.exponent(true)
+        } else {
+            ahead.space();
+            match ahead.peek() {
+                Some('s') if ahead.run(is_letter) == "squared" => Some(Rational::integer(2)),
+                Some('c') if ahead.run(is_letter) == "cubed" => Some(Rational::integer(3)),
+                _ => return Ok(()),
+            }
+        };
+        self.scanner = ahead;
+        let error = || Error::new(ErrorKind::NotAnExponent, place..ahead.at());
+        self.raise(
+            start,
+            power.filter(|power| !power.is_zero()).ok_or_else(error)?,
+        )
+    }
+
+    fn raise(&mut self, start: usize, power: Rational) -> Result<(), Error> {
+        let at = self.scanner.at();
+        self.builder
+            .raise(start, power)
+            .map_err(|kind| Error::new(kind, at..at))
+    }
+}
+
+/// An exponent of one, up or down, with what may divide it: `-1/2`. After others, a number below a slash is refused.
+fn halved(scanner: &mut Scanner<'_>, power: Rational) -> Option<Rational> {
+    let mut ahead = *scanner;
+    if power.abs() != Rational::ONE || !ahead.takes('/') || !begins_exponent(ahead.rest()) {
+        return Some(power);
+    }
+    let divisor = ahead
+        .plain_exponent()
+        .filter(|divisor| divisor.is_integer() && !divisor.is_negative())?;
+    *scanner = ahead;
+    power.checked_mul(Rational::new(1, divisor.numerator())?)
+}
+
+/// Whether a digit comes next, or a minus and a digit, as in `m2` and `s-2`.
+fn begins_exponent(rest: &str) -> bool {
+    let unsigned = rest.strip_prefix(['-', '−']).unwrap_or(rest);
+    unsigned.starts_with(|char: char| char.is_ascii_digit())
+}
+
+/// What people put between a number and its unit.
+const TIMES_SIGNS: [&str; 6] = ["·", "⋅", "×", "*", "\\cdot", "\\times"];
+
+const FRACTIONS: [&str; 3] = ["\\frac", "\\dfrac", "\\tfrac"];
+
+/// LaTeX for units, with their symbols in files.
+const SIGNS: [(&str, &str); 5] = [
+    ("^\\circ", "deg"),
+    ("^{\\circ}", "deg"),
+    ("\\circ", "deg"),
+    ("\\degree", "deg"),
+    ("\\Omega", "ohm"),
+];
+
+/// LaTeX that shows nothing.
+const INVISIBLE: [&str; 13] = [
+    "~", "\\,", "\\;", "\\:", "\\!", "\\ ", "\\quad", "\\mathrm", "\\text", "\\rm", "\\left",
+    "\\right", "$",
+];
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// What is typed, and what files would have; the catalogue of notations that students use.
+    const READINGS: [(&str, &str); 99] = [
+        ("", "1"),
+        ("1", "1"),
+        ("N·m/rad", "N m/rad"),
+        ("N m/rad", "N m/rad"),
+        ("N*m/rad", "N m/rad"),
+        ("N⋅m/rad", "N m/rad"),
+        ("N.m/rad", "N m/rad"),
+        ("N-m/rad", "N m/rad"),
+        ("Nm/rad", "N m/rad"),
+        ("Nm per rad", "N m/rad"),
+        ("newton metres per radian", "N m/rad"),
+        ("Newton-meter/radian", "N m/rad"),
+        ("kg m²", "kg m^2"),
+        ("kg*m^2", "kg m^2"),
+        ("kgm^2", "kg m^2"),
+        ("kg m2", "kg m^2"),
+        ("kg·m**2", "kg m^2"),
+        ("kg-m^2", "kg m^2"),
+        ("kg square metres", "kg m^2"),
+        ("kilogram metres squared", "kg m^2"),
+        ("N/(m/s)", "N s/m"),
+        ("N/(m·s⁻¹)", "N s/m"),
+        ("N s/m", "N s/m"),
+        ("N.s/m", "N s/m"),
+        ("Ns/m", "N s/m"),
+        ("N·s·m⁻¹", "N s m^-1"),
+        ("N s m-1", "N s m^-1"),
+        ("Nms/rad", "N m s/rad"),
+        ("Nms", "N m s"),
+        ("Nmm", "N mm"),
+        ("Nmm/rad", "N mm/rad"),
+        ("kNm", "kN m"),
+        ("mNm", "mN m"),
+        ("mAh", "mA h"),
+        ("kWh", "kW h"),
+        ("Pas", "Pa s"),
+        ("Vs/rad", "V s/rad"),
+        ("ms", "ms"),
+        ("ns", "ns"),
+        ("mN", "mN"),
+        ("s^-1", "s^-1"),
+        ("s^(-1)", "s^-1"),
+        ("s^{-1}", "s^-1"),
+        ("s⁻¹", "s^-1"),
+        ("s-1", "s^-1"),
+        ("1/s", "1/s"),
+        ("/s", "1/s"),
+        ("per second", "1/s"),
+        ("1/s²", "1/s^2"),
+        ("rad/s", "rad/s"),
+        ("rads/s", "rad/s"),
+        ("rad/sec", "rad/s"),
+        ("rad s-1", "rad s^-1"),
+        ("rad.s^-1", "rad s^-1"),
+        ("radians per second", "rad/s"),
+        ("Rad/s", "rad/s"),
+        ("Hz", "Hz"),
+        ("hz", "Hz"),
+        ("HZ", "Hz"),
+        ("kHz", "kHz"),
+        ("Khz", "kHz"),
+        ("hertz", "Hz"),
+        ("rpm", "rpm"),
+        ("RPM", "rpm"),
+        ("rev/min", "rev/min"),
+        ("revolutions per minute", "rev/min"),
+        ("cycles/s", "rev/s"),
+        ("°", "deg"),
+        ("º", "deg"),
+        ("deg", "deg"),
+        ("degrees", "deg"),
+        ("^\\circ", "deg"),
+        ("µm", "um"),
+        ("μm", "um"),
+        ("um", "um"),
+        ("micrometres", "um"),
+        ("ohm", "ohm"),
+        ("Ω", "ohm"),
+        ("\u{2126}", "ohm"),
+        ("kΩ", "kohm"),
+        ("\\Omega", "ohm"),
+        ("ohms", "ohm"),
+        ("m/s²", "m/s^2"),
+        ("m s-2", "m s^-2"),
+        ("m/s/s", "m/(s s)"),
+        ("metres per second squared", "m/s^2"),
+        ("m·s^{-2}", "m s^-2"),
+        ("\\mathrm{m/s^2}", "m/s^2"),
+        ("\\frac{m}{s^2}", "m/s^2"),
+        ("\\mathrm{N\\,m}", "N m"),
+        ("\\frac{\\mathrm{N}}{\\mathrm{m}}", "N/m"),
+        ("N/m²", "N/m^2"),
+        ("KN/m", "kN/m"),
+        ("J/(kg·K)", "J/(kg K)"),
+        ("kg^(-1/2)", "kg^(-1/2)"),
+        ("kg^-0.5", "kg^(-1/2)"),
+        ("kg^-1/2", "kg^(-1/2)"),
+        ("s ^ -1", "s^-1"),
+        ("[N/m]", "N/m"),
+    ];
+
+    #[test]
+    fn reads_what_people_type() {
+        for (typed, meant) in READINGS {
+            let unit = unit(typed)
+                .unwrap_or_else(|error| panic!("`{typed}`: {error} at {:?}", error.span));
+            assert_eq!(unit.to_string(), meant, "`{typed}`");
+        }
+    }
+
+    #[test]
+    fn asks_back_where_the_meaning_is_not_clear() {
+        for (typed, place, message) in [
+            (
+                "N/m s",
+                "s",
+                "a product after a slash may belong above or below it",
+            ),
+            (
+                "J/kg·K",
+                "K",
+                "a product after a slash may belong above or below it",
+            ),
+            ("kgs", "kgs", "`kgs` has more than one meaning"),
+            ("mps", "mps", "`mps` is not a known unit"),
+            ("furlong", "furlong", "`furlong` is not a known unit"),
+            ("N/", "", "a unit is missing"),
+            ("(N", "", "a parenthesis without its partner"),
+            ("N)", ")", "a parenthesis without its partner"),
+            ("m^x", "^", "not an exponent"),
+            ("m^0", "^0", "not an exponent"),
+            ("m^9999", "^9999", "not an exponent"),
+            ("N + m", "+", "`+` does not belong here"),
+            ("m^2/2", "2", "a unit is missing"),
+        ] {
+            let error = unit(typed).unwrap_err();
+            assert_eq!(
+                (&typed[error.span.clone()], error.to_string().as_str()),
+                (place, message),
+                "`{typed}`"
+            );
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn any_text_is_read_or_refused_in_place(text in any::<String>()) {
+            if let Err(error) = unit(&text) {
+                prop_assert!(text.get(error.span).is_some());
+            }
+        }
+
+        #[test]
+        fn any_text_of_unit_characters_is_read_or_refused_in_place(text in "[NmskgradHzW°Ω µ·*/^()0-9².{}\\\\-]{0,30}") {
+            match unit(&text) {
+                Ok(unit) => prop_assert_eq!(Unit::parse(&unit.to_string()), Ok(unit)),
+                Err(error) => prop_assert!(text.get(error.span).is_some()),
+            }
+        }
+    }
+}

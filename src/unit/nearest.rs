@@ -1,0 +1,125 @@
+//! The unit that somebody may have meant.
+
+use std::ops::Range;
+
+use super::error::{Error, ErrorKind};
+use super::table::{Found, PREFIXES, ROWS, prefix, word};
+
+/// The error about a name that is no unit.
+pub(super) fn unknown(name: &str, span: Range<usize>) -> Error {
+    Error::new(
+        ErrorKind::UnknownUnit {
+            found: name.to_owned(),
+            nearest: nearest(name),
+        },
+        span,
+    )
+}
+
+/// The symbol of the unit whose symbol or word is nearest, if one is near.
+fn nearest(name: &str) -> Option<String> {
+    if let Some(found) = word(name) {
+        return Some(spelled(found));
+    }
+    if PREFIXES.iter().any(|prefix| prefix.symbols.contains(&name)) {
+        return None;
+    }
+    if let Some(same) = all().find(|&found| is_symbol_but_for_case(name, found)) {
+        return Some(spelled(same));
+    }
+    // Short names are near to everything: there only the case may differ.
+    let bound = name.chars().count() / 4;
+    if bound == 0 || name.len() > LONGEST {
+        return None;
+    }
+    let candidates = all().flat_map(|found| {
+        let row = &ROWS[usize::from(found.row)];
+        let (symbol, word) =
+            prefix(found.prefix).map_or(("", ""), |prefix| (prefix.symbols[0], prefix.word));
+        let words = row.words.iter().map(move |&name| (found, word, name));
+        words.chain([(found, symbol, row.symbols[0])])
+    });
+    candidates
+        .filter_map(|(found, head, tail)| Some((distance(name, head, tail, bound)?, found)))
+        .min_by_key(|(distance, _)| *distance)
+        .map(|(_, found)| spelled(found))
+}
+
+/// The longest name that is compared.
+const LONGEST: usize = 24;
+
+/// All units, first without prefixes.
+fn all() -> impl Iterator<Item = Found> {
+    let rows = || (0..ROWS.len()).map(|row| row as u8);
+    let prefixed = PREFIXES.iter().flat_map(move |prefix| {
+        rows()
+            .filter(|&row| ROWS[usize::from(row)].prefixes)
+            .map(|row| Found {
+                row,
+                prefix: prefix.power,
+            })
+    });
+    rows().map(|row| Found { row, prefix: 0 }).chain(prefixed)
+}
+
+fn is_symbol_but_for_case(name: &str, found: Found) -> bool {
+    let head = prefix(found.prefix).map_or("", |prefix| prefix.symbols[0]);
+    let Some((start, end)) = name.split_at_checked(head.len()) else {
+        return false;
+    };
+    // A capital K is a slip for a kilo; other prefixes mean something else in the other case.
+    (start == head || start == "K" && head == "k")
+        && end.eq_ignore_ascii_case(ROWS[usize::from(found.row)].symbols[0])
+}
+
+/// A unit with its prefix.
+fn spelled(found: Found) -> String {
+    let symbol = prefix(found.prefix).map_or("", |prefix| prefix.symbols[0]);
+    format!("{symbol}{}", ROWS[usize::from(found.row)].symbols[0])
+}
+
+/// How many letters of `name` have to be put in, left out or changed to give `head` and `tail`, if at most `bound`.
+fn distance(name: &str, head: &str, tail: &str, bound: usize) -> Option<usize> {
+    let length = head.len() + tail.len();
+    if length.abs_diff(name.len()) > bound || length > LONGEST {
+        return None;
+    }
+    let mut row: [usize; LONGEST + 1] = std::array::from_fn(|i| i);
+    for (i, x) in name.bytes().enumerate() {
+        let mut diagonal = i;
+        row[0] = i + 1;
+        for (j, y) in head.bytes().chain(tail.bytes()).enumerate() {
+            let changed = diagonal + usize::from(!x.eq_ignore_ascii_case(&y));
+            diagonal = row[j + 1];
+            row[j + 1] = changed.min(row[j] + 1).min(row[j + 1] + 1);
+        }
+        if row[..=length].iter().all(|&distance| distance > bound) {
+            return None;
+        }
+    }
+    Some(row[length]).filter(|&distance| distance <= bound)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_the_unit_that_was_meant() {
+        for (name, meant) in [
+            ("newtn", "N"),
+            ("hz", "Hz"),
+            ("KG", "kg"),
+            ("Newtons", "N"),
+            ("radd", "rad"),
+            ("kilogrm", "kg"),
+            ("secnds", "s"),
+        ] {
+            assert_eq!(nearest(name).as_deref(), Some(meant), "{name}");
+        }
+        for name in ["q", "k", "NM", "mph"] {
+            assert_eq!(nearest(name), None, "{name}");
+        }
+        assert_eq!(nearest("furlong"), None);
+    }
+}

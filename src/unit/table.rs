@@ -1,0 +1,286 @@
+//! The units, one row each, and the prefixes.
+//!
+//! Adding a unit is adding a row. Spellings in `symbols` are read everywhere, the first is the one written
+//! to files; words are read in responses only, the first two are spoken for one and for several.
+
+use super::dimension::Dimension;
+use super::scale::Scale;
+
+/// What a unit says about angles: whether it counts radians, full cycles, or neither.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Turning {
+    None,
+    Radians,
+    Cycles,
+}
+
+/// One unit.
+pub(super) struct Row {
+    /// As read; the first is written to files.
+    pub(super) symbols: &'static [&'static str],
+    /// As printed for people.
+    pub(super) print: &'static str,
+    /// Singular, plural, and other words that are read in responses.
+    pub(super) words: &'static [&'static str],
+    pub(super) dimension: Dimension,
+    pub(super) scale: Scale,
+    pub(super) turning: Turning,
+    /// Whether it takes SI prefixes.
+    pub(super) prefixes: bool,
+    /// Whether it may be written without a space beside others in responses, `Nm`.
+    pub(super) joins: bool,
+    /// The unit without a factor that it is a multiple of; nothing if it is one itself.
+    pub(super) coherent: &'static str,
+}
+
+/// One prefix.
+pub(super) struct Prefix {
+    /// As read; the first is written to files.
+    pub(super) symbols: &'static [&'static str],
+    /// As printed for people.
+    pub(super) print: &'static str,
+    pub(super) word: &'static str,
+    /// The power of ten.
+    pub(super) power: i8,
+}
+
+/// A place in [`ROWS`] and the power of ten of a prefix.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Found {
+    pub(super) row: u8,
+    pub(super) prefix: i8,
+}
+
+#[expect(clippy::too_many_arguments, reason = "a row of the table below")]
+const fn row(
+    symbols: &'static [&'static str],
+    print: &'static str,
+    words: &'static [&'static str],
+    dimension: [i8; 7],
+    scale: [i8; 5],
+    turning: Turning,
+    prefixes: bool,
+    joins: bool,
+    coherent: &'static str,
+) -> Row {
+    Row {
+        symbols,
+        print,
+        words,
+        dimension: Dimension::of(dimension),
+        scale: Scale::of(scale),
+        turning,
+        prefixes,
+        joins,
+        coherent,
+    }
+}
+
+use Turning::{Cycles, None as Still, Radians};
+
+const YES: bool = true;
+const NOT: bool = false;
+
+/// All units: the exponents of kg, m, s, A, K, mol, cd; those of 2, 3, 5, 980665, π in the factor to SI.
+///
+/// # References
+///
+/// BIPM, The International System of Units, 9th edition (2019), tables 2 to 5, 7 and 8.
+#[rustfmt::skip]
+pub(super) static ROWS: [Row; 38] = [
+    //   symbols                 print  words                                             kg  m  s   A  K mol cd     2   3   5  g  pi          prefixes joins coherent
+    row(&["m"],                  "m",   &["metre", "metres", "meter", "meters"],          [ 0,  1,  0,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
+    row(&["s"],                  "s",   &["second", "seconds", "sec", "secs"],            [ 0,  0,  1,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
+    row(&["g"],                  "g",   &["gram", "grams", "gramme", "grammes"],          [ 1,  0,  0,  0, 0, 0, 0], [-3,  0, -3, 0, 0], Still,   YES, YES, "kg"),
+    row(&["rad"],                "rad", &["radian", "radians", "rads", "rad"],                   [ 0,  0,  0,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Radians, YES, YES, ""),
+    row(&["N"],                  "N",   &["newton", "newtons"],                           [ 1,  1, -2,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
+    row(&["Hz"],                 "Hz",  &["hertz", "hertz", "hz"],                        [ 0,  0, -1,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Cycles,  YES, YES, ""),
+    row(&["J"],                  "J",   &["joule", "joules"],                             [ 1,  2, -2,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
+    row(&["W"],                  "W",   &["watt", "watts"],                               [ 1,  2, -3,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
+    row(&["Pa"],                 "Pa",  &["pascal", "pascals"],                           [ 1, -1, -2,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
+    row(&["V"],                  "V",   &["volt", "volts"],                               [ 1,  2, -3, -1, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
+    row(&["A"],                  "A",   &["ampere", "amperes", "amp", "amps"],            [ 0,  0,  0,  1, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
+    row(&["ohm", "Ω", "\u{2126}"], "Ω", &["ohm", "ohms"],                                 [ 1,  2, -3, -2, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
+    row(&["F"],                  "F",   &["farad", "farads"],                             [-1, -2,  4,  2, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
+    row(&["H"],                  "H",   &["henry", "henries", "henrys"],                  [ 1,  2, -2, -2, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
+    row(&["C"],                  "C",   &["coulomb", "coulombs"],                         [ 0,  0,  1,  1, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
+    row(&["S"],                  "S",   &["siemens", "siemens"],                          [-1, -2,  3,  2, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, NOT, ""),
+    row(&["T"],                  "T",   &["tesla", "teslas"],                             [ 1,  0, -2, -1, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
+    row(&["Wb"],                 "Wb",  &["weber", "webers"],                             [ 1,  2, -2, -1, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
+    row(&["K"],                  "K",   &["kelvin", "kelvins"],                           [ 0,  0,  0,  0, 1, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, NOT, ""),
+    row(&["mol"],                "mol", &["mole", "moles"],                               [ 0,  0,  0,  0, 0, 1, 0], [ 0,  0,  0, 0, 0], Still,   YES, NOT, ""),
+    row(&["cd"],                 "cd",  &["candela", "candelas"],                         [ 0,  0,  0,  0, 0, 0, 1], [ 0,  0,  0, 0, 0], Still,   YES, NOT, ""),
+    row(&["sr"],                 "sr",  &["steradian", "steradians"],                     [ 0,  0,  0,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   NOT, NOT, ""),
+    row(&["deg", "°"],           "°",   &["degree", "degrees", "degs", "º"],                   [ 0,  0,  0,  0, 0, 0, 0], [-2, -2, -1, 0, 1], Radians, NOT, NOT, "rad"),
+    row(&["rev"],                "rev", &["revolution", "revolutions", "revs", "turn", "turns", "cycle", "cycles"],
+                                                                                          [ 0,  0,  0,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Cycles,  NOT, NOT, ""),
+    row(&["rpm"],                "rpm", &["revolution per minute", "revolutions per minute", "rpm"],
+                                                                                          [ 0,  0, -1,  0, 0, 0, 0], [-2, -1, -1, 0, 0], Cycles,  NOT, NOT, "Hz"),
+    row(&["%"],                  "%",   &["percent", "percent"],                          [ 0,  0,  0,  0, 0, 0, 0], [-2,  0, -2, 0, 0], Still,   NOT, NOT, "1"),
+    row(&["min"],                "min", &["minute", "minutes", "mins"],                   [ 0,  0,  1,  0, 0, 0, 0], [ 2,  1,  1, 0, 0], Still,   NOT, YES, "s"),
+    row(&["h"],                  "h",   &["hour", "hours", "hr", "hrs"],                  [ 0,  0,  1,  0, 0, 0, 0], [ 4,  2,  2, 0, 0], Still,   NOT, YES, "s"),
+    row(&["d"],                  "d",   &["day", "days"],                                 [ 0,  0,  1,  0, 0, 0, 0], [ 7,  3,  2, 0, 0], Still,   NOT, NOT, "s"),
+    row(&["L", "l"],             "L",   &["litre", "litres", "liter", "liters"],          [ 0,  3,  0,  0, 0, 0, 0], [-3,  0, -3, 0, 0], Still,   YES, NOT, "m^3"),
+    row(&["t"],                  "t",   &["tonne", "tonnes"],                             [ 1,  0,  0,  0, 0, 0, 0], [ 3,  0,  3, 0, 0], Still,   NOT, NOT, "kg"),
+    row(&["bar"],                "bar", &["bar", "bars"],                                 [ 1, -1, -2,  0, 0, 0, 0], [ 5,  0,  5, 0, 0], Still,   YES, NOT, "Pa"),
+    row(&["g0"],                 "g₀",  &["standard gravity", "standard gravities"],      [ 0,  1, -2,  0, 0, 0, 0], [-5,  0, -5, 1, 0], Still,   NOT, NOT, "m/s^2"),
+    row(&["kgf"],                "kgf", &["kilogram-force", "kilograms-force"],           [ 1,  1, -2,  0, 0, 0, 0], [-5,  0, -5, 1, 0], Still,   NOT, NOT, "N"),
+    row(&["var"],                "var", &["var", "vars"],                                 [ 1,  2, -3,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, NOT, ""),
+    row(&["arcmin"],             "′",   &["arcminute", "arcminutes"],                     [ 0,  0,  0,  0, 0, 0, 0], [-4, -3, -2, 0, 1], Radians, NOT, NOT, "rad"),
+    row(&["arcsec"],             "″",   &["arcsecond", "arcseconds"],                     [ 0,  0,  0,  0, 0, 0, 0], [-6, -4, -3, 0, 1], Radians, NOT, NOT, "rad"),
+    row(&["gon"],                "gon", &["gon", "gons"],                                 [ 0,  0,  0,  0, 0, 0, 0], [-3,  0, -2, 0, 1], Radians, NOT, NOT, "rad"),
+];
+
+/// The prefixes.
+pub(super) static PREFIXES: [Prefix; 12] = [
+    Prefix {
+        symbols: &["k"],
+        print: "k",
+        word: "kilo",
+        power: 3,
+    },
+    Prefix {
+        symbols: &["m"],
+        print: "m",
+        word: "milli",
+        power: -3,
+    },
+    Prefix {
+        symbols: &["c"],
+        print: "c",
+        word: "centi",
+        power: -2,
+    },
+    Prefix {
+        symbols: &["u", "µ", "μ"],
+        print: "µ",
+        word: "micro",
+        power: -6,
+    },
+    Prefix {
+        symbols: &["M"],
+        print: "M",
+        word: "mega",
+        power: 6,
+    },
+    Prefix {
+        symbols: &["n"],
+        print: "n",
+        word: "nano",
+        power: -9,
+    },
+    Prefix {
+        symbols: &["G"],
+        print: "G",
+        word: "giga",
+        power: 9,
+    },
+    Prefix {
+        symbols: &["d"],
+        print: "d",
+        word: "deci",
+        power: -1,
+    },
+    Prefix {
+        symbols: &["da"],
+        print: "da",
+        word: "deca",
+        power: 1,
+    },
+    Prefix {
+        symbols: &["h"],
+        print: "h",
+        word: "hecto",
+        power: 2,
+    },
+    Prefix {
+        symbols: &["p"],
+        print: "p",
+        word: "pico",
+        power: -12,
+    },
+    Prefix {
+        symbols: &["T"],
+        print: "T",
+        word: "tera",
+        power: 12,
+    },
+];
+
+/// For each first byte of a symbol, the rows that have such a symbol, one bit each.
+static BY_FIRST_BYTE: [u64; 256] = {
+    let mut rows = [0; 256];
+    let mut row = 0;
+    while row < ROWS.len() {
+        let mut symbol = 0;
+        while symbol < ROWS[row].symbols.len() {
+            rows[ROWS[row].symbols[symbol].as_bytes()[0] as usize] |= 1 << row;
+            symbol += 1;
+        }
+        row += 1;
+    }
+    rows
+};
+
+/// The unit of a symbol as it may stand in a file, with or without a prefix.
+pub(super) fn symbol(text: &str) -> Option<Found> {
+    if let Some(row) = bare_symbol(text) {
+        return Some(Found { row, prefix: 0 });
+    }
+    for prefix in &PREFIXES {
+        for rest in prefix
+            .symbols
+            .iter()
+            .filter_map(|&symbol| text.strip_prefix(symbol))
+        {
+            if let Some(row) = bare_symbol(rest).filter(|&row| ROWS[usize::from(row)].prefixes) {
+                return Some(Found {
+                    row,
+                    prefix: prefix.power,
+                });
+            }
+        }
+    }
+    None
+}
+
+/// The row of a symbol without a prefix.
+pub(super) fn bare_symbol(text: &str) -> Option<u8> {
+    let mut rows = BY_FIRST_BYTE[usize::from(*text.as_bytes().first()?)];
+    while rows != 0 {
+        let row = rows.trailing_zeros();
+        if ROWS[row as usize].symbols.contains(&text) {
+            return Some(row as u8);
+        }
+        rows &= rows - 1;
+    }
+    None
+}
+
+/// The unit of a word, `kilonewtons`, in any case.
+pub(super) fn word(text: &str) -> Option<Found> {
+    let whole = |text: &str, prefixed: bool| {
+        let named = |row: &Row| {
+            (row.prefixes || !prefixed)
+                && row.words.iter().any(|word| word.eq_ignore_ascii_case(text))
+        };
+        ROWS.iter().position(named).map(|row| row as u8)
+    };
+    if let Some(row) = whole(text, false) {
+        return Some(Found { row, prefix: 0 });
+    }
+    PREFIXES.iter().find_map(|prefix| {
+        let head = text
+            .get(..prefix.word.len())
+            .filter(|head| head.eq_ignore_ascii_case(prefix.word))?;
+        whole(&text[head.len()..], true).map(|row| Found {
+            row,
+            prefix: prefix.power,
+        })
+    })
+}
+
+/// The prefix of a power of ten that is not zero.
+pub(super) fn prefix(power: i8) -> Option<&'static Prefix> {
+    PREFIXES.iter().find(|prefix| prefix.power == power)
+}
