@@ -1,0 +1,145 @@
+//! Arithmetic on single entries, real or complex.
+
+use super::CompileError;
+use super::assembler::Assembler;
+use super::instruction::{Register, Step};
+use crate::expr::Function;
+
+/// The register of a real number, or the two of a complex one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Entry {
+    pub(super) real: Register,
+    pub(super) imaginary: Option<Register>,
+}
+
+type Result<T> = std::result::Result<T, CompileError>;
+
+impl Entry {
+    pub(super) fn real(real: Register) -> Self {
+        Self {
+            real,
+            imaginary: None,
+        }
+    }
+
+    pub(super) fn complex(real: Register, imaginary: Register) -> Self {
+        Self {
+            real,
+            imaginary: Some(imaginary),
+        }
+    }
+
+    pub(super) fn is_complex(self) -> bool {
+        self.imaginary.is_some()
+    }
+
+    pub(super) fn add(self, other: Self, to: &mut Assembler) -> Result<Self> {
+        let real = to.compute(Step::Add(self.real, other.real))?;
+        let imaginary = match (self.imaginary, other.imaginary) {
+            (Some(a), Some(b)) => Some(to.compute(Step::Add(a, b))?),
+            (a, b) => a.or(b),
+        };
+        Ok(Self { real, imaginary })
+    }
+
+    pub(super) fn subtract(self, other: Self, to: &mut Assembler) -> Result<Self> {
+        let real = to.compute(Step::Subtract(self.real, other.real))?;
+        let imaginary = match (self.imaginary, other.imaginary) {
+            (Some(a), Some(b)) => Some(to.compute(Step::Subtract(a, b))?),
+            (None, Some(b)) => Some(to.compute(Step::Negate(b))?),
+            (a, None) => a,
+        };
+        Ok(Self { real, imaginary })
+    }
+
+    pub(super) fn negate(self, to: &mut Assembler) -> Result<Self> {
+        self.each(to, |to, part| to.compute(Step::Negate(part)))
+    }
+
+    pub(super) fn multiply(self, other: Self, to: &mut Assembler) -> Result<Self> {
+        match (self.imaginary, other.imaginary) {
+            (Some(_), Some(_)) => {
+                let (a, b) = (to.pair(self)?, to.pair(other)?);
+                to.compute_pair(Step::ComplexMultiply(a, b))
+            }
+            (None, _) => other.each(to, |to, part| to.compute(Step::Multiply(self.real, part))),
+            (_, None) => self.each(to, |to, part| to.compute(Step::Multiply(part, other.real))),
+        }
+    }
+
+    pub(super) fn divide(self, other: Self, to: &mut Assembler) -> Result<Self> {
+        if other.is_complex() {
+            let (a, b) = (to.pair(self)?, to.pair(other)?);
+            return to.compute_pair(Step::ComplexDivide(a, b));
+        }
+        self.each(to, |to, part| to.compute(Step::Divide(part, other.real)))
+    }
+
+    pub(super) fn power_whole(self, exponent: i32, to: &mut Assembler) -> Result<Self> {
+        match (exponent, self.imaginary) {
+            (0, _) => Ok(Self::real(to.exact(1.0)?)),
+            (1, _) => Ok(self),
+            (2, None) => self.multiply(self, to),
+            (_, None) => Ok(Self::real(
+                to.compute(Step::PowerWhole(self.real, exponent))?,
+            )),
+            (_, Some(imaginary)) => {
+                to.compute_pair(Step::ComplexPowerWhole([self.real, imaginary], exponent))
+            }
+        }
+    }
+
+    pub(super) fn power(self, exponent: Self, to: &mut Assembler) -> Result<Self> {
+        if self.is_complex() || exponent.is_complex() {
+            let (a, b) = (to.pair(self)?, to.pair(exponent)?);
+            return to.compute_pair(Step::ComplexPower(a, b));
+        }
+        Ok(Self::real(
+            to.compute(Step::Power(self.real, exponent.real))?,
+        ))
+    }
+
+    /// A function that real and complex numbers have.
+    pub(super) fn function(self, function: Function, to: &mut Assembler) -> Result<Self> {
+        match (function, self.imaginary) {
+            (Function::Abs, Some(imaginary)) => {
+                let step = Step::Binary(Function::Hypot, self.real, imaginary);
+                Ok(Self::real(to.compute(step)?))
+            }
+            (_, Some(imaginary)) => {
+                to.compute_pair(Step::ComplexUnary(function, [self.real, imaginary]))
+            }
+            (_, None) => Ok(Self::real(to.unary(function, self.real)?)),
+        }
+    }
+
+    /// `re`, `im`, `arg`, `conj`.
+    pub(super) fn part(self, function: Function, to: &mut Assembler) -> Result<Self> {
+        let [real, imaginary] = to.pair(self)?;
+        Ok(match function {
+            Function::Re => Self::real(real),
+            Function::Im => Self::real(imaginary),
+            Function::Arg => {
+                Self::real(to.compute(Step::Binary(Function::Atan2, imaginary, real))?)
+            }
+            _ => match self.imaginary {
+                Some(imaginary) => Self::complex(real, to.compute(Step::Negate(imaginary))?),
+                None => self,
+            },
+        })
+    }
+
+    /// The same operation on both parts.
+    fn each(
+        self,
+        to: &mut Assembler,
+        operation: impl Fn(&mut Assembler, Register) -> Result<Register>,
+    ) -> Result<Self> {
+        let real = operation(to, self.real)?;
+        let imaginary = match self.imaginary {
+            Some(imaginary) => Some(operation(to, imaginary)?),
+            None => None,
+        };
+        Ok(Self { real, imaginary })
+    }
+}

@@ -1,0 +1,270 @@
+//! Runs the steps of a program.
+
+use super::instruction::{Instruction, Register, RegisterPair, Search, Step};
+use super::integral::integral;
+use super::search::{self, root};
+use super::{Absence, Inputs, Program};
+use crate::expr::number::complex::{self, Pair};
+use crate::expr::{Doubt, Relation, Scalar, Undefined};
+
+/// Most steps of the searches of one run, in binary64 and with more digits: a fraction of a second in both cases.
+const MOST_STEPS: [u64; 2] = [20_000_000, 1_000_000];
+
+/// The state of a run.
+pub(super) struct Machine<'a, S, I: ?Sized> {
+    program: &'a Program,
+    inputs: &'a I,
+    registers: &'a mut [S],
+    pub(super) doubt: Doubt,
+    /// Steps that searches may still take.
+    fuel: u64,
+}
+
+impl<'a, S: Scalar, I: Inputs<S> + ?Sized> Machine<'a, S, I> {
+    pub(super) fn new(program: &'a Program, inputs: &'a I, registers: &'a mut [S]) -> Self {
+        let fuel = MOST_STEPS[usize::from(S::ROUNDOFF < 1e-20)];
+        Self {
+            program,
+            inputs,
+            registers,
+            doubt: Doubt::default(),
+            fuel,
+        }
+    }
+
+    /// Runs the steps from `at` up to `end`.
+    pub(super) fn run(&mut self, at: u32, end: u32) -> Result<(), Absence> {
+        let code = &self.program.code;
+        let mut at = at as usize;
+        while at < end as usize {
+            let Instruction { step, out } = code[at];
+            match self.step(&step, out, at) {
+                Ok(None) => at += 1,
+                Ok(Some(target)) => at = target as usize,
+                Err(stop) => return Err(self.absence(stop, at)),
+            }
+        }
+        Ok(())
+    }
+
+    #[cold]
+    fn absence(&self, stop: Stop, at: usize) -> Absence {
+        match stop {
+            Stop::Here(reason) => Absence {
+                reason,
+                span: self.program.spans[at],
+            },
+            Stop::Inside(absence) => absence,
+        }
+    }
+
+    /// Takes one step; where to go on, if not at the next one.
+    #[inline]
+    fn step(&mut self, step: &Step, out: Register, at: usize) -> Result<Option<u32>, Stop> {
+        let value = match *step {
+            Step::Input(slot) => self.inputs.input(slot)?,
+            Step::Constant(index) => S::of(&self.program.constants[index as usize]),
+            Step::Copy(a) => self.get(a).clone(),
+            Step::Add(a, b) => finite(self.get(a).add(self.get(b)), [self.get(a), self.get(b)])?,
+            Step::Subtract(a, b) => finite(
+                self.get(a).subtract(self.get(b)),
+                [self.get(a), self.get(b)],
+            )?,
+            Step::Multiply(a, b) => finite(
+                self.get(a).multiply(self.get(b)),
+                [self.get(a), self.get(b)],
+            )?,
+            Step::Divide(a, b) => {
+                finite(self.get(a).divide(self.get(b))?, [self.get(a), self.get(b)])?
+            }
+            Step::Negate(a) => self.get(a).negate(),
+            Step::Power(a, b) => {
+                let power = self.registers[a as usize]
+                    .power(&self.registers[b as usize], &mut self.doubt)?;
+                finite(power, [self.get(a), self.get(b)])?
+            }
+            Step::PowerWhole(a, exponent) => finite(
+                self.get(a).power_whole(exponent)?,
+                [self.get(a), self.get(a)],
+            )?,
+            Step::Unary(function, a) => {
+                let value = self.registers[a as usize].unary(function, &mut self.doubt)?;
+                finite(value, [self.get(a), self.get(a)])?
+            }
+            Step::Binary(function, a, b) => {
+                let (a, b) = (&self.registers[a as usize], &self.registers[b as usize]);
+                finite(a.binary(function, b, &mut self.doubt)?, [a, b])?
+            }
+            Step::Compare(relation, a, b) => {
+                let (a, b) = (&self.registers[a as usize], &self.registers[b as usize]);
+                truth(relation.holds(a.compare(b, &mut self.doubt)))
+            }
+            Step::Not(a) => truth(!self.holds(a)),
+            Step::Motion(index, order, time) => self.inputs.motion(index, order, self.get(time))?,
+            Step::Jump(target) => return Ok(Some(target)),
+            Step::JumpUnless(a, target) => return Ok((!self.holds(a)).then_some(target)),
+            Step::JumpIf(a, target) => return Ok(self.holds(a).then_some(target)),
+            Step::Root(search) => {
+                let value = root(&mut self.body(search, at)?)?;
+                self.set(out, value);
+                return Ok(Some(search.end));
+            }
+            Step::Integral(search) => {
+                let value = integral(&mut self.body(search, at)?)?;
+                self.set(out, value);
+                return Ok(Some(search.end));
+            }
+            Step::ComplexMultiply(..)
+            | Step::ComplexDivide(..)
+            | Step::ComplexPower(..)
+            | Step::ComplexPowerWhole(..)
+            | Step::ComplexUnary(..) => {
+                let (real, imaginary) = self.complex(step)?;
+                self.set(out + 1, imaginary);
+                real
+            }
+        };
+        self.set(out, value);
+        Ok(None)
+    }
+
+    fn complex(&mut self, step: &Step) -> Result<Pair<S>, Stop> {
+        let value = match *step {
+            Step::ComplexMultiply(a, b) => complex::multiply(&self.pair(a), &self.pair(b)),
+            Step::ComplexDivide(a, b) => complex::divide(&self.pair(a), &self.pair(b))?,
+            Step::ComplexPower(a, b) => {
+                complex::power(&self.pair(a), &self.pair(b), &mut self.doubt)?
+            }
+            Step::ComplexPowerWhole(a, exponent) => complex::power_whole(&self.pair(a), exponent)?,
+            Step::ComplexUnary(function, a) => {
+                complex::unary(function, &self.pair(a), &mut self.doubt)?
+            }
+            _ => unreachable!("the other steps are real"),
+        };
+        let parts = [&value.0, &value.1];
+        if parts.iter().any(|part| !part.to_f64().is_finite()) {
+            return Err(Stop::Here(Undefined::Overflow));
+        }
+        if parts.iter().any(|part| !part.bound().is_finite()) {
+            return Err(Stop::Here(Undefined::Uncertain));
+        }
+        Ok(value)
+    }
+
+    #[inline]
+    fn get(&self, register: Register) -> &S {
+        &self.registers[register as usize]
+    }
+
+    #[inline]
+    fn set(&mut self, register: Register, value: S) {
+        self.registers[register as usize] = value;
+    }
+
+    fn pair(&self, [real, imaginary]: RegisterPair) -> Pair<S> {
+        (self.get(real).clone(), self.get(imaginary).clone())
+    }
+
+    #[inline]
+    fn holds(&self, register: Register) -> bool {
+        self.get(register).to_f64() != 0.0
+    }
+
+    /// The body of a search, with its interval.
+    fn body<'b>(&'b mut self, search: Search, at: usize) -> Result<Body<'b, 'a, S, I>, Stop> {
+        let [low, high] = search.ends;
+        let ends = [self.get(low).clone(), self.get(high).clone()];
+        if ends.iter().any(|end| !end.to_f64().is_finite()) {
+            return Err(Stop::Here(Undefined::Overflow));
+        }
+        Ok(Body {
+            machine: self,
+            search,
+            start: at as u32 + 1,
+            ends,
+        })
+    }
+}
+
+/// The body of a search as a function of the bound name.
+pub(super) struct Body<'b, 'a, S, I: ?Sized> {
+    machine: &'b mut Machine<'a, S, I>,
+    search: Search,
+    start: u32,
+    pub(super) ends: [S; 2],
+}
+
+impl<S: Scalar, I: Inputs<S> + ?Sized> search::Curve<S> for Body<'_, '_, S, I> {
+    fn ends(&self) -> [S; 2] {
+        self.ends.clone()
+    }
+
+    fn value(&mut self, x: &S) -> Result<S, Stop> {
+        let steps = u64::from(self.search.end - self.start) + 1;
+        self.machine.fuel = self
+            .machine
+            .fuel
+            .checked_sub(steps)
+            .ok_or(Stop::Here(Undefined::TooLong))?;
+        self.machine.set(self.search.variable, x.clone());
+        self.machine
+            .run(self.start, self.search.end)
+            .map_err(Stop::Inside)?;
+        Ok(self.machine.get(self.search.value).clone())
+    }
+}
+
+/// Why a run stops.
+pub(super) enum Stop {
+    /// The step at hand has no value.
+    Here(Undefined),
+    /// A step of the body of a search has none.
+    Inside(Absence),
+}
+
+impl From<Undefined> for Stop {
+    #[inline]
+    fn from(reason: Undefined) -> Self {
+        Self::Here(reason)
+    }
+}
+
+#[inline]
+fn truth<S: Scalar>(holds: bool) -> S {
+    S::exact(f64::from(u8::from(holds)))
+}
+
+/// A result that is finite with a finite bound, or infinite because an operand is.
+#[inline]
+fn finite<S: Scalar>(value: S, operands: [&S; 2]) -> Result<S, Undefined> {
+    if value.to_f64().is_finite() {
+        return if value.bound().is_finite() {
+            Ok(value)
+        } else {
+            Err(Undefined::Uncertain)
+        };
+    }
+    let has_infinity = operands
+        .iter()
+        .any(|operand| operand.to_f64().is_infinite());
+    if has_infinity && !value.to_f64().is_nan() {
+        Ok(value)
+    } else {
+        Err(Undefined::Overflow)
+    }
+}
+
+impl Relation {
+    /// Whether it holds between two numbers of this order.
+    #[inline]
+    pub(super) fn holds(self, order: std::cmp::Ordering) -> bool {
+        match self {
+            Self::Less => order.is_lt(),
+            Self::LessOrEqual => order.is_le(),
+            Self::Greater => order.is_gt(),
+            Self::GreaterOrEqual => order.is_ge(),
+            Self::Equal => order.is_eq(),
+            Self::NotEqual => order.is_ne(),
+        }
+    }
+}
