@@ -1,0 +1,122 @@
+//! What an author writes about a system.
+
+use std::collections::BTreeMap;
+
+use crate::expr::{Expr, Name};
+use crate::source::Span;
+use crate::unit::Dimension;
+
+/// The physics of a system as it is written: energies, dissipation and forces over coordinates.
+///
+/// Names that are neither coordinates nor kinematic names are constants; a quantity that depends on
+/// time or on a coordinate has to be put in before.
+///
+/// ```
+/// use vibank::expr::Expr;
+/// use vibank::mechanics::{Coordinate, Definition};
+/// let definition = Definition {
+///     coordinates: vec![Coordinate::length("x")],
+///     kinetic: Expr::name("m") * Expr::name("x").prime(1).squared() / Expr::number(2),
+///     potential: Expr::name("k") * Expr::name("x").squared() / Expr::number(2),
+///     ..Definition::default()
+/// };
+/// assert_eq!(definition.coordinates.len(), 1);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Definition {
+    /// The generalized coordinates, in order.
+    pub coordinates: Vec<Coordinate>,
+    /// What moves with the coordinates or is prescribed.
+    pub kinematics: Vec<(Name, Expr)>,
+    /// The kinetic energy T.
+    pub kinetic: Expr,
+    /// The potential energy V.
+    pub potential: Expr,
+    /// The dissipation function D, half the power lost.
+    pub dissipation: Expr,
+    /// Other generalized forces, by coordinate.
+    pub forces: Vec<(Name, Expr)>,
+    /// Dry friction, by coordinate.
+    pub friction: Vec<(Name, Friction)>,
+    /// The initial state, by coordinate.
+    pub initial: Vec<(Name, Initial)>,
+    /// The position about which to linearize, by coordinate, where it is stated.
+    pub equilibrium: Vec<(Name, Expr)>,
+    /// The dimensions of the names that are constants, as far as they are known. They order products as
+    /// textbooks do: what has mass first, then accelerations, lengths, times, numbers.
+    pub dimensions: BTreeMap<Name, Dimension>,
+}
+
+/// A generalized coordinate.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Coordinate {
+    /// Its name.
+    pub name: Name,
+    /// Its dimension.
+    pub dimension: Dimension,
+    /// Whether it is declared in units of an angle, so that positions a turn apart are the same.
+    pub is_angle: bool,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// The size of the dry-friction force along a coordinate.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Friction {
+    /// While it slides.
+    pub kinetic: Expr,
+    /// The most it can be at rest; as large as the kinetic one if it is not given.
+    pub holding: Option<Expr>,
+}
+
+/// The initial state along a coordinate.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Initial {
+    /// The position.
+    pub position: Expr,
+    /// The velocity.
+    pub velocity: Expr,
+}
+
+impl Coordinate {
+    /// A length.
+    pub fn length(name: impl Into<Name>) -> Self {
+        Self::new(name, Dimension::LENGTH)
+    }
+
+    /// A coordinate of any dimension that is no angle.
+    pub fn new(name: impl Into<Name>, dimension: Dimension) -> Self {
+        Self {
+            name: name.into(),
+            dimension,
+            is_angle: false,
+            span: Span::NONE,
+        }
+    }
+
+    /// An angle.
+    pub fn angle(name: impl Into<Name>) -> Self {
+        Self {
+            is_angle: true,
+            ..Self::new(name, Dimension::PURE)
+        }
+    }
+}
+
+impl Default for Definition {
+    /// No coordinates and no energies.
+    fn default() -> Self {
+        Self {
+            coordinates: Vec::new(),
+            kinematics: Vec::new(),
+            kinetic: Expr::number(0),
+            potential: Expr::number(0),
+            dissipation: Expr::number(0),
+            forces: Vec::new(),
+            friction: Vec::new(),
+            initial: Vec::new(),
+            equilibrium: Vec::new(),
+            dimensions: BTreeMap::new(),
+        }
+    }
+}

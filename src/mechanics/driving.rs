@@ -1,0 +1,44 @@
+//! What drives a model, as harmonics.
+
+use super::equilibrium::Balance;
+use super::programs::Compiled;
+use crate::expr::{Name, Normal, Order, SymbolicError};
+
+/// All harmonics that drive a model: which equation each acts on, and its numbers.
+#[derive(Clone, Debug)]
+pub(super) struct Driving {
+    pub(super) terms: Vec<Term>,
+    /// Factor, angular frequency and phase of each term, one after the other.
+    pub(super) numbers: Compiled,
+}
+
+/// One harmonic on the right side of one equation.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Term {
+    pub(super) equation: usize,
+    pub(super) is_sine: bool,
+}
+
+impl Driving {
+    /// The terms of the balance that depend on time; nothing if one is no harmonic.
+    pub(super) fn of(balance: &Balance) -> Result<Option<Self>, SymbolicError> {
+        let (mut terms, mut numbers) = (Vec::new(), Vec::new());
+        let plain = |formula: &Normal| formula.to_expr(&Order::new());
+        for (equation, driving) in balance.driving.iter().enumerate() {
+            let Some((_, harmonics)) = driving.negated().harmonics(&Name::new("t"))? else {
+                return Ok(None);
+            };
+            for harmonic in harmonics {
+                terms.push(Term {
+                    equation,
+                    is_sine: harmonic.is_sine,
+                });
+                numbers.extend([&harmonic.factor, &harmonic.frequency, &harmonic.phase].map(plain));
+            }
+        }
+        Ok(Some(Self {
+            terms,
+            numbers: Compiled::list(numbers),
+        }))
+    }
+}

@@ -1,0 +1,280 @@
+//! What can be wrong with a model.
+
+use thiserror::Error;
+
+use crate::diagnostic::{Code, Diagnose, Label};
+use crate::expr::{CheckError, Name, SymbolicError};
+use crate::source::Span;
+use crate::unit::Dimension;
+
+/// A key of a model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Key {
+    /// `coordinates`.
+    Coordinates,
+    /// `kinematics`.
+    Kinematics,
+    /// `kinetic`.
+    Kinetic,
+    /// `potential`.
+    Potential,
+    /// `dissipation`.
+    Dissipation,
+    /// `forces`.
+    Forces,
+    /// `friction`.
+    Friction,
+    /// `initial`.
+    Initial,
+    /// `equilibrium`.
+    Equilibrium,
+}
+
+impl Key {
+    /// As it is written.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Coordinates => "coordinates",
+            Self::Kinematics => "kinematics",
+            Self::Kinetic => "kinetic",
+            Self::Potential => "potential",
+            Self::Dissipation => "dissipation",
+            Self::Forces => "forces",
+            Self::Friction => "friction",
+            Self::Initial => "initial",
+            Self::Equilibrium => "equilibrium",
+        }
+    }
+}
+
+impl std::fmt::Display for Key {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str(self.name())
+    }
+}
+
+/// Why a model cannot be derived, or serves no purpose.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum ModelError {
+    /// No coordinate, or more than can be treated.
+    #[error("a model has 1 to {most} coordinates, this one has {found}")]
+    CoordinateCount {
+        /// How many there are.
+        found: usize,
+        /// How many there can be.
+        most: usize,
+    },
+    /// Something is wrong with a formula by itself.
+    #[error("`{key}`: {error}")]
+    Check {
+        /// In which formula.
+        key: Key,
+        /// What.
+        error: CheckError,
+    },
+    /// A term of another dimension than its formula has to have.
+    #[error("a term of `{key}` is in {}, due is {}", found.map_or("several dimensions".into(), Dimension::describe), expected.describe())]
+    Dimension {
+        /// In which formula.
+        key: Key,
+        /// The dimension of the term; none if it is no single number.
+        found: Option<Dimension>,
+        /// What is due.
+        expected: Dimension,
+        /// The term.
+        span: Span,
+    },
+    /// A name stands for two things that move.
+    #[error("`{name}` is declared twice in `coordinates` and `kinematics`")]
+    Duplicate {
+        /// The name.
+        name: Name,
+        /// Where it is declared again.
+        span: Span,
+    },
+    /// Kinematic names that need each other.
+    #[error("`{name}` is defined by itself")]
+    Cycle {
+        /// One of them.
+        name: Name,
+        /// Its formula.
+        span: Span,
+    },
+    /// Something is given along a name that is no coordinate.
+    #[error("`{name}` in `{key}` is no coordinate of this model")]
+    UnknownCoordinate {
+        /// The name.
+        name: Name,
+        /// In which table.
+        key: Key,
+        /// The formula that is given.
+        span: Span,
+    },
+    /// A velocity of something that does not move.
+    #[error("`{name}'` in `{key}`, but `{name}` is neither a coordinate nor in `kinematics`")]
+    MissingCoordinate {
+        /// The name.
+        name: Name,
+        /// In which formula.
+        key: Key,
+        /// Where.
+        span: Span,
+    },
+    /// An energy that depends on accelerations.
+    #[error("`{key}` depends on an acceleration")]
+    Acceleration {
+        /// In which formula.
+        key: Key,
+        /// Where.
+        span: Span,
+    },
+    /// A potential energy that depends on velocities.
+    #[error("`potential` depends on the velocity `{name}'`")]
+    VelocityInPotential {
+        /// The coordinate.
+        name: Name,
+        /// The formula.
+        span: Span,
+    },
+    /// A kinetic energy that is not of the second degree in the velocities.
+    #[error("`kinetic` is not quadratic in `{name}'`")]
+    NotQuadratic {
+        /// The coordinate.
+        name: Name,
+        /// The formula.
+        span: Span,
+    },
+    /// A coordinate along which nothing has inertia.
+    #[error("`kinetic` does not depend on `{name}'`: nothing has mass along `{name}`")]
+    Massless {
+        /// The coordinate.
+        name: Name,
+        /// Where it is declared.
+        span: Span,
+    },
+    /// A potential energy that falls without bound on both sides.
+    #[error("`potential` has no lower bound along `{name}`")]
+    Unbounded {
+        /// The coordinate.
+        name: Name,
+        /// The formula.
+        span: Span,
+    },
+    /// A system that rests nowhere.
+    #[error("the model has no equilibrium: a constant force along `{name}` is not balanced")]
+    NoEquilibrium {
+        /// A coordinate along which the force acts.
+        name: Name,
+        /// The formula of the potential energy.
+        span: Span,
+    },
+    /// A stated position that is no equilibrium.
+    #[error("the stated position is no equilibrium: a force along `{name}` is left")]
+    NotAnEquilibrium {
+        /// The coordinate.
+        name: Name,
+        /// The stated position.
+        span: Span,
+    },
+    /// A calculation with formulas that does not go through.
+    #[error("`{key}`: {error}")]
+    Symbolic {
+        /// In which formula.
+        key: Key,
+        /// Why.
+        error: SymbolicError,
+        /// The formula, or the place in it.
+        span: Span,
+    },
+}
+
+impl ModelError {
+    pub(super) fn symbolic(key: Key, whole: Span) -> impl Fn(SymbolicError) -> Self {
+        move |error| {
+            let place = error.span().filter(|span| !span.is_none());
+            Self::Symbolic {
+                key,
+                span: place.unwrap_or(whole),
+                error,
+            }
+        }
+    }
+}
+
+impl Diagnose for ModelError {
+    fn code(&self) -> Code {
+        match self {
+            Self::Check { error, .. } => error.code(),
+            Self::Dimension { .. } => Code::MODEL_DIMENSION,
+            Self::Unbounded { .. } | Self::NoEquilibrium { .. } | Self::NotAnEquilibrium { .. } => {
+                Code::MODEL_EQUILIBRIUM
+            }
+            Self::NotQuadratic { .. } | Self::Massless { .. } | Self::Acceleration { .. } => {
+                Code::MODEL_KINETIC
+            }
+            Self::Symbolic { .. } => Code::MODEL_FORMULA,
+            _ => Code::MODEL_COORDINATE,
+        }
+    }
+
+    fn labels(&self) -> Vec<Label> {
+        let place = |span: Span, text: String| vec![Label { span, text }];
+        match self {
+            Self::Check { error, .. } => error.labels(),
+            Self::Dimension { found, span, .. } => {
+                place(*span, found.map_or_else(String::new, Dimension::describe))
+            }
+            Self::CoordinateCount { .. } => Vec::new(),
+            Self::Duplicate { span, .. }
+            | Self::Cycle { span, .. }
+            | Self::UnknownCoordinate { span, .. }
+            | Self::MissingCoordinate { span, .. }
+            | Self::Acceleration { span, .. }
+            | Self::VelocityInPotential { span, .. }
+            | Self::NotQuadratic { span, .. }
+            | Self::Massless { span, .. }
+            | Self::Unbounded { span, .. }
+            | Self::NoEquilibrium { span, .. }
+            | Self::NotAnEquilibrium { span, .. }
+            | Self::Symbolic { span, .. } => place(*span, String::new()),
+        }
+    }
+
+    fn help(&self) -> Option<String> {
+        Some(match self {
+            Self::Check { error, .. } => return error.help(),
+            Self::CoordinateCount { .. } => "declare the coordinates in `coordinates`".to_owned(),
+            Self::Duplicate { name, .. } => format!("give one of the two `{name}` another name"),
+            Self::Cycle { .. } => "express it in coordinates and time".to_owned(),
+            Self::UnknownCoordinate { name, .. } => {
+                format!("add `{name}` to `coordinates`, or name one that is there")
+            }
+            Self::MissingCoordinate { name, .. } => {
+                format!("add `{name}` to `coordinates`, or say in `kinematics` how it moves")
+            }
+            Self::VelocityInPotential { .. } => {
+                "write what damps in `dissipation`, other forces in `forces`".to_owned()
+            }
+            Self::Acceleration { .. } => "write energies in positions and velocities".to_owned(),
+            Self::NotQuadratic { name, .. } => {
+                format!("write the kinetic energy with `{name}'^2`, as `1/2*m*{name}'^2`")
+            }
+            Self::Massless { name, .. } => {
+                format!(
+                    "add the kinetic energy of what moves with `{name}`, or express `{name}` in `kinematics`"
+                )
+            }
+            Self::Unbounded { .. } => {
+                "check the signs: the energy of a spring is positive".to_owned()
+            }
+            Self::NoEquilibrium { .. } => {
+                "add what holds the system, or check the force".to_owned()
+            }
+            Self::NotAnEquilibrium { .. } => {
+                "leave `equilibrium` out to have it found, or correct the position".to_owned()
+            }
+            Self::Dimension { .. } | Self::Symbolic { .. } => return None,
+        })
+    }
+}

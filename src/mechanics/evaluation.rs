@@ -1,0 +1,231 @@
+//! The formulas of a model that are evaluated, each compiled when it is first asked for.
+
+use std::collections::BTreeSet;
+
+use super::Lack;
+use super::definition::{Friction, Initial};
+use super::driving::Driving;
+use super::equilibrium::{Balance, Equilibrium};
+use super::lagrange::Energies;
+use super::linear::{Linear, Matrix};
+use super::programs::{Compiled, Slots};
+use super::squares::squares;
+use crate::expr::{
+    Constant, Expr, Function, Name, Normal, Order, Substitution, SymbolicError, Variable,
+};
+
+/// What a model evaluates.
+#[derive(Clone, Debug)]
+pub(super) struct Evaluation {
+    pub(super) slots: Slots,
+    /// The energies as they are written.
+    pub(super) written: Written,
+    /// The forces at rest as functions of the position, and their derivatives.
+    pub(super) restoring: Compiled,
+    pub(super) slopes: Compiled,
+    /// The position at rest, where it has a formula.
+    pub(super) position: Option<Compiled>,
+    /// Position and velocity at the start, by coordinate.
+    pub(super) start: Compiled,
+    /// Kinetic and largest static friction of the only coordinate.
+    pub(super) sticking: Option<Compiled>,
+    /// Factor and row of each square of V, one after the other.
+    pub(super) squares: Option<Compiled>,
+    /// Whether the equation is `I θ'' + A sin θ = 0`.
+    pub(super) is_pendulum: bool,
+    tangent: Option<Tangent>,
+    driving: Option<Driving>,
+}
+
+/// What a model is evaluated from.
+pub(super) struct Given<'a> {
+    pub(super) energies: &'a Energies,
+    pub(super) residuals: &'a [Normal],
+    pub(super) balance: &'a Balance,
+    pub(super) equilibrium: &'a Equilibrium,
+    pub(super) friction: &'a [Option<Friction>],
+    pub(super) initial: &'a [Initial],
+}
+
+impl Evaluation {
+    pub(super) fn of(given: &Given<'_>, linear: Option<&Linear>) -> Result<Self, SymbolicError> {
+        let names = &given.energies.coordinates;
+        let slopes = Linear::slopes(&given.balance.restoring, names)?;
+        let position = given.equilibrium.formula();
+        let start = given
+            .initial
+            .iter()
+            .flat_map(|own| [&own.position, &own.velocity]);
+        Ok(Self {
+            slots: slots(given),
+            written: Written::of(given.energies),
+            restoring: Compiled::list(given.balance.restoring.iter().map(plain)),
+            slopes: Compiled::new(plain_matrix(&slopes)),
+            position: position.map(|own| Compiled::list(own.iter().cloned())),
+            start: Compiled::list(start.cloned()),
+            sticking: compiled_friction(given.friction),
+            squares: compiled_squares(given.energies),
+            is_pendulum: is_pendulum(given.residuals, names)?,
+            tangent: linear.map(Tangent::of),
+            driving: Driving::of(given.balance)?,
+        })
+    }
+
+    pub(super) fn tangent(&self) -> Result<&Tangent, Lack> {
+        self.tangent.as_ref().ok_or(Lack::TimeVarying)
+    }
+
+    pub(super) fn driving(&self) -> Result<&Driving, Lack> {
+        self.driving.as_ref().ok_or(Lack::NotHarmonic)
+    }
+}
+
+/// The matrices as formulas for evaluation: of the position, where that has no formula.
+#[derive(Clone, Debug)]
+pub(super) struct Tangent {
+    pub(super) mass: Compiled,
+    pub(super) damping: Compiled,
+    pub(super) stiffness: Compiled,
+}
+
+/// The energies and forces as they are written, for evaluation.
+#[derive(Clone, Debug)]
+pub(super) struct Written {
+    pub(super) kinetic: Compiled,
+    pub(super) potential: Compiled,
+    pub(super) dissipation: Compiled,
+    /// One per coordinate, none where no force acts.
+    pub(super) forces: Vec<Option<Compiled>>,
+}
+
+impl Written {
+    fn of(energies: &Energies) -> Self {
+        let compiled = |formula: &Expr| Compiled::new(formula.clone());
+        let forces = energies.forces.iter();
+        Self {
+            kinetic: compiled(&energies.kinetic),
+            potential: compiled(&energies.potential),
+            dissipation: compiled(&energies.dissipation),
+            forces: forces
+                .map(|own| (!own.is_zero()).then(|| compiled(own)))
+                .collect(),
+        }
+    }
+}
+
+impl Tangent {
+    fn of(linear: &Linear) -> Self {
+        let compiled = |matrix: &Matrix| Compiled::new(plain_matrix(matrix));
+        Self {
+            mass: compiled(&linear.mass),
+            damping: compiled(&linear.damping),
+            stiffness: compiled(&linear.stiffness),
+        }
+    }
+}
+
+/// A formula for evaluation, in no particular order.
+fn plain(formula: &Normal) -> Expr {
+    formula.to_expr(&Order::new())
+}
+
+fn plain_matrix(matrix: &Matrix) -> Expr {
+    let row = |row: &Vec<Normal>| Expr::array(row.iter().map(plain).collect::<Vec<_>>());
+    Expr::array(matrix.iter().map(row).collect::<Vec<_>>())
+}
+
+/// Factor and row of each square of V as one list, if V is a sum of squares.
+fn compiled_squares(energies: &Energies) -> Option<Compiled> {
+    let is_free = |force: &Expr| force.is_zero();
+    if !energies.forces.iter().all(is_free) {
+        let names = &energies.coordinates;
+        let depends = |force: &Expr| {
+            names
+                .iter()
+                .any(|name| Normal::of(force).map_or(true, |own| own.mentions(name)))
+        };
+        if energies.forces.iter().any(depends) {
+            return None;
+        }
+    }
+    let squares = squares(&energies.potential, &energies.coordinates)?;
+    let entries = squares
+        .into_iter()
+        .flat_map(|own| std::iter::once(own.factor).chain(own.row));
+    let entries: Vec<_> = entries.collect();
+    (!entries.is_empty()).then(|| Compiled::list(entries))
+}
+
+/// Whether the only equation is that of a pendulum, undamped and undriven.
+fn is_pendulum(residuals: &[Normal], names: &[Name]) -> Result<bool, SymbolicError> {
+    let ([residual], [name]) = (residuals, names) else {
+        return Ok(false);
+    };
+    let acceleration = Variable::of(name, 2);
+    let Some((inertia, restoring)) = residual.linear_in(&acceleration) else {
+        return Ok(false);
+    };
+    let time = Name::new("t");
+    if inertia.mentions(name) || inertia.mentions(&time) || restoring.mentions(&time) {
+        return Ok(false);
+    }
+    let quarter_turn = Expr::constant(Constant::Pi) / Expr::number(2);
+    let top = Substitution::new().with(name.clone(), quarter_turn);
+    let sine = Expr::call(Function::Sin, [Expr::name(name.clone())]);
+    let moment = Normal::of(&top.apply(&plain(&restoring))?)?;
+    if moment.is_zero() || moment.mentions(name) {
+        return Ok(false);
+    }
+    restoring.is_equal(&moment.times(&Normal::of(&sine)?)?)
+}
+
+/// Kinetic and static friction along the only coordinate.
+fn compiled_friction(friction: &[Option<Friction>]) -> Option<Compiled> {
+    let [Some(only)] = friction else {
+        return None;
+    };
+    let holding = only.holding.clone().unwrap_or_else(|| only.kinetic.clone());
+    Some(Compiled::list([only.kinetic.clone(), holding]))
+}
+
+/// All names of a model that are constants, sorted, and its coordinates.
+fn slots(given: &Given<'_>) -> Slots {
+    let Given {
+        energies,
+        friction,
+        initial,
+        equilibrium,
+        ..
+    } = given;
+    let mut names = BTreeSet::new();
+    let mut collect = |formula: &Expr| {
+        names.extend(formula.names().free.into_iter().map(|own| own.name));
+    };
+    [
+        &energies.kinetic,
+        &energies.potential,
+        &energies.dissipation,
+    ]
+    .into_iter()
+    .chain(&energies.forces)
+    .chain(friction.iter().flatten().map(|own| &own.kinetic))
+    .chain(
+        friction
+            .iter()
+            .flatten()
+            .filter_map(|own| own.holding.as_ref()),
+    )
+    .chain(
+        initial
+            .iter()
+            .flat_map(|own| [&own.position, &own.velocity]),
+    )
+    .chain(equilibrium.formula().into_iter().flatten())
+    .for_each(&mut collect);
+    names.remove(&Name::new("t"));
+    names.retain(|name| !energies.coordinates.contains(name));
+    Slots {
+        constants: names.into_iter().collect(),
+        coordinates: energies.coordinates.clone(),
+    }
+}

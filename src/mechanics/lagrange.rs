@@ -1,0 +1,185 @@
+//! Lagrange's equations.
+
+use std::collections::BTreeSet;
+
+use super::definition::Definition;
+use super::error::{Key, ModelError};
+use super::kinematics::Kinematics;
+use crate::expr::{
+    Expr, Kind, Name, Normal, SymbolicError, Variable, differentiate, time_derivative,
+};
+
+/// Energies, dissipation and forces in terms of coordinates, velocities and time.
+#[derive(Clone, Debug)]
+pub(super) struct Energies {
+    pub(super) coordinates: Vec<Name>,
+    pub(super) kinetic: Expr,
+    pub(super) potential: Expr,
+    pub(super) dissipation: Expr,
+    /// One per coordinate.
+    pub(super) forces: Vec<Expr>,
+}
+
+impl Energies {
+    /// Puts the kinematics in and checks what depends on which derivatives.
+    ///
+    /// What is wrong is added to `errors`; without it the energies can be differentiated.
+    pub(super) fn of(
+        definition: &Definition,
+        kinematics: &Kinematics,
+        errors: &mut Vec<ModelError>,
+    ) -> Option<Self> {
+        let before = errors.len();
+        let mut put_in = |key, formula| match kinematics.apply(key, formula) {
+            Ok(put_in) => put_in,
+            Err(error) => {
+                errors.push(error);
+                Expr::number(0)
+            }
+        };
+        let mut energies = Self {
+            coordinates: names(definition),
+            kinetic: put_in(Key::Kinetic, &definition.kinetic),
+            potential: put_in(Key::Potential, &definition.potential),
+            dissipation: put_in(Key::Dissipation, &definition.dissipation),
+            forces: Vec::new(),
+        };
+        match forces(definition, kinematics) {
+            Ok(forces) => energies.forces = forces,
+            Err(error) => errors.push(error),
+        }
+        if errors.len() > before {
+            return None;
+        }
+        errors.extend(energies.check_derivatives(definition).err());
+        errors.extend(energies.check_kinetic(definition).err());
+        (errors.len() == before).then_some(energies)
+    }
+
+    fn check_derivatives(&self, definition: &Definition) -> Result<(), ModelError> {
+        let written = [
+            (Key::Kinetic, &self.kinetic, &definition.kinetic),
+            (Key::Potential, &self.potential, &definition.potential),
+            (Key::Dissipation, &self.dissipation, &definition.dissipation),
+        ];
+        for (key, energy, written) in written {
+            if let Some(Variable { name, order }) = highest_derivative(energy) {
+                let span = written.span();
+                if key == Key::Potential && order > 0 {
+                    return Err(ModelError::VelocityInPotential { name, span });
+                }
+                if order > 1 {
+                    return Err(ModelError::Acceleration { key, span });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// T is a polynomial of the second degree in the velocities, and each of them occurs squared.
+    fn check_kinetic(&self, definition: &Definition) -> Result<(), ModelError> {
+        let span = definition.kinetic.span();
+        let kinetic = Normal::of(&self.kinetic);
+        let kinetic = kinetic.map_err(ModelError::symbolic(Key::Kinetic, span))?;
+        let velocities = self.coordinates.iter().map(|name| Variable::of(name, 1));
+        let velocities: Vec<_> = velocities.collect();
+        if kinetic
+            .degree_in(&velocities)
+            .is_none_or(|degree| degree > 2)
+        {
+            let is_culprit = |own: &&Variable| {
+                let degree = kinetic.degree_in(std::slice::from_ref(*own));
+                degree.is_none_or(|degree| degree > 2)
+            };
+            let culprit = velocities.iter().find(is_culprit).unwrap_or(&velocities[0]);
+            return Err(ModelError::NotQuadratic {
+                name: culprit.name.clone(),
+                span,
+            });
+        }
+        for (coordinate, velocity) in definition.coordinates.iter().zip(velocities) {
+            if kinetic.degree_in(&[velocity]) != Some(2) {
+                return Err(ModelError::Massless {
+                    name: coordinate.name.clone(),
+                    span: coordinate.span,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// The left side of `d/dt ∂T/∂q' − ∂T/∂q + ∂V/∂q + ∂D/∂q' − Q = 0` for each coordinate.
+    pub(super) fn residuals(&self) -> Result<Vec<Normal>, SymbolicError> {
+        let moving: BTreeSet<_> = self.coordinates.iter().cloned().collect();
+        let residual = |(name, force): (&Name, &Expr)| {
+            let velocity = || Variable::of(name, 1);
+            let momentum = Normal::of(&differentiate(&self.kinetic, velocity())?)?;
+            let momentum = momentum.to_expr(&crate::expr::Order::new());
+            let inertia =
+                time_derivative(&momentum, &moving)? - differentiate(&self.kinetic, name)?;
+            let stiffness = differentiate(&self.potential, name)?;
+            let damping = differentiate(&self.dissipation, velocity())?;
+            Normal::of(&(inertia + stiffness + damping - force.clone()))
+        };
+        self.coordinates
+            .iter()
+            .zip(&self.forces)
+            .map(residual)
+            .collect()
+    }
+}
+
+fn names(definition: &Definition) -> Vec<Name> {
+    let coordinates = definition.coordinates.iter();
+    coordinates.map(|own| own.name.clone()).collect()
+}
+
+/// The generalized force along each coordinate, 0 where none is given.
+fn forces(definition: &Definition, kinematics: &Kinematics) -> Result<Vec<Expr>, ModelError> {
+    let mut forces = vec![Expr::number(0); definition.coordinates.len()];
+    for (name, formula) in &definition.forces {
+        let at = position(definition, name, Key::Forces, formula)?;
+        let force = kinematics.apply(Key::Forces, formula)?;
+        if highest_derivative(&force).is_some_and(|highest| highest.order > 1) {
+            return Err(ModelError::Acceleration {
+                key: Key::Forces,
+                span: formula.span(),
+            });
+        }
+        forces[at] = force;
+    }
+    Ok(forces)
+}
+
+/// The place of a coordinate for which something is given.
+pub(super) fn position(
+    definition: &Definition,
+    name: &Name,
+    key: Key,
+    formula: &Expr,
+) -> Result<usize, ModelError> {
+    let mut coordinates = definition.coordinates.iter();
+    coordinates
+        .position(|own| own.name == *name)
+        .ok_or_else(|| ModelError::UnknownCoordinate {
+            name: name.clone(),
+            key,
+            span: formula.span(),
+        })
+}
+
+/// The highest time derivative that stands in a formula.
+fn highest_derivative(expr: &Expr) -> Option<Variable> {
+    let mut highest: Option<Variable> = None;
+    expr.walk(&mut |node| {
+        if let Kind::Prime(inner, order) = node.kind()
+            && let Kind::Name(name) = inner.kind()
+            && highest
+                .as_ref()
+                .is_none_or(|highest| highest.order < *order)
+        {
+            highest = Some(Variable::of(name, *order));
+        }
+    });
+    highest
+}

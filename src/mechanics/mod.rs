@@ -1,0 +1,35 @@
+//! Mechanics from energies: the physics written once.
+//!
+//! A [`Definition`] holds the kinetic and potential energy, the dissipation function and the generalized
+//! forces of a system as formulas; [`Model::derive`] makes of them, symbolically, Lagrange's equations,
+//! the position at rest and the equations linearized about it. Electrical circuits are the same with a
+//! charge as coordinate, `L` for the mass, `R` for the damping and `1/C` for the stiffness.
+
+mod characteristic;
+mod definition;
+mod dimensions;
+mod driving;
+mod energy;
+mod equilibrium;
+mod error;
+mod evaluation;
+mod formulas;
+mod kinematics;
+mod lack;
+mod lagrange;
+mod linear;
+mod model;
+mod nature;
+mod numbers;
+mod order;
+mod programs;
+mod quantity;
+mod squares;
+
+pub use definition::{Coordinate, Definition, Friction, Initial};
+pub use error::{Key, ModelError};
+pub use lack::Lack;
+pub use model::{MOST_COORDINATES, Model};
+pub use nature::Nature;
+pub use numbers::{Frictional, Linearization, Motion, Numbers, Single};
+pub use quantity::{Quantity, QuantityError};

@@ -1,0 +1,298 @@
+//! A model: what follows from the energies.
+
+use std::collections::BTreeSet;
+
+use super::definition::{Definition, Friction, Initial};
+use super::energy::written;
+use super::equilibrium::{Balance, Equilibrium};
+use super::error::{Key, ModelError};
+use super::evaluation::{Evaluation, Given};
+use super::kinematics::Kinematics;
+use super::lagrange::{Energies, position};
+use super::linear::{Linear, Matrix};
+use super::order::textbook;
+use super::{Lack, dimensions};
+use crate::expr::{Equation, Expr, Name, Normal, Order, Variable};
+
+/// Most coordinates of a model.
+pub const MOST_COORDINATES: usize = 16;
+
+/// A mechanical or electrical system derived from its energies.
+///
+/// ```text
+/// d/dt ∂T/∂q' − ∂T/∂q + ∂V/∂q + ∂D/∂q' = Q
+/// ```
+///
+/// ```
+/// use vibank::expr::Expr;
+/// use vibank::mechanics::{Coordinate, Definition, Model};
+/// let (m, k, x) = (Expr::name("m"), Expr::name("k"), Expr::name("x"));
+/// let model = Model::derive(Definition {
+///     coordinates: vec![Coordinate::length("x")],
+///     kinetic: m * x.clone().prime(1).squared() / Expr::number(2),
+///     potential: k * x.squared() / Expr::number(2),
+///     ..Definition::default()
+/// })
+/// .unwrap();
+/// assert_eq!(model.equation(0).unwrap().left.to_string(), "m*x'' + k*x");
+/// ```
+#[derive(Clone, Debug)]
+pub struct Model {
+    pub(super) definition: Definition,
+    pub(super) energies: Energies,
+    pub(super) equilibrium: Equilibrium,
+    pub(super) evaluation: Evaluation,
+    residuals: Vec<Normal>,
+    linear: Option<Linear>,
+    order: Order,
+}
+
+impl Model {
+    /// Derives everything that needs no numbers.
+    ///
+    /// # Errors
+    ///
+    /// All that is wrong with the definition.
+    pub fn derive(definition: Definition) -> Result<Self, Vec<ModelError>> {
+        let count = definition.coordinates.len();
+        if count == 0 || count > MOST_COORDINATES {
+            return Err(vec![ModelError::CoordinateCount {
+                found: count,
+                most: MOST_COORDINATES,
+            }]);
+        }
+        let kinematics = Kinematics::of(&definition).map_err(|error| vec![error])?;
+        let mut errors = dimensions::check(&definition);
+        let energies = Energies::of(&definition, &kinematics, &mut errors);
+        let friction = friction(&definition, &kinematics).map_err(|error| errors.push(error));
+        let initial = initial(&definition, &kinematics).map_err(|error| errors.push(error));
+        let (Some(energies), Ok(friction), Ok(initial), true) =
+            (energies, friction, initial, errors.is_empty())
+        else {
+            return Err(errors);
+        };
+        Self::assemble(definition, &kinematics, energies, friction, initial)
+            .map_err(|error| vec![error])
+    }
+
+    fn assemble(
+        definition: Definition,
+        kinematics: &Kinematics,
+        energies: Energies,
+        friction: Vec<Option<Friction>>,
+        initial: Vec<Initial>,
+    ) -> Result<Self, ModelError> {
+        let names = &energies.coordinates;
+        let symbolic = ModelError::symbolic(Key::Kinetic, definition.kinetic.span());
+        let residuals = energies.residuals().map_err(&symbolic)?;
+        let balance = Balance::of(&residuals, names).map_err(&symbolic)?;
+        check_bounded(&definition, &energies)?;
+        let equilibrium = balance.equilibrium(&definition, kinematics, names)?;
+        let about = |position: &[Expr]| {
+            Linear::of(&residuals, &balance, names, position).map_err(&symbolic)
+        };
+        // With the coordinates themselves put in, the coefficients stay functions of the position.
+        let anywhere: Vec<_> = names.iter().cloned().map(Expr::name).collect();
+        let varying = about(&anywhere)?;
+        let whole = varying
+            .as_ref()
+            .map(|varying| Linear::whole(&residuals, varying, names).map_err(&symbolic));
+        let linear = match whole.transpose()?.flatten() {
+            Some(whole) => Some(whole),
+            None => equilibrium.formula().map(about).transpose()?.flatten(),
+        };
+        let given = Given {
+            energies: &energies,
+            residuals: &residuals,
+            balance: &balance,
+            equilibrium: &equilibrium,
+            friction: &friction,
+            initial: &initial,
+        };
+        Ok(Self {
+            evaluation: Evaluation::of(&given, linear.as_ref().or(varying.as_ref()))
+                .map_err(&symbolic)?,
+            order: textbook(&definition),
+            definition,
+            energies,
+            equilibrium,
+            residuals,
+            linear,
+        })
+    }
+
+    /// The names of the coordinates, in order.
+    pub fn coordinates(&self) -> &[Name] {
+        &self.energies.coordinates
+    }
+
+    /// The number of degrees of freedom.
+    pub fn degrees_of_freedom(&self) -> usize {
+        self.energies.coordinates.len()
+    }
+
+    /// The names that have to be given numbers, sorted.
+    pub fn names(&self) -> &[Name] {
+        &self.evaluation.slots.constants
+    }
+
+    /// The kinetic energy in coordinates and velocities: as written, with the kinematics put in.
+    pub fn kinetic(&self) -> Expr {
+        written(
+            &self.energies.kinetic,
+            &self.definition.kinetic,
+            &self.order,
+        )
+    }
+
+    /// The potential energy in the coordinates.
+    pub fn potential(&self) -> Expr {
+        written(
+            &self.energies.potential,
+            &self.definition.potential,
+            &self.order,
+        )
+    }
+
+    /// The dissipation function in the velocities.
+    pub fn dissipation(&self) -> Expr {
+        written(
+            &self.energies.dissipation,
+            &self.definition.dissipation,
+            &self.order,
+        )
+    }
+
+    /// The equation of motion along one coordinate, linearized about the position at rest; constants and
+    /// functions of time stand on the right. Nothing where that position has no formula, or time stands
+    /// beside a coordinate.
+    pub fn equation(&self, coordinate: usize) -> Option<Equation> {
+        let linear = self.linear.as_ref()?;
+        let left = linear.left(coordinate, self.coordinates()).ok()?;
+        let right = linear.driving.get(coordinate)?;
+        Some(Equation {
+            left: left.to_expr(&self.order),
+            right: right.to_expr(&self.order),
+        })
+    }
+
+    /// Lagrange's equation along one coordinate, as it is.
+    pub fn full_equation(&self, coordinate: usize) -> Option<Equation> {
+        let moving: BTreeSet<_> = self.coordinates().iter().cloned().collect();
+        let (left, right) = self.residuals.get(coordinate)?.split_by(&moving);
+        Some(Equation {
+            left: left.to_expr(&self.order),
+            right: right.negated().to_expr(&self.order),
+        })
+    }
+
+    /// The mass matrix as a formula.
+    pub fn mass_matrix(&self) -> Option<Expr> {
+        self.matrix(|linear| &linear.mass)
+    }
+
+    /// The damping matrix as a formula.
+    pub fn damping_matrix(&self) -> Option<Expr> {
+        self.matrix(|linear| &linear.damping)
+    }
+
+    /// The stiffness matrix as a formula.
+    pub fn stiffness_matrix(&self) -> Option<Expr> {
+        self.matrix(|linear| &linear.stiffness)
+    }
+
+    /// The position at rest, one formula per coordinate, if it has them.
+    pub fn equilibrium(&self) -> Option<Vec<Expr>> {
+        let position = self.equilibrium.formula()?;
+        let written = |own: &Expr| Normal::of(own).map(|own| own.to_expr(&self.order));
+        position.iter().map(|own| written(own).ok()).collect()
+    }
+
+    /// M, C and K of a model of one coordinate as formulas.
+    pub(super) fn coefficients(&self) -> Result<[Normal; 3], Lack> {
+        if self.degrees_of_freedom() > 1 {
+            return Err(Lack::SeveralCoordinates);
+        }
+        let linear = self.linear.as_ref().ok_or(Lack::NoFormula)?;
+        Ok([&linear.mass, &linear.damping, &linear.stiffness].map(|own| own[0][0].clone()))
+    }
+
+    /// A formula in the order of the model.
+    pub(super) fn written(&self, formula: &Normal) -> Expr {
+        formula.to_expr(&self.order)
+    }
+
+    pub(super) fn linear(&self) -> Option<&Linear> {
+        self.linear.as_ref()
+    }
+
+    pub(super) fn order(&self) -> &Order {
+        &self.order
+    }
+
+    fn matrix(&self, of: impl Fn(&Linear) -> &Matrix) -> Option<Expr> {
+        let rows = of(self.linear.as_ref()?).iter();
+        let row = |row: &Vec<Normal>| {
+            let entries = row.iter().map(|own| own.to_expr(&self.order));
+            Expr::array(entries.collect::<Vec<_>>())
+        };
+        Some(Expr::array(rows.map(row).collect::<Vec<_>>()))
+    }
+}
+
+fn friction(
+    definition: &Definition,
+    kinematics: &Kinematics,
+) -> Result<Vec<Option<Friction>>, ModelError> {
+    let mut all = vec![None; definition.coordinates.len()];
+    for (name, friction) in &definition.friction {
+        let at = position(definition, name, Key::Friction, &friction.kinetic)?;
+        let apply = |formula: &Expr| kinematics.apply(Key::Friction, formula);
+        all[at] = Some(Friction {
+            kinetic: apply(&friction.kinetic)?,
+            holding: friction.holding.as_ref().map(apply).transpose()?,
+        });
+    }
+    Ok(all)
+}
+
+fn initial(definition: &Definition, kinematics: &Kinematics) -> Result<Vec<Initial>, ModelError> {
+    let at_rest = Initial {
+        position: Expr::number(0),
+        velocity: Expr::number(0),
+    };
+    let mut all = vec![at_rest; definition.coordinates.len()];
+    for (name, initial) in &definition.initial {
+        let at = position(definition, name, Key::Initial, &initial.position)?;
+        all[at] = Initial {
+            position: kinematics.apply(Key::Initial, &initial.position)?,
+            velocity: kinematics.apply(Key::Initial, &initial.velocity)?,
+        };
+    }
+    Ok(all)
+}
+
+/// A potential energy that is a polynomial whose highest even power has only negative coefficients falls
+/// without bound for all positive data: most likely a slipped sign.
+fn check_bounded(definition: &Definition, energies: &Energies) -> Result<(), ModelError> {
+    let span = definition.potential.span();
+    let potential = Normal::of(&energies.potential);
+    let potential = potential.map_err(ModelError::symbolic(Key::Potential, span))?;
+    for name in &energies.coordinates {
+        let powers = potential
+            .powers_of(&Variable::of(name, 0))
+            .unwrap_or_default();
+        let Some((exponent, coefficient)) = powers.last() else {
+            continue;
+        };
+        let is_even =
+            exponent.is_integer() && exponent.numerator() > 0 && exponent.numerator() % 2 == 0;
+        if is_even && coefficient.has_negative_coefficients_alone() {
+            return Err(ModelError::Unbounded {
+                name: name.clone(),
+                span,
+            });
+        }
+    }
+    Ok(())
+}

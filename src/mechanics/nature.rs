@@ -1,0 +1,132 @@
+//! What the quantities of a model are: types and dimensions.
+
+use super::Model;
+use super::numbers::{Frictional, Single};
+use super::quantity::Quantity;
+use crate::expr::{Field, Form, Shape, Type};
+use crate::unit::Dimension;
+
+/// What a quantity is.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Nature {
+    /// A formula in coordinates and velocities, of this type.
+    Formula(Type),
+    /// An equation.
+    Equation,
+    /// One equation per coordinate.
+    Equations,
+    /// A value of this type.
+    Number(Type),
+    /// A list of numbers of this dimension; how many there are depends on the data.
+    List(Dimension),
+    /// A real function of time of this dimension.
+    Motion(Dimension),
+    /// The general solution of the equations.
+    GeneralMotion,
+}
+
+impl Model {
+    /// What a quantity of this model is: its type, and whether it is a function of time.
+    pub fn nature(&self, quantity: Quantity) -> Nature {
+        let size = self.degrees_of_freedom();
+        let along = |at: usize| self.definition.coordinates[at].dimension;
+        let number = |dimension| Nature::Number(Type::real(dimension));
+        let vector = |dimension: Dimension| {
+            let form = Form::real(Shape::Vector(size));
+            Nature::Number(Type::uniform(form, dimension))
+        };
+        match quantity {
+            Quantity::Kinetic | Quantity::Potential => {
+                Nature::Formula(Type::real(Dimension::ENERGY))
+            }
+            Quantity::Dissipation => Nature::Formula(Type::real(Dimension::POWER)),
+            Quantity::Equation(_)
+            | Quantity::FullEquation(_)
+            | Quantity::CharacteristicEquation => Nature::Equation,
+            Quantity::Equations => Nature::Equations,
+            Quantity::MassMatrix => self.square(2),
+            Quantity::DampingMatrix => self.square(1),
+            Quantity::StiffnessMatrix => self.square(0),
+            Quantity::Equilibrium(at) | Quantity::StaticDeflection(at) => number(along(at)),
+            Quantity::Equilibria => Nature::List(along(0)),
+            Quantity::Stable | Quantity::Frictional(Frictional::Slides) => {
+                Nature::Number(Type::boolean())
+            }
+            Quantity::Single(single) => number(self.dimension_of_single(single)),
+            Quantity::NaturalAngularFrequencies => vector(Dimension::FREQUENCY),
+            Quantity::Multiplicities | Quantity::ModalDampingRatios => vector(Dimension::PURE),
+            Quantity::ModeShapes => self.rows_of_coordinates(),
+            Quantity::ModalMasses => vector(self.coefficient(0, 0, 2)),
+            Quantity::ModalAmplitudes => self.amplitudes(),
+            Quantity::Motion(at) | Quantity::SteadyMotion(at) => Nature::Motion(along(at)),
+            Quantity::ExactMotion => Nature::Motion(along(0)),
+            Quantity::Energy => Nature::Motion(Dimension::ENERGY),
+            Quantity::GeneralMotion => Nature::GeneralMotion,
+            Quantity::ComplexAmplitude(at) => Nature::Number(Type::complex(along(at))),
+            Quantity::ExactPeriod | Quantity::Frictional(Frictional::StopTime) => {
+                number(Dimension::TIME)
+            }
+            Quantity::Frictional(Frictional::HalfCycles) => number(Dimension::PURE),
+            Quantity::Frictional(Frictional::RestPosition | Frictional::PathLength) => {
+                number(along(0))
+            }
+            Quantity::Frictional(Frictional::DissipatedEnergy) => number(Dimension::ENERGY),
+        }
+    }
+
+    /// The dimension of an entry of M (order 2), C (1) or K (0): energy over two displacements, velocities
+    /// or accelerations with a displacement.
+    fn coefficient(&self, row: usize, column: usize, order: usize) -> Dimension {
+        let along = |at: usize| self.definition.coordinates[at].dimension;
+        let stiffness = Dimension::ENERGY / along(row) / along(column);
+        (0..order).fold(stiffness, |dimension, _| dimension * Dimension::TIME)
+    }
+
+    fn square(&self, order: usize) -> Nature {
+        let size = self.degrees_of_freedom();
+        let entries =
+            (0..size * size).map(|at| Some(self.coefficient(at / size, at % size, order)));
+        typed(Shape::Matrix(size, size), entries.collect())
+    }
+
+    /// Mass-normalized shapes: each component times the root of its mass is pure.
+    fn rows_of_coordinates(&self) -> Nature {
+        let size = self.degrees_of_freedom();
+        let component = |at: usize| self.coefficient(at, at, 2).sqrt().map(Dimension::inverse);
+        let entries = (0..size * size).map(|at| component(at % size));
+        typed(Shape::Matrix(size, size), entries.collect())
+    }
+
+    fn amplitudes(&self) -> Nature {
+        let size = self.degrees_of_freedom();
+        let modal = Dimension::ENERGY.sqrt().map(|root| root * Dimension::TIME);
+        typed(Shape::Matrix(size, 2), vec![modal; 2 * size])
+    }
+
+    fn dimension_of_single(&self, single: Single) -> Dimension {
+        match single {
+            Single::Mass => self.coefficient(0, 0, 2),
+            Single::Damping | Single::CriticalDamping => self.coefficient(0, 0, 1),
+            Single::Stiffness => self.coefficient(0, 0, 0),
+            Single::NaturalAngularFrequency
+            | Single::NaturalFrequency
+            | Single::DecayRate
+            | Single::DampedAngularFrequency
+            | Single::ResonanceAngularFrequency => Dimension::FREQUENCY,
+            Single::Period | Single::DampedPeriod => Dimension::TIME,
+            Single::DampingRatio | Single::LogarithmicDecrement | Single::QualityFactor => {
+                Dimension::PURE
+            }
+        }
+    }
+}
+
+fn typed(shape: Shape, dimensions: Vec<Option<Dimension>>) -> Nature {
+    let form = Form {
+        field: Field::Real,
+        shape,
+    };
+    let pure = || Type::uniform(form, Dimension::PURE);
+    Nature::Number(Type::each(form, dimensions).unwrap_or_else(pure))
+}

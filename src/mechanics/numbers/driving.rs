@@ -1,0 +1,69 @@
+//! Harmonic forces as numbers.
+
+use super::{Lack, Numbers};
+use crate::numerics::sin_cos;
+
+/// Harmonic forces of one angular frequency, `a cos Ωt + b sin Ωt` on each coordinate.
+#[derive(Clone, Debug)]
+pub(super) struct Drive {
+    /// Ω, not negative.
+    pub(super) frequency: f64,
+    pub(super) cosine: Vec<f64>,
+    pub(super) sine: Vec<f64>,
+}
+
+impl Numbers {
+    /// The forces, one entry per angular frequency.
+    pub(super) fn drives(&self) -> Result<&[Drive], Lack> {
+        let drives = self.drives.get_or_init(|| self.evaluated_drives());
+        drives.as_deref().map_err(Clone::clone)
+    }
+
+    /// The forces of the only angular frequency.
+    pub(super) fn only_drive(&self) -> Result<&Drive, Lack> {
+        match self.drives()? {
+            [] => Err(Lack::NoForce),
+            [only] => Ok(only),
+            _ => Err(Lack::SeveralFrequencies),
+        }
+    }
+
+    fn evaluated_drives(&self) -> Result<Vec<Drive>, Lack> {
+        let driving = self.model.evaluation.driving()?;
+        let mut drives: Vec<Drive> = Vec::new();
+        if driving.terms.is_empty() {
+            return Ok(drives);
+        }
+        let numbers = self.value(&driving.numbers, &[])?;
+        let size = self.model.degrees_of_freedom();
+        for (term, numbers) in driving.terms.iter().zip(numbers.numbers().chunks_exact(3)) {
+            let [factor, frequency, phase] = [numbers[0], numbers[1], numbers[2]];
+            let (cosine, sine) = cosine_and_sine(factor, frequency, phase, term.is_sine);
+            let frequency = frequency.abs();
+            let known = drives.iter().position(|own| own.frequency == frequency);
+            let at = known.unwrap_or_else(|| {
+                drives.push(Drive {
+                    frequency,
+                    cosine: vec![0.0; size],
+                    sine: vec![0.0; size],
+                });
+                drives.len() - 1
+            });
+            drives[at].cosine[term.equation] += cosine;
+            drives[at].sine[term.equation] += sine;
+        }
+        Ok(drives)
+    }
+}
+
+/// The factors of cos Ωt and sin Ωt in a harmonic with a phase; Ω is taken positive.
+fn cosine_and_sine(factor: f64, frequency: f64, phase: f64, is_sine: bool) -> (f64, f64) {
+    let (phase_sine, phase_cosine) = sin_cos(phase);
+    // cos(Ωt + φ) = cos φ cos Ωt − sin φ sin Ωt, and sin(Ωt + φ) = sin φ cos Ωt + cos φ sin Ωt.
+    let (cosine, sine) = if is_sine {
+        (factor * phase_sine, factor * phase_cosine)
+    } else {
+        (factor * phase_cosine, -factor * phase_sine)
+    };
+    (cosine, if frequency < 0.0 { -sine } else { sine })
+}

@@ -1,0 +1,248 @@
+//! Positions at rest as numbers.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::{Lack, Numbers};
+use crate::expr::{Form, Precise, Shape, Value};
+use crate::mechanics::equilibrium::Equilibrium;
+use crate::numerics::{Dd, bracketed_root};
+
+/// Newton's method is given up after this many steps.
+const MOST_STEPS: usize = 200;
+
+/// A step is halved at most this often before it is taken as it is.
+const MOST_HALVINGS: usize = 40;
+
+/// An angle is searched for positions at rest in this many steps of a turn; equilibria a textbook asks
+/// for lie further apart, or at simple fractions of a turn, which are among the steps.
+const STEPS_OF_A_TURN: i32 = 720;
+
+/// Bound on the error of a fraction of a turn in double-double.
+const PI_ERROR: f64 = 1e-31;
+
+impl Numbers {
+    /// The position at rest about which the model is linearized.
+    ///
+    /// # Errors
+    ///
+    /// [`Lack::NoEquilibrium`], [`Lack::NotAtRest`] for a stated position that is none, or a number that
+    /// is missing.
+    pub fn equilibrium(&self) -> Result<&[f64], Lack> {
+        let position = self.position.get_or_init(|| self.found_position());
+        position.as_deref().map_err(Clone::clone)
+    }
+
+    /// All positions at rest of the single coordinate, ascending; of an angle those in (−π, π].
+    ///
+    /// # Errors
+    ///
+    /// [`Lack::SeveralCoordinates`], and those of [`Self::equilibrium`].
+    pub fn equilibria(&self) -> Result<Vec<f64>, Lack> {
+        let [coordinate] = self.model.definition.coordinates.as_slice() else {
+            return Err(Lack::SeveralCoordinates);
+        };
+        if !coordinate.is_angle {
+            return Ok(self.equilibrium()?.to_vec());
+        }
+        let mut positions = Vec::new();
+        let mut last: Option<(f64, f64)> = None;
+        for step in 0..=STEPS_OF_A_TURN {
+            let share = f64::from(2 * step - STEPS_OF_A_TURN) / f64::from(STEPS_OF_A_TURN);
+            let angle = Dd::PI * share;
+            let (force, is_zero) = self.force_at(&[Precise::of_dd(angle, PI_ERROR)])?;
+            if is_zero && step > 0 {
+                positions.push(angle.hi());
+            }
+            if let Some((before, old)) = last.filter(|(_, old)| old * force < 0.0 && !is_zero) {
+                let force = |at: f64| {
+                    self.force_at(&[Precise::exact(at)])
+                        .map_or(f64::NAN, |own| own.0)
+                };
+                let _ = old;
+                positions.extend(bracketed_root(force, before, angle.hi(), 0.0).ok());
+            }
+            last = (!is_zero).then_some((angle.hi(), force));
+        }
+        Ok(positions)
+    }
+
+    /// Whether the position at rest is stable: whether the potential energy has a minimum there.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Self::equilibrium`] and [`Self::modes`].
+    pub fn is_stable(&self) -> Result<bool, Lack> {
+        if self.model.degrees_of_freedom() == 1 {
+            return Ok(self.stiffness_matrix()?.numbers()[0] > 0.0);
+        }
+        let modes = self.modes()?;
+        Ok(!modes.is_unstable() && modes.rigid_count() == 0)
+    }
+
+    /// A coordinate of the position at rest as a value.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Self::equilibrium`].
+    pub fn equilibrium_value(&self, coordinate: usize) -> Result<Value, Lack> {
+        let position = self.equilibrium()?[coordinate];
+        if let Some(formula) = &self.model.evaluation.position {
+            let value = self.value(formula, &[])?;
+            return Ok(Value::real(position, value.bounds()[coordinate]));
+        }
+        Ok(Value::real(position, 16.0 * f64::EPSILON * position.abs()))
+    }
+
+    /// [`Self::equilibria`] as a value.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Self::equilibria`].
+    pub fn equilibria_value(&self) -> Result<Value, Lack> {
+        let positions = self.equilibria()?;
+        let bounds = positions.iter().map(|own| 16.0 * f64::EPSILON * own.abs());
+        let form = Form::real(Shape::Vector(positions.len()));
+        let bounds = bounds.collect();
+        Value::new(form, positions, bounds).ok_or(Lack::NoEquilibrium)
+    }
+
+    /// [`Self::is_stable`] as a value.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Self::is_stable`].
+    pub fn stable_value(&self) -> Result<Value, Lack> {
+        let stable = f64::from(u8::from(self.is_stable()?));
+        Value::new(Form::BOOLEAN, vec![stable], vec![0.0]).ok_or(Lack::NoEquilibrium)
+    }
+
+    /// The restoring force of a single coordinate, and whether it cannot be told from zero.
+    fn force_at(&self, position: &[Precise]) -> Result<(f64, bool), Lack> {
+        let forces = self.value(&self.model.evaluation.restoring, position)?;
+        let force = forces.numbers()[0];
+        Ok((force, force.abs() <= forces.bounds()[0]))
+    }
+
+    fn found_position(&self) -> Result<Vec<f64>, Lack> {
+        match (&self.model.equilibrium, &self.model.evaluation.position) {
+            (Equilibrium::Stated(_), Some(formula)) => {
+                let position = self.value(formula, &[])?;
+                self.check_rest(&position)?;
+                Ok(position.numbers().to_vec())
+            }
+            (Equilibrium::Missing(_), _) => Err(Lack::NoEquilibrium),
+            (_, Some(formula)) => Ok(self.value(formula, &[])?.numbers().to_vec()),
+            _ => self.sought_position(),
+        }
+    }
+
+    /// A stated position leaves no force beyond what its own rounding explains.
+    fn check_rest(&self, position: &Value) -> Result<(), Lack> {
+        let at: Vec<_> = position
+            .numbers()
+            .iter()
+            .copied()
+            .map(Precise::exact)
+            .collect();
+        let forces = self.value(&self.model.evaluation.restoring, &at)?;
+        let slopes = self.value(&self.model.evaluation.tangent()?.stiffness, &at)?;
+        let size = at.len();
+        for (row, name) in self.model.coordinates().iter().enumerate() {
+            let slopes = &slopes.numbers()[row * size..][..size];
+            let terms = slopes
+                .iter()
+                .zip(position.numbers().iter().zip(position.bounds()));
+            let rounding: f64 = terms
+                .map(|(slope, (at, bound))| slope.abs() * (bound + 4.0 * f64::EPSILON * at.abs()))
+                .sum();
+            if forces.numbers()[row].abs() > 4.0 * (rounding + forces.bounds()[row]) {
+                return Err(Lack::NotAtRest {
+                    coordinate: name.clone(),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// Newton's method from zero, each step halved until the forces get smaller.
+    fn sought_position(&self) -> Result<Vec<f64>, Lack> {
+        let size = self.model.degrees_of_freedom();
+        let mut at = Place::of(self, DVector::zeros(size))?;
+        for _ in 0..MOST_STEPS {
+            if at.is_at_rest() {
+                return Ok(at.position.as_slice().to_vec());
+            }
+            let step = at.newton_step().ok_or(Lack::NoEquilibrium)?;
+            let Some(next) = at.after(self, &step) else {
+                // No shorter step helps: either nothing but rounding is left, or there is no way on.
+                let is_tiny = step.amax() <= 64.0 * f64::EPSILON * at.position.amax();
+                let position = at.position.as_slice().to_vec();
+                return if is_tiny {
+                    Ok(position)
+                } else {
+                    Err(Lack::NoEquilibrium)
+                };
+            };
+            at = next;
+        }
+        Err(Lack::NoEquilibrium)
+    }
+}
+
+/// A position with the forces there.
+struct Place {
+    position: DVector<f64>,
+    forces: DVector<f64>,
+    bounds: DVector<f64>,
+    slopes: DMatrix<f64>,
+}
+
+impl Place {
+    fn of(numbers: &Numbers, position: DVector<f64>) -> Result<Self, Lack> {
+        let at: Vec<_> = position.iter().copied().map(Precise::exact).collect();
+        let forces = numbers.value(&numbers.model.evaluation.restoring, &at)?;
+        let slopes = numbers.value(&numbers.model.evaluation.slopes, &at)?;
+        let size = at.len();
+        Ok(Self {
+            position,
+            forces: DVector::from_column_slice(forces.numbers()),
+            bounds: DVector::from_column_slice(forces.bounds()),
+            slopes: DMatrix::from_row_slice(size, size, slopes.numbers()),
+        })
+    }
+
+    fn is_at_rest(&self) -> bool {
+        let pairs = self.forces.iter().zip(self.bounds.iter());
+        pairs
+            .into_iter()
+            .all(|(force, bound)| force.abs() <= *bound)
+    }
+
+    /// The step to where the forces would vanish; along the forces where the slopes are singular.
+    fn newton_step(&self) -> Option<DVector<f64>> {
+        let newton = self
+            .slopes
+            .clone()
+            .lu()
+            .solve(&self.forces)
+            .map(|step| -step);
+        let is_finite = |step: &DVector<f64>| step.iter().all(|x| x.is_finite());
+        newton.filter(is_finite).or_else(|| {
+            let scale = self.forces.norm();
+            Some(-self.forces.clone() / scale).filter(is_finite)
+        })
+    }
+
+    /// The first place along a step, whole or halved, where the forces are smaller.
+    fn after(&self, numbers: &Numbers, step: &DVector<f64>) -> Option<Self> {
+        let mut share = 1.0;
+        for _ in 0..MOST_HALVINGS {
+            let place = Self::of(numbers, &self.position + step * share).ok();
+            if let Some(place) = place.filter(|place| place.forces.norm() < self.forces.norm()) {
+                return Some(place);
+            }
+            share *= 0.5;
+        }
+        None
+    }
+}

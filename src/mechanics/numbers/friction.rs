@@ -1,0 +1,139 @@
+//! Dry friction along a single coordinate.
+
+use super::{Lack, Motion, Numbers};
+use crate::expr::{Form, Precise, Value};
+use crate::numerics::ExactNumber;
+use crate::vibration::{DryFriction, FrictionMotion, FrictionOscillator};
+
+/// A number about the motion of a model with dry friction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Frictional {
+    /// The number of slides from one turning point to the next.
+    HalfCycles,
+    /// Whether it slides at all.
+    Slides,
+    /// When it comes to rest.
+    StopTime,
+    /// Where it comes to rest.
+    RestPosition,
+    /// The length of the way.
+    PathLength,
+    /// The heat.
+    DissipatedEnergy,
+}
+
+impl Numbers {
+    /// A number about the motion with dry friction from the initial state.
+    ///
+    /// # Errors
+    ///
+    /// [`Lack::NoFriction`], [`Lack::Endless`] if it never rests, and those of [`Self::equilibrium`].
+    pub fn frictional(&self, quantity: Frictional) -> Result<Value, Lack> {
+        let motion = self.friction_motion()?;
+        let slides = motion.slides();
+        Ok(match quantity {
+            Frictional::HalfCycles => Value::real(slides.ok_or(Lack::Endless)? as f64, 0.0),
+            Frictional::Slides => {
+                let slides = f64::from(u8::from(slides != Some(0)));
+                Value::new(Form::BOOLEAN, vec![slides], vec![0.0]).ok_or(Lack::Endless)?
+            }
+            Frictional::StopTime => self.finite(motion.stop_time())?,
+            Frictional::RestPosition => {
+                self.finite(motion.rest_position().ok_or(Lack::Endless)?)?
+            }
+            Frictional::PathLength => self.finite(motion.path_length())?,
+            Frictional::DissipatedEnergy => self.finite(motion.dissipated_energy())?,
+        })
+    }
+
+    /// The motion with dry friction.
+    pub(super) fn friction_path(&self) -> Result<Motion, Lack> {
+        let path = Box::new(self.friction_motion()?.path());
+        let matrices = self.matrices()?;
+        let [mass, damping, stiffness] =
+            [&matrices.mass, &matrices.damping, &matrices.stiffness].map(|own| own.numbers()[0]);
+        Ok(Motion::of_friction(
+            path,
+            SlidingForces {
+                mass,
+                damping,
+                stiffness,
+                friction: self.friction_forces()?.numbers()[0],
+                constant: self.constant_force()?,
+            },
+        ))
+    }
+
+    fn friction_motion(&self) -> Result<FrictionMotion, Lack> {
+        if !self.drives()?.is_empty() {
+            return Err(Lack::Forced);
+        }
+        let forces = self.friction_forces()?;
+        let matrices = self.matrices()?;
+        let on_paper = |number: f64| ExactNumber::on_paper(number).ok_or(Lack::Endless);
+        let entry = |value: &Value| on_paper(value.numbers()[0]);
+        let friction = DryFriction::of_forces(
+            on_paper(forces.numbers()[0])?,
+            on_paper(forces.numbers()[1])?,
+        );
+        let oscillator = FrictionOscillator::new(
+            entry(&matrices.mass)?,
+            entry(&matrices.damping)?,
+            entry(&matrices.stiffness)?,
+            friction,
+        )?;
+        let oscillator = oscillator.with_force(on_paper(self.constant_force()?)?)?;
+        let start = self.start()?[0];
+        Ok(oscillator.motion(on_paper(start.position)?, on_paper(start.velocity)?)?)
+    }
+
+    /// Kinetic and largest static friction.
+    fn friction_forces(&self) -> Result<Value, Lack> {
+        let forces = self
+            .model
+            .evaluation
+            .sticking
+            .as_ref()
+            .ok_or(Lack::NoFriction)?;
+        self.value(forces, &[])
+    }
+
+    /// The force on the coordinate at its origin.
+    fn constant_force(&self) -> Result<f64, Lack> {
+        let origin = [Precise::exact(0.0)];
+        Ok(-self
+            .value(&self.model.evaluation.restoring, &origin)?
+            .numbers()[0])
+    }
+
+    fn finite(&self, number: f64) -> Result<Value, Lack> {
+        if number.is_finite() {
+            Ok(self.with_relative_bound(number))
+        } else {
+            Err(Lack::Endless)
+        }
+    }
+}
+
+/// What acts on a sliding mass.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SlidingForces {
+    pub(super) mass: f64,
+    pub(super) damping: f64,
+    pub(super) stiffness: f64,
+    pub(super) friction: f64,
+    pub(super) constant: f64,
+}
+
+impl SlidingForces {
+    /// The acceleration in a state; none at rest.
+    pub(super) fn acceleration(&self, state: crate::vibration::State) -> f64 {
+        if state.velocity == 0.0 {
+            return 0.0;
+        }
+        let resisting = self.damping * state.velocity
+            + self.stiffness * state.position
+            + self.friction * state.velocity.signum();
+        (self.constant - resisting) / self.mass
+    }
+}

@@ -1,0 +1,336 @@
+//! Several coordinates: modes, and motions as sums over them.
+
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::driving::Drive;
+use super::{Lack, Motion, Numbers};
+use crate::expr::{Field, Form, Shape, Value};
+use crate::numerics::sin_cos;
+use crate::vibration::State;
+use crate::vibration::modal::{Damping, ForcedModalResponse, HarmonicForces, ModalResponse};
+use crate::vibration::modes::Modes;
+
+/// Two frequencies count as equal within this part of them.
+const SAME_FREQUENCY: f64 = 1e-9;
+
+/// Damping couples two modes if its entry between them exceeds this part of their own.
+const COUPLED: f64 = 1e-10;
+
+/// Motions of many periods are answered up to this number of the slowest one.
+const MOST_PERIODS: f64 = 1e6;
+
+/// The motion of one coordinate of several.
+#[derive(Clone, Debug)]
+pub(super) struct ModalMotion {
+    response: Arc<Response>,
+    coordinate: usize,
+}
+
+/// The motion of all coordinates from the initial state.
+#[derive(Debug)]
+pub(super) struct Response {
+    position: Vec<f64>,
+    free: Option<ModalResponse>,
+    /// The harmonic forces and the motion under each; the first one bears the initial state.
+    forced: Vec<(Drive, ForcedModalResponse)>,
+    damping: DMatrix<f64>,
+    stiffness: DMatrix<f64>,
+    inverse_mass: DMatrix<f64>,
+}
+
+impl ModalMotion {
+    pub(super) fn at(&self, order: u8, time: f64) -> Option<f64> {
+        let (displacements, velocities) = self.response.state(time)?;
+        match order {
+            0 => Some(self.response.position[self.coordinate] + displacements[self.coordinate]),
+            1 => Some(velocities[self.coordinate]),
+            2 => {
+                let forces = self.response.forces(&displacements, &velocities, time);
+                Some((self.response.inverse_mass.row(self.coordinate) * forces)[0])
+            }
+            _ => None,
+        }
+    }
+}
+
+impl Response {
+    /// Displacements from the position at rest, and velocities.
+    fn state(&self, time: f64) -> Option<(DVector<f64>, DVector<f64>)> {
+        let size = self.position.len();
+        let (mut x, mut v) = (DVector::zeros(size), DVector::zeros(size));
+        let (mut part_x, mut part_v) = (vec![0.0; size], vec![0.0; size]);
+        let mut add = |part_x: &[f64], part_v: &[f64]| {
+            x += DVector::from_column_slice(part_x);
+            v += DVector::from_column_slice(part_v);
+        };
+        if let Some(free) = &self.free {
+            free.state(time, &mut part_x, &mut part_v).ok()?;
+            add(&part_x, &part_v);
+        }
+        for (_, forced) in &self.forced {
+            forced.state(time, &mut part_x, &mut part_v).ok()?;
+            add(&part_x, &part_v);
+        }
+        Some((x, v))
+    }
+
+    /// What accelerates: the driving forces less those of dampers and springs.
+    fn forces(&self, x: &DVector<f64>, v: &DVector<f64>, time: f64) -> DVector<f64> {
+        let mut forces = -(&self.damping * v) - &self.stiffness * x;
+        for (drive, _) in &self.forced {
+            let (sine, cosine) = sin_cos(drive.frequency * time);
+            forces += DVector::from_column_slice(&drive.cosine) * cosine;
+            forces += DVector::from_column_slice(&drive.sine) * sine;
+        }
+        forces
+    }
+}
+
+impl Numbers {
+    /// The natural angular frequencies, ascending.
+    ///
+    /// # Errors
+    ///
+    /// [`Lack::Unstable`] if one does not exist, and those of [`Self::modes`].
+    pub fn natural_angular_frequencies(&self) -> Result<Value, Lack> {
+        let modes = self.modes()?;
+        let frequency = |mode| modes.natural_angular_frequency(mode).ok_or(Lack::Unstable);
+        let frequencies: Vec<_> = (0..modes.count())
+            .map(frequency)
+            .collect::<Result<_, _>>()?;
+        vector(frequencies)
+    }
+
+    /// How often each natural angular frequency occurs, in their order.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Self::modes`].
+    pub fn multiplicities(&self) -> Result<Value, Lack> {
+        let modes = self.modes()?;
+        let clusters = modes.clusters(SAME_FREQUENCY);
+        let counts = clusters
+            .into_iter()
+            .flat_map(|own| vec![own.len() as f64; own.len()]);
+        vector(counts.collect())
+    }
+
+    /// The mass-normalized mode shapes by rows, the first nonzero component of each positive.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Self::modes`].
+    pub fn mode_shapes(&self) -> Result<Value, Lack> {
+        let modes = self.modes()?;
+        let size = modes.count();
+        matrix(
+            size,
+            (0..size).flat_map(|mode| modes.mode_shape(mode)).collect(),
+        )
+    }
+
+    /// The modal masses `uᵀ M u` of the shapes with their first nonzero component 1.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Self::modes`].
+    pub fn modal_masses(&self) -> Result<Value, Lack> {
+        let modes = self.modes()?;
+        let mass = |mode| {
+            let shape = modes.mode_shape(mode);
+            let largest = shape
+                .iter()
+                .fold(0.0, |largest: f64, own| largest.max(own.abs()));
+            let first = shape.iter().find(|own| own.abs() > 1e-12 * largest);
+            first.map_or(f64::NAN, |first| 1.0 / (first * first))
+        };
+        vector((0..modes.count()).map(mass).collect())
+    }
+
+    /// The damping ratios of the modes.
+    ///
+    /// # Errors
+    ///
+    /// [`Lack::CoupledDamping`], [`Lack::Unstable`], and those of [`Self::modes`].
+    pub fn modal_damping_ratios(&self) -> Result<Value, Lack> {
+        let modes = self.modes()?;
+        let ratio = |(mode, damping): (usize, f64)| {
+            let frequency = modes
+                .natural_angular_frequency(mode)
+                .ok_or(Lack::Unstable)?;
+            match (damping == 0.0, frequency == 0.0) {
+                (true, _) => Ok(0.0),
+                (false, true) => Err(Lack::Singular),
+                (false, false) => Ok(damping / (2.0 * frequency)),
+            }
+        };
+        let dampings = self.modal_dampings()?.into_iter().enumerate();
+        vector(dampings.map(ratio).collect::<Result<_, _>>()?)
+    }
+
+    /// The factors of cos ω_r t and sin ω_r t of each modal coordinate in the free motion, by rows.
+    ///
+    /// # Errors
+    ///
+    /// [`Lack::Unstable`], and those of [`Self::modes`].
+    pub fn modal_amplitudes(&self) -> Result<Value, Lack> {
+        let modes = self.modes()?;
+        let states = self.modal_start(modes)?.into_iter().enumerate();
+        let row = |(mode, state): (usize, State)| {
+            let frequency = modes
+                .natural_angular_frequency(mode)
+                .ok_or(Lack::Unstable)?;
+            // A rigid motion has a velocity in place of the factor of the sine.
+            let sine = if frequency == 0.0 {
+                state.velocity
+            } else {
+                state.velocity / frequency
+            };
+            Ok([state.position, sine])
+        };
+        let rows: Vec<[f64; 2]> = states.map(row).collect::<Result<_, Lack>>()?;
+        matrix(2, rows.into_flattened())
+    }
+
+    /// The motion of a coordinate among several.
+    pub(super) fn modal_motion(&self, coordinate: usize) -> Result<Motion, Lack> {
+        let response = self
+            .response
+            .get_or_init(|| self.evaluated_response().map(Arc::new));
+        Ok(Motion::of_modes(ModalMotion {
+            response: response.clone()?,
+            coordinate,
+        }))
+    }
+
+    fn evaluated_response(&self) -> Result<Response, Lack> {
+        let modes = self.modes()?;
+        let slowest = (0..modes.count()).filter_map(|mode| modes.natural_angular_frequency(mode));
+        let slowest = slowest
+            .filter(|rate| *rate > 0.0)
+            .fold(f64::INFINITY, f64::min);
+        let horizon = if slowest.is_finite() {
+            MOST_PERIODS * TAU / slowest
+        } else {
+            MOST_PERIODS
+        };
+        let (displacements, velocities) = self.displaced_start()?;
+        let damping = self.damping()?;
+        let still = vec![0.0; displacements.len()];
+        let mut forced = Vec::new();
+        for (at, drive) in self.drives()?.iter().enumerate() {
+            let forces = HarmonicForces {
+                cosine: &drive.cosine,
+                sine: &drive.sine,
+                angular_frequency: drive.frequency,
+            };
+            let start = if at == 0 {
+                [&displacements, &velocities]
+            } else {
+                [&still, &still]
+            };
+            let [x, v] = start;
+            let motion = ForcedModalResponse::of(modes, &damping, forces, x, v, horizon)?;
+            forced.push((drive.clone(), motion));
+        }
+        let free = if forced.is_empty() {
+            Some(ModalResponse::of(
+                modes,
+                &damping,
+                &displacements,
+                &velocities,
+                horizon,
+            )?)
+        } else {
+            None
+        };
+        let matrices = self.matrices()?;
+        let mass = self.square(&matrices.mass);
+        Ok(Response {
+            position: self.equilibrium()?.to_vec(),
+            free,
+            forced,
+            damping: self.square(&matrices.damping),
+            stiffness: self.square(&matrices.stiffness),
+            inverse_mass: mass.try_inverse().ok_or(Lack::Singular)?,
+        })
+    }
+
+    /// The damping for the solver.
+    pub(super) fn damping(&self) -> Result<Damping, Lack> {
+        let value = self.damping_matrix()?;
+        Ok(if value.numbers().iter().all(|own| *own == 0.0) {
+            Damping::none()
+        } else {
+            Damping::of_matrix(&self.square(value))
+        })
+    }
+
+    /// Displacements from the position at rest, and velocities, at the start.
+    fn displaced_start(&self) -> Result<(Vec<f64>, Vec<f64>), Lack> {
+        let start = self.start()?;
+        let displaced = start.iter().zip(self.equilibrium()?);
+        let displacements = displaced.map(|(own, rest)| own.position - rest).collect();
+        Ok((
+            displacements,
+            start.iter().map(|own| own.velocity).collect(),
+        ))
+    }
+
+    /// Modal positions and velocities at the start.
+    fn modal_start(&self, modes: &Modes) -> Result<Vec<State>, Lack> {
+        let (positions, velocities) = self.displaced_start()?;
+        let positions = modes.modal_coordinates(&positions)?;
+        let velocities = modes.modal_coordinates(&velocities)?;
+        let pairs = positions.into_iter().zip(velocities);
+        Ok(pairs
+            .map(|(position, velocity)| State { position, velocity })
+            .collect())
+    }
+
+    /// The diagonal of `Φᵀ C Φ`, if that is diagonal.
+    pub(super) fn modal_dampings(&self) -> Result<Vec<f64>, Lack> {
+        let modes = self.modes()?;
+        let size = modes.count();
+        let damping =
+            nalgebra::DMatrix::from_row_slice(size, size, self.damping_matrix()?.numbers());
+        let shapes = modes.modal_matrix();
+        let modal = shapes.transpose() * damping * shapes;
+        for row in 0..size {
+            for column in 0..row {
+                let own = modal[(row, row)].abs().max(modal[(column, column)].abs());
+                if modal[(row, column)].abs() > COUPLED * own {
+                    return Err(Lack::CoupledDamping);
+                }
+            }
+        }
+        Ok(modal.diagonal().as_slice().to_vec())
+    }
+}
+
+/// A list of numbers that are good to a few units in the last place.
+fn vector(numbers: Vec<f64>) -> Result<Value, Lack> {
+    let shape = Shape::Vector(numbers.len());
+    real(shape, numbers)
+}
+
+/// Rows of numbers that are good to a few units in the last place of the largest.
+fn matrix(columns: usize, numbers: Vec<f64>) -> Result<Value, Lack> {
+    let shape = Shape::Matrix(numbers.len() / columns.max(1), columns);
+    real(shape, numbers)
+}
+
+fn real(shape: Shape, numbers: Vec<f64>) -> Result<Value, Lack> {
+    let largest = numbers
+        .iter()
+        .fold(0.0, |largest: f64, own| largest.max(own.abs()));
+    let bounds = vec![16.0 * f64::EPSILON * largest; numbers.len()];
+    let form = Form {
+        field: Field::Real,
+        shape,
+    };
+    Value::new(form, numbers, bounds).ok_or(Lack::Singular)
+}

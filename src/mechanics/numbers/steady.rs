@@ -1,0 +1,55 @@
+//! The steady state under harmonic forces.
+
+use super::driving::Drive;
+use super::{Lack, Numbers};
+use crate::expr::{Field, Form, Shape, Value};
+use crate::numerics::Complex;
+use crate::vibration::FrequencyResponse;
+use crate::vibration::modal::HarmonicResponse;
+use crate::vibration::modes::ModesError;
+
+impl Numbers {
+    /// X of a coordinate with `x = Re(X e^(iΩt))`, for the only angular frequency that drives the model.
+    ///
+    /// # Errors
+    ///
+    /// [`Lack::NoForce`], [`Lack::SeveralFrequencies`], [`Lack::NotHarmonic`], [`Lack::Resonance`].
+    pub fn complex_amplitude(&self, coordinate: usize) -> Result<Complex, Lack> {
+        Ok(self.amplitudes(self.only_drive()?)?[coordinate])
+    }
+
+    /// The complex amplitude as a value.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Self::complex_amplitude`].
+    pub fn complex_amplitude_value(&self, coordinate: usize) -> Result<Value, Lack> {
+        let amplitude = self.complex_amplitude(coordinate)?;
+        let form = Form {
+            field: Field::Complex,
+            shape: Shape::Scalar,
+        };
+        let bound = 16.0 * f64::EPSILON * amplitude.abs();
+        let value = Value::new(form, vec![amplitude.re, amplitude.im], vec![bound; 2]);
+        value.ok_or(Lack::Singular)
+    }
+
+    /// The solution of `(K − Ω² M + iΩ C) X = F`.
+    pub(super) fn amplitudes(&self, drive: &Drive) -> Result<Vec<Complex>, Lack> {
+        let forces = drive.cosine.iter().zip(&drive.sine);
+        let forces: Vec<_> = forces.map(|(a, b)| Complex::new(*a, -*b)).collect();
+        if let ([force], Ok(oscillator)) = (forces.as_slice(), self.oscillator()) {
+            let response = FrequencyResponse::at(&oscillator, drive.frequency);
+            if response.is_unbounded() {
+                return Err(Lack::Resonance);
+            }
+            return Ok(vec![*force * response.receptance()]);
+        }
+        let response = HarmonicResponse::of(&self.system()?, &self.damping()?, drive.frequency);
+        let amplitudes = response.and_then(|own| own.amplitudes(&forces));
+        amplitudes.map_err(|error| match error {
+            ModesError::Resonance => Lack::Resonance,
+            other => Lack::Modes(other),
+        })
+    }
+}

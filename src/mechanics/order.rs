@@ -1,0 +1,70 @@
+//! The order in which formulas of a model are written.
+
+use std::collections::BTreeSet;
+
+use super::definition::Definition;
+use crate::expr::{Expr, Kind, Name, Order};
+use crate::unit::Dimension;
+
+/// Coordinates move; constants come as textbooks print them: `m g l`, `k l²`, `m U Ω²`.
+pub(super) fn textbook(definition: &Definition) -> Order {
+    let coordinates = definition.coordinates.iter();
+    let moving: Vec<_> = coordinates.map(|own| own.name.clone()).collect();
+    let mut names = names_by_appearance(definition);
+    names.sort_by_key(|name| {
+        definition
+            .dimensions
+            .get(name)
+            .map_or(Class::Unknown, class_of)
+    });
+    Order::new().moving(moving).ranked(names)
+}
+
+/// What comes first in a product.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+enum Class {
+    /// Masses, stiffnesses, forces, inductances.
+    Inertial,
+    /// Accelerations and velocities.
+    Kinematic,
+    Length,
+    Time,
+    Pure,
+    Unknown,
+}
+
+fn class_of(dimension: &Dimension) -> Class {
+    let [mass, length, time, current, ..] = dimension.exponents().map(|own| own.numerator() != 0);
+    match (mass || current, length, time) {
+        (true, ..) => Class::Inertial,
+        (_, true, true) => Class::Kinematic,
+        (_, true, false) => Class::Length,
+        (_, false, true) => Class::Time,
+        (_, false, false) => Class::Pure,
+    }
+}
+
+/// All names, in the order in which the author writes them.
+fn names_by_appearance(definition: &Definition) -> Vec<Name> {
+    let energies = [
+        &definition.kinetic,
+        &definition.potential,
+        &definition.dissipation,
+    ];
+    let named = definition.forces.iter().chain(&definition.kinematics);
+    let (mut names, mut known) = (Vec::new(), BTreeSet::new());
+    for formula in energies
+        .into_iter()
+        .chain(named.map(|(_, formula)| formula))
+    {
+        let mut visit = |node: &Expr| {
+            if let Kind::Name(name) = node.kind()
+                && known.insert(name.clone())
+            {
+                names.push(name.clone());
+            }
+        };
+        formula.walk(&mut visit);
+    }
+    names
+}

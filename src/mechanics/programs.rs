@@ -1,0 +1,126 @@
+//! The formulas of a model compiled for numbers, each when it is first asked for.
+
+use std::sync::OnceLock;
+
+use super::Lack;
+use crate::expr::{
+    Approx, Binder, Binding, Expr, Form, Inputs, Name, Precise, Program, Scalar, Undefined, Value,
+    Variable, Workspace,
+};
+
+/// A formula and its program.
+#[derive(Clone, Debug)]
+pub(super) struct Compiled {
+    formula: Expr,
+    program: OnceLock<Result<Ready, Lack>>,
+}
+
+/// A program and the slots that it reads, ascending.
+#[derive(Clone, Debug)]
+pub(super) struct Ready {
+    pub(super) program: Program,
+    slots: Vec<u32>,
+}
+
+impl Ready {
+    /// Whether the program reads a slot.
+    pub(super) fn reads(&self, slot: u32) -> bool {
+        self.slots.binary_search(&slot).is_ok()
+    }
+
+    /// Whether the program reads constants alone, of which there are as many as given.
+    pub(super) fn is_constant(&self, constants: usize) -> bool {
+        self.slots
+            .last()
+            .is_none_or(|slot| (*slot as usize) < constants)
+    }
+}
+
+impl Compiled {
+    pub(super) fn new(formula: Expr) -> Self {
+        Self {
+            formula,
+            program: OnceLock::new(),
+        }
+    }
+
+    /// A list of formulas that are evaluated together.
+    pub(super) fn list(formulas: impl IntoIterator<Item = Expr>) -> Self {
+        Self::new(Expr::array(formulas.into_iter().collect::<Vec<_>>()))
+    }
+
+    pub(super) fn ready(&self, names: &Slots) -> Result<&Ready, Lack> {
+        let compile = || {
+            let program = Program::compile(&self.formula, names)?;
+            let slots = program.slots();
+            Ok(Ready { program, slots })
+        };
+        self.program
+            .get_or_init(compile)
+            .as_ref()
+            .map_err(Clone::clone)
+    }
+
+    /// Its value for these data.
+    pub(super) fn value(&self, names: &Slots, data: &Data<'_>) -> Result<Value, Lack> {
+        let program = &self.ready(names)?.program;
+        Ok(program.evaluate(data, &mut Workspace::default())?)
+    }
+}
+
+/// Which number each name is: constants first, then coordinates, velocities and time.
+#[derive(Clone, Debug)]
+pub(super) struct Slots {
+    pub(super) constants: Vec<Name>,
+    pub(super) coordinates: Vec<Name>,
+}
+
+impl Binder for Slots {
+    fn name(&self, variable: &Variable, _local: &[Name]) -> Option<Binding> {
+        let (constants, size) = (self.constants.len(), self.coordinates.len());
+        let coordinate = self
+            .coordinates
+            .iter()
+            .position(|own| *own == variable.name);
+        let slot = match (coordinate, variable.order) {
+            (Some(at), order @ (0 | 1)) => constants + usize::from(order) * size + at,
+            (None, 0) if variable.name.as_str() == "t" => constants + 2 * size,
+            (None, 0) => self.constants.binary_search(&variable.name).ok()?,
+            _ => return None,
+        };
+        Some(Binding::Input {
+            slot: slot as u32,
+            form: Form::REAL,
+        })
+    }
+}
+
+/// The numbers for one evaluation; coordinates, velocities and time that are not given are zero.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Data<'a> {
+    pub(super) constants: &'a [Result<Precise, Undefined>],
+    pub(super) position: &'a [Precise],
+}
+
+impl Data<'_> {
+    pub(super) fn precise(&self, slot: u32) -> Result<Precise, Undefined> {
+        let slot = slot as usize;
+        match slot.checked_sub(self.constants.len()) {
+            None => self.constants[slot],
+            Some(at) => Ok(self
+                .position
+                .get(at)
+                .copied()
+                .unwrap_or(Precise::exact(0.0))),
+        }
+    }
+}
+
+impl<T> Inputs<Approx<T>> for Data<'_>
+where
+    Approx<T>: Scalar,
+{
+    fn input(&self, slot: u32) -> Result<Approx<T>, Undefined> {
+        self.precise(slot).map(|number| Approx::<T>::of(&number))
+    }
+}
