@@ -1,0 +1,496 @@
+//! Values on demand: what is asked for and what that depends on, each computed once.
+
+use std::cell::{OnceCell, RefCell};
+use std::collections::BTreeMap;
+use std::rc::Rc;
+use std::sync::Arc;
+
+use crate::expr::{Absence, Approx, Inputs, Name, Precise, Scalar, Undefined, Value, Workspace};
+use crate::mechanics::{Lack, Motion, Numbers};
+use crate::numerics::Dd;
+
+use super::graph::{Computation, Graph, Node, NodeId, Role};
+use super::model::Offered;
+use super::trace::Trace;
+
+/// Why a quantity has no value for these data.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Absent {
+    /// Its condition does not hold.
+    #[error("`{0}` does not exist for these data")]
+    NotForTheseData(Box<str>),
+    /// An operation in its formula has no value.
+    #[error("`{label}` has no value: {absence}")]
+    Undefined {
+        /// The quantity.
+        label: Box<str>,
+        /// The operation.
+        absence: Absence,
+    },
+    /// A model does not have it for these data.
+    #[error("`{label}` does not exist for these data: {lack}")]
+    Lack {
+        /// The quantity.
+        label: Box<str>,
+        /// Why.
+        lack: Box<Lack>,
+    },
+    /// It is a function of something that is not given.
+    #[error("`{label}` is a function of {}", .of.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "))]
+    Function {
+        /// The quantity.
+        label: Box<str>,
+        /// Of what.
+        of: Vec<Name>,
+    },
+}
+
+type Wide = Arc<[Approx<Dd>]>;
+
+/// The values of an item's graph for certain data.
+pub struct Evaluation<'g> {
+    graph: &'g Graph,
+    data: Arc<[Precise]>,
+    values: Box<[OnceCell<Result<Value, Absent>>]>,
+    /// The same with twice the digits, where formulas asked for them.
+    wide: OnceCell<Box<[OnceCell<Result<Wide, Absent>>]>>,
+    /// Values that stand in for what a formula would give.
+    replaced: Vec<(NodeId, Value)>,
+    rooms: RefCell<Vec<Workspace>>,
+    /// The models with numbers, and their motions, prepared when first asked for.
+    systems: RefCell<BTreeMap<NodeId, Rc<Numbers>>>,
+    motions: RefCell<BTreeMap<NodeId, Result<Rc<Motion>, Absent>>>,
+}
+
+/// A quantity as a function of its free names, its other inputs at hand.
+pub struct Function<'e, 'g> {
+    evaluation: &'e Evaluation<'g>,
+    node: NodeId,
+    computation: &'g Computation,
+}
+
+impl<'g> Evaluation<'g> {
+    /// Nothing is computed yet; `data` are the values of the parameters in their order.
+    pub fn new(graph: &'g Graph, data: Arc<[Precise]>) -> Self {
+        let values = std::iter::repeat_with(OnceCell::new)
+            .take(graph.nodes.len())
+            .collect();
+        let (wide, replaced, rooms) = (OnceCell::new(), Vec::new(), RefCell::default());
+        Self {
+            graph,
+            data,
+            values,
+            wide,
+            replaced,
+            rooms,
+            systems: RefCell::default(),
+            motions: RefCell::default(),
+        }
+    }
+
+    /// The same data with these values in place of what formulas give.
+    #[must_use]
+    pub fn replacing(&self, replaced: Vec<(NodeId, Value)>) -> Self {
+        let mut evaluation = Self::new(self.graph, Arc::clone(&self.data));
+        for (node, value) in &replaced {
+            // A node is replaced once; of two values the first stands.
+            let _ = evaluation.values[node.index()].set(Ok(value.clone()));
+        }
+        evaluation.replaced = replaced;
+        evaluation
+    }
+
+    /// The graph whose values these are.
+    pub fn graph(&self) -> &'g Graph {
+        self.graph
+    }
+
+    /// The value of a node, computed the first time it is asked for.
+    ///
+    /// # Errors
+    ///
+    /// Why it has none for these data.
+    pub fn value(&self, id: NodeId) -> Result<&Value, Absent> {
+        self.values[id.index()]
+            .get_or_init(|| self.compute(id))
+            .as_ref()
+            .map_err(Clone::clone)
+    }
+
+    /// The real number that a node is.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::value`]; what is no real number has no value either.
+    pub fn real(&self, id: NodeId) -> Result<f64, Absent> {
+        let value = self.value(id)?;
+        value
+            .as_real()
+            .ok_or_else(|| self.undefined(id, Undefined::NotReal))
+    }
+
+    /// Whether a condition holds.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::value`].
+    pub fn holds(&self, id: NodeId) -> Result<bool, Absent> {
+        let value = self.value(id)?;
+        value
+            .as_boolean()
+            .ok_or_else(|| self.undefined(id, Undefined::NotReal))
+    }
+
+    /// A node as a function of its free names.
+    ///
+    /// # Errors
+    ///
+    /// Why it does not exist for these data.
+    pub fn function(&self, id: NodeId) -> Result<Function<'_, 'g>, Absent> {
+        let node = self.graph.node(id);
+        self.exists(node)?;
+        let computation = node
+            .computation
+            .as_ref()
+            .ok_or_else(|| self.undefined(id, Undefined::NotReal))?;
+        Ok(Function {
+            evaluation: self,
+            node: id,
+            computation,
+        })
+    }
+
+    /// Whether a node exists for these data; its value is not computed.
+    ///
+    /// # Errors
+    ///
+    /// Why it does not.
+    pub fn exists_for(&self, id: NodeId) -> Result<(), Absent> {
+        self.exists(self.graph.node(id))
+    }
+
+    /// What was computed so far, and what was not.
+    pub fn trace(&self) -> Trace {
+        let computed = |id: &NodeId| self.values[id.index()].get().is_some();
+        Trace::of(self.graph, computed)
+    }
+
+    /// How far rounding in the steps between data and this value can move it, entry by entry:
+    /// |y| + Σ |z ∂y/∂z| over the quantities z on which y depends.
+    ///
+    /// The derivatives are one-sided differences, of which a tolerance needs one figure.
+    pub fn spread(&self, id: NodeId) -> Vec<f64> {
+        const STEP: f64 = 1e-6;
+        let Ok(value) = self.value(id) else {
+            return Vec::new();
+        };
+        let mut spread: Vec<f64> = value.numbers().iter().map(|number| number.abs()).collect();
+        for step in self.graph.steps(id) {
+            let Some(moved) = self
+                .value(step)
+                .ok()
+                .and_then(|given| scaled(given, 1.0 + STEP))
+            else {
+                continue;
+            };
+            let other = self.replacing(vec![(step, moved)]);
+            let Ok(changed) = other.value(id) else {
+                continue;
+            };
+            for ((sum, a), b) in spread
+                .iter_mut()
+                .zip(changed.numbers())
+                .zip(value.numbers())
+            {
+                let part = (a - b).abs() / STEP;
+                *sum += if part.is_finite() { part } else { 0.0 };
+            }
+        }
+        spread
+    }
+
+    fn compute(&self, id: NodeId) -> Result<Value, Absent> {
+        let node = self.graph.node(id);
+        self.exists(node)?;
+        if let Role::Parameter(place) = node.role {
+            let datum = &self.data[place as usize];
+            return Ok(Value::real(datum.high(), datum.low().abs() + datum.rest()));
+        }
+        if let Role::Offered(offered) = &node.role {
+            let value = self.numbers(offered).value_of(offered.quantity);
+            return value.map_err(|lack| Absent::Lack {
+                label: node.label.clone(),
+                lack: Box::new(lack),
+            });
+        }
+        let computation = node
+            .computation
+            .as_ref()
+            .ok_or_else(|| self.undefined(id, Undefined::NotReal))?;
+        if !computation.variables.is_empty() {
+            let of = computation
+                .variables
+                .iter()
+                .map(|(_, name)| name.clone())
+                .collect();
+            return Err(Absent::Function {
+                label: node.label.clone(),
+                of,
+            });
+        }
+        self.run(node, computation, &[])
+    }
+
+    fn run(
+        &self,
+        node: &Node,
+        computation: &Computation,
+        variables: &[Precise],
+    ) -> Result<Value, Absent> {
+        let inputs = Given {
+            evaluation: self,
+            computation,
+            variables,
+        };
+        let mut room = self.rooms.borrow_mut().pop().unwrap_or_default();
+        let result = computation.program.evaluate(&inputs, &mut room);
+        self.rooms.borrow_mut().push(room);
+        result.map_err(|absence| Absent::Undefined {
+            label: node.label.clone(),
+            absence,
+        })
+    }
+
+    fn exists(&self, node: &Node) -> Result<(), Absent> {
+        match node.when.map(|when| self.holds(when)) {
+            None | Some(Ok(true)) => Ok(()),
+            Some(Ok(false)) => Err(Absent::NotForTheseData(node.label.clone())),
+            Some(Err(absent)) => Err(absent),
+        }
+    }
+
+    /// The numbers of a node with twice the digits.
+    fn precise(&self, id: NodeId) -> Result<&Wide, Absent> {
+        let cells = self.wide.get_or_init(|| {
+            std::iter::repeat_with(OnceCell::new)
+                .take(self.values.len())
+                .collect()
+        });
+        cells[id.index()]
+            .get_or_init(|| self.compute_precisely(id))
+            .as_ref()
+            .map_err(Clone::clone)
+    }
+
+    fn compute_precisely(&self, id: NodeId) -> Result<Wide, Absent> {
+        if let Some((_, value)) = self.replaced.iter().find(|(node, _)| *node == id) {
+            return Ok(value
+                .numbers()
+                .iter()
+                .map(|number| Approx::certain(Dd::from(*number)))
+                .collect());
+        }
+        let node = self.graph.node(id);
+        self.exists(node)?;
+        if let Role::Parameter(place) = node.role {
+            return Ok([Approx::of(&self.data[place as usize])].into());
+        }
+        if let Role::Offered(_) = node.role {
+            // A solver gives binary64; its bound goes along.
+            let value = self.value(id)?;
+            let pairs = value.numbers().iter().zip(value.bounds());
+            return Ok(pairs
+                .map(|(number, bound)| Approx::new(Dd::from(*number), *bound))
+                .collect());
+        }
+        let computation = node
+            .computation
+            .as_ref()
+            .ok_or_else(|| self.undefined(id, Undefined::NotReal))?;
+        let inputs = Given {
+            evaluation: self,
+            computation,
+            variables: &[],
+        };
+        let mut room = Default::default();
+        let outcome = computation.program.run::<Approx<Dd>>(&inputs, &mut room);
+        let outcome = outcome.map_err(|absence| Absent::Undefined {
+            label: node.label.clone(),
+            absence,
+        })?;
+        Ok(outcome.numbers().copied().collect())
+    }
+
+    /// A model with the numbers of these data.
+    fn numbers(&self, offered: &Offered) -> Rc<Numbers> {
+        if let Some(numbers) = self.systems.borrow().get(&offered.system) {
+            return Rc::clone(numbers);
+        }
+        let value = |name: &Name| {
+            let missing = Undefined::Missing { slot: 0 };
+            let node = self.graph.find(name).ok_or(missing)?;
+            let numbers = self.precise(node).map_err(|_| missing)?;
+            let number = numbers.first().ok_or(missing)?;
+            Ok(Precise::of_dd(number.value, number.bound))
+        };
+        let numbers = Rc::new(Numbers::of(Arc::clone(&offered.model), value));
+        self.systems
+            .borrow_mut()
+            .insert(offered.system, Rc::clone(&numbers));
+        numbers
+    }
+
+    /// The motion that a node of a model is.
+    fn motion(&self, id: NodeId) -> Result<Rc<Motion>, Absent> {
+        if let Some(motion) = self.motions.borrow().get(&id) {
+            return motion.clone();
+        }
+        let node = self.graph.node(id);
+        let Role::Offered(offered) = &node.role else {
+            return Err(self.undefined(id, Undefined::NotReal));
+        };
+        let motion = self.numbers(offered).motion_of(offered.quantity);
+        let motion = motion.map(Rc::new).map_err(|lack| Absent::Lack {
+            label: node.label.clone(),
+            lack: Box::new(lack),
+        });
+        self.motions.borrow_mut().insert(id, motion.clone());
+        motion
+    }
+
+    fn undefined(&self, id: NodeId, reason: Undefined) -> Absent {
+        let absence = Absence {
+            reason,
+            span: crate::source::Span::NONE,
+        };
+        Absent::Undefined {
+            label: self.graph.node(id).label.clone(),
+            absence,
+        }
+    }
+}
+
+/// A value with all its numbers multiplied.
+fn scaled(value: &Value, factor: f64) -> Option<Value> {
+    let numbers = value
+        .numbers()
+        .iter()
+        .map(|number| number * factor)
+        .collect();
+    Value::new(value.form(), numbers, value.bounds().to_vec())
+}
+
+impl Function<'_, '_> {
+    /// The free names, in the order in which [`Self::at`] takes their values.
+    pub fn variables(&self) -> impl Iterator<Item = &Name> {
+        self.computation.variables.iter().map(|(_, name)| name)
+    }
+
+    /// The value where the free names have these values, in SI units.
+    ///
+    /// # Errors
+    ///
+    /// Why there is none.
+    pub fn at(&self, variables: &[Precise]) -> Result<Value, Absent> {
+        self.evaluation.run(
+            self.evaluation.graph.node(self.node),
+            self.computation,
+            variables,
+        )
+    }
+}
+
+/// What the slots of a program hold.
+struct Given<'a, 'g> {
+    evaluation: &'a Evaluation<'g>,
+    computation: &'a Computation,
+    variables: &'a [Precise],
+}
+
+/// What stands in a slot.
+enum Slot {
+    Node(NodeId, usize),
+    Variable(usize),
+}
+
+impl Given<'_, '_> {
+    fn slot(&self, slot: u32) -> Result<Slot, Undefined> {
+        let variables = &self.computation.variables;
+        if let Some(position) = variables.iter().position(|(own, _)| *own == slot) {
+            return Ok(Slot::Variable(position));
+        }
+        let inputs = &self.computation.inputs;
+        let after = inputs.partition_point(|(first, _)| *first <= slot);
+        let (first, node) = inputs
+            .get(after.wrapping_sub(1))
+            .ok_or(Undefined::Missing { slot })?;
+        Ok(Slot::Node(*node, (slot - first) as usize))
+    }
+}
+
+impl Given<'_, '_> {
+    /// A derivative of a motion of a model at a time.
+    fn moved(&self, index: u32, order: u8, time: f64) -> Result<f64, Undefined> {
+        let missing = Undefined::Missing { slot: index };
+        let id = *self
+            .computation
+            .motions
+            .get(index as usize)
+            .ok_or(missing)?;
+        self.evaluation
+            .motion(id)
+            .map_err(|_| missing)?
+            .at(order, time)
+    }
+}
+
+/// Bound on the relative error of a motion of a model.
+const MOTION_ERROR: f64 = 1e-14;
+
+impl Inputs<Approx<f64>> for Given<'_, '_> {
+    fn motion(&self, index: u32, order: u8, time: &Approx<f64>) -> Result<Approx<f64>, Undefined> {
+        let value = self.moved(index, order, time.value)?;
+        Ok(Approx::new(value, MOTION_ERROR * value.abs()))
+    }
+
+    fn input(&self, slot: u32) -> Result<Approx<f64>, Undefined> {
+        match self.slot(slot)? {
+            Slot::Variable(position) => self
+                .variables
+                .get(position)
+                .map(Scalar::of)
+                .ok_or(Undefined::Missing { slot }),
+            Slot::Node(node, entry) => {
+                let value = self
+                    .evaluation
+                    .value(node)
+                    .map_err(|_| Undefined::Missing { slot })?;
+                Ok(Approx::new(value.numbers()[entry], value.bounds()[entry]))
+            }
+        }
+    }
+}
+
+impl Inputs<Approx<Dd>> for Given<'_, '_> {
+    fn motion(&self, index: u32, order: u8, time: &Approx<Dd>) -> Result<Approx<Dd>, Undefined> {
+        let value = self.moved(index, order, time.value.hi())?;
+        Ok(Approx::new(Dd::from(value), MOTION_ERROR * value.abs()))
+    }
+
+    fn input(&self, slot: u32) -> Result<Approx<Dd>, Undefined> {
+        match self.slot(slot)? {
+            Slot::Variable(position) => self
+                .variables
+                .get(position)
+                .map(Scalar::of)
+                .ok_or(Undefined::Missing { slot }),
+            Slot::Node(node, entry) => {
+                let numbers = self
+                    .evaluation
+                    .precise(node)
+                    .map_err(|_| Undefined::Missing { slot })?;
+                Ok(numbers[entry])
+            }
+        }
+    }
+}

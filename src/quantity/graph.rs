@@ -1,0 +1,375 @@
+//! The names of an item, what each stands for, and in which order they can be computed.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::error::GraphError;
+use super::link::{Linked, Linker, Order};
+use super::model::{Offered, System};
+use crate::expr::{CompileError, Expr, Name, Path, Program, Type};
+use crate::unit::Dimension;
+
+/// A thing of an item that has a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct NodeId(u32);
+
+/// Everything of an item that has a value, and how it hangs together.
+#[derive(Debug, Default)]
+pub struct Graph {
+    pub(super) nodes: Vec<Node>,
+    pub(super) names: BTreeMap<Name, Entry>,
+    /// The models by their beginning in paths, `model` or `models.relative`.
+    pub(super) models: BTreeMap<Box<str>, NodeId>,
+    /// The quantities of models that formulas ask for.
+    pub(super) paths: BTreeMap<Path, NodeId>,
+}
+
+/// What a name stands for.
+#[derive(Clone, Debug)]
+pub(super) enum Entry {
+    /// A parameter or quantity.
+    Node(NodeId),
+    /// The time, a coordinate or a symbol: free in every formula.
+    Free(Type),
+}
+
+/// A parameter, quantity or formula.
+#[derive(Debug)]
+pub(super) struct Node {
+    /// Its name, or what it is for.
+    pub(super) label: Box<str>,
+    pub(super) role: Role,
+    /// The type, once it is known.
+    pub(super) kind: Option<Type>,
+    /// The condition without which it does not exist.
+    pub(super) when: Option<NodeId>,
+    /// All names on which it depends, through others too.
+    pub(super) reach: BTreeSet<Name>,
+    pub(super) computation: Option<Computation>,
+}
+
+#[derive(Debug)]
+pub(super) enum Role {
+    /// Given, at this place of the data.
+    Parameter(u32),
+    /// A named formula.
+    Quantity(Expr),
+    /// A formula without a name.
+    Formula(Expr),
+    /// A mechanical system.
+    Model(Box<System>),
+    /// A quantity that a model offers.
+    Offered(Offered),
+}
+
+/// How the value of a node follows from others.
+#[derive(Debug)]
+pub(super) struct Computation {
+    pub(super) program: Program,
+    /// What the slots of the program are, by first slot.
+    pub(super) inputs: Vec<(u32, NodeId)>,
+    /// The free names on which it depends, with their slots.
+    pub(super) variables: Vec<(u32, Name)>,
+    /// The functions of time that are computed by models, by their number.
+    pub(super) motions: Vec<NodeId>,
+}
+
+impl Graph {
+    /// A graph that knows the time alone.
+    pub fn new() -> Self {
+        let mut graph = Self::default();
+        graph
+            .names
+            .insert(Name::new("t"), Entry::Free(Type::real(Dimension::TIME)));
+        graph
+    }
+
+    /// Adds a datum; its place is the number of parameters before it.
+    ///
+    /// # Errors
+    ///
+    /// If the name is taken.
+    pub fn parameter(&mut self, name: &Name, kind: Type) -> Result<NodeId, GraphError> {
+        let place = self
+            .nodes
+            .iter()
+            .filter(|node| matches!(node.role, Role::Parameter(_)))
+            .count() as u32;
+        self.named(name, Role::Parameter(place), Some(kind))
+    }
+
+    /// Adds a coordinate or symbol, free in every formula; a quantity of the same name goes before it.
+    ///
+    /// # Errors
+    ///
+    /// If the name is that of a parameter.
+    pub fn free(&mut self, name: &Name, kind: Type) -> Result<(), GraphError> {
+        match self.names.get(name) {
+            Some(Entry::Node(_)) => Err(GraphError::Taken { name: name.clone() }),
+            Some(Entry::Free(_)) => Ok(()),
+            None => {
+                self.names.insert(name.clone(), Entry::Free(kind));
+                Ok(())
+            }
+        }
+    }
+
+    /// Adds a quantity, and the condition without which it does not exist; both are checked by
+    /// [`Graph::resolve`], when all names are known.
+    ///
+    /// # Errors
+    ///
+    /// If the name is taken.
+    pub fn quantity(
+        &mut self,
+        name: &Name,
+        expr: Expr,
+        declared: Option<Type>,
+        when: Option<Expr>,
+    ) -> Result<NodeId, GraphError> {
+        let id = self.named(name, Role::Quantity(expr), declared)?;
+        if let Some(condition) = when {
+            let label = format!("condition of {name}").into();
+            let when = self.push(Node::new(
+                label,
+                Role::Formula(condition),
+                Some(Type::boolean()),
+            ));
+            self.nodes[id.index()].when = Some(when);
+        }
+        Ok(id)
+    }
+
+    /// Adds a formula without a name, of which `label` says what it is for; all names are known by now.
+    ///
+    /// # Errors
+    ///
+    /// All that is wrong with its names and dimensions.
+    pub fn formula(
+        &mut self,
+        label: impl Into<Box<str>>,
+        expr: Expr,
+    ) -> Result<NodeId, Vec<GraphError>> {
+        if let Some(list) = self.list(&expr) {
+            return Ok(list);
+        }
+        let id = self.push(Node::new(label.into(), Role::Formula(expr), None));
+        let errors = self.settle(id);
+        if errors.is_empty() {
+            Ok(id)
+        } else {
+            Err(errors)
+        }
+    }
+
+    /// Checks all quantities, in an order in which each comes after those that it needs.
+    pub fn resolve(&mut self) -> Vec<(NodeId, GraphError)> {
+        let mut order = Order::of(self);
+        for id in self.ids() {
+            order.visit(id);
+        }
+        let (sorted, mut errors) = order.finish();
+        for id in sorted {
+            errors.extend(self.settle(id).into_iter().map(|error| (id, error)));
+        }
+        errors
+    }
+
+    /// The node of a name, if it is a parameter or quantity.
+    pub fn find(&self, name: &Name) -> Option<NodeId> {
+        match self.names.get(name) {
+            Some(Entry::Node(id)) => Some(*id),
+            _ => None,
+        }
+    }
+
+    /// The condition without which a quantity does not exist.
+    pub fn condition(&self, id: NodeId) -> Option<NodeId> {
+        self.node(id).when
+    }
+
+    /// All names that formulas may use.
+    pub fn names(&self) -> impl Iterator<Item = &Name> {
+        self.names.keys()
+    }
+
+    /// All nodes, in the order in which they were added.
+    pub fn ids(&self) -> impl Iterator<Item = NodeId> + use<> {
+        (0..self.nodes.len() as u32).map(NodeId)
+    }
+
+    /// The type of a node that was resolved.
+    pub fn kind(&self, id: NodeId) -> Option<&Type> {
+        self.node(id).kind.as_ref()
+    }
+
+    /// The formula of a node; a parameter has none.
+    pub fn expr(&self, id: NodeId) -> Option<&Expr> {
+        self.node(id).expr()
+    }
+
+    /// The name of a node, or what it is for.
+    pub fn label(&self, id: NodeId) -> &str {
+        &self.node(id).label
+    }
+
+    /// The free names of which a node is a function.
+    pub fn variables(&self, id: NodeId) -> Vec<Name> {
+        let computation = self.node(id).computation.as_ref();
+        computation.map_or(Vec::new(), |computation| {
+            computation
+                .variables
+                .iter()
+                .map(|(_, name)| name.clone())
+                .collect()
+        })
+    }
+
+    /// Whether a node depends on a name, through others too.
+    pub fn depends(&self, id: NodeId, name: &Name) -> bool {
+        self.node(id).reach.contains(name)
+    }
+
+    /// The quantities on which a node depends, itself left out.
+    pub fn steps(&self, id: NodeId) -> Vec<NodeId> {
+        let names = self.node(id).reach.iter();
+        let nodes = names
+            .filter_map(|name| self.find(name))
+            .filter(|step| *step != id);
+        nodes
+            .filter(|step| matches!(self.node(*step).role, Role::Quantity(_)))
+            .collect()
+    }
+
+    pub(super) fn node(&self, id: NodeId) -> &Node {
+        &self.nodes[id.index()]
+    }
+
+    fn named(&mut self, name: &Name, role: Role, kind: Option<Type>) -> Result<NodeId, GraphError> {
+        if let Some(Entry::Node(_)) = self.names.get(name) {
+            return Err(GraphError::Taken { name: name.clone() });
+        }
+        let mut node = Node::new(name.as_str().into(), role, kind);
+        node.reach.insert(name.clone());
+        let id = self.push(node);
+        self.names.insert(name.clone(), Entry::Node(id));
+        Ok(id)
+    }
+
+    pub(super) fn push(&mut self, node: Node) -> NodeId {
+        self.nodes.push(node);
+        NodeId(self.nodes.len() as u32 - 1)
+    }
+
+    /// Checks and compiles a node whose dependencies are settled.
+    fn settle(&mut self, id: NodeId) -> Vec<GraphError> {
+        if let Role::Model(_) = self.node(id).role {
+            return self.derive(id);
+        }
+        let Some(expr) = self.node(id).expr().cloned() else {
+            return Vec::new();
+        };
+        let missing = self.offer_all(&expr);
+        if !missing.is_empty() {
+            return missing;
+        }
+        let found = match expr.check(&*self) {
+            Ok(found) => found,
+            Err(errors) => return errors.into_iter().map(GraphError::Check).collect(),
+        };
+        let mut errors = Vec::new();
+        // What is assumed of a quantity serves those who use it only while its own formula has no type.
+        let node = self.node(id);
+        let declared = node
+            .kind
+            .as_ref()
+            .filter(|_| matches!(node.role, Role::Formula(_)));
+        match declared.filter(|declared| !found.fits(declared)) {
+            Some(declared) => {
+                let (what, declared) = (format!("`{}`", node.label), describe(declared));
+                errors.push(GraphError::Declared {
+                    what,
+                    declared,
+                    found: describe(&found),
+                });
+            }
+            None => self.nodes[id.index()].kind = Some(found),
+        }
+        let reach = self.reach_of(&expr);
+        self.nodes[id.index()].reach.extend(reach);
+        match self.link(&expr) {
+            Ok(computation) => self.nodes[id.index()].computation = Some(computation),
+            Err(error) => errors.push(GraphError::Compile(error)),
+        }
+        errors
+    }
+
+    /// All names on which a formula depends, through others too.
+    fn reach_of(&self, expr: &Expr) -> BTreeSet<Name> {
+        let mut reach = BTreeSet::new();
+        for variable in expr.names().free {
+            if let Some(id) = self.find(&variable.name) {
+                reach.extend(self.node(id).reach.iter().cloned());
+            }
+            reach.insert(variable.name);
+        }
+        for path in expr.names().paths {
+            if let Some(id) = self.paths.get(&path) {
+                reach.extend(self.node(*id).reach.iter().cloned());
+            }
+        }
+        reach
+    }
+
+    fn link(&self, expr: &Expr) -> Result<Computation, CompileError> {
+        let linker = Linker::of(self);
+        let program = Program::compile(expr, &linker)?;
+        let Linked {
+            inputs,
+            variables,
+            motions,
+            ..
+        } = linker.finish();
+        Ok(Computation {
+            program,
+            inputs,
+            variables,
+            motions,
+        })
+    }
+}
+
+impl NodeId {
+    pub(super) fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+impl Node {
+    pub(super) fn new(label: Box<str>, role: Role, kind: Option<Type>) -> Self {
+        Self {
+            label,
+            role,
+            kind,
+            when: None,
+            reach: BTreeSet::new(),
+            computation: None,
+        }
+    }
+
+    pub(super) fn expr(&self) -> Option<&Expr> {
+        match &self.role {
+            Role::Parameter(_) | Role::Model(_) | Role::Offered(_) => None,
+            Role::Quantity(expr) | Role::Formula(expr) => Some(expr),
+        }
+    }
+}
+
+/// A type in words, for a message.
+fn describe(kind: &Type) -> String {
+    match kind.dimension() {
+        Some(dimension) if !dimension.is_pure() => {
+            format!("{} in {}", kind.form(), dimension.describe())
+        }
+        _ => kind.form().to_string(),
+    }
+}

@@ -1,0 +1,219 @@
+//! In which order nodes are settled, and how the names of a formula get their slots.
+
+use std::cell::RefCell;
+use std::collections::BTreeSet;
+
+use super::error::GraphError;
+use super::graph::{Entry, Graph, NodeId, Role};
+use crate::expr::{Binder, Binding, Form, Name, Path, Scope, Type, Variable};
+use crate::mechanics::Nature;
+
+/// Sorts nodes so that each comes after those that it needs.
+pub(super) struct Order<'g> {
+    graph: &'g Graph,
+    done: BTreeSet<NodeId>,
+    open: Vec<NodeId>,
+    sorted: Vec<NodeId>,
+    errors: Vec<(NodeId, GraphError)>,
+}
+
+/// No chain of quantities is longer: evaluation recurs along it.
+const LONGEST_CHAIN: usize = 200;
+
+impl<'g> Order<'g> {
+    pub(super) fn of(graph: &'g Graph) -> Self {
+        Self {
+            graph,
+            done: BTreeSet::new(),
+            open: Vec::new(),
+            sorted: Vec::new(),
+            errors: Vec::new(),
+        }
+    }
+
+    /// The nodes in order, and what stood in the way.
+    pub(super) fn finish(self) -> (Vec<NodeId>, Vec<(NodeId, GraphError)>) {
+        (self.sorted, self.errors)
+    }
+
+    pub(super) fn visit(&mut self, id: NodeId) {
+        if self.done.contains(&id) {
+            return;
+        }
+        if let Some(start) = self.open.iter().position(|open| *open == id) {
+            let circle = self.open[start..].iter().chain([&id]);
+            let circle = circle.map(|id| Name::new(self.graph.label(*id))).collect();
+            self.errors.push((id, GraphError::Cycle { circle }));
+            return;
+        }
+        if self.open.len() >= LONGEST_CHAIN {
+            self.errors.push((
+                id,
+                GraphError::TooLong {
+                    name: Name::new(self.graph.label(id)),
+                },
+            ));
+            return;
+        }
+        self.open.push(id);
+        let node = self.graph.node(id);
+        let mut needed: Vec<NodeId> = node.when.into_iter().collect();
+        match (&node.role, node.expr()) {
+            (Role::Model(system), _) => {
+                needed.extend(
+                    system
+                        .needs()
+                        .iter()
+                        .filter_map(|name| self.graph.find(name)),
+                );
+            }
+            (_, Some(expr)) => {
+                let names = expr.names();
+                needed.extend(
+                    names
+                        .free
+                        .iter()
+                        .filter_map(|variable| self.graph.find(&variable.name)),
+                );
+                needed.extend(
+                    names
+                        .paths
+                        .iter()
+                        .filter_map(|path| self.graph.model_of(path)),
+                );
+            }
+            _ => {}
+        }
+        for next in needed {
+            self.visit(next);
+        }
+        self.open.pop();
+        self.done.insert(id);
+        self.sorted.push(id);
+    }
+}
+
+/// Gives the names of a formula their slots.
+pub(super) struct Linker<'g> {
+    graph: &'g Graph,
+    state: RefCell<Linked>,
+}
+
+#[derive(Default)]
+pub(super) struct Linked {
+    pub(super) inputs: Vec<(u32, NodeId)>,
+    pub(super) variables: Vec<(u32, Name)>,
+    pub(super) motions: Vec<NodeId>,
+    slots: u32,
+}
+
+impl Linked {
+    fn take(&mut self, form: Form) -> u32 {
+        let slot = self.slots;
+        self.slots += form.width() as u32;
+        slot
+    }
+}
+
+impl<'g> Linker<'g> {
+    pub(super) fn of(graph: &'g Graph) -> Self {
+        Self {
+            graph,
+            state: RefCell::default(),
+        }
+    }
+
+    pub(super) fn finish(self) -> Linked {
+        self.state.into_inner()
+    }
+
+    fn motion(&self, id: NodeId) -> Binding {
+        let motions = &mut self.state.borrow_mut().motions;
+        let index = motions
+            .iter()
+            .position(|own| *own == id)
+            .unwrap_or_else(|| {
+                motions.push(id);
+                motions.len() - 1
+            });
+        Binding::Motion(index as u32)
+    }
+
+    fn input(&self, id: NodeId, form: Form) -> Binding {
+        let mut state = self.state.borrow_mut();
+        if let Some((slot, _)) = state.inputs.iter().find(|(_, node)| *node == id) {
+            return Binding::Input { slot: *slot, form };
+        }
+        let slot = state.take(form);
+        state.inputs.push((slot, id));
+        Binding::Input { slot, form }
+    }
+
+    fn variable(&self, name: &Name, form: Form) -> Binding {
+        let mut state = self.state.borrow_mut();
+        if let Some((slot, _)) = state.variables.iter().find(|(_, own)| own == name) {
+            return Binding::Input { slot: *slot, form };
+        }
+        let slot = state.take(form);
+        state.variables.push((slot, name.clone()));
+        Binding::Input { slot, form }
+    }
+}
+
+impl Binder for Linker<'_> {
+    fn path(&self, path: &Path, _local: &[Name]) -> Option<Binding> {
+        let id = *self.graph.paths.get(path)?;
+        let node = self.graph.node(id);
+        let Role::Offered(offered) = &node.role else {
+            return None;
+        };
+        match &offered.nature {
+            Nature::Formula(_) => offered
+                .model
+                .formula(offered.quantity)
+                .ok()
+                .map(Binding::Formula),
+            Nature::Motion(_) => Some(self.motion(id)),
+            _ => Some(self.input(id, node.kind.as_ref()?.form())),
+        }
+    }
+
+    fn name(&self, variable: &Variable, local: &[Name]) -> Option<Binding> {
+        if variable.order > 0 {
+            return None;
+        }
+        match self.graph.names.get(&variable.name)? {
+            Entry::Free(kind) => Some(self.variable(&variable.name, kind.form())),
+            Entry::Node(id) => {
+                let node = self.graph.node(*id);
+                let is_function = node
+                    .computation
+                    .as_ref()
+                    .is_some_and(|computation| !computation.variables.is_empty());
+                let is_open = is_function || local.iter().any(|name| node.reach.contains(name));
+                match node.expr() {
+                    Some(expr) if is_open => Some(Binding::Formula(expr.clone())),
+                    _ => Some(self.input(*id, node.kind.as_ref()?.form())),
+                }
+            }
+        }
+    }
+}
+
+/// The types of the names, for the check of a formula.
+impl Scope for Graph {
+    fn name(&self, name: &Name) -> Option<Type> {
+        match self.names.get(name)? {
+            Entry::Free(kind) => Some(kind.clone()),
+            Entry::Node(id) => self.node(*id).kind.clone(),
+        }
+    }
+
+    fn path(&self, path: &Path) -> Option<Type> {
+        self.node(*self.paths.get(path)?).kind.clone()
+    }
+
+    fn known(&self) -> Vec<String> {
+        self.names.keys().map(ToString::to_string).collect()
+    }
+}

@@ -1,0 +1,375 @@
+//! Mechanical systems among the quantities: what they need, and what they offer.
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use super::error::GraphError;
+use super::graph::{Graph, Node, NodeId, Role};
+use crate::expr::{CheckError, Expr, Kind, Name, Path, Substitution, Type};
+use crate::mechanics::{Definition, Model, Nature, Quantity};
+use crate::source::nearest;
+
+/// A system as it is written, and once its names are settled, as it was derived.
+#[derive(Debug)]
+pub(super) struct System {
+    pub(super) definition: Definition,
+    pub(super) model: Option<Arc<Model>>,
+}
+
+/// A quantity that a model offers.
+#[derive(Debug)]
+pub(super) struct Offered {
+    /// The node of the system.
+    pub(super) system: NodeId,
+    pub(super) model: Arc<Model>,
+    pub(super) quantity: Quantity,
+    pub(super) nature: Nature,
+}
+
+impl System {
+    /// The names that it takes from the item.
+    pub(super) fn needs(&self) -> BTreeSet<Name> {
+        let own: BTreeSet<&Name> = self.own_names().collect();
+        let formulas = formulas(&self.definition);
+        let free = formulas.flat_map(|formula| {
+            formula
+                .names()
+                .free
+                .into_iter()
+                .map(|variable| variable.name)
+        });
+        free.filter(|name| !own.contains(name) && name.as_str() != "t")
+            .collect()
+    }
+
+    fn own_names(&self) -> impl Iterator<Item = &Name> {
+        let coordinates = self
+            .definition
+            .coordinates
+            .iter()
+            .map(|coordinate| &coordinate.name);
+        coordinates.chain(self.definition.kinematics.iter().map(|(name, _)| name))
+    }
+}
+
+/// All formulas of a definition.
+fn formulas(definition: &Definition) -> impl Iterator<Item = &Expr> {
+    let named = definition
+        .kinematics
+        .iter()
+        .chain(&definition.forces)
+        .chain(&definition.equilibrium);
+    let friction = definition
+        .friction
+        .iter()
+        .flat_map(|(_, own)| std::iter::once(&own.kinetic).chain(&own.holding));
+    let initial = definition
+        .initial
+        .iter()
+        .flat_map(|(_, own)| [&own.position, &own.velocity]);
+    let energies = [
+        &definition.kinetic,
+        &definition.potential,
+        &definition.dissipation,
+    ];
+    energies
+        .into_iter()
+        .chain(named.map(|(_, formula)| formula))
+        .chain(friction)
+        .chain(initial)
+}
+
+/// All formulas of a definition, to be changed.
+fn formulas_mut(definition: &mut Definition) -> Vec<&mut Expr> {
+    let mut all = vec![
+        &mut definition.kinetic,
+        &mut definition.potential,
+        &mut definition.dissipation,
+    ];
+    all.extend(definition.kinematics.iter_mut().map(|(_, formula)| formula));
+    all.extend(definition.forces.iter_mut().map(|(_, formula)| formula));
+    all.extend(
+        definition
+            .equilibrium
+            .iter_mut()
+            .map(|(_, formula)| formula),
+    );
+    for (_, friction) in &mut definition.friction {
+        all.push(&mut friction.kinetic);
+        all.extend(friction.holding.as_mut());
+    }
+    for (_, initial) in &mut definition.initial {
+        all.extend([&mut initial.position, &mut initial.velocity]);
+    }
+    all
+}
+
+impl Graph {
+    /// Adds a system under the beginning of its paths, `model` or `models.relative`.
+    pub fn model(&mut self, beginning: &str, definition: Definition) -> NodeId {
+        let system = Box::new(System {
+            definition,
+            model: None,
+        });
+        let id = self.push(Node::new(beginning.into(), Role::Model(system), None));
+        self.models.insert(beginning.into(), id);
+        id
+    }
+
+    /// The model that was derived under this beginning of a path.
+    pub fn derived(&self, beginning: &str) -> Option<&Arc<Model>> {
+        self.system(*self.models.get(beginning)?)?.model.as_ref()
+    }
+
+    /// The model and the quantity that a path names.
+    pub fn offered(&self, path: &Path) -> Option<(&Arc<Model>, Quantity)> {
+        let model = self.system(self.model_of(path)?)?.model.as_ref()?;
+        Some((model, model.quantity(rest(path)).ok()?))
+    }
+
+    /// The node of the system of a path.
+    pub(super) fn model_of(&self, path: &Path) -> Option<NodeId> {
+        self.models.get(beginning(path).as_str()).copied()
+    }
+
+    pub(super) fn system(&self, id: NodeId) -> Option<&System> {
+        match &self.node(id).role {
+            Role::Model(system) => Some(system),
+            _ => None,
+        }
+    }
+
+    /// Derives a system whose names are settled.
+    pub(super) fn derive(&mut self, id: NodeId) -> Vec<GraphError> {
+        let Some(system) = self.system(id) else {
+            return Vec::new();
+        };
+        let unknown: Vec<GraphError> = system
+            .needs()
+            .iter()
+            .filter_map(|name| self.unknown(system, name))
+            .collect();
+        if !unknown.is_empty() {
+            return unknown;
+        }
+        let mut definition = system.definition.clone();
+        if let Err(error) = self.put_functions_into(&mut definition) {
+            return vec![GraphError::Compile(error.into())];
+        }
+        let needs = System {
+            definition,
+            model: None,
+        };
+        let names = needs.needs();
+        let mut definition = needs.definition;
+        let mut reach = BTreeSet::new();
+        for name in names {
+            if let Some(node) = self.find(&name) {
+                reach.extend(self.node(node).reach.iter().cloned());
+                if let Some(dimension) = self.kind(node).and_then(Type::dimension) {
+                    definition.dimensions.insert(name, dimension);
+                }
+            }
+        }
+        match Model::derive(definition) {
+            Err(errors) => errors.into_iter().map(GraphError::Model).collect(),
+            Ok(model) => {
+                self.nodes[id.index()].reach = reach;
+                if let Role::Model(system) = &mut self.nodes[id.index()].role {
+                    system.model = Some(Arc::new(model));
+                }
+                Vec::new()
+            }
+        }
+    }
+
+    /// A name that a system needs and the item does not have.
+    fn unknown(&self, system: &System, name: &Name) -> Option<GraphError> {
+        if self.find(name).is_some() {
+            return None;
+        }
+        let mut span = crate::source::Span::NONE;
+        for formula in formulas(&system.definition) {
+            formula.walk(&mut |node| {
+                if matches!(node.kind(), Kind::Name(own) if own == name) {
+                    span = if span.is_none() { node.span() } else { span };
+                }
+            });
+        }
+        let known: Vec<&str> = self
+            .names
+            .keys()
+            .map(Name::as_str)
+            .chain(system.own_names().map(Name::as_str))
+            .collect();
+        let nearest = nearest(name.as_str(), known).map(str::to_owned);
+        Some(GraphError::Check(CheckError::UnknownName {
+            name: name.clone(),
+            nearest,
+            span,
+        }))
+    }
+
+    /// Puts quantities that are functions of time or of a coordinate into the formulas of a system.
+    fn put_functions_into(
+        &self,
+        definition: &mut Definition,
+    ) -> Result<(), crate::expr::SymbolicError> {
+        const DEEPEST: usize = 10;
+        for _ in 0..DEEPEST {
+            let needs = System {
+                definition: definition.clone(),
+                model: None,
+            }
+            .needs();
+            let mut substitution = Substitution::new();
+            let mut any = false;
+            for name in needs {
+                let Some(id) = self
+                    .find(&name)
+                    .filter(|id| !self.variables(*id).is_empty())
+                else {
+                    continue;
+                };
+                if let Some(expr) = self.expr(id) {
+                    substitution = substitution.with(name, expr.clone());
+                    any = true;
+                }
+            }
+            if !any {
+                return Ok(());
+            }
+            for formula in formulas_mut(definition) {
+                *formula = substitution.apply(formula)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The node of a formula that is a list of a model and nothing else. How long it is depends on the
+    /// data, so it has no type, and stands in no other formula.
+    pub(super) fn list(&mut self, expr: &Expr) -> Option<NodeId> {
+        let Kind::Path(path) = expr.kind() else {
+            return None;
+        };
+        let id = self.offer(path).ok()?;
+        match &self.node(id).role {
+            Role::Offered(Offered {
+                nature: Nature::List(_),
+                ..
+            }) => Some(id),
+            _ => None,
+        }
+    }
+
+    /// Makes nodes for all quantities of models that a formula asks for.
+    pub(super) fn offer_all(&mut self, expr: &Expr) -> Vec<GraphError> {
+        let mut errors = Vec::new();
+        for path in expr.names().paths {
+            if let Err(error) = self.offer(&path) {
+                let span = place(expr, &path);
+                errors.extend(error.map(|error| error.at(span)));
+            }
+        }
+        errors
+    }
+
+    /// The node of a quantity of a model. The error is empty where the model itself is at fault.
+    fn offer(&mut self, path: &Path) -> Result<NodeId, Option<GraphError>> {
+        if let Some(id) = self.paths.get(path) {
+            return Ok(*id);
+        }
+        let unknown = || {
+            let nearest =
+                nearest(&beginning(path), self.models.keys().map(AsRef::as_ref)).map(str::to_owned);
+            Some(GraphError::Check(CheckError::UnknownPath {
+                path: path.clone(),
+                nearest,
+                span: crate::source::Span::NONE,
+            }))
+        };
+        let system = self.model_of(path).ok_or_else(unknown)?;
+        let model = self
+            .system(system)
+            .and_then(|own| own.model.clone())
+            .ok_or(None)?;
+        let fail = |error| {
+            Some(GraphError::Offer {
+                error,
+                span: crate::source::Span::NONE,
+            })
+        };
+        let quantity = model.quantity(rest(path)).map_err(fail)?;
+        let nature = model.nature(quantity);
+        let kind = match &nature {
+            Nature::Formula(kind) | Nature::Number(kind) => Some(kind.clone()),
+            Nature::Motion(dimension) => Some(Type::real(*dimension)),
+            _ => None,
+        };
+        let mut node = Node::new(
+            path.to_string().into(),
+            Role::Offered(Offered {
+                system,
+                model,
+                quantity,
+                nature,
+            }),
+            kind,
+        );
+        node.reach.clone_from(&self.node(system).reach);
+        let id = self.push(node);
+        self.paths.insert(path.clone(), id);
+        Ok(id)
+    }
+}
+
+impl GraphError {
+    /// The same error at the place where a path stands.
+    fn at(self, place: crate::source::Span) -> Self {
+        match self {
+            Self::Check(CheckError::UnknownPath { path, nearest, .. }) => {
+                Self::Check(CheckError::UnknownPath {
+                    path,
+                    nearest,
+                    span: place,
+                })
+            }
+            Self::Offer { error, .. } => Self::Offer { error, span: place },
+            other => other,
+        }
+    }
+}
+
+/// `model`, or `models.relative`.
+fn beginning(path: &Path) -> String {
+    match path.names() {
+        [first, second, ..] if first.as_str() == "models" => format!("{first}.{second}"),
+        [first, ..] => first.to_string(),
+        [] => String::new(),
+    }
+}
+
+/// What follows the beginning.
+fn rest(path: &Path) -> &[Name] {
+    let names = path.names();
+    let skipped = if names
+        .first()
+        .is_some_and(|first| first.as_str() == "models")
+    {
+        2
+    } else {
+        1
+    };
+    names.get(skipped..).unwrap_or(&[])
+}
+
+/// Where a path stands in a formula.
+fn place(expr: &Expr, path: &Path) -> crate::source::Span {
+    let mut span = crate::source::Span::NONE;
+    expr.walk(&mut |node| {
+        if matches!(node.kind(), Kind::Path(own) if own == path) {
+            span = node.span();
+        }
+    });
+    span
+}
