@@ -1,0 +1,64 @@
+//! What is put into the holes of a text.
+
+use crate::math::{Holes, Math};
+
+/// What fills one hole.
+#[derive(Clone, Copy, Debug)]
+pub enum Fill<'a> {
+    /// Typeset; outside of formulas it becomes one, except for a [`Math::Text`], which is words.
+    Math(&'a Math),
+    /// A figure or plot in the notation of the output, written as it stands: for HTML an SVG
+    /// element. It has to come from a writer, never from a text.
+    Figure(&'a str),
+}
+
+/// What fills the holes of a text.
+pub trait Fills {
+    /// What fills a hole; nothing leaves an empty box.
+    fn fill(&self, hole: u32) -> Option<Fill<'_>>;
+}
+
+/// A filling that is owned, for lists of them.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Filling {
+    /// As [`Fill::Math`].
+    Math(Math),
+    /// As [`Fill::Figure`].
+    Figure(String),
+}
+
+impl Filling {
+    /// Words.
+    pub fn words(words: impl Into<String>) -> Self {
+        Self::Math(Math::Text(words.into()))
+    }
+}
+
+/// Hole `n` is filled with the `n`-th filling.
+impl Fills for [Filling] {
+    fn fill(&self, hole: u32) -> Option<Fill<'_>> {
+        self.get(hole as usize).map(|filling| match filling {
+            Filling::Math(math) => Fill::Math(math),
+            Filling::Figure(markup) => Fill::Figure(markup),
+        })
+    }
+}
+
+/// Hole `n` is filled with the `n`-th filling.
+impl Fills for Vec<Filling> {
+    fn fill(&self, hole: u32) -> Option<Fill<'_>> {
+        self.as_slice().fill(hole)
+    }
+}
+
+/// The fillings as formulas see them.
+pub(super) struct InMath<'a>(pub(super) &'a dyn Fills);
+
+impl Holes for InMath<'_> {
+    fn filling(&self, hole: u32) -> Option<&Math> {
+        match self.0.fill(hole) {
+            Some(Fill::Math(math)) => Some(math),
+            Some(Fill::Figure(_)) | None => None,
+        }
+    }
+}

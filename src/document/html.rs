@@ -1,0 +1,192 @@
+//! HTML fragments with MathML.
+//!
+//! All words are escaped; the only markup that passes through is that of a [`Fill::Figure`].
+
+use std::fmt::Write;
+
+use super::fill::InMath;
+use super::{Alignment, Block, Document, Fill, Fills, Inline};
+use crate::math::{Display, Math, escape};
+
+impl Document {
+    /// As an HTML fragment.
+    pub fn html(&self, fills: &dyn Fills) -> String {
+        let mut out = String::new();
+        self.write_html(&mut out, fills);
+        out
+    }
+
+    /// Appends an HTML fragment.
+    pub fn write_html(&self, out: &mut String, fills: &dyn Fills) {
+        Writer { out, fills }.blocks(&self.blocks);
+    }
+
+    /// Appends the words of its first paragraph without an element around them, for a heading or
+    /// a cell; a text of any other shape is written whole.
+    pub fn write_html_line(&self, out: &mut String, fills: &dyn Fills) {
+        let mut writer = Writer { out, fills };
+        match self.blocks.as_slice() {
+            [Block::Paragraph(content)] => writer.inlines(content),
+            blocks => writer.blocks(blocks),
+        }
+    }
+}
+
+struct Writer<'a> {
+    out: &'a mut String,
+    fills: &'a dyn Fills,
+}
+
+impl Writer<'_> {
+    fn blocks(&mut self, blocks: &[Block]) {
+        for block in blocks {
+            self.block(block);
+            self.out.push('\n');
+        }
+    }
+
+    fn block(&mut self, block: &Block) {
+        match block {
+            Block::Paragraph(content) => self.element("p", content),
+            Block::Heading { level, content } => {
+                let level = (*level).clamp(1, 6);
+                self.element(
+                    ["h1", "h2", "h3", "h4", "h5", "h6"][level as usize - 1],
+                    content,
+                );
+            }
+            Block::List {
+                start,
+                tight,
+                items,
+            } => self.list(*start, *tight, items),
+            Block::Table {
+                columns,
+                head,
+                rows,
+            } => self.table(columns, head, rows),
+            Block::Display(math) => self.math(math, Display::Block),
+            Block::Code(text) => {
+                self.out.push_str("<pre><code>");
+                escape(self.out, text);
+                self.out.push_str("</code></pre>");
+            }
+            Block::Quote(blocks) => {
+                self.out.push_str("<blockquote>\n");
+                self.blocks(blocks);
+                self.out.push_str("</blockquote>");
+            }
+            Block::Figure(hole) => self.hole(*hole),
+            Block::Rule => self.out.push_str("<hr>"),
+        }
+    }
+
+    fn element(&mut self, tag: &str, content: &[Inline]) {
+        self.open(tag);
+        self.inlines(content);
+        self.close(tag);
+    }
+
+    fn open(&mut self, tag: &str) {
+        self.out.push('<');
+        self.out.push_str(tag);
+        self.out.push('>');
+    }
+
+    fn close(&mut self, tag: &str) {
+        self.out.push_str("</");
+        self.out.push_str(tag);
+        self.out.push('>');
+    }
+
+    fn list(&mut self, start: Option<u64>, tight: bool, items: &[Vec<Block>]) {
+        let tag = if start.is_some() { "ol" } else { "ul" };
+        match start {
+            Some(start) if start != 1 => {
+                // Writing to a string cannot fail.
+                let _ = write!(self.out, "<ol start=\"{start}\">");
+            }
+            _ => self.open(tag),
+        }
+        for item in items {
+            self.open("li");
+            for block in item {
+                match block {
+                    Block::Paragraph(content) if tight => self.inlines(content),
+                    block => self.block(block),
+                }
+            }
+            self.close("li");
+        }
+        self.close(tag);
+    }
+
+    fn table(&mut self, columns: &[Alignment], head: &[Vec<Inline>], rows: &[Vec<Vec<Inline>>]) {
+        self.out.push_str("<table><thead>");
+        self.table_row("th", columns, head);
+        self.out.push_str("</thead><tbody>");
+        for row in rows {
+            self.table_row("td", columns, row);
+        }
+        self.out.push_str("</tbody></table>");
+    }
+
+    fn table_row(&mut self, tag: &str, columns: &[Alignment], cells: &[Vec<Inline>]) {
+        self.open("tr");
+        for (number, cell) in cells.iter().enumerate() {
+            self.out.push('<');
+            self.out.push_str(tag);
+            self.out.push_str(match columns.get(number) {
+                Some(Alignment::Left) => " style=\"text-align:left\">",
+                Some(Alignment::Centre) => " style=\"text-align:center\">",
+                Some(Alignment::Right) => " style=\"text-align:right\">",
+                Some(Alignment::None) | None => ">",
+            });
+            self.inlines(cell);
+            self.close(tag);
+        }
+        self.close("tr");
+    }
+
+    fn inlines(&mut self, content: &[Inline]) {
+        for inline in content {
+            self.inline(inline);
+        }
+    }
+
+    fn inline(&mut self, inline: &Inline) {
+        match inline {
+            Inline::Text(words) => escape(self.out, words),
+            Inline::Emphasis(content) => self.element("em", content),
+            Inline::Strong(content) => self.element("strong", content),
+            Inline::Code(text) => {
+                self.open("code");
+                escape(self.out, text);
+                self.close("code");
+            }
+            Inline::Link { to, content } => {
+                self.out.push_str("<a href=\"");
+                escape(self.out, to);
+                self.out.push_str("\">");
+                self.inlines(content);
+                self.close("a");
+            }
+            Inline::Math(math) => self.math(math, Display::Inline),
+            Inline::Hole(hole) => self.hole(*hole),
+            Inline::Break => self.out.push_str("<br>"),
+        }
+    }
+
+    fn math(&mut self, math: &Math, display: Display) {
+        math.write_mathml(self.out, display, &InMath(self.fills));
+    }
+
+    fn hole(&mut self, hole: u32) {
+        match self.fills.fill(hole) {
+            Some(Fill::Math(Math::Text(words))) => escape(self.out, words),
+            Some(Fill::Math(math)) => self.math(math, Display::Inline),
+            Some(Fill::Figure(markup)) => self.out.push_str(markup),
+            None => self.out.push('□'),
+        }
+    }
+}

@@ -1,0 +1,233 @@
+//! The texts of items as trees with holes, compiled once and written many times.
+//!
+//! A text is Markdown with LaTeX math and placeholders `<< name.form >>`. It is read once, at load,
+//! into a [`Document`]; each placeholder becomes a hole with a number, and the list of
+//! [`Placeholder`]s is what the text demands. To write a document the caller gives a [`Fill`] for
+//! each hole. Reading needs the parsers behind the feature `render`; the tree, its JSON and its
+//! writers do not, so that a page can carry compiled texts and no parser.
+//!
+//! Deliberately absent: arithmetic, conditions, loops, raw HTML, images.
+
+mod fill;
+mod html;
+mod markdown;
+mod placeholder;
+mod plain;
+#[cfg(feature = "render")]
+mod read;
+
+pub use fill::{Fill, Filling, Fills};
+pub use placeholder::{Form, Placeholder};
+#[cfg(feature = "render")]
+pub use read::{Reading, TextError, read_math};
+
+use serde::{Deserialize, Serialize};
+
+use crate::math::Math;
+
+/// A text, compiled.
+///
+/// Its JSON is the compiled form of item texts.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Document {
+    #[serde(rename = "b")]
+    blocks: Vec<Block>,
+    #[serde(rename = "p", default, skip_serializing_if = "Vec::is_empty")]
+    placeholders: Vec<Placeholder>,
+}
+
+/// A piece of a text that stands on lines of its own.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub enum Block {
+    /// Running text.
+    #[serde(rename = "p")]
+    Paragraph(Vec<Inline>),
+    /// A heading.
+    #[serde(rename = "h")]
+    Heading {
+        /// From 1, the highest, to 6.
+        #[serde(rename = "l")]
+        level: u8,
+        /// Its words.
+        #[serde(rename = "c")]
+        content: Vec<Inline>,
+    },
+    /// A list.
+    #[serde(rename = "l")]
+    List {
+        /// The first number, if the items are numbered.
+        #[serde(rename = "n", default, skip_serializing_if = "Option::is_none")]
+        start: Option<u64>,
+        /// Whether the items stand close together.
+        #[serde(rename = "t")]
+        tight: bool,
+        /// The items.
+        #[serde(rename = "i")]
+        items: Vec<Vec<Block>>,
+    },
+    /// A table.
+    #[serde(rename = "t")]
+    Table {
+        /// How the columns are aligned.
+        #[serde(rename = "a")]
+        columns: Vec<Alignment>,
+        /// The cells of the head.
+        #[serde(rename = "h")]
+        head: Vec<Vec<Inline>>,
+        /// The cells below, by row.
+        #[serde(rename = "r")]
+        rows: Vec<Vec<Vec<Inline>>>,
+    },
+    /// A formula on its own.
+    #[serde(rename = "m")]
+    Display(Math),
+    /// Lines of code, as they are.
+    #[serde(rename = "c")]
+    Code(String),
+    /// A quotation.
+    #[serde(rename = "q")]
+    Quote(Vec<Block>),
+    /// The place of a figure or plot, a hole.
+    #[serde(rename = "f")]
+    Figure(u32),
+    /// A rule across the page.
+    #[serde(rename = "r")]
+    Rule,
+}
+
+/// A piece of a line.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub enum Inline {
+    /// Words.
+    #[serde(rename = "t")]
+    Text(String),
+    /// Emphasized.
+    #[serde(rename = "e")]
+    Emphasis(Vec<Inline>),
+    /// Strongly emphasized.
+    #[serde(rename = "s")]
+    Strong(Vec<Inline>),
+    /// Code, as it is.
+    #[serde(rename = "c")]
+    Code(String),
+    /// A link.
+    #[serde(rename = "l")]
+    Link {
+        /// Where it leads: `http`, `https` or relative.
+        #[serde(rename = "u")]
+        to: String,
+        /// Its words.
+        #[serde(rename = "c")]
+        content: Vec<Inline>,
+    },
+    /// A formula in the line.
+    #[serde(rename = "m")]
+    Math(Math),
+    /// A placeholder outside of formulas.
+    #[serde(rename = "h")]
+    Hole(u32),
+    /// A line break.
+    #[serde(rename = "b")]
+    Break,
+}
+
+/// How a column of a table is aligned.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Alignment {
+    /// As the page has it.
+    #[default]
+    #[serde(rename = "n")]
+    None,
+    /// Left.
+    #[serde(rename = "l")]
+    Left,
+    /// Centred.
+    #[serde(rename = "c")]
+    Centre,
+    /// Right.
+    #[serde(rename = "r")]
+    Right,
+}
+
+impl Document {
+    /// The document of these blocks, whose holes are numbered as `placeholders` are.
+    pub fn of(blocks: Vec<Block>, placeholders: Vec<Placeholder>) -> Self {
+        Self {
+            blocks,
+            placeholders,
+        }
+    }
+
+    /// Its blocks, in order.
+    pub fn blocks(&self) -> &[Block] {
+        &self.blocks
+    }
+
+    /// What it demands, hole by hole.
+    pub fn placeholders(&self) -> &[Placeholder] {
+        &self.placeholders
+    }
+
+    /// Whether there is nothing in it.
+    pub fn is_empty(&self) -> bool {
+        self.blocks.is_empty()
+    }
+
+    /// Appends another document: its holes come after those that are here.
+    pub fn append(&mut self, other: Document) {
+        let offset = self.placeholders.len() as u32;
+        let mut blocks = other.blocks;
+        for block in &mut blocks {
+            block.shift(offset);
+        }
+        self.blocks.append(&mut blocks);
+        self.placeholders.extend(other.placeholders);
+    }
+}
+
+impl Block {
+    fn shift(&mut self, offset: u32) {
+        let shift_all = |content: &mut Vec<Inline>| {
+            for inline in content {
+                inline.shift(offset);
+            }
+        };
+        match self {
+            Self::Paragraph(content) | Self::Heading { content, .. } => shift_all(content),
+            Self::List { items, .. } => items
+                .iter_mut()
+                .flatten()
+                .for_each(|block| block.shift(offset)),
+            Self::Table { head, rows, .. } => {
+                head.iter_mut()
+                    .chain(rows.iter_mut().flatten())
+                    .for_each(shift_all);
+            }
+            Self::Quote(blocks) => {
+                for block in blocks {
+                    block.shift(offset);
+                }
+            }
+            Self::Display(math) => math.shift_holes(offset),
+            Self::Figure(hole) => *hole += offset,
+            Self::Code(_) | Self::Rule => {}
+        }
+    }
+}
+
+impl Inline {
+    fn shift(&mut self, offset: u32) {
+        match self {
+            Self::Emphasis(content) | Self::Strong(content) | Self::Link { content, .. } => {
+                for inline in content {
+                    inline.shift(offset);
+                }
+            }
+            Self::Math(math) => math.shift_holes(offset),
+            Self::Hole(hole) => *hole += offset,
+            Self::Text(_) | Self::Code(_) | Self::Break => {}
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! What a text asks for.
+
+use serde::{Deserialize, Serialize};
+
+use crate::source::Span;
+
+/// A demand of a text: a value in a form.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Placeholder {
+    /// The name, dotted: `omega_n`, `model.equation.x1`, `plots.response`, `figure`.
+    #[serde(rename = "n")]
+    pub path: String,
+    /// The form in which it is written.
+    #[serde(rename = "f", default, skip_serializing_if = "is_default")]
+    pub form: Form,
+    /// Whether it stands inside a formula.
+    #[serde(rename = "m", default, skip_serializing_if = "std::ops::Not::not")]
+    pub in_math: bool,
+    /// Where it stands in the text; not kept in a compiled text.
+    #[serde(skip, default = "nowhere")]
+    pub span: Span,
+}
+
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
+}
+
+fn nowhere() -> Span {
+    Span::NONE
+}
+
+/// The form of a value in a text.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Form {
+    /// The number with its unit.
+    #[default]
+    Value,
+    /// As the sheet shows data: symbol, number or both.
+    Given,
+    /// The symbol.
+    Symbol,
+    /// The words.
+    Name,
+    /// The number without its unit.
+    Number,
+    /// The unit.
+    Unit,
+    /// The closed form in symbols.
+    Formula,
+    /// The closed form with the numbers put in.
+    Substituted,
+    /// Symbol, closed form and value.
+    Equation,
+}
+
+impl Form {
+    /// The forms that are written after a dot.
+    pub const NAMED: &[(&str, Form)] = &[
+        ("given", Self::Given),
+        ("symbol", Self::Symbol),
+        ("name", Self::Name),
+        ("number", Self::Number),
+        ("unit", Self::Unit),
+        ("formula", Self::Formula),
+        ("substituted", Self::Substituted),
+        ("equation", Self::Equation),
+    ];
+
+    /// The form of this word.
+    pub fn of_name(name: &str) -> Option<Self> {
+        Self::NAMED
+            .iter()
+            .find(|(word, _)| *word == name)
+            .map(|(_, form)| *form)
+    }
+}
+
+impl Placeholder {
+    /// Whether it is the place of a figure or plot.
+    pub fn is_figure(&self) -> bool {
+        self.path == "figure" || self.path.starts_with("plots.")
+    }
+
+    /// The names of its path.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.path.split('.')
+    }
+}

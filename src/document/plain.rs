@@ -1,0 +1,157 @@
+//! Plain text for the terminal.
+//!
+//! Control characters are left out, so that no text can steer the terminal.
+
+use super::fill::InMath;
+use super::{Block, Document, Fill, Fills, Inline};
+use crate::math::Math;
+
+impl Document {
+    /// As plain text.
+    pub fn plain(&self, fills: &dyn Fills) -> String {
+        let mut out = String::new();
+        self.write_plain(&mut out, fills);
+        out
+    }
+
+    /// Appends plain text, its blocks parted by empty lines.
+    pub fn write_plain(&self, out: &mut String, fills: &dyn Fills) {
+        Writer {
+            out,
+            fills,
+            indent: String::new(),
+        }
+        .blocks(&self.blocks, false);
+    }
+}
+
+struct Writer<'a> {
+    out: &'a mut String,
+    fills: &'a dyn Fills,
+    /// What stands before each line of a quotation or list item.
+    indent: String,
+}
+
+impl Writer<'_> {
+    fn blocks(&mut self, blocks: &[Block], tight: bool) {
+        for (number, block) in blocks.iter().enumerate() {
+            if number > 0 {
+                self.line();
+                if !tight {
+                    self.line();
+                }
+            }
+            self.block(block);
+        }
+    }
+
+    fn line(&mut self) {
+        let end = self.out.trim_end_matches(' ').len();
+        self.out.truncate(end);
+        self.out.push('\n');
+        self.out.push_str(&self.indent);
+    }
+
+    fn indented(&mut self, by: &str, write: impl FnOnce(&mut Self)) {
+        let length = self.indent.len();
+        self.indent.push_str(by);
+        write(self);
+        self.indent.truncate(length);
+    }
+
+    fn block(&mut self, block: &Block) {
+        match block {
+            Block::Paragraph(content) | Block::Heading { content, .. } => self.inlines(content),
+            Block::List {
+                start,
+                tight,
+                items,
+            } => self.list(*start, *tight, items),
+            Block::Table { head, rows, .. } => {
+                self.table_row(head);
+                for row in rows {
+                    self.line();
+                    self.table_row(row);
+                }
+            }
+            Block::Display(math) => {
+                self.out.push_str("    ");
+                self.math(math);
+            }
+            Block::Code(text) => {
+                for (number, line) in text.lines().enumerate() {
+                    if number > 0 {
+                        self.line();
+                    }
+                    self.out.push_str("    ");
+                    self.words(line);
+                }
+            }
+            Block::Quote(blocks) => {
+                self.out.push_str("> ");
+                self.indented("> ", |writer| writer.blocks(blocks, false));
+            }
+            Block::Figure(hole) => self.hole(*hole),
+            Block::Rule => self.out.push_str("---"),
+        }
+    }
+
+    fn list(&mut self, start: Option<u64>, tight: bool, items: &[Vec<Block>]) {
+        for (number, item) in items.iter().enumerate() {
+            if number > 0 {
+                self.line();
+            }
+            let mark = match start {
+                Some(start) => format!("{}. ", start.saturating_add(number as u64)),
+                None => "- ".to_owned(),
+            };
+            self.out.push_str(&mark);
+            self.indented(&" ".repeat(mark.len()), |writer| writer.blocks(item, tight));
+        }
+    }
+
+    fn table_row(&mut self, cells: &[Vec<Inline>]) {
+        for (number, cell) in cells.iter().enumerate() {
+            if number > 0 {
+                self.out.push_str(" | ");
+            }
+            self.inlines(cell);
+        }
+    }
+
+    fn inlines(&mut self, content: &[Inline]) {
+        for inline in content {
+            match inline {
+                Inline::Text(words) | Inline::Code(words) => self.words(words),
+                Inline::Emphasis(content) | Inline::Strong(content) => self.inlines(content),
+                Inline::Link { to, content } => {
+                    self.inlines(content);
+                    self.out.push_str(" (");
+                    self.words(to);
+                    self.out.push(')');
+                }
+                Inline::Math(math) => self.math(math),
+                Inline::Hole(hole) => self.hole(*hole),
+                Inline::Break => self.line(),
+            }
+        }
+    }
+
+    fn words(&mut self, words: &str) {
+        self.out
+            .extend(words.chars().filter(|char| !char.is_control()));
+    }
+
+    fn math(&mut self, math: &Math) {
+        math.write_plain(self.out, &InMath(self.fills));
+    }
+
+    fn hole(&mut self, hole: u32) {
+        match self.fills.fill(hole) {
+            Some(Fill::Math(Math::Text(words))) => self.words(words),
+            Some(Fill::Math(math)) => self.math(math),
+            Some(Fill::Figure(text)) => self.words(text),
+            None => self.out.push('□'),
+        }
+    }
+}

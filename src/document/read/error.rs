@@ -1,0 +1,327 @@
+//! What can be wrong with a text.
+
+use crate::diagnostic::{Code, Diagnose, Label, Severity};
+use crate::source::Span;
+
+/// What is wrong with a text, with its place in it.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum TextError {
+    /// A text or formula that is longer than any should be.
+    #[error("{what} of {length} bytes, at most {limit} are read")]
+    TooLong {
+        /// Text or formula.
+        what: &'static str,
+        /// Its length.
+        length: usize,
+        /// The bound.
+        limit: usize,
+        /// Where.
+        span: Span,
+    },
+    /// Brackets, lists or quotations inside each other beyond measure.
+    #[error("nested too deeply")]
+    TooDeep {
+        /// Where.
+        span: Span,
+    },
+    /// A character that no text may contain.
+    #[error("the character U+{:04X} cannot stand in a text", u32::from(*.char))]
+    Character {
+        /// Which.
+        char: char,
+        /// Where.
+        span: Span,
+    },
+    /// `<<` without `>>`.
+    #[error("`<<` is not closed")]
+    UnterminatedPlaceholder {
+        /// Where.
+        span: Span,
+    },
+    /// What stands between `<<` and `>>` is no name.
+    #[error("`{text}` is not a name")]
+    MalformedPlaceholder {
+        /// What stands there.
+        text: String,
+        /// Where.
+        span: Span,
+    },
+    /// A word after the dot that is no form.
+    #[error("unknown form `{name}`")]
+    UnknownForm {
+        /// The word.
+        name: String,
+        /// The form it may have been meant for.
+        nearest: Option<&'static str>,
+        /// Where.
+        span: Span,
+    },
+    /// More placeholders than a text may have.
+    #[error("more than {limit} placeholders in one text")]
+    TooManyPlaceholders {
+        /// The bound.
+        limit: usize,
+        /// Where.
+        span: Span,
+    },
+    /// A placeholder where nothing can be put: in code, in the target of a link.
+    #[error("a placeholder cannot stand in {place}")]
+    MisplacedPlaceholder {
+        /// In what.
+        place: &'static str,
+        /// Where.
+        span: Span,
+    },
+    /// HTML in a text.
+    #[error("HTML in a text")]
+    Html {
+        /// Where.
+        span: Span,
+    },
+    /// An image.
+    #[error("an image in a text")]
+    Image {
+        /// Where.
+        span: Span,
+    },
+    /// A link that leads elsewhere than to a page.
+    #[error("the link `{to}` is neither `https`, `http` nor relative")]
+    Link {
+        /// Its target.
+        to: String,
+        /// Where.
+        span: Span,
+    },
+    /// A command that is not in our LaTeX.
+    #[error("unknown command `\\{name}`")]
+    UnknownCommand {
+        /// The command without its backslash.
+        name: String,
+        /// The command it may have been meant for.
+        nearest: Option<&'static str>,
+        /// Where.
+        span: Span,
+    },
+    /// An environment that is not in our LaTeX.
+    #[error("unknown environment `{name}`")]
+    UnknownEnvironment {
+        /// Its name.
+        name: String,
+        /// Where.
+        span: Span,
+    },
+    /// Something that opens and does not close, or closes what was not opened.
+    #[error("`{sign}` is not balanced")]
+    Unbalanced {
+        /// What.
+        sign: String,
+        /// Where.
+        span: Span,
+    },
+    /// A character that means nothing in a formula.
+    #[error("`{char}` cannot stand here in a formula")]
+    StrayCharacter {
+        /// Which.
+        char: char,
+        /// Where.
+        span: Span,
+    },
+    /// LaTeX that cannot be read for another reason.
+    #[error("{reason}")]
+    Malformed {
+        /// In the words of the parser.
+        reason: String,
+        /// Where.
+        span: Span,
+    },
+    /// `$ x $`.
+    #[error("a blank inside the dollar signs, so this is printed as it stands")]
+    SpacedMath {
+        /// Where.
+        span: Span,
+    },
+    /// `\(x\)`.
+    #[error("`\\{sign}` does not begin a formula here")]
+    BracketMath {
+        /// The bracket.
+        sign: char,
+        /// Where.
+        span: Span,
+    },
+    /// A formula on its own with an empty line in it.
+    #[error("an empty line ends the formula before its closing `$$`")]
+    BlankLineInMath {
+        /// Where.
+        span: Span,
+    },
+    /// `$|x|$` in a table.
+    #[error("a bar in a formula ends the cell of the table")]
+    BarInCell {
+        /// Where.
+        span: Span,
+    },
+    /// `$…$` in `\text{…}`.
+    #[error("a dollar sign in `\\text` does not begin a formula")]
+    MathInText {
+        /// Where.
+        span: Span,
+    },
+    /// A dollar sign that begins no formula.
+    #[error("a dollar sign that begins no formula")]
+    LoneDollar {
+        /// Where.
+        span: Span,
+    },
+}
+
+impl TextError {
+    /// Where it stands in the text.
+    pub fn span(&self) -> Span {
+        match self {
+            Self::TooLong { span, .. }
+            | Self::TooDeep { span }
+            | Self::Character { span, .. }
+            | Self::UnterminatedPlaceholder { span }
+            | Self::MalformedPlaceholder { span, .. }
+            | Self::UnknownForm { span, .. }
+            | Self::TooManyPlaceholders { span, .. }
+            | Self::MisplacedPlaceholder { span, .. }
+            | Self::Html { span }
+            | Self::Image { span }
+            | Self::Link { span, .. }
+            | Self::UnknownCommand { span, .. }
+            | Self::UnknownEnvironment { span, .. }
+            | Self::Unbalanced { span, .. }
+            | Self::StrayCharacter { span, .. }
+            | Self::Malformed { span, .. }
+            | Self::SpacedMath { span }
+            | Self::BracketMath { span, .. }
+            | Self::BlankLineInMath { span }
+            | Self::BarInCell { span }
+            | Self::MathInText { span }
+            | Self::LoneDollar { span } => *span,
+        }
+    }
+
+    /// The same error somewhere else.
+    #[must_use]
+    pub fn at(mut self, place: Span) -> Self {
+        match &mut self {
+            Self::TooLong { span, .. }
+            | Self::TooDeep { span }
+            | Self::Character { span, .. }
+            | Self::UnterminatedPlaceholder { span }
+            | Self::MalformedPlaceholder { span, .. }
+            | Self::UnknownForm { span, .. }
+            | Self::TooManyPlaceholders { span, .. }
+            | Self::MisplacedPlaceholder { span, .. }
+            | Self::Html { span }
+            | Self::Image { span }
+            | Self::Link { span, .. }
+            | Self::UnknownCommand { span, .. }
+            | Self::UnknownEnvironment { span, .. }
+            | Self::Unbalanced { span, .. }
+            | Self::StrayCharacter { span, .. }
+            | Self::Malformed { span, .. }
+            | Self::SpacedMath { span }
+            | Self::BracketMath { span, .. }
+            | Self::BlankLineInMath { span }
+            | Self::BarInCell { span }
+            | Self::MathInText { span }
+            | Self::LoneDollar { span } => *span = place,
+        }
+        self
+    }
+}
+
+impl Diagnose for TextError {
+    fn code(&self) -> Code {
+        match self {
+            Self::TooLong { .. }
+            | Self::TooDeep { .. }
+            | Self::Character { .. }
+            | Self::Html { .. }
+            | Self::Image { .. }
+            | Self::Link { .. } => Code::TEXT_MARKUP,
+            Self::UnterminatedPlaceholder { .. }
+            | Self::MalformedPlaceholder { .. }
+            | Self::UnknownForm { .. }
+            | Self::TooManyPlaceholders { .. }
+            | Self::MisplacedPlaceholder { .. } => Code::TEXT_PLACEHOLDER,
+            Self::UnknownCommand { .. }
+            | Self::UnknownEnvironment { .. }
+            | Self::Unbalanced { .. }
+            | Self::StrayCharacter { .. }
+            | Self::Malformed { .. } => Code::TEXT_MATH,
+            Self::SpacedMath { .. }
+            | Self::BracketMath { .. }
+            | Self::BlankLineInMath { .. }
+            | Self::BarInCell { .. }
+            | Self::MathInText { .. }
+            | Self::LoneDollar { .. } => Code::TEXT_DOLLAR,
+        }
+    }
+
+    fn severity(&self) -> Severity {
+        match self {
+            Self::LoneDollar { .. } | Self::SpacedMath { .. } | Self::BracketMath { .. } => {
+                Severity::Warning
+            }
+            _ => Severity::Error,
+        }
+    }
+
+    fn labels(&self) -> Vec<Label> {
+        vec![Label {
+            span: self.span(),
+            text: String::new(),
+        }]
+    }
+
+    fn help(&self) -> Option<String> {
+        let help = match self {
+            Self::TooLong { .. } | Self::TooDeep { .. } => "say it in fewer words",
+            Self::Character { .. } => "leave it out",
+            Self::UnterminatedPlaceholder { .. } => {
+                r"close it with `>>`; for the sign itself write `\<<`, in a formula `\ll`"
+            }
+            Self::MalformedPlaceholder { .. } => "write `<< name >>` or `<< name.form >>`",
+            Self::UnknownForm {
+                nearest: Some(name),
+                ..
+            } => return Some(format!("write `{name}`")),
+            Self::UnknownForm { .. } => {
+                "write one of `given`, `symbol`, `name`, `number`, `unit`, `formula`, `substituted`, `equation`"
+            }
+            Self::TooManyPlaceholders { .. } => "split the text",
+            Self::MisplacedPlaceholder { .. } => "put it on a line of its own or into the words",
+            Self::Html { .. } => r"write Markdown; for the sign itself write `\<`",
+            Self::Image { .. } => {
+                "place a figure by `<< figure >>` or a plot by `<< plots.name >>`"
+            }
+            Self::Link { .. } => "write the whole address, beginning with `https://`",
+            Self::UnknownCommand {
+                nearest: Some(name),
+                ..
+            } => return Some(format!(r"write `\{name}`")),
+            Self::UnknownCommand { .. } => {
+                r"use a command of LaTeX and `amsmath`; for a function write `\operatorname{name}`"
+            }
+            Self::UnknownEnvironment { .. } => {
+                "write `aligned`, `cases`, `matrix`, `pmatrix`, `bmatrix` or `vmatrix`"
+            }
+            Self::Unbalanced { .. } => "close what is opened and open what is closed",
+            Self::StrayCharacter { char: '%', .. } => r"write `\%`",
+            Self::StrayCharacter { .. } => r"leave it out, or put words into `\text{…}`",
+            Self::Malformed { .. } => return None,
+            Self::SpacedMath { .. } => r"leave out the blanks; for the sign itself write `\$`",
+            Self::BracketMath { .. } => "write `$…$`, or `$$…$$` for a formula on its own",
+            Self::BlankLineInMath { .. } => "leave out the empty line",
+            Self::BarInCell { .. } => r"write `\lvert x\rvert` or `\mid`",
+            Self::MathInText { .. } => r"close the text before the formula: `\text{if }x`",
+            Self::LoneDollar { .. } => r"for the sign itself write `\$`",
+        };
+        Some(help.to_owned())
+    }
+}

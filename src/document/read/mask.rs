@@ -1,0 +1,181 @@
+//! Placeholders put out of the parsers' sight.
+//!
+//! Each `<< name.form >>` is replaced by one character of a private-use area, which Markdown and
+//! LaTeX take for a letter; a map leads from places in the masked text back to the written one.
+
+use super::TextError;
+use crate::document::{Form, Placeholder};
+use crate::source::{Span, nearest};
+
+/// The first of the characters that stand for holes.
+const FIRST: u32 = 0xE000;
+/// How many holes a text may have.
+pub(super) const LIMIT: usize = 6000;
+/// What stands for a written `<<`.
+pub(super) const LITERAL: char = '\u{F8FF}';
+
+/// A text whose placeholders are single characters.
+pub(super) struct Masked {
+    pub(super) text: String,
+    pub(super) placeholders: Vec<Placeholder>,
+    /// Ends of replaced pieces: in the masked text, and in the written one.
+    ends: Vec<(usize, usize)>,
+    pub(super) errors: Vec<TextError>,
+}
+
+/// The hole that a character stands for.
+pub(super) fn hole(char: char) -> Option<u32> {
+    u32::from(char)
+        .checked_sub(FIRST)
+        .filter(|hole| (*hole as usize) < LIMIT)
+}
+
+/// Whether a character belongs to the private-use area that the mask takes.
+pub(super) fn is_private(char: char) -> bool {
+    ('\u{E000}'..='\u{F8FF}').contains(&char)
+}
+
+impl Masked {
+    /// Masks the placeholders of a text.
+    pub(super) fn of(text: &str) -> Self {
+        let mut masked = Self {
+            text: String::with_capacity(text.len()),
+            placeholders: Vec::new(),
+            ends: Vec::new(),
+            errors: Vec::new(),
+        };
+        let mut at = 0;
+        while at < text.len() {
+            at = masked.step(text, at);
+        }
+        masked
+    }
+
+    /// Takes what stands at a place, and returns where it ends.
+    fn step(&mut self, text: &str, at: usize) -> usize {
+        let rest = &text[at..];
+        if rest.starts_with("\\\\") {
+            self.text.push_str("\\\\");
+            return at + 2;
+        }
+        if rest.starts_with("\\<<") {
+            return self.replace(LITERAL, at + 3);
+        }
+        if rest.starts_with("<<") {
+            return self.placeholder(text, at);
+        }
+        let Some(char) = rest.chars().next() else {
+            return text.len();
+        };
+        let end = at + char.len_utf8();
+        let is_refused =
+            is_private(char) || char.is_control() && !matches!(char, '\n' | '\r' | '\t');
+        if is_refused {
+            let span = Span::new(at, end);
+            self.errors.push(TextError::Character { char, span });
+            return self.replace(char::REPLACEMENT_CHARACTER, end);
+        }
+        self.text.push(char);
+        end
+    }
+
+    fn replace(&mut self, char: char, end: usize) -> usize {
+        self.text.push(char);
+        self.ends.push((self.text.len(), end));
+        end
+    }
+
+    fn placeholder(&mut self, text: &str, start: usize) -> usize {
+        let rest = &text[start..];
+        let line = rest.find('\n').unwrap_or(rest.len());
+        let Some(length) = rest[..line].find(">>") else {
+            let end = start + rest[..line].trim_end().len();
+            let span = Span::new(start, end);
+            self.errors
+                .push(TextError::UnterminatedPlaceholder { span });
+            return self.replace(LITERAL, start + 2);
+        };
+        let end = start + length + 2;
+        let name = rest[2..length].trim();
+        let from = start + 2 + (rest[2..length].len() - rest[2..length].trim_start().len());
+        match demand(name, from) {
+            Ok((path, form)) if self.placeholders.len() < LIMIT => {
+                self.placeholders.push(Placeholder {
+                    path: path.to_owned(),
+                    form,
+                    in_math: false,
+                    span: Span::new(start, end),
+                });
+            }
+            Ok(_) => {
+                let span = Span::new(start, end);
+                let limit = LIMIT;
+                self.errors
+                    .push(TextError::TooManyPlaceholders { limit, span });
+                return self.replace(char::REPLACEMENT_CHARACTER, end);
+            }
+            Err(error) => {
+                self.errors.push(error);
+                return self.replace(char::REPLACEMENT_CHARACTER, end);
+            }
+        }
+        let hole = FIRST + self.placeholders.len() as u32 - 1;
+        let mark = char::from_u32(hole).expect("the private-use area has no gaps");
+        self.replace(mark, end)
+    }
+
+    /// The place in the written text of a place in the masked one.
+    fn origin(&self, at: usize) -> usize {
+        let before = self.ends.partition_point(|(masked, _)| *masked <= at);
+        match before.checked_sub(1).map(|last| self.ends[last]) {
+            Some((masked, written)) => written + (at - masked),
+            None => at,
+        }
+    }
+
+    /// The span in the written text of a range of the masked one.
+    pub(super) fn span(&self, range: std::ops::Range<usize>) -> Span {
+        Span::new(self.origin(range.start), self.origin(range.end))
+    }
+}
+
+/// The path and form of what stands between the angles, which begins at `from`.
+fn demand(name: &str, from: usize) -> Result<(&str, Form), TextError> {
+    let span = Span::new(from, from + name.len());
+    let malformed = || TextError::MalformedPlaceholder {
+        text: name.chars().take(80).collect(),
+        span,
+    };
+    let names: Vec<&str> = name.split('.').collect();
+    if !names.iter().all(|name| is_name(name)) || names.len() > 8 {
+        return Err(malformed());
+    }
+    // How many names a path has at least: what comes after may be a form.
+    let least = match names[0] {
+        "model" | "plots" => 2,
+        "models" => 3,
+        _ => 1,
+    };
+    let last = names[names.len() - 1];
+    match names.len().checked_sub(least) {
+        None => Err(malformed()),
+        Some(0) => Ok((name, Form::Value)),
+        Some(more) => match Form::of_name(last) {
+            _ if matches!(names[0], "plots" | "figure") => Err(malformed()),
+            Some(form) => Ok((&name[..name.len() - last.len() - 1], form)),
+            // The coordinate of a model's quantity.
+            None if least > 1 && more == 1 => Ok((name, Form::Value)),
+            None => Err(TextError::UnknownForm {
+                name: last.to_owned(),
+                nearest: nearest(last, Form::NAMED.iter().map(|(name, _)| *name)),
+                span: Span::new(span.end as usize - last.len(), span.end as usize),
+            }),
+        },
+    }
+}
+
+/// `[A-Za-z][A-Za-z0-9_]*`
+fn is_name(name: &str) -> bool {
+    name.starts_with(|c: char| c.is_ascii_alphabetic())
+        && name.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_')
+}

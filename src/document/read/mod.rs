@@ -1,0 +1,49 @@
+//! Texts read into trees.
+//!
+//! Placeholders are put out of sight first ([`mask`]), then the Markdown parser cuts the text into
+//! events, which [`text`] folds into blocks; each formula is looked over ([`check`]), parsed,
+//! folded ([`tex`]) and brought into its one form ([`tidy`]). All findings of a text are reported
+//! together, with their places in the text as it was written.
+
+mod check;
+mod error;
+mod lint;
+mod mask;
+mod tex;
+mod text;
+mod tidy;
+
+pub use error::TextError;
+pub use tex::read_math;
+
+use super::Document;
+
+/// A text as it was read: what could be read of it, and what is wrong with it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reading {
+    /// The document; where something is wrong, without it.
+    pub document: Document,
+    /// What is wrong, in the order of the text.
+    pub errors: Vec<TextError>,
+}
+
+impl Document {
+    /// Reads a text. Length and nesting are bounded.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use vibank::document::{Document, Filling};
+    /// use vibank::math::Math;
+    ///
+    /// let reading = Document::read("A block of mass << m >> with $\\omega_n = << omega_n >>$.");
+    /// assert!(reading.errors.is_empty());
+    /// let demand: Vec<_> = reading.document.placeholders().iter().map(|p| &p.path).collect();
+    /// assert_eq!(demand, ["m", "omega_n"]);
+    /// let fills = vec![Filling::Math(Math::number("2.0")), Filling::Math(Math::number("3.0"))];
+    /// assert_eq!(reading.document.plain(&fills), "A block of mass 2.0 with ω_n = 3.0.");
+    /// ```
+    pub fn read(text: &str) -> Reading {
+        text::read(text)
+    }
+}
