@@ -1,0 +1,140 @@
+//! Whether equations follow from one another: their row spaces, by values at points.
+//!
+//! For fixed data each equation is a row of the values of its left side less its right side at points
+//! that differ in all unknowns and in time. An equation follows from others, with factors made of data,
+//! if its row is a combination of theirs; random points tell different functions apart.
+
+use crate::expr::{Approx, Precise, Program, Registers};
+
+/// A rest below this part of a row is rounding.
+const ROUNDING: f64 = 1e-11;
+
+/// How typed equations compare with a key.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Rows {
+    /// Each follows from the other.
+    Same,
+    /// All follow from the key, but not the key from them.
+    Fewer {
+        /// How many are independent.
+        found: usize,
+        /// How many the key has.
+        needed: usize,
+    },
+    /// They do not follow from the key.
+    Different,
+    /// They have no value at some of the points.
+    Undefined,
+}
+
+impl Rows {
+    pub(super) fn of(key: &[Program], typed: &[Program], points: &[Vec<Precise>]) -> Self {
+        let (Some(key), Some(typed)) = (rows(key, points), rows(typed, points)) else {
+            return Self::Undefined;
+        };
+        let mut basis = Basis::default();
+        for row in &key {
+            basis.add(row);
+        }
+        let needed = basis.rows.len();
+        let mut own = Basis::default();
+        for row in &typed {
+            if basis.rest(row).1 {
+                return Self::Different;
+            }
+            own.add(row);
+        }
+        match own.rows.len() {
+            found if found == needed => Self::Same,
+            found => Self::Fewer { found, needed },
+        }
+    }
+
+    /// The verdict that decides of two for different data.
+    pub(super) fn worse(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Undefined, other) => other,
+            (own, Self::Undefined | Self::Same) => own,
+            (Self::Same, other) => other,
+            (Self::Different, _) | (_, Self::Different) => Self::Different,
+            (own, _) => own,
+        }
+    }
+}
+
+/// A row of values with a bound on their errors, both divided by the largest value.
+struct Row {
+    values: Vec<f64>,
+    bound: f64,
+}
+
+fn rows(programs: &[Program], points: &[Vec<Precise>]) -> Option<Vec<Row>> {
+    programs
+        .iter()
+        .map(|program| row(program, points))
+        .collect()
+}
+
+fn row(program: &Program, points: &[Vec<Precise>]) -> Option<Row> {
+    let mut room = Registers::<Approx<f64>>::default();
+    let (mut values, mut bound) = (Vec::with_capacity(points.len()), 0.0_f64);
+    for point in points {
+        let outcome = program.run(&point[..], &mut room).ok()?;
+        let value = outcome.numbers().next()?;
+        values.push(value.value);
+        bound = bound.max(value.bound);
+    }
+    let largest = values
+        .iter()
+        .fold(0.0_f64, |largest, value| largest.max(value.abs()));
+    if largest == 0.0 {
+        return Some(Row { values, bound: 0.0 });
+    }
+    for value in &mut values {
+        *value /= largest;
+    }
+    Some(Row {
+        values,
+        bound: bound / largest,
+    })
+}
+
+/// Orthonormal rows.
+#[derive(Default)]
+struct Basis {
+    rows: Vec<Vec<f64>>,
+}
+
+impl Basis {
+    /// What is left of a row, and whether that is more than rounding.
+    fn rest(&self, row: &Row) -> (Vec<f64>, bool) {
+        let mut rest = row.values.clone();
+        // Twice, so that what cancels leaves no rounding behind.
+        for _ in 0..2 {
+            for own in &self.rows {
+                let share = dot(own, &rest);
+                rest.iter_mut()
+                    .zip(own)
+                    .for_each(|(value, own)| *value -= share * own);
+            }
+        }
+        let limit = (ROUNDING + 40.0 * row.bound) * (rest.len() as f64).sqrt();
+        let is_more = dot(&rest, &rest).sqrt() > limit;
+        (rest, is_more)
+    }
+
+    fn add(&mut self, row: &Row) {
+        let (mut rest, is_more) = self.rest(row);
+        if is_more {
+            let length = dot(&rest, &rest).sqrt();
+            for value in &mut rest {
+                *value /= length;
+            }
+            self.rows.push(rest);
+        }
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}

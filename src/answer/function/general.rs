@@ -1,0 +1,512 @@
+//! The general solution of a model's equations, with free constants that the student names.
+//!
+//! A response is right when it satisfies the equations for all values of its constants, and the constants
+//! can meet any initial state: the positions and velocities at the start, as functions of the constants,
+//! have full rank.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::super::equality::Draws;
+use super::super::meaning::{Meaning, ORDERS, Prefer, lexicon};
+use super::super::typed::{self, Lexicon, Manner, cut};
+use super::super::{
+    Answer, AnswerKind, Context, Credit, Declare, Feedback, Key, KeyValue, Marker, Marking,
+    Reading, Reason, Role,
+};
+use super::Kind;
+use crate::expr::{Equation, Expr, Name, Precise, Program, Workspace};
+use crate::math::Math;
+use crate::quantity::{Absent, NodeId};
+use crate::source::{Span, Table, Text, Value};
+
+/// Letters that people give to constants, alone or with a number.
+const LETTERS: [&str; 18] = [
+    "A", "B", "C", "D", "E", "F", "G", "H", "a", "b", "c", "d", "phi", "psi", "alpha", "beta",
+    "delta", "theta",
+];
+/// Highest number behind such a letter.
+const MOST_NUMBERED: usize = 6;
+
+#[derive(Debug)]
+pub(super) struct General(Arc<Setup>);
+
+#[derive(Debug)]
+struct Setup {
+    equations: Vec<Equation>,
+    coordinates: Vec<Name>,
+    symbols: Vec<Math>,
+    constants: Vec<Name>,
+    frequencies: Option<NodeId>,
+    shapes: Option<NodeId>,
+    meaning: Meaning,
+    lexicon: Lexicon,
+}
+
+struct Prepared {
+    setup: Arc<Setup>,
+    data: Vec<Precise>,
+    /// Frequencies, and for each the shape of its mode.
+    modes: Vec<(f64, Vec<f64>)>,
+}
+
+/// Reads a part that asks for a general solution.
+pub(super) fn read(
+    key: &Text,
+    components: &[Text],
+    listed: &[Text],
+    declare: &mut dyn Declare,
+) -> Option<Box<dyn Answer>> {
+    let of = |quantity: &str| Text {
+        value: key.value.replace("general_motion", quantity),
+        span: key.span,
+    };
+    let equations = declare.equations(&of("equations"))?;
+    let known = declare.known();
+    let is_asked = |name: &Name| {
+        components.is_empty() || components.iter().any(|text| text.value == name.as_str())
+    };
+    let coordinates: Vec<_> = known
+        .iter()
+        .filter(|own| own.role == Role::Coordinate && is_asked(&own.name))
+        .collect();
+    let mut meaning = Meaning::of(declare, Prefer::Coordinates);
+    let (mut lexicon, _) = lexicon(declare, listed, None);
+    let mut constants = Vec::new();
+    for letter in LETTERS {
+        let numbered = (0..=MOST_NUMBERED).map(|number| match number {
+            0 => letter.to_owned(),
+            number => format!("{letter}{number}"),
+        });
+        for name in numbered.map(Name::new) {
+            if !known.iter().any(|own| own.name == name) {
+                meaning.add_free(&name);
+                lexicon.allow(&name, &crate::math::symbol(name.as_str()), false);
+                constants.push(name);
+            }
+        }
+    }
+    lexicon.allow(&Name::new("t"), &crate::math::symbol("t"), false);
+    let frequencies = declare.formula("frequencies", &of("natural_angular_frequencies"));
+    let shapes = declare.formula("shapes", &of("mode_shapes"));
+    Some(Box::new(General(Arc::new(Setup {
+        equations,
+        coordinates: coordinates.iter().map(|own| own.name.clone()).collect(),
+        symbols: coordinates.iter().map(|own| own.symbol.clone()).collect(),
+        constants,
+        frequencies,
+        shapes,
+        meaning,
+        lexicon,
+    }))))
+}
+
+impl Answer for General {
+    fn kind(&self) -> &'static dyn AnswerKind {
+        &Kind
+    }
+
+    fn keys(&self) -> Vec<NodeId> {
+        Vec::new()
+    }
+
+    fn read_mistake(
+        &mut self,
+        _number: usize,
+        answer: &Value,
+        part: &Table<'_>,
+        declare: &mut dyn Declare,
+    ) -> Option<Vec<NodeId>> {
+        let text = part.as_formula("answer", answer)?;
+        Some(vec![declare.formula("mistake", &text)?])
+    }
+
+    fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
+        let setup = &self.0;
+        let value =
+            |node: Option<NodeId>| node.and_then(|node| context.evaluation.value(node).ok());
+        let modes = match (value(setup.frequencies), value(setup.shapes)) {
+            (Some(frequencies), Some(shapes)) => {
+                let rows = shapes.numbers().chunks(setup.coordinates.len().max(1));
+                frequencies
+                    .numbers()
+                    .iter()
+                    .copied()
+                    .zip(rows.map(<[f64]>::to_vec))
+                    .collect()
+            }
+            _ => Vec::new(),
+        };
+        Ok(Box::new(Prepared {
+            setup: Arc::clone(setup),
+            data: setup.meaning.data(context.evaluation),
+            modes,
+        }))
+    }
+}
+
+/// A typed solution as programs, by coordinate.
+struct Solution {
+    positions: Vec<Program>,
+    velocities: Vec<Program>,
+    residuals: Vec<Program>,
+    /// Left minus right of the equations with positions as inputs.
+    bare: Vec<Program>,
+    has_decimals: bool,
+}
+
+impl Setup {
+    /// The formulas of a response, by coordinate.
+    fn read(&self, response: &str) -> Result<Vec<Expr>, String> {
+        let manner = Manner {
+            comma_is_decimal: true,
+            has_imaginary_unit: false,
+        };
+        let all = Span::new(0, response.len());
+        let mut places = cut(response, all, &[';', '\n']);
+        places.retain(|place| !response[place.range()].trim().is_empty());
+        if places.len() == 1 && self.coordinates.len() > 1 {
+            places = cut(response, all, &[',']);
+        }
+        if places.len() != self.coordinates.len() {
+            let names: Vec<String> = self
+                .symbols
+                .iter()
+                .map(|symbol| format!("{} = …", symbol.plain()))
+                .collect();
+            return Err(format!(
+                "Give one function of time each, joined by semicolons: {}.",
+                names.join("; ")
+            ));
+        }
+        let mut found: Vec<Option<Expr>> = vec![None; places.len()];
+        for (position, place) in places.into_iter().enumerate() {
+            let text = &response[place.range()];
+            let named = text.split_once('=').and_then(|(left, _)| {
+                let left = typed::formula(left, &self.lexicon, manner).ok()?.value;
+                self.coordinates
+                    .iter()
+                    .position(|name| left == Expr::name(name.clone()))
+            });
+            let typed = typed::formula(text, &self.lexicon, manner)
+                .map_err(|error| error.sentence(text))?;
+            let place = named.unwrap_or(position);
+            if found[place].replace(typed.value).is_some() {
+                return Err(format!(
+                    "There are two functions for {}.",
+                    self.symbols[place].plain()
+                ));
+            }
+        }
+        found
+            .into_iter()
+            .collect::<Option<Vec<_>>>()
+            .ok_or_else(|| "A function is missing.".to_owned())
+    }
+
+    fn solution(&self, typed: &[Expr]) -> Option<Solution> {
+        let replaced: BTreeMap<Name, Expr> = self
+            .coordinates
+            .iter()
+            .cloned()
+            .zip(typed.iter().cloned())
+            .collect();
+        let none = BTreeMap::new();
+        let mut has_decimals = false;
+        for expr in typed {
+            expr.walk(&mut |node| {
+                has_decimals |= matches!(node.kind(), crate::expr::Kind::Number(value) if value.denominator() >= 10);
+            });
+        }
+        let all = |exprs: Vec<Expr>, replaced| -> Option<Vec<Program>> {
+            exprs
+                .iter()
+                .map(|expr| self.meaning.compile(expr, replaced).ok())
+                .collect()
+        };
+        let differences = || {
+            self.equations
+                .iter()
+                .map(Equation::difference)
+                .collect::<Vec<_>>()
+        };
+        let rates = self
+            .coordinates
+            .iter()
+            .map(|name| Expr::name(name.clone()).prime(1))
+            .collect();
+        Some(Solution {
+            positions: all(typed.to_vec(), &none)?,
+            velocities: all(rates, &replaced)?,
+            residuals: all(differences(), &replaced)?,
+            bare: all(differences(), &none)?,
+            has_decimals,
+        })
+    }
+
+    fn slot(&self, name: &Name) -> Option<usize> {
+        Some(self.meaning.place(name)? * ORDERS)
+    }
+}
+
+impl Prepared {
+    /// The data with values for constants and time.
+    fn point(&self, constants: &[f64], time: f64) -> Vec<Precise> {
+        let mut point = self.data.clone();
+        let setup = &self.setup;
+        for (name, value) in setup.constants.iter().zip(constants) {
+            if let Some(slot) = setup.slot(name) {
+                point[slot] = Precise::exact(*value);
+            }
+        }
+        if let Some(slot) = setup.slot(&Name::new("t")) {
+            point[slot] = Precise::exact(time);
+        }
+        point
+    }
+
+    fn times(&self) -> Vec<f64> {
+        let slowest = self
+            .modes
+            .iter()
+            .map(|(frequency, _)| *frequency)
+            .filter(|frequency| *frequency > 0.0);
+        let period = std::f64::consts::TAU / slowest.fold(f64::INFINITY, f64::min);
+        let span = if period.is_finite() && period > 0.0 {
+            2.0 * period
+        } else {
+            10.0
+        };
+        (0..16)
+            .map(|place| span * (f64::from(place) + 0.37) / 16.0)
+            .collect()
+    }
+
+    /// Whether the equations hold for constants at random.
+    fn satisfies(&self, solution: &Solution) -> Option<bool> {
+        let (mut draws, mut room) = (Draws::new(), Workspace::default());
+        let part = if solution.has_decimals { 0.02 } else { 1e-7 };
+        let times = self.times();
+        for _ in 0..3 {
+            let constants: Vec<f64> = self
+                .setup
+                .constants
+                .iter()
+                .map(|_| 1.0 + 0.9 * draws.signed())
+                .collect();
+            let mut largest = vec![0.0_f64; solution.positions.len()];
+            let mut residuals = vec![0.0_f64; solution.residuals.len()];
+            for time in &times {
+                let point = self.point(&constants, *time);
+                for (largest, program) in largest.iter_mut().zip(&solution.positions) {
+                    *largest =
+                        largest.max(program.evaluate_real(&point[..], &mut room).ok()?.abs());
+                }
+                for (residual, program) in residuals.iter_mut().zip(&solution.residuals) {
+                    *residual =
+                        residual.max(program.evaluate_real(&point[..], &mut room).ok()?.abs());
+                }
+            }
+            for (residual, program) in residuals.iter().zip(&solution.bare) {
+                let mut scale = 0.0;
+                for (name, largest) in self.setup.coordinates.iter().zip(&largest) {
+                    let mut point = self.point(&constants, times[0]);
+                    point[self.setup.slot(name)?] = Precise::exact(*largest);
+                    scale += program.evaluate_real(&point[..], &mut room).ok()?.abs();
+                }
+                if *residual > part * scale {
+                    return Some(false);
+                }
+            }
+        }
+        Some(true)
+    }
+
+    /// The number of initial states, of positions and velocities, that the constants can vary independently.
+    fn rank(&self, solution: &Solution) -> Option<usize> {
+        const STEP: f64 = 1e-5;
+        let (mut draws, mut room) = (Draws::new(), Workspace::default());
+        let constants: Vec<f64> = self
+            .setup
+            .constants
+            .iter()
+            .map(|_| 1.0 + 0.5 * draws.signed())
+            .collect();
+        let rate = self
+            .modes
+            .last()
+            .map_or(1.0, |(frequency, _)| frequency.max(f64::MIN_POSITIVE));
+        let mut state = |constants: &[f64]| -> Option<Vec<f64>> {
+            let point = self.point(constants, 0.0);
+            let positions = solution.positions.iter().map(|program| (program, 1.0));
+            let velocities = solution.velocities.iter().map(|program| (program, rate));
+            positions
+                .chain(velocities)
+                .map(|(program, unit)| {
+                    Some(program.evaluate_real(&point[..], &mut room).ok()? / unit)
+                })
+                .collect()
+        };
+        let mut basis: Vec<Vec<f64>> = Vec::new();
+        for place in 0..constants.len() {
+            let mut moved = constants.clone();
+            moved[place] += STEP;
+            let after = state(&moved)?;
+            moved[place] -= 2.0 * STEP;
+            let before = state(&moved)?;
+            let mut rest: Vec<f64> = after
+                .iter()
+                .zip(&before)
+                .map(|(a, b)| (a - b) / (2.0 * STEP))
+                .collect();
+            let whole = length(&rest);
+            for own in &basis {
+                let share: f64 = own.iter().zip(&rest).map(|(a, b)| a * b).sum();
+                rest.iter_mut()
+                    .zip(own)
+                    .for_each(|(value, own)| *value -= share * own);
+            }
+            let size = length(&rest);
+            if whole > 1e-6 && size > 1e-3 * whole {
+                for value in &mut rest {
+                    *value /= size;
+                }
+                basis.push(rest);
+            }
+        }
+        Some(basis.len())
+    }
+
+    /// The solution of the key as a formula of each coordinate.
+    fn written(&self) -> Vec<(Math, String)> {
+        let setup = &self.setup;
+        let number = |value: f64| {
+            let digits = crate::unit::Decimal::rounded(value, 4)
+                .and_then(|decimal| crate::unit::Decimal::shortest(decimal.to_f64()));
+            digits.and_then(|digits| crate::numerics::Rational::from_decimal(&digits.to_string()))
+        };
+        let component = |place: usize| {
+            let mut sum = Expr::number(0);
+            for (mode, (frequency, shape)) in self.modes.iter().enumerate() {
+                let largest = shape
+                    .iter()
+                    .copied()
+                    .fold(0.0_f64, |a, b| if b.abs() > a.abs() { b } else { a });
+                let Some(weight) = number(shape[place] / largest) else {
+                    continue;
+                };
+                let constant = |letter: &str| Expr::name(format!("{letter}{}", mode + 1).as_str());
+                let time = Expr::name("t");
+                let motion = match number(*frequency) {
+                    Some(frequency) if !frequency.is_zero() => {
+                        let angle = Expr::number(frequency) * time;
+                        let of = |function| Expr::call(function, [angle.clone()]);
+                        constant("A") * of(crate::expr::Function::Cos)
+                            + constant("B") * of(crate::expr::Function::Sin)
+                    }
+                    _ => constant("A") + constant("B") * time,
+                };
+                sum = sum + Expr::number(weight) * motion;
+            }
+            sum
+        };
+        let both = |place: usize| {
+            let formula = component(place);
+            let math = Math::row([
+                setup.symbols[place].clone(),
+                Math::relation("="),
+                formula.typeset(&setup.lexicon),
+            ]);
+            (math, format!("{} = {formula}", setup.coordinates[place]))
+        };
+        (0..setup.coordinates.len()).map(both).collect()
+    }
+}
+
+fn length(vector: &[f64]) -> f64 {
+    vector.iter().map(|value| value * value).sum::<f64>().sqrt()
+}
+
+impl Marker for Prepared {
+    fn key(&self) -> Key {
+        let (mut row, mut texts) = (Vec::new(), Vec::new());
+        for (math, text) in self.written() {
+            if !row.is_empty() {
+                row.push(Math::punctuation(";"));
+            }
+            row.push(math);
+            texts.push(text);
+        }
+        let math = Math::row(row);
+        let latex = math.latex();
+        Key {
+            math,
+            accepted: None,
+            value: KeyValue::Formula {
+                text: texts.join("; "),
+                latex,
+            },
+        }
+    }
+
+    fn mark(&self, response: &str) -> Marking {
+        let setup = &self.setup;
+        let typed = match setup.read(response) {
+            Ok(typed) => typed,
+            Err(words) => return Marking::unreadable(words),
+        };
+        let mut row = Vec::new();
+        for (symbol, formula) in setup.symbols.iter().zip(&typed) {
+            if !row.is_empty() {
+                row.push(Math::punctuation(";"));
+            }
+            row.extend([
+                symbol.clone(),
+                Math::relation("="),
+                formula.typeset(&setup.lexicon),
+            ]);
+        }
+        let texts = setup.coordinates.iter().zip(&typed);
+        let reading = Reading {
+            math: Math::row(row),
+            text: texts
+                .map(|(name, formula)| format!("{name} = {formula}"))
+                .collect::<Vec<_>>()
+                .join("; "),
+            si: Vec::new(),
+        };
+        let wrong = |reading, words: &str| {
+            Marking::read(
+                reading,
+                Credit::NONE,
+                Reason::Other,
+                Some(Feedback::Words(words.to_owned())),
+            )
+        };
+        let Some(solution) = setup.solution(&typed) else {
+            return Marking::unreadable(
+                "These functions cannot be differentiated; write them in a simpler form.",
+            );
+        };
+        match self.satisfies(&solution) {
+            None => return wrong(reading, "This has no value at some times."),
+            Some(false) => {
+                return wrong(
+                    reading,
+                    "This does not satisfy the equations of motion for all values of its constants.",
+                );
+            }
+            Some(true) => {}
+        }
+        let needed = 2 * setup.coordinates.len();
+        match self.rank(&solution) {
+            Some(rank) if rank >= needed => {
+                Marking::read(reading, Credit::FULL, Reason::Matches, None)
+            }
+            _ => wrong(
+                reading,
+                "This satisfies the equations, but its constants cannot meet every initial state: it is not general.",
+            ),
+        }
+    }
+}

@@ -1,0 +1,474 @@
+//! `function`: a function of time, or of another variable, over a span.
+//!
+//! The student types `0.632 exp(-0.0125 t) sin(15.8 t)` or the same with symbols, in any form: sines or
+//! cosines, any sign convention, phases in radians. Both functions are compared over the span, which is
+//! three periods unless stated; the tolerance is a share of the largest value. Where none is stated, each
+//! time has its own, from rounding every intermediate result to the working figures:
+//!
+//! ```text
+//! half-width(t) = 0.005 · 10^(3−s) · ( max|x| + Σ |z ∂x/∂z|(t) )     over the steps z between data and answer.
+//! ```
+//!
+//! ```toml
+//! [[part]]
+//! kind      = "function"
+//! key       = "x"
+//! span      = ["0", "6*pi/omega_n"]
+//! tolerance = "2 %"             # of the largest value; derived if left out
+//! ask       = "Find $x(t)$."
+//! ```
+//!
+//! With `constants`, the general solution of a model's equations is asked. The student names the constants
+//! (`A`, `B1`, `phi2`, …) and gives one function for each of the `components`, `x1 = …; x2 = …`. It is right
+//! when it satisfies the equations for all constants and can meet any initial state.
+//!
+//! ```toml
+//! [[part]]
+//! kind       = "function"
+//! id         = "general"
+//! key        = "model.general_motion"
+//! components = ["x1", "x2"]
+//! constants  = 4
+//! ask        = "Find the general solution."
+//! ```
+
+mod general;
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::meaning::{Meaning, ORDERS, Prefer, lexicon};
+use super::typed::{self, Lexicon, Manner, Typed};
+use super::{
+    Answer, AnswerError, AnswerKind, Context, Credit, Declare, Feedback, Key, KeyValue, Marker,
+    Marking, Reading, Reason, Tolerance, symbolic,
+};
+use crate::expr::{Expr, Form, Name, Precise, Type, Value as Number, Workspace};
+use crate::quantity::{Absent, Evaluation, Function as Curve, NodeId};
+use crate::source::{Table, Text, Value};
+use crate::unit::{Dimension, Unit};
+
+/// The kind.
+pub(super) struct Kind;
+
+/// Times at which functions are compared.
+const SAMPLES: usize = 48;
+
+#[derive(Debug)]
+struct Motion {
+    key: NodeId,
+    span: [NodeId; 2],
+    tolerance: Tolerance,
+    digits: u32,
+    setup: Arc<Setup>,
+    mistakes: Vec<(usize, NodeId)>,
+}
+
+#[derive(Debug)]
+struct Setup {
+    shown: Expr,
+    kind: Type,
+    unit: Option<Unit>,
+    variable: Name,
+    meaning: Meaning,
+    lexicon: Lexicon,
+}
+
+struct Prepared {
+    setup: Arc<Setup>,
+    times: Vec<Precise>,
+    values: Vec<f64>,
+    halves: Vec<f64>,
+    mistakes: Vec<(usize, Vec<f64>, Credit)>,
+    data: Vec<Precise>,
+}
+
+impl AnswerKind for Kind {
+    fn name(&self) -> &'static str {
+        "function"
+    }
+
+    fn minutes(&self) -> u32 {
+        6
+    }
+
+    fn read(&self, part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+        let text = part
+            .required("key")
+            .and_then(|key| part.as_formula("key", key));
+        let span = part.value("span").map(|value| spans(part, value));
+        let (variable, tolerance) = (part.text("variable"), part.text("tolerance"));
+        let (listed, components) = (part.texts("in"), part.texts("components"));
+        let constants = part.integer("constants", "the number of free constants", 0..=20);
+        let text = text?;
+        if constants.is_some_and(|count| count > 0) {
+            return general::read(&text, &components, &listed, declare);
+        }
+        let key = declare.formula("key", &text)?;
+        let kind = declare.graph().kind(key)?.clone();
+        let variable = Name::new(variable.map_or("t".to_owned(), |text| text.value));
+        let of = declare.graph().variables(key);
+        if kind.form() != Form::REAL || of.iter().any(|name| *name != variable) {
+            let found = kind.form().to_string();
+            declare.find(
+                &AnswerError::KeyForm {
+                    expected: "a function of one variable",
+                    found,
+                },
+                &text,
+            );
+            return None;
+        }
+        let unit = declare.unit_of(key);
+        let tolerance = match tolerance {
+            Some(text) => Tolerance::read(&text, &unit.unwrap_or(Unit::ONE), declare)?,
+            None => Tolerance::default(),
+        };
+        let Some(span) = span else {
+            let expected = "a function with a `span`";
+            declare.find(
+                &AnswerError::KeyForm {
+                    expected,
+                    found: "one without".to_owned(),
+                },
+                &text,
+            );
+            return None;
+        };
+        let [from, to] = &span[..] else {
+            return None;
+        };
+        let span = [declare.formula("span", from)?, declare.formula("span", to)?];
+        let own = Name::new(text.value.as_str());
+        let named = declare.graph().find(&own).map(|_| own);
+        let (mut lexicon, mut names) = lexicon(declare, &listed, named.as_ref());
+        lexicon.allow(&variable, &crate::math::symbol(variable.as_str()), false);
+        names.push(variable.clone());
+        let meaning = Meaning::of(declare, Prefer::Quantities);
+        let shown = meaning.expanded(&symbolic::formula(declare.graph(), key), &names);
+        Some(Box::new(Motion {
+            key,
+            span,
+            tolerance,
+            digits: u32::from(declare.digits_of(key)),
+            setup: Arc::new(Setup {
+                shown,
+                kind,
+                unit,
+                variable,
+                meaning,
+                lexicon,
+            }),
+            mistakes: Vec::new(),
+        }))
+    }
+}
+
+fn spans(part: &Table<'_>, value: &Value) -> Vec<Text> {
+    match &value.data {
+        crate::source::Data::List(items) => items
+            .iter()
+            .filter_map(|item| part.as_formula("span", item))
+            .collect(),
+        _ => Vec::new(),
+    }
+}
+
+impl Answer for Motion {
+    fn kind(&self) -> &'static dyn AnswerKind {
+        &Kind
+    }
+
+    fn keys(&self) -> Vec<NodeId> {
+        vec![self.key]
+    }
+
+    fn keeps_mistakes(&self) -> bool {
+        true
+    }
+
+    fn read_mistake(
+        &mut self,
+        number: usize,
+        answer: &Value,
+        part: &Table<'_>,
+        declare: &mut dyn Declare,
+    ) -> Option<Vec<NodeId>> {
+        let text = part.as_formula("answer", answer)?;
+        let node = declare.formula("mistake", &text)?;
+        self.mistakes.push((number, node));
+        Some(Vec::new())
+    }
+
+    fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
+        let evaluation = context.evaluation;
+        let (from, to) = (
+            evaluation.real(self.span[0])?,
+            evaluation.real(self.span[1])?,
+        );
+        let times: Vec<Precise> = (0..SAMPLES)
+            .map(|place| {
+                // Away from the ends, and not in step with any period.
+                let share = (place as f64 + 0.371) / SAMPLES as f64;
+                Precise::exact(from + (to - from) * share)
+            })
+            .collect();
+        let values = samples(evaluation, self.key, &times)?;
+        let largest = values
+            .iter()
+            .fold(0.0_f64, |largest, value| largest.max(value.abs()));
+        let halves = if self.tolerance.is_derived() {
+            derived(evaluation, self.key, &times, &values, largest, self.digits)
+        } else {
+            let half = self
+                .tolerance
+                .half_width(largest, || 0.0, self.digits, evaluation);
+            vec![half; SAMPLES]
+        };
+        let mut mistakes = Vec::new();
+        for mistaken in &context.mistakes {
+            let own = self
+                .mistakes
+                .iter()
+                .find(|(number, _)| *number == mistaken.number);
+            let given = if let Some((_, node)) = own {
+                samples(evaluation, *node, &times)
+            } else {
+                let with: Result<Vec<_>, Absent> = mistaken
+                    .replaced
+                    .iter()
+                    .map(|(old, new)| Ok((*old, evaluation.value(*new)?.clone())))
+                    .collect();
+                with.and_then(|with| samples(&evaluation.replacing(with), self.key, &times))
+            };
+            if let Ok(given) = given {
+                mistakes.push((mistaken.number, given, mistaken.credit));
+            }
+        }
+        Ok(Box::new(Prepared {
+            setup: Arc::clone(&self.setup),
+            times,
+            values,
+            halves,
+            mistakes,
+            data: self.setup.meaning.data(evaluation),
+        }))
+    }
+}
+
+/// The values of a node at these times.
+fn samples(
+    evaluation: &Evaluation<'_>,
+    node: NodeId,
+    times: &[Precise],
+) -> Result<Vec<f64>, Absent> {
+    let function = evaluation.function(node)?;
+    times.iter().map(|time| sample(&function, *time)).collect()
+}
+
+fn sample(function: &Curve<'_, '_>, time: Precise) -> Result<f64, Absent> {
+    let is_constant = function.variables().next().is_none();
+    let value: Number = if is_constant {
+        function.at(&[])?
+    } else {
+        function.at(&[time])?
+    };
+    Ok(value.as_real().unwrap_or(f64::NAN))
+}
+
+/// How far rounding in the steps moves the function, time by time.
+fn derived(
+    evaluation: &Evaluation<'_>,
+    key: NodeId,
+    times: &[Precise],
+    values: &[f64],
+    largest: f64,
+    digits: u32,
+) -> Vec<f64> {
+    const STEP: f64 = 1e-6;
+    let mut spread = vec![largest; values.len()];
+    let mut add = |moved: &[f64]| {
+        for ((sum, moved), value) in spread.iter_mut().zip(moved).zip(values) {
+            let part = (moved - value).abs() / STEP;
+            *sum += if part.is_finite() {
+                part.min(10.0 * largest)
+            } else {
+                0.0
+            };
+        }
+    };
+    let graph = evaluation.graph();
+    for step in graph
+        .steps(key)
+        .into_iter()
+        .filter(|step| graph.variables(*step).is_empty())
+    {
+        let scaled = evaluation.value(step).ok().and_then(|value| {
+            let numbers = value
+                .numbers()
+                .iter()
+                .map(|number| number * (1.0 + STEP))
+                .collect();
+            Number::new(value.form(), numbers, value.bounds().to_vec())
+        });
+        let moved = scaled
+            .and_then(|moved| samples(&evaluation.replacing(vec![(step, moved)]), key, times).ok());
+        if let Some(moved) = moved {
+            add(&moved);
+        }
+    }
+    // A frequency that stands in the formula without a name is rounded all the same.
+    let later: Vec<Precise> = times
+        .iter()
+        .map(|time| Precise::exact(time.high() * (1.0 + STEP)))
+        .collect();
+    if let Ok(moved) = samples(evaluation, key, &later) {
+        add(&moved);
+    }
+    let share = 0.005 * crate::numerics::powi(10.0, 3 - digits as i32);
+    spread.into_iter().map(|sum| share * sum).collect()
+}
+
+impl Prepared {
+    /// The values of a typed function at the times.
+    fn values_of(&self, expr: &Expr) -> Option<Vec<f64>> {
+        let setup = &self.setup;
+        let program = setup.meaning.compile(expr, &BTreeMap::new()).ok()?;
+        let slot = setup.meaning.place(&setup.variable)? * ORDERS;
+        let mut data = self.data.clone();
+        let mut room = Workspace::default();
+        let mut values = Vec::with_capacity(self.times.len());
+        for time in &self.times {
+            data[slot] = *time;
+            values.push(program.evaluate(&data[..], &mut room).ok()?.as_real()?);
+        }
+        Some(values)
+    }
+
+    /// Whether a typed function with numbers has the dimension of the key, where that can be told.
+    fn dimension_trouble(&self, expr: &Expr) -> Option<Dimension> {
+        let setup = &self.setup;
+        // Numbers stand for values in the unit of the key, rates and frequencies: only formulas in data alone have dimensions.
+        let names = expr.names();
+        let has_data = names
+            .free
+            .iter()
+            .any(|variable| variable.name != setup.variable);
+        let found = expr.check(&setup.meaning).ok().filter(|_| has_data)?;
+        let (key, typed) = (setup.kind.dimension()?, found.dimension()?);
+        (key != typed && !typed.is_pure()).then_some(typed)
+    }
+
+    fn is_near(&self, typed: &[f64], key: &[f64]) -> bool {
+        typed
+            .iter()
+            .zip(key)
+            .zip(&self.halves)
+            .all(|((typed, key), half)| (typed - key).abs() <= half + 1e-12 * key.abs())
+    }
+}
+
+impl Marker for Prepared {
+    fn key(&self) -> Key {
+        let math = self.setup.shown.typeset(&self.setup.lexicon);
+        let latex = math.latex();
+        Key {
+            math,
+            accepted: None,
+            value: KeyValue::Formula {
+                text: self.setup.shown.to_string(),
+                latex,
+            },
+        }
+    }
+
+    fn mark(&self, response: &str) -> Marking {
+        let setup = &self.setup;
+        let manner = Manner {
+            comma_is_decimal: !response.contains("atan2"),
+            has_imaginary_unit: false,
+        };
+        let Typed { value, other } = match typed::formula(response, &setup.lexicon, manner) {
+            Ok(typed) => typed,
+            Err(error) => return Marking::unreadable(error.sentence(response)),
+        };
+        let trouble = self.dimension_trouble(&value);
+        let expr = match other {
+            Some(other) if trouble.is_some() && self.dimension_trouble(&other).is_none() => other,
+            _ => value,
+        };
+        let reading = Reading {
+            math: expr.typeset(&setup.lexicon),
+            text: expr.to_string(),
+            si: Vec::new(),
+        };
+        let Some(values) = self.values_of(&expr) else {
+            let words = "This has no value somewhere on the span.".to_owned();
+            return Marking::read(
+                reading,
+                Credit::NONE,
+                Reason::Other,
+                Some(Feedback::Words(words)),
+            );
+        };
+        // Numbers without data may be in the unit that is asked for.
+        let shown = setup.unit.map(|unit| {
+            values
+                .iter()
+                .map(|value| unit.to_si(*value))
+                .collect::<Vec<_>>()
+        });
+        let has_data = expr
+            .names()
+            .free
+            .iter()
+            .any(|variable| variable.name != setup.variable);
+        let shown = shown.filter(|_| !has_data);
+        let fits = |key: &[f64]| {
+            self.is_near(&values, key)
+                || shown.as_ref().is_some_and(|shown| self.is_near(shown, key))
+        };
+        if fits(&self.values) {
+            return Marking::read(reading, Credit::FULL, Reason::Matches, None);
+        }
+        if let Some((number, _, credit)) = self.mistakes.iter().find(|(_, given, _)| fits(given)) {
+            let feedback = Some(Feedback::Mistake(*number));
+            return Marking::read(reading, *credit, Reason::Mistake(*number), feedback);
+        }
+        let negated: Vec<f64> = self.values.iter().map(|value| -value).collect();
+        let (reason, words) = if self.dimension_trouble(&expr).is_some() {
+            let found = self
+                .dimension_trouble(&expr)
+                .map_or(String::new(), Dimension::describe);
+            (
+                Reason::Dimension,
+                Some(format!("This comes out in {found}.")),
+            )
+        } else if fits(&negated) {
+            (Reason::Sign, Some("The sign is wrong.".to_owned()))
+        } else if self.starts_right(&values) {
+            (
+                Reason::Other,
+                Some(
+                    "It begins rightly, but runs away later: look at the frequency and the decay."
+                        .to_owned(),
+                ),
+            )
+        } else {
+            (Reason::Other, None)
+        };
+        Marking::read(reading, Credit::NONE, reason, words.map(Feedback::Words))
+    }
+}
+
+impl Prepared {
+    /// Whether the first samples are right.
+    fn starts_right(&self, typed: &[f64]) -> bool {
+        let first = 3;
+        typed[..first]
+            .iter()
+            .zip(&self.values)
+            .zip(&self.halves)
+            .all(|((typed, key), half)| (typed - key).abs() <= 2.0 * half)
+    }
+}

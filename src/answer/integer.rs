@@ -1,0 +1,161 @@
+//! `integer`: a whole number, such as a count.
+//!
+//! The student types `3`. Only the number itself is right; an integer has no tolerance.
+//!
+//! ```toml
+//! [[part]]
+//! kind = "integer"
+//! key  = "n_half"
+//! ask  = "How many half-cycles does it make?"
+//! ```
+
+use super::{
+    Answer, AnswerError, AnswerKind, Context, Credit, Declare, Feedback, Key, KeyValue, Marker,
+    Marking, Reading, Reason, numeric,
+};
+use crate::expr::Form;
+use crate::math::Math;
+use crate::quantity::{Absent, NodeId};
+use crate::source::{Table, Value};
+use crate::unit::{Decimal, DecimalMark};
+
+/// The kind.
+pub(super) struct Kind;
+
+#[derive(Debug)]
+struct Integer {
+    key: NodeId,
+}
+
+struct Whole {
+    key: f64,
+    mistakes: Vec<(usize, f64, Credit)>,
+    mark: DecimalMark,
+}
+
+impl AnswerKind for Kind {
+    fn name(&self) -> &'static str {
+        "integer"
+    }
+
+    fn minutes(&self) -> u32 {
+        2
+    }
+
+    fn read(
+        &self,
+        part: &crate::source::Table<'_>,
+        declare: &mut dyn Declare,
+    ) -> Option<Box<dyn Answer>> {
+        let text = part
+            .required("key")
+            .and_then(|key| part.as_formula("key", key))?;
+        let key = declare.formula("key", &text)?;
+        let kind = declare.graph().kind(key)?;
+        let is_pure = kind.dimension().is_none_or(|dimension| dimension.is_pure());
+        if kind.form() != Form::REAL || !is_pure {
+            let found = kind.form().to_string();
+            declare.find(
+                &AnswerError::KeyForm {
+                    expected: "a pure number",
+                    found,
+                },
+                &text,
+            );
+            return None;
+        }
+        Some(Box::new(Integer { key }))
+    }
+}
+
+impl Answer for Integer {
+    fn kind(&self) -> &'static dyn AnswerKind {
+        &Kind
+    }
+
+    fn keys(&self) -> Vec<NodeId> {
+        vec![self.key]
+    }
+
+    fn read_mistake(
+        &mut self,
+        _number: usize,
+        answer: &Value,
+        part: &Table<'_>,
+        declare: &mut dyn Declare,
+    ) -> Option<Vec<NodeId>> {
+        let text = part.as_formula("answer", answer)?;
+        Some(vec![declare.formula("mistake", &text)?])
+    }
+
+    fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
+        // A key that is whole but for its rounding is that whole number.
+        let key = context.evaluation.real(self.key)?.round();
+        let numbers = context.mistakes.iter().filter_map(|mistake| {
+            let number = mistake.values.first()?.as_real()?.round();
+            Some((mistake.number, number, mistake.credit))
+        });
+        Ok(Box::new(Whole {
+            key,
+            mistakes: numbers.collect(),
+            mark: context.mark,
+        }))
+    }
+}
+
+impl Marker for Whole {
+    fn key(&self) -> Key {
+        let digits =
+            Decimal::shortest(self.key).map_or_else(|| self.key.to_string(), |key| key.to_string());
+        Key {
+            math: Math::number(digits),
+            accepted: None,
+            value: KeyValue::Numbers {
+                form: Form::REAL,
+                si: vec![self.key],
+            },
+        }
+    }
+
+    fn mark(&self, response: &str) -> Marking {
+        let quantity = match numeric::quantity(response, self.mark) {
+            Ok(quantity) => quantity,
+            Err(help) => return Marking::unreadable(help),
+        };
+        let number = quantity.value.to_f64();
+        let reading = Reading {
+            math: quantity.math(self.mark),
+            text: quantity.to_string(),
+            si: vec![number],
+        };
+        let say = |words: &str| Some(Feedback::Words(words.to_owned()));
+        if !quantity.unit.is_one() {
+            let words = say("A count has no unit.");
+            return Marking::read(reading, Credit::NONE, Reason::Dimension, words);
+        }
+        if !quantity.value.is_integer() {
+            return Marking::read(
+                reading,
+                Credit::NONE,
+                Reason::Other,
+                say("A whole number is asked."),
+            );
+        }
+        if number == self.key {
+            return Marking::read(reading, Credit::FULL, Reason::Matches, None);
+        }
+        let named = self
+            .mistakes
+            .iter()
+            .find(|(_, given, _)| *given == number && *given != self.key);
+        match named {
+            Some((place, _, credit)) => Marking::read(
+                reading,
+                *credit,
+                Reason::Mistake(*place),
+                Some(Feedback::Mistake(*place)),
+            ),
+            None => Marking::read(reading, Credit::NONE, Reason::Other, None),
+        }
+    }
+}

@@ -1,0 +1,428 @@
+//! `interval`: the values of a quantity for which something holds, as one interval or several.
+//!
+//! The student types `mu < 0.35`, `0.15 <= x0 <= 0.45`, `[a, b)`, `]a, b]`, or several of these joined by
+//! `or` or `∪`; ends are numbers with units or formulas. `within` cuts key and response before they are
+//! compared, so that a bound that goes without saying may be left out. Whether the ends belong to the
+//! interval counts, unless `ends = "either"`.
+//!
+//! ```toml
+//! [[part]]
+//! kind     = "interval"
+//! id       = "mu_range"
+//! variable = "mu"
+//! key      = "[mu_min, inf)"
+//! within   = "[0, inf)"
+//! ask      = "For which values of $\\mu$ does the block stay?"
+//! ```
+
+mod read;
+mod set;
+
+use std::sync::Arc;
+
+use self::read::Ends;
+use self::set::{End, Piece, Set};
+use super::matrix::Written;
+use super::meaning::{Meaning, Prefer, lexicon};
+use super::typed::Lexicon;
+use super::{
+    Answer, AnswerError, AnswerKind, Context, Credit, Declare, Feedback, Key, KeyValue, Marker,
+    Marking, Reading, Reason, Role, Tolerance, numeric,
+};
+use crate::expr::{Constant, Expr, Kind as Node, Name, Precise, Type};
+use crate::math::Math;
+use crate::quantity::{Absent, NodeId};
+use crate::source::{Table, Text, Value};
+use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
+
+/// The kind.
+pub(super) struct Kind;
+
+#[derive(Debug)]
+struct Interval {
+    key: Vec<Declared>,
+    within: Option<Declared>,
+    is_strict: bool,
+    tolerance: Tolerance,
+    digits: u32,
+    setup: Arc<Setup>,
+    mistakes: Vec<(usize, Vec<Declared>)>,
+}
+
+/// An interval as it is declared; an end without a node is no bound.
+#[derive(Clone, Debug)]
+struct Declared {
+    ends: [Option<NodeId>; 2],
+    open: [bool; 2],
+}
+
+#[derive(Debug)]
+struct Setup {
+    variable: Name,
+    symbol: Math,
+    unit: Unit,
+    written: Written,
+    meaning: Meaning,
+    lexicon: Lexicon,
+}
+
+/// A prepared key.
+struct Prepared {
+    setup: Arc<Setup>,
+    key: Set,
+    /// Half-widths around the ends of the key, piece by piece.
+    halves: Vec<[f64; 2]>,
+    within: Option<Piece>,
+    is_strict: bool,
+    digits: u32,
+    mistakes: Vec<(usize, Set, Credit)>,
+    /// The inputs of formulas for these data.
+    data: Vec<Precise>,
+    mark: DecimalMark,
+}
+
+impl AnswerKind for Kind {
+    fn name(&self) -> &'static str {
+        "interval"
+    }
+
+    fn minutes(&self) -> u32 {
+        4
+    }
+
+    fn read(&self, part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+        let key = part.required("key").map(|key| texts(part, "key", key));
+        let variable = part.required_text("variable");
+        let within = part.text("within");
+        let (ends, tolerance) = (part.text("ends"), part.text("tolerance"));
+        let written = Written::read(part, declare);
+        let (key, variable) = (key?, variable?);
+        let key = pieces(&key, declare)?;
+        let within = match within {
+            Some(text) => Some(pieces(&[text], declare)?.pop()?),
+            None => None,
+        };
+        let known = declare
+            .known()
+            .into_iter()
+            .find(|own| own.name.as_str() == variable.value);
+        let Some(known) = known else {
+            declare.find(&AnswerError::UnknownName(variable.value.clone()), &variable);
+            return None;
+        };
+        let unit = match known.role {
+            Role::Parameter { node, .. } | Role::Quantity { node, .. } => declare.unit_of(node),
+            _ => None,
+        };
+        let unit = unit.unwrap_or(Unit::ONE);
+        let tolerance = match tolerance {
+            Some(text) => Tolerance::read(&text, &unit, declare)?,
+            None => Tolerance::default(),
+        };
+        let (mut lexicon, _) = lexicon(declare, &[], None);
+        lexicon.allow(&known.name, &known.symbol, false);
+        let setup = Setup {
+            variable: known.name,
+            symbol: known.symbol,
+            unit,
+            written,
+            meaning: Meaning::of(declare, Prefer::Quantities),
+            lexicon,
+        };
+        let digits = key.iter().flat_map(|piece| piece.ends).flatten().next();
+        Some(Box::new(Interval {
+            digits: u32::from(digits.map_or(3, |node| declare.digits_of(node))),
+            key,
+            within,
+            is_strict: ends.is_none_or(|ends| ends.value != "either"),
+            tolerance,
+            setup: Arc::new(setup),
+            mistakes: Vec::new(),
+        }))
+    }
+}
+
+/// One text, or an array of them.
+fn texts(part: &Table<'_>, key: &str, value: &Value) -> Vec<Text> {
+    match &value.data {
+        crate::source::Data::List(items) => items
+            .iter()
+            .filter_map(|item| part.as_text(key, item))
+            .collect(),
+        _ => part.as_text(key, value).into_iter().collect(),
+    }
+}
+
+fn pieces(texts: &[Text], declare: &mut dyn Declare) -> Option<Vec<Declared>> {
+    texts.iter().map(|text| piece(text, declare)).collect()
+}
+
+fn piece(text: &Text, declare: &mut dyn Declare) -> Option<Declared> {
+    let Ok(interval) = crate::expr::Interval::read(&text.value) else {
+        declare.find(&AnswerError::Unread(text.value.clone(), "interval"), text);
+        return None;
+    };
+    let mut end = |expr: &Expr| {
+        if is_infinite(expr) {
+            return Some(None);
+        }
+        let named = match expr.kind() {
+            Node::Name(name) => declare.graph().find(name),
+            _ => None,
+        };
+        named
+            .or_else(|| declare.expr("end", expr.clone(), text))
+            .map(Some)
+    };
+    let ends = [end(&interval.from)?, end(&interval.to)?];
+    Some(Declared {
+        ends,
+        open: interval.open,
+    })
+}
+
+/// Whether it is `inf`, with any sign.
+fn is_infinite(expr: &Expr) -> bool {
+    match expr.kind() {
+        Node::Constant(Constant::Infinity) => true,
+        Node::Negate(inner) => is_infinite(inner),
+        _ => false,
+    }
+}
+
+impl Declared {
+    fn value(&self, context: &Context<'_>) -> Result<Piece, Absent> {
+        let end = |place: usize| -> Result<End, Absent> {
+            let Some(node) = self.ends[place] else {
+                return Ok(End::none(place));
+            };
+            Ok(End {
+                value: context.evaluation.real(node)?,
+                is_open: self.open[place],
+            })
+        };
+        Ok(Piece([end(0)?, end(1)?]))
+    }
+}
+
+impl Answer for Interval {
+    fn kind(&self) -> &'static dyn AnswerKind {
+        &Kind
+    }
+
+    fn keys(&self) -> Vec<NodeId> {
+        self.key
+            .iter()
+            .flat_map(|piece| piece.ends)
+            .flatten()
+            .collect()
+    }
+
+    fn unit(&self) -> Option<Unit> {
+        Some(self.setup.unit).filter(|unit| !unit.is_one())
+    }
+
+    fn keeps_mistakes(&self) -> bool {
+        true
+    }
+
+    fn read_mistake(
+        &mut self,
+        number: usize,
+        answer: &Value,
+        part: &Table<'_>,
+        declare: &mut dyn Declare,
+    ) -> Option<Vec<NodeId>> {
+        let declared = pieces(&texts(part, "answer", answer), declare)?;
+        self.mistakes.push((number, declared));
+        Some(Vec::new())
+    }
+
+    fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
+        let evaluation = context.evaluation;
+        let within = self
+            .within
+            .as_ref()
+            .map(|within| within.value(context))
+            .transpose()?;
+        let set = |pieces: &[Declared]| -> Result<Set, Absent> {
+            let pieces = pieces.iter().map(|piece| piece.value(context));
+            Ok(Set::of(pieces.collect::<Result<_, _>>()?).cut(within.as_ref()))
+        };
+        let key = set(&self.key)?;
+        // An end that comes from the key has the tolerance of its formula; one that comes from elsewhere is exact.
+        let half = |value: f64| {
+            let node = self
+                .keys()
+                .into_iter()
+                .find(|node| evaluation.real(*node) == Ok(value));
+            node.map_or(0.0, |node| {
+                let spread = || evaluation.spread(node).first().copied().unwrap_or(0.0);
+                self.tolerance
+                    .half_width(value, spread, self.digits, evaluation)
+            })
+        };
+        let halves = key
+            .0
+            .iter()
+            .map(|piece| [half(piece.0[0].value), half(piece.0[1].value)])
+            .collect();
+        let mut mistakes = Vec::new();
+        for mistaken in &context.mistakes {
+            let own = self
+                .mistakes
+                .iter()
+                .find(|(number, _)| *number == mistaken.number);
+            if let Some(Ok(given)) = own.map(|(_, pieces)| set(pieces)) {
+                mistakes.push((mistaken.number, given, mistaken.credit));
+            }
+        }
+        Ok(Box::new(Prepared {
+            setup: Arc::clone(&self.setup),
+            key,
+            halves,
+            within,
+            is_strict: self.is_strict,
+            digits: self.digits,
+            mistakes,
+            data: self.setup.meaning.data(evaluation),
+            mark: context.mark,
+        }))
+    }
+}
+
+impl Prepared {
+    fn accepts(key: &Set, halves: &[[f64; 2]], typed: &Set) -> bool {
+        key.0.len() == typed.0.len()
+            && key
+                .0
+                .iter()
+                .zip(&typed.0)
+                .zip(halves)
+                .all(|((key, typed), halves)| {
+                    (0..2).all(|place| key.0[place].is_near(&typed.0[place], halves[place]))
+                })
+    }
+
+    /// Whether the ends are as open as those of the key.
+    fn has_right_ends(&self, typed: &Set) -> bool {
+        !self.is_strict || self.key.has_ends_of(typed)
+    }
+
+    fn named(&self, typed: &Set) -> Option<&(usize, Set, Credit)> {
+        self.mistakes.iter().find(|(_, given, _)| {
+            let halves: Vec<[f64; 2]> = given
+                .0
+                .iter()
+                .map(|piece| [0, 1].map(|place| 0.01 * piece.0[place].size()))
+                .collect();
+            let is_open_alike = given.has_ends_of(typed) || !self.is_strict;
+            Self::accepts(given, &halves, typed) && (is_open_alike || !self.is_key(given))
+        })
+    }
+
+    /// Whether a set differs from the key by its ends at most.
+    fn is_key(&self, given: &Set) -> bool {
+        Self::accepts(&self.key, &self.halves, given)
+    }
+
+    /// A set, as inequalities or intervals.
+    fn typeset(&self, set: &Set) -> (Math, String) {
+        let unit = self.setup.unit;
+        let number = |end: &End| {
+            let value = unit.of_si(end.value);
+            match Decimal::rounded(value, self.digits + 2) {
+                Some(_) if value == 0.0 => Quantity::new(Decimal::ZERO, Unit::ONE),
+                Some(decimal) => {
+                    let shortest = Decimal::shortest(decimal.to_f64()).unwrap_or(decimal);
+                    Quantity::new(shortest, unit)
+                }
+                None => Quantity::new(Decimal::ZERO, Unit::ONE),
+            }
+        };
+        set.typeset(
+            &self.setup.symbol,
+            self.setup.variable.as_str(),
+            self.mark,
+            &number,
+        )
+    }
+}
+
+impl Marker for Prepared {
+    fn key(&self) -> Key {
+        let (math, text) = self.typeset(&self.key);
+        let pieces = self.key.0.iter();
+        Key {
+            math,
+            accepted: None,
+            value: KeyValue::Intervals {
+                pieces: pieces
+                    .map(|piece| {
+                        let ends = piece.0;
+                        let bound = |end: End| end.value.is_finite().then_some(end.value);
+                        (
+                            [bound(ends[0]), bound(ends[1])],
+                            [ends[0].is_open, ends[1].is_open],
+                        )
+                    })
+                    .collect(),
+                text,
+            },
+        }
+    }
+
+    fn mark(&self, response: &str) -> Marking {
+        let ends = Ends {
+            setup: &self.setup,
+            data: &self.data,
+            mark: self.mark,
+        };
+        let typed = match ends.read(response) {
+            Ok(set) => set.cut(self.within.as_ref()),
+            Err(words) => return Marking::unreadable(words),
+        };
+        let (math, text) = self.typeset(&typed);
+        let reading = Reading {
+            math,
+            text,
+            si: Vec::new(),
+        };
+        let fits = self.is_key(&typed);
+        if fits && self.has_right_ends(&typed) {
+            return Marking::read(reading, Credit::FULL, Reason::Matches, None);
+        }
+        if let Some((number, _, credit)) = self.named(&typed) {
+            let feedback = Some(Feedback::Mistake(*number));
+            return Marking::read(reading, *credit, Reason::Mistake(*number), feedback);
+        }
+        let words = if fits {
+            Some("The bounds are right; look again at which of them belong to the interval.")
+        } else if typed.0.len() != self.key.0.len() {
+            Some("Look again at how many intervals there are.")
+        } else {
+            None
+        };
+        let reason = if fits { Reason::Near } else { Reason::Other };
+        Marking::read(
+            reading,
+            Credit::NONE,
+            reason,
+            words.map(|words| Feedback::Words(words.to_owned())),
+        )
+    }
+}
+
+/// The quantity that a side of an inequality is.
+fn quantity(text: &str, unit: &Unit, mark: DecimalMark) -> Option<f64> {
+    let quantity = numeric::quantity(text, mark).ok()?;
+    if quantity.unit.is_one() {
+        return Some(Quantity::new(quantity.value, *unit).si());
+    }
+    quantity.si_for(unit).ok()
+}
+
+/// The type of what is compared.
+fn compared(setup: &Setup) -> Type {
+    Type::real(setup.unit.dimension())
+}

@@ -1,0 +1,202 @@
+//! Sets of numbers made of intervals.
+
+use std::fmt::Write as _;
+
+use crate::math::Math;
+use crate::unit::{DecimalMark, Quantity};
+
+/// An end of an interval, in SI units; infinite where there is no bound.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct End {
+    pub(super) value: f64,
+    pub(super) is_open: bool,
+}
+
+/// An interval by its lower and upper end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Piece(pub(super) [End; 2]);
+
+/// Intervals without common points, ascending.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Set(pub(super) Vec<Piece>);
+
+impl End {
+    /// No bound below (0) or above (1).
+    pub(super) fn none(place: usize) -> Self {
+        let value = if place == 0 {
+            f64::NEG_INFINITY
+        } else {
+            f64::INFINITY
+        };
+        Self {
+            value,
+            is_open: true,
+        }
+    }
+
+    /// Its distance from zero; 0 for none.
+    pub(super) fn size(&self) -> f64 {
+        if self.value.is_finite() {
+            self.value.abs()
+        } else {
+            0.0
+        }
+    }
+
+    /// Whether both are none, or lie within a half-width.
+    pub(super) fn is_near(&self, other: &Self, half: f64) -> bool {
+        if !self.value.is_finite() || !other.value.is_finite() {
+            return self.value == other.value;
+        }
+        (self.value - other.value).abs() <= half + 1e-12 * self.value.abs()
+    }
+}
+
+impl Piece {
+    /// What both have in common, if that is more than nothing.
+    fn common(&self, other: &Self) -> Option<Self> {
+        let tighter = |a: End, b: End, is_lower: bool| {
+            if a.value == b.value {
+                return End {
+                    value: a.value,
+                    is_open: a.is_open || b.is_open,
+                };
+            }
+            if (a.value > b.value) == is_lower {
+                a
+            } else {
+                b
+            }
+        };
+        let low = tighter(self.0[0], other.0[0], true);
+        let high = tighter(self.0[1], other.0[1], false);
+        let is_something =
+            low.value < high.value || low.value == high.value && !low.is_open && !high.is_open;
+        is_something.then_some(Self([low, high]))
+    }
+
+    /// Whether the union with a piece that begins later has no gap.
+    fn touches(&self, later: &Self) -> bool {
+        let (end, start) = (self.0[1], later.0[0]);
+        start.value < end.value || start.value == end.value && !(start.is_open && end.is_open)
+    }
+}
+
+impl Set {
+    /// The union of intervals.
+    pub(super) fn of(mut pieces: Vec<Piece>) -> Self {
+        pieces.retain(|piece| piece.common(piece).is_some());
+        pieces.sort_by(|a, b| {
+            a.0[0]
+                .value
+                .total_cmp(&b.0[0].value)
+                .then(a.0[0].is_open.cmp(&b.0[0].is_open))
+        });
+        let mut joined: Vec<Piece> = Vec::new();
+        for piece in pieces {
+            match joined.last_mut() {
+                Some(last) if last.touches(&piece) => {
+                    let (own, other) = (last.0[1], piece.0[1]);
+                    let is_further =
+                        other.value > own.value || other.value == own.value && !other.is_open;
+                    if is_further {
+                        last.0[1] = other;
+                    }
+                }
+                _ => joined.push(piece),
+            }
+        }
+        Self(joined)
+    }
+
+    /// What lies within an interval.
+    pub(super) fn cut(self, within: Option<&Piece>) -> Self {
+        match within {
+            None => self,
+            Some(within) => Self(
+                self.0
+                    .iter()
+                    .filter_map(|piece| piece.common(within))
+                    .collect(),
+            ),
+        }
+    }
+
+    /// What both have in common.
+    pub(super) fn common(&self, other: &Self) -> Self {
+        let pairs = self
+            .0
+            .iter()
+            .flat_map(|a| other.0.iter().filter_map(|b| a.common(b)));
+        Self::of(pairs.collect())
+    }
+
+    /// Whether the ends of both are open alike.
+    pub(super) fn has_ends_of(&self, other: &Self) -> bool {
+        let open = |set: &Self| -> Vec<[bool; 2]> {
+            set.0
+                .iter()
+                .map(|piece| piece.0.map(|end| end.is_open))
+                .collect()
+        };
+        open(self) == open(other)
+    }
+
+    /// As inequalities, typeset and as text.
+    pub(super) fn typeset(
+        &self,
+        symbol: &Math,
+        name: &str,
+        mark: DecimalMark,
+        number: &dyn Fn(&End) -> Quantity,
+    ) -> (Math, String) {
+        let (mut row, mut text) = (Vec::new(), String::new());
+        if self.0.is_empty() {
+            return (Math::text("no value"), "none".to_owned());
+        }
+        for Piece([low, high]) in &self.0 {
+            if !row.is_empty() {
+                row.push(Math::text(" or "));
+                text.push_str(" or ");
+            }
+            if low.value.is_finite() {
+                let quantity = number(low);
+                let (sign, plain) = if low.is_open {
+                    ("<", "<")
+                } else {
+                    ("≤", "<=")
+                };
+                // One bound stands behind the symbol, two around it.
+                if high.value.is_finite() {
+                    row.extend([quantity.math(mark), Math::relation(sign)]);
+                    let _ = write!(text, "{quantity} {plain} ");
+                } else {
+                    let (sign, plain) = if low.is_open {
+                        (">", ">")
+                    } else {
+                        ("≥", ">=")
+                    };
+                    row.extend([symbol.clone(), Math::relation(sign), quantity.math(mark)]);
+                    let _ = write!(text, "{name} {plain} {quantity}");
+                    continue;
+                }
+            }
+            row.push(symbol.clone());
+            text.push_str(name);
+            if high.value.is_finite() {
+                let quantity = number(high);
+                let (sign, plain) = if high.is_open {
+                    ("<", "<")
+                } else {
+                    ("≤", "<=")
+                };
+                row.extend([Math::relation(sign), quantity.math(mark)]);
+                let _ = write!(text, " {plain} {quantity}");
+            } else {
+                row.push(Math::text(" any"));
+                text.push_str(" any");
+            }
+        }
+        (Math::row(row), text)
+    }
+}

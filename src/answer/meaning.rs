@@ -1,0 +1,295 @@
+//! What the names of an answer stand for: data, free symbols, and formulas in these.
+
+use std::collections::BTreeMap;
+
+use super::typed::Lexicon;
+use super::{Declare, Known, Role};
+use crate::expr::{
+    Binder, Binding, CompileError, Expr, Form, Name, Precise, Program, Scope, Substitution, Type,
+    Variable,
+};
+use crate::quantity::{Evaluation, NodeId};
+use crate::source::Text;
+
+/// The names of an item as the answers of a part use them, down to what varies freely.
+#[derive(Debug)]
+pub(super) struct Meaning {
+    pub(super) inputs: Vec<Input>,
+    formulas: BTreeMap<Name, (Expr, Type)>,
+}
+
+/// A name that varies freely.
+#[derive(Clone, Debug)]
+pub(super) struct Input {
+    pub(super) name: Name,
+    kind: Type,
+    /// Where its value for an instance is to be had.
+    node: Option<NodeId>,
+    pub(super) is_signed: bool,
+    /// Whether its time derivatives vary freely, too.
+    pub(super) is_moving: bool,
+}
+
+/// A name and its time derivatives take this many slots.
+pub(super) const ORDERS: usize = 4;
+
+/// Which of two things of one name an answer speaks of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Prefer {
+    /// The quantity, as everywhere but in equations.
+    Quantities,
+    /// The coordinate, as in equations.
+    Coordinates,
+}
+
+impl Meaning {
+    /// The names of an item.
+    pub(super) fn of(declare: &dyn Declare, prefer: Prefer) -> Self {
+        let known = declare.known();
+        let mut meaning = Self {
+            inputs: Vec::new(),
+            formulas: BTreeMap::new(),
+        };
+        let is_named_twice = |own: &Known| {
+            known
+                .iter()
+                .any(|other| other.name == own.name && is_free(other.role) != is_free(own.role))
+        };
+        for own in &known {
+            let is_hidden =
+                is_named_twice(own) && is_free(own.role) == (prefer == Prefer::Quantities);
+            if !is_hidden {
+                meaning.add(own, declare);
+            }
+        }
+        if !meaning
+            .inputs
+            .iter()
+            .any(|input| input.name.as_str() == "t")
+        {
+            meaning.inputs.push(Input {
+                name: Name::new("t"),
+                kind: Type::real(crate::unit::Dimension::TIME),
+                node: None,
+                is_signed: false,
+                is_moving: false,
+            });
+        }
+        meaning
+    }
+
+    fn add(&mut self, own: &Known, declare: &dyn Declare) {
+        let input = |node, is_signed, is_moving| Input {
+            name: own.name.clone(),
+            kind: own.kind.clone(),
+            node,
+            is_signed,
+            is_moving,
+        };
+        match own.role {
+            Role::Parameter { node, is_signed } => {
+                self.inputs.push(input(Some(node), is_signed, false));
+            }
+            Role::Symbol => self.inputs.push(input(None, true, false)),
+            Role::Coordinate => self.inputs.push(input(None, true, true)),
+            Role::Quantity { node, .. } => {
+                let formula = super::symbolic::formula(declare.graph(), node);
+                if formula.names().paths.is_empty() {
+                    self.formulas
+                        .insert(own.name.clone(), (formula, own.kind.clone()));
+                } else if own.kind.form() == Form::REAL {
+                    // What a model computes is taken as it is.
+                    self.inputs.push(input(Some(node), true, false));
+                }
+            }
+        }
+    }
+
+    /// Adds a letter of no dimension that varies freely.
+    pub(super) fn add_free(&mut self, name: &Name) {
+        self.inputs.push(Input {
+            name: name.clone(),
+            kind: Type::real(None),
+            node: None,
+            is_signed: true,
+            is_moving: false,
+        });
+    }
+
+    /// Lets the time derivatives of a name vary freely, too; one that is a quantity varies from now on.
+    pub(super) fn set_moving(&mut self, name: &Name) {
+        if let Some((_, kind)) = self.formulas.remove(name) {
+            self.inputs.push(Input {
+                name: name.clone(),
+                kind,
+                node: None,
+                is_signed: true,
+                is_moving: true,
+            });
+        }
+        if let Some(input) = self.inputs.iter_mut().find(|input| input.name == *name) {
+            input.is_moving = true;
+            input.node = None;
+            input.is_signed = true;
+        }
+    }
+
+    /// A point with the data of another.
+    pub(super) fn with_data(&self, mut point: Vec<Precise>, data: &[Precise]) -> Vec<Precise> {
+        for (place, input) in self.inputs.iter().enumerate() {
+            if input.node.is_some() {
+                point[place * ORDERS] = data[place * ORDERS];
+            }
+        }
+        point
+    }
+
+    /// Compiles a formula; `replaced` stand in for names.
+    pub(super) fn compile(
+        &self,
+        expr: &Expr,
+        replaced: &BTreeMap<Name, Expr>,
+    ) -> Result<Program, CompileError> {
+        Program::compile(
+            expr,
+            &Bound {
+                meaning: self,
+                replaced,
+            },
+        )
+    }
+
+    /// The place of a name among the inputs.
+    pub(super) fn place(&self, name: &Name) -> Option<usize> {
+        self.inputs.iter().position(|input| input.name == *name)
+    }
+
+    /// The value of an input for an instance, if it has one.
+    pub(super) fn value(&self, place: usize, evaluation: &Evaluation<'_>) -> Option<f64> {
+        evaluation.real(self.inputs[place].node?).ok()
+    }
+
+    /// The inputs for an instance; what has no value there is zero.
+    pub(super) fn data(&self, evaluation: &Evaluation<'_>) -> Vec<Precise> {
+        let mut data = vec![Precise::exact(0.0); self.inputs.len() * ORDERS];
+        for place in 0..self.inputs.len() {
+            if let Some(value) = self.value(place, evaluation) {
+                data[place * ORDERS] = Precise::exact(value);
+            }
+        }
+        data
+    }
+
+    /// A formula with all names put in that an answer may not use.
+    pub(super) fn expanded(&self, expr: &Expr, keep: &[Name]) -> Expr {
+        const MOST_STEPS: usize = 20;
+        let mut result = expr.clone();
+        for _ in 0..MOST_STEPS {
+            let mut put = Substitution::new();
+            let mut is_done = true;
+            for variable in result.names().free {
+                if keep.contains(&variable.name) {
+                    continue;
+                }
+                if let Some((formula, _)) = self.formulas.get(&variable.name) {
+                    put = put.with(variable.name, formula.clone());
+                    is_done = false;
+                }
+            }
+            match put.apply(&result) {
+                Ok(next) if !is_done => result = next,
+                _ => break,
+            }
+        }
+        result
+    }
+}
+
+fn is_free(role: Role) -> bool {
+    matches!(role, Role::Symbol | Role::Coordinate)
+}
+
+struct Bound<'a> {
+    meaning: &'a Meaning,
+    replaced: &'a BTreeMap<Name, Expr>,
+}
+
+impl Binder for Bound<'_> {
+    fn name(&self, variable: &Variable, _local: &[Name]) -> Option<Binding> {
+        let order = usize::from(variable.order);
+        if let Some(expr) = self.replaced.get(&variable.name) {
+            return (order == 0).then(|| Binding::Formula(expr.clone()));
+        }
+        let plain = super::symbolic::original(&variable.name);
+        let name = plain.as_ref().unwrap_or(&variable.name);
+        if let Some(place) = self.meaning.place(name) {
+            let input = &self.meaning.inputs[place];
+            let is_slot = order == 0 || input.is_moving && order < ORDERS;
+            return is_slot.then_some(Binding::Input {
+                slot: (place * ORDERS + order) as u32,
+                form: Form::REAL,
+            });
+        }
+        let (expr, _) = self.meaning.formulas.get(name)?;
+        (order == 0).then(|| Binding::Formula(expr.clone()))
+    }
+}
+
+impl Scope for Meaning {
+    fn name(&self, name: &Name) -> Option<Type> {
+        match self.place(name) {
+            Some(place) => Some(self.inputs[place].kind.clone()),
+            None => self.formulas.get(name).map(|(_, kind)| kind.clone()),
+        }
+    }
+
+    fn is_moving(&self, name: &Name) -> bool {
+        self.place(name)
+            .is_none_or(|place| self.inputs[place].is_moving)
+    }
+
+    fn known(&self) -> Vec<String> {
+        let inputs = self.inputs.iter().map(|input| input.name.to_string());
+        inputs
+            .chain(self.formulas.keys().map(ToString::to_string))
+            .collect()
+    }
+}
+
+/// The names that the answers of a part may use: those that `in` lists, else all data, symbols, coordinates
+/// and what earlier parts ask for; never the key itself unless it is listed.
+pub(super) fn lexicon(
+    declare: &dyn Declare,
+    listed: &[Text],
+    key: Option<&Name>,
+) -> (Lexicon, Vec<Name>) {
+    let (mut lexicon, mut names) = (Lexicon::new(), Vec::new());
+    let known = declare.known();
+    for own in &known {
+        let may = if listed.is_empty() {
+            let is_key = key == Some(&own.name);
+            match own.role {
+                Role::Quantity { is_asked, .. } => is_asked && !is_key,
+                _ => !is_key,
+            }
+        } else {
+            listed.iter().any(|text| text.value == own.name.as_str())
+        };
+        if may && !names.contains(&own.name) {
+            let is_moving = match own.role {
+                Role::Coordinate => true,
+                Role::Quantity { node, .. } => declare.graph().depends(node, &Name::new("t")),
+                _ => false,
+            };
+            lexicon.allow(&own.name, &own.symbol, is_moving);
+            names.push(own.name.clone());
+        }
+    }
+    for own in known.iter().filter(|own| !names.contains(&own.name)) {
+        lexicon.forbid(&own.name);
+    }
+    for own in &known {
+        lexicon.set_symbol(&own.name, own.symbol.clone());
+    }
+    (lexicon, names)
+}

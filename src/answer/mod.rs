@@ -1,0 +1,155 @@
+//! Answer kinds: what a part asks for, how a response to it is read and how it is marked.
+//!
+//! Each kind is one file with one [`AnswerKind`], listed in [`KINDS`]. Reading an item asks the kind
+//! for an [`Answer`]: what this part asks for, whatever the data. With the values of an instance the
+//! answer is prepared into a [`Marker`], which knows the key, the tolerance and the named mistakes,
+//! and marks any number of responses.
+//!
+//! A response that cannot be read is not a wrong one: it is [`Verdict::Unreadable`], with a message
+//! that says where and what to type instead.
+
+mod choice;
+mod declare;
+mod equality;
+mod equation;
+mod error;
+mod formula;
+mod function;
+mod integer;
+mod interval;
+mod marking;
+mod matrix;
+mod meaning;
+mod mode_shape;
+mod numeric;
+mod symbolic;
+mod tolerance;
+mod typed;
+
+pub use declare::{Context, Declare, Known, Mistaken, Role};
+pub use error::AnswerError;
+pub use marking::{Credit, Feedback, Key, KeyValue, Marking, Reading, Reason, Verdict};
+pub use tolerance::Tolerance;
+
+use crate::document::Document;
+use crate::numerics::Complex;
+use crate::quantity::{Absent, NodeId};
+use crate::source::{Table, Value};
+use crate::unit::Unit;
+
+/// A kind of answer: one file, one line in [`KINDS`].
+pub trait AnswerKind: Sync {
+    /// Its name in item files.
+    fn name(&self) -> &'static str;
+
+    /// The minutes that a part of this kind takes, if the item does not say.
+    fn minutes(&self) -> u32;
+
+    /// Reads the keys of a part that belong to this kind; what is wrong is noted.
+    fn read(&self, part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>>;
+}
+
+/// What a part asks for, whatever the data.
+pub trait Answer: std::fmt::Debug + Send + Sync {
+    /// Its kind.
+    fn kind(&self) -> &'static dyn AnswerKind;
+
+    /// The formulas of the key: what the scene of a key demands, and what a mistake may replace.
+    fn keys(&self) -> Vec<NodeId>;
+
+    /// The unit that is printed behind the blank.
+    fn unit(&self) -> Option<Unit> {
+        None
+    }
+
+    /// The options of a choice, in the order of the file.
+    fn options(&self) -> &[Choosable] {
+        &[]
+    }
+
+    /// Whether the options are shuffled.
+    fn shuffles(&self) -> bool {
+        false
+    }
+
+    /// Whether named mistakes are formulas that the answer keeps, by their number; otherwise they are values.
+    fn keeps_mistakes(&self) -> bool {
+        false
+    }
+
+    /// Reads the answer of the named mistake of this number, written as a response of this kind in formulas.
+    /// What is returned is computed for an instance; what the answer keeps for itself is not.
+    fn read_mistake(
+        &mut self,
+        number: usize,
+        answer: &Value,
+        part: &Table<'_>,
+        declare: &mut dyn Declare,
+    ) -> Option<Vec<NodeId>>;
+
+    /// The key for these data, with what marking needs.
+    ///
+    /// # Errors
+    ///
+    /// Why the key does not exist for these data.
+    fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent>;
+}
+
+/// A key with its tolerance and named mistakes: marks responses.
+pub trait Marker: Send + Sync {
+    /// The key as it is printed and as programs get it.
+    fn key(&self) -> Key;
+
+    /// Marks a response that is not empty.
+    fn mark(&self, response: &str) -> Marking;
+
+    /// The least distance of a named mistake from the key, in tolerances; `None` without a mistake that differs.
+    fn clearance(&self) -> Option<f64> {
+        None
+    }
+}
+
+/// An option of a choice.
+#[derive(Clone, Debug)]
+pub struct Choosable {
+    /// Its identity.
+    pub id: String,
+    /// Its text.
+    pub text: Document,
+}
+
+/// The complex number in SI units that a text is, as a response would be read; without a unit it is in `unit`.
+///
+/// ```
+/// use vibank::answer::complex_number;
+/// use vibank::unit::Unit;
+///
+/// let ohm = Unit::parse("ohm").unwrap();
+/// let impedance = complex_number("3 - 4i kohm", &ohm).unwrap();
+/// assert_eq!((impedance.re, impedance.im), (3000.0, -4000.0));
+/// assert!(complex_number("3 - 4i V", &ohm).is_none());
+/// ```
+pub fn complex_number(text: &str, unit: &Unit) -> Option<Complex> {
+    let (value, stated) = numeric::complex_number(text)?;
+    let stated = stated.unwrap_or(*unit);
+    let fits = stated.dimension() == unit.dimension();
+    fits.then(|| Complex::new(stated.to_si(value.re), stated.to_si(value.im)))
+}
+
+/// All kinds.
+pub static KINDS: &[&dyn AnswerKind] = &[
+    &numeric::Kind,
+    &integer::Kind,
+    &formula::Kind,
+    &matrix::Kind,
+    &interval::Kind,
+    &function::Kind,
+    &equation::Kind,
+    &mode_shape::Kind,
+    &choice::Kind,
+];
+
+/// The kind of this name.
+pub fn kind(name: &str) -> Option<&'static dyn AnswerKind> {
+    KINDS.iter().copied().find(|kind| kind.name() == name)
+}

@@ -1,0 +1,326 @@
+//! Complex numbers as people type them, and how they are marked: `3 - 4i ohm`, `-100j ohm`, `5 ohm at -53 deg`, `5∠-53°`.
+
+use super::super::typed::{self, Lexicon, Manner, cut};
+use super::super::{Credit, Feedback, Key, KeyValue, Marker, Marking, Mistaken, Reading, Reason};
+use super::read;
+use crate::expr::{Expr, Form, Kind, Precise, Program, Slots, Workspace};
+use crate::math::Math;
+use crate::numerics::Complex;
+use crate::source::Span;
+use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
+
+/// Longest complex number that is read, in bytes.
+const LONGEST: usize = 200;
+
+const HELP: &str =
+    "Type a complex number and its unit, for example `3 - 4i ohm` or `5 ohm at -53 deg`.";
+
+/// A complex number that is right, and how far from it is right, too.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Target {
+    pub(super) value: Complex,
+    pub(super) bound: f64,
+    pub(super) half: f64,
+}
+
+/// A prepared key.
+pub(super) struct Numbers {
+    pub(super) unit: Unit,
+    pub(super) form: Form,
+    pub(super) digits: u32,
+    pub(super) mark: DecimalMark,
+    pub(super) targets: Vec<Target>,
+    pub(super) mistakes: Vec<Mistaken>,
+    pub(super) is_list: bool,
+    pub(super) is_ordered: bool,
+}
+
+/// A typed number in SI units; without a unit that of the answer was taken.
+struct Typed {
+    value: Complex,
+    math: Math,
+    text: String,
+}
+
+impl Target {
+    fn accepts(&self, typed: Complex) -> bool {
+        let slack = self.bound + 4.0 * f64::EPSILON * self.value.abs();
+        (typed - self.value).abs() <= self.half + slack
+    }
+}
+
+/// The complex number that a text is, before its unit; the unit, where one is written.
+fn number(text: &str, mark: DecimalMark) -> Result<(Complex, Option<Unit>, Expr), String> {
+    let polar = ["∠", " at ", "\\angle"]
+        .iter()
+        .find_map(|sign| text.split_once(sign));
+    if let Some((modulus, angle)) = polar {
+        return of_polar(modulus, angle, mark);
+    }
+    let text = text.trim();
+    if let Some((value, expr)) = cartesian(text) {
+        return Ok((value, None, expr));
+    }
+    let cuts = text.char_indices().map(|(at, _)| at).filter(|at| *at > 0);
+    for at in cuts.collect::<Vec<_>>().into_iter().rev() {
+        let (left, right) = text.split_at(at);
+        if let (Ok(unit), Some((value, expr))) = (Unit::read(right.trim()), cartesian(left.trim()))
+        {
+            return Ok((value, Some(unit), expr));
+        }
+    }
+    Err(HELP.to_owned())
+}
+
+/// The complex number and the unit that a text is, as a response would be read.
+pub(in crate::answer) fn complex_number(text: &str) -> Option<(Complex, Option<Unit>)> {
+    let is_short = text.len() <= LONGEST;
+    let (value, unit, _) = number(text, DecimalMark::Point).ok().filter(|_| is_short)?;
+    Some((value, unit))
+}
+
+fn cartesian(text: &str) -> Option<(Complex, Expr)> {
+    let manner = Manner {
+        comma_is_decimal: true,
+        has_imaginary_unit: true,
+    };
+    let expr = typed::formula(text, &Lexicon::new(), manner).ok()?.value;
+    let program = Program::compile(&expr, &Slots(&[])).ok()?;
+    let none: [Precise; 0] = [];
+    let value = program.evaluate(&none, &mut Workspace::default()).ok()?;
+    Some((value.as_complex()?, expr))
+}
+
+/// Modulus and angle; the unit stands behind either.
+fn of_polar(
+    modulus: &str,
+    angle: &str,
+    mark: DecimalMark,
+) -> Result<(Complex, Option<Unit>, Expr), String> {
+    let (angle, behind) = match angle.find('°') {
+        Some(at) => angle.split_at(at + '°'.len_utf8()),
+        None => (angle, ""),
+    };
+    let modulus = read::quantity(&format!("{} {}", modulus.trim(), behind.trim()), mark)?;
+    let angle = read::quantity(angle, mark)?;
+    let radian = Unit::parse("rad").unwrap_or(Unit::ONE);
+    let radians = angle
+        .si_for(&radian)
+        .map_err(|_| "An angle is in degrees or radians.".to_owned())?;
+    let unit = Some(modulus.unit).filter(|unit| !unit.is_one());
+    let value = Complex::from_polar(modulus.value.to_f64(), radians);
+    let number = |decimal: &Decimal| {
+        crate::numerics::Rational::from_decimal(&decimal.to_string())
+            .map_or_else(|| Expr::number(0), Expr::number)
+    };
+    let imaginary = Expr::constant(crate::expr::Constant::ImaginaryUnit);
+    let angle = if angle.unit.is_one() {
+        number(&angle.value)
+    } else {
+        crate::numerics::Rational::from_decimal(&angle.value.to_string()).map_or_else(
+            || Expr::number(0),
+            |value| Expr::derived(Kind::Measure(value, Box::new(angle.unit))),
+        )
+    };
+    let power = Expr::constant(crate::expr::Constant::E).power(imaginary * angle);
+    Ok((value, unit, number(&modulus.value) * power))
+}
+
+impl Numbers {
+    fn read(&self, text: &str) -> Result<Typed, Box<Marking>> {
+        let (value, stated, expr) =
+            number(text, self.mark).map_err(|words| Box::new(Marking::unreadable(words)))?;
+        let unit = stated.unwrap_or(self.unit);
+        let formula = expr.typeset(&crate::expr::PlainNotation);
+        let (math, text) = if unit.is_one() {
+            (formula, expr.to_string())
+        } else {
+            let math = Math::row([formula.fenced("(", ")"), Math::thin_space(), unit.math()]);
+            (math, format!("({expr}) {}", unit.text()))
+        };
+        if unit.dimension() != self.unit.dimension() {
+            let reading = Reading {
+                math,
+                text,
+                si: Vec::new(),
+            };
+            let words = format!("The unit has to be that of {}.", self.unit.text());
+            let words = Some(Feedback::Words(words));
+            return Err(Box::new(Marking::read(
+                reading,
+                Credit::NONE,
+                Reason::Dimension,
+                words,
+            )));
+        }
+        let value = Complex::new(unit.to_si(value.re), unit.to_si(value.im));
+        Ok(Typed { value, math, text })
+    }
+
+    fn accepted(&self, keys: &[Target], typed: &[Complex]) -> usize {
+        if self.is_ordered {
+            return keys
+                .iter()
+                .zip(typed)
+                .filter(|(key, typed)| key.accepts(**typed))
+                .count();
+        }
+        let mut free: Vec<Complex> = typed.to_vec();
+        let mut count = 0;
+        for key in keys {
+            // The nearest one: targets are far apart where a list makes sense.
+            let nearest = (0..free.len()).min_by(|a, b| {
+                (free[*a] - key.value)
+                    .abs()
+                    .total_cmp(&(free[*b] - key.value).abs())
+            });
+            if let Some(place) = nearest.filter(|place| key.accepts(free[*place])) {
+                free.swap_remove(place);
+                count += 1;
+            }
+        }
+        count
+    }
+
+    fn printed(&self, value: Complex) -> Math {
+        let (re, im) = (self.unit.of_si(value.re), self.unit.of_si(value.im));
+        let set = |part: f64| match Decimal::rounded(part, self.digits) {
+            Some(decimal) => Quantity::new(decimal, Unit::ONE).math(self.mark),
+            None => Math::text("out of range"),
+        };
+        let sign = if im < 0.0 { "−" } else { "+" };
+        let sum = Math::row([
+            set(re),
+            Math::binary(sign),
+            set(im.abs()),
+            Math::upright("i"),
+        ]);
+        if self.unit.is_one() {
+            return sum;
+        }
+        Math::row([sum.fenced("(", ")"), Math::thin_space(), self.unit.math()])
+    }
+}
+
+impl Marker for Numbers {
+    fn key(&self) -> Key {
+        let mut row = Vec::new();
+        for target in &self.targets {
+            if !row.is_empty() {
+                row.push(Math::punctuation(";"));
+            }
+            row.push(self.printed(target.value));
+        }
+        Key {
+            math: Math::row(row),
+            accepted: None,
+            value: KeyValue::Numbers {
+                form: self.form,
+                si: self
+                    .targets
+                    .iter()
+                    .flat_map(|target| [target.value.re, target.value.im])
+                    .collect(),
+            },
+        }
+    }
+
+    fn mark(&self, response: &str) -> Marking {
+        if response.len() > LONGEST {
+            return Marking::unreadable("This is too long to be read.");
+        }
+        let start = response.rfind('=').map_or(0, |at| at + 1);
+        let all = Span::new(start, response.len());
+        let places = match (self.is_list, response.contains(';')) {
+            (false, _) => vec![all],
+            (true, true) => cut(response, all, &[';']),
+            (true, false) => cut(response, all, &[',']),
+        };
+        let mut items = Vec::new();
+        for place in places {
+            match self.read(&response[place.range()]) {
+                Ok(typed) => items.push(typed),
+                Err(marking) => return *marking,
+            }
+        }
+        let values: Vec<Complex> = items.iter().map(|item| item.value).collect();
+        let mut row = Vec::new();
+        for item in &items {
+            if !row.is_empty() {
+                row.push(Math::punctuation(";"));
+            }
+            row.push(item.math.clone());
+        }
+        let reading = Reading {
+            math: Math::row(row),
+            text: items
+                .iter()
+                .map(|item| item.text.as_str())
+                .collect::<Vec<_>>()
+                .join("; "),
+            si: values
+                .iter()
+                .flat_map(|value| [value.re, value.im])
+                .collect(),
+        };
+        let found = self.accepted(&self.targets, &values);
+        if found == self.targets.len() && values.len() == found {
+            return Marking::read(reading, Credit::FULL, Reason::Matches, None);
+        }
+        for mistaken in &self.mistakes {
+            let Some(value) = mistaken.values.first() else {
+                continue;
+            };
+            let given: Vec<Target> = (0..value.shape().len())
+                .zip(&self.targets)
+                .map(|(entry, target)| Target {
+                    value: value.entry(entry),
+                    ..*target
+                })
+                .collect();
+            if given.len() == values.len() && self.accepted(&given, &values) == given.len() {
+                let feedback = Some(Feedback::Mistake(mistaken.number));
+                return Marking::read(
+                    reading,
+                    mistaken.credit,
+                    Reason::Mistake(mistaken.number),
+                    feedback,
+                );
+            }
+        }
+        if self.is_list && found > 0 {
+            let most = self.targets.len().max(values.len()) as i128;
+            let credit = crate::numerics::Rational::new(found as i128, most).and_then(Credit::new);
+            let words = Some(Feedback::Words(format!(
+                "{found} of {} are right.",
+                self.targets.len()
+            )));
+            return Marking::read(
+                reading,
+                credit.unwrap_or(Credit::NONE),
+                Reason::Other,
+                words,
+            );
+        }
+        let (reason, words) = match (&self.targets[..], &values[..]) {
+            ([target], [value]) if target.accepts(value.conjugate()) => (
+                Reason::Sign,
+                Some("The sign of the imaginary part is wrong."),
+            ),
+            ([target], [value]) if target.accepts(-*value) => {
+                (Reason::Sign, Some("The sign is wrong."))
+            }
+            ([target], [value]) if (value.abs() - target.value.abs()).abs() <= target.half => (
+                Reason::Other,
+                Some("The magnitude fits, the angle does not."),
+            ),
+            _ => (Reason::Other, None),
+        };
+        Marking::read(
+            reading,
+            Credit::NONE,
+            reason,
+            words.map(|words| Feedback::Words(words.to_owned())),
+        )
+    }
+}

@@ -1,0 +1,491 @@
+//! Marks numbers: right, a named mistake, or a slip that can be told from the number alone.
+
+use std::f64::consts::TAU;
+
+use super::super::{Credit, Feedback, Key, KeyValue, Marker, Marking, Mistaken, Reading, Reason};
+use super::read;
+use crate::expr::{Form, Shape};
+use crate::math::Math;
+use crate::numerics::{Dd, Rational};
+use crate::unit::{Decimal, DecimalMark, DimensionMismatch, Quantity, Unit};
+
+/// A number that is right, and how far from it is right, too; all in SI units.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Target {
+    pub(super) value: f64,
+    /// Bound on its own error.
+    pub(super) bound: f64,
+    pub(super) half: f64,
+    /// The half-width before it was kept clear of mistakes.
+    pub(super) fair: f64,
+}
+
+/// What a named mistake gives, in SI units.
+#[derive(Clone, Debug)]
+pub(super) struct Mistake {
+    number: usize,
+    values: Vec<f64>,
+    unit: Option<Unit>,
+    credit: Credit,
+}
+
+/// A prepared key.
+pub(super) struct Numbers {
+    pub(super) unit: Unit,
+    pub(super) modulo: Option<f64>,
+    pub(super) is_list: bool,
+    pub(super) is_ordered: bool,
+    pub(super) ask_digits: Option<u32>,
+    pub(super) digits_penalty: Credit,
+    pub(super) digits: u32,
+    pub(super) mark: DecimalMark,
+    pub(super) targets: Vec<Target>,
+    pub(super) mistakes: Vec<Mistake>,
+}
+
+/// A typed number in SI units, to about 106 bits.
+type Typed = Dd;
+
+impl Mistake {
+    pub(super) fn of(mistaken: &Mistaken) -> Self {
+        let values = mistaken
+            .values
+            .iter()
+            .flat_map(|value| value.numbers().iter().copied())
+            .collect();
+        Self {
+            number: mistaken.number,
+            values,
+            unit: mistaken.unit,
+            credit: mistaken.credit,
+        }
+    }
+}
+
+impl Target {
+    /// Whether a number is right. The comparison is made with twice the digits, so that a response
+    /// on the boundary is inside, whatever the rounding of decimals to binary does.
+    fn accepts(&self, typed: Typed, modulo: Option<f64>) -> bool {
+        self.distance(typed, modulo) <= self.half + self.slack()
+    }
+
+    fn distance(&self, typed: Typed, modulo: Option<f64>) -> f64 {
+        let difference = (typed - Dd::from(self.value)).hi();
+        match modulo {
+            None => difference.abs(),
+            Some(period) => (difference - period * (difference / period).round()).abs(),
+        }
+    }
+
+    /// What rounding of the key and of its tolerance may take away.
+    fn slack(&self) -> f64 {
+        self.bound + 4.0 * f64::EPSILON * (self.value.abs() + self.half)
+    }
+}
+
+impl Numbers {
+    /// Keeps a derived tolerance below a third of the distance to each mistake that differs from the key.
+    pub(super) fn kept_clear(mut self, is_derived: bool) -> Self {
+        let nearest = self.nearest_mistake().filter(|_| is_derived);
+        let printed = self.half_of_last_figure();
+        if let (Some(distance), [target]) = (nearest, &mut self.targets[..]) {
+            // The key as it is printed is right, however near a mistake lies.
+            let least = printed.min(0.99 * distance);
+            target.half = target.half.min(distance / 3.0).max(least);
+        }
+        self
+    }
+
+    /// Half a unit of the last figure of the printed key, in SI units.
+    fn half_of_last_figure(&self) -> f64 {
+        let value = self.targets.first().map_or(0.0, |target| target.value);
+        let printed = self.unit.of_si(value);
+        let share = super::super::tolerance::half_unit(printed, self.digits) / printed.abs();
+        if share.is_finite() {
+            share * value.abs()
+        } else {
+            0.0
+        }
+    }
+
+    /// Distance of the nearest mistake that is another number than the key.
+    fn nearest_mistake(&self) -> Option<f64> {
+        let [target] = &self.targets[..] else {
+            return None;
+        };
+        let others = self
+            .mistakes
+            .iter()
+            .filter(|mistake| mistake.unit.is_none() && mistake.credit < Credit::FULL);
+        let distances = others.filter_map(|mistake| {
+            Some(target.distance(Dd::from(*mistake.values.first()?), self.modulo))
+        });
+        distances
+            .filter(|distance| *distance > 1e-9 * target.value.abs())
+            .min_by(f64::total_cmp)
+    }
+
+    fn mark_one(&self, quantity: &Quantity, response: &str) -> Marking {
+        let target = &self.targets[0];
+        let typed = match self.si(quantity) {
+            Ok(typed) => typed,
+            Err(mismatch) => return self.wrong_dimension(quantity, &mismatch),
+        };
+        let reading = Self::reading(&[*quantity], &[typed.hi()], self.mark);
+        if target.accepts(typed, self.modulo) {
+            return self.right(reading, quantity, response);
+        }
+        if let Some(marking) = self.mistake(&reading, &[typed]) {
+            return marking;
+        }
+        let (reason, words) = self.slip(target, typed, quantity);
+        Marking::read(reading, Credit::NONE, reason, words.map(Feedback::Words))
+    }
+
+    /// The value in SI units; a number without a unit is taken in the unit that is asked for.
+    fn si(&self, quantity: &Quantity) -> Result<Typed, DimensionMismatch> {
+        let taken = if quantity.unit.is_one() {
+            Quantity::new(quantity.value, self.unit)
+        } else {
+            *quantity
+        };
+        let (high, low) = taken.conversion(&self.unit)?.apply_pair(&taken.value);
+        Ok(Dd::sum(high, low))
+    }
+
+    fn right(&self, reading: Reading, quantity: &Quantity, response: &str) -> Marking {
+        let mut marking = Marking::read(reading, Credit::FULL, Reason::Matches, None);
+        if let Some(asked) = self
+            .ask_digits
+            .filter(|asked| quantity.value.significant_figures() != *asked)
+        {
+            let found = quantity.value.significant_figures();
+            marking.credit = Credit::FULL.minus(self.digits_penalty);
+            marking.verdict = marking.credit.verdict();
+            marking.reasons.push(Reason::Figures);
+            let words = format!(
+                "{asked} significant figures are asked, `{}` has {found}.",
+                response.trim()
+            );
+            marking.feedback.push(Feedback::Words(words));
+        }
+        if quantity.unit.is_one() && !self.unit.is_one() {
+            marking.reasons.push(Reason::NoUnit);
+            marking
+                .feedback
+                .push(Feedback::Words(format!("Taken in {}.", self.unit.text())));
+        } else if mixes_energy_and_moment(&quantity.unit, &self.unit) {
+            let words = "The joule is kept for energies: write a moment in N m.";
+            marking.feedback.push(Feedback::Words(words.to_owned()));
+        }
+        marking
+    }
+
+    /// The named mistake that a response equals, if any.
+    fn mistake(&self, reading: &Reading, typed: &[Typed]) -> Option<Marking> {
+        let found = self
+            .mistakes
+            .iter()
+            .find(|mistake| mistake.unit.is_none() && self.equals(mistake, typed))?;
+        let feedback = Some(Feedback::Mistake(found.number));
+        Some(Marking::read(
+            reading.clone(),
+            found.credit,
+            Reason::Mistake(found.number),
+            feedback,
+        ))
+    }
+
+    fn equals(&self, mistake: &Mistake, typed: &[Typed]) -> bool {
+        let relative = self
+            .targets
+            .iter()
+            .map(|target| target.half / target.value.abs())
+            .fold(0.0, f64::max);
+        let relative = if relative.is_finite() { relative } else { 0.0 };
+        let targets = mistake.values.iter().map(|value| {
+            let half = relative * value.abs();
+            Target {
+                value: *value,
+                bound: 0.0,
+                fair: 0.0,
+                half: if half > 0.0 {
+                    half
+                } else {
+                    self.targets[0].half
+                },
+            }
+        });
+        let targets: Vec<Target> = targets.collect();
+        targets.len() == typed.len()
+            && pair(&targets, typed, self.modulo, self.is_ordered) == typed.len()
+    }
+
+    fn wrong_dimension(&self, quantity: &Quantity, mismatch: &DimensionMismatch) -> Marking {
+        let si = quantity.si();
+        let reading = Self::reading(&[*quantity], &[si], self.mark);
+        let named = self.mistakes.iter().find(|mistake| {
+            let unit = mistake
+                .unit
+                .filter(|unit| unit.dimension() == quantity.unit.dimension());
+            unit.is_some() && self.equals(mistake, &[Dd::from(si)])
+        });
+        if let Some(found) = named {
+            let feedback = Some(Feedback::Mistake(found.number));
+            return Marking::read(
+                reading,
+                found.credit,
+                Reason::Mistake(found.number),
+                feedback,
+            );
+        }
+        let words = format!(
+            "The unit does not fit: {} measures {}, the answer is in {}.",
+            quantity.unit.text(),
+            mismatch.found.describe(),
+            if self.unit.is_one() {
+                "no unit (a pure number)".to_owned()
+            } else {
+                self.unit.text()
+            },
+        );
+        Marking::read(
+            reading,
+            Credit::NONE,
+            Reason::Dimension,
+            Some(Feedback::Words(words)),
+        )
+    }
+
+    /// A slip that the number alone gives away.
+    fn slip(&self, target: &Target, typed: Typed, quantity: &Quantity) -> (Reason, Option<String>) {
+        let fits = |factor: f64| {
+            target.value != 0.0 && target.accepts(typed * Dd::from(factor), self.modulo)
+        };
+        let counts = self.unit.dimension() == crate::unit::Dimension::TIME.inverse();
+        if counts && (fits(TAU) || fits(1.0 / TAU)) {
+            let words = "A factor 2π slipped: an angular frequency ω in rad/s is 2π times the frequency f in Hz.";
+            return (Reason::TwoPi, Some(words.to_owned()));
+        }
+        if self.modulo.is_none() && fits(-1.0) {
+            return (
+                Reason::Sign,
+                Some("The magnitude fits, the sign does not.".to_owned()),
+            );
+        }
+        let is_angle = !self.unit.is_one() && self.unit.dimension().is_pure();
+        let degree = TAU / 360.0;
+        if is_angle && (fits(degree) || fits(1.0 / degree)) {
+            let words = format!(
+                "The number fits in another unit of angle, not in {}.",
+                shown(&quantity.unit, &self.unit)
+            );
+            return (Reason::AngleUnit, Some(words));
+        }
+        if (1..=9).any(|power| {
+            fits(crate::numerics::powi(10.0, power)) || fits(crate::numerics::powi(10.0, -power))
+        }) {
+            return (
+                Reason::PowerOfTen,
+                Some("The digits fit, the power of ten does not: check the prefixes.".to_owned()),
+            );
+        }
+        if target.distance(typed, self.modulo) <= 3.0 * target.half {
+            return (
+                Reason::Near,
+                Some(
+                    "Close, but outside the tolerance: keep one more figure in the steps."
+                        .to_owned(),
+                ),
+            );
+        }
+        (Reason::Other, None)
+    }
+
+    fn mark_list(&self, items: &[Quantity]) -> Marking {
+        let mut typed = Vec::with_capacity(items.len());
+        for item in items {
+            match self.si(item) {
+                Ok(value) => typed.push(value),
+                Err(mismatch) => return self.wrong_dimension(item, &mismatch),
+            }
+        }
+        let numbers: Vec<f64> = typed.iter().map(|value| value.hi()).collect();
+        let reading = Self::reading(items, &numbers, self.mark);
+        let matched = pair(&self.targets, &typed, self.modulo, self.is_ordered);
+        let (expected, given) = (self.targets.len(), typed.len());
+        if matched == expected && given == expected {
+            return Marking::read(reading, Credit::FULL, Reason::Matches, None);
+        }
+        if let Some(marking) = self.mistake(&reading, &typed) {
+            return marking;
+        }
+        let surplus = given.saturating_sub(expected);
+        let share = Rational::new(matched.saturating_sub(surplus) as i128, expected as i128);
+        let credit = share.and_then(Credit::new).unwrap_or(Credit::NONE);
+        let words = format!(
+            "{matched} of {expected} values are right{}.",
+            if surplus > 0 {
+                ", and there are too many"
+            } else {
+                ""
+            }
+        );
+        Marking::read(reading, credit, Reason::Other, Some(Feedback::Words(words)))
+    }
+
+    /// How numbers with units were read.
+    fn reading(items: &[Quantity], si: &[f64], mark: DecimalMark) -> Reading {
+        let math = match items {
+            [one] => one.math(mark),
+            many => listed(many.iter().map(|item| item.math(mark))),
+        };
+        let text = items
+            .iter()
+            .map(ToString::to_string)
+            .collect::<Vec<_>>()
+            .join(", ");
+        Reading {
+            math,
+            text,
+            si: si.to_vec(),
+        }
+    }
+
+    /// A number in the unit of the answer, as a key prints it.
+    fn printed(&self, si: f64, figures: u32) -> Math {
+        let value = self.unit.of_si(si);
+        match Decimal::rounded(value, figures) {
+            Some(rounded) => Quantity::new(rounded, self.unit).math(self.mark),
+            None => Math::text("out of range"),
+        }
+    }
+}
+
+impl Marker for Numbers {
+    fn key(&self) -> Key {
+        let numbers: Vec<f64> = self.targets.iter().map(|target| target.value).collect();
+        let math = match &numbers[..] {
+            [one] if !self.is_list => self.printed(*one, self.digits),
+            many => listed(many.iter().map(|number| self.printed(*number, self.digits))),
+        };
+        let accepted = match &self.targets[..] {
+            [target] if target.half > 0.0 => Some(Math::row([
+                self.printed(target.value - target.half, self.digits + 1),
+                Math::text(" to "),
+                self.printed(target.value + target.half, self.digits + 1),
+            ])),
+            _ => None,
+        };
+        let shape = if self.is_list {
+            Shape::Vector(numbers.len())
+        } else {
+            Shape::Scalar
+        };
+        Key {
+            math,
+            accepted,
+            value: KeyValue::Numbers {
+                form: Form::real(shape),
+                si: numbers,
+            },
+        }
+    }
+
+    fn mark(&self, response: &str) -> Marking {
+        if self.is_list {
+            return match read::list(response, self.mark) {
+                Ok(items) => self.mark_list(&items),
+                Err(help) => Marking::unreadable(help),
+            };
+        }
+        match read::quantity(response, self.mark) {
+            Ok(quantity) => self.mark_one(&quantity, response),
+            Err(help) => Marking::unreadable(help),
+        }
+    }
+
+    fn clearance(&self) -> Option<f64> {
+        let distance = self.nearest_mistake()?;
+        let fair = self.targets.first()?.fair;
+        (fair > 0.0).then(|| distance / fair)
+    }
+}
+
+/// The greatest number of typed values that can be paired with targets; in order, or in any.
+fn pair(targets: &[Target], typed: &[Typed], modulo: Option<f64>, is_ordered: bool) -> usize {
+    if is_ordered {
+        return targets
+            .iter()
+            .zip(typed)
+            .filter(|(target, typed)| target.accepts(**typed, modulo))
+            .count();
+    }
+    let mut owner: Vec<Option<usize>> = vec![None; typed.len()];
+    (0..targets.len())
+        .filter(|target| {
+            augment(
+                *target,
+                targets,
+                typed,
+                modulo,
+                &mut owner,
+                &mut vec![false; typed.len()],
+            )
+        })
+        .count()
+}
+
+/// Finds a typed value for a target, moving earlier pairs where that makes room.
+fn augment(
+    target: usize,
+    targets: &[Target],
+    typed: &[Typed],
+    modulo: Option<f64>,
+    owner: &mut [Option<usize>],
+    seen: &mut [bool],
+) -> bool {
+    for place in 0..typed.len() {
+        if seen[place] || !targets[target].accepts(typed[place], modulo) {
+            continue;
+        }
+        seen[place] = true;
+        let is_free = match owner[place] {
+            None => true,
+            Some(other) => augment(other, targets, typed, modulo, owner, seen),
+        };
+        if is_free {
+            owner[place] = Some(target);
+            return true;
+        }
+    }
+    false
+}
+
+/// Values side by side with commas.
+fn listed(items: impl Iterator<Item = Math>) -> Math {
+    let mut row = Vec::new();
+    for item in items {
+        if !row.is_empty() {
+            row.push(Math::punctuation(";"));
+        }
+        row.push(item);
+    }
+    Math::row(row)
+}
+
+/// The unit that was typed, or the one that was asked for.
+fn shown(typed: &Unit, asked: &Unit) -> String {
+    if typed.is_one() {
+        asked.text()
+    } else {
+        typed.text()
+    }
+}
+
+/// Whether a joule was typed for a moment.
+fn mixes_energy_and_moment(typed: &Unit, asked: &Unit) -> bool {
+    let is_joule = |unit: &Unit| unit.text().ends_with('J');
+    let is_moment = |unit: &Unit| unit.text().contains('N') && !unit.text().contains('J');
+    typed.dimension() == asked.dimension() && is_joule(typed) && is_moment(asked)
+}

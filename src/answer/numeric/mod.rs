@@ -1,0 +1,267 @@
+//! `numeric`: a real number with a unit, or a list of numbers.
+//!
+//! The student types `15.8 rad/s`, `2,52 Hz`, `1.6e-2 m`, `3×10^-4`; a list is `0, 180°`.
+//! A response is right if its value in the key's unit lies within the tolerance; units count by
+//! dimension. A number without a unit is taken in the unit that is printed behind the blank.
+//! A complex number is `3 - 4i ohm`, `-100j ohm`, `5 ohm at -53 deg` or `5∠-53°`; it is right within a distance in the plane.
+//! The key is a number or a vector; a vector is a list, marked in any order unless `ordered = true`.
+//!
+//! ```toml
+//! [[part]]
+//! kind      = "numeric"
+//! key       = "omega_n"
+//! unit      = "rad/s"       # of the answer; the quantity's if left out
+//! tolerance = "2 %"         # derived if left out
+//! ask       = "Find the natural angular frequency."
+//! ```
+
+mod complex;
+mod marker;
+mod read;
+
+use super::{Answer, AnswerError, AnswerKind, Context, Credit, Declare, Marker, Tolerance};
+use crate::expr::{Field, Shape};
+use crate::quantity::{Absent, NodeId};
+use crate::source::{Table, Text, Value};
+use crate::unit::{Quantity, Unit};
+
+use self::marker::{Mistake, Numbers, Target};
+
+pub(super) use self::complex::complex_number;
+pub(super) use self::read::quantity;
+
+/// The kind.
+pub(super) struct Kind;
+
+/// What a part asks for.
+#[derive(Debug)]
+struct Numeric {
+    key: NodeId,
+    unit: Unit,
+    tolerance: Tolerance,
+    /// The period of a cyclic answer in SI units.
+    modulo: Option<f64>,
+    is_list: bool,
+    is_ordered: bool,
+    ask_digits: Option<u32>,
+    digits_penalty: Credit,
+    digits: u32,
+}
+
+impl AnswerKind for Kind {
+    fn name(&self) -> &'static str {
+        "numeric"
+    }
+
+    fn minutes(&self) -> u32 {
+        3
+    }
+
+    fn read(&self, part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+        let key_text = part
+            .required("key")
+            .and_then(|key| part.as_formula("key", key));
+        let (unit_text, tolerance, modulo) = (
+            part.text("unit"),
+            part.text("tolerance"),
+            part.text("modulo"),
+        );
+        let is_ordered = part.boolean("ordered").unwrap_or(false);
+        let ask_digits = part.integer("ask_digits", "a whole number from 1 to 12", 1..=12);
+        let penalty = part
+            .value("digits_penalty")
+            .and_then(|value| part.as_formula("digits_penalty", value));
+        let key_text = key_text?;
+        let key = declare.formula("key", &key_text)?;
+        let unit = unit(key, &key_text, unit_text.as_ref(), declare)?;
+        let kind = declare.graph().kind(key)?.clone();
+        let is_list = match (kind.field(), kind.shape()) {
+            (Field::Real | Field::Complex, Shape::Scalar) => false,
+            (Field::Real | Field::Complex, Shape::Vector(_)) => true,
+            _ => {
+                let found = kind.form().to_string();
+                declare.find(
+                    &AnswerError::KeyForm {
+                        expected: "a number or a list of them",
+                        found,
+                    },
+                    &key_text,
+                );
+                return None;
+            }
+        };
+        let tolerance = match tolerance {
+            Some(text) => Tolerance::read(&text, &unit, declare)?,
+            None => Tolerance::default(),
+        };
+        let modulo = match modulo {
+            Some(text) => Some(period(&text, &unit, declare)?),
+            None => None,
+        };
+        let digits_penalty = penalty
+            .and_then(|text| Credit::read(&text.value))
+            .unwrap_or(Credit::NONE);
+        Some(Box::new(Numeric {
+            key,
+            unit,
+            tolerance,
+            modulo,
+            is_list,
+            is_ordered,
+            ask_digits: ask_digits.map(|digits| digits as u32),
+            digits_penalty,
+            digits: u32::from(declare.digits_of(key)),
+        }))
+    }
+}
+
+/// The unit of the answer: stated, or that of the quantity, or none for a pure number.
+pub(super) fn unit(
+    key: NodeId,
+    text: &Text,
+    stated: Option<&Text>,
+    declare: &mut dyn Declare,
+) -> Option<Unit> {
+    let dimension = declare.graph().kind(key)?.dimension();
+    let unit = match stated {
+        Some(stated) => declare.unit(stated)?,
+        None => match declare.unit_of(key) {
+            Some(unit) => unit,
+            None if dimension.is_none_or(|dimension| dimension.is_pure()) => Unit::ONE,
+            None => {
+                declare.find(&AnswerError::NoUnit, text);
+                return None;
+            }
+        },
+    };
+    if let Some(dimension) = dimension.filter(|dimension| *dimension != unit.dimension()) {
+        let (expected, found) = (dimension.describe(), unit.dimension().describe());
+        declare.find(
+            &AnswerError::Unit { expected, found },
+            stated.unwrap_or(text),
+        );
+        return None;
+    }
+    Some(unit)
+}
+
+fn period(text: &Text, unit: &Unit, declare: &mut dyn Declare) -> Option<f64> {
+    let period = Quantity::parse(&text.value).ok();
+    let si = period
+        .and_then(|period| period.si_for(unit).ok())
+        .filter(|si| *si > 0.0);
+    if si.is_none() {
+        let span = crate::source::Span::new(0, text.value.len());
+        declare.find(
+            &AnswerError::Tolerance {
+                found: text.value.clone(),
+                span,
+            },
+            text,
+        );
+    }
+    si
+}
+
+impl Answer for Numeric {
+    fn kind(&self) -> &'static dyn AnswerKind {
+        &Kind
+    }
+
+    fn keys(&self) -> Vec<NodeId> {
+        vec![self.key]
+    }
+
+    fn unit(&self) -> Option<Unit> {
+        Some(self.unit).filter(|unit| !unit.is_one())
+    }
+
+    fn read_mistake(
+        &mut self,
+        _number: usize,
+        answer: &Value,
+        part: &Table<'_>,
+        declare: &mut dyn Declare,
+    ) -> Option<Vec<NodeId>> {
+        let text = part.as_formula("answer", answer)?;
+        Some(vec![declare.formula("mistake", &text)?])
+    }
+
+    fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
+        let evaluation = context.evaluation;
+        let key = evaluation.value(self.key)?;
+        if key.form().field == Field::Complex {
+            return Ok(Box::new(self.complex(key, context)));
+        }
+        let spreads = std::cell::OnceCell::new();
+        let targets: Vec<Target> = key
+            .numbers()
+            .iter()
+            .zip(key.bounds())
+            .enumerate()
+            .map(|(entry, (&value, &bound))| {
+                let spread = || spreads.get_or_init(|| evaluation.spread(self.key))[entry];
+                let mut half = self
+                    .tolerance
+                    .half_width(value, spread, self.digits, evaluation);
+                if let Some(digits) = self.ask_digits {
+                    half = half.max(super::tolerance::half_unit(value, digits));
+                }
+                Target {
+                    value,
+                    bound,
+                    half,
+                    fair: half,
+                }
+            })
+            .collect();
+        let mistakes = context.mistakes.iter().map(Mistake::of).collect();
+        let marker = Numbers {
+            unit: self.unit,
+            modulo: self.modulo,
+            is_list: self.is_list,
+            is_ordered: self.is_ordered,
+            ask_digits: self.ask_digits,
+            digits_penalty: self.digits_penalty,
+            digits: self.digits,
+            mark: context.mark,
+            targets,
+            mistakes,
+        };
+        Ok(Box::new(marker.kept_clear(self.tolerance.is_derived())))
+    }
+}
+
+impl Numeric {
+    /// The marker of complex keys: the tolerance is a distance in the plane.
+    fn complex(&self, key: &crate::expr::Value, context: &Context<'_>) -> complex::Numbers {
+        let evaluation = context.evaluation;
+        let spreads = std::cell::OnceCell::new();
+        let target = |entry: usize| {
+            let value = key.entry(entry);
+            let spread = || {
+                let all = spreads.get_or_init(|| evaluation.spread(self.key));
+                crate::numerics::hypot(all[2 * entry], all[2 * entry + 1])
+            };
+            let size = value.abs();
+            let half = self
+                .tolerance
+                .half_width(size, spread, self.digits, evaluation);
+            complex::Target {
+                value,
+                bound: key.bounds()[2 * entry] + key.bounds()[2 * entry + 1],
+                half,
+            }
+        };
+        complex::Numbers {
+            unit: self.unit,
+            form: key.form(),
+            digits: self.digits,
+            mark: context.mark,
+            targets: (0..key.shape().len()).map(target).collect(),
+            mistakes: context.mistakes.clone(),
+            is_list: self.is_list,
+            is_ordered: self.is_ordered,
+        }
+    }
+}

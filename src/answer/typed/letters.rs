@@ -1,0 +1,112 @@
+//! Letters of names in one spelling: Greek as words, subscripts as plain characters, no underscores.
+
+use crate::math::{GREEK, greek_name};
+
+/// A name or a run of typed letters in one spelling, and where in the text its pieces may be cut.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Letters {
+    /// The spelling.
+    pub(super) text: String,
+    /// For each place in the spelling where it may be cut, the place in the source; ascending.
+    pub(super) cuts: Vec<(usize, usize)>,
+}
+
+impl Letters {
+    /// The spelling of a whole name.
+    pub(super) fn spelling(name: &str) -> Option<String> {
+        let mut letters = Self::default();
+        for (at, char) in name.char_indices() {
+            if char != '_' && char != '{' && char != '}' && !letters.push(char, at, at) {
+                return None;
+            }
+        }
+        Some(letters.text).filter(|text| !text.is_empty())
+    }
+
+    /// Adds a letter or digit that begins at `at`; whether it is one.
+    pub(super) fn push(&mut self, char: char, at: usize, _end: usize) -> bool {
+        let plain = match char {
+            '₀'..='₉' => char::from(b'0' + (u32::from(char) - u32::from('₀')) as u8),
+            _ => char,
+        };
+        if !plain.is_ascii_alphanumeric() && greek(plain).is_none() && !is_letter(plain) {
+            return false;
+        }
+        // Digits and subscripts belong to the letter before them.
+        if !plain.is_ascii_digit() || self.text.is_empty() {
+            self.cuts.push((self.text.len(), at));
+        }
+        match greek(plain) {
+            Some(name) => self.text.push_str(name),
+            None => self.text.push(plain),
+        }
+        true
+    }
+
+    /// Adds a word that is not cut, such as a Greek letter by its command.
+    pub(super) fn push_word(&mut self, word: &str, at: usize) {
+        self.cuts.push((self.text.len(), at));
+        self.text.push_str(word);
+    }
+
+    /// Takes back the last cut: what follows belongs to what stands before it.
+    pub(super) fn join_from(&mut self, length: usize) {
+        self.cuts.retain(|(own, _)| *own < length || *own == 0);
+    }
+}
+
+/// Letters that are neither ASCII nor Greek, as in `ℓ`.
+fn is_letter(char: char) -> bool {
+    char == 'ℓ'
+}
+
+/// The word of a Greek letter, its variants included.
+pub(super) fn greek(char: char) -> Option<&'static str> {
+    Some(match char {
+        'ϕ' => "phi",
+        'ϵ' => "epsilon",
+        'ϑ' => "theta",
+        'µ' => "mu",
+        'Ω' => "Omega",
+        'ϱ' => "rho",
+        'ℓ' => "ell",
+        _ => return greek_name(char).map(unvaried),
+    })
+}
+
+/// The word of a Greek letter by its command, `omega` or `varphi`.
+pub(super) fn greek_word(command: &str) -> Option<&'static str> {
+    let (name, _) = GREEK.iter().find(|(name, _)| *name == command)?;
+    Some(unvaried(name))
+}
+
+fn unvaried(name: &'static str) -> &'static str {
+    match name {
+        "varphi" => "phi",
+        "varepsilon" => "epsilon",
+        "vartheta" => "theta",
+        "varrho" => "rho",
+        _ => name,
+    }
+}
+
+/// A letter with dots over it.
+pub(super) fn dotted(char: char) -> Option<(char, u8)> {
+    Some(match char {
+        'ẋ' => ('x', 1),
+        'ẍ' => ('x', 2),
+        'ẏ' => ('y', 1),
+        'ÿ' => ('y', 2),
+        'ż' => ('z', 1),
+        _ => return None,
+    })
+}
+
+/// Combining dots.
+pub(super) fn combining(char: char) -> Option<u8> {
+    match char {
+        '\u{307}' => Some(1),
+        '\u{308}' => Some(2),
+        _ => None,
+    }
+}

@@ -1,0 +1,252 @@
+use proptest::prelude::*;
+
+use super::*;
+use crate::expr::Name;
+use crate::math::{Math, symbol};
+
+fn lexicon() -> Lexicon {
+    let mut lexicon = Lexicon::new();
+    for name in [
+        "m", "g", "l", "k", "c", "zeta", "omega_n", "omega", "t", "k1", "k2", "m1", "F0", "Omega",
+        "mu", "phi", "r",
+    ] {
+        lexicon.allow(&Name::from(name), &symbol(name), false);
+    }
+    for name in ["x", "theta", "x1", "x2"] {
+        lexicon.allow(&Name::from(name), &symbol(name), true);
+    }
+    lexicon.allow(&Name::from("Lh"), &Math::letter('L'), false);
+    lexicon.forbid(&Name::from("secret"));
+    lexicon
+}
+
+const MANNER: Manner = Manner {
+    comma_is_decimal: true,
+    has_imaginary_unit: true,
+};
+
+fn reads(text: &str, expected: &str) {
+    let typed = formula(text, &lexicon(), MANNER);
+    let typed = typed.unwrap_or_else(|error| panic!("{text}: {}", error.sentence(text)));
+    let strict = Expr::read(expected).unwrap();
+    assert_eq!(typed.value.to_string(), strict.to_string(), "{text}");
+}
+
+#[test]
+fn products_need_no_sign() {
+    for (text, expected) in [
+        ("mgl", "m*g*l"),
+        ("2zeta omega_n", "2*zeta*omega_n"),
+        ("kl²", "k*l^2"),
+        ("4km", "4*k*m"),
+        ("2ζω_n", "2*zeta*omega_n"),
+        ("ωnt", "omega_n*t"),
+        ("omega_nt", "omega_n*t"),
+        ("k_1x_1 + k₂x₂", "k1*x1 + k2*x2"),
+        ("k(x1 - x2)", "k*(x1 - x2)"),
+        ("(k + k1)(x1 - x2)", "(k + k1)*(x1 - x2)"),
+    ] {
+        reads(text, expected);
+    }
+    reads("LΩ", "Lh*Omega");
+    reads("2π√(m/k)", "2*pi*sqrt(m/k)");
+}
+
+#[test]
+fn the_signs_of_paper_are_read() {
+    for (text, expected) in [
+        ("√(3k/2m)", "sqrt(3*k/(2*m))"),
+        ("(3*k/2/m)^0.5", "(3*k/2/m)^0.5"),
+        ("−m·g×l", "-m*g*l"),
+        ("m**2", "m^2"),
+        ("3×10^-4 k", "3*10^-4*k"),
+        ("3e-4k", "0.0003*k"),
+        ("2,5k", "2.5*k"),
+        ("½ m x'^2", "0.5*m*x'^2"),
+        ("sin x", "sin(x)"),
+        ("sin^2 x", "sin(x)^2"),
+        ("sin²(x)", "sin(x)^2"),
+        ("sin ωt + cos(omega t)", "sin(omega*t) + cos(omega*t)"),
+        ("F0 sin Omega t", "F0*sin(Omega*t)"),
+        ("mgl sinθ", "m*g*l*sin(theta)"),
+        ("mglsinθ", "m*g*l*sin(theta)"),
+        ("arctan(c/k)", "atan(c/k)"),
+        ("tan^-1(c/k)", "atan(c/k)"),
+        ("|x|", "abs(x)"),
+        ("|x| |theta|", "abs(x)*abs(theta)"),
+        ("e^-ζω_nt", "e^(-(zeta*omega_n*t))"),
+        ("e^(-t) sin(omega t)", "e^(-t)*sin(omega*t)"),
+        ("[m + {k}]g", "(m + k)*g"),
+        ("1/(iΩc)", "1/(i*Omega*c)"),
+        ("omega = sqrt(k/m)", "sqrt(k/m)"),
+        ("y_9 = sqrt(k/m)", "sqrt(k/m)"),
+    ] {
+        reads(text, expected);
+    }
+}
+
+#[test]
+fn derivatives_are_read() {
+    for text in [
+        "x''",
+        "xddot",
+        "\\ddot{x}",
+        "\\ddot x",
+        "d²x/dt²",
+        "d^2x/dt^2",
+        "\\frac{d^2 x}{dt^2}",
+        "ẍ",
+        "x''(t)",
+    ] {
+        reads(&format!("m{text}"), "m*x''");
+        reads(&format!("m {text} + k x"), "m*x'' + k*x");
+    }
+    for text in [
+        "θ'",
+        "thetadot",
+        "\\dot{\\theta}",
+        "\\dot\\theta",
+        "dθ/dt",
+        "θ̇",
+        "theta_dot",
+        "\\frac{d\\theta}{dt}",
+    ] {
+        reads(&format!("c {text}"), "c*theta'");
+    }
+    reads("m1 \\ddot{x}_1 + x1ddot", "m1*x1'' + x1''");
+    reads("x(t)", "x");
+}
+
+#[test]
+fn simple_latex_is_read() {
+    for (text, expected) in [
+        ("\\frac{k}{m}", "k/m"),
+        ("\\sqrt{\\frac{k}{m}}", "sqrt(k/m)"),
+        ("\\omega_n t", "omega_n*t"),
+        ("\\omega_{n}t", "omega_n*t"),
+        ("2\\zeta\\omega_n", "2*zeta*omega_n"),
+        ("\\left(\\frac{c}{2m}\\right)^2", "(c/(2*m))^2"),
+        ("k\\cdot x", "k*x"),
+        ("\\frac12 k x^{2}", "1/2*k*x^2"),
+        ("$k x$", "k*x"),
+        ("\\sin\\left(\\Omega t\\right)", "sin(Omega*t)"),
+        ("\\mu m g \\operatorname{sign}(\\dot x)", "mu*m*g*sign(x')"),
+    ] {
+        reads(text, expected);
+    }
+}
+
+#[test]
+fn a_slash_takes_what_stands_tight_behind_it() {
+    for (text, expected, other) in [
+        ("k/2m", "k/(2*m)", Some("k/2*m")),
+        ("k/2 m", "k/2*m", Some("k/(2*m)")),
+        ("1/2mx'²", "1/2*m*x'^2", Some("1/(2*m*x'^2)")),
+        ("1/2 m x'²", "1/2*m*x'^2", None),
+        ("5/6 m l^2 θ''", "5/6*m*l^2*theta''", None),
+        ("c l²/4 θ'", "c*l^2/4*theta'", Some("c*l^2/(4*theta')")),
+        ("1/(2m)c", "1/(2*m)*c", None),
+        ("g/l*x", "g/l*x", None),
+    ] {
+        let typed = formula(text, &lexicon(), MANNER).unwrap();
+        let of = |text: &str| Expr::read(text).unwrap().to_string();
+        assert_eq!(typed.value.to_string(), of(expected), "{text}");
+        assert_eq!(
+            typed.other.map(|other| other.to_string()),
+            other.map(of),
+            "{text}"
+        );
+    }
+}
+
+#[test]
+fn what_cannot_be_read_says_where_and_what_to_type() {
+    for (text, expected) in [
+        ("", "After ``: a formula is missing here."),
+        ("k +", "After `k +`: a formula is missing here."),
+        ("k + q", "At `q`: it is not clear what this means."),
+        (
+            "m 2",
+            "At `2`: a sign is missing before this number; write `*` for a product or `^` for a power.",
+        ),
+        ("sqrt(k", "At `(`: this bracket has no partner."),
+        ("k)", "At `)`: this bracket has no partner."),
+        ("log(k)", "At `log`: write `ln` or `log10`."),
+        ("k ± m", "At `±`: give one value, without `±`."),
+        (
+            "(k, m)",
+            "At `,`: one formula is due here, not a list; write decimals with a point.",
+        ),
+        ("k ? m", "At `?`: this sign is not understood here."),
+    ] {
+        let error = formula(text, &lexicon(), MANNER).unwrap_err();
+        assert_eq!(error.sentence(text), expected, "{text}");
+    }
+    let error = formula("2secret", &lexicon(), MANNER).unwrap_err();
+    assert!(matches!(error.trouble, Trouble::NotAllowed(_)));
+    let deep = "(".repeat(500);
+    assert_eq!(
+        formula(&deep, &lexicon(), MANNER).unwrap_err().trouble,
+        Trouble::TooDeep
+    );
+    let long = "1+".repeat(900) + "1";
+    assert_eq!(
+        formula(&long, &lexicon(), MANNER).unwrap_err().trouble,
+        Trouble::TooDeep
+    );
+    let too_long = "1+".repeat(1500);
+    assert_eq!(
+        formula(&too_long, &lexicon(), MANNER).unwrap_err().trouble,
+        Trouble::TooLong
+    );
+}
+
+#[test]
+fn lists_are_read_by_rows() {
+    let manner = Manner::default();
+    for (text, expected, tail) in [
+        ("[[3m, 0], [0, m]]", "[[3*m, 0], [0, m]]", ""),
+        ("[[4, 0], [0, 2]] kg", "[[4, 0], [0, 2]]", "kg"),
+        ("m*[[3, 0], [0, 1]]", "[[3*m, 0], [0, m]]", ""),
+        ("[3m, 0; 0, m]", "[[3*m, 0], [0, m]]", ""),
+        ("(1, 0.618)", "[[1, 0.618]]", ""),
+        ("[1; -2]", "[[1], [-2]]", ""),
+        ("1, -2", "[[1, -2]]", ""),
+        ("(1, (1 + sqrt(5))/2)", "[[1, (1 + sqrt(5))/2]]", ""),
+        ("((1, 2), (3, 4))", "[[1, 2], [3, 4]]", ""),
+    ] {
+        let listed = list(text, 0, text.len(), &lexicon(), manner).unwrap();
+        let rows: Vec<String> = listed
+            .rows
+            .iter()
+            .map(|row| {
+                format!(
+                    "[{}]",
+                    row.iter()
+                        .map(ToString::to_string)
+                        .collect::<Vec<_>>()
+                        .join(", ")
+                )
+            })
+            .collect();
+        let shown = format!("[{}]", rows.join(", "));
+        assert_eq!(shown, expected, "{text}");
+        assert_eq!(text[listed.tail.range()].trim(), tail, "{text}");
+    }
+}
+
+proptest! {
+    #[test]
+    fn any_text_is_read_or_refused(text in any::<String>()) {
+        let _ = formula(&text, &lexicon(), MANNER).map_err(|error| error.sentence(&text));
+        let _ = list(&text, 0, text.len(), &lexicon(), MANNER).map_err(|error| error.sentence(&text));
+        let _ = chain(&text, 0, text.len(), &lexicon(), MANNER).map_err(|error| error.sentence(&text));
+    }
+
+    #[test]
+    fn any_text_of_formula_signs_is_read_or_refused(text in "[mgkxθω_{}()\\[\\]|/^*+\\-'²√ 0-9.,;=<edt\\\\]{0,60}|(\\\\frac|\\\\sqrt|\\\\dot|\\\\omega|_|\\{|\\}|x|2|sin| ){0,30}") {
+        let _ = formula(&text, &lexicon(), MANNER).map_err(|error| error.sentence(&text));
+        let _ = list(&text, 0, text.len(), &lexicon(), MANNER).map_err(|error| error.sentence(&text));
+        let _ = chain(&text, 0, text.len(), &lexicon(), MANNER).map_err(|error| error.sentence(&text));
+    }
+}

@@ -1,0 +1,522 @@
+//! From the signs of a response to tokens, its runs of letters split into words.
+
+use super::differential::leibniz;
+use super::letters::{Letters, combining, dotted, greek, greek_word};
+use super::lexicon::{INITIAL, Piece, Sense};
+use super::{Lexicon, Manner, Trouble, TypedError};
+use crate::expr::{Constant, Expr, Function};
+use crate::numerics::Rational;
+use crate::source::Span;
+
+/// A piece of a response.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Item {
+    Number(Rational),
+    /// A name, a time derivative of one, or a constant.
+    Leaf(Expr),
+    Function(Function),
+    /// A raised whole number, `²`.
+    Power(i128),
+    /// Primes behind a bracket.
+    Primes(u8),
+    /// `√`.
+    Root,
+    /// `\sqrt`.
+    Radical,
+    /// `\frac`.
+    Fraction,
+    /// `°`.
+    Degree,
+    /// An operator, bracket or other sign.
+    Sign(char),
+}
+
+/// A token with its place.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Token {
+    pub(super) item: Item,
+    pub(super) span: Span,
+    /// Whether a space stands before it.
+    pub(super) is_spaced: bool,
+}
+
+/// The tokens of `text[from..to]`.
+pub(super) fn tokens(
+    text: &str,
+    from: usize,
+    to: usize,
+    lexicon: &Lexicon,
+    manner: Manner,
+) -> Result<Vec<Token>, TypedError> {
+    let mut lexer = Lexer {
+        text: &text[..to],
+        at: from,
+        lexicon,
+        manner,
+        is_spaced: false,
+        tokens: Vec::new(),
+    };
+    while let Some(char) = lexer.peek() {
+        lexer.token(char)?;
+    }
+    Ok(lexer.tokens)
+}
+
+pub(super) struct Lexer<'a> {
+    pub(super) text: &'a str,
+    pub(super) at: usize,
+    pub(super) lexicon: &'a Lexicon,
+    pub(super) manner: Manner,
+    pub(super) is_spaced: bool,
+    pub(super) tokens: Vec<Token>,
+}
+
+impl Lexer<'_> {
+    pub(super) fn rest(&self) -> &str {
+        &self.text[self.at..]
+    }
+
+    pub(super) fn peek(&self) -> Option<char> {
+        self.rest().chars().next()
+    }
+
+    pub(super) fn push(&mut self, item: Item, start: usize) {
+        self.tokens.push(Token {
+            item,
+            span: Span::new(start, self.at),
+            is_spaced: std::mem::take(&mut self.is_spaced),
+        });
+    }
+
+    /// A token of the next `length` bytes.
+    pub(super) fn take(&mut self, length: usize, item: Item) {
+        let start = self.at;
+        self.at += length;
+        self.push(item, start);
+    }
+
+    pub(super) fn error<T>(&self, trouble: Trouble, start: usize) -> Result<T, TypedError> {
+        Err(TypedError::new(trouble, start, self.at))
+    }
+
+    fn token(&mut self, char: char) -> Result<(), TypedError> {
+        let width = char.len_utf8();
+        if char.is_whitespace() || matches!(char, '$' | '~' | '\u{2061}' | '\u{2062}') {
+            self.at += width;
+            self.is_spaced = true;
+            return Ok(());
+        }
+        if self.derivative_over_time() {
+            return Ok(());
+        }
+        match char {
+            '0'..='9' => return self.number(),
+            '.' if self.rest()[1..].starts_with(|next: char| next.is_ascii_digit()) => {
+                return self.number();
+            }
+            '\\' => return self.command(),
+            '⁰' | '¹' | '²' | '³' | '⁴'..='⁹' | '⁻' => return self.raised(),
+            '\'' | '’' | '′' | '″' | '"' | '‴' => {
+                let start = self.at;
+                let primes = self.primes();
+                self.push(Item::Primes(primes), start);
+                return Ok(());
+            }
+            _ => {}
+        }
+        if char.is_ascii_alphabetic() || greek(char).is_some() || dotted(char).is_some() {
+            return self.run(None);
+        }
+        if self.rest().starts_with("**") {
+            self.take(2, Item::Sign('^'));
+            return Ok(());
+        }
+        for (signs, plain) in [
+            ("<=", '≤'),
+            ("=<", '≤'),
+            (">=", '≥'),
+            ("!=", '≠'),
+            ("==", '='),
+        ] {
+            if self.rest().starts_with(signs) {
+                self.take(2, Item::Sign(plain));
+                return Ok(());
+            }
+        }
+        let item = match char {
+            '+' | '/' | '^' | '(' | ')' | '[' | ']' | '{' | '}' | '|' | ',' | ';' | '=' | '<'
+            | '>' | '≤' | '≥' | '≠' | '&' => Item::Sign(char),
+            '*' | '·' | '×' | '⋅' | '∙' | '∗' | '•' => Item::Sign('*'),
+            '-' | '−' | '–' | '—' | '‐' | '‑' => Item::Sign('-'),
+            '÷' | '∕' | '⁄' => Item::Sign('/'),
+            '≈' => Item::Sign('='),
+            '⩽' => Item::Sign('≤'),
+            '⩾' => Item::Sign('≥'),
+            '√' => Item::Root,
+            '°' => Item::Degree,
+            '∞' => Item::Leaf(Expr::constant(Constant::Infinity)),
+            '½' => Item::Number(Rational::new(1, 2).unwrap_or(Rational::ONE)),
+            '¼' => Item::Number(Rational::new(1, 4).unwrap_or(Rational::ONE)),
+            '¾' => Item::Number(Rational::new(3, 4).unwrap_or(Rational::ONE)),
+            '±' => {
+                self.at += width;
+                return self.error(Trouble::TwoValues, self.at - width);
+            }
+            _ => {
+                self.at += width;
+                return self.error(Trouble::Sign, self.at - width);
+            }
+        };
+        self.take(width, item);
+        Ok(())
+    }
+
+    fn number(&mut self) -> Result<(), TypedError> {
+        let start = self.at;
+        let mut digits = String::new();
+        self.digits(&mut digits);
+        let is_decimal = match self.peek() {
+            Some('.') => true,
+            Some(',') => self.manner.comma_is_decimal && !digits.is_empty(),
+            _ => false,
+        };
+        let is_digit = |next: char| next.is_ascii_digit();
+        if is_decimal && (self.rest()[1..].starts_with(is_digit) || self.peek() == Some('.')) {
+            self.at += 1;
+            digits.push('.');
+            self.digits(&mut digits);
+        }
+        self.exponent(&mut digits);
+        let decimal = digits
+            .strip_prefix('.')
+            .map_or(digits.clone(), |rest| format!("0.{rest}"));
+        match Rational::from_decimal(&decimal) {
+            Some(number) => {
+                self.push(Item::Number(number), start);
+                Ok(())
+            }
+            None => self.error(Trouble::Number, start),
+        }
+    }
+
+    fn digits(&mut self, digits: &mut String) {
+        while let Some(digit) = self.peek().filter(char::is_ascii_digit) {
+            digits.push(digit);
+            self.at += 1;
+        }
+    }
+
+    /// `e-4`, if digits follow.
+    fn exponent(&mut self, digits: &mut String) {
+        let rest = self.rest();
+        let Some(after) = rest.strip_prefix(['e', 'E']) else {
+            return;
+        };
+        let signed = after.strip_prefix(['-', '+', '−']).unwrap_or(after);
+        if !signed.starts_with(|next: char| next.is_ascii_digit()) {
+            return;
+        }
+        let is_negative = after.starts_with(['-', '−']);
+        self.at += rest.len() - signed.len();
+        digits.push_str(if is_negative { "e-" } else { "e" });
+        self.digits(digits);
+    }
+
+    /// `²`, `⁻¹`.
+    fn raised(&mut self) -> Result<(), TypedError> {
+        let start = self.at;
+        let mut digits = String::new();
+        while let Some(char) = self.peek() {
+            digits.push(match char {
+                '⁻' if digits.is_empty() => '-',
+                '⁰' => '0',
+                '¹' => '1',
+                '²' => '2',
+                '³' => '3',
+                '⁴'..='⁹' => char::from(b'4' + (u32::from(char) - u32::from('⁴')) as u8),
+                _ => break,
+            });
+            self.at += char.len_utf8();
+        }
+        match digits.parse::<i128>() {
+            Ok(power) if digits.len() <= 4 => {
+                self.push(Item::Power(power), start);
+                Ok(())
+            }
+            _ => self.error(Trouble::Sign, start),
+        }
+    }
+
+    fn primes(&mut self) -> u8 {
+        let mut primes = 0_u8;
+        while let Some(char) = self.peek() {
+            primes = primes.saturating_add(match char {
+                '\'' | '’' | '′' => 1,
+                '″' | '"' => 2,
+                '‴' => 3,
+                _ => break,
+            });
+            self.at += char.len_utf8();
+        }
+        primes
+    }
+
+    /// A run of letters, after a Greek letter that was written as a command.
+    pub(super) fn run(&mut self, word: Option<(&'static str, usize)>) -> Result<(), TypedError> {
+        if word.is_none() && self.imaginary_unit() {
+            return Ok(());
+        }
+        let start = word.map_or(self.at, |(_, start)| start);
+        let mut letters = Letters::default();
+        let mut dots = 0;
+        if let Some((word, at)) = word {
+            letters.push_word(word, at);
+        }
+        while let Some(char) = self.peek() {
+            let at = self.at;
+            if let Some((plain, order)) = dotted(char) {
+                letters.push(plain, at, at);
+                dots = order;
+                self.at += char.len_utf8();
+                break;
+            }
+            if let Some(order) = combining(char) {
+                dots = order;
+                self.at += char.len_utf8();
+                break;
+            }
+            if char == '_' {
+                self.subscript(&mut letters);
+                continue;
+            }
+            if char == '\\' {
+                let name: String = self.rest()[1..]
+                    .chars()
+                    .take_while(char::is_ascii_alphabetic)
+                    .collect();
+                let Some(word) = greek_word(&name) else { break };
+                letters.push_word(word, at);
+                self.at += 1 + name.len();
+                self.skip_space_before_letter();
+                continue;
+            }
+            if char == 'd' && at > start && self.differential_quotient().is_some() {
+                break;
+            }
+            self.at += char.len_utf8();
+            if !letters.push(char, at, at) {
+                self.at = at;
+                break;
+            }
+        }
+        if dots > 0 {
+            // A subscript may stand behind the dot, as in ẋ₁.
+            while let Some(char) = self
+                .peek()
+                .filter(|next| matches!(next, '_' | '0'..='9' | '₀'..='₉'))
+            {
+                if char == '_' {
+                    self.subscript(&mut letters);
+                } else {
+                    letters.push(char, self.at, self.at);
+                    self.at += char.len_utf8();
+                }
+            }
+        }
+        let end = self.at;
+        let primes = if dots > 0 { dots } else { self.primes() };
+        self.words(&letters, start, end, primes)
+    }
+
+    /// `j100`, as engineers write it; whether it stands here.
+    fn imaginary_unit(&mut self) -> bool {
+        let rest = self.rest();
+        let is_it = self.manner.has_imaginary_unit
+            && rest.starts_with(['i', 'j'])
+            && rest[1..].starts_with(|next: char| next.is_ascii_digit());
+        if is_it {
+            let kind = crate::expr::Kind::Constant(Constant::ImaginaryUnit);
+            let span = Span::new(self.at, self.at + 1);
+            self.take(1, Item::Leaf(Expr::new(kind, span)));
+        }
+        is_it
+    }
+
+    /// Passes the space that ends a command, where a letter follows.
+    pub(super) fn skip_space_before_letter(&mut self) {
+        let spaces = self.rest().len() - self.rest().trim_start_matches(' ').len();
+        if self.rest()[spaces..].starts_with(|next: char| next.is_ascii_alphabetic()) {
+            self.at += spaces;
+        }
+    }
+
+    /// `_n`, `_{st}`, `_\mathrm{st}`; the subscript belongs to what stands before it.
+    pub(super) fn subscript(&mut self, letters: &mut Letters) {
+        let length = letters.text.len();
+        self.at += 1;
+        for command in ["\\mathrm", "\\text", "\\mathit"] {
+            if self.rest().starts_with(command) {
+                self.at += command.len();
+            }
+        }
+        if self.rest().starts_with('\\') {
+            let name: String = self.rest()[1..]
+                .chars()
+                .take_while(char::is_ascii_alphabetic)
+                .collect();
+            if let Some(word) = greek_word(&name) {
+                letters.push_word(word, self.at);
+                self.at += 1 + name.len();
+            }
+            letters.join_from(length);
+            return;
+        }
+        if self.peek() != Some('{') {
+            // Without braces the letter or the digits that follow; a longer word is told by its names.
+            if let Some(char) = self.peek() {
+                let at = self.at;
+                self.at += char.len_utf8();
+                if !letters.push(char, at, at) {
+                    self.at = at;
+                }
+            }
+            letters.join_from(length);
+            return;
+        }
+        self.at += 1;
+        while let Some(char) = self.peek() {
+            let at = self.at;
+            self.at += char.len_utf8();
+            if char == '}' {
+                break;
+            }
+            if matches!(char, '{' | ',' | ' ' | '_') {
+                continue;
+            }
+            if char == '\\' {
+                let name: String = self
+                    .rest()
+                    .chars()
+                    .take_while(char::is_ascii_alphabetic)
+                    .collect();
+                self.at += name.len();
+                if let Some(word) = greek_word(&name) {
+                    letters.push_word(word, at);
+                }
+                continue;
+            }
+            if !letters.push(char, at, at) {
+                self.at = at;
+                break;
+            }
+        }
+        if self.peek() == Some('}') && self.text[..self.at].ends_with('}') {
+            // The inner braces of `_{\mathrm{st}}`.
+            let opened = self.text[..self.at].matches('{').count();
+            if opened > self.text[..self.at].matches('}').count() {
+                self.at += 1;
+            }
+        }
+        letters.join_from(length);
+    }
+
+    /// Pushes the words of a run.
+    pub(super) fn words(
+        &mut self,
+        letters: &Letters,
+        start: usize,
+        end: usize,
+        primes: u8,
+    ) -> Result<(), TypedError> {
+        let next = self.rest().trim_start();
+        let has_bracket = next.starts_with(['(', '{', '[']) || next.starts_with("\\left");
+        let initial = ["(0)", "\\left(0\\right)"]
+            .iter()
+            .find(|call| next.starts_with(**call));
+        if let Some(call) = initial
+            && let Ok(pieces) =
+                self.lexicon
+                    .split(letters, end, primes.saturating_add(INITIAL), false)
+            && pieces.last().is_some_and(|piece| piece.takes_primes)
+        {
+            self.at += self.rest().len() - next.len() + call.len();
+            return self.pieces(pieces, 0);
+        }
+        let pieces = match self.lexicon.split(letters, end, primes, has_bracket) {
+            Ok(pieces) => pieces,
+            Err(stuck) => {
+                let nearest = self.lexicon.nearest(&self.text[start..end]);
+                return Err(TypedError::new(Trouble::Unknown { nearest }, stuck, end));
+            }
+        };
+        self.pieces(pieces, primes)
+    }
+
+    fn pieces(&mut self, pieces: Vec<Piece>, primes: u8) -> Result<(), TypedError> {
+        let count = pieces.len();
+        for (position, piece) in pieces.into_iter().enumerate() {
+            let is_last = position + 1 == count;
+            let span = Span::new(piece.start, piece.end);
+            let trouble = |trouble| TypedError { trouble, span };
+            let item = match piece.sense {
+                Sense::Leaf(leaf) => {
+                    let order = if is_last && !piece.takes_primes {
+                        primes
+                    } else {
+                        0
+                    };
+                    let named = Expr::new(leaf.kind().clone(), span);
+                    Item::Leaf(primed(named, order, span))
+                }
+                Sense::Function(_) if is_last && primes > 0 => return Err(trouble(Trouble::Sign)),
+                Sense::Function(function) => Item::Function(function),
+                Sense::Imaginary if self.manner.has_imaginary_unit => Item::Leaf(Expr::new(
+                    crate::expr::Kind::Constant(Constant::ImaginaryUnit),
+                    span,
+                )),
+                Sense::Imaginary => return Err(trouble(Trouble::Unknown { nearest: None })),
+                Sense::Logarithm => return Err(trouble(Trouble::Logarithm)),
+                Sense::NotAllowed => {
+                    return Err(trouble(Trouble::NotAllowed(self.lexicon.allowed())));
+                }
+            };
+            self.tokens.push(Token {
+                item,
+                span,
+                is_spaced: std::mem::take(&mut self.is_spaced),
+            });
+        }
+        Ok(())
+    }
+
+    /// `dx/dt`, `d²x/dt²`, `\frac{d^2 x}{dt^2}`; whether one stands here.
+    fn derivative_over_time(&mut self) -> bool {
+        if !self.rest().starts_with(['d', '\\']) {
+            return false;
+        }
+        let Some((leaf, end)) = self.differential_quotient() else {
+            return false;
+        };
+        let start = self.at;
+        self.at = end;
+        self.push(Item::Leaf(leaf), start);
+        true
+    }
+
+    fn differential_quotient(&self) -> Option<(Expr, usize)> {
+        let (spelling, order, end) = leibniz(self.text, self.at)?;
+        Some((self.lexicon.dotted(&spelling, order)?, end))
+    }
+}
+
+/// A name with primes.
+fn primed(leaf: Expr, order: u8, span: Span) -> Expr {
+    match leaf.kind() {
+        _ if order == 0 => leaf,
+        crate::expr::Kind::Prime(inner, lower) => Expr::new(
+            crate::expr::Kind::Prime(inner.clone(), lower.saturating_add(order)),
+            span,
+        ),
+        _ => Expr::new(crate::expr::Kind::Prime(leaf, order), span),
+    }
+}
