@@ -1,0 +1,158 @@
+//! The files of a bank beside its items: `bank.toml` and `_chapter.toml`.
+
+use std::collections::BTreeMap;
+
+#[cfg(feature = "render")]
+use crate::{
+    diagnostic::{Code, Diagnose, Finding, Label},
+    source::{Problems, Source, Span, Table, toml},
+};
+
+/// The version of the bank format that this program reads.
+pub const FORMAT: i64 = 1;
+
+/// `bank.toml`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BankFile {
+    /// Its title.
+    pub title: String,
+    /// Its licence; may be empty.
+    pub licence: String,
+    /// The language of its texts.
+    pub language: String,
+    /// The vocabulary of topics with what they mean.
+    pub topics: BTreeMap<String, String>,
+}
+
+/// `_chapter.toml`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chapter {
+    /// The name of its folder.
+    pub folder: String,
+    /// Its title.
+    pub title: String,
+    /// Its number, for the order.
+    pub number: i64,
+    /// What it is about.
+    pub text: String,
+}
+
+#[cfg(feature = "render")]
+#[derive(Debug, thiserror::Error)]
+#[error("this bank has format {found}, this program reads format {FORMAT}")]
+struct WrongFormat {
+    found: String,
+    span: Span,
+}
+
+#[cfg(feature = "render")]
+impl Diagnose for WrongFormat {
+    fn code(&self) -> Code {
+        Code::BANK_FORMAT
+    }
+
+    fn labels(&self) -> Vec<Label> {
+        vec![Label {
+            span: self.span,
+            text: String::new(),
+        }]
+    }
+
+    fn help(&self) -> Option<String> {
+        Some("take the version of the program that belongs to the bank".to_owned())
+    }
+}
+
+#[cfg(feature = "render")]
+impl BankFile {
+    /// Reads `bank.toml`.
+    pub(crate) fn read(source: &Source) -> (Self, Vec<Finding>) {
+        let problems = Problems::default();
+        let value = toml::read(source, &problems);
+        let mut findings = Vec::new();
+        let mut file = Self {
+            language: "en".to_owned(),
+            ..Self::default()
+        };
+        if let Some(table) = Table::of(source, &problems, "", &value) {
+            file.title = table
+                .required_text("title")
+                .map(|text| text.value)
+                .unwrap_or_default();
+            file.licence = table
+                .text("licence")
+                .map(|text| text.value)
+                .unwrap_or_default();
+            file.language = table
+                .text("language")
+                .map_or_else(|| "en".to_owned(), |text| text.value);
+            if let Some(topics) = table.table("topics") {
+                let words = topics.entries().iter();
+                file.topics = words
+                    .filter_map(|entry| {
+                        Some((
+                            entry.key.clone(),
+                            topics.as_text(&entry.key, &entry.value)?.value,
+                        ))
+                    })
+                    .collect();
+            }
+            let format = table.integer("format", "a whole number", 0..=i64::MAX);
+            if let Some(found) = format.filter(|format| *format != FORMAT) {
+                let span = table.value("format").map_or(Span::NONE, |value| value.span);
+                findings.push(Finding::of(
+                    &WrongFormat {
+                        found: found.to_string(),
+                        span,
+                    },
+                    source,
+                ));
+            }
+            table.required("format");
+            table.finish();
+        }
+        findings.extend(
+            problems
+                .take()
+                .iter()
+                .map(|problem| Finding::of(problem, source)),
+        );
+        (file, findings)
+    }
+}
+
+#[cfg(feature = "render")]
+impl Chapter {
+    /// Reads the `_chapter.toml` of a folder.
+    pub(crate) fn read(folder: &str, source: &Source) -> (Self, Vec<Finding>) {
+        let problems = Problems::default();
+        let value = toml::read(source, &problems);
+        let mut chapter = Self {
+            folder: folder.to_owned(),
+            title: folder.to_owned(),
+            number: i64::MAX,
+            text: String::new(),
+        };
+        if let Some(table) = Table::of(source, &problems, "", &value) {
+            if let Some(title) = table.required_text("title") {
+                chapter.title = title.value;
+            }
+            if let Some(number) = table.integer("number", "a whole number", 0..=i64::MAX) {
+                chapter.number = number;
+            }
+            chapter.text = table
+                .text("text")
+                .map(|text| text.value)
+                .unwrap_or_default();
+            table.finish();
+        }
+        let findings = problems.take();
+        (
+            chapter,
+            findings
+                .iter()
+                .map(|problem| Finding::of(problem, source))
+                .collect(),
+        )
+    }
+}

@@ -1,0 +1,33 @@
+//! Templates and the catalogue that holds them; loading from text.
+//!
+//! A bank is a folder of files: `bank.toml`, `<chapter>/_chapter.toml` and `<chapter>/<slug>.toml`.
+//! Loading gives a catalogue of what can be used and the findings about the rest: a broken item
+//! never hides the others.
+
+mod about;
+mod catalogue;
+#[cfg(feature = "render")]
+mod embedded;
+mod folder;
+mod identity;
+#[cfg(feature = "render")]
+mod load;
+mod parameter;
+mod passage;
+#[cfg(feature = "render")]
+mod read;
+mod template;
+
+pub use about::About;
+pub use catalogue::Catalogue;
+#[cfg(feature = "render")]
+pub use embedded::embedded;
+pub use folder::{BankFile, Chapter, FORMAT};
+pub use identity::{ItemId, Revision};
+pub use parameter::{Domain, Grid, Parameter, ParameterError};
+pub use passage::{Passage, Piece, Target};
+#[cfg(feature = "render")]
+pub use read::ItemError;
+pub use template::{
+    Check, Constraint, Expected, Mistake, MistakeAnswer, Part, QuantityInfo, Template, Units,
+};

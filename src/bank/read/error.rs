@@ -1,0 +1,206 @@
+//! What can be wrong with the meaning of an item file.
+
+use crate::diagnostic::{Code, Diagnose, Label};
+use crate::source::{Span, nearest};
+use crate::unit;
+
+/// Something in an item file that has no meaning, or not the one that is due.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ItemError {
+    /// A unit that cannot be read.
+    #[error("{0}")]
+    Unit(unit::Error),
+    /// A declared unit of another dimension than the formula has.
+    #[error("`{name}` is declared in {declared}, but its formula is in {found}")]
+    DeclaredUnit {
+        /// The quantity.
+        name: String,
+        /// The declared unit.
+        declared: String,
+        /// The dimension found.
+        found: String,
+    },
+    /// Units for another number of entries than the formula has.
+    #[error("`{name}` has {found} units for {expected} entries")]
+    UnitCount {
+        /// The quantity.
+        name: String,
+        /// How many units.
+        found: usize,
+        /// How many entries.
+        expected: usize,
+    },
+    /// A word that cannot be a name.
+    #[error("`{found}` cannot be a name{}", if *is_reserved { ": the formula language uses it" } else { "" })]
+    Name {
+        /// The word.
+        found: String,
+        /// Whether the formula language has it.
+        is_reserved: bool,
+    },
+    /// A key that names no equation.
+    #[error("`{found}` is no equation")]
+    NoEquation {
+        /// The key.
+        found: String,
+    },
+    /// A name that is taken.
+    #[error("`{found}` is already the name of something else in this item")]
+    Taken {
+        /// The name.
+        found: String,
+    },
+    /// A formula where a condition is due.
+    #[error("this is a number, expected a condition")]
+    NoCondition,
+    /// A placeholder for something that is not there.
+    #[error("there is no `{found}` in this item")]
+    Placeholder {
+        /// The name.
+        found: String,
+        /// The known name that is nearest.
+        nearest: Option<String>,
+        /// Where it stands.
+        span: Span,
+    },
+    /// A form that the thing does not have.
+    #[error("`{found}` has no {form}")]
+    Form {
+        /// The name.
+        found: String,
+        /// The form.
+        form: &'static str,
+        /// Where it stands.
+        span: Span,
+    },
+    /// A topic that is not in the vocabulary.
+    #[error("`{found}` is no topic of this bank")]
+    Topic {
+        /// The word.
+        found: String,
+        /// The vocabulary.
+        known: Vec<String>,
+    },
+    /// A guard that cannot be lifted.
+    #[error("`{found}` is nothing that can be allowed")]
+    Allow {
+        /// The word.
+        found: String,
+    },
+    /// A kind of answer that does not exist.
+    #[error("`{found}` is no kind of answer")]
+    Kind {
+        /// The word.
+        found: String,
+    },
+    /// A part without identity.
+    #[error("this part needs an `id`: its key is no name")]
+    PartId,
+    /// Two parts of one identity.
+    #[error("there are two parts `{found}`")]
+    PartTwice {
+        /// The identity.
+        found: String,
+    },
+    /// A share of the points that is none.
+    #[error("a credit lies from 0 to 1")]
+    Credit,
+    /// Points that are none.
+    #[error("points are a positive number")]
+    Points,
+    /// A mistake that says neither what it gives nor what it replaces.
+    #[error("a mistake has either `answer` or `with`")]
+    Mistake,
+    /// A check of something that is not there.
+    #[error("`{found}` is no quantity or part of this item")]
+    Expected {
+        /// The name.
+        found: String,
+        /// The known name that is nearest.
+        nearest: Option<String>,
+    },
+    /// A parameter that is not there.
+    #[error("`{found}` is no parameter of this item")]
+    Parameter {
+        /// The name.
+        found: String,
+        /// The known name that is nearest.
+        nearest: Option<String>,
+    },
+}
+
+impl Diagnose for ItemError {
+    fn code(&self) -> Code {
+        match self {
+            Self::Unit(_) => Code::QUANTITY,
+            Self::DeclaredUnit { .. } | Self::UnitCount { .. } => Code::DIMENSION,
+            Self::Name { .. } => Code::NAME,
+            Self::NoEquation { .. } => Code::KEY,
+            Self::Taken { .. } => Code::NAME_TAKEN,
+            Self::NoCondition => Code::CONDITION,
+            Self::Placeholder { .. } | Self::Form { .. } => Code::UNKNOWN_PLACEHOLDER,
+            Self::Topic { .. } => Code::TOPIC,
+            Self::Allow { .. } => Code::ALLOW,
+            Self::Kind { .. } => Code::ANSWER_KIND,
+            Self::PartId | Self::PartTwice { .. } | Self::Points => Code::PART,
+            Self::Credit | Self::Mistake => Code::MISTAKE,
+            Self::Expected { .. } | Self::Parameter { .. } => Code::CHECK,
+        }
+    }
+
+    fn labels(&self) -> Vec<Label> {
+        let span = match self {
+            Self::Unit(error) => error.span.clone().into(),
+            Self::Placeholder { span, .. } | Self::Form { span, .. } => *span,
+            _ => Span::NONE,
+        };
+        vec![Label {
+            span,
+            text: String::new(),
+        }]
+    }
+
+    fn help(&self) -> Option<String> {
+        let mean =
+            |near: &Option<String>| near.as_ref().map(|near| format!("did you mean `{near}`?"));
+        match self {
+            Self::Unit(error) => error.help(),
+            Self::Placeholder { nearest, .. }
+            | Self::Expected { nearest, .. }
+            | Self::Parameter { nearest, .. } => mean(nearest),
+            Self::Topic { found, known } => {
+                let near = nearest(found, known.iter().map(String::as_str)).map(str::to_owned);
+                mean(&near).or_else(|| {
+                    Some("add it to `[topics]` in bank.toml, with a description".to_owned())
+                })
+            }
+            Self::Allow { .. } => Some(format!(
+                "it can be {}",
+                super::super::about::LIFTABLE.join(", ")
+            )),
+            Self::Kind { found } => {
+                let names = || crate::answer::KINDS.iter().map(|kind| kind.name());
+                let near = nearest(found, names()).map(str::to_owned);
+                mean(&near).or_else(|| {
+                    Some(format!(
+                        "the kinds are {}",
+                        names().collect::<Vec<_>>().join(", ")
+                    ))
+                })
+            }
+            Self::NoCondition => Some("compare two numbers, for example `zeta < 1`".to_owned()),
+            Self::PartId => Some("add `id = \"…\"`".to_owned()),
+            Self::NoEquation { .. } => {
+                Some("write `\"a = b\"`, or name an equation of a model".to_owned())
+            }
+            Self::Taken { .. } => {
+                Some("parameters, symbols and quantities share one list of names".to_owned())
+            }
+            Self::Name { .. } => Some(
+                "a name begins with a letter and has letters, digits and underscores".to_owned(),
+            ),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,297 @@
+//! From the text of an item file to its template, with all findings at once.
+//!
+//! The order is that of what depends on what: data and names first, then the quantities, then
+//! everything whose formulas may use them.
+
+mod checks;
+mod error;
+mod models;
+mod parts;
+mod passages;
+mod quantities;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+pub use error::ItemError;
+
+use super::template::{Constraint, QuantityInfo, Template};
+use super::{About, ItemId, Parameter, Revision};
+use crate::answer::Known;
+use crate::diagnostic::{Diagnose, Finding};
+use crate::document::read_math;
+use crate::expr::{Expr, Field, Name};
+use crate::math::{Math, symbol};
+use crate::quantity::{Graph, NodeId};
+use crate::source::{Problems, Source, Span, Table, Text, toml};
+use crate::unit::{self, Unit};
+
+/// The state of reading one item.
+struct Reader<'s> {
+    source: &'s Source,
+    findings: Vec<Finding>,
+    graph: Graph,
+    parameters: Vec<Parameter>,
+    quantities: BTreeMap<NodeId, QuantityInfo>,
+    digits: u8,
+    plots: BTreeSet<String>,
+    has_figure: bool,
+    /// The symbols and coordinates.
+    free: Vec<Known>,
+    /// What the parts that were read ask for.
+    asked: Vec<NodeId>,
+    /// The part that is being read.
+    part: String,
+}
+
+/// Reads an item; there is no template where something is wrong with it.
+pub(super) fn item(
+    id: ItemId,
+    source: &Source,
+    topics: Option<&BTreeMap<String, String>>,
+) -> (Option<Template>, Vec<Finding>) {
+    let problems = Problems::default();
+    let value = toml::read(source, &problems);
+    let mut reader = Reader::new(source);
+    let template =
+        Table::of(source, &problems, "", &value).and_then(|table| reader.item(id, &table, topics));
+    let mut findings: Vec<Finding> = problems
+        .take()
+        .iter()
+        .map(|problem| Finding::of(problem, source))
+        .collect();
+    findings.append(&mut reader.findings);
+    Finding::sort(&mut findings);
+    let is_sound = !findings
+        .iter()
+        .any(|finding| finding.severity == crate::diagnostic::Severity::Error);
+    (template.filter(|_| is_sound), findings)
+}
+
+impl<'s> Reader<'s> {
+    fn new(source: &'s Source) -> Self {
+        Self {
+            source,
+            findings: Vec::new(),
+            graph: Graph::new(),
+            parameters: Vec::new(),
+            quantities: BTreeMap::new(),
+            digits: 3,
+            plots: BTreeSet::new(),
+            has_figure: false,
+            free: Vec::new(),
+            asked: Vec::new(),
+            part: String::new(),
+        }
+    }
+
+    fn item(
+        &mut self,
+        id: ItemId,
+        table: &Table<'s>,
+        topics: Option<&BTreeMap<String, String>>,
+    ) -> Option<Template> {
+        let about = table.required_table("item").map(About::read);
+        if let Some(about) = &about {
+            self.digits = about.digits;
+            self.about(about, topics);
+        }
+        self.has_figure = table.has("figure");
+        if let Some(plots) = table.table("plots") {
+            self.plots = plots
+                .entries()
+                .iter()
+                .map(|entry| entry.key.clone())
+                .collect();
+        }
+        self.data(table);
+        self.quantities(table);
+        let constraints = self.constraints(table);
+        let statement = table.required_table("statement").map(|statement| {
+            let passage = statement
+                .required("text")
+                .map(|text| self.passage(&statement, "text", text));
+            statement.finish();
+            passage.unwrap_or_default()
+        });
+        let solution = table.table("solution").map(|solution| {
+            let passage = solution
+                .required("text")
+                .map(|text| self.passage(&solution, "text", text));
+            solution.finish();
+            passage.unwrap_or_default()
+        });
+        let parts = self.parts(table);
+        let checks = self.checks(table, &parts);
+        let notes = about
+            .as_ref()
+            .and_then(|about| about.notes.as_ref())
+            .map(|notes| self.text(notes));
+        let template = Template {
+            id,
+            revision: Revision::of(&self.source.text),
+            about: about?,
+            source: self.source.clone(),
+            parameters: std::mem::take(&mut self.parameters),
+            constraints,
+            graph: std::mem::take(&mut self.graph),
+            quantities: std::mem::take(&mut self.quantities),
+            symbols: self
+                .free
+                .iter()
+                .map(|known| (known.name.clone(), known.symbol.clone()))
+                .collect(),
+            statement: statement?,
+            solution: solution.unwrap_or_default(),
+            notes: notes.unwrap_or_default(),
+            parts,
+            checks,
+        };
+        table.finish_ref();
+        Some(template)
+    }
+
+    /// Topics and lifted guards have to be known words.
+    fn about(&mut self, about: &About, topics: Option<&BTreeMap<String, String>>) {
+        for topic in &about.topics {
+            if let Some(topics) = topics.filter(|topics| !topics.contains_key(&topic.value)) {
+                let known = topics.keys().cloned().collect();
+                self.find(
+                    &ItemError::Topic {
+                        found: topic.value.clone(),
+                        known,
+                    },
+                    topic,
+                );
+            }
+        }
+        for word in &about.allow {
+            if !super::about::LIFTABLE.contains(&word.value.as_str()) {
+                self.find(
+                    &ItemError::Allow {
+                        found: word.value.clone(),
+                    },
+                    word,
+                );
+            }
+        }
+    }
+
+    fn constraints(&mut self, table: &Table<'s>) -> Vec<Constraint> {
+        let Some(constraints) = table.table("constraints") else {
+            return Vec::new();
+        };
+        let read = |entry: &'s crate::source::Entry| {
+            let text = constraints.as_formula(&entry.key, &entry.value)?;
+            let node = self.condition(&format!("constraint {}", entry.key), &text)?;
+            Some(Constraint {
+                name: entry.key.clone(),
+                node,
+            })
+        };
+        constraints.entries().iter().filter_map(read).collect()
+    }
+
+    /// Reads a formula whose names are known.
+    fn formula(&mut self, label: &str, text: &Text) -> Option<NodeId> {
+        let expr = self.expr(text)?;
+        match self.graph.formula(label, expr) {
+            Ok(node) => Some(node),
+            Err(errors) => {
+                errors.iter().for_each(|error| self.find(error, text));
+                None
+            }
+        }
+    }
+
+    /// Reads a formula that is true or false.
+    fn condition(&mut self, label: &str, text: &Text) -> Option<NodeId> {
+        let node = self.formula(label, text)?;
+        let is_condition = self
+            .graph
+            .kind(node)
+            .is_some_and(|kind| kind.field() == Field::Boolean);
+        if !is_condition {
+            self.find(&ItemError::NoCondition, text);
+            return None;
+        }
+        Some(node)
+    }
+
+    fn expr(&mut self, text: &Text) -> Option<Expr> {
+        match Expr::read(&text.value) {
+            Ok(expr) => Some(expr),
+            Err(error) => {
+                self.find(&error, text);
+                None
+            }
+        }
+    }
+
+    fn unit(&mut self, text: &Text) -> Option<Unit> {
+        match Unit::parse(&text.value) {
+            Ok(unit) => Some(unit),
+            Err(error) => {
+                self.find(&ItemError::Unit(error), text);
+                None
+            }
+        }
+    }
+
+    /// The symbol of a name: what the item says, else what follows from the name.
+    fn symbol(&mut self, name: &str, text: Option<&Text>) -> Math {
+        let Some(text) = text else {
+            return symbol(name);
+        };
+        match read_math(&text.value) {
+            Ok(math) => math,
+            Err(error) => {
+                self.find(&error, text);
+                symbol(name)
+            }
+        }
+    }
+
+    /// A name that formulas can use.
+    fn name(&mut self, key: &str, span: Span) -> Option<Name> {
+        const RESERVED: [&str; 7] = ["t", "i", "pi", "e", "inf", "model", "models"];
+        let is_reserved = RESERVED.contains(&key) || crate::expr::Function::of_name(key).is_some();
+        let mut letters = key.chars();
+        let is_name = letters
+            .next()
+            .is_some_and(|first| first.is_ascii_alphabetic())
+            && letters.all(|letter| letter.is_ascii_alphanumeric() || letter == '_');
+        if is_name && !is_reserved && key.len() <= 64 {
+            return Some(Name::new(key));
+        }
+        let text = Text {
+            value: key.to_owned(),
+            span,
+        };
+        self.find(
+            &ItemError::Name {
+                found: key.to_owned(),
+                is_reserved,
+            },
+            &text,
+        );
+        None
+    }
+
+    fn find(&mut self, error: &impl Diagnose, text: &Text) {
+        let mut finding = Finding::within(error, self.source, text);
+        for label in finding
+            .labels
+            .iter_mut()
+            .filter(|label| label.span.is_none())
+        {
+            label.span = text.span;
+        }
+        self.findings.push(finding);
+    }
+}
+
+impl From<unit::Error> for ItemError {
+    fn from(error: unit::Error) -> Self {
+        Self::Unit(error)
+    }
+}

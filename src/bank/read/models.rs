@@ -1,0 +1,238 @@
+//! The tables of models: energies, dissipation, forces, friction, initial state.
+
+use super::Reader;
+use crate::answer::Role;
+use crate::diagnostic::Finding;
+use crate::expr::{Expr, Name};
+use crate::mechanics::{Coordinate, Definition, Friction, Initial};
+use crate::quantity::NodeId;
+use crate::source::{Data, Entry, Span, Table, Value};
+
+/// The keys of a model that `like` may take over.
+const FORMULAS: [&str; 3] = ["kinetic", "potential", "dissipation"];
+
+/// A model as declared, until all names are known.
+pub(super) struct Declared {
+    pub(super) node: NodeId,
+    pub(super) span: Span,
+}
+
+impl<'s> Reader<'s> {
+    /// All models of an item.
+    pub(super) fn models(&mut self, table: &Table<'s>) -> Vec<Declared> {
+        let main = table.table("model");
+        let mut declared = Vec::new();
+        if let Some(model) = &main {
+            let definition = self.definition(model, None);
+            declared.push(Declared {
+                node: self.graph.model("model", definition),
+                span: model.span(),
+            });
+        }
+        if let Some(models) = table.table("models") {
+            for entry in models.entries() {
+                let name = format!("models.{}", entry.key);
+                let Some(model) =
+                    Table::of(models.source(), models.problems(), &name, &entry.value)
+                else {
+                    continue;
+                };
+                let like = model
+                    .text("like")
+                    .filter(|like| like.value == "model")
+                    .and(main.as_ref());
+                let definition = self.definition(&model, like);
+                declared.push(Declared {
+                    node: self.graph.model(&name, definition),
+                    span: model.span(),
+                });
+                model.finish();
+            }
+        }
+        if let Some(model) = main {
+            model.finish();
+        }
+        declared
+    }
+
+    /// The definition in a table; what it does not say is taken from `like`.
+    fn definition(&mut self, table: &Table<'s>, like: Option<&Table<'s>>) -> Definition {
+        let from = |key: &'static str| {
+            if table.has(key) {
+                Some(table)
+            } else {
+                like.filter(|like| like.has(key))
+            }
+        };
+        let mut definition = Definition::default();
+        if like.is_none() {
+            table.required("coordinates");
+            table.required("kinetic");
+        }
+        if let Some(coordinates) = from("coordinates").and_then(|own| own.table("coordinates")) {
+            definition.coordinates = coordinates
+                .entries()
+                .iter()
+                .filter_map(|entry| self.coordinate(&coordinates, entry))
+                .collect();
+        }
+        for key in FORMULAS {
+            let Some(formula) = from(key).and_then(|own| self.located(own, key, own.value(key)?))
+            else {
+                continue;
+            };
+            match key {
+                "kinetic" => definition.kinetic = formula,
+                "potential" => definition.potential = formula,
+                _ => definition.dissipation = formula,
+            }
+        }
+        definition.kinematics = self.by_name(from("kinematics"), "kinematics");
+        definition.forces = self.by_name(from("forces"), "forces");
+        definition.equilibrium = self.by_name(from("equilibrium"), "equilibrium");
+        definition.friction = self.frictions(from("friction"));
+        definition.initial = self.initials(from("initial"));
+        definition
+    }
+
+    /// A coordinate; its name is free in all formulas of the item that have no quantity of the same name.
+    fn coordinate(&mut self, table: &Table<'s>, entry: &'s Entry) -> Option<Coordinate> {
+        let name = self.name(&entry.key, entry.span)?;
+        let mut symbol = None;
+        let unit = match &entry.value.data {
+            Data::Table(_) => {
+                let inner = Table::of(table.source(), table.problems(), &entry.key, &entry.value)?;
+                let unit = inner.required_text("unit");
+                symbol = inner.text("symbol");
+                inner.text("name");
+                inner.finish();
+                unit
+            }
+            _ => table.as_text(&entry.key, &entry.value),
+        };
+        let unit = unit.and_then(|text| self.unit(&text))?;
+        self.know(
+            name.clone(),
+            unit,
+            symbol.as_ref(),
+            Role::Coordinate,
+            entry.span,
+        );
+        let is_angle = unit.dimension().is_pure() && !unit.is_one();
+        Some(Coordinate {
+            is_angle,
+            span: entry.span,
+            ..Coordinate::new(name, unit.dimension())
+        })
+    }
+
+    fn by_name(&mut self, table: Option<&Table<'s>>, key: &'static str) -> Vec<(Name, Expr)> {
+        let Some(own) = table.and_then(|table| table.table(key)) else {
+            return Vec::new();
+        };
+        let entry = |entry: &'s Entry| {
+            Some((
+                Name::new(entry.key.as_str()),
+                self.located(&own, &entry.key, &entry.value)?,
+            ))
+        };
+        own.entries().iter().filter_map(entry).collect()
+    }
+
+    fn frictions(&mut self, table: Option<&Table<'s>>) -> Vec<(Name, Friction)> {
+        let Some(own) = table.and_then(|table| table.table("friction")) else {
+            return Vec::new();
+        };
+        let mut frictions = Vec::new();
+        for entry in own.entries() {
+            let friction = if let Data::Table(_) = entry.value.data {
+                let Some(inner) = Table::of(own.source(), own.problems(), &entry.key, &entry.value)
+                else {
+                    continue;
+                };
+                let kinetic = inner
+                    .required("kinetic")
+                    .and_then(|value| self.located(&inner, "kinetic", value));
+                let holding = inner
+                    .value("static")
+                    .and_then(|value| self.located(&inner, "static", value));
+                inner.finish();
+                kinetic.map(|kinetic| Friction { kinetic, holding })
+            } else {
+                let kinetic = self.located(&own, &entry.key, &entry.value);
+                kinetic.map(|kinetic| Friction {
+                    kinetic,
+                    holding: None,
+                })
+            };
+            frictions.extend(friction.map(|friction| (Name::new(entry.key.as_str()), friction)));
+        }
+        frictions
+    }
+
+    fn initials(&mut self, table: Option<&Table<'s>>) -> Vec<(Name, Initial)> {
+        let Some(own) = table.and_then(|table| table.table("initial")) else {
+            return Vec::new();
+        };
+        let mut initials = Vec::new();
+        for entry in own.entries() {
+            let initial = match &entry.value.data {
+                Data::List(items) if items.len() == 2 => {
+                    let position = self.located(&own, &entry.key, &items[0]);
+                    let velocity = self.located(&own, &entry.key, &items[1]);
+                    position.zip(velocity)
+                }
+                Data::List(_) => own.wrong(
+                    &entry.key,
+                    "a position, or position and velocity",
+                    &entry.value,
+                ),
+                _ => self
+                    .located(&own, &entry.key, &entry.value)
+                    .map(|position| (position, Expr::number(0))),
+            };
+            let initial = initial.map(|(position, velocity)| Initial { position, velocity });
+            initials.extend(initial.map(|initial| (Name::new(entry.key.as_str()), initial)));
+        }
+        initials
+    }
+
+    /// A formula whose nodes know their places in the file.
+    fn located(&mut self, table: &Table<'s>, key: &str, value: &'s Value) -> Option<Expr> {
+        let text = table.as_formula(key, value)?;
+        let expr = self.expr(&text)?;
+        Some(moved(&expr, &|span| self.source.place(&text, span)))
+    }
+
+    /// Notes a finding about a model; its places count in the file.
+    pub(super) fn find_in_model(
+        &mut self,
+        error: &impl crate::diagnostic::Diagnose,
+        model: &Declared,
+    ) {
+        let mut finding = Finding::of(error, self.source);
+        for label in finding
+            .labels
+            .iter_mut()
+            .filter(|label| label.span.is_none())
+        {
+            label.span = model.span;
+        }
+        self.findings.push(finding);
+    }
+}
+
+/// The same formula with its places mapped. Formulas that were read have a bounded depth.
+fn moved(expr: &Expr, place: &impl Fn(Span) -> Span) -> Expr {
+    let same =
+        expr.try_map_children::<std::convert::Infallible>(&mut |child| Ok(moved(child, place)));
+    let Ok(same) = same;
+    Expr::new(
+        same.kind().clone(),
+        if expr.span().is_none() {
+            Span::NONE
+        } else {
+            place(expr.span())
+        },
+    )
+}

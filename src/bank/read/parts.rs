@@ -1,0 +1,357 @@
+//! What is asked, and what is known to go wrong.
+
+use super::{ItemError, Reader};
+use crate::answer::{self, Answer, Credit, Declare, Known, Role};
+use crate::bank::Domain;
+use crate::bank::template::{Mistake, MistakeAnswer, Part, Units};
+use crate::diagnostic::{Diagnose, Finding};
+use crate::document::Document;
+use crate::expr::{Equation, Expr, Kind, Name};
+use crate::numerics::Rational;
+use crate::quantity::{Graph, NodeId};
+use crate::source::{Data, Table, Text};
+use crate::unit::Unit;
+
+impl<'s> Reader<'s> {
+    pub(super) fn parts(&mut self, table: &Table<'s>) -> Vec<Part> {
+        let mut parts: Vec<Part> = Vec::new();
+        for part in table.tables("part") {
+            let span = part.span();
+            let Some(part) = self.part(part) else {
+                continue;
+            };
+            if parts.iter().any(|other| other.id == part.id) {
+                let text = Text {
+                    value: part.id.clone(),
+                    span,
+                };
+                self.find(
+                    &ItemError::PartTwice {
+                        found: part.id.clone(),
+                    },
+                    &text,
+                );
+                continue;
+            }
+            parts.push(part);
+        }
+        parts
+    }
+
+    fn part(&mut self, table: Table<'s>) -> Option<Part> {
+        let kind_text = table.text("kind");
+        let kind_name = kind_text
+            .as_ref()
+            .map_or("numeric", |text| text.value.as_str());
+        let Some(kind) = answer::kind(kind_name) else {
+            let text = kind_text.unwrap_or(Text {
+                value: String::new(),
+                span: table.span(),
+            });
+            self.find(
+                &ItemError::Kind {
+                    found: text.value.clone(),
+                },
+                &text,
+            );
+            return None;
+        };
+        let key = table.value("key").and_then(|key| match &key.data {
+            Data::Text(text) => Some(text.clone()),
+            _ => None,
+        });
+        let id = table
+            .text("id")
+            .map(|text| text.value)
+            .or_else(|| key.clone().filter(|key| is_name(key)));
+        let Some(id) = id else {
+            self.find(
+                &ItemError::PartId,
+                &Text {
+                    value: String::new(),
+                    span: table.span(),
+                },
+            );
+            return None;
+        };
+        self.own_name(&id, key.as_deref(), &table);
+        self.part = id;
+        let ask = table
+            .required("ask")
+            .map(|ask| self.passage(&table, "ask", ask));
+        let points = self.points(&table);
+        let when = table
+            .text("when")
+            .and_then(|text| self.condition("condition of a part", &text));
+        let hints = self.passages(&table, "hints");
+        let solution = self.optional_passage(&table, "solution");
+        let mut answer = kind.read(&table, self);
+        let mistakes = match &mut answer {
+            Some(answer) => {
+                self.asked.extend(answer.keys());
+                let mut mistakes = Vec::new();
+                for mistake in table.tables("mistakes") {
+                    let number = mistakes.len();
+                    mistakes.extend(self.mistake(mistake, number, answer.as_mut()));
+                }
+                mistakes
+            }
+            None => {
+                table.value("mistakes");
+                Vec::new()
+            }
+        };
+        if answer.is_some() {
+            table.finish();
+        }
+        let id = std::mem::take(&mut self.part);
+        Some(Part {
+            id,
+            ask: ask?,
+            answer: answer?,
+            points,
+            when,
+            hints,
+            solution,
+            mistakes,
+        })
+    }
+
+    /// A part may bear the name of a quantity only if that is its key.
+    fn own_name(&mut self, id: &str, key: Option<&str>, table: &Table<'s>) {
+        if self.graph.find(&Name::new(id)).is_some() && key != Some(id) {
+            let text = table.text("id").unwrap_or(Text {
+                value: id.to_owned(),
+                span: table.span(),
+            });
+            self.find(
+                &ItemError::Taken {
+                    found: id.to_owned(),
+                },
+                &text,
+            );
+        }
+    }
+
+    fn points(&mut self, table: &Table<'s>) -> Rational {
+        let Some(text) = table
+            .value("points")
+            .and_then(|points| table.as_formula("points", points))
+        else {
+            return Rational::ONE;
+        };
+        let points = Rational::from_decimal(&text.value).filter(|points| *points > Rational::ZERO);
+        points.unwrap_or_else(|| {
+            self.find(&ItemError::Points, &text);
+            Rational::ONE
+        })
+    }
+
+    fn mistake(
+        &mut self,
+        table: Table<'s>,
+        number: usize,
+        answer: &mut dyn Answer,
+    ) -> Option<Mistake> {
+        let given = match (table.value("answer"), table.table("with")) {
+            (Some(value), None) => answer
+                .read_mistake(number, value, &table, self)
+                .map(MistakeAnswer::Formulas),
+            (None, Some(with)) => Some(MistakeAnswer::Replaced(self.replacements(&with))),
+            _ => {
+                self.find(
+                    &ItemError::Mistake,
+                    &Text {
+                        value: String::new(),
+                        span: table.span(),
+                    },
+                );
+                None
+            }
+        };
+        let feedback = table
+            .required("feedback")
+            .map(|feedback| self.passage(&table, "feedback", feedback));
+        let credit = table
+            .value("credit")
+            .and_then(|credit| table.as_formula("credit", credit));
+        let credit = credit.map(|text| {
+            Credit::read(&text.value).unwrap_or_else(|| {
+                self.find(&ItemError::Credit, &text);
+                Credit::NONE
+            })
+        });
+        let unit = table
+            .text("unit")
+            .and_then(|text| Reader::unit(self, &text));
+        let when = table
+            .text("when")
+            .and_then(|text| self.condition("condition of a mistake", &text));
+        table.finish();
+        Some(Mistake {
+            answer: given?,
+            feedback: feedback?,
+            credit: credit.unwrap_or(Credit::NONE),
+            unit,
+            when,
+        })
+    }
+
+    fn replacements(&mut self, table: &Table<'s>) -> Vec<(NodeId, NodeId)> {
+        let mut replaced = Vec::new();
+        for entry in table.entries() {
+            let Some(text) = table.as_formula(&entry.key, &entry.value) else {
+                continue;
+            };
+            let Some(quantity) = self.graph.find(&Name::new(entry.key.as_str())) else {
+                let names = self.graph.names().map(Name::as_str);
+                let nearest = crate::source::nearest(&entry.key, names).map(str::to_owned);
+                let key = Text {
+                    value: entry.key.clone(),
+                    span: entry.span,
+                };
+                self.find(
+                    &ItemError::Expected {
+                        found: entry.key.clone(),
+                        nearest,
+                    },
+                    &key,
+                );
+                continue;
+            };
+            replaced.extend(Reader::formula(self, "mistake", &text).map(|value| (quantity, value)));
+        }
+        replaced
+    }
+}
+
+fn is_name(key: &str) -> bool {
+    key.starts_with(|first: char| first.is_ascii_alphabetic())
+        && key
+            .bytes()
+            .all(|byte| byte.is_ascii_alphanumeric() || byte == b'_')
+}
+
+impl Declare for Reader<'_> {
+    fn formula(&mut self, label: &str, text: &Text) -> Option<NodeId> {
+        let name = Expr::read(&text.value)
+            .ok()
+            .and_then(|expr| match expr.kind() {
+                Kind::Name(name) => self.graph.find(name),
+                _ => None,
+            });
+        // A key that names a quantity is that quantity, so that it is computed once and can be replaced.
+        name.or_else(|| {
+            let label = format!("{label} of {}", self.part);
+            Reader::formula(self, &label, text)
+        })
+    }
+
+    fn condition(&mut self, label: &str, text: &Text) -> Option<NodeId> {
+        let label = format!("{label} of {}", self.part);
+        Reader::condition(self, &label, text)
+    }
+
+    fn expr(&mut self, label: &str, expr: Expr, text: &Text) -> Option<NodeId> {
+        match self
+            .graph
+            .formula(format!("{label} of {}", self.part), expr)
+        {
+            Ok(node) => Some(node),
+            Err(errors) => {
+                errors.iter().for_each(|error| self.find(error, text));
+                None
+            }
+        }
+    }
+
+    fn equations(&mut self, text: &Text) -> Option<Vec<Equation>> {
+        let path = Expr::read(&text.value).ok();
+        let offered = path.as_ref().and_then(|path| match path.kind() {
+            Kind::Path(path) => self.graph.offered(path),
+            _ => None,
+        });
+        let equations = offered.and_then(|(model, quantity)| model.equations(quantity).ok());
+        if equations.is_none() {
+            self.find(
+                &ItemError::NoEquation {
+                    found: text.value.clone(),
+                },
+                text,
+            );
+        }
+        equations
+    }
+
+    fn known(&self) -> Vec<Known> {
+        let named = self.quantities.iter().filter_map(|(node, info)| {
+            let role = match info.parameter {
+                Some(place) => Role::Parameter {
+                    node: *node,
+                    is_signed: self.parameters[place].domain == Domain::Any,
+                },
+                None => Role::Quantity {
+                    node: *node,
+                    is_asked: self.asked.contains(node),
+                },
+            };
+            Some(Known {
+                name: info.name.clone(),
+                symbol: info.symbol.clone(),
+                kind: self.graph.kind(*node)?.clone(),
+                role,
+            })
+        });
+        named.chain(self.free.iter().cloned()).collect()
+    }
+
+    fn unit(&mut self, text: &Text) -> Option<Unit> {
+        Reader::unit(self, text)
+    }
+
+    fn text(&mut self, text: &Text) -> Document {
+        self.plain_text(text)
+    }
+
+    fn graph(&self) -> &Graph {
+        &self.graph
+    }
+
+    fn unit_of(&self, node: NodeId) -> Option<Unit> {
+        match self.quantities.get(&node)?.units.as_ref()? {
+            Units::One(unit) => Some(*unit),
+            Units::Each(_) => None,
+        }
+    }
+
+    fn units_of(&self, node: NodeId) -> Vec<Unit> {
+        let count = self.graph.kind(node).map_or(0, |kind| kind.shape().len());
+        match self
+            .quantities
+            .get(&node)
+            .and_then(|info| info.units.as_ref())
+        {
+            Some(Units::One(unit)) => vec![*unit; count],
+            Some(Units::Each(units)) => units.clone(),
+            None => Vec::new(),
+        }
+    }
+
+    fn digits_of(&self, node: NodeId) -> u8 {
+        self.quantities
+            .get(&node)
+            .map_or(self.digits, |info| info.digits)
+    }
+
+    fn find(&mut self, error: &dyn Diagnose, text: &Text) {
+        let mut finding = Finding::within(error, self.source, text);
+        for label in finding
+            .labels
+            .iter_mut()
+            .filter(|label| label.span.is_none())
+        {
+            label.span = text.span;
+        }
+        self.findings.push(finding);
+    }
+}

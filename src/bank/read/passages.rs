@@ -1,0 +1,211 @@
+//! Texts: read, and their placeholders looked up.
+
+use super::{ItemError, Reader};
+use crate::bank::passage::{Passage, Piece, Target};
+use crate::bank::template::{QuantityInfo, Units};
+use crate::document::{Document, Form, Placeholder};
+use crate::expr::{Expr, Kind, Name, Path};
+use crate::quantity::NodeId;
+use crate::source::{Data, Table, Text, Value, nearest};
+use crate::unit::Unit;
+
+impl<'s> Reader<'s> {
+    /// A text, or alternatives of `{ when, text }`.
+    pub(super) fn passage(
+        &mut self,
+        table: &Table<'s>,
+        key: &'static str,
+        value: &'s Value,
+    ) -> Passage {
+        match &value.data {
+            Data::List(items) => {
+                let pieces = items
+                    .iter()
+                    .filter_map(|item| self.alternative(table, key, item))
+                    .collect();
+                Passage { pieces }
+            }
+            _ => table
+                .as_text(key, value)
+                .map(|text| self.text(&text))
+                .unwrap_or_default(),
+        }
+    }
+
+    /// The passage of a key, empty if it is not there.
+    pub(super) fn optional_passage(&mut self, table: &Table<'s>, key: &'static str) -> Passage {
+        table
+            .value(key)
+            .map(|value| self.passage(table, key, value))
+            .unwrap_or_default()
+    }
+
+    /// A list of texts; each may be a list of alternatives.
+    pub(super) fn passages(&mut self, table: &Table<'s>, key: &'static str) -> Vec<Passage> {
+        let Some(value) = table.value(key) else {
+            return Vec::new();
+        };
+        table
+            .items(key, value)
+            .iter()
+            .map(|item| self.passage(table, key, item))
+            .collect()
+    }
+
+    /// One text that is always shown.
+    pub(super) fn text(&mut self, text: &Text) -> Passage {
+        Passage {
+            pieces: vec![self.piece(None, text)],
+        }
+    }
+
+    /// A text without placeholders.
+    pub(super) fn plain_text(&mut self, text: &Text) -> Document {
+        self.document(text)
+    }
+
+    fn alternative(
+        &mut self,
+        table: &Table<'s>,
+        key: &'static str,
+        value: &'s Value,
+    ) -> Option<Piece> {
+        if let Data::Text(_) = value.data {
+            let text = table.as_text(key, value)?;
+            return Some(self.piece(None, &text));
+        }
+        let inner = Table::of(table.source(), table.problems(), key, value)?;
+        let when = inner
+            .text("when")
+            .and_then(|text| self.condition("condition of a text", &text));
+        let text = inner.required_text("text");
+        inner.finish();
+        text.map(|text| self.piece(when, &text))
+    }
+
+    fn piece(&mut self, when: Option<NodeId>, text: &Text) -> Piece {
+        let document = self.document(text);
+        let targets = document
+            .placeholders()
+            .to_vec()
+            .iter()
+            .map(|place| self.target(place, text))
+            .collect();
+        Piece {
+            when,
+            document,
+            targets,
+        }
+    }
+
+    fn document(&mut self, text: &Text) -> Document {
+        let reading = Document::read(&text.value);
+        for error in &reading.errors {
+            self.find(error, text);
+        }
+        reading.document
+    }
+
+    /// What a placeholder stands for.
+    fn target(&mut self, place: &Placeholder, text: &Text) -> Target {
+        let mut names = place.names();
+        let first = names.next().unwrap_or_default();
+        match (first, place.path.as_str()) {
+            (_, "figure") => Target::Figure,
+            ("plots", path) => {
+                let name = path.trim_start_matches("plots.");
+                if self.plots.contains(name) {
+                    return Target::Plot(name.to_owned());
+                }
+                let near = nearest(name, self.plots.iter().map(String::as_str))
+                    .map(|near| format!("plots.{near}"));
+                self.missing(place, near, text)
+            }
+            ("model" | "models", path) => self.offered(path, place, text),
+            (_, name) => match self.graph.find(&Name::new(name)) {
+                Some(node) => self.shown(node, place, text),
+                None => {
+                    let near =
+                        nearest(name, self.graph.names().map(Name::as_str)).map(str::to_owned);
+                    self.missing(place, near, text)
+                }
+            },
+        }
+    }
+
+    /// A formula or equation of a model, or one of its numbers.
+    fn offered(&mut self, path: &str, place: &Placeholder, text: &Text) -> Target {
+        let path = Path::new(path.split('.').map(Name::new).collect::<Vec<_>>());
+        let Some((model, quantity)) = self.graph.offered(&path) else {
+            return self.missing(place, None, text);
+        };
+        if model.formula(quantity).is_ok() || model.equations(quantity).is_ok() {
+            return Target::Model(path);
+        }
+        let number = Expr::derived(Kind::Path(path));
+        match self.graph.formula(place.path.as_str(), number) {
+            Ok(node) => {
+                self.inform(node, &place.path);
+                Target::Node(node)
+            }
+            Err(errors) => {
+                errors.iter().for_each(|error| self.find(error, text));
+                Target::Nothing
+            }
+        }
+    }
+
+    /// What is known of a number of a model: its coherent unit, and the figures of the item.
+    fn inform(&mut self, node: NodeId, path: &str) {
+        let dimension = self.graph.kind(node).and_then(crate::expr::Type::dimension);
+        let unit = dimension.and_then(|dimension| Unit::parse(&dimension.describe()).ok());
+        let info = QuantityInfo {
+            name: Name::new(path),
+            title: None,
+            symbol: crate::math::symbol(path.rsplit('.').next().unwrap_or(path)),
+            units: Some(Units::One(unit.unwrap_or(Unit::ONE))),
+            digits: self.digits,
+            verify: None,
+            parameter: None,
+        };
+        self.quantities.insert(node, info);
+    }
+
+    /// A node, if it has the form in which it is wanted.
+    fn shown(&mut self, node: NodeId, place: &Placeholder, text: &Text) -> Target {
+        let info = self.quantities.get(&node);
+        let is_bare = info.is_some_and(|info| info.units.is_none());
+        let is_datum = info.is_some_and(|info| info.parameter.is_some());
+        let missing = match place.form {
+            Form::Value | Form::Number | Form::Unit | Form::Given | Form::Equation if is_bare => {
+                Some("unit, so no value to print")
+            }
+            Form::Formula | Form::Substituted | Form::Equation if is_datum => {
+                Some("formula: it is given")
+            }
+            _ => None,
+        };
+        match missing {
+            None => Target::Node(node),
+            Some(form) => {
+                let error = ItemError::Form {
+                    found: place.path.clone(),
+                    form,
+                    span: place.span,
+                };
+                self.find(&error, text);
+                Target::Nothing
+            }
+        }
+    }
+
+    fn missing(&mut self, place: &Placeholder, nearest: Option<String>, text: &Text) -> Target {
+        let error = ItemError::Placeholder {
+            found: place.path.clone(),
+            nearest,
+            span: place.span,
+        };
+        self.find(&error, text);
+        Target::Nothing
+    }
+}
