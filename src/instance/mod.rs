@@ -1,0 +1,242 @@
+//! Instances: the data of an item for one seed, under its constraints.
+//!
+//! A parameter is drawn as an integer on its decimal grid, from a stream of its own that is named
+//! after it, so that what is printed is exactly what is solved, and adding a parameter changes no
+//! other. A draw that breaks a constraint is drawn again, from the next numbers of the same streams.
+
+use std::sync::Arc;
+
+use crate::bank::{Parameter, ParameterError, Template};
+use crate::expr::Precise;
+use crate::quantity::Evaluation;
+use crate::seed::{Seed, Stream, Streams};
+use crate::unit::Quantity;
+
+/// The data of an item.
+#[derive(Clone, Debug)]
+pub struct Instance<'t> {
+    template: &'t Template,
+    seed: Option<Seed>,
+    values: Vec<Quantity>,
+    redraws: u32,
+}
+
+/// Why no instance could be made.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum InstanceError {
+    /// The constraints were not met in a bounded number of draws.
+    #[error("no data of `{item}` meet its constraints in {attempts} draws: {}", .broken.iter().map(|(name, count)| format!("`{name}` was broken {count} times")).collect::<Vec<_>>().join(", "))]
+    Constraints {
+        /// The item.
+        item: String,
+        /// How many draws were made.
+        attempts: u32,
+        /// The constraints that were broken first, and how often.
+        broken: Vec<(String, u32)>,
+    },
+    /// A value for a parameter that the item does not have.
+    #[error("`{item}` has no parameter `{found}`{}", .nearest.as_ref().map(|near| format!(", did you mean `{near}`?")).unwrap_or_default())]
+    UnknownParameter {
+        /// The item.
+        item: String,
+        /// The name.
+        found: String,
+        /// The known name that is nearest.
+        nearest: Option<String>,
+    },
+    /// A value that a parameter cannot have.
+    #[error("`{name}`: {error}")]
+    Value {
+        /// The parameter.
+        name: String,
+        /// What is wrong.
+        error: ParameterError,
+    },
+}
+
+/// Draws that are made before giving up.
+const MOST_DRAWS: u32 = 1000;
+
+impl<'t> Instance<'t> {
+    /// The instance of a seed: a pure function of item and seed.
+    ///
+    /// # Errors
+    ///
+    /// [`InstanceError::Constraints`].
+    pub fn draw(template: &'t Template, seed: Seed) -> Result<Self, InstanceError> {
+        Self::of(template, Some(seed), &[])
+    }
+
+    /// The instance with the values of the source.
+    pub fn of_source(template: &'t Template) -> Self {
+        let values = template
+            .parameters
+            .iter()
+            .map(|parameter| parameter.value)
+            .collect();
+        Self {
+            template,
+            seed: None,
+            values,
+            redraws: 0,
+        }
+    }
+
+    /// The instance with these values; what is not set is drawn if there is a seed, and else has the value of the
+    /// source. Ranges and constraints bind what is drawn, never what is set.
+    ///
+    /// # Errors
+    ///
+    /// [`InstanceError`].
+    pub fn of(
+        template: &'t Template,
+        seed: Option<Seed>,
+        set: &[(&str, &str)],
+    ) -> Result<Self, InstanceError> {
+        let mut instance = Self {
+            seed,
+            ..Self::of_source(template)
+        };
+        let mut is_set = vec![false; template.parameters.len()];
+        for (name, text) in set {
+            let (place, parameter) = template
+                .parameter(name)
+                .ok_or_else(|| unknown(template, name))?;
+            let set = parameter.set(text);
+            instance.values[place] = set.map_err(|error| InstanceError::Value {
+                name: (*name).to_owned(),
+                error,
+            })?;
+            is_set[place] = true;
+        }
+        if let Some(seed) = seed {
+            instance.draw_rest(seed, &is_set)?;
+        }
+        Ok(instance)
+    }
+
+    fn draw_rest(&mut self, seed: Seed, is_set: &[bool]) -> Result<(), InstanceError> {
+        let streams = Streams::of(seed, self.template.id.as_str());
+        let free = |(place, parameter): (usize, &'t Parameter)| {
+            let grid = parameter.grid.filter(|_| !is_set[place])?;
+            Some((
+                place,
+                parameter.unit,
+                grid,
+                streams.named(parameter.name.as_str()),
+            ))
+        };
+        let mut drawn: Vec<(usize, _, _, Stream)> = self
+            .template
+            .parameters
+            .iter()
+            .enumerate()
+            .filter_map(free)
+            .collect();
+        if drawn.is_empty() {
+            return Ok(());
+        }
+        let mut broken: Vec<(String, u32)> = Vec::new();
+        for attempt in 0..MOST_DRAWS {
+            for (place, unit, grid, stream) in &mut drawn {
+                self.values[*place] = Quantity::new(grid.at(stream.below(grid.count())), *unit);
+            }
+            match self.first_broken() {
+                None => {
+                    self.redraws = attempt;
+                    return Ok(());
+                }
+                Some(name) => match broken.iter_mut().find(|(known, _)| *known == name) {
+                    Some((_, count)) => *count += 1,
+                    None => broken.push((name.to_owned(), 1)),
+                },
+            }
+        }
+        broken.sort_by(|a, b| b.1.cmp(&a.1).then_with(|| a.0.cmp(&b.0)));
+        Err(InstanceError::Constraints {
+            item: self.template.id.to_string(),
+            attempts: MOST_DRAWS,
+            broken,
+        })
+    }
+
+    /// The first constraint that does not hold; one without a value does not hold.
+    fn first_broken(&self) -> Option<&'t str> {
+        if self.template.constraints.is_empty() {
+            return None;
+        }
+        let evaluation = self.evaluation();
+        let mut constraints = self.template.constraints.iter();
+        constraints
+            .find(|constraint| evaluation.holds(constraint.node) != Ok(true))
+            .map(|constraint| &*constraint.name)
+    }
+
+    /// Its template.
+    pub fn template(&self) -> &'t Template {
+        self.template
+    }
+
+    /// The seed it was drawn from.
+    pub fn seed(&self) -> Option<Seed> {
+        self.seed
+    }
+
+    /// The values of its parameters, in their order, as they are printed.
+    pub fn values(&self) -> &[Quantity] {
+        &self.values
+    }
+
+    /// How often it was drawn again.
+    pub fn redraws(&self) -> u32 {
+        self.redraws
+    }
+
+    /// A fresh evaluation of the item's graph for these data.
+    pub fn evaluation(&self) -> Evaluation<'t> {
+        let precise = |(parameter, value): (&Parameter, &Quantity)| {
+            let (high, low) = parameter.si_pair(value);
+            // Two words hold a scaled decimal to at least 106 bits.
+            Precise::new(
+                high,
+                low,
+                if low == 0.0 {
+                    0.0
+                } else {
+                    high.abs() * 1.3e-32
+                },
+            )
+        };
+        let data: Arc<[Precise]> = self
+            .template
+            .parameters
+            .iter()
+            .zip(&self.values)
+            .map(precise)
+            .collect();
+        Evaluation::new(&self.template.graph, data)
+    }
+
+    /// `item @ revision # seed`: what has to be known to make it again.
+    pub fn identity(&self) -> String {
+        let Template { id, revision, .. } = self.template;
+        match self.seed {
+            Some(seed) => format!("{id} @ {revision} # {seed}"),
+            None => format!("{id} @ {revision}"),
+        }
+    }
+}
+
+fn unknown(template: &Template, name: &str) -> InstanceError {
+    let names = template
+        .parameters
+        .iter()
+        .map(|parameter| parameter.name.as_str());
+    let nearest = crate::source::nearest(name, names).map(str::to_owned);
+    InstanceError::UnknownParameter {
+        item: template.id.to_string(),
+        found: name.to_owned(),
+        nearest,
+    }
+}

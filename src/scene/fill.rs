@@ -1,0 +1,247 @@
+//! What fills the holes of a text.
+
+use super::notation::{Numbers, Symbols};
+use super::{Data, Scene};
+use crate::bank::{QuantityInfo, Target, Units};
+use crate::document::{Filling, Form};
+use crate::expr::{Equation, Field, Path, Shape, Value};
+use crate::math::Math;
+use crate::quantity::NodeId;
+use crate::unit::{Decimal, Quantity, Unit};
+
+impl Scene<'_, '_> {
+    pub(super) fn filling(&self, target: &Target, form: Form) -> Filling {
+        match target {
+            Target::Node(node) => self.node(*node, form),
+            Target::Figure | Target::Plot(_) => Filling::Figure(String::new()),
+            Target::Model(path) => Filling::Math(self.offered(path)),
+            Target::Nothing => Filling::words("?"),
+        }
+    }
+
+    /// A formula or the equations of a model, in the symbols of the item.
+    fn offered(&self, path: &Path) -> Math {
+        let notation = Symbols(self.solution);
+        let Some((model, quantity)) = self.solution.template().graph.offered(path) else {
+            return nothing();
+        };
+        if let Ok(formula) = model.formula(quantity) {
+            return formula.typeset(&notation);
+        }
+        let sides = |equation: &Equation| {
+            [
+                equation.left.typeset(&notation),
+                Math::relation("="),
+                equation.right.typeset(&notation),
+            ]
+        };
+        match model.equations(quantity).as_deref() {
+            Ok([one]) => Math::row(sides(one)),
+            Ok(several) => {
+                let row = |equation: &Equation| {
+                    let [left, sign, right] = sides(equation);
+                    vec![left, Math::row([sign, right])]
+                };
+                Math::aligned(several.iter().map(row).collect())
+            }
+            Err(_) => nothing(),
+        }
+    }
+
+    fn node(&self, node: NodeId, form: Form) -> Filling {
+        let Some(info) = self.solution.template().info(node) else {
+            return Filling::words("?");
+        };
+        let math = match form {
+            Form::Name => {
+                return Filling::words(info.title.clone().unwrap_or_else(|| info.name.to_string()));
+            }
+            Form::Symbol => info.symbol.clone(),
+            Form::Value => self.value(node, info),
+            Form::Number => self.number(node, info),
+            Form::Unit => unit(info).map_or_else(nothing, |unit| unit.math()),
+            Form::Given => self.given(node, info),
+            Form::Formula => self.formula(node),
+            Form::Substituted => self.substituted(node),
+            Form::Equation => {
+                let formula = [info.symbol.clone(), Math::relation("="), self.formula(node)];
+                Math::row(
+                    formula
+                        .into_iter()
+                        .chain([Math::relation("="), self.value(node, info)]),
+                )
+            }
+        };
+        Filling::Math(math)
+    }
+
+    fn given(&self, node: NodeId, info: &QuantityInfo) -> Math {
+        match self.data {
+            Data::Numbers => self.value(node, info),
+            Data::Symbols => info.symbol.clone(),
+            Data::Both => Math::row([
+                info.symbol.clone(),
+                Math::relation("="),
+                self.value(node, info),
+            ]),
+        }
+    }
+
+    /// The number with its unit; a function of time as its formula with numbers.
+    fn value(&self, node: NodeId, info: &QuantityInfo) -> Math {
+        if let Some(place) = info.parameter {
+            return self.solution.instance().values()[place].math(self.solution.mark());
+        }
+        if !self.solution.template().graph.variables(node).is_empty() {
+            return self.substituted(node);
+        }
+        match self.solution.evaluation().value(node) {
+            Ok(value) => self.printed(value, info, true),
+            Err(_) => Math::text("does not exist"),
+        }
+    }
+
+    fn number(&self, node: NodeId, info: &QuantityInfo) -> Math {
+        if let Some(place) = info.parameter {
+            return self.solution.instance().values()[place]
+                .value
+                .math(self.solution.mark());
+        }
+        match self.solution.evaluation().value(node) {
+            Ok(value) => self.printed(value, info, false),
+            Err(_) => Math::text("does not exist"),
+        }
+    }
+
+    fn formula(&self, node: NodeId) -> Math {
+        let expr = self.solution.template().graph.expr(node);
+        expr.map_or_else(nothing, |expr| expr.typeset(&Symbols(self.solution)))
+    }
+
+    fn substituted(&self, node: NodeId) -> Math {
+        let expr = self.solution.template().graph.expr(node);
+        expr.map_or_else(nothing, |expr| expr.typeset(&Numbers(self.solution)))
+    }
+
+    /// A value in its units, arranged as it is.
+    fn printed(&self, value: &Value, info: &QuantityInfo, has_unit: bool) -> Math {
+        let common = match &info.units {
+            Some(Units::One(unit)) => Some(*unit),
+            _ => None,
+        };
+        let one = match (value.shape(), common) {
+            (Shape::Scalar, unit) => unit.or_else(|| self.entry_unit(info, 0)),
+            (_, unit) => unit,
+        };
+        let body = match value.shape() {
+            Shape::Scalar => return self.entry(value, 0, info, one.filter(|_| has_unit), one),
+            Shape::Vector(length) => {
+                let entries = (0..length).map(|at| self.cell(value, at, info, one));
+                let list = separated(entries);
+                if length == 1 {
+                    list
+                } else {
+                    list.in_parentheses()
+                }
+            }
+            Shape::Matrix(rows, columns) => {
+                let row = |row: usize| {
+                    (0..columns)
+                        .map(|column| self.cell(value, row * columns + column, info, one))
+                        .collect()
+                };
+                Math::matrix((0..rows).map(row).collect()).fenced("(", ")")
+            }
+        };
+        match one.filter(|unit| has_unit && !unit.is_one()) {
+            Some(unit) => Math::row([body, Math::thin_space(), unit.math()]),
+            None => body,
+        }
+    }
+
+    /// An entry of a vector or matrix: without unit if one serves for all.
+    fn cell(&self, value: &Value, at: usize, info: &QuantityInfo, common: Option<Unit>) -> Math {
+        let own = self.entry_unit(info, at);
+        self.entry(
+            value,
+            at,
+            info,
+            own.filter(|_| common.is_none()),
+            common.or(own),
+        )
+    }
+
+    fn entry_unit(&self, info: &QuantityInfo, at: usize) -> Option<Unit> {
+        match info.units.as_ref()? {
+            Units::One(unit) => Some(*unit),
+            Units::Each(units) => units.get(at).copied(),
+        }
+    }
+
+    /// One number: rounded in `unit`, printed with the unit `shown`.
+    fn entry(
+        &self,
+        value: &Value,
+        at: usize,
+        info: &QuantityInfo,
+        shown: Option<Unit>,
+        unit: Option<Unit>,
+    ) -> Math {
+        let entry = value.entry(at);
+        let unit = unit.unwrap_or(Unit::ONE);
+        let real = |number: f64| {
+            Decimal::rounded(unit.of_si(number), u32::from(info.digits)).unwrap_or(Decimal::ZERO)
+        };
+        let mark = self.solution.mark();
+        let is_whole = info
+            .units
+            .as_ref()
+            .is_some_and(|units| matches!(units, Units::One(unit) if unit.is_one()))
+            && entry.im == 0.0
+            && entry.re == entry.re.round()
+            && entry.re.abs() < 1e6;
+        if value.form().field == Field::Complex {
+            let (re, im) = (real(entry.re), real(entry.im));
+            let sign = if im.is_negative() { "−" } else { "+" };
+            let body = Math::row([
+                re.math(mark),
+                Math::binary(sign),
+                im.abs().math(mark),
+                Math::letter('i'),
+            ]);
+            return match shown.filter(|unit| !unit.is_one()) {
+                Some(unit) => Math::row([body.in_parentheses(), Math::thin_space(), unit.math()]),
+                None => body,
+            };
+        }
+        let number = if is_whole {
+            Decimal::shortest(entry.re).unwrap_or(Decimal::ZERO)
+        } else {
+            real(entry.re)
+        };
+        Quantity::new(number, shown.unwrap_or(Unit::ONE)).math(mark)
+    }
+}
+
+fn unit(info: &QuantityInfo) -> Option<Unit> {
+    match info.units.as_ref()? {
+        Units::One(unit) => Some(*unit),
+        Units::Each(_) => None,
+    }
+}
+
+fn separated(entries: impl Iterator<Item = Math>) -> Math {
+    let mut row = Vec::new();
+    for entry in entries {
+        if !row.is_empty() {
+            row.push(Math::punctuation(","));
+        }
+        row.push(entry);
+    }
+    Math::row(row)
+}
+
+/// No formula.
+fn nothing() -> Math {
+    Math::Row(Vec::new())
+}

@@ -1,0 +1,91 @@
+//! Scenes: what one output shows of an instance, and so what it demands.
+//!
+//! A scene is the root of demand. Writing a text fills its holes, and each hole asks the solution for
+//! what it shows; nothing else is computed. Showing a question computes no key, one part's key
+//! computes that part alone.
+
+mod fill;
+mod notation;
+
+use crate::bank::{Passage, Piece};
+use crate::document::{Document, Filling};
+use crate::math::Math;
+use crate::solution::Solution;
+
+/// How the data of an instance are shown in its statement.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Data {
+    /// Symbol and number, *m* = 2.0 kg.
+    #[default]
+    Both,
+    /// Numbers alone.
+    Numbers,
+    /// Symbols alone.
+    Symbols,
+}
+
+/// What one output shows of an instance.
+pub struct Scene<'s, 't> {
+    solution: &'s Solution<'t>,
+    data: Data,
+}
+
+/// A text that is shown, with what fills its holes.
+pub struct Shown<'t> {
+    /// The text.
+    pub document: &'t Document,
+    /// What fills its holes.
+    pub fillings: Vec<Filling>,
+}
+
+impl<'s, 't> Scene<'s, 't> {
+    /// A scene of a solution.
+    pub fn of(solution: &'s Solution<'t>, data: Data) -> Self {
+        Self { solution, data }
+    }
+
+    /// The solution that it shows.
+    pub fn solution(&self) -> &'s Solution<'t> {
+        self.solution
+    }
+
+    /// The pieces of a text whose conditions hold.
+    pub fn passage(&self, passage: &'t Passage) -> Vec<Shown<'t>> {
+        let evaluation = self.solution.evaluation();
+        let holds = |piece: &&Piece| {
+            piece
+                .when
+                .is_none_or(|when| evaluation.holds(when) == Ok(true))
+        };
+        passage
+            .pieces
+            .iter()
+            .filter(holds)
+            .map(|piece| self.piece(piece))
+            .collect()
+    }
+
+    /// The given data as one printed list, for sheets whose statement shows symbols alone.
+    pub fn values(&self) -> Vec<(Math, Math)> {
+        let template = self.solution.template();
+        let pairs = template
+            .parameters
+            .iter()
+            .zip(self.solution.instance().values());
+        pairs
+            .map(|(parameter, value)| (parameter.symbol.clone(), value.math(self.solution.mark())))
+            .collect()
+    }
+
+    fn piece(&self, piece: &'t Piece) -> Shown<'t> {
+        let places = piece.document.placeholders().iter().zip(&piece.targets);
+        let fillings = places
+            .map(|(place, target)| self.filling(target, place.form))
+            .collect();
+        Shown {
+            document: &piece.document,
+            fillings,
+        }
+    }
+}

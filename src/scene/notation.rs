@@ -1,0 +1,65 @@
+//! How the names of an item stand in its formulas: as symbols, or as numbers put in for them.
+
+use crate::bank::Units;
+use crate::expr::{Name, Notation, Symbol, SymbolKind};
+use crate::math::symbol;
+use crate::solution::Solution;
+use crate::unit::Decimal;
+
+/// Names as their symbols.
+pub(super) struct Symbols<'a, 't>(pub(super) &'a Solution<'t>);
+
+/// Names as the numbers that they have, in SI units; what has no number keeps its symbol.
+pub(super) struct Numbers<'a, 't>(pub(super) &'a Solution<'t>);
+
+impl Notation for Symbols<'_, '_> {
+    fn name(&self, name: &Name) -> Symbol {
+        let template = self.0.template();
+        let info = template
+            .graph
+            .find(name)
+            .and_then(|node| template.info(node));
+        Symbol::letter(
+            info.map(|info| info.symbol.clone())
+                .or_else(|| template.symbols.get(name).cloned())
+                .unwrap_or_else(|| symbol(name.as_str())),
+        )
+    }
+}
+
+impl Notation for Numbers<'_, '_> {
+    fn name(&self, name: &Name) -> Symbol {
+        self.number(name)
+            .unwrap_or_else(|| Symbols(self.0).name(name))
+    }
+}
+
+impl Numbers<'_, '_> {
+    fn number(&self, name: &Name) -> Option<Symbol> {
+        let (solution, template) = (self.0, self.0.template());
+        let node = template.graph.find(name)?;
+        let info = template.info(node)?;
+        let number = match info
+            .parameter
+            .map(|place| solution.instance().values()[place])
+        {
+            // A datum in SI units stands as it is printed.
+            Some(given) if matches!(info.units, Some(Units::One(unit)) if unit == unit.coherent() && given.unit == unit) => {
+                given.value
+            }
+            _ => Decimal::rounded(
+                solution.evaluation().real(node).ok()?,
+                u32::from(info.digits) + 1,
+            )?,
+        };
+        let kind = if number.is_negative() {
+            SymbolKind::Negative
+        } else {
+            SymbolKind::Number
+        };
+        Some(Symbol {
+            math: number.math(solution.mark()),
+            kind,
+        })
+    }
+}

@@ -1,0 +1,166 @@
+//! Solutions: the keys of an instance with their tolerances and named mistakes, each prepared when it is asked for.
+
+mod entry;
+pub mod proof;
+pub mod request;
+
+use std::cell::OnceCell;
+
+pub use entry::Entry;
+
+use crate::answer::{Context, Marker, Mistaken};
+use crate::bank::{Mistake, MistakeAnswer, Part, Template};
+use crate::instance::Instance;
+use crate::quantity::{Absent, Evaluation, Trace};
+use crate::seed::Streams;
+use crate::unit::DecimalMark;
+
+/// The keys of an instance; nothing is computed before it is asked for.
+pub struct Solution<'t> {
+    instance: Instance<'t>,
+    evaluation: Evaluation<'t>,
+    markers: Vec<OnceCell<Result<Box<dyn Marker>, Absent>>>,
+    mark: DecimalMark,
+}
+
+impl<'t> Solution<'t> {
+    /// The solution of an instance.
+    pub fn of(instance: Instance<'t>) -> Self {
+        Self::with_mark(instance, DecimalMark::Point)
+    }
+
+    /// The solution of an instance on a sheet with this decimal sign.
+    pub fn with_mark(instance: Instance<'t>, mark: DecimalMark) -> Self {
+        let evaluation = instance.evaluation();
+        let markers = instance
+            .template()
+            .parts
+            .iter()
+            .map(|_| OnceCell::new())
+            .collect();
+        Self {
+            instance,
+            evaluation,
+            markers,
+            mark,
+        }
+    }
+
+    /// Its instance.
+    pub fn instance(&self) -> &Instance<'t> {
+        &self.instance
+    }
+
+    /// Its template.
+    pub fn template(&self) -> &'t Template {
+        self.instance.template()
+    }
+
+    /// The values, each computed when it is asked for.
+    pub fn evaluation(&self) -> &Evaluation<'t> {
+        &self.evaluation
+    }
+
+    /// The decimal sign of the sheet.
+    pub fn mark(&self) -> DecimalMark {
+        self.mark
+    }
+
+    /// Whether a part is asked for these data: its condition holds, and its key exists.
+    pub fn asks(&self, place: usize) -> bool {
+        let part = &self.template().parts[place];
+        let holds = part
+            .when
+            .is_none_or(|when| self.evaluation.holds(when) == Ok(true));
+        let dropped = |absent: Absent| matches!(absent, Absent::NotForTheseData(_));
+        holds
+            && !part
+                .answer
+                .keys()
+                .into_iter()
+                .any(|key| self.evaluation.exists_for(key).is_err_and(dropped))
+    }
+
+    /// The key of a part with all that marks it.
+    ///
+    /// # Errors
+    ///
+    /// Why the key does not exist for these data.
+    pub fn marker(&self, place: usize) -> Result<&dyn Marker, Absent> {
+        let prepared = self.markers[place].get_or_init(|| self.prepare(place));
+        prepared.as_ref().map(AsRef::as_ref).map_err(Clone::clone)
+    }
+
+    /// The order in which the options of a part are printed, as places in the file.
+    pub fn order(&self, place: usize) -> Vec<usize> {
+        let part = &self.template().parts[place];
+        let count = part.answer.options().len();
+        match self.instance.seed().filter(|_| part.answer.shuffles()) {
+            Some(seed) => Streams::of(seed, self.template().id.as_str())
+                .named(&format!("part {}", part.id))
+                .permutation(count),
+            None => (0..count).collect(),
+        }
+    }
+
+    /// What was computed so far, and what was not.
+    pub fn trace(&self) -> Trace {
+        self.evaluation.trace()
+    }
+
+    fn prepare(&self, place: usize) -> Result<Box<dyn Marker>, Absent> {
+        let part = &self.template().parts[place];
+        let mistakes = part.mistakes.iter().enumerate();
+        let mistakes = mistakes
+            .filter_map(|(number, mistake)| self.mistaken(part, number, mistake))
+            .collect();
+        let context = Context {
+            evaluation: &self.evaluation,
+            mistakes,
+            order: self.order(place),
+            mark: self.mark,
+        };
+        part.answer.prepare(&context)
+    }
+
+    /// What a mistake gives for these data, if it is one for them.
+    fn mistaken(&self, part: &Part, number: usize, mistake: &Mistake) -> Option<Mistaken> {
+        let applies = mistake
+            .when
+            .is_none_or(|when| self.evaluation.holds(when) == Ok(true));
+        if !applies {
+            return None;
+        }
+        let replaced = match &mistake.answer {
+            MistakeAnswer::Replaced(replaced) => replaced.clone(),
+            MistakeAnswer::Formulas(_) => Vec::new(),
+        };
+        let values = match &mistake.answer {
+            _ if part.answer.keeps_mistakes() => Ok(Vec::new()),
+            MistakeAnswer::Formulas(nodes) => nodes
+                .iter()
+                .map(|node| self.evaluation.value(*node).cloned())
+                .collect::<Result<Vec<_>, _>>(),
+            MistakeAnswer::Replaced(replaced) => {
+                let with = replaced.iter().map(|(quantity, value)| {
+                    Ok((*quantity, self.evaluation.value(*value)?.clone()))
+                });
+                let other = self
+                    .evaluation
+                    .replacing(with.collect::<Result<Vec<_>, Absent>>().ok()?);
+                part.answer
+                    .keys()
+                    .into_iter()
+                    .map(|key| other.value(key).cloned())
+                    .collect()
+            }
+        };
+        Some(Mistaken {
+            number,
+            values: values.ok()?,
+            replaced,
+            unit: mistake.unit,
+            credit: mistake.credit,
+        })
+    }
+}
