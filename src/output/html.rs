@@ -1,0 +1,53 @@
+//! `html`: one self-contained page with MathML, an embedded math font and a print style.
+//!
+//! Nothing is fetched: the page works from a disk, without a network, and prints on A4 or Letter.
+
+use super::Writer;
+use crate::document::{Document, Filling};
+use crate::math::{Display, Math, escape};
+use crate::scene::Shown;
+
+/// The format.
+pub(super) struct Html;
+
+impl Writer for Html {
+    fn name(&self) -> &'static str {
+        "html"
+    }
+
+    fn extension(&self) -> &'static str {
+        "html"
+    }
+
+    fn escapes(&self) -> bool {
+        true
+    }
+
+    fn words(&self, words: &str) -> String {
+        let mut out = String::with_capacity(words.len());
+        escape(&mut out, words);
+        out
+    }
+
+    fn math(&self, math: &Math) -> String {
+        math.mathml(Display::Inline)
+    }
+
+    fn texts(&self, shown: &[Shown<'_>]) -> String {
+        let mut out = String::new();
+        for piece in shown {
+            piece.document.write_html(&mut out, &piece.fillings);
+        }
+        out
+    }
+
+    fn line(&self, document: &Document) -> String {
+        let mut out = String::new();
+        if super::is_line(document) {
+            document.write_html_line(&mut out, &Vec::<Filling>::new());
+        } else {
+            document.write_html(&mut out, &Vec::<Filling>::new());
+        }
+        out
+    }
+}

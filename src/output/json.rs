@@ -1,0 +1,41 @@
+//! `json`: a sheet with its data and keys, for other programs.
+
+use serde_json::{Value as Json, json};
+
+use crate::worksheet::{Sheet, SheetQuestion, letter};
+
+/// A sheet with its data and keys.
+pub fn sheet(sheet: &Sheet<'_>) -> Json {
+    json!({
+        "code": sheet.variant,
+        "seed": sheet.variant.number(),
+        "student": sheet.student.as_ref().map(|student| &student.columns),
+        "points": sheet.points().to_f64(),
+        "questions": sheet.questions.iter().map(question).collect::<Vec<_>>(),
+    })
+}
+
+fn question(question: &SheetQuestion<'_>) -> Json {
+    let solution = &question.solution;
+    let template = solution.template();
+    let values = template.parameters.iter().zip(solution.instance().values());
+    json!({
+        "number": question.number,
+        "item": template.id,
+        "revision": template.revision,
+        "seed": solution.instance().seed(),
+        "title": template.about.title,
+        "points": question.total().to_f64(),
+        "values": values.map(|(parameter, value)| (parameter.name.to_string(), json!(value.to_string()))).collect::<serde_json::Map<_, _>>(),
+        "parts": question.parts.iter().zip(&question.points).enumerate().map(|(position, (place, points))| {
+            let part = &template.parts[*place];
+            json!({
+                "letter": letter(position),
+                "id": part.id,
+                "kind": part.answer.kind().name(),
+                "points": points.to_f64(),
+                "key": solution.entry(&part.id, &[]),
+            })
+        }).collect::<Vec<_>>(),
+    })
+}

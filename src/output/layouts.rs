@@ -1,0 +1,149 @@
+//! The page layouts: Tera templates, embedded or from a folder.
+
+use include_dir::{Dir, include_dir};
+use serde::Serialize;
+use tera::{Context, Tera};
+
+use super::Writer;
+
+static TEMPLATES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/templates");
+
+/// Why a page could not be made.
+#[derive(Debug, thiserror::Error)]
+pub enum OutputError {
+    /// A layout that cannot be read.
+    #[error("the layouts of `{format}` cannot be read: {message}")]
+    Layouts {
+        /// The format.
+        format: &'static str,
+        /// What is wrong and where.
+        message: String,
+    },
+    /// A page that cannot be filled.
+    #[error("the layout `{layout}` cannot be filled: {message}")]
+    Page {
+        /// The layout.
+        layout: String,
+        /// What is wrong and where.
+        message: String,
+    },
+}
+
+/// The layouts of one format.
+pub struct Layouts {
+    tera: Tera,
+    extension: &'static str,
+}
+
+impl Layouts {
+    /// The layouts that come with the program, each replaced by the file of the same name in `own`.
+    ///
+    /// # Errors
+    ///
+    /// [`OutputError::Layouts`].
+    pub fn of(writer: &dyn Writer, own: &[(String, String)]) -> Result<Self, OutputError> {
+        let mut tera = Tera::default();
+        let ending = format!(".{}", writer.extension());
+        tera.autoescape_on(if writer.escapes() {
+            vec![ending]
+        } else {
+            Vec::new()
+        });
+        let folder = TEMPLATES.get_dir(writer.name());
+        let embedded = folder.into_iter().flat_map(Dir::files).filter_map(|file| {
+            Some((
+                file.path().file_name()?.to_str()?.to_owned(),
+                file.contents_utf8()?.to_owned(),
+            ))
+        });
+        let mut texts: Vec<(String, String)> = embedded
+            .filter(|(name, _)| !name.ends_with(".css"))
+            .collect();
+        for (name, text) in own {
+            match texts.iter_mut().find(|(known, _)| known == name) {
+                Some((_, known)) => known.clone_from(text),
+                None => texts.push((name.clone(), text.clone())),
+            }
+        }
+        let fail = |error: tera::Error| OutputError::Layouts {
+            format: writer.name(),
+            message: error.to_string(),
+        };
+        tera.add_raw_templates(texts).map_err(fail)?;
+        Ok(Self {
+            tera,
+            extension: writer.extension(),
+        })
+    }
+
+    /// Fills the layout `name`.
+    pub(super) fn fill(&self, name: &str, content: &impl Serialize) -> Result<String, OutputError> {
+        let layout = format!("{name}.{}", self.extension);
+        let fail = |error: tera::Error| OutputError::Page {
+            layout: layout.clone(),
+            message: error.to_string(),
+        };
+        let context = Context::from_serialize(content).map_err(fail)?;
+        self.tera.render(&layout, &context).map_err(fail)
+    }
+}
+
+/// The style of HTML pages.
+pub(super) fn style() -> &'static str {
+    text("html/style.css")
+}
+
+/// The math font in base 64.
+pub(super) fn font() -> String {
+    let bytes = TEMPLATES
+        .get_file("fonts/vibank-math.woff2")
+        .map_or(&[][..], |file| file.contents());
+    base64(bytes)
+}
+
+fn text(path: &str) -> &'static str {
+    TEMPLATES
+        .get_file(path)
+        .and_then(|file| file.contents_utf8())
+        .unwrap_or_default()
+}
+
+/// Base 64 with padding, RFC 4648, section 4.
+fn base64(bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for chunk in bytes.chunks(3) {
+        let word = chunk
+            .iter()
+            .fold(0_u32, |word, byte| word << 8 | u32::from(*byte))
+            << (8 * (3 - chunk.len()));
+        for place in 0..4 {
+            let digit = DIGITS[(word >> (18 - 6 * place) & 63) as usize];
+            out.push(if place <= chunk.len() {
+                char::from(digit)
+            } else {
+                '='
+            });
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::base64;
+
+    /// The test vectors of RFC 4648, section 10.
+    #[test]
+    fn base64_as_the_standard_has_it() {
+        for (bytes, text) in [
+            ("", ""),
+            ("f", "Zg=="),
+            ("fo", "Zm8="),
+            ("foo", "Zm9v"),
+            ("foob", "Zm9vYg=="),
+        ] {
+            assert_eq!(base64(bytes.as_bytes()), text);
+        }
+    }
+}

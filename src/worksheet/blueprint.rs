@@ -1,0 +1,499 @@
+//! A blueprint: what a sheet is made of, as a teacher writes it.
+
+use crate::diagnostic::{Code, Diagnose, Finding, Label};
+use crate::scene::Data;
+use crate::source::{Problems, Source, Span, Table, Text, toml};
+
+/// Where answers are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum AnswerSpace {
+    /// Ruled lines.
+    #[default]
+    Lines,
+    /// Boxes.
+    Boxes,
+    /// Nowhere: on paper of their own.
+    None,
+}
+
+/// Which keys are made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Keys {
+    /// One page for all variants.
+    pub table: bool,
+    /// One page for each variant.
+    pub each: bool,
+}
+
+/// For whom sheets are made.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Audience {
+    /// So many variants.
+    Variants(usize),
+    /// One sheet for each row of this class list.
+    Students(Text),
+}
+
+/// What a sheet is made of.
+#[derive(Clone, Debug)]
+pub struct Blueprint {
+    /// The file it was read from.
+    pub source: Source,
+    /// Printed at the top.
+    pub title: String,
+    /// Name of the course; may be empty.
+    pub course: String,
+    /// Date as it is printed; may be empty.
+    pub date: String,
+    /// Duration as it is printed; may be empty.
+    pub duration: String,
+    /// Instructions in Markdown; may be empty.
+    pub instructions: Text,
+    /// The number from which all seeds are derived.
+    pub seed: u64,
+    /// A file that keys the seeds.
+    pub secret: Option<Text>,
+    /// For whom.
+    pub audience: Audience,
+    /// Output formats, by name.
+    pub formats: Vec<Text>,
+    /// `a4` or `letter`.
+    pub paper: Paper,
+    /// Language of the texts.
+    pub language: String,
+    /// Decimal sign.
+    pub decimal: char,
+    /// Data as numbers or symbols.
+    pub data: Data,
+    /// Whether figures are shown.
+    pub figures: bool,
+    /// Whether hints are printed.
+    pub hints: bool,
+    /// Whether a sheet of formulas is added.
+    pub formula_sheet: bool,
+    /// Where answers are written.
+    pub answer_space: AnswerSpace,
+    /// Whether the order of the questions is drawn.
+    pub shuffle: bool,
+    /// Which keys are made.
+    pub keys: Keys,
+    /// Whether worked solutions are made.
+    pub solutions: bool,
+    /// The questions.
+    pub questions: Vec<Question>,
+}
+
+/// Size of the paper.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Paper {
+    /// 210 mm by 297 mm.
+    #[default]
+    A4,
+    /// 8.5 in by 11 in.
+    Letter,
+}
+
+/// One `[[question]]`.
+#[derive(Clone, Debug)]
+pub struct Question {
+    /// Where its header stands.
+    pub span: Span,
+    /// Where its item comes from.
+    pub choice: Choice,
+    /// The parts that are asked; all if empty.
+    pub parts: Vec<Text>,
+    /// Points of the whole question; else the sum over its parts.
+    pub points: Option<f64>,
+    /// Data that are fixed, as name and quantity.
+    pub set: Vec<(Text, Text)>,
+}
+
+/// Where the item of a question comes from.
+#[derive(Clone, Debug)]
+pub enum Choice {
+    /// A certain item.
+    Item(Text),
+    /// Any items that pass a filter.
+    Pick {
+        /// What they have to be.
+        filter: Filter,
+        /// How many questions are made of it.
+        count: usize,
+        /// Whether all variants get the same items.
+        same: bool,
+    },
+}
+
+/// What an item has to be; all that is stated has to hold.
+#[derive(Clone, Debug, Default)]
+pub struct Filter {
+    /// One of these items.
+    pub items: Vec<Text>,
+    /// Of this chapter.
+    pub chapter: Option<Text>,
+    /// With this topic.
+    pub topic: Option<Text>,
+    /// Of one of these levels.
+    pub levels: Vec<i64>,
+    /// With a part of this kind.
+    pub kind: Option<Text>,
+}
+
+/// What is wrong with a blueprint beyond its form.
+#[derive(Clone, Debug, thiserror::Error)]
+pub enum BlueprintError {
+    /// Two keys of which one is due.
+    #[error("a blueprint has either `{0}` or `{1}`")]
+    Either(&'static str, &'static str, Span),
+    /// A word that is none of the known ones.
+    #[error("`{key}` cannot be `{found}`")]
+    Word {
+        /// The key.
+        key: &'static str,
+        /// The word.
+        found: String,
+        /// What it can be.
+        known: &'static [&'static str],
+        /// Where.
+        span: Span,
+    },
+    /// No `[[question]]`.
+    #[error("the blueprint has no question")]
+    NoQuestion,
+}
+
+impl Diagnose for BlueprintError {
+    fn code(&self) -> Code {
+        Code::BLUEPRINT
+    }
+
+    fn labels(&self) -> Vec<Label> {
+        match self {
+            Self::Either(_, _, span) | Self::Word { span, .. } => vec![Label {
+                span: *span,
+                text: String::new(),
+            }],
+            Self::NoQuestion => Vec::new(),
+        }
+    }
+
+    fn help(&self) -> Option<String> {
+        Some(match self {
+            Self::Either(a, b, _) => format!("write one of `{a}` and `{b}`"),
+            Self::Word { known, .. } => format!("it can be {}", known.join(", ")),
+            Self::NoQuestion => "add a `[[question]]` with an `item`".to_owned(),
+        })
+    }
+}
+
+/// Most variants that one run makes.
+const MOST_VARIANTS: i64 = 100_000;
+
+impl Blueprint {
+    /// Reads a blueprint.
+    ///
+    /// # Errors
+    ///
+    /// All findings at once.
+    pub fn read(source: &Source) -> Result<Self, Vec<Finding>> {
+        let problems = Problems::default();
+        let value = toml::read(source, &problems);
+        let faults = Faults {
+            source,
+            findings: Vec::new(),
+        };
+        let (blueprint, faults) = match Table::of(source, &problems, "", &value) {
+            Some(table) => blueprint(table, faults),
+            None => (None, faults),
+        };
+        let mut findings: Vec<Finding> = problems
+            .take()
+            .iter()
+            .map(|problem| Finding::of(problem, source))
+            .collect();
+        findings.extend(faults.findings);
+        Finding::sort(&mut findings);
+        match blueprint {
+            Some(blueprint) if findings.is_empty() => Ok(blueprint),
+            _ => Err(findings),
+        }
+    }
+}
+
+struct Faults<'s> {
+    source: &'s Source,
+    findings: Vec<Finding>,
+}
+
+impl Faults<'_> {
+    fn add(&mut self, error: &BlueprintError) {
+        self.findings.push(Finding::of(error, self.source));
+    }
+
+    /// The meaning of a word out of a short list.
+    fn word<T: Copy>(
+        &mut self,
+        table: &Table<'_>,
+        key: &'static str,
+        words: &'static [&'static str],
+        values: &[T],
+    ) -> T {
+        let Some(text) = table.text(key) else {
+            return values[0];
+        };
+        match words.iter().position(|word| *word == text.value) {
+            Some(position) => values[position],
+            None => {
+                self.add(&BlueprintError::Word {
+                    key,
+                    found: text.value,
+                    known: words,
+                    span: text.span,
+                });
+                values[0]
+            }
+        }
+    }
+}
+
+fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>, Faults<'s>) {
+    let line = |key| table.text(key).map(|text| text.value).unwrap_or_default();
+    let keys = keys(&table, &mut faults);
+    let questions: Vec<Question> = table
+        .tables("question")
+        .into_iter()
+        .filter_map(|t| question(t, &mut faults))
+        .collect();
+    if !table.has("question") {
+        faults.add(&BlueprintError::NoQuestion);
+    }
+    let title = table.required_text("title").map(|text| text.value);
+    let audience = audience(&table, &mut faults);
+    let secret = table.text("secret");
+    let seed = table.integer("seed", "a whole number, 0 or larger", 0..=i64::MAX);
+    if seed.is_none() && secret.is_none() && !table.has("seed") {
+        table.required("seed");
+    }
+    let formats = if table.has("formats") {
+        table.texts("formats")
+    } else {
+        vec![word("html")]
+    };
+    let decimal = faults.word(&table, "decimal", &[".", ","], &['.', ',']);
+    let is_whole = title.is_some() && audience.is_some();
+    let read = Blueprint {
+        source: table.source().clone(),
+        title: title.unwrap_or_default(),
+        course: line("course"),
+        date: line("date"),
+        duration: line("duration"),
+        instructions: table.text("instructions").unwrap_or_else(|| word("")),
+        seed: seed.unwrap_or(0).unsigned_abs(),
+        secret,
+        audience: audience.unwrap_or(Audience::Variants(0)),
+        formats,
+        paper: faults.word(
+            &table,
+            "paper",
+            &["a4", "letter"],
+            &[Paper::A4, Paper::Letter],
+        ),
+        language: table
+            .text("language")
+            .map_or_else(|| "en".to_owned(), |text| text.value),
+        decimal,
+        data: faults.word(
+            &table,
+            "data",
+            &["both", "numbers", "symbols"],
+            &[Data::Both, Data::Numbers, Data::Symbols],
+        ),
+        figures: table.boolean("figures").unwrap_or(true),
+        hints: table.boolean("hints").unwrap_or(false),
+        formula_sheet: table.boolean("formula_sheet").unwrap_or(false),
+        answer_space: faults.word(
+            &table,
+            "answer_space",
+            &["lines", "boxes", "none"],
+            &[AnswerSpace::Lines, AnswerSpace::Boxes, AnswerSpace::None],
+        ),
+        shuffle: table.boolean("shuffle").unwrap_or(false),
+        keys,
+        solutions: table.boolean("solutions").unwrap_or(true),
+        questions,
+    };
+    table.finish();
+    (is_whole.then_some(read), faults)
+}
+
+fn word(value: &str) -> Text {
+    Text {
+        value: value.to_owned(),
+        span: Span::NONE,
+    }
+}
+
+fn audience(table: &Table<'_>, faults: &mut Faults<'_>) -> Option<Audience> {
+    let variants = table.integer(
+        "variants",
+        "a whole number from 1 to 100000",
+        1..=MOST_VARIANTS,
+    );
+    let students = table.text("students");
+    match (variants, students) {
+        (Some(count), None) => Some(Audience::Variants(count as usize)),
+        (None, Some(list)) => Some(Audience::Students(list)),
+        (None, None) if table.has("variants") || table.has("students") => None,
+        (_, _) => {
+            faults.add(&BlueprintError::Either(
+                "variants",
+                "students",
+                table.span(),
+            ));
+            None
+        }
+    }
+}
+
+fn keys(table: &Table<'_>, faults: &mut Faults<'_>) -> Keys {
+    let mut keys = Keys {
+        table: !table.has("keys"),
+        each: !table.has("keys"),
+    };
+    for text in table.texts("keys") {
+        match text.value.as_str() {
+            "table" => keys.table = true,
+            "each" => keys.each = true,
+            _ => {
+                let (found, span) = (text.value.clone(), text.span);
+                faults.add(&BlueprintError::Word {
+                    key: "keys",
+                    found,
+                    known: &["table", "each"],
+                    span,
+                });
+            }
+        }
+    }
+    keys
+}
+
+fn question(table: Table<'_>, faults: &mut Faults<'_>) -> Option<Question> {
+    let item = table.text("item");
+    let pick = table.table("pick").map(filter);
+    let count = table
+        .integer("count", "a whole number from 1 to 100", 1..=100)
+        .unwrap_or(1) as usize;
+    let same = table.boolean("same").unwrap_or(true);
+    let choice = match (item, pick) {
+        (Some(item), None) => Some(Choice::Item(item)),
+        (None, Some(filter)) => Some(Choice::Pick {
+            filter,
+            count,
+            same,
+        }),
+        _ => {
+            faults.add(&BlueprintError::Either("item", "pick", table.span()));
+            None
+        }
+    };
+    let set = table.table("set").map(settings).unwrap_or_default();
+    let parts = table.texts("parts");
+    let points = table.number("points");
+    let span = table.span();
+    table.finish();
+    Some(Question {
+        span,
+        choice: choice?,
+        parts,
+        points,
+        set,
+    })
+}
+
+fn settings(table: Table<'_>) -> Vec<(Text, Text)> {
+    let entries = table.entries().iter();
+    entries
+        .filter_map(|entry| {
+            let name = Text {
+                value: entry.key.clone(),
+                span: entry.span,
+            };
+            Some((name, table.as_formula(&entry.key, &entry.value)?))
+        })
+        .collect()
+}
+
+fn filter(table: Table<'_>) -> Filter {
+    let levels = match table.value("level") {
+        Some(
+            value @ crate::source::Value {
+                data: crate::source::Data::List(_),
+                ..
+            },
+        ) => table
+            .items("level", value)
+            .iter()
+            .filter_map(|item| level(&table, item))
+            .collect(),
+        Some(value) => level(&table, value).into_iter().collect(),
+        None => Vec::new(),
+    };
+    let filter = Filter {
+        items: table.texts("items"),
+        chapter: table.text("chapter"),
+        topic: table.text("topic"),
+        levels,
+        kind: table.text("kind"),
+    };
+    table.finish();
+    filter
+}
+
+fn level(table: &Table<'_>, value: &crate::source::Value) -> Option<i64> {
+    match &value.data {
+        crate::source::Data::Number { number } => {
+            number.parse().ok().filter(|level| (1..=3).contains(level))
+        }
+        _ => None,
+    }
+    .or_else(|| table.wrong("level", "1, 2 or 3", value))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<Blueprint, Vec<String>> {
+        Blueprint::read(&Source::new("b.toml", text))
+            .map_err(|all| all.iter().map(ToString::to_string).collect())
+    }
+
+    #[test]
+    fn the_smallest_blueprint_has_the_defaults() {
+        let blueprint =
+            read("title = 'T'\nseed = 1\nvariants = 2\n[[question]]\nitem = 'ch1/a'\n").unwrap();
+        assert_eq!(blueprint.audience, Audience::Variants(2));
+        assert!(
+            blueprint.figures && blueprint.solutions && blueprint.keys.table && blueprint.keys.each
+        );
+        assert_eq!(blueprint.formats[0].value, "html");
+    }
+
+    #[test]
+    fn all_faults_come_at_once_with_their_places() {
+        let faults =
+            read("title = 3\nseed = 1\nvariants = 0\npaper = 'a3'\nfigure = true\n[[question]]\n")
+                .unwrap_err();
+        let all = faults.join("\n");
+        for part in [
+            "b.toml:1:9",
+            "b.toml:3:12",
+            "b.toml:6:1",
+            "`item` or `pick`",
+        ] {
+            assert!(all.contains(part), "{part} is missing in\n{all}");
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! The manifest of a run: what is needed to mark its sheets years later.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use crate::bank::{ItemId, Revision};
+use crate::scene::Data;
+
+/// The version of the manifest that this program writes and reads.
+pub const FORMAT: u32 = 1;
+
+/// What one run made. It contains what the answers follow from, so it is confidential.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Manifest {
+    /// Version of this format.
+    pub format: u32,
+    /// Program and version that wrote it.
+    pub program: String,
+    /// The bank of the items.
+    pub bank: BankStamp,
+    /// The blueprint.
+    pub blueprint: FileStamp,
+    /// Title of the sheet.
+    pub title: String,
+    /// How data are shown.
+    pub data: Data,
+    /// Language of the texts.
+    pub language: String,
+    /// Decimal sign.
+    pub decimal: char,
+    /// Whether the seeds are keyed with a secret.
+    pub keyed: bool,
+    /// Which part of the run this is, `1/1` for all of it.
+    pub shard: String,
+    /// The sheets, in order.
+    pub variants: Vec<VariantEntry>,
+}
+
+/// A bank, by title and digest.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BankStamp {
+    /// Its title.
+    pub title: String,
+    /// Digest over the revisions of its items.
+    pub digest: String,
+}
+
+/// A file, by path and digest.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FileStamp {
+    /// Its name.
+    pub path: String,
+    /// SHA-256 of its bytes.
+    pub digest: String,
+}
+
+/// One sheet.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct VariantEntry {
+    /// Its code.
+    pub code: String,
+    /// The seed of the variant.
+    pub seed: u64,
+    /// The row of the class list, if there is one.
+    pub student: Option<BTreeMap<String, String>>,
+    /// The files made for it, each with its digest.
+    pub files: BTreeMap<String, String>,
+    /// Its questions.
+    pub questions: Vec<QuestionEntry>,
+}
+
+/// One question of a sheet.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct QuestionEntry {
+    /// Its number on the sheet, from 1.
+    pub number: usize,
+    /// The item.
+    pub item: ItemId,
+    /// The text of the item that was used.
+    pub revision: Revision,
+    /// The seed of the instance.
+    pub seed: u64,
+    /// Its points.
+    pub points: f64,
+    /// The data as printed.
+    pub values: BTreeMap<String, String>,
+    /// Its parts.
+    pub parts: Vec<PartEntry>,
+}
+
+/// One part of a question.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PartEntry {
+    /// Its letter on the sheet.
+    pub letter: String,
+    /// Its identity in the item.
+    pub id: String,
+    /// Its kind of answer.
+    pub kind: String,
+    /// The unit asked for; empty if none.
+    pub unit: String,
+    /// Its points.
+    pub points: f64,
+    /// The options of a choice, in the order printed.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub options: Vec<String>,
+}

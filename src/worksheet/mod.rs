@@ -1,0 +1,27 @@
+//! Worksheets: blueprints, variants, the manifest, and the document made of scenes; no format.
+//!
+//! A [`Blueprint`] is what a teacher writes; with the bank it becomes a [`Plan`]. A [`Chooser`] takes
+//! one suitable variant after the other, and each is drawn as a [`Sheet`], which the formats write.
+//! The [`Manifest`] keeps what marking needs.
+
+#[cfg(feature = "render")]
+mod blueprint;
+mod manifest;
+#[cfg(feature = "render")]
+mod plan;
+mod sheet;
+#[cfg(feature = "render")]
+mod variants;
+
+#[cfg(feature = "render")]
+pub use blueprint::{
+    AnswerSpace, Audience, Blueprint, BlueprintError, Choice, Filter, Keys, Paper, Question,
+};
+pub use manifest::{
+    BankStamp, FORMAT, FileStamp, Manifest, PartEntry, QuestionEntry, VariantEntry,
+};
+#[cfg(feature = "render")]
+pub use plan::{Plan, Planned};
+pub use sheet::{Sheet, SheetQuestion, Student, letter};
+#[cfg(feature = "render")]
+pub use variants::{Chooser, Chosen, SheetError};

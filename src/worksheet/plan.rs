@@ -1,0 +1,308 @@
+//! A plan: a blueprint whose items were found in the bank.
+
+use super::blueprint::{Blueprint, Choice, Filter, Question};
+use crate::bank::{Catalogue, Template};
+use crate::diagnostic::{Code, Diagnose, Finding, Label};
+use crate::numerics::Rational;
+use crate::seed::{Secret, Seed, Streams, Variant};
+use crate::source::{Span, Text, nearest};
+
+/// A blueprint whose items were found.
+#[derive(Debug)]
+pub struct Plan<'c> {
+    /// The blueprint.
+    pub blueprint: &'c Blueprint,
+    /// Its questions, each pick as many times as it counts.
+    pub questions: Vec<Planned<'c>>,
+    /// What keys the seeds.
+    pub secret: Option<Secret>,
+}
+
+/// A question whose item, or whose candidates, are known.
+#[derive(Clone, Debug)]
+pub struct Planned<'c> {
+    /// The item, or those of which one is drawn for each variant.
+    pub candidates: Vec<&'c Template>,
+    /// The parts that are asked, as places in the item; all if empty.
+    pub parts: Vec<String>,
+    /// Points of the whole question.
+    pub points: Option<Rational>,
+    /// Data that are fixed.
+    pub set: Vec<(String, String)>,
+}
+
+/// What in a blueprint does not fit the bank.
+#[derive(Debug, thiserror::Error)]
+enum PlanError {
+    #[error("the bank has no item `{found}`")]
+    Item {
+        found: String,
+        nearest: Option<String>,
+        span: Span,
+    },
+    #[error("`{item}` has no part `{found}`")]
+    Part {
+        item: String,
+        found: String,
+        nearest: Option<String>,
+        span: Span,
+    },
+    #[error("`{item}` has no parameter `{found}`")]
+    Parameter {
+        item: String,
+        found: String,
+        nearest: Option<String>,
+        span: Span,
+    },
+    #[error("`{name}`: {message}")]
+    Value {
+        name: String,
+        message: String,
+        span: Span,
+    },
+    #[error("{found} items pass this filter, {wanted} are wanted")]
+    TooFew {
+        found: usize,
+        wanted: usize,
+        span: Span,
+    },
+    #[error("points are a positive number")]
+    Points { span: Span },
+}
+
+impl<'c> Plan<'c> {
+    /// Looks up the items of a blueprint.
+    ///
+    /// # Errors
+    ///
+    /// All findings at once.
+    pub fn of(
+        blueprint: &'c Blueprint,
+        catalogue: &'c Catalogue,
+        secret: Option<Secret>,
+    ) -> Result<Self, Vec<Finding>> {
+        let mut planner = Planner {
+            blueprint,
+            catalogue,
+            findings: Vec::new(),
+            questions: Vec::new(),
+        };
+        for (place, question) in blueprint.questions.iter().enumerate() {
+            planner.question(place, question);
+        }
+        if planner.findings.is_empty() {
+            return Ok(Self {
+                blueprint,
+                questions: planner.questions,
+                secret,
+            });
+        }
+        Finding::sort(&mut planner.findings);
+        Err(planner.findings)
+    }
+
+    /// The variant at a place of the run, and an attempt at it.
+    pub fn variant(&self, index: u64, attempt: u64) -> Variant {
+        Variant::of(
+            Seed::new(self.blueprint.seed),
+            index,
+            attempt,
+            self.secret.as_ref(),
+        )
+    }
+}
+
+struct Planner<'c> {
+    blueprint: &'c Blueprint,
+    catalogue: &'c Catalogue,
+    findings: Vec<Finding>,
+    questions: Vec<Planned<'c>>,
+}
+
+impl<'c> Planner<'c> {
+    fn question(&mut self, place: usize, question: &'c Question) {
+        let points = question
+            .points
+            .map(|points| Rational::from_decimal(&points.to_string()));
+        let points = match points {
+            Some(Some(points)) if points > Rational::ZERO => Some(points),
+            Some(_) => {
+                return self.find(&PlanError::Points {
+                    span: question.span,
+                });
+            }
+            None => None,
+        };
+        let planned = |candidates| Planned {
+            candidates,
+            parts: question
+                .parts
+                .iter()
+                .map(|part| part.value.clone())
+                .collect(),
+            points,
+            set: question
+                .set
+                .iter()
+                .map(|(name, value)| (name.value.clone(), value.value.clone()))
+                .collect(),
+        };
+        match &question.choice {
+            Choice::Item(text) => match self.catalogue.find(&text.value) {
+                Some(item) => {
+                    self.fits(item, question);
+                    self.questions.push(planned(vec![item]));
+                }
+                None => self.unknown_item(text),
+            },
+            Choice::Pick {
+                filter,
+                count,
+                same,
+            } => {
+                let found = self.pass(filter);
+                if found.len() < *count {
+                    let (found, wanted, span) = (found.len(), *count, question.span);
+                    return self.find(&PlanError::TooFew {
+                        found,
+                        wanted,
+                        span,
+                    });
+                }
+                if *same {
+                    let stream = Streams::of(Seed::new(self.blueprint.seed), "blueprint");
+                    let order = stream
+                        .named(&format!("pick {place}"))
+                        .permutation(found.len());
+                    self.questions.extend(
+                        order
+                            .into_iter()
+                            .take(*count)
+                            .map(|at| planned(vec![found[at]])),
+                    );
+                } else {
+                    self.questions
+                        .extend((0..*count).map(|_| planned(found.clone())));
+                }
+            }
+        }
+    }
+
+    fn pass(&mut self, filter: &Filter) -> Vec<&'c Template> {
+        for text in &filter.items {
+            if self.catalogue.find(&text.value).is_none() {
+                self.unknown_item(text);
+            }
+        }
+        let fits = |item: &&'c Template| {
+            (filter.items.is_empty() || filter.items.iter().any(|id| id.value == item.id.as_str()))
+                && filter
+                    .chapter
+                    .as_ref()
+                    .is_none_or(|chapter| chapter.value == item.id.chapter())
+                && filter.topic.as_ref().is_none_or(|topic| {
+                    item.about.topics.iter().any(|own| own.value == topic.value)
+                })
+                && (filter.levels.is_empty()
+                    || filter.levels.contains(&i64::from(item.about.level)))
+                && filter.kind.as_ref().is_none_or(|kind| {
+                    item.parts
+                        .iter()
+                        .any(|part| part.answer.kind().name() == kind.value)
+                })
+        };
+        self.catalogue.items().iter().filter(fits).collect()
+    }
+
+    /// Parts and data of a question have to be those of its item.
+    fn fits(&mut self, item: &Template, question: &Question) {
+        for part in &question.parts {
+            if item.part(&part.value).is_none() {
+                let near = nearest(&part.value, item.parts.iter().map(|part| part.id.as_str()))
+                    .map(str::to_owned);
+                let (found, span) = (part.value.clone(), part.span);
+                self.find(&PlanError::Part {
+                    item: item.id.to_string(),
+                    found,
+                    nearest: near,
+                    span,
+                });
+            }
+        }
+        for (name, value) in &question.set {
+            match item.parameter(&name.value) {
+                None => {
+                    let names = item
+                        .parameters
+                        .iter()
+                        .map(|parameter| parameter.name.as_str());
+                    let near = nearest(&name.value, names).map(str::to_owned);
+                    let (found, span) = (name.value.clone(), name.span);
+                    self.find(&PlanError::Parameter {
+                        item: item.id.to_string(),
+                        found,
+                        nearest: near,
+                        span,
+                    });
+                }
+                Some((_, parameter)) => {
+                    if let Err(error) = parameter.set(&value.value) {
+                        let (name, message) = (name.value.clone(), error.to_string());
+                        self.find(&PlanError::Value {
+                            name,
+                            message,
+                            span: value.span,
+                        });
+                    }
+                }
+            }
+        }
+    }
+
+    fn unknown_item(&mut self, text: &Text) {
+        let near = self.catalogue.nearest(&text.value).map(str::to_owned);
+        self.find(&PlanError::Item {
+            found: text.value.clone(),
+            nearest: near,
+            span: text.span,
+        });
+    }
+
+    fn find(&mut self, error: &PlanError) {
+        self.findings
+            .push(Finding::of(error, &self.blueprint.source));
+    }
+}
+
+impl Diagnose for PlanError {
+    fn code(&self) -> Code {
+        Code::BLUEPRINT
+    }
+
+    fn labels(&self) -> Vec<Label> {
+        let (Self::Item { span, .. }
+        | Self::Part { span, .. }
+        | Self::Parameter { span, .. }
+        | Self::Value { span, .. }
+        | Self::TooFew { span, .. }
+        | Self::Points { span }) = self;
+        vec![Label {
+            span: *span,
+            text: String::new(),
+        }]
+    }
+
+    fn help(&self) -> Option<String> {
+        match self {
+            Self::Item { nearest, .. } => match nearest {
+                Some(near) => Some(format!("did you mean `{near}`?")),
+                None => Some("`vibank list` shows all items".to_owned()),
+            },
+            Self::Part { nearest, .. } | Self::Parameter { nearest, .. } => nearest
+                .as_ref()
+                .map(|near| format!("did you mean `{near}`?")),
+            Self::TooFew { .. } => Some("widen the filter, or lower `count`".to_owned()),
+            Self::Value { .. } | Self::Points { .. } => None,
+        }
+    }
+}
