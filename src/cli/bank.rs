@@ -1,0 +1,135 @@
+//! The bank that a command works on: the one that comes with the program, or a folder.
+
+use std::path::{Path, PathBuf};
+
+use vibank::bank::{Catalogue, embedded};
+use vibank::diagnostic::{Finding, Severity};
+use vibank::source::{Problem, Source, Span};
+
+use super::report::Reporter;
+use super::{Failure, Outcome, files};
+
+/// Which bank.
+#[derive(clap::Args)]
+pub(crate) struct BankArgument {
+    /// A folder with a bank of your own, in place of the one that comes with the program.
+    #[arg(long, value_name = "FOLDER")]
+    bank: Option<PathBuf>,
+}
+
+impl BankArgument {
+    /// The catalogue and all findings.
+    pub(crate) fn load(&self) -> Result<(Catalogue, Vec<Finding>), Failure> {
+        match &self.bank {
+            None => Ok(Catalogue::load(embedded())),
+            Some(folder) => {
+                let mut found = Found::default();
+                found.collect(folder, "")?;
+                let texts = found.texts.iter();
+                let (catalogue, mut findings) =
+                    Catalogue::load(texts.map(|(path, text)| (path.as_str(), text.as_str())));
+                findings.append(&mut found.unreadable);
+                Finding::sort(&mut findings);
+                Ok((catalogue, findings))
+            }
+        }
+    }
+
+    /// The catalogue; errors are told in one line, since they hide items.
+    pub(crate) fn catalogue(&self) -> Result<Catalogue, Failure> {
+        let (catalogue, findings) = self.load()?;
+        let broken = findings
+            .iter()
+            .filter(|finding| finding.severity == Severity::Error)
+            .count();
+        if broken > 0 {
+            eprintln!("warning: {broken} errors in the bank, `vibank check` shows them");
+        }
+        Ok(catalogue)
+    }
+}
+
+/// The TOML files of a folder.
+#[derive(Default)]
+struct Found {
+    /// Each with its path inside the folder.
+    texts: Vec<(String, String)>,
+    /// Those that are no text; they do not hide the others.
+    unreadable: Vec<Finding>,
+}
+
+impl Found {
+    /// The TOML files below a folder that stands at `inside`; what is hidden is left out.
+    fn collect(&mut self, folder: &Path, inside: &str) -> Result<(), Failure> {
+        const MOST_FILES: usize = 10_000;
+        let fail = |error: std::io::Error| {
+            Failure::new(format!("cannot read `{}`: {error}", folder.display()))
+        };
+        let mut entries = std::fs::read_dir(folder)
+            .map_err(fail)?
+            .collect::<Result<Vec<_>, _>>()
+            .map_err(fail)?;
+        entries.sort_by_key(std::fs::DirEntry::file_name);
+        for entry in entries {
+            let name = entry.file_name().to_string_lossy().into_owned();
+            let path = if inside.is_empty() {
+                name.clone()
+            } else {
+                format!("{inside}/{name}")
+            };
+            let kind = entry.file_type().map_err(fail)?;
+            if kind.is_dir() && !name.starts_with('.') && path.matches('/').count() < 3 {
+                self.collect(&entry.path(), &path)?;
+            } else if kind.is_file() && name.ends_with(".toml") {
+                self.add(path, files::read_bytes(&entry.path())?);
+            }
+            if self.texts.len() > MOST_FILES {
+                return Err(Failure::new(format!(
+                    "`{}` has more than {MOST_FILES} files",
+                    folder.display()
+                )));
+            }
+        }
+        Ok(())
+    }
+
+    fn add(&mut self, path: String, bytes: Vec<u8>) {
+        match String::from_utf8(bytes) {
+            Ok(text) => self
+                .texts
+                .push((path, text.trim_start_matches('\u{feff}').to_owned())),
+            Err(error) => self.unreadable.push(no_text(path, error.as_bytes())),
+        }
+    }
+}
+
+/// The finding about a file that is not UTF-8.
+fn no_text(path: String, bytes: &[u8]) -> Finding {
+    let text = String::from_utf8_lossy(bytes);
+    let place = text.find('\u{fffd}').unwrap_or_default();
+    let problem = Problem::Syntax {
+        message: "these bytes are not UTF-8".to_owned(),
+        span: Span::new(place, place + 3),
+    };
+    let mut finding = Finding::of(&problem, &Source::new(path, text.into_owned()));
+    finding.help = Some("save the file as UTF-8".to_owned());
+    finding
+}
+
+/// Prints findings of a file that cannot be used.
+pub(crate) fn refuse(findings: &[Finding]) -> Result<Outcome, Failure> {
+    print(findings);
+    let count = findings.len();
+    Err(Failure::new(format!(
+        "{count} finding{}",
+        if count == 1 { "" } else { "s" }
+    )))
+}
+
+/// Prints findings to standard error.
+pub(crate) fn print(findings: &[Finding]) {
+    let reporter = Reporter::for_stderr();
+    for finding in findings {
+        eprintln!("{}\n", reporter.draw(finding));
+    }
+}

@@ -1,0 +1,31 @@
+//! `vibank completions SHELL` and `vibank man`
+
+use clap::CommandFactory;
+use clap_complete::Shell;
+
+use super::{Failure, Outcome};
+
+/// Print the completions of a shell, or the manual page.
+///
+/// Example: vibank completions bash > /etc/bash_completion.d/vibank
+#[derive(clap::Args)]
+pub(crate) struct Arguments {
+    /// The shell.
+    #[arg(required_unless_present = "man")]
+    shell: Option<Shell>,
+    /// Print the manual page instead.
+    #[arg(long)]
+    man: bool,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let mut command = super::Arguments::command();
+    if arguments.man {
+        let page = clap_mangen::Man::new(command);
+        page.render(&mut std::io::stdout())
+            .map_err(|error| Failure::new(format!("cannot write: {error}")))?;
+    } else if let Some(shell) = arguments.shell {
+        clap_complete::generate(shell, &mut command, "vibank", &mut std::io::stdout());
+    }
+    Ok(Outcome::Done)
+}

@@ -1,0 +1,62 @@
+//! Commands that answer line by line: one JSON object in, one out, in order.
+
+use std::io::{self, BufRead, Write};
+
+use super::{Failure, Outcome};
+
+/// Longest line that is kept; of a longer one the rest is skipped, and its answer says so.
+const LONGEST: usize = 5 << 20;
+
+/// Answers each line of standard input on standard output; empty lines are skipped.
+pub(crate) fn answer(mut reply: impl FnMut(&str) -> String) -> Result<Outcome, Failure> {
+    let fail = |error: io::Error| Failure::new(format!("cannot read standard input: {error}"));
+    let mut input = io::stdin().lock();
+    let mut output = io::BufWriter::new(io::stdout().lock());
+    let mut line = Vec::new();
+    loop {
+        line.clear();
+        if !take(&mut input, &mut line).map_err(fail)? {
+            break;
+        }
+        let text = String::from_utf8_lossy(&line);
+        let text = text.trim_matches(['\r', '\n', '\u{feff}']);
+        if text.trim().is_empty() {
+            continue;
+        }
+        let written = writeln!(output, "{}", reply(text)).and_then(|()| {
+            if input.fill_buf()?.is_empty() {
+                output.flush()
+            } else {
+                Ok(())
+            }
+        });
+        match written {
+            Err(error) if error.kind() == io::ErrorKind::BrokenPipe => return Ok(Outcome::Done),
+            other => other.map_err(|error| Failure::new(format!("cannot write: {error}")))?,
+        }
+    }
+    output
+        .flush()
+        .map_err(|error| Failure::new(format!("cannot write: {error}")))?;
+    Ok(Outcome::Done)
+}
+
+/// Reads one line, keeping at most [`LONGEST`] bytes of it; `false` at the end.
+fn take(input: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> {
+    let mut any = false;
+    loop {
+        let buffer = input.fill_buf()?;
+        if buffer.is_empty() {
+            return Ok(any);
+        }
+        any = true;
+        let end = buffer.iter().position(|byte| *byte == b'\n');
+        let taken = end.map_or(buffer.len(), |end| end + 1);
+        let room = LONGEST.saturating_sub(line.len());
+        line.extend_from_slice(&buffer[..taken.min(room)]);
+        input.consume(taken);
+        if end.is_some() {
+            return Ok(true);
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! `vibank list`
+
+use serde_json::json;
+use vibank::bank::Template;
+
+use super::bank::BankArgument;
+use super::{Failure, Format, Outcome};
+
+/// List the items of the bank, by chapter, topic, level and kind of answer.
+///
+/// Example: vibank list --chapter ch3 --topic "Coulomb friction" --level 2
+#[derive(clap::Args)]
+pub(crate) struct Arguments {
+    /// Items of this chapter, such as ch3.
+    #[arg(long)]
+    chapter: Option<String>,
+    /// Items with this topic.
+    #[arg(long)]
+    topic: Option<String>,
+    /// Items of this level, 1 to 3.
+    #[arg(long, value_parser = clap::value_parser!(u8).range(1..=3))]
+    level: Option<u8>,
+    /// Items with a part of this kind, such as numeric.
+    #[arg(long)]
+    kind: Option<String>,
+    #[command(flatten)]
+    bank: BankArgument,
+    /// How the list is printed.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+impl Arguments {
+    fn wants(&self, item: &Template) -> bool {
+        fn fits<'a>(wanted: Option<&String>, found: impl IntoIterator<Item = &'a str>) -> bool {
+            wanted.is_none_or(|wanted| {
+                found
+                    .into_iter()
+                    .any(|found| found.eq_ignore_ascii_case(wanted))
+            })
+        }
+        fits(self.chapter.as_ref(), [item.id.chapter()])
+            && fits(
+                self.topic.as_ref(),
+                item.about.topics.iter().map(|topic| topic.value.as_str()),
+            )
+            && self.level.is_none_or(|level| level == item.about.level)
+            && fits(
+                self.kind.as_ref(),
+                item.parts.iter().map(|part| part.answer.kind().name()),
+            )
+    }
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let catalogue = arguments.bank.catalogue()?;
+    let items: Vec<&Template> = catalogue
+        .items()
+        .iter()
+        .filter(|item| arguments.wants(item))
+        .collect();
+    if let Format::Json = arguments.format {
+        let entries: Vec<_> = items.iter().map(|item| entry(item)).collect();
+        println!("{}", serde_json::Value::Array(entries));
+        return Ok(Outcome::Done);
+    }
+    let mut chapter = "";
+    for item in &items {
+        if item.id.chapter() != chapter {
+            chapter = item.id.chapter();
+            let title = catalogue
+                .chapters
+                .iter()
+                .find(|known| known.folder == chapter)
+                .map_or("", |known| &known.title);
+            println!(
+                "{}{chapter}  {title}",
+                if item.id == items[0].id { "" } else { "\n" }
+            );
+        }
+        let stars = "*".repeat(usize::from(item.about.level));
+        println!(
+            "  {:<44} {stars:<3}  {:>3} min  {}",
+            item.id.as_str(),
+            item.minutes(),
+            item.about.title
+        );
+    }
+    if items.is_empty() {
+        eprintln!("no item fits");
+    }
+    Ok(Outcome::Done)
+}
+
+fn entry(item: &Template) -> serde_json::Value {
+    json!({
+        "id": item.id,
+        "revision": item.revision,
+        "title": item.about.title,
+        "source": item.about.source,
+        "topics": item.about.topics.iter().map(|topic| &topic.value).collect::<Vec<_>>(),
+        "level": item.about.level,
+        "minutes": item.minutes(),
+        "parts": item.parts.iter().map(|part| json!({ "id": part.id, "kind": part.answer.kind().name() })).collect::<Vec<_>>(),
+        "instances": item.instances(),
+    })
+}

@@ -1,0 +1,118 @@
+//! The command line: one file per command, and what they share.
+//!
+//! Results go to standard output, progress and reports to standard error.
+//! Exit codes: 0 done, 1 findings or wrong answers, 2 misuse.
+
+/// Prints a line to standard output; a reader that has left, as `head` does, is no failure.
+macro_rules! println {
+    ($($piece:tt)*) => {{
+        use std::io::Write as _;
+        let _ = writeln!(std::io::stdout().lock(), $($piece)*);
+    }};
+}
+
+/// Prints a line to standard error, in the same way.
+macro_rules! eprintln {
+    ($($piece:tt)*) => {{
+        use std::io::Write as _;
+        let _ = writeln!(std::io::stderr().lock(), $($piece)*);
+    }};
+}
+
+mod bank;
+mod check;
+mod class_list;
+mod completions;
+mod compute;
+mod explain;
+mod failure;
+mod files;
+mod grade;
+mod lines;
+mod list;
+mod mark;
+mod new;
+mod progress;
+mod record;
+mod report;
+mod responses;
+mod sheet;
+mod show;
+mod solve;
+
+use std::io::Write as _;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+pub(crate) use failure::{Failure, Outcome};
+
+/// Problem bank and exercise generator for the physics of vibrations.
+#[derive(Parser)]
+#[command(
+    name = "vibank",
+    version,
+    max_term_width = 100,
+    arg_required_else_help = true
+)]
+#[command(after_help = "Begin with `vibank sheet examples/midterm.toml`.")]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    List(list::Arguments),
+    Show(show::Arguments),
+    Solve(solve::Arguments),
+    Mark(mark::Arguments),
+    Sheet(sheet::Arguments),
+    Grade(grade::Arguments),
+    Compute(compute::Arguments),
+    Check(check::Arguments),
+    Explain(explain::Arguments),
+    New(new::Arguments),
+    Completions(completions::Arguments),
+}
+
+/// How results are printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum Format {
+    /// For people.
+    #[default]
+    Text,
+    /// For programs.
+    Json,
+}
+
+/// Runs the command that the arguments name.
+pub(crate) fn run() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            let _ = error.print();
+            return ExitCode::from(if error.use_stderr() { 2 } else { 0 });
+        }
+    };
+    let outcome = match arguments.command {
+        Command::List(arguments) => list::run(&arguments),
+        Command::Show(arguments) => show::run(&arguments),
+        Command::Mark(arguments) => mark::run(&arguments),
+        Command::Grade(arguments) => grade::run(&arguments),
+        Command::Solve(arguments) => solve::run(&arguments),
+        Command::Sheet(arguments) => sheet::run(&arguments),
+        Command::Compute(arguments) => compute::run(&arguments),
+        Command::Check(arguments) => check::run(&arguments),
+        Command::Explain(arguments) => explain::run(&arguments),
+        Command::Completions(arguments) => completions::run(&arguments),
+        Command::New(arguments) => new::run(&arguments),
+    };
+    match outcome {
+        Ok(outcome) => outcome.into(),
+        Err(failure) => {
+            let _ = write!(std::io::stderr().lock(), "{failure}");
+            ExitCode::from(2)
+        }
+    }
+}

@@ -1,0 +1,150 @@
+//! `vibank show ITEM`
+
+use vibank::instance::Instance;
+use vibank::scene::{Data, Scene, Shown};
+use vibank::seed::{Seed, Variant};
+use vibank::solution::Solution;
+use vibank::worksheet::letter;
+
+use super::bank::BankArgument;
+use super::{Failure, Outcome, solve};
+
+/// Show an item, or the sheet of a code, in the terminal.
+///
+/// Example: vibank show ch3/e5-log-decrement --seed 7 --solution
+#[derive(clap::Args)]
+pub(crate) struct Arguments {
+    /// The item, or the code of a sheet.
+    item: String,
+    /// The manifest in which a code is looked up.
+    #[arg(long, value_name = "FILE")]
+    manifest: Option<std::path::PathBuf>,
+    /// Draw the data from this seed; else those of the source are shown.
+    #[arg(long)]
+    seed: Option<u64>,
+    /// A value for a parameter, such as m=2kg.
+    #[arg(long = "set", value_name = "NAME=VALUE")]
+    set: Vec<String>,
+    /// Show the answers.
+    #[arg(long)]
+    key: bool,
+    /// Show hints and worked solution.
+    #[arg(long)]
+    solution: bool,
+    /// Print what was computed and what was not.
+    #[arg(long)]
+    trace: bool,
+    #[command(flatten)]
+    bank: BankArgument,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let catalogue = arguments.bank.catalogue()?;
+    if let Some(template) = catalogue.find(&arguments.item) {
+        let set = solve::settings(&arguments.set)?;
+        let set: Vec<(&str, &str)> = set
+            .iter()
+            .map(|(name, value)| (name.as_str(), value.as_str().unwrap_or_default()))
+            .collect();
+        let instance = Instance::of(template, arguments.seed.map(Seed::new), &set)
+            .map_err(|error| Failure::new(error.to_string()))?;
+        show(arguments, &Solution::of(instance));
+        return Ok(Outcome::Done);
+    }
+    let Some(manifest) = &arguments.manifest else {
+        let failure = Failure::new(format!("there is no item `{}`", arguments.item));
+        let is_code = arguments.item.parse::<Variant>().is_ok();
+        return Err(match catalogue.nearest(&arguments.item) {
+            _ if is_code => failure.help(
+                "for the code of a sheet give its manifest: `--manifest FOLDER/manifest.json`",
+            ),
+            Some(near) => failure.help(format!("did you mean `{near}`?")),
+            None => failure.help("`vibank list` shows all items"),
+        });
+    };
+    let manifest = super::grade::manifest(manifest)?;
+    let code = arguments
+        .item
+        .parse::<Variant>()
+        .map_err(|error| Failure::new(format!("`{}`: {error}", arguments.item)))?;
+    let entry = manifest
+        .variants
+        .iter()
+        .find(|variant| variant.code == code.to_string());
+    let entry = entry.ok_or_else(|| Failure::new(format!("the manifest has no sheet {code}")))?;
+    for question in &entry.questions {
+        println!("Question {}", question.number);
+        show(
+            arguments,
+            &super::grade::solution(&catalogue, question, manifest.decimal, false)?,
+        );
+    }
+    Ok(Outcome::Done)
+}
+
+fn show(arguments: &Arguments, solution: &Solution<'_>) {
+    let template = solution.template();
+    let scene = Scene::of(solution, Data::Both);
+    println!(
+        "{}  ({})\n",
+        template.about.title,
+        solution.instance().identity()
+    );
+    println!("{}", text(&scene.passage(&template.statement)));
+    if arguments.solution {
+        let before = text(&scene.passage(&template.solution));
+        if !before.is_empty() {
+            println!("\n{before}");
+        }
+    }
+    let asked = (0..template.parts.len()).filter(|place| solution.asks(*place));
+    for (position, place) in asked.enumerate() {
+        let part = &template.parts[place];
+        println!(
+            "\n{}) {}",
+            letter(position),
+            text(&scene.passage(&part.ask))
+        );
+        let options = part.answer.options();
+        for (at, option) in solution
+            .order(place)
+            .into_iter()
+            .enumerate()
+            .filter(|_| !options.is_empty())
+        {
+            println!(
+                "   {}  {}",
+                letter(at),
+                options[option].text.plain(&Vec::new())
+            );
+        }
+        if arguments.solution {
+            part.hints
+                .iter()
+                .for_each(|hint| println!("   hint: {}", text(&scene.passage(hint))));
+        }
+        if arguments.key || arguments.solution {
+            match solution.marker(place) {
+                Ok(marker) => println!("   = {}", marker.key().math.plain()),
+                Err(absent) => println!("   – {absent}"),
+            }
+        }
+        if arguments.solution {
+            let worked = text(&scene.passage(&part.solution));
+            worked.lines().for_each(|line| println!("   {line}"));
+        }
+    }
+    println!();
+    if arguments.trace {
+        let trace = solution.trace();
+        eprintln!("computed: {}", trace.computed.join(", "));
+        eprintln!("skipped:  {}", trace.skipped.join(", "));
+    }
+}
+
+fn text(shown: &[Shown<'_>]) -> String {
+    let pieces = shown
+        .iter()
+        .map(|piece| piece.document.plain(&piece.fillings).trim_end().to_owned());
+    pieces.collect::<Vec<_>>().join("\n\n")
+}
