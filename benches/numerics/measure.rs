@@ -1,0 +1,70 @@
+//! Timing, and the unit in which it is told.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use vibank::numerics::{exp, sin_cos};
+
+/// Time of one item in nanoseconds, over many batches.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Timing {
+    /// Of the second fastest batch.
+    pub(crate) fast: f64,
+    /// Of the median batch.
+    pub(crate) median: f64,
+    /// Items in a batch.
+    pub(crate) items: usize,
+}
+
+impl Timing {
+    /// The time of one part of an item that has several.
+    pub(crate) fn over(self, parts: usize) -> Self {
+        let count = parts as f64;
+        Self {
+            fast: self.fast / count,
+            median: self.median / count,
+            items: self.items * parts,
+        }
+    }
+}
+
+/// Batches that are timed.
+const BATCHES: usize = 15;
+
+/// Least duration of a batch in nanoseconds.
+const BATCH: f64 = 5e5;
+
+/// Times an operation on the items 0, 1, 2, ....
+pub(crate) fn time<T>(mut operation: impl FnMut(usize) -> T) -> Timing {
+    let mut items = 1;
+    while batch(&mut operation, items) * (items as f64) < BATCH && items < 1 << 20 {
+        items *= 2;
+    }
+    let mut times: Vec<f64> = (0..BATCHES).map(|_| batch(&mut operation, items)).collect();
+    times.sort_by(f64::total_cmp);
+    Timing {
+        fast: times[1],
+        median: times[BATCHES / 2],
+        items,
+    }
+}
+
+/// Nanoseconds an item.
+fn batch<T>(operation: &mut impl FnMut(usize) -> T, items: usize) -> f64 {
+    #[expect(clippy::disallowed_methods, reason = "a benchmark measures time")]
+    let start = Instant::now();
+    for item in 0..items {
+        black_box(operation(black_box(item)));
+    }
+    start.elapsed().as_nanos() as f64 / items as f64
+}
+
+/// The yardstick: one exponential and one pair of sine and cosine, in nanoseconds.
+pub(crate) fn yardstick() -> f64 {
+    let argument = |item: usize| 0.1 + (item % 4096) as f64 * 1.5e-3;
+    time(|item| {
+        let (sine, cosine) = sin_cos(argument(item));
+        exp(-argument(item)) + sine + cosine
+    })
+    .fast
+}

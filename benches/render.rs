@@ -1,0 +1,59 @@
+//! Writing an item as HTML: its question, its key, its worked solution.
+
+use divan::{Bencher, black_box};
+use vibank::bank::{Catalogue, embedded};
+use vibank::output::{self, Kind, Pages, Run};
+use vibank::source::Source;
+use vibank::worksheet::{Blueprint, Plan, Sheet};
+
+fn main() {
+    divan::main();
+}
+
+const ITEMS: [&str; 4] = [
+    "ch2/e8-springs-parallel-series",
+    "ch3/e4-underdamped-response",
+    "ch4/p1-rolling-disk-hub-moment",
+    "ch5/e5-coupled-pendulums-modes",
+];
+
+/// Draws and writes a sheet of one item.
+fn page(bencher: Bencher, item: &str, kind: Kind, format: &str) {
+    let (catalogue, _) = Catalogue::load(embedded());
+    if catalogue.find(item).is_none() {
+        return;
+    }
+    let text = format!("title = \"T\"\nseed = 1\nvariants = 1\n[[question]]\nitem = \"{item}\"\n");
+    let blueprint = Blueprint::read(&Source::new("bench.toml", text)).expect("it is sound");
+    let plan = Plan::of(&blueprint, &catalogue, None).expect("the item is there");
+    let writer = output::writer(format).expect("the format is there");
+    let pages =
+        Pages::new(writer, Run::of(&blueprint, writer), &[]).expect("the layouts are sound");
+    let mut index = 0;
+    bencher.bench_local(|| {
+        index += 1;
+        let variant = plan.variant(black_box(index), 0);
+        let sheet = Sheet::draw(&plan, variant, None).ok()?;
+        pages.page(kind, &sheet).ok().map(|page| page.len())
+    });
+}
+
+#[divan::bench(args = ITEMS)]
+fn question_as_html(bencher: Bencher, item: &str) {
+    page(bencher, item, Kind::Sheet, "html");
+}
+
+#[divan::bench(args = ITEMS)]
+fn key_as_html(bencher: Bencher, item: &str) {
+    page(bencher, item, Kind::Key, "html");
+}
+
+#[divan::bench(args = ITEMS)]
+fn solution_as_html(bencher: Bencher, item: &str) {
+    page(bencher, item, Kind::Solutions, "html");
+}
+
+#[divan::bench(args = ITEMS)]
+fn question_as_markdown(bencher: Bencher, item: &str) {
+    page(bencher, item, Kind::Sheet, "md");
+}

@@ -1,0 +1,82 @@
+"""Prints `src/numerics/double/constants.rs`: the constants of double-double arithmetic, from mpmath.
+
+    python3 tests/references/double_constants.py > src/numerics/double/constants.rs
+"""
+
+import struct
+
+from mpmath import e, factorial, floor, log, mp, mpf, pi, sqrt
+
+mp.prec = 2000
+
+
+def bits(x):
+    text = f"{struct.unpack('<Q', struct.pack('<d', x))[0]:016x}"
+    return "0x" + "_".join(text[i : i + 4] for i in range(0, 16, 4))
+
+
+def word(x):
+    text = f"{x:016x}"
+    return "0x" + "_".join(text[i : i + 4] for i in range(0, 16, 4))
+
+
+def pair(x):
+    hi = float(x)
+    lo = float(x - mpf(hi))
+    return f"Dd::from_bits({bits(hi)}, {bits(lo)})"
+
+
+def constant(doc, name, x):
+    print(f"    /// {doc}")
+    print(f"    pub const {name}: Self = {pair(x)};")
+
+
+def split(x, widths):
+    """Leading parts of x with the given numbers of bits; the rest as a pair."""
+    parts = []
+    for width in widths:
+        scale = mpf(2) ** (width - 1 - int(floor(log(x, 2))))
+        part = floor(x * scale) / scale
+        parts.append(float(part))
+        x -= part
+    return parts, x
+
+
+print("//! Constants of double-double arithmetic, printed by `tests/references/double_constants.py`.")
+print()
+print("use super::Dd;")
+print()
+print("impl Dd {")
+constant("The circle constant π.", "PI", pi)
+constant("A full turn, 2π.", "TAU", 2 * pi)
+constant("A right angle, π/2.", "FRAC_PI_2", pi / 2)
+constant("Half a right angle, π/4.", "FRAC_PI_4", pi / 4)
+constant("Euler's number e.", "E", e)
+constant("The natural logarithm of 2.", "LN_2", log(2))
+constant("The natural logarithm of 10.", "LN_10", log(10))
+constant("The square root of 2.", "SQRT_2", sqrt(2))
+print("}")
+print()
+parts, rest = split(log(2), [40, 40])
+print("/// The two leading parts of ln 2 with 40 bits each: their products with an exponent are exact.")
+print("pub(super) const LN_2_PARTS: [f64; 2] = [")
+for part in parts:
+    print(f"    f64::from_bits({bits(part)}),")
+print("];")
+print()
+print("/// What the two parts leave of ln 2.")
+print(f"pub(super) const LN_2_REST: Dd = {pair(rest)};")
+print()
+print("/// The reciprocals of the factorials, 1/n! for n = 0, 1, ..., 30.")
+print("pub(super) const INVERSE_FACTORIALS: [Dd; 31] = [")
+for n in range(31):
+    print(f"    {pair(1 / factorial(n))},")
+print("];")
+print()
+words = 23
+scaled = int(floor(2 / pi * mpf(2) ** (64 * words)))
+print("/// The binary fraction of 2/π, 64 bits a word, the leading word first.")
+print(f"pub(super) const TWO_OVER_PI: [u64; {words}] = [")
+for i in range(words):
+    print(f"    {word((scaled >> (64 * (words - 1 - i))) & (2**64 - 1))},")
+print("];")

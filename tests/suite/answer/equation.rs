@@ -1,0 +1,131 @@
+//! Equations of motion, right and wrong, with what is said.
+
+use super::check;
+
+const ONE: &str = r#"
+[parameters]
+m = "2 kg"
+l = "0.5 m"
+c = "3 N s/m"
+k = "50 N/m"
+k2 = "30 N/m"
+F0 = "4 N"
+Omega = "2 rad/s"
+mu = "0.2"
+g = "9.81 m/s^2"
+[model]
+coordinates = { theta = { unit = "rad" }, x = { unit = "m" } }
+kinetic = "1/2*m*(x'^2 + l^2*theta'^2)"
+potential = "1/2*k*(x - l*theta)^2"
+[[part]]
+kind = "equation"
+id = "eom"
+ask = "Find it."
+"#;
+
+#[test]
+fn any_form_of_the_equation_is_right() {
+    let item = format!(
+        "{ONE}unknowns = [\"theta\"]\nkey = \"5/6*m*l^2*theta'' + c*l^2/4*theta' + 5/4*k*l^2*theta = 0\"\n\
+         mistakes = [{{ answer = \"5/6*m*l^2*theta'' + 5/4*k*l^2*theta = 0\", feedback = \"The damper is missing.\" }}]\n"
+    );
+    check(
+        &item,
+        &[
+            ("5/6 m l^2 θ'' + c l²/4 θ' + 5/4 k l² θ = 0", "right"),
+            ("5/6 m θ'' + c/4 θ' + 5/4 k θ = 0", "right"),
+            ("θ'' = -(3c/(10m)) θ' - 3k/(2m) θ", "right"),
+            ("10 m thetaddot + 3 c thetadot + 15 k theta = 0", "right"),
+            (
+                "\\frac{5}{6} m l^2 \\ddot{\\theta} + \\frac{c l^2}{4}\\dot\\theta + \\frac54 k l^2 \\theta = 0",
+                "right",
+            ),
+            ("d²θ/dt² + 3c/(10m) dθ/dt + 3k/2m θ = 0", "right"),
+            ("0 = 15kθ + 3cθ' + 10mθ''", "right"),
+            ("l^2(5/6 m θ'' + 1/4 (c θ' + 5 k θ)) = 0", "right"),
+            ("10 m θ''(t) + 3 c θ'(t) + 15 k θ(t) = 0", "right"),
+            ("10mθ'' + 15kθ = 0", "wrong mistake-1"),
+            ("10mθ'' - 3cθ' + 15kθ = 0", "wrong sign"),
+            ("10mθ'' + 3cθ' + 15.00001kθ = 0", "wrong"),
+            ("10mθ'' + 3cθ' + 5kθ = 0", "wrong"),
+            ("10mθ'' + 3cθ' + 15 k sin θ = 0", "wrong"),
+            ("10mθ'' + 3cθ' + 15 k θ = F0 cos(Ωt)", "wrong dimension"),
+            ("10mθ'' + 3cθ'", "unreadable"),
+            ("10mθ'' + 3cθ' + 15kφ = 0", "unreadable"),
+        ],
+    );
+}
+
+#[test]
+fn forcing_and_friction_count() {
+    let item = format!(
+        "{ONE}unknowns = [\"x\"]\nkey = \"m*x'' + c*x' + (k + k2)*x = F0*cos(Omega*t) - mu*m*g*sign(x')\"\n"
+    );
+    check(
+        &item,
+        &[
+            (
+                "m x'' + c x' + (k + k2) x = F0 cos(Ω t) - μ m g sign(x')",
+                "right",
+            ),
+            (
+                "x'' + c/m x' + (k+k_2)/m x + μ g sgn(x') = F0/m cos Ωt",
+                "right",
+            ),
+            (
+                "m x'' + c x' + (k + k2) x = F0 sin(Ω t) - μ m g sign(x')",
+                "wrong",
+            ),
+            ("m x'' + c x' + (k + k2) x = F0 cos(Ω t)", "wrong"),
+            (
+                "m x'' + c x' + k x = F0 cos(Ω t) - μ m g sign(x')",
+                "wrong other",
+            ),
+            (
+                "m x'' + c x' - (k + k2) x = F0 cos(Ω t) - μ m g sign(x')",
+                "wrong sign",
+            ),
+        ],
+    );
+}
+
+#[test]
+fn the_equations_of_a_model_are_keys() {
+    for (key, response) in [
+        ("model.equation.x", "x'' = -k/m (x - l θ)"),
+        (
+            "model.equations",
+            "m x'' + k (x - l θ) = 0; m l θ'' = k (x - l θ)",
+        ),
+    ] {
+        let item = format!("{ONE}key = \"{key}\"\n");
+        check(&item, &[(response, "right"), ("m x'' + k x = 0", "wrong")]);
+    }
+}
+
+#[test]
+fn several_equations_count_by_their_row_space() {
+    let item = format!(
+        "{ONE}unknowns = [\"theta\", \"x\"]\nkey = [\"m*x'' + k*x - k*l*theta = 0\", \"m*l*theta'' - k*x + k*l*theta = 0\"]\n"
+    );
+    check(
+        &item,
+        &[
+            (
+                "m x'' + k x - k l θ = 0; m l θ'' - k x + k l θ = 0",
+                "right",
+            ),
+            ("m x'' + m l θ'' = 0, m l θ'' = k (x - l θ)", "right"),
+            ("x'' + lθ'' = 0\n m x'' = k (l θ - x)", "right"),
+            ("m x'' + k x - k l θ = 0", "partial"),
+            (
+                "m x'' + k x - k l θ = 0; 2 m x'' + 2 k x - 2 k l θ = 0",
+                "partial",
+            ),
+            (
+                "m x'' + k x + k l θ = 0; m l θ'' - k x + k l θ = 0",
+                "wrong",
+            ),
+        ],
+    );
+}

@@ -1,0 +1,226 @@
+//! Every item of the bank that comes with the program, over many draws.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+
+use serde_json::{Value as Json, json};
+use vibank::answer::{KeyValue, Verdict};
+use vibank::bank::{Catalogue, Template, embedded};
+use vibank::grade;
+use vibank::instance::Instance;
+use vibank::seed::Seed;
+use vibank::solution::{Solution, proof, request};
+
+/// Draws of each item; `vibank check` takes many more.
+const SEEDS: u64 = 20;
+
+/// What `faults` finds in each item, on all cores, in the order of the bank.
+fn over_all(faults: impl Fn(&Template) -> Vec<String> + Sync) -> Vec<String> {
+    let (catalogue, _) = Catalogue::load(embedded());
+    let items = catalogue.items();
+    let next = AtomicUsize::new(0);
+    let work = || {
+        let mut found = Vec::new();
+        while let Some(item) = items.get(next.fetch_add(1, Ordering::Relaxed)) {
+            found.extend(
+                faults(item)
+                    .into_iter()
+                    .map(|fault| format!("{}: {fault}", item.id)),
+            );
+        }
+        found
+    };
+    let mut found: Vec<String> = thread::scope(|scope| {
+        let workers: Vec<_> = (0..2).map(|_| scope.spawn(work)).collect();
+        workers
+            .into_iter()
+            .flat_map(|worker| worker.join().expect("no panic"))
+            .collect()
+    });
+    found.sort();
+    found
+}
+
+#[track_caller]
+fn none(faults: &[String]) {
+    assert!(
+        faults.is_empty(),
+        "{} faults:\n{}",
+        faults.len(),
+        faults.join("\n")
+    );
+}
+
+#[test]
+fn draws_keep_to_the_constraints_and_have_all_their_keys() {
+    none(&over_all(|item| {
+        let mut faults = Vec::new();
+        for seed in 0..SEEDS {
+            let instance = match Instance::draw(item, Seed::new(seed)) {
+                Ok(instance) => instance,
+                Err(error) => return vec![error.to_string()],
+            };
+            let solution = Solution::of(instance);
+            for constraint in &item.constraints {
+                if solution.evaluation().holds(constraint.node) != Ok(true) {
+                    faults.push(format!("seed {seed} breaks `{}`", constraint.name));
+                }
+            }
+            for place in (0..item.parts.len()).filter(|place| solution.asks(*place)) {
+                let id = &item.parts[place].id;
+                match solution.marker(place).map(|marker| marker.key().value) {
+                    Err(absent) => faults.push(format!("seed {seed}, {id}: {absent}")),
+                    Ok(KeyValue::Numbers { si, .. }) if si.iter().any(|si| !si.is_finite()) => {
+                        faults.push(format!("seed {seed}, {id}: {si:?}"));
+                    }
+                    Ok(_) => {}
+                }
+            }
+        }
+        faults
+    }));
+}
+
+#[test]
+fn a_key_as_it_is_printed_is_right() {
+    none(&over_all(|item| {
+        let mut faults = Vec::new();
+        for seed in 0..SEEDS {
+            let Ok(instance) = Instance::draw(item, Seed::new(seed)) else {
+                continue;
+            };
+            let solution = Solution::of(instance);
+            for place in (0..item.parts.len()).filter(|place| solution.asks(*place)) {
+                let part = &item.parts[place];
+                let kind = part.answer.kind().name();
+                let Ok(marker) = solution.marker(place) else {
+                    continue;
+                };
+                let key = marker.key();
+                let printed = match key.value {
+                    KeyValue::Options { ids, .. } => ids.join(", "),
+                    // Formulas are marked in the answers' own tests.
+                    _ if ["numeric", "integer"].contains(&kind) => key.math.plain(),
+                    _ => continue,
+                };
+                let marking = grade::mark(&solution, place, &printed);
+                if marking.verdict != Verdict::Right {
+                    let verdict = marking.verdict.name();
+                    faults.push(format!(
+                        "seed {seed}, {}: `{printed}` is {verdict}",
+                        part.id
+                    ));
+                }
+            }
+        }
+        faults
+    }));
+}
+
+#[test]
+fn known_results_and_second_routes_hold() {
+    none(&over_all(|item| {
+        let mut findings = proof::known_results(item);
+        findings.extend(proof::routes(item, SEEDS));
+        findings.iter().map(ToString::to_string).collect()
+    }));
+}
+
+/// The values of the catalogue, computed with fifty digits.
+#[test]
+fn the_values_of_the_catalogue_are_solved_to_the_last_digits() {
+    let (catalogue, _) = Catalogue::load(embedded());
+    let mut faults = Vec::new();
+    for line in include_str!("../fixtures/reference.jsonl").lines() {
+        let case: Json = serde_json::from_str(line).expect("each line is JSON");
+        let id = case["id"].as_str().expect("each case has an item");
+        if catalogue.find(id).is_some() {
+            faults.extend(
+                solved(&catalogue, &case)
+                    .into_iter()
+                    .map(|fault| format!("{id}: {fault}")),
+            );
+        }
+    }
+    none(&faults);
+}
+
+/// What of a case of the catalogue is not solved.
+fn solved(catalogue: &Catalogue, case: &Json) -> Vec<String> {
+    let expected = case["expect"].as_object().expect("each case has answers");
+    let mut at: Vec<&str> = expected.keys().filter_map(|key| timed(key).1).collect();
+    at.dedup();
+    let mut want: Vec<&str> = expected.keys().map(|key| timed(key).0).collect();
+    want.dedup();
+    let line = json!({"id": case["id"], "set": case["set"], "at": at, "want": want});
+    let reply: Json =
+        serde_json::from_str(&request::answer(catalogue, &line.to_string())).expect("JSON");
+    if reply.get("error").is_some() {
+        return vec![reply["error"].to_string()];
+    }
+    let mut faults = Vec::new();
+    for (key, expected) in expected {
+        let (answer, time) = timed(key);
+        let entry = &reply["answers"][answer];
+        let (found, bound) = match time {
+            None => (entry["si"].clone(), 1e-12),
+            Some(time) => {
+                let place = at
+                    .iter()
+                    .position(|at| *at == time)
+                    .expect("it was asked for");
+                (entry["si"][place].clone(), 1e-9)
+            }
+        };
+        let apart = apart(&found, &expected["si"]);
+        if apart.is_none_or(|apart| apart > bound) {
+            faults.push(format!(
+                "{key} is {found}, not {}, apart {apart:?}",
+                expected["si"]
+            ));
+        }
+    }
+    faults
+}
+
+/// `x(0.37)` is the answer `x` at a time.
+fn timed(key: &str) -> (&str, Option<&str>) {
+    key.strip_suffix(')')
+        .and_then(|key| key.split_once('('))
+        .map_or((key, None), |(name, time)| (name, Some(time)))
+}
+
+/// The numbers of an answer, real and imaginary parts alike; the catalogue writes them as strings.
+fn flat(value: &Json, numbers: &mut Vec<f64>) -> Option<()> {
+    match value {
+        Json::Number(number) => numbers.push(number.as_f64()?),
+        Json::String(text) => numbers.push(text.parse().ok()?),
+        Json::Array(entries) => entries.iter().try_for_each(|entry| flat(entry, numbers))?,
+        Json::Object(parts) => parts.values().try_for_each(|part| flat(part, numbers))?,
+        _ => return None,
+    }
+    Some(())
+}
+
+/// How far two answers are apart, as a share of the largest number in them; `None` if they have other forms.
+fn apart(found: &Json, expected: &Json) -> Option<f64> {
+    if expected.is_null() {
+        return found.is_null().then_some(0.0);
+    }
+    let (mut a, mut b) = (Vec::new(), Vec::new());
+    flat(found, &mut a)?;
+    flat(expected, &mut b)?;
+    if a.len() != b.len() {
+        return None;
+    }
+    let size = b
+        .iter()
+        .fold(0.0_f64, |size, number| size.max(number.abs()));
+    let size = if size == 0.0 { 1.0 } else { size };
+    let largest = a
+        .iter()
+        .zip(&b)
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, f64::max);
+    Some(largest / size)
+}

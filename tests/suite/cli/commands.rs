@@ -1,0 +1,175 @@
+//! Commands that show, list, explain and begin.
+
+use super::{BANK, content, folder, put, small, text_of, vibank};
+
+#[test]
+fn help_and_version_are_no_misuse() {
+    vibank(&["--help"]).ends(0).says("sheet").says("grade");
+    vibank(&["--version"]).ends(0).says("vibank 0.");
+    for command in [
+        "list", "show", "solve", "mark", "compute", "sheet", "grade", "check", "explain", "new",
+    ] {
+        vibank(&[command, "--help"]).ends(0).says("Example: ");
+    }
+}
+
+#[test]
+fn misuse_ends_with_2() {
+    vibank(&[]).ends(2);
+    vibank(&["frobnicate"]).ends(2).complains("frobnicate");
+    vibank(&["solve"]).ends(2);
+    vibank(&["list", "--level", "9"]).ends(2);
+    vibank(&["list", "--bank", "/nowhere"])
+        .ends(2)
+        .complains("cannot read `/nowhere`");
+    small(&["grade", "/nowhere.json", "/nowhere.csv"])
+        .ends(2)
+        .complains("/nowhere.json");
+    small(&["sheet", "/nowhere.toml"])
+        .ends(2)
+        .complains("/nowhere.toml");
+}
+
+#[test]
+fn items_are_listed_and_filtered() {
+    small(&["list"])
+        .ends(0)
+        .says("free  Free vibration")
+        .says("friction/half-cycles");
+    let ran = small(&[
+        "list",
+        "--chapter",
+        "free",
+        "--level",
+        "1",
+        "--format",
+        "json",
+    ])
+    .ends(0);
+    let list = &ran.lines()[0];
+    assert_eq!(list.as_array().map(Vec::len), Some(1));
+    assert_eq!(list[0]["id"], "free/spring-mass");
+    assert_eq!(list[0]["parts"][1]["kind"], "numeric");
+    let by_kind = small(&["list", "--kind", "choice"]).ends(0);
+    assert!(by_kind.out.contains("damped-block") && !by_kind.out.contains("half-cycles"));
+    small(&["list", "--topic", "acoustics"])
+        .ends(0)
+        .complains("no item fits");
+}
+
+#[test]
+fn an_item_is_shown_with_the_data_of_its_source() {
+    let ran = small(&["show", "free/spring-mass"]).ends(0);
+    let ran = ran
+        .says("k = 800 N/m")
+        .says("a) Find its natural angular frequency.");
+    assert!(
+        !ran.out.contains("= 20"),
+        "the key is not shown: {}",
+        ran.out
+    );
+    small(&["show", "free/spring-mass", "--key"])
+        .ends(0)
+        .says("= 20.0 rad/s");
+    small(&["show", "free/spring-mass", "--solution"])
+        .ends(0)
+        .says("hint: Compare stiffness and mass.")
+        .says("3.18 Hz");
+    small(&["show", "free/spring-mass", "--set", "m=8 kg", "--key"])
+        .ends(0)
+        .says("= 10.0 rad/s");
+}
+
+#[test]
+fn unknown_names_come_with_the_nearest_known_one() {
+    small(&["show", "free/spring-mas"])
+        .ends(2)
+        .complains("did you mean `free/spring-mass`?");
+    small(&["solve", "free/spring-mass", "--want", "omega_m"])
+        .ends(2)
+        .complains("did you mean `omega_n`?");
+    small(&["mark", "free/spring-mass", "omega_m", "1"])
+        .ends(2)
+        .complains("did you mean `omega_n`?");
+    small(&["solve", "free/spring-mass", "--set", "mm=1 kg"])
+        .ends(2)
+        .complains("did you mean `m`?");
+    vibank(&["explain", "bank::unknown-kye"])
+        .ends(2)
+        .complains("did you mean `bank::unknown-key`?");
+}
+
+#[test]
+fn codes_are_explained() {
+    vibank(&["explain", "bank::unknown-key"])
+        .ends(0)
+        .says("misspelt");
+    let all = vibank(&["explain"]).ends(0);
+    assert_eq!(
+        all.out.lines().count(),
+        vibank::diagnostic::codes::PAGES.len()
+    );
+}
+
+#[test]
+fn what_new_begins_works_as_it_stands() {
+    let folder = folder("new");
+    let sheet = text_of(&folder.join("begun.toml"));
+    vibank(&["new", "sheet", &sheet])
+        .ends(0)
+        .says("vibank sheet");
+    vibank(&["new", "sheet", &sheet])
+        .ends(2)
+        .complains("exists already");
+    let out = text_of(&folder.join("out"));
+    vibank(&["sheet", &sheet, "--out", &out]).ends(0);
+    let item = text_of(&folder.join("bank/begun/item.toml"));
+    vibank(&["new", "item", &item]).ends(0).says("vibank check");
+    put(
+        &folder,
+        "bank/bank.toml",
+        "format = 1\ntitle = \"B\"\n[topics]\n\"free vibration\" = \"…\"\n",
+    );
+    put(&folder, "bank/begun/_chapter.toml", "title = \"C\"\n");
+    let bank = text_of(&folder.join("bank"));
+    vibank(&["check", "--bank", &bank])
+        .ends(0)
+        .complains("1 item, 0 errors");
+    assert!(content(&item).contains("[[check]]"));
+}
+
+#[test]
+fn a_sound_bank_has_no_findings_and_an_unsound_one_has() {
+    small(&["check"])
+        .ends(0)
+        .complains("3 items, 0 errors, 0 warnings");
+    let folder = folder("unsound");
+    put(&folder, "bank.toml", content(format!("{BANK}/bank.toml")));
+    put(
+        &folder,
+        "free/_chapter.toml",
+        content(format!("{BANK}/free/_chapter.toml")),
+    );
+    let sound = content(format!("{BANK}/free/spring-mass.toml"));
+    put(&folder, "free/spring-mass.toml", &sound);
+    put(
+        &folder,
+        "free/broken.toml",
+        sound.replace("sqrt(k/m)", "sqrt(k/"),
+    );
+    put(
+        &folder,
+        "free/not-utf-8.toml",
+        b"[item]\ntitle = \"\xff\"\n",
+    );
+    let bank = text_of(&folder);
+    let ran = vibank(&["check", "--bank", &bank]).ends(1);
+    let ran = ran.complains("free/broken.toml:13:").complains("1 item, ");
+    ran.complains("free/not-utf-8.toml");
+    let json = vibank(&["check", "--bank", &bank, "--format", "json"]).ends(1);
+    assert_eq!(json.lines()[0][0]["file"], "free/broken.toml");
+    // What is broken never hides the rest.
+    vibank(&["show", "free/spring-mass", "--bank", &bank])
+        .ends(0)
+        .complains("`vibank check` shows them");
+}

@@ -1,0 +1,324 @@
+//! `vibank grade`: a filled form with everything that can go wrong in one, and nothing is lost.
+
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+use std::path::PathBuf;
+
+use serde_json::Value as Json;
+
+use super::{Ran, blueprint, content, folder, put, small, text_of};
+
+/// A run of thirty sheets, and the form as it is filled in.
+struct Exam {
+    folder: PathBuf,
+    manifest: Json,
+    rows: Vec<[String; 4]>,
+}
+
+impl Exam {
+    fn new(name: &str, top: &str) -> Self {
+        let folder = folder(name);
+        put(
+            &folder,
+            "class.csv",
+            "id,name,group\n1,<b>Ada</b>,=A1\n2,\"Nobody,\nat all\",\n",
+        );
+        let plan = put(&folder, "test.toml", blueprint(top));
+        small(&["sheet", &plan, "--out", &text_of(&folder.join("out"))]).ends(0);
+        let manifest = serde_json::from_str(&content(folder.join("out/manifest.json")));
+        Self {
+            folder,
+            manifest: manifest.expect("the manifest is JSON"),
+            rows: Vec::new(),
+        }
+    }
+
+    fn code(&self, variant: usize) -> String {
+        self.manifest["variants"][variant]["code"]
+            .as_str()
+            .expect("it has a code")
+            .to_owned()
+    }
+
+    /// A datum of a question, in its own unit.
+    fn datum(&self, variant: usize, question: usize, name: &str) -> f64 {
+        let values = &self.manifest["variants"][variant]["questions"][question - 1]["values"];
+        let text = values[name].as_str().expect("it has the datum");
+        let number = text.split(' ').next().unwrap_or_default();
+        number.parse().expect("a value begins with its number")
+    }
+
+    /// √(k/m) of the first question, by hand.
+    fn omega(&self, variant: usize) -> f64 {
+        (self.datum(variant, 1, "k") / self.datum(variant, 1, "m")).sqrt()
+    }
+
+    fn answer(&mut self, variant: usize, place: &str, response: impl Into<String>) {
+        let (question, part) = place.split_at(1);
+        let row = [
+            self.code(variant),
+            question.to_owned(),
+            part.to_owned(),
+            response.into(),
+        ];
+        self.rows.push(row);
+    }
+
+    /// Grades the form; the details by sheet and part.
+    fn grade(&self, more: &str) -> (Ran, BTreeMap<(String, String), Json>) {
+        let mut form = csv::Writer::from_writer(Vec::new());
+        form.write_record(["code", "question", "part", "response"])
+            .expect("it is in memory");
+        for row in &self.rows {
+            form.write_record(row).expect("it is in memory");
+        }
+        let mut form = form.into_inner().expect("it is in memory");
+        form.extend_from_slice(more.as_bytes());
+        let form = put(&self.folder, "form.csv", form);
+        let manifest = text_of(&self.folder.join("out/manifest.json"));
+        let out = text_of(&self.folder.join("marks"));
+        let ran = small(&["grade", &manifest, &form, "--out", &out]);
+        let results: Vec<Json> =
+            serde_json::from_str(&content(self.folder.join("marks/results.json"))).expect("JSON");
+        let key = |entry: &Json| {
+            let text = |name: &str| entry[name].as_str().unwrap_or_default().to_owned();
+            (
+                text("code"),
+                format!("{}{}", entry["question"], text("part")),
+            )
+        };
+        (
+            ran,
+            results
+                .into_iter()
+                .map(|entry| (key(&entry), entry))
+                .collect(),
+        )
+    }
+}
+
+#[test]
+fn a_filled_form_is_marked_row_by_row_and_nothing_is_lost() {
+    let mut exam = Exam::new("grade", "seed = 7\nvariants = 30");
+    for variant in 0..30 {
+        let omega = exam.omega(variant);
+        exam.answer(variant, "1a", format!("{omega:.4} rad/s"));
+    }
+    let omega = |exam: &Exam, variant| exam.omega(variant);
+    let (zero, one, two) = (omega(&exam, 0), omega(&exam, 1), omega(&exam, 2));
+    exam.answer(0, "1b", format!("{:.3} Hz", zero / TAU));
+    exam.answer(1, "1b", format!("{:.3} Hz", 1.5 * one / TAU));
+    exam.answer(2, "1b", format!("{two:.3} Hz"));
+    exam.answer(3, "1b", "3.2 kg");
+    exam.answer(4, "1b", "about three");
+    exam.answer(
+        5,
+        "1b",
+        format!("{:.3} Hz", 2_f64.sqrt() * omega(&exam, 5) / TAU),
+    );
+    exam.answer(6, "1b", "");
+    let right = format!("{:.3} Hz", omega(&exam, 7) / TAU);
+    exam.answer(7, "1b", right.clone());
+    exam.answer(7, "1b", right);
+    exam.answer(7, "1b", "");
+    exam.answer(8, "1b", "3 Hz");
+    exam.answer(8, "1b", "4 Hz");
+    exam.answer(9, "1b", format!("{:.4} rpm", 60.0 * omega(&exam, 9) / TAU));
+    exam.answer(10, "1b", "=HYPERLINK(\"http://x\")");
+    exam.answer(11, "1b", "3,1 \"Hz\"\nor so");
+    exam.answer(12, "9z", "5");
+    let more = "AAA-AAA-AAA,1,a,5 rad/s\nAAA-AAA-AAA,two,a,5 rad/s\n";
+    let (ran, details) = exam.grade(more);
+    let ran = ran.ends(1);
+    // Every part of every sheet has its entry.
+    assert_eq!(details.len(), 30 * 7);
+    let of = |variant: usize, part: &str| &details[&(exam.code(variant), part.to_owned())];
+    for variant in 0..30 {
+        assert_eq!(
+            of(variant, "1a")["verdict"],
+            "right",
+            "{}",
+            of(variant, "1a")
+        );
+    }
+    let expected = [
+        (0, "right", "matches"),
+        (1, "wrong", "other"),
+        (2, "wrong", "two-pi"),
+        (3, "wrong", "dimension"),
+        (4, "unreadable", "unreadable"),
+        (5, "wrong", "mistake-1"),
+        (6, "missing", "missing"),
+        (7, "right", "matches"),
+        (8, "missing", "missing"),
+        (9, "right", "matches"),
+        (10, "unreadable", "unreadable"),
+        (11, "unreadable", "unreadable"),
+        (12, "missing", "missing"),
+    ];
+    for (variant, verdict, reason) in expected {
+        let entry = of(variant, "1b");
+        assert_eq!(
+            (&entry["verdict"], &entry["reasons"][0]),
+            (&verdict.into(), &reason.into()),
+            "{entry}"
+        );
+        assert_ne!(entry["feedback"], "", "each has its line: {entry}");
+        assert_eq!(entry["points"], if verdict == "right" { 2.0 } else { 0.0 });
+    }
+    assert_eq!(of(5, "1b")["feedback"], "There is one spring only.");
+    assert!(
+        of(2, "1b")["feedback"]
+            .as_str()
+            .is_some_and(|text| text.contains("2π"))
+    );
+    assert_eq!(of(11, "1b")["response"], "3,1 \"Hz\"\nor so");
+    // What could not be counted is told with its line.
+    ran.complains("part 1b of sheet")
+        .complains("was already answered differently in line")
+        .complains("question `two` is no number")
+        .complains("no part 1a of a sheet AAA-AAA-AAA")
+        .complains("no part 9z of a sheet")
+        .complains("about three")
+        .says("30 sheets");
+    sums_agree(&exam, &details);
+}
+
+/// The marks are the sums of the details, and both tables are CSV with a row for each.
+fn sums_agree(exam: &Exam, details: &BTreeMap<(String, String), Json>) {
+    let text = content(exam.folder.join("marks/marks.csv"));
+    let mut marks = csv::Reader::from_reader(text.as_bytes());
+    let columns = marks.headers().expect("it has a header").clone();
+    assert_eq!(
+        columns.iter().collect::<Vec<_>>(),
+        [
+            "code", "student", "name", "group", "points", "max", "1a", "1b", "2a", "2b", "2c",
+            "3a", "3b"
+        ]
+    );
+    let rows: Vec<csv::StringRecord> = marks.records().map(|row| row.expect("a row")).collect();
+    assert_eq!(rows.len(), 30);
+    for row in &rows {
+        let sum: f64 = details
+            .iter()
+            .filter(|((code, _), _)| *code == row[0])
+            .map(|(_, entry)| entry["points"].as_f64().expect("points are a number"))
+            .sum();
+        assert_eq!(row[4].parse::<f64>().expect("points are a number"), sum);
+        assert_eq!(&row[5], "8");
+    }
+    let text = content(exam.folder.join("marks/details.csv"));
+    let mut table = csv::Reader::from_reader(text.as_bytes());
+    let rows: Vec<csv::StringRecord> = table.records().map(|row| row.expect("a row")).collect();
+    assert_eq!(rows.len(), details.len());
+    let formula = rows
+        .iter()
+        .find(|row| row[6].contains("HYPERLINK"))
+        .expect("it is there");
+    assert!(
+        formula[6].starts_with('\''),
+        "a spreadsheet takes it for text"
+    );
+}
+
+#[test]
+fn what_students_write_stays_text_on_their_page() {
+    let mut exam = Exam::new("escape", "seed = 7\nstudents = \"class.csv\"");
+    exam.answer(0, "1a", "<img src=x onerror=alert(1)> rad/s");
+    exam.answer(0, "2c", "<script>alert(1)</script>");
+    exam.answer(1, "1a", "20 rad/s\" onclick=\"alert(1)");
+    exam.grade("").0.ends(0);
+    for variant in 0..2 {
+        let page = content(
+            exam.folder
+                .join(format!("marks/feedback/{}.html", exam.code(variant))),
+        );
+        for tag in ["<img", "<script", "<b>Ada", "\" onclick=\""] {
+            assert!(!page.contains(tag), "{tag} is executed");
+        }
+    }
+    let page = content(
+        exam.folder
+            .join(format!("marks/feedback/{}.html", exam.code(0))),
+    );
+    assert!(page.contains("&lt;img") && page.contains("&lt;b&gt;Ada&lt;/b&gt;"));
+    let marks = content(exam.folder.join("marks/marks.csv"));
+    assert!(
+        marks.contains("'=A1"),
+        "a group that looks like a formula: {marks}"
+    );
+}
+
+#[test]
+fn a_form_with_one_row_a_sheet_and_one_in_json_are_marked_alike() {
+    let exam = Exam::new("layouts", "seed = 7\nvariants = 2");
+    let answer = format!("{:.4}", exam.omega(0));
+    let code = exam.code(0);
+    let forms = [
+        (
+            "wide.csv",
+            format!(
+                "code;1a;1b\n{};{} rad/s;\n",
+                code.to_lowercase(),
+                answer.replace('.', ",")
+            ),
+        ),
+        (
+            "bom.csv",
+            format!("\u{feff}part,code,response,question\r\nA, {code} ,{answer} rad/s,1\r\n"),
+        ),
+        (
+            "list.json",
+            format!(
+                "[{{\"code\":\"{code}\",\"question\":1,\"part\":\"a\",\"response\":\"{answer} rad/s\"}}]"
+            ),
+        ),
+    ];
+    let manifest = text_of(&exam.folder.join("out/manifest.json"));
+    for (name, form) in forms {
+        let form = put(&exam.folder, name, form);
+        let out = text_of(&exam.folder.join("marks"));
+        small(&["grade", &manifest, &form, "--out", &out])
+            .ends(0)
+            .says("1 right");
+    }
+}
+
+#[test]
+fn files_that_are_no_form_or_manifest_are_refused() {
+    let exam = Exam::new("refused-forms", "seed = 7\nvariants = 1");
+    let manifest = text_of(&exam.folder.join("out/manifest.json"));
+    let refused = |name: &str, form: &[u8]| {
+        let form = put(&exam.folder, name, form);
+        small(&["grade", &manifest, &form]).ends(2)
+    };
+    refused("empty.csv", b"").complains("has no columns of responses");
+    refused("other.csv", b"a,b,c\n1,2,3\n").complains("the header needs `code`");
+    refused("object.json", b"{}").complains("give an array of objects");
+    let form = put(&exam.folder, "form.csv", "code,question,part,response\n");
+    let no_manifest = put(&exam.folder, "no.json", "{\"format\": 1}");
+    small(&["grade", &no_manifest, &form])
+        .ends(2)
+        .complains("is no manifest");
+    let newer = content(&manifest).replace("\"format\":1", "\"format\":99");
+    let newer = put(&exam.folder, "newer.json", newer);
+    small(&["grade", &newer, &form])
+        .ends(2)
+        .complains("format 99");
+    let other = content(&manifest).replace("\"revision\":\"", "\"revision\":\"00000000");
+    let other = put(&exam.folder, "other.json", other);
+    small(&["grade", &other, &form]).ends(2);
+    // A line that is no UTF-8 is told; the others are marked.
+    let answer = format!("{:.4}", exam.omega(0));
+    let mut rows = format!(
+        "code,question,part,response\n{},1,a,{answer} rad/s\n",
+        exam.code(0)
+    );
+    rows.push_str("x,1,a,");
+    let bytes = [rows.as_bytes(), b"\xff\xfe\n"].concat();
+    let form = put(&exam.folder, "bytes.csv", bytes);
+    small(&["grade", &manifest, &form])
+        .ends(1)
+        .complains("line 3")
+        .says("1 right");
+}

@@ -1,0 +1,275 @@
+//! `vibank sheet`: what it writes, and that the same input gives the same bytes.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use super::{BANK, blueprint, content, folder, put, small, text_of, vibank};
+
+/// All files of a folder with their bytes.
+fn files(folder: &Path) -> BTreeMap<String, String> {
+    let mut found = BTreeMap::new();
+    for entry in fs::read_dir(folder).expect("the folder is there") {
+        let path = entry.expect("it can be listed").path();
+        let name = path
+            .file_name()
+            .expect("it has a name")
+            .to_string_lossy()
+            .into_owned();
+        if path.is_dir() {
+            let inner = files(&path).into_iter();
+            found.extend(inner.map(|(inside, text)| (format!("{name}/{inside}"), text)));
+        } else {
+            found.insert(name, content(&path));
+        }
+    }
+    found
+}
+
+#[test]
+fn a_run_writes_sheets_keys_solutions_form_and_manifest() {
+    let folder = folder("sheet");
+    let top = "seed = 7\nvariants = 30\nformats = [\"html\", \"md\", \"json\"]";
+    let plan = put(&folder, "test.toml", blueprint(top));
+    let out = folder.join("out");
+    small(&["sheet", &plan, "--out", &text_of(&out)])
+        .ends(0)
+        .says("30 sheets of 3 questions");
+    let files = files(&out);
+    let names: Vec<&str> = files.keys().map(String::as_str).collect();
+    assert_eq!(
+        names,
+        [
+            "key-table.html",
+            "key-table.md",
+            "keys.html",
+            "keys.md",
+            "manifest.json",
+            "responses.csv",
+            "sheets.html",
+            "sheets.jsonl",
+            "sheets.md",
+            "solutions.html",
+            "solutions.md",
+        ]
+    );
+    assert_eq!(files["sheets.jsonl"].lines().count(), 30);
+    // Seven parts a sheet, and the header.
+    assert_eq!(files["responses.csv"].lines().count(), 30 * 7 + 1);
+    let manifest: serde_json::Value =
+        serde_json::from_str(&files["manifest.json"]).expect("the manifest is JSON");
+    let variants = manifest["variants"].as_array().expect("it has variants");
+    assert_eq!(variants.len(), 30);
+    for variant in variants {
+        let code = variant["code"].as_str().expect("each has a code");
+        for page in [
+            "sheets.html",
+            "sheets.md",
+            "keys.html",
+            "solutions.html",
+            "key-table.html",
+        ] {
+            assert!(files[page].contains(code), "{code} is not in {page}");
+        }
+    }
+    for page in ["sheets.html", "keys.html", "solutions.html"] {
+        let text = &files[page];
+        assert!(
+            text.starts_with("<!") && text.trim_end().ends_with("</html>"),
+            "{page}"
+        );
+        assert!(!text.contains("<script"), "{page} runs nothing");
+        assert!(
+            !text.contains("http://") || text.contains("w3.org"),
+            "{page} loads nothing"
+        );
+    }
+}
+
+#[test]
+fn no_two_variants_are_equal() {
+    let folder = folder("distinct");
+    let plan = put(&folder, "test.toml", blueprint("seed = 1\nvariants = 60"));
+    let out = folder.join("out");
+    small(&["sheet", &plan, "--out", &text_of(&out)]).ends(0);
+    let manifest: serde_json::Value =
+        serde_json::from_str(&content(out.join("manifest.json"))).expect("it is JSON");
+    let variants = manifest["variants"].as_array().expect("it has variants");
+    for question in 0..3 {
+        let mut values: Vec<String> = variants
+            .iter()
+            .map(|variant| variant["questions"][question]["values"].to_string())
+            .collect();
+        values.sort();
+        values.dedup();
+        assert_eq!(values.len(), variants.len(), "question {question}");
+    }
+}
+
+#[test]
+fn the_same_input_gives_the_same_bytes_with_any_number_of_threads() {
+    let folder = folder("same");
+    let top = "seed = 2026\nvariants = 80\nshuffle = true\nformats = [\"html\", \"md\", \"json\"]";
+    let plan = put(&folder, "test.toml", blueprint(top));
+    let made = |name: &str, more: &[&str]| {
+        let out = folder.join(name);
+        small(&[&["sheet", &plan, "--out", &text_of(&out)], more].concat()).ends(0);
+        files(&out)
+    };
+    let first = made("first", &["--threads", "1"]);
+    assert_eq!(first, made("second", &["--threads", "2"]));
+    assert_eq!(first, made("third", &[]));
+    let split = made("split", &["--split", "--threads", "2"]);
+    assert_eq!(
+        split
+            .keys()
+            .filter(|name| name.starts_with("sheets/"))
+            .count(),
+        2 * 80
+    );
+    assert_eq!(split, made("split-again", &["--split", "--threads", "1"]));
+}
+
+#[test]
+fn another_seed_gives_other_sheets() {
+    let folder = folder("seeds");
+    let codes = |seed: &str| {
+        let plan = put(
+            &folder,
+            "test.toml",
+            blueprint(&format!("variants = 5\n{seed}")),
+        );
+        let out = folder.join("out");
+        small(&["sheet", &plan, "--out", &text_of(&out)]).ends(0);
+        content(out.join("responses.csv"))
+    };
+    assert_ne!(codes("seed = 1"), codes("seed = 2"));
+}
+
+#[test]
+fn a_secret_file_keys_the_seeds() {
+    let folder = folder("secret");
+    put(&folder, "one.key", "0123456789abcdef0123456789abcdef");
+    put(&folder, "two.key", "fedcba9876543210fedcba9876543210");
+    let run = |name: &str, secret: &str| {
+        let top = format!("variants = 3\nsecret = \"{secret}\"");
+        let plan = put(&folder, "test.toml", blueprint(&top));
+        let out = folder.join(name);
+        small(&["sheet", &plan, "--out", &text_of(&out)]).ends(0);
+        out
+    };
+    let (one, again, two) = (
+        run("1", "one.key"),
+        run("1b", "one.key"),
+        run("2", "two.key"),
+    );
+    assert_eq!(files(&one), files(&again));
+    let values = |out: &Path| {
+        let manifest: serde_json::Value =
+            serde_json::from_str(&content(out.join("manifest.json"))).expect("it is JSON");
+        assert_eq!(manifest["keyed"], true);
+        manifest["variants"][0]["questions"].to_string()
+    };
+    assert_ne!(values(&one), values(&two));
+    let plan = put(
+        &folder,
+        "test.toml",
+        blueprint("variants = 3\nsecret = \"none.key\""),
+    );
+    small(&["sheet", &plan]).ends(2).complains("none.key");
+    put(&folder, "short.key", "1234");
+    let plan = put(
+        &folder,
+        "test.toml",
+        blueprint("variants = 3\nsecret = \"short.key\""),
+    );
+    small(&["sheet", &plan]).ends(2).complains("short.key");
+}
+
+#[test]
+fn a_code_shows_its_sheet_with_the_manifest() {
+    let folder = folder("codes");
+    let plan = put(&folder, "test.toml", blueprint("seed = 3\nvariants = 2"));
+    let out = folder.join("out");
+    small(&["sheet", &plan, "--out", &text_of(&out)]).ends(0);
+    let form = content(out.join("responses.csv"));
+    let code = form
+        .lines()
+        .nth(1)
+        .and_then(|line| line.split(',').next())
+        .expect("it has rows");
+    let manifest = text_of(&out.join("manifest.json"));
+    let shown = small(&["show", code, "--manifest", &manifest, "--key"]).ends(0);
+    let shown = shown.says("Question 3").says("Half cycles of a block");
+    let data: serde_json::Value = serde_json::from_str(&content(&manifest)).expect("it is JSON");
+    let mass = data["variants"][0]["questions"][0]["values"]["m"]
+        .as_str()
+        .expect("it has m");
+    shown.says(&format!("m = {mass}"));
+    small(&["show", code])
+        .ends(2)
+        .complains("--manifest FOLDER/manifest.json");
+    let slipped = format!(
+        "{}{}",
+        if code.starts_with('A') { "B" } else { "A" },
+        &code[1..]
+    );
+    small(&["show", &slipped, "--manifest", &manifest]).ends(2);
+}
+
+#[test]
+fn a_class_list_gives_each_student_a_sheet() {
+    let folder = folder("class");
+    let list = "id,name,group,colour\n\
+        17,\"Noether, Emmy\",A,red\n\
+        18,\"<script>alert(1)</script>\",B,\n\
+        19,\"a \"\"quoted\"\"\nname\",B,\n";
+    put(&folder, "class.csv", list);
+    let plan = put(
+        &folder,
+        "test.toml",
+        blueprint("seed = 5\nstudents = \"class.csv\"\nformats = [\"html\", \"md\"]"),
+    );
+    let out = folder.join("out");
+    small(&["sheet", &plan, "--out", &text_of(&out)])
+        .ends(0)
+        .says("3 sheets");
+    let page = content(out.join("sheets.html"));
+    assert!(page.contains("Noether, Emmy"));
+    assert!(!page.contains("<script"), "a name stays text");
+    assert!(page.contains("&lt;script&gt;"));
+    assert!(
+        !content(out.join("sheets.md")).contains("<script>"),
+        "a name stays text in Markdown"
+    );
+    let manifest: serde_json::Value =
+        serde_json::from_str(&content(out.join("manifest.json"))).expect("it is JSON");
+    assert_eq!(manifest["variants"][0]["student"]["colour"], "red");
+    assert_eq!(
+        manifest["variants"][2]["student"]["name"],
+        "a \"quoted\"\nname"
+    );
+    assert!(
+        content(out.join("responses.csv"))
+            .lines()
+            .nth(1)
+            .is_some_and(|row| row.contains(",17,"))
+    );
+}
+
+#[test]
+fn a_blueprint_that_asks_for_what_is_not_there_is_refused_with_its_place() {
+    let folder = folder("refused");
+    let refused = |text: &str| {
+        let plan = put(&folder, "test.toml", text);
+        small(&["sheet", &plan]).ends(2)
+    };
+    refused("seed = 1\nvariants = 1\n").complains("title");
+    refused(&blueprint("seed = 1\nvariants = 1").replace("spring-mass", "spring-mas"))
+        .complains("test.toml:5:")
+        .complains("did you mean `free/spring-mass`?");
+    refused(&blueprint("seed = 1\nvariants = 0")).complains("variants");
+    refused(&blueprint("seed = 1\nvariants = 1\nformats = [\"docx\"]")).complains("docx");
+    refused(&blueprint("seed = 1\nvariant = 1")).complains("did you mean `variants`?");
+    let _ = vibank(&["sheet", "/dev/null", "--bank", BANK]).ends(2);
+}

@@ -1,0 +1,46 @@
+//! The suite: everything of vibank that spans more than one file, one module per concern.
+
+#[cfg(feature = "render")]
+mod answer;
+#[cfg(feature = "render")]
+mod bank;
+#[cfg(feature = "cli")]
+mod cli;
+mod layers;
+mod mechanics;
+mod numerics;
+mod physics;
+#[cfg(feature = "render")]
+mod text;
+#[cfg(feature = "render")]
+mod trace;
+
+/// The small bank of the tests, without a finding.
+#[cfg(feature = "render")]
+fn small_bank() -> vibank::bank::Catalogue {
+    let (catalogue, findings) = vibank::bank::Catalogue::load([
+        ("bank.toml", include_str!("../fixtures/bank/bank.toml")),
+        (
+            "free/_chapter.toml",
+            include_str!("../fixtures/bank/free/_chapter.toml"),
+        ),
+        (
+            "free/spring-mass.toml",
+            include_str!("../fixtures/bank/free/spring-mass.toml"),
+        ),
+        (
+            "free/damped-block.toml",
+            include_str!("../fixtures/bank/free/damped-block.toml"),
+        ),
+        (
+            "friction/_chapter.toml",
+            include_str!("../fixtures/bank/friction/_chapter.toml"),
+        ),
+        (
+            "friction/half-cycles.toml",
+            include_str!("../fixtures/bank/friction/half-cycles.toml"),
+        ),
+    ]);
+    assert!(findings.is_empty(), "{findings:?}");
+    catalogue
+}

@@ -1,0 +1,3 @@
+//! Bare numbers against references of many digits.
+
+mod double;

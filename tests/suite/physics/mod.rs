@@ -1,0 +1,13 @@
+//! The physics against references of many digits, known results and conservation laws.
+
+#![expect(clippy::unwrap_used, reason = "a test fails where a value is missing")]
+#![expect(clippy::print_stdout, reason = "the tables of errors are printed")]
+
+mod friction;
+mod modal;
+mod modes;
+mod oscillator;
+mod oscillator_laws;
+mod pendulum;
+mod reference;
+mod requests;
