@@ -19,10 +19,10 @@ pub fn embedded() -> Vec<(&'static str, &'static str)> {
 
 fn collect(folder: &'static Dir<'static>, files: &mut Vec<(&'static str, &'static str)>) {
     for file in folder.files() {
-        if let (Some(path), Some(text)) = (file.path().to_str(), file.contents_utf8()) {
-            if path.ends_with(".toml") {
-                files.push((path, text));
-            }
+        if let (Some(path), Some(text)) = (file.path().to_str(), file.contents_utf8())
+            && path.ends_with(".toml")
+        {
+            files.push((path, text));
         }
     }
     folder.dirs().for_each(|inner| collect(inner, files));

@@ -102,7 +102,7 @@ impl Grid {
             return None;
         }
         // The quotient in binary is off by at most one: the last value is decided on the decimals.
-        let at = |index: u64| Some(lo.checked_add(step.checked_mul(place(index))?)?);
+        let at = |index: u64| lo.checked_add(step.checked_mul(place(index))?);
         let mut last = nearly as u64;
         while last > 0 && at(last)? > hi {
             last -= 1;

@@ -211,7 +211,7 @@ impl Job<'_, '_> {
             let extension = format.pages.writer().extension();
             for (open, page) in format.open.iter_mut().zip(pages) {
                 if let Some(file) = &mut open.file {
-                    file.write(page.as_bytes())?
+                    file.write(page.as_bytes())?;
                 } else {
                     let inside = format!("{}/{code}.{extension}", open.kind.folder());
                     let whole = format!("{}{page}{}", open.begin, format.end);

@@ -83,7 +83,7 @@ pub fn collect(rows: impl IntoIterator<Item = Row>) -> (BTreeMap<Place, String>,
             }
             Some((_, None)) => {}
             Some((line, Some(earlier))) if earlier.is_empty() => {
-                (*line, *earlier) = (row.line, response)
+                (*line, *earlier) = (row.line, response);
             }
             Some((_, Some(earlier))) if response.is_empty() || *earlier == response => {}
             Some((first, earlier)) => {

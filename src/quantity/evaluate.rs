@@ -47,13 +47,16 @@ pub enum Absent {
 
 type Wide = Arc<[Approx<Dd>]>;
 
+/// A place for each node, filled when it is first asked for.
+type Slots<T> = Box<[OnceCell<Result<T, Absent>>]>;
+
 /// The values of an item's graph for certain data.
 pub struct Evaluation<'g> {
     graph: &'g Graph,
     data: Arc<[Precise]>,
-    values: Box<[OnceCell<Result<Value, Absent>>]>,
+    values: Slots<Value>,
     /// The same with twice the digits, where formulas asked for them.
-    wide: OnceCell<Box<[OnceCell<Result<Wide, Absent>>]>>,
+    wide: OnceCell<Slots<Wide>>,
     /// Values that stand in for what a formula would give.
     replaced: Vec<(NodeId, Value)>,
     rooms: RefCell<Vec<Workspace>>,

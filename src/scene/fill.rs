@@ -130,7 +130,7 @@ impl Scene<'_, '_> {
             _ => None,
         };
         let one = match (value.shape(), common) {
-            (Shape::Scalar, unit) => unit.or_else(|| self.entry_unit(info, 0)),
+            (Shape::Scalar, unit) => unit.or_else(|| entry_unit(info, 0)),
             (_, unit) => unit,
         };
         let body = match value.shape() {
@@ -161,7 +161,7 @@ impl Scene<'_, '_> {
 
     /// An entry of a vector or matrix: without unit if one serves for all.
     fn cell(&self, value: &Value, at: usize, info: &QuantityInfo, common: Option<Unit>) -> Math {
-        let own = self.entry_unit(info, at);
+        let own = entry_unit(info, at);
         self.entry(
             value,
             at,
@@ -169,13 +169,6 @@ impl Scene<'_, '_> {
             own.filter(|_| common.is_none()),
             common.or(own),
         )
-    }
-
-    fn entry_unit(&self, info: &QuantityInfo, at: usize) -> Option<Unit> {
-        match info.units.as_ref()? {
-            Units::One(unit) => Some(*unit),
-            Units::Each(units) => units.get(at).copied(),
-        }
     }
 
     /// One number: rounded in `unit`, printed with the unit `shown`.
@@ -244,4 +237,12 @@ fn separated(entries: impl Iterator<Item = Math>) -> Math {
 /// No formula.
 fn nothing() -> Math {
     Math::Row(Vec::new())
+}
+
+/// The unit in which one component is declared.
+fn entry_unit(info: &QuantityInfo, at: usize) -> Option<Unit> {
+    match info.units.as_ref()? {
+        Units::One(unit) => Some(*unit),
+        Units::Each(units) => units.get(at).copied(),
+    }
 }

@@ -62,8 +62,10 @@ impl Problem {
     /// Where it is.
     pub fn span(&self) -> Span {
         match self {
-            Self::Syntax { span, .. } | Self::Missing { span, .. } => *span,
-            Self::Unknown { span, .. } | Self::Kind { span, .. } => *span,
+            Self::Syntax { span, .. }
+            | Self::Missing { span, .. }
+            | Self::Unknown { span, .. }
+            | Self::Kind { span, .. } => *span,
         }
     }
 

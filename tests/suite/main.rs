@@ -1,4 +1,10 @@
 //! The suite: everything of vibank that spans more than one file, one module per concern.
+#![allow(
+    clippy::unwrap_used,
+    clippy::disallowed_methods,
+    clippy::too_many_lines,
+    reason = "a test may panic, reads its own files, and tells its story in one piece"
+)]
 
 #[cfg(feature = "render")]
 mod answer;

@@ -283,7 +283,7 @@ fn cyclic_quantities_are_refused_at_load() {
         .collect();
     let item = sound().replace(
         "[statement]",
-        &"[quantities.q1500]\nformula = \"1\"\n[statement]".to_string(),
+        "[quantities.q1500]\nformula = \"1\"\n[statement]",
     );
     let item = item.replace("[quantities]\n", &format!("[quantities]\n{chain}"));
     refused("chain", item, "error[");

@@ -115,7 +115,10 @@ impl Accuracy {
         let row = self.rows.entry(name).or_default();
         row.target = target;
         row.cases += 1;
-        // An error that is no number is worse than any.
+        #[expect(
+            clippy::neg_cmp_op_on_partial_ord,
+            reason = "an error that is no number is worse than any"
+        )]
         if !(error <= row.worst) {
             (row.worst, row.at) = (error, at());
         }
