@@ -14,8 +14,9 @@ pub mod diagnostic;
 pub mod expr;
 pub mod vibration;
 
-// Layer 3: texts, and mechanics from energies.
+// Layer 3: texts, figures, and mechanics from energies.
 pub mod document;
+pub mod figure;
 pub mod mechanics;
 
 // Layer 4: an item's quantities, and the kinds of answers.

@@ -1,0 +1,220 @@
+//! Lines of a drawing: straight, curved, along circles.
+
+use std::f64::consts::{PI, TAU};
+
+use super::{Bounds, Point};
+
+/// A line of a drawing, in figure units.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Path {
+    steps: Vec<Step>,
+}
+
+/// One step of a line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Step {
+    /// Begins anew at a point.
+    Move(Point),
+    /// Straight to a point.
+    Line(Point),
+    /// By a cubic curve with two control points to a point.
+    Curve(Point, Point, Point),
+    /// Along a circle, from the first angle to the second, in radians; less than a whole turn.
+    Arc {
+        centre: Point,
+        radius: f64,
+        from: f64,
+        to: f64,
+    },
+    /// Straight back to where the line began.
+    Close,
+}
+
+impl Path {
+    /// A line without a step yet.
+    pub const fn new() -> Self {
+        Self { steps: Vec::new() }
+    }
+
+    /// The straight line between two points.
+    pub fn line(a: Point, b: Point) -> Self {
+        Self::new().move_to(a).line_to(b)
+    }
+
+    /// Straight lines through points.
+    pub fn through(points: impl IntoIterator<Item = Point>) -> Self {
+        let mut points = points.into_iter();
+        let start = points
+            .next()
+            .map_or(Self::new(), |start| Self::new().move_to(start));
+        points.fold(start, Self::line_to)
+    }
+
+    /// The closed line through corners.
+    pub fn polygon(corners: impl IntoIterator<Item = Point>) -> Self {
+        Self::through(corners).close()
+    }
+
+    /// The outline of a box.
+    pub fn rectangle(bounds: Bounds) -> Self {
+        let Bounds { low, high } = bounds;
+        Self::polygon([
+            low,
+            Point::new(high.x, low.y),
+            high,
+            Point::new(low.x, high.y),
+        ])
+    }
+
+    /// A circle.
+    pub fn circle(centre: Point, radius: f64) -> Self {
+        Self::new()
+            .move_to(centre + Point::new(radius, 0.0))
+            .arc_on(centre, radius, 0.0, PI)
+            .arc_on(centre, radius, PI, TAU)
+            .close()
+    }
+
+    /// A part of a circle, from one angle to another, in radians.
+    pub fn arc(centre: Point, radius: f64, from: f64, to: f64) -> Self {
+        let start = centre + Point::at_angle(from) * radius;
+        Self::new().move_to(start).arc_on(centre, radius, from, to)
+    }
+
+    /// Begins anew at a point.
+    #[must_use]
+    pub fn move_to(mut self, to: Point) -> Self {
+        self.steps.push(Step::Move(to));
+        self
+    }
+
+    /// Goes straight to a point.
+    #[must_use]
+    pub fn line_to(mut self, to: Point) -> Self {
+        self.steps.push(Step::Line(to));
+        self
+    }
+
+    /// Goes to a point by a cubic curve.
+    #[must_use]
+    pub fn curve_to(mut self, first: Point, second: Point, to: Point) -> Self {
+        self.steps.push(Step::Curve(first, second, to));
+        self
+    }
+
+    /// Goes along a circle, from one angle to another, in radians; more than half a turn is cut in two.
+    #[must_use]
+    pub fn arc_on(mut self, centre: Point, radius: f64, from: f64, to: f64) -> Self {
+        let arc = |from, to| Step::Arc {
+            centre,
+            radius,
+            from,
+            to,
+        };
+        if (to - from).abs() > 1.01 * PI {
+            let middle = f64::midpoint(from, to);
+            self.steps.extend([arc(from, middle), arc(middle, to)]);
+        } else {
+            self.steps.push(arc(from, to));
+        }
+        self
+    }
+
+    /// Goes straight back to where it began.
+    #[must_use]
+    pub fn close(mut self) -> Self {
+        self.steps.push(Step::Close);
+        self
+    }
+
+    /// Appends another line.
+    #[must_use]
+    pub fn and(mut self, other: Self) -> Self {
+        self.steps.extend(other.steps);
+        self
+    }
+
+    /// Whether it has no step.
+    pub fn is_empty(&self) -> bool {
+        self.steps.is_empty()
+    }
+
+    pub(super) fn steps(&self) -> &[Step] {
+        &self.steps
+    }
+
+    /// Visits straight pieces that follow the line to within a fiftieth of a millimetre at the usual sizes.
+    pub fn for_each_segment(&self, mut visit: impl FnMut(Point, Point)) {
+        let (mut start, mut at) = (Point::default(), Point::default());
+        for step in &self.steps {
+            match *step {
+                Step::Move(to) => (start, at) = (to, to),
+                Step::Line(to) => {
+                    visit(at, to);
+                    at = to;
+                }
+                Step::Curve(first, second, to) => {
+                    const PIECES: usize = 6;
+                    let from = at;
+                    for piece in 1..=PIECES {
+                        let next = cubic(from, first, second, to, piece as f64 / PIECES as f64);
+                        visit(at, next);
+                        at = next;
+                    }
+                }
+                Step::Arc {
+                    centre,
+                    radius,
+                    from,
+                    to,
+                } => {
+                    let pieces = ((to - from).abs() / 0.26).ceil().max(1.0);
+                    for piece in 1..=pieces as usize {
+                        let angle = from + (to - from) * piece as f64 / pieces;
+                        let next = centre + Point::at_angle(angle) * radius;
+                        visit(at, next);
+                        at = next;
+                    }
+                }
+                Step::Close => {
+                    visit(at, start);
+                    at = start;
+                }
+            }
+        }
+    }
+
+    /// The box around it.
+    pub fn bounds(&self) -> Bounds {
+        let mut bounds = Bounds::NOTHING;
+        self.for_each_segment(|a, b| bounds = bounds.with(a).with(b));
+        bounds
+    }
+}
+
+/// The point of a cubic curve at a share of its parameter.
+fn cubic(a: Point, b: Point, c: Point, d: Point, share: f64) -> Point {
+    let rest = 1.0 - share;
+    a * (rest * rest * rest)
+        + b * (3.0 * rest * rest * share)
+        + c * (3.0 * rest * share * share)
+        + d * (share * share * share)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_circle_has_its_box() {
+        let bounds = Path::circle(Point::new(1.0, 2.0), 0.5).bounds();
+        assert!((bounds.width() - 1.0).abs() < 1e-2 && (bounds.height() - 1.0).abs() < 1e-2);
+        assert!(bounds.centre().distance(Point::new(1.0, 2.0)) < 1e-2);
+    }
+
+    #[test]
+    fn a_long_arc_is_cut() {
+        let arc = Path::arc(Point::default(), 1.0, 0.0, 1.9 * PI);
+        assert_eq!(arc.steps().len(), 3);
+    }
+}

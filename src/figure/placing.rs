@@ -1,0 +1,91 @@
+//! Labels to their places: clear of lines, of bodies that they do not belong to, and of each other.
+//!
+//! Each label has a list of places, best first. Labels are settled in turn; each goes to the first place
+//! that is free, and where none is, to the one with the least in its way.
+
+use super::drawing::{Drawing, Spot, Wish};
+use super::{Bounds, Label};
+
+/// Room between a label and a line.
+const GAP: f64 = 0.05;
+
+/// Room between two labels.
+const APART: f64 = 0.06;
+
+impl Drawing {
+    /// Settles the labels that have several places.
+    pub fn settle(&mut self) {
+        for wish in std::mem::take(&mut self.wishes) {
+            if let Some(spot) = self.best(&wish) {
+                self.letter(wish.label, wish.owner, spot);
+            }
+        }
+    }
+
+    fn best(&self, wish: &Wish) -> Option<Spot> {
+        let mut best: Option<(f64, Spot)> = None;
+        for spot in &wish.spots {
+            let limit = best.map_or(f64::INFINITY, |(cost, _)| cost);
+            let cost = self.cost(&wish.label, wish.owner, spot, limit);
+            if cost < limit {
+                best = Some((cost, *spot));
+            }
+            if cost == 0.0 {
+                break;
+            }
+        }
+        best.map(|(_, spot)| spot)
+    }
+
+    /// What is in the way of a label there; 0 if nothing. Counting stops at the limit.
+    fn cost(&self, label: &Label, owner: u32, spot: &Spot, limit: f64) -> f64 {
+        let bounds = spot.anchor.bounds(label, spot.at);
+        let mut cost = 0.0;
+        let near = bounds.grown(APART);
+        for other in &self.labels {
+            cost += 40.0 * near.overlap(other.bounds);
+        }
+        for area in self.areas.iter().filter(|area| area.owner != owner) {
+            cost += 2.0 * bounds.overlap(area.bounds);
+        }
+        for obstacle in &self.obstacles {
+            if cost >= limit {
+                break;
+            }
+            let thick = bounds.grown(GAP + obstacle.radius);
+            if touches(bounds.grown(GAP), obstacle.bounds)
+                && let Some(chord) = thick.chord(obstacle.a, obstacle.b)
+            {
+                // Deep cuts are worse than grazing ones.
+                let is_cut = bounds.chord(obstacle.a, obstacle.b).is_some();
+                cost += chord + if is_cut { 1.0 } else { 0.1 };
+            }
+        }
+        cost
+    }
+}
+
+fn touches(a: Bounds, b: Bounds) -> bool {
+    a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::{Anchor, Path, Pen, Point, Weight};
+
+    #[test]
+    fn a_label_goes_to_the_free_side() {
+        let mut drawing = Drawing::new();
+        let (a, b) = (Point::new(-1.0, 0.2), Point::new(1.0, 0.2));
+        drawing.stroke(Path::line(a, b), Pen::new(Weight::Thin));
+        let origin = Point::default();
+        let spots = [Anchor::BOTTOM, Anchor::TOP].map(|anchor| Spot::new(origin, anchor));
+        drawing.place(Label::words("k"), spots.to_vec());
+        drawing.place(Label::words("k"), spots.to_vec());
+        drawing.settle();
+        assert_eq!(drawing.labels()[0].anchor, Anchor::TOP);
+        // The second one finds both taken: lying on a line is better than lying on a label.
+        assert_eq!(drawing.labels()[1].anchor, Anchor::BOTTOM);
+    }
+}
