@@ -34,7 +34,7 @@ fn page(bencher: Bencher, item: &str, kind: Kind, format: &str) {
         index += 1;
         let variant = plan.variant(black_box(index), 0);
         let sheet = Sheet::draw(&plan, variant, None).ok()?;
-        pages.page(kind, &sheet).ok().map(|page| page.len())
+        pages.page(kind, &sheet).ok().map(|page| page.text.len())
     });
 }
 

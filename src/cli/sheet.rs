@@ -1,6 +1,8 @@
 //! `vibank sheet BLUEPRINT`
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 
 use rayon::prelude::*;
 use vibank::output::{self, KeyTable, Kind, Pages, Run};
@@ -112,8 +114,8 @@ struct Job<'a, 'c> {
 
 /// What one sheet gives, before it is written in order.
 struct Made {
-    /// By format and kind.
-    pages: Vec<Vec<String>>,
+    /// By format and kind: the page, or the whole file where each sheet has its own.
+    pages: Vec<Vec<Vec<u8>>>,
     json: Option<String>,
     entry: super::record::Entry,
 }
@@ -153,19 +155,9 @@ impl Job<'_, '_> {
         let sheet = self.draw(chosen)?;
         let mut pages = Vec::new();
         for format in &self.writers.formats {
-            let page = |open: &Open| {
-                format
-                    .pages
-                    .page(open.kind, &sheet)
-                    .map_err(|error| Failure::new(error.to_string()))
-            };
-            pages.push(
-                format
-                    .open
-                    .iter()
-                    .map(page)
-                    .collect::<Result<Vec<_>, _>>()?,
-            );
+            let made = format.open.iter();
+            let made = made.map(|open| format.made(open, &sheet, self.out));
+            pages.push(made.collect::<Result<Vec<_>, _>>()?);
         }
         let json = self
             .writers
@@ -188,19 +180,13 @@ impl Job<'_, '_> {
             let mut table = KeyTable::default();
             for chosen in chosen {
                 let sheet = self.draw(*chosen)?;
-                self.writers.formats[format]
-                    .pages
-                    .add_to_table(&mut table, &sheet);
+                table.add(self.writers.formats[format].pages.key_row(&sheet));
             }
             let Format {
                 pages, table: file, ..
             } = &mut self.writers.formats[format];
-            let page = pages
-                .key_table(&table)
-                .map_err(|error| Failure::new(error.to_string()))?;
-            file.as_mut()
-                .expect("checked above")
-                .write(page.as_bytes())?;
+            let page = pages.key_table(&table).map_err(fail)?;
+            file.as_mut().expect("checked above").push_str(&page);
         }
         Ok(())
     }
@@ -211,12 +197,11 @@ impl Job<'_, '_> {
             let extension = format.pages.writer().extension();
             for (open, page) in format.open.iter_mut().zip(pages) {
                 if let Some(file) = &mut open.file {
-                    file.write(page.as_bytes())?;
+                    file.write(&page)?;
                 } else {
                     let inside = format!("{}/{code}.{extension}", open.kind.folder());
-                    let whole = format!("{}{page}{}", open.begin, format.end);
-                    files::write(&self.out.join(&inside), whole.as_bytes())?;
-                    entry.file(inside, files::digest(whole.as_bytes()));
+                    files::write(&self.out.join(&inside), &page)?;
+                    entry.file(inside, files::digest(&page));
                 }
             }
         }
@@ -242,10 +227,15 @@ impl Job<'_, '_> {
                 };
                 written.push((shown, Pages::subtitle(open.kind)));
             }
-            if let Some(mut table) = format.table {
-                table.write(format.end.as_bytes())?;
-                table.finish()?;
-                written.push((format!("key-table.{extension}"), "answers of all variants"));
+            if let Some(table) = format.table {
+                let file = format!("key-table.{extension}");
+                let bytes = format
+                    .pages
+                    .writer()
+                    .bind(table + &format.end)
+                    .map_err(fail)?;
+                files::write(&self.out.join(&file), &bytes)?;
+                written.push((file, "answers of all variants"));
             }
         }
         if let Some(file) = self.writers.json {
@@ -296,8 +286,43 @@ struct Writers {
 struct Format {
     pages: Pages,
     open: Vec<Open>,
-    table: Option<Draft>,
+    /// The page with the answers of all variants, as far as it is written.
+    table: Option<String>,
     end: String,
+    /// The files of figures that are written.
+    placed: Mutex<BTreeSet<String>>,
+}
+
+impl Format {
+    /// The page of a sheet, or its whole file where it has one of its own.
+    fn made(&self, open: &Open, sheet: &Sheet<'_>, out: &Path) -> Result<Vec<u8>, Failure> {
+        let page = self.pages.page(open.kind, sheet).map_err(fail)?;
+        self.place(&page.pictures, out)?;
+        if open.file.is_some() {
+            return Ok(page.text.into_bytes());
+        }
+        let whole = format!("{}{}{}", open.begin, page.text, self.end);
+        self.pages.writer().bind(whole).map_err(fail)
+    }
+
+    /// Writes the figures that are files of their own, each once: its name says what is in it.
+    fn place(&self, pictures: &BTreeMap<String, String>, out: &Path) -> Result<(), Failure> {
+        for (name, svg) in pictures {
+            let is_new = self
+                .placed
+                .lock()
+                .is_ok_and(|mut placed| placed.insert(name.clone()));
+            if is_new {
+                let bytes = self.pages.writer().picture(svg).map_err(fail)?;
+                files::write(&out.join(name), &bytes)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+fn fail(error: output::OutputError) -> Failure {
+    Failure::new(error.to_string())
 }
 
 /// The file of one kind of page; none where each sheet has its own.
@@ -309,7 +334,6 @@ struct Open {
 
 impl Writers {
     fn open(arguments: &Arguments, blueprint: &Blueprint, out: &Path) -> Result<Self, Failure> {
-        let fail = |error: output::OutputError| Failure::new(error.to_string());
         let mut writers = Self {
             formats: Vec::new(),
             json: None,
@@ -328,7 +352,7 @@ impl Writers {
             let mut open = Vec::new();
             for kind in kinds {
                 let begin = pages.begin(Pages::subtitle(kind)).map_err(fail)?;
-                let file = if arguments.split {
+                let file = if arguments.split || writer.is_bound() {
                     None
                 } else {
                     let mut file = Draft::begin(&out.join(format!(
@@ -341,25 +365,15 @@ impl Writers {
                 };
                 open.push(Open { kind, begin, file });
             }
-            let table = if blueprint.keys.table {
-                let mut file =
-                    Draft::begin(&out.join(format!("key-table.{}", writer.extension())))?;
-                file.write(
-                    pages
-                        .begin("answers of all variants")
-                        .map_err(fail)?
-                        .as_bytes(),
-                )?;
-                Some(file)
-            } else {
-                None
-            };
+            let begin = || pages.begin("answers of all variants").map_err(fail);
+            let table = blueprint.keys.table.then(begin).transpose()?;
             let end = pages.end().map_err(fail)?;
             writers.formats.push(Format {
                 pages,
                 open,
                 table,
                 end,
+                placed: Mutex::default(),
             });
         }
         Ok(writers)

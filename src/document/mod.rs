@@ -10,16 +10,22 @@
 
 mod fill;
 mod html;
+mod latex;
 mod markdown;
 mod placeholder;
 mod plain;
 #[cfg(feature = "render")]
 mod read;
+mod typst;
 
 pub use fill::{Fill, Filling, Fills};
+#[cfg(feature = "pdf")]
+pub(crate) use latex::{picture_name, write_words as latex_words};
 pub use placeholder::{Form, Placeholder};
 #[cfg(feature = "render")]
 pub use read::{Reading, TextError, read_math};
+#[cfg(feature = "pdf")]
+pub(crate) use typst::write_picture;
 
 use serde::{Deserialize, Serialize};
 

@@ -1,7 +1,7 @@
 //! Typeset mathematics as a tree, and its writers.
 //!
 //! Formulas, units and texts all produce [`Math`]; each output format has one writer over it
-//! (MathML, LaTeX, plain text, spoken words). The LaTeX *reader* lives in `document`, so that this
+//! (MathML, LaTeX, Typst, plain text, spoken words). The LaTeX *reader* lives in `document`, so that this
 //! module, and with it the grader in the browser, needs no parser.
 //! A tree may have [`Math::Hole`]s, which are filled with values when a text is written.
 //!
@@ -30,6 +30,7 @@ mod script;
 mod sign;
 mod spoken;
 mod symbol;
+mod typst;
 
 pub(crate) use atom::Atom;
 pub(crate) use latex::FUNCTIONS;
@@ -37,6 +38,8 @@ pub(crate) use mathml::escape;
 pub use mathml::{Display, STYLE as MATHML_STYLE};
 pub(crate) use sign::{GREEK, SIGNS, Sign, greek_name};
 pub use symbol::symbol;
+pub use typst::PRELUDE as TYPST_PRELUDE;
+pub(crate) use typst::quote;
 
 use serde::{Deserialize, Serialize};
 

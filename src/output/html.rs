@@ -3,8 +3,9 @@
 //! Nothing is fetched: the page works from a disk, without a network, and prints on A4 or Letter.
 
 use super::Writer;
+use super::layouts::style;
 use crate::document::{Document, Filling};
-use crate::math::{Display, Math, escape};
+use crate::math::{Display, MATHML_STYLE, Math, escape};
 use crate::scene::Shown;
 
 /// The format.
@@ -19,8 +20,12 @@ impl Writer for Html {
         "html"
     }
 
-    fn escapes(&self) -> bool {
-        true
+    fn escape(&self) -> Option<super::Escape> {
+        Some(tera::escape_html)
+    }
+
+    fn style(&self) -> String {
+        format!("{MATHML_STYLE}{}", style())
     }
 
     fn words(&self, words: &str) -> String {

@@ -1,8 +1,10 @@
 //! The page layouts: Tera templates, embedded or from a folder.
 
+use std::borrow::Cow;
+
 use include_dir::{Dir, include_dir};
 use serde::Serialize;
-use tera::{Context, Tera};
+use tera::{Context, Delimiters, Tera};
 
 use super::Writer;
 
@@ -27,13 +29,29 @@ pub enum OutputError {
         /// What is wrong and where.
         message: String,
     },
+    /// A page that cannot be printed.
+    #[error("the page cannot be printed: {message}")]
+    Print {
+        /// What is wrong and where.
+        message: String,
+    },
 }
 
 /// The layouts of one format.
 pub struct Layouts {
     tera: Tera,
-    extension: &'static str,
+    ending: &'static str,
 }
+
+/// The marks of places in layouts of a notation that is full of braces.
+const ANGLES: Delimiters = Delimiters {
+    block_start: Cow::Borrowed("<%"),
+    block_end: Cow::Borrowed("%>"),
+    variable_start: Cow::Borrowed("<<"),
+    variable_end: Cow::Borrowed(">>"),
+    comment_start: Cow::Borrowed("<#"),
+    comment_end: Cow::Borrowed("#>"),
+};
 
 impl Layouts {
     /// The layouts that come with the program, each replaced by the file of the same name in `own`.
@@ -43,12 +61,13 @@ impl Layouts {
     /// [`OutputError::Layouts`].
     pub fn of(writer: &dyn Writer, own: &[(String, String)]) -> Result<Self, OutputError> {
         let mut tera = Tera::default();
-        let ending = format!(".{}", writer.extension());
-        tera.autoescape_on(if writer.escapes() {
-            vec![ending]
-        } else {
-            Vec::new()
-        });
+        match writer.escape() {
+            Some(escape) => {
+                tera.set_escape_fn(escape);
+                tera.autoescape_on(vec![format!(".{}", writer.layout())]);
+            }
+            None => tera.autoescape_on(Vec::<String>::new()),
+        }
         let folder = TEMPLATES.get_dir(writer.name());
         let embedded = folder.into_iter().flat_map(Dir::files).filter_map(|file| {
             Some((
@@ -69,16 +88,19 @@ impl Layouts {
             format: writer.name(),
             message: error.to_string(),
         };
+        if writer.has_braces() {
+            tera.set_delimiters(ANGLES).map_err(fail)?;
+        }
         tera.add_raw_templates(texts).map_err(fail)?;
         Ok(Self {
             tera,
-            extension: writer.extension(),
+            ending: writer.layout(),
         })
     }
 
     /// Fills the layout `name`.
     pub(super) fn fill(&self, name: &str, content: &impl Serialize) -> Result<String, OutputError> {
-        let layout = format!("{name}.{}", self.extension);
+        let layout = format!("{name}.{}", self.ending);
         let fail = |error: tera::Error| OutputError::Page {
             layout: layout.clone(),
             message: error.to_string(),

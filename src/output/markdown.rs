@@ -17,10 +17,6 @@ impl Writer for Markdown {
         "md"
     }
 
-    fn escapes(&self) -> bool {
-        false
-    }
-
     fn words(&self, words: &str) -> String {
         let mut out = String::with_capacity(words.len());
         for letter in words.chars() {

@@ -6,16 +6,26 @@
 
 mod html;
 mod json;
+mod key_table;
+#[cfg(feature = "pdf")]
+mod latex;
 mod layouts;
 mod markdown;
 mod pages;
+#[cfg(feature = "pdf")]
+mod typst;
+mod view;
 
+pub use key_table::{KeyRow, KeyTable};
 pub use layouts::{Layouts, OutputError};
-pub use pages::{Feedback, FeedbackPart, FeedbackQuestion, KeyTable, Kind, Pages, Run};
+pub use pages::{Feedback, FeedbackPart, FeedbackQuestion, Kind, Page, Pages, Run};
 
 use crate::document::{Block, Document};
 use crate::math::Math;
 use crate::scene::Shown;
+
+/// Writes words that a layout places so that they mean themselves.
+pub type Escape = fn(&str, &mut dyn std::io::Write) -> std::io::Result<()>;
 
 /// Writes texts and formulas in one notation.
 pub trait Writer: Sync {
@@ -25,8 +35,25 @@ pub trait Writer: Sync {
     /// Ending of its files.
     fn extension(&self) -> &'static str;
 
-    /// Whether layouts escape what they place.
-    fn escapes(&self) -> bool;
+    /// Ending of its layouts.
+    fn layout(&self) -> &'static str {
+        self.extension()
+    }
+
+    /// Whether the notation is full of braces, so that layouts mark their places by `<< >>` and `<% %>`.
+    fn has_braces(&self) -> bool {
+        false
+    }
+
+    /// How layouts escape the words that they place; without, they are written as they stand.
+    fn escape(&self) -> Option<Escape> {
+        None
+    }
+
+    /// What a file defines before its first page.
+    fn style(&self) -> String {
+        String::new()
+    }
 
     /// Some words that are no markup.
     fn words(&self, words: &str) -> String;
@@ -39,10 +66,51 @@ pub trait Writer: Sync {
 
     /// A text of one paragraph, without the marks of a paragraph.
     fn line(&self, document: &Document) -> String;
+
+    /// A figure, given as SVG, beside a text.
+    fn figure(&self, svg: &str) -> String {
+        svg.to_owned()
+    }
+
+    /// The name of the file of a figure that the notation cannot hold.
+    fn picture_name(&self, _svg: &str) -> Option<String> {
+        None
+    }
+
+    /// Whether a finished text is not yet the file, so that each sheet is a file of its own.
+    fn is_bound(&self) -> bool {
+        false
+    }
+
+    /// The file of a finished text.
+    ///
+    /// # Errors
+    ///
+    /// [`OutputError::Print`].
+    fn bind(&self, text: String) -> Result<Vec<u8>, OutputError> {
+        Ok(text.into_bytes())
+    }
+
+    /// The file of a figure that the notation cannot hold.
+    ///
+    /// # Errors
+    ///
+    /// [`OutputError::Print`].
+    fn picture(&self, svg: &str) -> Result<Vec<u8>, OutputError> {
+        Ok(svg.as_bytes().to_vec())
+    }
 }
 
 /// The formats that layouts fill.
-pub static WRITERS: &[&dyn Writer] = &[&html::Html, &markdown::Markdown];
+pub static WRITERS: &[&dyn Writer] = &[
+    &html::Html,
+    &markdown::Markdown,
+    #[cfg(feature = "pdf")]
+    &typst::Pdf,
+    // Its figures are printed by Typst.
+    #[cfg(feature = "pdf")]
+    &latex::Latex,
+];
 
 /// The format of this name, or `json`.
 pub fn writer(name: &str) -> Option<&'static dyn Writer> {

@@ -1,13 +1,17 @@
 //! What the layouts are filled with.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
-use super::layouts::{Layouts, OutputError, font, style};
-use super::{Writer, is_line};
+use super::Writer;
+use super::key_table::{KeyRow, KeyTable, Panel};
+use super::layouts::{Layouts, OutputError, font};
+use super::view::{SheetView, View};
 use crate::numerics::Rational;
-use crate::scene::{Data, Scene};
+use crate::scene::Data;
 use crate::unit::DecimalMark;
-use crate::worksheet::{AnswerSpace, Blueprint, Paper, Sheet, SheetQuestion, letter};
+use crate::worksheet::{AnswerSpace, Blueprint, Paper, Sheet, letter};
 
 /// What a page is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -36,15 +40,15 @@ pub struct Run {
     /// `lines`, `boxes` or `none`.
     pub answer_space: &'static str,
     #[serde(skip)]
-    language: String,
+    pub(super) language: String,
     #[serde(skip)]
-    paper: Paper,
+    pub(super) paper: Paper,
     #[serde(skip)]
-    data: Data,
+    pub(super) data: Data,
     #[serde(skip)]
-    hints: bool,
+    pub(super) hints: bool,
     #[serde(skip)]
-    mark: DecimalMark,
+    pub(super) mark: DecimalMark,
 }
 
 /// Fills the layouts of one format.
@@ -52,6 +56,15 @@ pub struct Pages {
     writer: &'static dyn Writer,
     layouts: Layouts,
     run: Run,
+}
+
+/// A page, written.
+#[derive(Clone, Debug, Default)]
+pub struct Page {
+    /// Its text.
+    pub text: String,
+    /// The figures that its notation cannot hold: the name of each, and its SVG.
+    pub pictures: BTreeMap<String, String>,
 }
 
 #[derive(Serialize)]
@@ -66,73 +79,9 @@ struct Begin<'a> {
 }
 
 #[derive(Serialize)]
-struct Page<'a> {
+struct Content<'a> {
     run: &'a Run,
     sheet: SheetView,
-}
-
-#[derive(Serialize)]
-struct SheetView {
-    code: String,
-    name: String,
-    student: String,
-    group: String,
-    count: String,
-    points: String,
-    questions: Vec<QuestionView>,
-}
-
-#[derive(Default, Serialize)]
-struct QuestionView {
-    number: usize,
-    title: String,
-    points: String,
-    statement: String,
-    figure: String,
-    solution: String,
-    notes: String,
-    identity: String,
-    parts: Vec<PartView>,
-}
-
-#[derive(Default, Serialize)]
-struct PartView {
-    letter: String,
-    points: String,
-    ask: String,
-    hints: Vec<String>,
-    options: Vec<OptionView>,
-    lead: String,
-    unit: String,
-    key: String,
-    accepted: String,
-    absent: String,
-    solution: String,
-}
-
-#[derive(Serialize)]
-struct OptionView {
-    letter: String,
-    text: String,
-    right: bool,
-}
-
-/// The answers of all variants on one page.
-#[derive(Clone, Debug, Default, Serialize)]
-pub struct KeyTable {
-    blocks: Vec<KeyBlock>,
-}
-
-#[derive(Clone, Debug, Serialize)]
-struct KeyBlock {
-    columns: Vec<String>,
-    rows: Vec<KeyRow>,
-}
-
-#[derive(Clone, Debug, Serialize)]
-struct KeyRow {
-    code: String,
-    cells: Vec<String>,
 }
 
 /// What a student is told.
@@ -232,6 +181,27 @@ impl Run {
             },
         }
     }
+
+    /// Points in words, `2.5 points`.
+    pub(super) fn points(&self, points: Rational) -> String {
+        let noun = if points == Rational::ONE {
+            "point"
+        } else {
+            "points"
+        };
+        format!("{} {noun}", self.number(points))
+    }
+
+    /// Points as a decimal of at most two places.
+    pub(super) fn number(&self, points: Rational) -> String {
+        let hundredths = (points.to_f64() * 100.0).round() / 100.0;
+        let text = hundredths.to_string();
+        if self.mark == DecimalMark::Comma {
+            text.replace('.', ",")
+        } else {
+            text
+        }
+    }
 }
 
 impl Kind {
@@ -291,13 +261,13 @@ impl Pages {
     ///
     /// [`OutputError::Page`].
     pub fn begin(&self, subtitle: &str) -> Result<String, OutputError> {
-        let style = format!("{}{}", crate::math::MATHML_STYLE, style());
+        let style = self.writer.style();
         self.layouts.fill(
             "begin",
             &Begin {
                 title: &self.run.title,
                 subtitle,
-                language: &self.run.language,
+                language: &tag(&self.run.language),
                 paper: match self.run.paper {
                     Paper::A4 => "A4",
                     Paper::Letter => "letter",
@@ -330,15 +300,16 @@ impl Pages {
     /// # Errors
     ///
     /// [`OutputError::Page`].
-    pub fn page(&self, kind: Kind, sheet: &Sheet<'_>) -> Result<String, OutputError> {
-        let view = self.sheet(kind, sheet);
-        self.layouts.fill(
-            kind.name(),
-            &Page {
-                run: &self.run,
-                sheet: view,
-            },
-        )
+    pub fn page(&self, kind: Kind, sheet: &Sheet<'_>) -> Result<Page, OutputError> {
+        let view = View::new(self.writer, &self.run, kind);
+        let content = Content {
+            run: &self.run,
+            sheet: view.sheet(sheet),
+        };
+        Ok(Page {
+            text: self.layouts.fill(kind.name(), &content)?,
+            pictures: view.pictures(),
+        })
     }
 
     /// The page with the answers of all variants.
@@ -350,13 +321,13 @@ impl Pages {
         #[derive(Serialize)]
         struct Content<'a> {
             run: &'a Run,
-            blocks: &'a [KeyBlock],
+            panels: Vec<Panel<'a>>,
         }
         self.layouts.fill(
             "keytable",
             &Content {
                 run: &self.run,
-                blocks: &table.blocks,
+                panels: table.panels(),
             },
         )
     }
@@ -383,207 +354,39 @@ impl Pages {
 
     /// Points in words, `2.5 points`.
     pub fn points(&self, points: Rational) -> String {
-        let number = decimal(points, self.run.mark);
-        let noun = if points == Rational::ONE {
-            "point"
-        } else {
-            "points"
-        };
-        format!("{number} {noun}")
+        self.run.points(points)
     }
 
-    /// The answers of a sheet as a row of the table; sheets with the same questions share a block.
-    pub fn add_to_table(&self, table: &mut KeyTable, sheet: &Sheet<'_>) {
-        let mut columns = Vec::new();
-        let mut cells = Vec::new();
+    /// The answers of a sheet, for the table of all variants.
+    pub fn key_row(&self, sheet: &Sheet<'_>) -> KeyRow {
+        let mut row = KeyRow {
+            code: sheet.variant.to_string(),
+            ..KeyRow::default()
+        };
         for question in &sheet.questions {
             for (position, place) in question.parts.iter().enumerate() {
-                columns.push(format!("{}{}", question.number, letter(position)));
+                row.parts
+                    .push(format!("{}{}", question.number, letter(position)));
                 let key = question.solution.marker(*place).map(|marker| marker.key());
-                cells.push(key.map_or_else(
-                    |_| self.writer.words("–"),
-                    |key| self.writer.math(&key.math),
-                ));
+                let (cell, width) = match key {
+                    Ok(key) => (
+                        self.writer.math(&key.math),
+                        key.math.plain().chars().count(),
+                    ),
+                    Err(_) => (self.writer.words("–"), 1),
+                };
+                row.cells.push(cell);
+                row.widths.push(width);
             }
         }
-        let row = KeyRow {
-            code: sheet.variant.to_string(),
-            cells,
-        };
-        match table
-            .blocks
-            .iter_mut()
-            .find(|block| block.columns == columns)
-        {
-            Some(block) => block.rows.push(row),
-            None => table.blocks.push(KeyBlock {
-                columns,
-                rows: vec![row],
-            }),
-        }
-    }
-
-    fn sheet(&self, kind: Kind, sheet: &Sheet<'_>) -> SheetView {
-        let student = sheet.student.clone().unwrap_or_default();
-        let count = sheet.questions.len();
-        SheetView {
-            code: sheet.variant.to_string(),
-            name: self.placed(&student.name),
-            student: self.placed(&student.id),
-            group: self.placed(&student.group),
-            count: format!("{count} question{}", if count == 1 { "" } else { "s" }),
-            points: self.points(sheet.points()),
-            questions: sheet
-                .questions
-                .iter()
-                .map(|question| self.question(kind, question))
-                .collect(),
-        }
-    }
-
-    /// Words that a layout places: where it does not escape, they are escaped here.
-    fn placed(&self, words: &str) -> String {
-        if self.writer.escapes() {
-            words.to_owned()
-        } else {
-            self.writer.words(words)
-        }
-    }
-
-    fn question(&self, kind: Kind, question: &SheetQuestion<'_>) -> QuestionView {
-        let template = question.solution.template();
-        let scene = Scene::of(&question.solution, self.run.data);
-        let texts = |passage| self.writer.texts(&scene.passage(passage));
-        let mut view = QuestionView {
-            number: question.number,
-            title: self.placed(&template.about.title),
-            points: self.points(question.total()),
-            ..QuestionView::default()
-        };
-        if kind != Kind::Key {
-            view.statement = texts(&template.statement);
-        }
-        if kind == Kind::Solutions && !template.solution.is_empty() {
-            view.solution = texts(&template.solution);
-        }
-        if kind == Kind::Key && !template.notes.is_empty() {
-            view.notes = texts(&template.notes);
-        }
-        if kind != Kind::Sheet {
-            view.identity = question.solution.instance().identity();
-        }
-        let parts = question.parts.iter().zip(&question.points).enumerate();
-        view.parts = parts
-            .map(|(position, (place, points))| self.part(kind, &scene, position, *place, *points))
-            .collect();
-        view
-    }
-
-    fn part(
-        &self,
-        kind: Kind,
-        scene: &Scene<'_, '_>,
-        position: usize,
-        place: usize,
-        points: Rational,
-    ) -> PartView {
-        let solution = scene.solution();
-        let part = &solution.template().parts[place];
-        let texts = |passage| self.writer.texts(&scene.passage(passage));
-        let mut view = PartView {
-            letter: letter(position),
-            points: self.points(points),
-            ..PartView::default()
-        };
-        if kind != Kind::Key {
-            view.ask = texts(&part.ask);
-        }
-        if kind == Kind::Sheet && self.run.hints {
-            view.hints = part.hints.iter().map(texts).collect();
-        }
-        view.options = self.options(kind, scene, place);
-        match kind {
-            Kind::Sheet => {
-                view.lead = self.lead(scene, place);
-                view.unit = part
-                    .answer
-                    .unit()
-                    .map(|unit| self.writer.math(&unit.math()))
-                    .unwrap_or_default();
-            }
-            Kind::Key | Kind::Solutions => {
-                match solution.marker(place).map(|marker| marker.key()) {
-                    Ok(key) => {
-                        view.key = self.writer.math(&key.math);
-                        let accepted = key.accepted.as_ref().filter(|_| kind == Kind::Key);
-                        view.accepted = accepted
-                            .map(|range| format!("accepted: {}", self.writer.math(range)))
-                            .unwrap_or_default();
-                    }
-                    Err(absent) => view.absent = self.placed(&absent.to_string()),
-                }
-            }
-        }
-        if kind == Kind::Solutions && !part.solution.is_empty() {
-            view.solution = texts(&part.solution);
-        }
-        view
-    }
-
-    /// The symbol of the quantity that is asked, and an equals sign.
-    fn lead(&self, scene: &Scene<'_, '_>, place: usize) -> String {
-        let template = scene.solution().template();
-        let keys = template.parts[place].answer.keys();
-        let info = keys
-            .first()
-            .filter(|_| keys.len() == 1)
-            .and_then(|node| template.info(*node));
-        let math = info.map(|info| {
-            crate::math::Math::row([info.symbol.clone(), crate::math::Math::relation("=")])
-        });
-        math.map(|math| self.writer.math(&math)).unwrap_or_default()
-    }
-
-    fn options(&self, kind: Kind, scene: &Scene<'_, '_>, place: usize) -> Vec<OptionView> {
-        let solution = scene.solution();
-        let options = solution.template().parts[place].answer.options();
-        if options.is_empty() {
-            return Vec::new();
-        }
-        let right = match kind {
-            Kind::Sheet => Vec::new(),
-            Kind::Key | Kind::Solutions => {
-                match solution.marker(place).map(|marker| marker.key().value) {
-                    Ok(crate::answer::KeyValue::Options { ids, .. }) => ids,
-                    _ => Vec::new(),
-                }
-            }
-        };
-        let option = |(position, at): (usize, usize)| {
-            let option = &options[at];
-            debug_assert!(is_line(&option.text) || !option.text.is_empty());
-            OptionView {
-                letter: letter(position),
-                text: self.writer.line(&option.text),
-                right: right.contains(&option.id),
-            }
-        };
-        solution
-            .order(place)
-            .into_iter()
-            .enumerate()
-            .map(option)
-            .collect()
+        row
     }
 }
 
-/// Points as a decimal of at most two places.
-fn decimal(points: Rational, mark: DecimalMark) -> String {
-    let hundredths = (points.to_f64() * 100.0).round() / 100.0;
-    let text = hundredths.to_string();
-    if mark == DecimalMark::Comma {
-        text.replace('.', ",")
-    } else {
-        text
-    }
+/// What of a language's name can stand in a tag.
+fn tag(language: &str) -> String {
+    language
+        .chars()
+        .filter(|char| char.is_ascii_alphanumeric() || *char == '-')
+        .collect()
 }

@@ -16,6 +16,8 @@ mod layers;
 mod mechanics;
 mod numerics;
 mod physics;
+#[cfg(feature = "pdf")]
+mod print;
 #[cfg(feature = "render")]
 mod text;
 #[cfg(feature = "render")]

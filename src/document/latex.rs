@@ -1,0 +1,257 @@
+//! LaTeX for the layouts of pages that are edited further.
+//!
+//! Words are escaped; letters and signs that plain LaTeX does not have are set as mathematics. A
+//! figure is `\figureblock` with the [name](picture_name) of a file beside the page.
+
+use std::fmt::Write;
+
+use sha2::{Digest, Sha256};
+
+use super::fill::InMath;
+use super::{Alignment, Block, Document, Fill, Fills, Inline};
+use crate::math::{Display, Math, Sign, greek_name};
+
+impl Document {
+    /// As LaTeX.
+    pub fn latex(&self, fills: &dyn Fills) -> String {
+        let mut out = String::new();
+        self.write_latex(&mut out, fills);
+        out
+    }
+
+    /// Appends LaTeX, its blocks parted by empty lines.
+    pub fn write_latex(&self, out: &mut String, fills: &dyn Fills) {
+        Writer { out, fills }.blocks(&self.blocks);
+    }
+}
+
+/// The name of the file of a figure: the same picture has the same name.
+pub(crate) fn picture_name(svg: &str) -> String {
+    let mut name = String::from("figure-");
+    for byte in &Sha256::digest(svg.as_bytes())[..8] {
+        // Writing to a string cannot fail.
+        let _ = write!(name, "{byte:02x}");
+    }
+    name
+}
+
+/// Appends words so that they mean themselves.
+pub(crate) fn write_words(out: &mut String, words: &str) {
+    let mut before = ' ';
+    for char in words.chars() {
+        match char {
+            '#' | '$' | '%' | '&' | '_' | '{' | '}' => {
+                out.push('\\');
+                out.push(char);
+            }
+            '\\' => out.push_str(r"\textbackslash{}"),
+            '^' => out.push_str(r"\textasciicircum{}"),
+            '~' => out.push_str(r"\textasciitilde{}"),
+            '"' => out.push_str(r"\textquotedbl{}"),
+            '<' => out.push_str(r"\textless{}"),
+            '>' => out.push_str(r"\textgreater{}"),
+            // Two of these would become one other sign.
+            '-' | '`' | '\'' | ',' if char == before => {
+                out.push_str("{}");
+                out.push(char);
+            }
+            '\u{a0}' => out.push('~'),
+            char if char.is_control() => out.push(' '),
+            char => sign(out, char),
+        }
+        before = char;
+    }
+}
+
+/// A character; what no text font of LaTeX has becomes mathematics.
+fn sign(out: &mut String, char: char) {
+    let is_in_fonts = char.is_ascii() || "–—‘’“”…°²³µ·×±".contains(char);
+    let command = match Sign::of(char) {
+        Some(sign) if !is_in_fonts => Some(sign.latex.to_owned()),
+        _ => greek_name(char).map(|name| format!("\\{name}")),
+    };
+    match command {
+        Some(command) => {
+            out.push_str(r"\ensuremath{");
+            out.push_str(&command);
+            out.push('}');
+        }
+        None => out.push(char),
+    }
+}
+
+struct Writer<'a> {
+    out: &'a mut String,
+    fills: &'a dyn Fills,
+}
+
+impl Writer<'_> {
+    fn blocks(&mut self, blocks: &[Block]) {
+        for (number, block) in blocks.iter().enumerate() {
+            // A formula on its own belongs to the paragraph before it.
+            if number > 0 {
+                let is_close = matches!(block, Block::Display(_));
+                self.out.push_str(if is_close { "\n" } else { "\n\n" });
+            }
+            self.block(block);
+        }
+    }
+
+    fn block(&mut self, block: &Block) {
+        match block {
+            Block::Paragraph(content) => self.inlines(content),
+            // The headings of a page are its questions; those inside a text stay below them.
+            Block::Heading { content, .. } => self.around(r"\subsubsection*", content),
+            Block::List { start, items, .. } => self.list(*start, items),
+            Block::Table {
+                columns,
+                head,
+                rows,
+            } => self.table(columns, head, rows),
+            Block::Display(math) => self.math(math, Display::Block),
+            Block::Code(text) => self.code(text),
+            Block::Quote(blocks) => self.environment("quote", |writer| writer.blocks(blocks)),
+            Block::Figure(hole) => self.hole(*hole),
+            Block::Rule => self.out.push_str(r"\noindent\rule{\linewidth}{.4pt}"),
+        }
+    }
+
+    fn environment(&mut self, name: &str, write: impl FnOnce(&mut Self)) {
+        self.out.push_str("\\begin{");
+        self.out.push_str(name);
+        self.out.push_str("}\n");
+        write(self);
+        self.out.push_str("\n\\end{");
+        self.out.push_str(name);
+        self.out.push('}');
+    }
+
+    /// The number is set by hand where it does not begin at one.
+    fn list(&mut self, start: Option<u64>, items: &[Vec<Block>]) {
+        let name = if start.is_some() {
+            "enumerate"
+        } else {
+            "itemize"
+        };
+        self.environment(name, |writer| {
+            for (number, item) in items.iter().enumerate() {
+                writer
+                    .out
+                    .push_str(if number > 0 { "\n\\item" } else { "\\item" });
+                match start {
+                    Some(first) if first != 1 => {
+                        let _ = write!(writer.out, "[{}.] ", first.saturating_add(number as u64));
+                    }
+                    _ => writer.out.push_str("{} "),
+                }
+                writer.blocks(item);
+            }
+        });
+    }
+
+    fn table(&mut self, columns: &[Alignment], head: &[Vec<Inline>], rows: &[Vec<Vec<Inline>>]) {
+        self.out.push_str("\\begin{center}\\begin{tabular}{");
+        for column in columns {
+            self.out.push(match column {
+                Alignment::None | Alignment::Left => 'l',
+                Alignment::Centre => 'c',
+                Alignment::Right => 'r',
+            });
+        }
+        self.out.push_str("}\n\\toprule\n");
+        self.row(head, columns.len());
+        self.out.push_str("\\midrule\n");
+        for row in rows {
+            self.row(row, columns.len());
+        }
+        self.out
+            .push_str("\\bottomrule\n\\end{tabular}\\end{center}");
+    }
+
+    fn row(&mut self, cells: &[Vec<Inline>], columns: usize) {
+        for column in 0..columns {
+            if column > 0 {
+                self.out.push_str(" & ");
+            }
+            self.inlines(cells.get(column).map_or(&[][..], Vec::as_slice));
+        }
+        self.out.push_str(" \\\\{}\n");
+    }
+
+    /// Lines of code, escaped: no text can end a verbatim block before its time.
+    fn code(&mut self, text: &str) {
+        self.environment("quote", |writer| {
+            writer.out.push_str(r"\ttfamily{}");
+            for (number, line) in text.lines().enumerate() {
+                if number > 0 {
+                    writer.out.push_str("\\newline{}");
+                }
+                write_words(writer.out, &line.replace(' ', "\u{a0}"));
+            }
+        });
+    }
+
+    fn inlines(&mut self, content: &[Inline]) {
+        for inline in content {
+            self.inline(inline);
+        }
+    }
+
+    fn inline(&mut self, inline: &Inline) {
+        match inline {
+            Inline::Text(words) => write_words(self.out, words),
+            Inline::Emphasis(content) => self.around(r"\emph", content),
+            Inline::Strong(content) => self.around(r"\textbf", content),
+            Inline::Code(text) => {
+                self.out.push_str(r"\texttt{");
+                write_words(self.out, text);
+                self.out.push('}');
+            }
+            Inline::Link { to, content } => {
+                self.inlines(content);
+                self.out.push_str(r"\footnote{\texttt{");
+                write_words(self.out, to);
+                self.out.push_str("}}");
+            }
+            Inline::Math(math) => self.math(math, Display::Inline),
+            Inline::Hole(hole) => self.hole(*hole),
+            Inline::Break => self.out.push_str("\\newline{}"),
+        }
+    }
+
+    fn around(&mut self, command: &str, content: &[Inline]) {
+        self.out.push_str(command);
+        self.out.push('{');
+        self.inlines(content);
+        self.out.push('}');
+    }
+
+    fn math(&mut self, math: &Math, display: Display) {
+        let (open, close) = match display {
+            Display::Inline => ("$", "$"),
+            Display::Block => ("\\[", "\\]"),
+        };
+        self.out.push_str(open);
+        math.write_latex(self.out, &InMath(self.fills));
+        let end = self.out.trim_end_matches(' ').len();
+        self.out.truncate(end);
+        if self.out.ends_with('\\') {
+            self.out.push(' ');
+        }
+        self.out.push_str(close);
+    }
+
+    fn hole(&mut self, hole: u32) {
+        match self.fills.fill(hole) {
+            Some(Fill::Math(Math::Text(words))) => write_words(self.out, words),
+            Some(Fill::Math(math)) => self.math(math, Display::Inline),
+            Some(Fill::Figure("")) => {}
+            Some(Fill::Figure(svg)) => {
+                self.out.push_str(r"\figureblock{");
+                self.out.push_str(&picture_name(svg));
+                self.out.push('}');
+            }
+            None => write_words(self.out, "□"),
+        }
+    }
+}

@@ -1,0 +1,209 @@
+//! Typst markup for the layouts of printed pages.
+//!
+//! Words are quoted strings of Typst's code mode, so nothing that stands in a text can be read as
+//! Typst. A figure is a call of `picture(words, markup)`, in a text inside of `figure-block`; the layouts define both.
+
+use super::fill::InMath;
+use super::{Alignment, Block, Document, Fill, Fills, Inline};
+use crate::math::{Display, Math, quote};
+
+impl Document {
+    /// As Typst markup.
+    pub fn typst(&self, fills: &dyn Fills) -> String {
+        let mut out = String::new();
+        self.write_typst(&mut out, fills);
+        out
+    }
+
+    /// Appends Typst markup, its blocks parted by empty lines.
+    pub fn write_typst(&self, out: &mut String, fills: &dyn Fills) {
+        Writer { out, fills }.blocks(&self.blocks);
+    }
+}
+
+struct Writer<'a> {
+    out: &'a mut String,
+    fills: &'a dyn Fills,
+}
+
+impl Writer<'_> {
+    fn blocks(&mut self, blocks: &[Block]) {
+        for (number, block) in blocks.iter().enumerate() {
+            if number > 0 {
+                self.out.push_str("\n\n");
+            }
+            self.block(block);
+        }
+    }
+
+    fn block(&mut self, block: &Block) {
+        match block {
+            Block::Paragraph(content) => self.inlines(content),
+            // The headings of a page are its questions; those inside a text stay below them.
+            Block::Heading { content, .. } => {
+                self.out.push_str("#block(sticky:true)[");
+                self.around("strong", content);
+                self.out.push(']');
+            }
+            Block::List {
+                start,
+                tight,
+                items,
+            } => self.list(*start, *tight, items),
+            Block::Table {
+                columns,
+                head,
+                rows,
+            } => self.table(columns, head, rows),
+            Block::Display(math) => self.math(math, Display::Block),
+            Block::Code(text) => {
+                self.out.push_str("#raw(block:true,");
+                quote(self.out, text);
+                self.out.push(')');
+            }
+            Block::Quote(blocks) => {
+                self.out.push_str("#quote(block:true)[");
+                self.blocks(blocks);
+                self.out.push(']');
+            }
+            Block::Figure(hole) => self.hole(*hole),
+            Block::Rule => self
+                .out
+                .push_str("#pdf.artifact(line(length:100%,stroke:.5pt))"),
+        }
+    }
+
+    fn list(&mut self, start: Option<u64>, tight: bool, items: &[Vec<Block>]) {
+        match start {
+            Some(start) => self
+                .out
+                .push_str(&format!("#enum(start:{start},tight:{tight}")),
+            None => self.out.push_str(&format!("#list(tight:{tight}")),
+        }
+        for item in items {
+            self.out.push_str(",[");
+            self.blocks(item);
+            self.out.push(']');
+        }
+        self.out.push(')');
+    }
+
+    fn table(&mut self, columns: &[Alignment], head: &[Vec<Inline>], rows: &[Vec<Vec<Inline>>]) {
+        self.out
+            .push_str(&format!("#table(columns:{},align:(", columns.len().max(1)));
+        for column in columns {
+            self.out.push_str(match column {
+                Alignment::None | Alignment::Left => "left,",
+                Alignment::Centre => "center,",
+                Alignment::Right => "right,",
+            });
+        }
+        self.out.push_str("),table.header(");
+        self.cells(head, columns.len());
+        self.out.push_str("),");
+        for row in rows {
+            self.cells(row, columns.len());
+        }
+        self.out.push(')');
+    }
+
+    fn cells(&mut self, cells: &[Vec<Inline>], columns: usize) {
+        for column in 0..columns {
+            self.out.push('[');
+            self.inlines(cells.get(column).map_or(&[][..], Vec::as_slice));
+            self.out.push_str("],");
+        }
+    }
+
+    fn inlines(&mut self, content: &[Inline]) {
+        for inline in content {
+            self.inline(inline);
+        }
+    }
+
+    fn inline(&mut self, inline: &Inline) {
+        match inline {
+            Inline::Text(words) => self.words(words),
+            Inline::Emphasis(content) => self.around("emph", content),
+            Inline::Strong(content) => self.around("strong", content),
+            Inline::Code(text) => {
+                self.out.push_str("#raw(");
+                quote(self.out, text);
+                self.out.push(')');
+            }
+            Inline::Link { to, content } => {
+                self.out.push_str("#link(");
+                quote(self.out, to);
+                self.out.push_str(")[");
+                self.inlines(content);
+                self.out.push(']');
+            }
+            Inline::Math(math) => self.math(math, Display::Inline),
+            Inline::Hole(hole) => self.hole(*hole),
+            Inline::Break => self.out.push_str("#linebreak()"),
+        }
+    }
+
+    fn around(&mut self, function: &str, content: &[Inline]) {
+        self.out.push('#');
+        self.out.push_str(function);
+        self.out.push('[');
+        self.inlines(content);
+        self.out.push(']');
+    }
+
+    fn words(&mut self, words: &str) {
+        self.out.push('#');
+        quote(self.out, &words.replace(['\n', '\r'], " "));
+    }
+
+    fn math(&mut self, math: &Math, display: Display) {
+        math.write_typst(self.out, display, &InMath(self.fills));
+    }
+
+    fn hole(&mut self, hole: u32) {
+        match self.fills.fill(hole) {
+            Some(Fill::Math(Math::Text(words))) => self.words(words),
+            Some(Fill::Math(math)) => self.math(math, Display::Inline),
+            Some(Fill::Figure("")) => {}
+            Some(Fill::Figure(svg)) => {
+                self.out.push_str("#figure-block(");
+                write_picture(self.out, svg);
+                self.out.push(')');
+            }
+            None => self.words("□"),
+        }
+    }
+}
+
+/// Appends the call that sets a figure with its words, which are those of its `title` and `desc`.
+pub(crate) fn write_picture(out: &mut String, svg: &str) {
+    let words: Vec<String> = ["title", "desc"]
+        .iter()
+        .filter_map(|name| element(svg, name))
+        .map(unescaped)
+        .collect();
+    out.push_str("picture(");
+    quote(out, &words.join(". "));
+    out.push(',');
+    quote(out, svg);
+    out.push(')');
+}
+
+/// What stands in the first element of this name.
+fn element<'a>(svg: &'a str, name: &str) -> Option<&'a str> {
+    let (_, rest) = svg.split_once(&format!("<{name}"))?;
+    let (_, rest) = rest.split_once('>')?;
+    let (words, _) = rest.split_once(&format!("</{name}>"))?;
+    Some(words)
+}
+
+/// The characters that our writers of markup escape.
+fn unescaped(words: &str) -> String {
+    words
+        .replace("&lt;", "<")
+        .replace("&gt;", ">")
+        .replace("&quot;", "\"")
+        .replace("&#39;", "'")
+        .replace("&amp;", "&")
+}

@@ -1,0 +1,91 @@
+//! `pdf`: pages printed by the embedded Typst, tagged for readers who cannot see them (PDF/UA-1).
+//!
+//! A page is written as Typst markup and compiled in memory. Text and mathematics are quoted, fonts
+//! are embedded, and the same sheet gives the same bytes on every machine.
+
+mod world;
+
+use super::{OutputError, Writer};
+use crate::document::{Document, Filling, write_picture};
+use crate::math::{Display, Math, TYPST_PRELUDE, quote};
+use crate::scene::Shown;
+
+/// The format.
+pub(super) struct Pdf;
+
+impl Writer for Pdf {
+    fn name(&self) -> &'static str {
+        "pdf"
+    }
+
+    fn extension(&self) -> &'static str {
+        "pdf"
+    }
+
+    fn layout(&self) -> &'static str {
+        "typ"
+    }
+
+    fn has_braces(&self) -> bool {
+        true
+    }
+
+    fn escape(&self) -> Option<super::Escape> {
+        Some(|words, out| {
+            let mut quoted = String::from("#");
+            quote(&mut quoted, words);
+            out.write_all(quoted.as_bytes())
+        })
+    }
+
+    fn style(&self) -> String {
+        TYPST_PRELUDE.to_owned()
+    }
+
+    fn words(&self, words: &str) -> String {
+        let mut out = String::from("#");
+        quote(&mut out, words);
+        out
+    }
+
+    fn math(&self, math: &Math) -> String {
+        math.typst(Display::Inline)
+    }
+
+    fn texts(&self, shown: &[Shown<'_>]) -> String {
+        let pieces = shown
+            .iter()
+            .map(|piece| piece.document.typst(&piece.fillings));
+        pieces.collect::<Vec<_>>().join("\n\n")
+    }
+
+    fn line(&self, document: &Document) -> String {
+        document.typst(&Vec::<Filling>::new())
+    }
+
+    fn figure(&self, svg: &str) -> String {
+        let mut out = String::new();
+        write_picture(&mut out, svg);
+        out
+    }
+
+    fn is_bound(&self) -> bool {
+        true
+    }
+
+    fn bind(&self, text: String) -> Result<Vec<u8>, OutputError> {
+        world::accessible(text).map_err(|message| OutputError::Print { message })
+    }
+}
+
+/// A figure as a PDF of its size.
+///
+/// # Errors
+///
+/// [`OutputError::Print`].
+pub(super) fn picture(svg: &str) -> Result<Vec<u8>, OutputError> {
+    let mut text = String::from("#set page(width: auto, height: auto, margin: 0pt)\n#image(bytes(");
+    quote(&mut text, svg);
+    text.push_str("), format: \"svg\")");
+    world::picture(text).map_err(|message| OutputError::Print { message })
+}

@@ -1,0 +1,132 @@
+//! What Typst sees of the world: one source text, the embedded fonts, no files, no clock.
+//!
+//! All contact with Typst is in this file. A text can read no file, fetch nothing and not tell the
+//! time, so the same text gives the same bytes.
+
+use std::sync::OnceLock;
+
+use typst::diag::{FileError, FileResult, SourceDiagnostic};
+use typst::foundations::{Bytes, Datetime, Duration, Smart};
+use typst::syntax::{FileId, RootedPath, Source, VirtualPath, VirtualRoot};
+use typst::text::{Font, FontBook};
+use typst::utils::LazyHash;
+use typst::{Library, LibraryExt, World, WorldExt};
+use typst_layout::PagedDocument;
+use typst_pdf::{PdfOptions, PdfStandard, PdfStandards};
+
+/// A tagged PDF that keeps to PDF/UA-1, or what Typst says is wrong with the text.
+pub(super) fn accessible(text: String) -> Result<Vec<u8>, String> {
+    let standards =
+        PdfStandards::new(&[PdfStandard::Ua_1]).map_err(|error| error.message().to_string())?;
+    pdf(text, |options| options.standards = standards)
+}
+
+/// A PDF of one picture, to be placed in another document, which has the words for it.
+pub(super) fn picture(text: String) -> Result<Vec<u8>, String> {
+    pdf(text, |options| options.tagged = false)
+}
+
+fn pdf(text: String, choose: impl FnOnce(&mut PdfOptions)) -> Result<Vec<u8>, String> {
+    let mut options = PdfOptions {
+        ident: Smart::Custom(text.clone()),
+        ..PdfOptions::default()
+    };
+    choose(&mut options);
+    let desk = Desk::with(text);
+    let document = typst::compile::<PagedDocument>(&desk).output;
+    let bytes = document.and_then(|document| typst_pdf::pdf(&document, &options));
+    // What is kept for the next text grows without end and gains nothing.
+    comemo::evict(0);
+    bytes.map_err(|errors| desk.explain(&errors))
+}
+
+/// What does not change from text to text.
+struct Shelf {
+    library: LazyHash<Library>,
+    book: LazyHash<FontBook>,
+    fonts: Vec<Font>,
+    main: FileId,
+}
+
+fn shelf() -> &'static Shelf {
+    static SHELF: OnceLock<Shelf> = OnceLock::new();
+    SHELF.get_or_init(|| {
+        let fonts: Vec<Font> = typst_assets::fonts()
+            .flat_map(|data| Font::iter(Bytes::new(data)))
+            .collect();
+        let path = VirtualPath::new("main.typ").expect("a plain relative path");
+        Shelf {
+            library: LazyHash::new(Library::default()),
+            book: LazyHash::new(FontBook::from_fonts(&fonts)),
+            fonts,
+            main: FileId::new(RootedPath::new(VirtualRoot::Project, path)),
+        }
+    })
+}
+
+/// One text on the desk, all else on the shelf.
+struct Desk {
+    shelf: &'static Shelf,
+    source: Source,
+}
+
+impl Desk {
+    fn with(text: String) -> Self {
+        let shelf = shelf();
+        Self {
+            shelf,
+            source: Source::new(shelf.main, text),
+        }
+    }
+
+    /// The messages of Typst, each with its line.
+    fn explain(&self, errors: &[SourceDiagnostic]) -> String {
+        let explained = errors.iter().map(|error| {
+            let place = self.range(error.span);
+            let line = place.and_then(|range| self.source.lines().byte_to_line(range.start));
+            match line {
+                Some(line) => format!("{} in line {}", error.message, line + 1),
+                None => error.message.to_string(),
+            }
+        });
+        explained.collect::<Vec<_>>().join("; ")
+    }
+}
+
+impl World for Desk {
+    fn library(&self) -> &LazyHash<Library> {
+        &self.shelf.library
+    }
+
+    fn book(&self) -> &LazyHash<FontBook> {
+        &self.shelf.book
+    }
+
+    fn main(&self) -> FileId {
+        self.shelf.main
+    }
+
+    fn source(&self, id: FileId) -> FileResult<Source> {
+        if id == self.shelf.main {
+            Ok(self.source.clone())
+        } else {
+            Err(missing(id))
+        }
+    }
+
+    fn file(&self, id: FileId) -> FileResult<Bytes> {
+        Err(missing(id))
+    }
+
+    fn font(&self, index: usize) -> Option<Font> {
+        self.shelf.fonts.get(index).cloned()
+    }
+
+    fn today(&self, _: Option<Duration>) -> Option<Datetime> {
+        None
+    }
+}
+
+fn missing(id: FileId) -> FileError {
+    FileError::NotFound(id.vpath().get_without_slash().into())
+}

@@ -1,0 +1,268 @@
+//! What the layouts see of a sheet: finished pieces, by question and part.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use super::pages::{Kind, Run};
+use super::{Writer, is_line};
+use crate::answer::KeyValue;
+use crate::bank::Passage;
+use crate::document::Filling;
+use crate::math::Math;
+use crate::numerics::Rational;
+use crate::scene::Scene;
+use crate::worksheet::{Sheet, SheetQuestion, letter};
+
+#[derive(Serialize)]
+pub(super) struct SheetView {
+    code: String,
+    name: String,
+    student: String,
+    group: String,
+    count: String,
+    points: String,
+    /// The points as a number.
+    worth: String,
+    /// Whether there is a table where marks are written in.
+    has_marks: bool,
+    questions: Vec<QuestionView>,
+}
+
+#[derive(Default, Serialize)]
+struct QuestionView {
+    number: usize,
+    title: String,
+    points: String,
+    /// The points as a number.
+    worth: String,
+    statement: String,
+    figure: String,
+    solution: String,
+    notes: String,
+    identity: String,
+    parts: Vec<PartView>,
+}
+
+#[derive(Default, Serialize)]
+struct PartView {
+    letter: String,
+    /// Kind of the answer.
+    kind: &'static str,
+    points: String,
+    ask: String,
+    hints: Vec<String>,
+    options: Vec<OptionView>,
+    lead: String,
+    unit: String,
+    key: String,
+    accepted: String,
+    absent: String,
+    solution: String,
+}
+
+#[derive(Serialize)]
+struct OptionView {
+    letter: String,
+    text: String,
+    right: bool,
+}
+
+/// Writes the pieces of sheets, and gathers the figures that the notation cannot hold.
+pub(super) struct View<'p> {
+    writer: &'static dyn Writer,
+    run: &'p Run,
+    kind: Kind,
+    pictures: RefCell<BTreeMap<String, String>>,
+}
+
+impl<'p> View<'p> {
+    pub(super) fn new(writer: &'static dyn Writer, run: &'p Run, kind: Kind) -> Self {
+        Self {
+            writer,
+            run,
+            kind,
+            pictures: RefCell::default(),
+        }
+    }
+
+    /// The figures that were met: the name of each, and its SVG.
+    pub(super) fn pictures(self) -> BTreeMap<String, String> {
+        self.pictures.into_inner()
+    }
+
+    pub(super) fn sheet(&self, sheet: &Sheet<'_>) -> SheetView {
+        let student = sheet.student.clone().unwrap_or_default();
+        let count = sheet.questions.len();
+        SheetView {
+            code: sheet.variant.to_string(),
+            name: self.placed(&student.name),
+            student: self.placed(&student.id),
+            group: self.placed(&student.group),
+            count: format!("{count} question{}", if count == 1 { "" } else { "s" }),
+            points: self.run.points(sheet.points()),
+            worth: self.run.number(sheet.points()),
+            has_marks: count > 1 && self.run.answer_space != "none",
+            questions: sheet
+                .questions
+                .iter()
+                .map(|question| self.question(question))
+                .collect(),
+        }
+    }
+
+    /// Words that a layout places: where it does not escape, they are escaped here.
+    fn placed(&self, words: &str) -> String {
+        if self.writer.escape().is_some() {
+            words.to_owned()
+        } else {
+            self.writer.words(words)
+        }
+    }
+
+    /// A text, written; its figures are noted.
+    fn texts(&self, scene: &Scene<'_, '_>, passage: &Passage) -> String {
+        let shown = scene.passage(passage);
+        for piece in &shown {
+            for filling in &piece.fillings {
+                if let Filling::Figure(svg) = filling {
+                    self.note(svg);
+                }
+            }
+        }
+        self.writer.texts(&shown)
+    }
+
+    /// Notes a figure that becomes a file of its own.
+    fn note(&self, svg: &str) {
+        if let Some(name) = self.writer.picture_name(svg) {
+            self.pictures.borrow_mut().insert(name, svg.to_owned());
+        }
+    }
+
+    fn question(&self, question: &SheetQuestion<'_>) -> QuestionView {
+        let template = question.solution.template();
+        let scene = Scene::of(&question.solution, self.run.data);
+        let texts = |passage| self.texts(&scene, passage);
+        let mut view = QuestionView {
+            number: question.number,
+            title: self.placed(&template.about.title),
+            points: self.run.points(question.total()),
+            worth: self.run.number(question.total()),
+            ..QuestionView::default()
+        };
+        if self.kind != Kind::Key {
+            view.statement = texts(&template.statement);
+        }
+        if self.kind == Kind::Solutions && !template.solution.is_empty() {
+            view.solution = texts(&template.solution);
+        }
+        if self.kind == Kind::Key && !template.notes.is_empty() {
+            view.notes = texts(&template.notes);
+        }
+        if self.kind != Kind::Sheet {
+            view.identity = question.solution.instance().identity();
+        }
+        let parts = question.parts.iter().zip(&question.points).enumerate();
+        view.parts = parts
+            .map(|(position, (place, points))| self.part(&scene, position, *place, *points))
+            .collect();
+        view
+    }
+
+    fn part(
+        &self,
+        scene: &Scene<'_, '_>,
+        position: usize,
+        place: usize,
+        points: Rational,
+    ) -> PartView {
+        let solution = scene.solution();
+        let part = &solution.template().parts[place];
+        let texts = |passage| self.texts(scene, passage);
+        let mut view = PartView {
+            letter: letter(position),
+            kind: part.answer.kind().name(),
+            points: self.run.points(points),
+            ..PartView::default()
+        };
+        if self.kind != Kind::Key {
+            view.ask = texts(&part.ask);
+        }
+        if self.kind == Kind::Sheet && self.run.hints {
+            view.hints = part.hints.iter().map(texts).collect();
+        }
+        view.options = self.options(scene, place);
+        match self.kind {
+            Kind::Sheet => {
+                view.lead = self.lead(scene, place);
+                view.unit = part
+                    .answer
+                    .unit()
+                    .map(|unit| self.writer.math(&unit.math()))
+                    .unwrap_or_default();
+            }
+            Kind::Key | Kind::Solutions => {
+                match solution.marker(place).map(|marker| marker.key()) {
+                    Ok(key) => {
+                        view.key = self.writer.math(&key.math);
+                        let accepted = key.accepted.as_ref().filter(|_| self.kind == Kind::Key);
+                        view.accepted = accepted
+                            .map(|range| format!("accepted: {}", self.writer.math(range)))
+                            .unwrap_or_default();
+                    }
+                    Err(absent) => view.absent = self.placed(&absent.to_string()),
+                }
+            }
+        }
+        if self.kind == Kind::Solutions && !part.solution.is_empty() {
+            view.solution = texts(&part.solution);
+        }
+        view
+    }
+
+    /// The symbol of the quantity that is asked, and an equals sign.
+    fn lead(&self, scene: &Scene<'_, '_>, place: usize) -> String {
+        let template = scene.solution().template();
+        let keys = template.parts[place].answer.keys();
+        let info = keys
+            .first()
+            .filter(|_| keys.len() == 1)
+            .and_then(|node| template.info(*node));
+        let math = info.map(|info| Math::row([info.symbol.clone(), Math::relation("=")]));
+        math.map(|math| self.writer.math(&math)).unwrap_or_default()
+    }
+
+    fn options(&self, scene: &Scene<'_, '_>, place: usize) -> Vec<OptionView> {
+        let solution = scene.solution();
+        let options = solution.template().parts[place].answer.options();
+        if options.is_empty() {
+            return Vec::new();
+        }
+        let right = match self.kind {
+            Kind::Sheet => Vec::new(),
+            Kind::Key | Kind::Solutions => {
+                match solution.marker(place).map(|marker| marker.key().value) {
+                    Ok(KeyValue::Options { ids, .. }) => ids,
+                    _ => Vec::new(),
+                }
+            }
+        };
+        let option = |(position, at): (usize, usize)| {
+            let option = &options[at];
+            debug_assert!(is_line(&option.text) || !option.text.is_empty());
+            OptionView {
+                letter: letter(position),
+                text: self.writer.line(&option.text),
+                right: right.contains(&option.id),
+            }
+        };
+        solution
+            .order(place)
+            .into_iter()
+            .enumerate()
+            .map(option)
+            .collect()
+    }
+}

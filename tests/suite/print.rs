@@ -1,0 +1,222 @@
+//! What is printed: PDF by Typst, and LaTeX.
+
+use vibank::bank::{Catalogue, embedded};
+use vibank::document::{Document, Fill, Fills};
+use vibank::math::{Display, Math, TYPST_PRELUDE};
+use vibank::output::{self, Feedback, FeedbackPart, FeedbackQuestion, KeyTable, Kind, Pages, Run};
+use vibank::source::Source;
+use vibank::worksheet::{Blueprint, Plan, Sheet};
+
+fn blueprint(items: &[&str]) -> Blueprint {
+    let mut text = String::from(
+        "title = 'A \"title\" of #1, 50 % & more'\ncourse = 'C_1 \\ $x$'\nseed = 1\nvariants = 3\n",
+    );
+    for item in items {
+        text.push_str(&format!("[[question]]\nitem = \"{item}\"\n"));
+    }
+    Blueprint::read(&Source::new("test.toml", text)).expect("it is sound")
+}
+
+/// The file of the first sheet, and the text that it was made of.
+fn file(pages: &Pages, kind: Kind, sheet: &Sheet<'_>) -> (Vec<u8>, String) {
+    let begin = pages
+        .begin(Pages::subtitle(kind))
+        .expect("the layout is sound");
+    let page = pages.page(kind, sheet).expect("the layout is sound");
+    let end = pages.end().expect("the layout is sound");
+    let text = format!("{begin}{}{end}", page.text);
+    let bytes = pages.writer().bind(text.clone());
+    (
+        bytes.unwrap_or_else(|error| panic!("{error}\n{text}")),
+        text,
+    )
+}
+
+fn pages(blueprint: &Blueprint, format: &str) -> Pages {
+    let writer = output::writer(format).expect("the format is there");
+    Pages::new(writer, Run::of(blueprint, writer), &[]).expect("the layouts are sound")
+}
+
+fn count(bytes: &[u8], mark: &str) -> usize {
+    bytes
+        .windows(mark.len())
+        .filter(|window| *window == mark.as_bytes())
+        .count()
+}
+
+/// One page of each chapter, each of its kinds: tagged, with embedded fonts, the same bytes again.
+#[test]
+fn sheets_are_tagged_pdf_of_the_same_bytes() {
+    let (catalogue, _) = Catalogue::load(embedded());
+    let blueprint = blueprint(&[
+        "ch3/e4-underdamped-response",
+        "ch5/e5-coupled-pendulums-modes",
+    ]);
+    let plan = Plan::of(&blueprint, &catalogue, None).expect("the items are there");
+    let pages = pages(&blueprint, "pdf");
+    let sheet = Sheet::draw(&plan, plan.variant(0, 0), None).expect("it can be drawn");
+    for kind in [Kind::Sheet, Kind::Key, Kind::Solutions] {
+        let (bytes, _) = file(&pages, kind, &sheet);
+        assert!(bytes.starts_with(b"%PDF-1."));
+        assert!(count(&bytes, "/StructTreeRoot") > 0, "it has tags");
+        assert!(count(&bytes, "pdfuaid:part") > 0, "it claims PDF/UA");
+        assert_eq!(file(&pages, kind, &sheet).0, bytes);
+    }
+    let mut table = KeyTable::default();
+    for index in 0..3 {
+        let sheet = Sheet::draw(&plan, plan.variant(index, 0), None).expect("it can be drawn");
+        table.add(pages.key_row(&sheet));
+    }
+    let text = [
+        pages
+            .begin("answers of all variants")
+            .expect("the layout is sound"),
+        pages.key_table(&table).expect("the layout is sound"),
+        pages.end().expect("the layout is sound"),
+    ];
+    assert!(pages.writer().bind(text.concat()).is_ok());
+}
+
+/// Every text and key of the bank: nothing in them is an error of Typst.
+#[test]
+fn the_whole_bank_prints() {
+    let (catalogue, _) = Catalogue::load(embedded());
+    let items: Vec<&str> = catalogue
+        .templates()
+        .map(|template| template.id.as_str())
+        .collect();
+    let blueprint = blueprint(&items);
+    let plan = Plan::of(&blueprint, &catalogue, None).expect("the items are there");
+    let sheet = Sheet::draw(&plan, plan.variant(0, 0), None).expect("it can be drawn");
+    file(&pages(&blueprint, "pdf"), Kind::Solutions, &sheet);
+}
+
+/// What a student wrote stands on the feedback page as it was written.
+#[test]
+fn nothing_typed_is_read_as_markup() {
+    let typed = "#panic(\"x\") $x$ \\ \" ] ) } // /* `#` *_* <a> @b \\input{x} 50 % & ~^";
+    let part = FeedbackPart {
+        letter: "a".to_owned(),
+        verdict: "wrong",
+        points: "0".to_owned(),
+        response: typed.to_owned(),
+        reading: String::new(),
+        feedback: Vec::new(),
+    };
+    let feedback = Feedback {
+        code: "X".to_owned(),
+        name: typed.to_owned(),
+        student: typed.to_owned(),
+        total: "0".to_owned(),
+        questions: vec![FeedbackQuestion {
+            number: 1,
+            title: typed.to_owned(),
+            points: "0".to_owned(),
+            parts: vec![part],
+        }],
+    };
+    let blueprint = blueprint(&["ch3/e4-underdamped-response"]);
+    let pages_of = |format| {
+        let pages = pages(&blueprint, format);
+        let begin = pages.begin("feedback").expect("the layout is sound");
+        let page = pages.feedback(&feedback).expect("the layout is sound");
+        let end = pages.end().expect("the layout is sound");
+        (format!("{begin}{page}{end}"), pages)
+    };
+    let (text, pages) = pages_of("pdf");
+    let quoted = typed.replace('\\', "\\\\").replace('"', "\\\"");
+    assert_eq!(text.matches(&format!("#\"{quoted}\"")).count(), 5, "{text}");
+    pages.writer().bind(text).expect("it is sound Typst");
+
+    let (text, _) = pages_of("tex");
+    assert!(
+        text.contains(r"\#panic(\textquotedbl{}x\textquotedbl{}) \$x\$ \textbackslash{}"),
+        "{text}"
+    );
+    assert!(!text.contains(r"\input{x}"));
+}
+
+/// A figure stands in a PDF as what it is, and beside LaTeX as a PDF of its own.
+#[test]
+fn figures_are_vectors_with_words() {
+    const SVG: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"30mm\" height=\"10mm\" viewBox=\"0 0 300 100\">\
+        <title>A &lt;spring&gt;</title><path d=\"M0 0L300 100\" stroke=\"currentColor\"/><text x=\"9\" y=\"50\" font-family=\"Libertinus Serif\">k</text></svg>";
+    struct Figure;
+    impl Fills for Figure {
+        fn fill(&self, _: u32) -> Option<Fill<'_>> {
+            Some(Fill::Figure(SVG))
+        }
+    }
+    let reading = Document::read("See << figure >> here.");
+    let typst = reading.document.typst(&Figure);
+    assert!(typst.contains("picture(\"A <spring>\",\"<svg "), "{typst}");
+    let latex = reading.document.latex(&Figure);
+    assert!(latex.contains(r"\figureblock{figure-"), "{latex}");
+    let writer = output::writer("tex").expect("the format is there");
+    let picture = writer.picture(SVG).expect("it is an SVG");
+    assert!(picture.starts_with(b"%PDF-1."));
+    assert_eq!(writer.picture(SVG).expect("it is an SVG"), picture);
+    assert_eq!(count(&picture, "/Image"), 0, "it is no bitmap");
+}
+
+#[test]
+fn errors_of_a_layout_name_their_line() {
+    let writer = output::writer("pdf").expect("the format is there");
+    let error = writer.bind("#set document(title: [T])\n\n#nonsense".to_owned());
+    let error = error.expect_err("there is no such name").to_string();
+    assert!(
+        error.contains("unknown variable: nonsense in line 3"),
+        "{error}"
+    );
+}
+
+/// Every kind of piece compiles, alone and inside the others.
+#[test]
+fn every_piece_of_a_formula_is_typst() {
+    let letter = || Math::letter('x');
+    let sum = || Math::row([letter(), Math::binary("+"), Math::number("2,5")]);
+    let pieces = [
+        Math::fraction(sum(), Math::letter('Ω')),
+        Math::root(sum()),
+        sum().fenced("(", ")"),
+        sum().fenced("|", "|"),
+        sum().in_parentheses(),
+        letter()
+            .derivative(2)
+            .with_sub(Math::upright("eq"))
+            .with_sup(Math::number("2")),
+        Math::matrix(vec![
+            vec![letter(), sum()],
+            vec![Math::prefix("−"), letter()],
+        ]),
+        Math::cases(vec![
+            vec![sum(), Math::text("if \"#x\" \\ , ; : & $")],
+            vec![letter()],
+        ]),
+        Math::aligned(vec![
+            vec![letter(), Math::row([Math::relation("="), sum()])];
+            2
+        ]),
+        Math::row([
+            Math::function("sin"),
+            letter(),
+            Math::Space(18),
+            Math::operator("√;,:&#$\"/_^'", vibank::math::Class::Ordinary),
+        ]),
+        Math::Hole(0),
+    ];
+    let nested = pieces
+        .iter()
+        .map(|piece| Math::fraction(piece.clone(), Math::root(piece.clone())));
+    let mut text = String::from(TYPST_PRELUDE);
+    text.push_str("#set document(title: [T])\n");
+    for math in pieces.iter().cloned().chain(nested.collect::<Vec<_>>()) {
+        text.push_str(&math.typst(Display::Inline));
+        text.push_str(&math.typst(Display::Block));
+        text.push('\n');
+    }
+    let writer = output::writer("pdf").expect("the format is there");
+    if let Err(error) = writer.bind(text.clone()) {
+        panic!("{error}\n{text}");
+    }
+}
