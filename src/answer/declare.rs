@@ -56,6 +56,8 @@ pub struct Known {
     pub name: Name,
     /// Its symbol.
     pub symbol: Math,
+    /// What it is, in words.
+    pub title: Option<String>,
     /// What it stands for.
     pub kind: Type,
     /// What it is.

@@ -17,14 +17,14 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::equality::{Comparison, Points};
+use super::equality::{Comparable, Comparison, Points};
 use super::meaning::{Meaning, Prefer, lexicon};
 use super::typed::{self, Lexicon, Manner, Trouble, Typed};
 use super::{
     Answer, AnswerError, AnswerKind, Context, Credit, Declare, Feedback, Key, KeyValue, Marker,
     Marking, Reading, Reason, symbolic,
 };
-use crate::expr::{CheckError, Expr, Field, Joint, Name, Program, Shape, Type};
+use crate::expr::{CheckError, Expr, Field, Joint, Name, Shape, Type};
 use crate::quantity::{Absent, NodeId};
 use crate::source::{Table, Value};
 use crate::unit::{DecimalMark, Dimension, Unit};
@@ -54,7 +54,7 @@ struct Setup {
 /// A prepared key.
 struct Prepared {
     setup: Arc<Setup>,
-    key: Program,
+    key: Comparable,
     points: Points,
     mistakes: Vec<Mistake>,
     mark: DecimalMark,
@@ -62,7 +62,7 @@ struct Prepared {
 
 struct Mistake {
     number: usize,
-    program: Program,
+    formula: Comparable,
     credit: Credit,
 }
 
@@ -168,13 +168,10 @@ impl Answer for Formula {
         context.evaluation.exists_for(self.key)?;
         let none = BTreeMap::new();
         let compile = |expr: &Expr, replaced: &BTreeMap<Name, Expr>| {
-            setup
-                .meaning
-                .compile(expr, replaced)
-                .map_err(|_| Absent::Function {
-                    label: "key".into(),
-                    of: Vec::new(),
-                })
+            Comparable::of(&setup.meaning, expr, replaced).map_err(|_| Absent::Function {
+                label: "key".into(),
+                of: Vec::new(),
+            })
         };
         let key = compile(&setup.expr, &none)?;
         let points = Points::around(&setup.meaning, context.evaluation, &[&key]);
@@ -184,14 +181,14 @@ impl Answer for Formula {
                 .mistakes
                 .iter()
                 .find(|(number, _)| *number == mistaken.number);
-            let program = match own {
+            let formula = match own {
                 Some((_, node)) => compile(&symbolic::formula(graph, *node), &none),
                 None => compile(&setup.expr, &symbolic::replaced(graph, mistaken)),
             };
-            if let Ok(program) = program {
+            if let Ok(formula) = formula {
                 mistakes.push(Mistake {
                     number: mistaken.number,
-                    program,
+                    formula,
                     credit: mistaken.credit,
                 });
             }
@@ -251,9 +248,9 @@ impl Prepared {
     }
 
     /// The named mistake that a formula is.
-    fn mistake(&self, program: &Program) -> Option<&Mistake> {
+    fn mistake(&self, typed: &Comparable) -> Option<&Mistake> {
         let is_it =
-            |mistake: &&Mistake| self.points.compare(&mistake.program, program) == Comparison::Same;
+            |mistake: &&Mistake| self.points.compare(&mistake.formula, typed) == Comparison::Same;
         self.mistakes.iter().find(is_it)
     }
 
@@ -371,25 +368,30 @@ impl Marker for Prepared {
             text: expr.to_string(),
             si: Vec::new(),
         };
-        let Ok(program) = setup.meaning.compile(&expr, &BTreeMap::new()) else {
+        let Ok(typed) = Comparable::of(&setup.meaning, &expr, &BTreeMap::new()) else {
             return Marking::unreadable(
                 "This formula cannot be compared; write it in a simpler form.",
             );
         };
         let comparison = match trouble {
-            None => self.points.compare(&self.key, &program),
+            None => self.points.compare(&self.key, &typed),
             Some(_) => Comparison::Undefined,
         };
         if comparison == Comparison::Same {
             return Marking::read(reading, Credit::FULL, Reason::Matches, None);
         }
-        if let Some(mistake) = self.mistake(&program) {
+        if let Some(mistake) = self.mistake(&typed) {
             let feedback = Some(Feedback::Mistake(mistake.number));
             return Marking::read(
                 reading,
                 mistake.credit,
                 Reason::Mistake(mistake.number),
                 feedback,
+            );
+        }
+        if comparison == Comparison::Undecided {
+            return Marking::unreadable(
+                "All digits are lost when this is computed, so it cannot be compared; write it in a simpler form.",
             );
         }
         if let Some(trouble) = trouble {

@@ -16,14 +16,14 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::equality::{Comparison, Points};
+use super::equality::{Comparable, Comparison, Points};
 use super::meaning::{Meaning, Prefer, lexicon};
 use super::typed::{self, Lexicon, Listed, Manner};
 use super::{
     Answer, AnswerError, AnswerKind, Context, Credit, Declare, Feedback, Key, KeyValue, Marker,
     Marking, Reading, Reason, Tolerance, symbolic,
 };
-use crate::expr::{Expr, Field, Form, Name, Program, Shape, Value};
+use crate::expr::{Expr, Field, Form, Name, Shape, Value};
 use crate::math::Math;
 use crate::quantity::{Absent, NodeId};
 use crate::source::{Table, Value as Data};
@@ -82,7 +82,7 @@ struct Setup {
 struct Prepared {
     setup: Arc<Setup>,
     /// The entries as formulas, where they can be compared as such.
-    formulas: Option<(Vec<Program>, Points)>,
+    formulas: Option<(Vec<Comparable>, Points)>,
     value: Value,
     halves: Vec<f64>,
     mistakes: Vec<Mistake>,
@@ -90,7 +90,7 @@ struct Prepared {
 
 struct Mistake {
     number: usize,
-    formulas: Vec<Program>,
+    formulas: Vec<Comparable>,
     numbers: Vec<f64>,
     credit: Credit,
 }
@@ -157,8 +157,12 @@ impl Setup {
         Shape::Matrix(self.rows, self.columns)
     }
 
-    fn compile(&self, entries: &[Expr], replaced: &BTreeMap<Name, Expr>) -> Option<Vec<Program>> {
-        let compile = |entry: &Expr| self.meaning.compile(entry, replaced).ok();
+    fn compile(
+        &self,
+        entries: &[Expr],
+        replaced: &BTreeMap<Name, Expr>,
+    ) -> Option<Vec<Comparable>> {
+        let compile = |entry: &Expr| Comparable::of(&self.meaning, entry, replaced).ok();
         entries.iter().map(compile).collect()
     }
 
@@ -230,13 +234,13 @@ impl Answer for Matrix {
         let halves = halves.collect();
         let none = BTreeMap::new();
         let entries = symbolic::entries(&setup.expr, setup.shape());
-        let formulas = setup.compile(&entries, &none).map(|programs| {
+        let formulas = setup.compile(&entries, &none).map(|formulas| {
             let points = Points::around(
                 &setup.meaning,
                 evaluation,
-                &programs.iter().collect::<Vec<_>>(),
+                &formulas.iter().collect::<Vec<_>>(),
             );
-            (programs, points)
+            (formulas, points)
         });
         let mistakes = context.mistakes.iter().map(|mistaken| {
             let own = self
@@ -279,7 +283,7 @@ impl Prepared {
                 "These entries cannot be compared; write them in a simpler form.",
             );
         };
-        let is_same = |keys: &[Program], place: usize| {
+        let is_same = |keys: &[Comparable], place: usize| {
             points.compare(&keys[place], &typed[place]) == Comparison::Same
         };
         let wrong: Vec<usize> = (0..typed.len())

@@ -22,6 +22,8 @@ pub(super) struct Meaning {
 #[derive(Clone, Debug)]
 pub(super) struct Input {
     pub(super) name: Name,
+    /// What it is, in words.
+    pub(super) title: Option<String>,
     kind: Type,
     /// Where its value for an instance is to be had.
     node: Option<NodeId>,
@@ -69,6 +71,7 @@ impl Meaning {
         {
             meaning.inputs.push(Input {
                 name: Name::new("t"),
+                title: None,
                 kind: Type::real(crate::unit::Dimension::TIME),
                 node: None,
                 is_signed: false,
@@ -81,6 +84,7 @@ impl Meaning {
     fn add(&mut self, own: &Known, declare: &dyn Declare) {
         let input = |node, is_signed, is_moving| Input {
             name: own.name.clone(),
+            title: own.title.clone(),
             kind: own.kind.clone(),
             node,
             is_signed,
@@ -109,6 +113,7 @@ impl Meaning {
     pub(super) fn add_free(&mut self, name: &Name) {
         self.inputs.push(Input {
             name: name.clone(),
+            title: None,
             kind: Type::real(None),
             node: None,
             is_signed: true,
@@ -121,6 +126,7 @@ impl Meaning {
         if let Some((_, kind)) = self.formulas.remove(name) {
             self.inputs.push(Input {
                 name: name.clone(),
+                title: None,
                 kind,
                 node: None,
                 is_signed: true,
@@ -150,13 +156,55 @@ impl Meaning {
         expr: &Expr,
         replaced: &BTreeMap<Name, Expr>,
     ) -> Result<Program, CompileError> {
-        Program::compile(
-            expr,
-            &Bound {
-                meaning: self,
-                replaced,
-            },
-        )
+        Program::compile(expr, &self.bound(replaced))
+    }
+
+    /// The names with these in place of some, as a program binds them.
+    pub(super) fn bound<'a>(&'a self, replaced: &'a BTreeMap<Name, Expr>) -> impl Binder + 'a {
+        Bound {
+            meaning: self,
+            replaced,
+            form: Form::REAL,
+        }
+    }
+
+    /// Compiles a formula over complex inputs, two slots for each real one.
+    pub(super) fn compile_complex(
+        &self,
+        expr: &Expr,
+        replaced: &BTreeMap<Name, Expr>,
+    ) -> Result<Program, CompileError> {
+        let bound = Bound {
+            meaning: self,
+            replaced,
+            form: Form::COMPLEX,
+        };
+        Program::compile(expr, &bound)
+    }
+
+    /// Whether a formula keeps its meaning at complex values of its names, with those that are put in for them.
+    pub(super) fn is_analytic(&self, expr: &Expr, replaced: &BTreeMap<Name, Expr>) -> bool {
+        const MOST_NAMES: usize = 200;
+        let mut open = vec![expr.clone()];
+        let mut seen: Vec<Name> = Vec::new();
+        while let Some(expr) = open.pop() {
+            if !expr.is_analytic() || seen.len() > MOST_NAMES {
+                return false;
+            }
+            for variable in expr.names().free {
+                if seen.contains(&variable.name) {
+                    continue;
+                }
+                let formula = replaced.get(&variable.name).or_else(|| {
+                    self.formulas
+                        .get(&variable.name)
+                        .map(|(formula, _)| formula)
+                });
+                open.extend(formula.cloned());
+                seen.push(variable.name);
+            }
+        }
+        true
     }
 
     /// The place of a name among the inputs.
@@ -212,6 +260,8 @@ fn is_free(role: Role) -> bool {
 struct Bound<'a> {
     meaning: &'a Meaning,
     replaced: &'a BTreeMap<Name, Expr>,
+    /// Of the inputs.
+    form: Form,
 }
 
 impl Binder for Bound<'_> {
@@ -226,8 +276,8 @@ impl Binder for Bound<'_> {
             let input = &self.meaning.inputs[place];
             let is_slot = order == 0 || input.is_moving && order < ORDERS;
             return is_slot.then_some(Binding::Input {
-                slot: (place * ORDERS + order) as u32,
-                form: Form::REAL,
+                slot: ((place * ORDERS + order) * self.form.width()) as u32,
+                form: self.form,
             });
         }
         let (expr, _) = self.meaning.formulas.get(name)?;

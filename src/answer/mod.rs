@@ -32,6 +32,7 @@ pub use marking::{Credit, Feedback, Key, KeyValue, Marking, Reading, Reason, Ver
 pub use tolerance::Tolerance;
 
 use crate::document::Document;
+use crate::expr::Equation;
 use crate::numerics::Complex;
 use crate::quantity::{Absent, NodeId};
 use crate::source::{Table, Value};
@@ -77,6 +78,11 @@ pub trait Answer: std::fmt::Debug + Send + Sync {
         false
     }
 
+    /// Whether a response is marked with those to the item's other parts of this kind at hand.
+    fn heeds_others(&self) -> bool {
+        false
+    }
+
     /// Reads the answer of the named mistake of this number, written as a response of this kind in formulas.
     /// What is returned is computed for an instance; what the answer keeps for itself is not.
     fn read_mistake(
@@ -103,10 +109,38 @@ pub trait Marker: Send + Sync {
     /// Marks a response that is not empty.
     fn mark(&self, response: &str) -> Marking;
 
+    /// Marks a response with those to the item's other parts of this kind at hand.
+    fn mark_beside(&self, response: &str, _others: &[Beside<'_>]) -> Marking {
+        self.mark(response)
+    }
+
+    /// The equations of the key and those that a response is, where equations are asked.
+    fn equations(&self, _response: &str) -> Option<Equations> {
+        None
+    }
+
     /// The least distance of a named mistake from the key, in tolerances; `None` without a mistake that differs.
     fn clearance(&self) -> Option<f64> {
         None
     }
+}
+
+/// A response to another part of the same item.
+#[derive(Clone, Copy)]
+pub struct Beside<'a> {
+    /// What marks it.
+    pub marker: &'a dyn Marker,
+    /// What was answered; may be empty.
+    pub response: &'a str,
+}
+
+/// What a part that asks for equations asks for, and what it got.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Equations {
+    /// Those of the key.
+    pub key: Vec<Equation>,
+    /// Those of the response; none if there is none, or it cannot be read.
+    pub typed: Vec<Equation>,
 }
 
 /// An option of a choice.

@@ -2,9 +2,11 @@
 //!
 //! Marks are exact fractions of points and are rounded once, where they are printed.
 
+mod among;
 pub mod request;
 mod responses;
 
+pub use among::mark_among;
 pub use responses::{Place, Row, RowError, collect};
 
 use crate::answer::{Feedback, Marking, Verdict};

@@ -28,7 +28,7 @@ pub(super) enum Rows {
 }
 
 impl Rows {
-    pub(super) fn of(key: &[Program], typed: &[Program], points: &[Vec<Precise>]) -> Self {
+    pub(super) fn of(key: &[&Program], typed: &[&Program], points: &[Vec<Precise>]) -> Self {
         let (Some(key), Some(typed)) = (rows(key, points), rows(typed, points)) else {
             return Self::Undefined;
         };
@@ -37,6 +37,10 @@ impl Rows {
             basis.add(row);
         }
         let needed = basis.rows.len();
+        // As many rows as points would span everything.
+        if needed + 2 > points.len() {
+            return Self::Undefined;
+        }
         let mut own = Basis::default();
         for row in &typed {
             if basis.rest(row).1 {
@@ -68,7 +72,7 @@ struct Row {
     bound: f64,
 }
 
-fn rows(programs: &[Program], points: &[Vec<Precise>]) -> Option<Vec<Row>> {
+fn rows(programs: &[&Program], points: &[Vec<Precise>]) -> Option<Vec<Row>> {
     programs
         .iter()
         .map(|program| row(program, points))

@@ -1,57 +1,44 @@
-//! What is wrong with an equation, told by its terms.
+//! Equations taken apart into terms: the coefficient of each unknown and of its time derivatives.
 
 use super::Setup;
 use crate::answer::meaning::ORDERS;
-use crate::expr::{Approx, Name, Notation, Precise, Program, Registers};
+use crate::expr::{Approx, Precise, Program, Registers};
 
 /// A term: an unknown or a time derivative of one, or what stands without unknowns.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Term {
+pub(super) enum Term {
     Unknown { place: usize, order: usize },
     Rest,
 }
 
-/// Coefficients that differ by more than this part are different.
-const DIFFERENT: f64 = 1e-9;
-
-/// At most two sentences about the terms that differ, for equations that are linear enough to be told.
-pub(super) fn feedback(
-    setup: &Setup,
-    key: &Program,
-    typed: &Program,
-    points: &[Vec<Vec<Precise>>],
-) -> Option<String> {
-    let point = points.first()?.first()?;
-    let terms = terms(setup);
-    let own = coefficients(key, &terms, point)?;
-    let found = coefficients(typed, &terms, point)?;
-    let (scale, differing) = scaled(&own, &found)?;
-    if differing.is_empty() || differing.len() > 2 || 2 * differing.len() > terms.len() + 1 {
-        return None;
-    }
-    let sentences: Vec<String> = differing
-        .into_iter()
-        .map(|place| {
-            let name = name(setup, terms[place]);
-            let (due, given) = (scale * own[place], found[place]);
-            if given == 0.0 {
-                format!("The term {name} is missing.")
-            } else if due == 0.0 {
-                format!("There is one term too many {name}.")
-            } else if same(due, -given) {
-                format!("The sign of the term {name} is wrong.")
-            } else {
-                match missed(setup, key, typed, &terms, place, point) {
-                    Some(missed) => format!("The term {name} misses {missed}."),
-                    None => format!("The coefficient of the term {name} is wrong."),
-                }
-            }
-        })
-        .collect();
-    Some(sentences.join(" "))
+/// How a term depends on what it is a term in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Nature {
+    /// In proportion.
+    Linear,
+    /// By its sign alone, as dry friction.
+    Sign,
+    /// In another way, as the sine of an angle.
+    Curved,
 }
 
-fn terms(setup: &Setup) -> Vec<Term> {
+/// The coefficients of an equation for one choice of data.
+#[derive(Clone, Debug)]
+pub(super) struct Coefficients {
+    /// What each term adds where its unknown is 1 and all others are 0; for the rest, the value where all are 0.
+    pub(super) values: Vec<f64>,
+    /// The same for a small unknown, by its size.
+    pub(super) slopes: Vec<f64>,
+}
+
+/// Coefficients that differ by more than this part are different.
+const DIFFERENT: f64 = 1e-9;
+/// A small motion, and how far a sine may be from its angle there.
+const SMALL: f64 = 1e-4;
+const NEARLY: f64 = 1e-6;
+
+/// The terms that equations in these unknowns can have.
+pub(super) fn terms(setup: &Setup) -> Vec<Term> {
     let mut terms = Vec::new();
     for name in &setup.unknowns {
         if let Some(place) = setup.meaning.place(name) {
@@ -62,123 +49,125 @@ fn terms(setup: &Setup) -> Vec<Term> {
     terms
 }
 
-/// The coefficient of each term: the value where that unknown is 1 and all others are 0, less the value where all are 0.
-fn coefficients(program: &Program, terms: &[Term], point: &[Precise]) -> Option<Vec<f64>> {
-    let mut room = Registers::<Approx<f64>>::default();
-    let mut value = |point: &[Precise]| {
-        let outcome = program.run(point, &mut room).ok()?;
-        let number = outcome.numbers().next()?;
-        // What cannot be told from zero is zero.
-        Some(if number.value.abs() <= 8.0 * number.bound {
-            0.0
-        } else {
-            number.value
-        })
-    };
-    let mut zero = point.to_vec();
-    for term in terms {
-        if let Term::Unknown { place, .. } = term {
-            zero[place * ORDERS..(place + 1) * ORDERS].fill(Precise::exact(0.0));
-        }
-    }
-    let rest = value(&zero)?;
-    let mut found = Vec::new();
-    for term in terms {
-        found.push(match term {
-            Term::Rest => rest,
-            Term::Unknown { place, order } => {
-                let mut moved = zero.clone();
-                moved[place * ORDERS + order] = Precise::exact(1.0);
-                let moved = value(&moved)?;
-                let difference = moved - rest;
-                if difference.abs() <= 1e-13 * rest.abs() {
-                    0.0
-                } else {
-                    difference
-                }
+impl Coefficients {
+    /// Those of an equation at a point, whose unknowns do not matter.
+    pub(super) fn of(program: &Program, terms: &[Term], point: &[Precise]) -> Option<Self> {
+        let mut zero = point.to_vec();
+        for term in terms {
+            if let Term::Unknown { place, .. } = term {
+                zero[place * ORDERS..(place + 1) * ORDERS].fill(Precise::exact(0.0));
             }
-        });
+        }
+        let mut room = Registers::<Approx<f64>>::default();
+        let rest = value(program, &zero, &mut room)?;
+        let (mut values, mut slopes) = (Vec::new(), Vec::new());
+        for term in terms {
+            let Term::Unknown { place, order } = term else {
+                values.push(rest);
+                slopes.push(rest);
+                continue;
+            };
+            let slot = place * ORDERS + order;
+            let mut moved = |size: f64| {
+                zero[slot] = Precise::exact(size);
+                let moved = value(program, &zero, &mut room);
+                zero[slot] = Precise::exact(0.0);
+                let difference = moved? - rest;
+                let is_rounding = difference.abs() <= 1e-13 * rest.abs();
+                Some(if is_rounding { 0.0 } else { difference / size })
+            };
+            values.push(moved(1.0)?);
+            slopes.push(moved(SMALL)?);
+        }
+        Some(Self { values, slopes })
     }
-    Some(found)
+
+    /// How the term of this place depends on its unknown.
+    pub(super) fn nature(&self, place: usize) -> Nature {
+        let (value, slope) = (self.values[place], self.slopes[place]);
+        if (value - slope).abs() <= NEARLY * slope.abs() {
+            Nature::Linear
+        } else if (value - SMALL * slope).abs() <= NEARLY * value.abs() {
+            Nature::Sign
+        } else {
+            Nature::Curved
+        }
+    }
+
+    /// Whether no term is curved.
+    pub(super) fn is_linear(&self) -> bool {
+        (0..self.values.len()).all(|place| self.nature(place) != Nature::Curved)
+    }
 }
 
-/// The factor between two equations under which most terms agree, and the terms that do not.
-fn scaled(own: &[f64], found: &[f64]) -> Option<(f64, Vec<usize>)> {
-    let mut best: Option<(f64, Vec<usize>)> = None;
-    for reference in 0..own.len() {
-        if own[reference] == 0.0 || found[reference] == 0.0 {
-            continue;
-        }
-        let scale = found[reference] / own[reference];
-        let differing: Vec<usize> = (0..own.len())
-            .filter(|place| !same(scale * own[*place], found[*place]))
-            .collect();
-        if best
-            .as_ref()
-            .is_none_or(|(_, least)| differing.len() < least.len())
-        {
-            best = Some((scale, differing));
-        }
-    }
-    best
+/// The value at a point; what cannot be told from zero is zero.
+fn value(program: &Program, point: &[Precise], room: &mut Registers<Approx<f64>>) -> Option<f64> {
+    let outcome = program.run(point, room).ok()?;
+    let number = outcome.numbers().next()?;
+    let is_zero = number.value.abs() <= 8.0 * number.bound;
+    Some(if is_zero { 0.0 } else { number.value })
 }
 
-fn same(a: f64, b: f64) -> bool {
+/// The factor between two equations under which most terms agree.
+#[derive(Clone, Debug)]
+pub(super) struct Match {
+    /// A term that agrees.
+    pub(super) reference: usize,
+    /// The terms that do not.
+    pub(super) differing: Vec<usize>,
+    /// The second equation over the first.
+    pub(super) scale: f64,
+    /// How many terms agree that are there.
+    agreeing: usize,
+}
+
+impl Match {
+    /// The best match of two lists of coefficients; among equals, that without a factor.
+    pub(super) fn of(own: &[f64], found: &[f64]) -> Option<Self> {
+        let mut best: Option<Self> = None;
+        for reference in 0..own.len() {
+            if own[reference] == 0.0 || found[reference] == 0.0 {
+                continue;
+            }
+            let scale = found[reference] / own[reference];
+            let agrees = |place: &usize| is_same(scale * own[*place], found[*place]);
+            let candidate = Self {
+                reference,
+                differing: (0..own.len()).filter(|place| !agrees(place)).collect(),
+                scale,
+                agreeing: (0..own.len())
+                    .filter(|place| own[*place] != 0.0 && agrees(place))
+                    .count(),
+            };
+            if best.as_ref().is_none_or(|best| candidate.is_better(best)) {
+                best = Some(candidate);
+            }
+        }
+        best
+    }
+
+    fn is_better(&self, other: &Self) -> bool {
+        let plain = |scale: f64| !is_same(scale.abs(), 1.0);
+        (self.differing.len(), plain(self.scale)) < (other.differing.len(), plain(other.scale))
+    }
+
+    /// Whether enough agrees to tell what does not.
+    pub(super) fn is_telling(&self) -> bool {
+        let is_plain = is_same(self.scale.abs(), 1.0);
+        match self.differing.len() {
+            0 | 1 => true,
+            2 => is_plain || self.agreeing >= 2,
+            _ => false,
+        }
+    }
+}
+
+/// Whether two coefficients are one number.
+pub(super) fn is_same(a: f64, b: f64) -> bool {
     (a - b).abs() <= DIFFERENT * a.abs().max(b.abs())
 }
 
-/// A datum on which the coefficient should depend, over that of a term that is right, and does not.
-fn missed(
-    setup: &Setup,
-    key: &Program,
-    typed: &Program,
-    terms: &[Term],
-    place: usize,
-    point: &[Precise],
-) -> Option<String> {
-    let mut missed = None;
-    for (at, input) in setup.meaning.inputs.iter().enumerate() {
-        let is_unknown = terms
-            .iter()
-            .any(|term| matches!(term, Term::Unknown { place, .. } if *place == at));
-        if is_unknown || input.name.as_str() == "t" {
-            continue;
-        }
-        let mut moved = point.to_vec();
-        moved[at * ORDERS] = Precise::exact(1.25 * point[at * ORDERS].high());
-        let depends = |program: &Program| -> Option<bool> {
-            let before = coefficients(program, terms, point)?;
-            let after = coefficients(program, terms, &moved)?;
-            // Over all terms that the datum leaves alone, so that a common factor does not count.
-            Some(!same(before[place], after[place]))
-        };
-        if depends(key)? && !depends(typed)? {
-            if missed.is_some() {
-                return None;
-            }
-            missed = Some(setup.lexicon.name(&input.name).math.plain());
-        }
-    }
-    missed
-}
-
-fn name(setup: &Setup, term: Term) -> String {
-    match term {
-        Term::Rest => {
-            let names: Vec<String> = setup
-                .unknowns
-                .iter()
-                .map(|name| symbol(setup, name))
-                .collect();
-            format!("without {}", names.join(", "))
-        }
-        Term::Unknown { place, order } => {
-            let name = symbol(setup, &setup.meaning.inputs[place].name);
-            format!("in {name}{}", "′".repeat(order))
-        }
-    }
-}
-
-fn symbol(setup: &Setup, name: &Name) -> String {
-    setup.lexicon.name(name).math.plain()
+/// Whether two slopes agree as far as a small motion can tell.
+pub(super) fn is_nearly(a: f64, b: f64) -> bool {
+    (a - b).abs() <= NEARLY * a.abs().max(b.abs())
 }

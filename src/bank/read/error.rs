@@ -21,6 +21,16 @@ pub enum ItemError {
         /// The dimension found.
         found: String,
     },
+    /// A second route to something else than the quantity is.
+    #[error("`{name}` is {expected}, but its second route is {found}")]
+    Route {
+        /// The quantity.
+        name: String,
+        /// What it is.
+        expected: String,
+        /// What the route leads to.
+        found: String,
+    },
     /// Units for another number of entries than the formula has.
     #[error("`{name}` has {found} units for {expected} entries")]
     UnitCount {
@@ -134,7 +144,9 @@ impl Diagnose for ItemError {
     fn code(&self) -> Code {
         match self {
             Self::Unit(_) => Code::QUANTITY,
-            Self::DeclaredUnit { .. } | Self::UnitCount { .. } => Code::DIMENSION,
+            Self::DeclaredUnit { .. } | Self::UnitCount { .. } | Self::Route { .. } => {
+                Code::DIMENSION
+            }
             Self::Name { .. } => Code::NAME,
             Self::NoEquation { .. } => Code::KEY,
             Self::Taken { .. } => Code::NAME_TAKEN,

@@ -298,6 +298,7 @@ impl Declare for Reader<'_> {
             Some(Known {
                 name: info.name.clone(),
                 symbol: info.symbol.clone(),
+                title: info.title.clone(),
                 kind: self.graph.kind(*node)?.clone(),
                 role,
             })

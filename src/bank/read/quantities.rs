@@ -158,6 +158,7 @@ impl<'s> Reader<'s> {
             self.free.push(Known {
                 name,
                 symbol,
+                title: None,
                 kind,
                 role,
             });
@@ -200,12 +201,41 @@ impl<'s> Reader<'s> {
             if let (Some(text), Some(node)) =
                 (&one.verify, self.graph.kind(one.node).map(|_| one.node))
             {
-                let verify = self.formula(&label, text);
+                let verify = self
+                    .formula(&label, text)
+                    .filter(|route| self.is_route(one, *route, text));
                 if let Some(info) = self.quantities.get_mut(&node) {
                     info.verify = verify;
                 }
             }
         }
+    }
+
+    /// Whether a second route leads to what the first one does: truth or numbers, of the same dimension.
+    fn is_route(&mut self, declared: &Declared, route: NodeId, text: &Text) -> bool {
+        let (Some(own), Some(other)) = (self.graph.kind(declared.node), self.graph.kind(route))
+        else {
+            return true;
+        };
+        let is_truth = |kind: &Type| kind.field() == crate::expr::Field::Boolean;
+        let is_alike = is_truth(own) == is_truth(other)
+            && match (own.dimension(), other.dimension()) {
+                (Some(own), Some(other)) => own == other,
+                _ => true,
+            };
+        if !is_alike {
+            let described = |kind: &Type| match kind.dimension() {
+                Some(dimension) if !is_truth(kind) => dimension.describe(),
+                _ => kind.form().to_string(),
+            };
+            let error = ItemError::Route {
+                name: declared.name.to_string(),
+                expected: described(own),
+                found: described(other),
+            };
+            self.find(&error, text);
+        }
+        is_alike
     }
 
     fn declare(&mut self, table: &Table<'s>, entry: &'s Entry) -> Option<Declared> {

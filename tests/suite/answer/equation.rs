@@ -1,5 +1,8 @@
 //! Equations of motion, right and wrong, with what is said.
 
+use vibank::instance::Instance;
+use vibank::solution::Solution;
+
 use super::check;
 
 const ONE: &str = r#"
@@ -125,6 +128,135 @@ fn several_equations_count_by_their_row_space() {
             (
                 "m x'' + k x + k l θ = 0; m l θ'' - k x + k l θ = 0",
                 "wrong",
+            ),
+        ],
+    );
+}
+
+/// Verdicts of the responses to the equation parts of an item, marked together.
+fn together(item: &str, responses: &[&str]) -> Vec<&'static str> {
+    let catalogue = super::catalogue(item);
+    let solution = Solution::of(Instance::of_source(&catalogue.items()[0]));
+    (0..responses.len())
+        .map(|place| {
+            vibank::grade::mark_among(&solution, place, responses)
+                .verdict
+                .name()
+        })
+        .collect()
+}
+
+#[test]
+fn equations_of_several_parts_count_together() {
+    let part = |id: &str, key: &str| {
+        format!(
+            "[[part]]\nkind = \"equation\"\nid = \"{id}\"\nask = \"Find it.\"\nkey = \"{key}\"\n"
+        )
+    };
+    let data = ONE.split("[[part]]").next().expect("the data");
+    let item = format!(
+        "{data}{}{}",
+        part("first", "model.equation.x"),
+        part("second", "model.equation.theta")
+    );
+    let (first, second) = ("m x'' + k (x - l θ) = 0", "m l θ'' = k (x - l θ)");
+    let (sum, difference) = ("m x'' + m l θ'' = 0", "x'' - l θ'' = -2 k/m (x - l θ)");
+    for (responses, verdicts) in [
+        ([first, second], ["right", "right"]),
+        ([second, first], ["right", "right"]),
+        ([sum, difference], ["right", "right"]),
+        ([sum, second], ["right", "right"]),
+        ([first, sum], ["right", "right"]),
+        // An equation given twice is not two.
+        ([first, first], ["right", "wrong"]),
+        ([first, "2 m x'' + 2 k (x - l θ) = 0"], ["right", "wrong"]),
+        ([sum, sum], ["wrong", "wrong"]),
+        // What the other answer lacks cannot be made up for.
+        ([sum, ""], ["wrong", "missing"]),
+        ([sum, "m l θ'' ="], ["wrong", "unreadable"]),
+        ([sum, "m l θ'' = k (x + l θ)"], ["wrong", "wrong"]),
+        ([first, "m l θ'' = k (x + l θ)"], ["right", "wrong"]),
+    ] {
+        assert_eq!(together(&item, &responses), verdicts, "{responses:?}");
+    }
+}
+
+#[test]
+fn what_is_wrong_is_told_by_terms() {
+    let item = format!(
+        "{ONE}unknowns = [\"x\"]\nkey = \"(m + J/r^2)*x'' + c*x' + (k + k2)*x = F0*cos(Omega*t)\"\n"
+    )
+    .replace(
+        "F0 =",
+        "J = { name = \"moment of inertia of the disk\", value = \"0.3 kg m^2\" }\nr = \"0.2 m\"\nF0 =",
+    );
+    check(
+        &item,
+        &[
+            ("(m + J/r^2) x'' + c x' + (k + k2) x = F0 cos(Ωt)", "right"),
+            (
+                "(m + J/r^2) x'' - c x' + (k + k2) x = F0 cos(Ωt)",
+                "wrong sign: The sign of the damping term (in x′) is wrong.",
+            ),
+            (
+                "(m + J/r^2) x'' + c x' + k x = F0 cos(Ωt)",
+                "wrong other: The stiffness term (in x) misses k2.",
+            ),
+            (
+                "m x'' + c x' + (k + k2) x = F0 cos(Ωt)",
+                "wrong other: The inertia term (in x″) misses J (moment of inertia of the disk) and r.",
+            ),
+            (
+                "(m + J/r^2) x'' + (k + k2) x = F0 cos(Ωt)",
+                "wrong other: The damping term (in x′) is missing.",
+            ),
+            (
+                "(m + J/r^2) x'' + c x' + (k + k2) x = 0",
+                "wrong other: The exciting term without x is missing.",
+            ),
+            (
+                "(m + J/r^2) x'' + c x' + (k + k2) x = -F0 cos(Ωt)",
+                "wrong sign: The sign of the exciting term without x is wrong.",
+            ),
+            (
+                "(m + J/r^2) x'' + 2 c x' + (k + k2) x = F0 cos(Ωt)",
+                "wrong other: The number in front of the damping term (in x′) is wrong.",
+            ),
+            (
+                "(m + J/r^2) x'' + c x' + (k + k2 + k l/r) x = F0 cos(Ωt)",
+                "wrong other: The stiffness term (in x) should not contain",
+            ),
+            (
+                "(m + J/r^2) x'' - c x' + k x = F0 cos(Ωt)",
+                "wrong other: The sign of the damping term (in x′) is wrong. The stiffness term (in x) misses k2.",
+            ),
+            // A slip in a term that is small for everyday values.
+            (
+                "(m + J/r^2) x'' + 1.000001 c x' + (k + k2) x = F0 cos(Ωt)",
+                "wrong other: The number in front of the damping term",
+            ),
+        ],
+    );
+}
+
+#[test]
+fn linearization_is_told() {
+    let pendulum = |key: &str| format!("{ONE}unknowns = [\"theta\"]\nkey = \"{key}\"\n");
+    check(
+        &pendulum("m*l^2*theta'' + m*g*l*sin(theta) = 0"),
+        &[
+            ("θ'' + g/l sin θ = 0", "right"),
+            ("θ'' + g/l θ = 0", "wrong other: small motions alone"),
+            ("θ'' - g/l sin θ = 0", "wrong sign: stiffness term (in θ)"),
+        ],
+    );
+    check(
+        &pendulum("m*l^2*theta'' + m*g*l*theta = 0"),
+        &[
+            ("θ'' + g/l θ = 0", "right"),
+            (
+                "θ'' + g/l sin θ = 0",
+                "wrong other: has still to be linearized",
             ),
         ],
     );

@@ -13,8 +13,8 @@ use vibank::bank::Catalogue;
 use vibank::instance::Instance;
 use vibank::solution::Solution;
 
-/// The marking of each response to the first part of an item with this text.
-fn check(item: &str, responses: &[(&str, &str)]) {
+/// The catalogue of an item with this text.
+fn catalogue(item: &str) -> Catalogue {
     let text = format!(
         "[item]\ntitle = \"Test\"\nsource = \"test\"\n[statement]\ntext = \"Test.\"\n{item}"
     );
@@ -24,6 +24,13 @@ fn check(item: &str, responses: &[(&str, &str)]) {
         ("ch1/test.toml", text.as_str()),
     ]);
     assert!(!catalogue.items().is_empty(), "{findings:#?}");
+    catalogue
+}
+
+/// Marks each response to the first part of an item with this text. Expected is the verdict, the code of the main reason,
+/// and behind a colon what the feedback has to contain; each may be left out.
+fn check(item: &str, responses: &[(&str, &str)]) {
+    let catalogue = catalogue(item);
     let solution = Solution::of(Instance::of_source(&catalogue.items()[0]));
     let marker = solution.marker(0).expect("the key exists");
     let mut wrong = Vec::new();
@@ -35,11 +42,12 @@ fn check(item: &str, responses: &[(&str, &str)]) {
             .map(vibank::answer::Reason::code)
             .unwrap_or_default();
         let found = format!("{} {reason}", marking.verdict.name());
-        if !found.starts_with(expected) {
+        let said = format!("{:?}", marking.feedback);
+        let (expected, words) = expected.split_once(": ").unwrap_or((expected, ""));
+        if !found.starts_with(expected) || !said.contains(words) {
             let reading = marking.reading.map(|reading| reading.text);
             wrong.push(format!(
-                "{response}: {found}, not {expected}; read as {reading:?}; {:?}",
-                marking.feedback
+                "{response}: {found}, not {expected}: {words}; read as {reading:?}; {said}"
             ));
         }
     }

@@ -1,0 +1,234 @@
+//! Whether two formulas are the same function.
+//!
+//! 1. Rational formulas are compared [modulo a prime](residue): that decides.
+//! 2. All others are evaluated at points that are drawn around the data of the instance, over a decade and a
+//!    half, with both signs where a name may be negative, and with a running bound on the rounding errors.
+//!    At a point two values are the same where they differ by less than four times the sum of their bounds,
+//!    and the bounds are small; where the bounds are not, the point is computed again with twice the digits,
+//!    and then passed over. Values that differ by more than their bounds are different, however near: only
+//!    decimals of ten digits and more may stand for a constant.
+//! 3. A point where the answer has no value and the key has one counts against it; two such points decide.
+//! 4. What is the same there is compared at [complex points](complex) nearby.
+//! 5. Where no point decides, formulas that agree with roots and functions as fresh variables are the same.
+//!
+//! So a coefficient off by a millionth is found, while an expanded power passes that loses most of its digits.
+//! The points follow from a fixed seed: a verdict can be repeated.
+
+mod complex;
+mod draw;
+mod judge;
+mod residue;
+
+use std::collections::BTreeMap;
+
+pub(super) use self::draw::{Around, Draws};
+use self::judge::{AtPoint, DIFFERENT, Rooms};
+use self::residue::Residue;
+use super::meaning::Meaning;
+use crate::expr::{CompileError, Expr, Kind, Name, Precise, Program};
+use crate::quantity::Evaluation;
+
+/// Points at which formulas are compared.
+const POINTS: usize = 8;
+/// Points that are drawn, so that some may be passed over.
+const DRAWN: usize = 12;
+/// Points that have to decide.
+const LEAST: usize = 4;
+/// Draws until as many points have a key.
+const MOST_DRAWS: usize = 120;
+/// Half the width of the draws, in decades.
+const WIDEST: f64 = 0.75;
+/// A decimal with as many digits may stand for a constant that has no end.
+const LONG: i128 = 1_000_000_000;
+
+/// A formula made ready to be compared.
+#[derive(Debug)]
+pub(super) struct Comparable {
+    program: Program,
+    complex: Option<Program>,
+    residue: Option<Residue>,
+    has_long_decimals: bool,
+}
+
+impl Comparable {
+    /// A formula in the names of an item; `replaced` stand in for names.
+    pub(super) fn of(
+        meaning: &Meaning,
+        expr: &Expr,
+        replaced: &BTreeMap<Name, Expr>,
+    ) -> Result<Self, CompileError> {
+        let mut has_long_decimals = false;
+        expr.walk(&mut |node| {
+            if let Kind::Number(value) = node.kind() {
+                has_long_decimals |= value.numerator().abs().max(value.denominator()) >= LONG;
+            }
+        });
+        let residue = Residue::of(meaning, expr, replaced);
+        let is_rational = residue.is_some_and(Residue::is_rational);
+        Ok(Self {
+            program: meaning.compile(expr, replaced)?,
+            complex: (!is_rational)
+                .then(|| complex::program(meaning, expr, replaced))
+                .flatten(),
+            residue,
+            has_long_decimals,
+        })
+    }
+
+    fn residues(&self, other: &Self) -> Option<bool> {
+        self.residue?.same(other.residue?)
+    }
+
+    fn is_rational_beside(&self, other: &Self) -> bool {
+        let is_rational = |formula: &Self| formula.residue.is_some_and(Residue::is_rational);
+        is_rational(self) && is_rational(other)
+    }
+}
+
+/// The points at which answers are compared with a key.
+#[derive(Debug)]
+pub(super) struct Points(Vec<Vec<Precise>>);
+
+/// How two functions compare.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Comparison {
+    /// They are the same.
+    Same,
+    /// They differ.
+    Different {
+        /// The second over the first, if that is the same number at all points.
+        ratio: Option<f64>,
+        /// The largest difference as a part of the first.
+        part: f64,
+    },
+    /// The second has no value where the first has one.
+    Undefined,
+    /// Neither the same nor different: all digits are lost when it is computed.
+    Undecided,
+}
+
+impl Points {
+    /// Points around the data of an instance at which all of these have values.
+    pub(super) fn around(
+        meaning: &Meaning,
+        evaluation: &Evaluation<'_>,
+        keys: &[&Comparable],
+    ) -> Self {
+        let mut around = Around::new(meaning, evaluation);
+        let mut rooms = Rooms::default();
+        let mut points = Vec::new();
+        for attempt in 0..MOST_DRAWS {
+            // What has no value far from the data may have one near to them.
+            let share = attempt as f64 / MOST_DRAWS as f64;
+            let spread = WIDEST * (1.0 - share).max(0.02);
+            let point = around.point(spread, share < 0.5, attempt % 4 == 3 || share > 0.6);
+            let is_defined = keys
+                .iter()
+                .all(|key| key.program.run(&point[..], &mut rooms.first).is_ok());
+            if is_defined {
+                points.push(point);
+            }
+            if points.len() == DRAWN {
+                break;
+            }
+        }
+        Self(points)
+    }
+
+    /// Compares a function with a key.
+    pub(super) fn compare(&self, key: &Comparable, other: &Comparable) -> Comparison {
+        let residues = key.residues(other);
+        let is_certain = key.is_rational_beside(other);
+        if is_certain && residues == Some(true) {
+            return Comparison::Same;
+        }
+        let sampled = self.sample(key, other);
+        if sampled.decided() < LEAST.min(self.0.len()) || self.0.is_empty() {
+            return match residues {
+                Some(true) => Comparison::Same,
+                _ if sampled.undefined > 0 => Comparison::Undefined,
+                _ => Comparison::Undecided,
+            };
+        }
+        if sampled.undefined >= 2 || sampled.undefined == sampled.decided() {
+            return Comparison::Undefined;
+        }
+        let is_different = sampled.differs
+            || (sampled.is_close || is_certain) && !other.has_long_decimals
+            || self.differ_off_the_axis(key, other);
+        if !is_different {
+            return Comparison::Same;
+        }
+        Comparison::Different {
+            ratio: sampled.ratio(),
+            part: sampled.part,
+        }
+    }
+
+    fn sample(&self, key: &Comparable, other: &Comparable) -> Sampled {
+        let mut rooms = Rooms::default();
+        let mut sampled = Sampled::default();
+        for point in &self.0 {
+            sampled.take(rooms.at(&key.program, &other.program, point));
+            if sampled.decided() == POINTS {
+                break;
+            }
+        }
+        sampled
+    }
+
+    fn differ_off_the_axis(&self, key: &Comparable, other: &Comparable) -> bool {
+        match (&key.complex, &other.complex) {
+            (Some(key), Some(other)) => complex::differ(key, other, &self.0),
+            _ => false,
+        }
+    }
+}
+
+/// What the points say together.
+#[derive(Debug, Default)]
+struct Sampled {
+    same: usize,
+    other: usize,
+    undefined: usize,
+    differs: bool,
+    is_close: bool,
+    part: f64,
+    ratios: Vec<f64>,
+}
+
+impl Sampled {
+    fn take(&mut self, at: AtPoint) {
+        match at {
+            AtPoint::Same => {
+                self.same += 1;
+                self.ratios.push(1.0);
+            }
+            AtPoint::Close { part } => {
+                self.other += 1;
+                self.is_close = true;
+                self.part = self.part.max(part);
+                self.ratios.push(1.0);
+            }
+            AtPoint::Different { part, ratio } => {
+                self.other += 1;
+                self.differs = true;
+                self.part = self.part.max(part);
+                self.ratios.push(ratio.unwrap_or(f64::NAN));
+            }
+            AtPoint::Undefined => self.undefined += 1,
+            AtPoint::Undecided => {}
+        }
+    }
+
+    fn decided(&self) -> usize {
+        self.same + self.other + self.undefined
+    }
+
+    /// The ratio, if it is one at all points.
+    fn ratio(&self) -> Option<f64> {
+        let first = *self.ratios.first()?;
+        let is_one = |own: &f64| (own - first).abs() <= DIFFERENT * first.abs();
+        self.ratios.iter().all(is_one).then_some(first)
+    }
+}

@@ -1,0 +1,252 @@
+//! Formulas modulo a prime.
+//!
+//! A rational function of the data takes a random value modulo a large prime where the data do, and two
+//! different ones agree there with a probability of their degree over the prime (Schwartz 1980, Zippel 1979).
+//! Nothing is rounded: pairs of rational formulas, of whatever size and however ill-conditioned, are decided.
+//! π is a variable like any other, as it satisfies no rational equation.
+//!
+//! Roots and transcendental functions stand for fresh variables, the same for the same argument (Gonnet 1984).
+//! Formulas that agree then are equal; those that do not may be equal all the same.
+
+use std::collections::BTreeMap;
+
+use super::super::meaning::Meaning;
+use super::draw::mixed;
+use crate::expr::{Binder, Binding, Constant, Expr, Kind, Name, Operator, Variable, fold};
+use crate::numerics::Rational;
+use crate::unit::{Decimal, Quantity, Unit};
+
+/// A Mersenne prime, 2^61 − 1.
+const PRIME: u64 = (1 << 61) - 1;
+/// Independent points.
+const TRIALS: usize = 2;
+/// Most nodes that are visited, names put in included.
+const MOST_NODES: usize = 4_000;
+/// Deepest formula, names put in included.
+const DEEPEST: usize = 300;
+/// Largest exponent.
+const MOST_POWER: i128 = 10_000;
+
+/// The values of a formula at the points.
+type Values = [u64; TRIALS];
+
+/// A formula modulo a prime at fixed points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Residue {
+    values: Values,
+    /// Whether it is a rational function, so that another value is another function.
+    is_rational: bool,
+}
+
+impl Residue {
+    /// That of a formula, if it has one.
+    pub(super) fn of(
+        meaning: &Meaning,
+        expr: &Expr,
+        replaced: &BTreeMap<Name, Expr>,
+    ) -> Option<Self> {
+        let mut reader = Reader {
+            meaning,
+            replaced,
+            is_rational: true,
+            nodes: 0,
+        };
+        let values = reader.values(expr, 0)?;
+        Some(Self {
+            values,
+            is_rational: reader.is_rational,
+        })
+    }
+
+    /// Whether two formulas are the same, where that can be told.
+    pub(super) fn same(self, other: Self) -> Option<bool> {
+        if self.is_rational && other.is_rational {
+            return Some(self.values == other.values);
+        }
+        (self.values == other.values).then_some(true)
+    }
+
+    /// Whether both are rational, so that what is told is certain.
+    pub(super) fn is_rational(self) -> bool {
+        self.is_rational
+    }
+}
+
+struct Reader<'a> {
+    meaning: &'a Meaning,
+    replaced: &'a BTreeMap<Name, Expr>,
+    is_rational: bool,
+    nodes: usize,
+}
+
+impl Reader<'_> {
+    fn values(&mut self, expr: &Expr, depth: usize) -> Option<Values> {
+        self.nodes += 1;
+        if self.nodes > MOST_NODES || depth > DEEPEST {
+            return None;
+        }
+        let next = depth + 1;
+        match expr.kind() {
+            Kind::Number(value) => number(*value),
+            Kind::Measure(value, unit) if is_coherent(unit) => number(*value),
+            Kind::Constant(Constant::Pi) => Some(fresh("pi", &[])),
+            Kind::Name(name) => self.named(&Variable::of(name, 0), next),
+            Kind::Prime(inner, order) => match inner.kind() {
+                Kind::Name(name) => self.named(&Variable::of(name, *order), next),
+                _ => None,
+            },
+            Kind::Negate(inner) => Some(negated(self.values(inner, next)?)),
+            Kind::Binary(Operator::Power, base, exponent) => self.power(base, exponent, next),
+            Kind::Binary(operator, a, b) => {
+                let (a, b) = (self.values(a, next)?, self.values(b, next)?);
+                match operator {
+                    Operator::Add => Some(each(a, b, add)),
+                    Operator::Subtract => Some(each(a, negated(b), add)),
+                    Operator::Multiply => Some(each(a, b, times)),
+                    Operator::Divide => Some(each(a, inverse(b)?, times)),
+                    Operator::Power => None,
+                }
+            }
+            Kind::Call(function, arguments) => {
+                let arguments = arguments.iter().map(|argument| self.values(argument, next));
+                let arguments = arguments.collect::<Option<Vec<_>>>()?;
+                self.is_rational = false;
+                Some(fresh(function.name(), &arguments))
+            }
+            _ => None,
+        }
+    }
+
+    fn named(&mut self, variable: &Variable, depth: usize) -> Option<Values> {
+        match self.meaning.bound(self.replaced).name(variable, &[])? {
+            Binding::Input { slot, .. } => Some(fresh("slot", &[[u64::from(slot); TRIALS]])),
+            Binding::Formula(formula) => self.values(&formula, depth),
+            Binding::Motion(_) => None,
+        }
+    }
+
+    fn power(&mut self, base: &Expr, exponent: &Expr, depth: usize) -> Option<Values> {
+        if let Some(exponent) = fold(exponent) {
+            let (above, below) = (exponent.numerator(), exponent.denominator());
+            if above.abs() > MOST_POWER {
+                return None;
+            }
+            let base = self.values(base, depth)?;
+            let root = match below {
+                1 => base,
+                2 => self.irrational("sqrt", &[base]),
+                _ => self.irrational("root", &[base, [below as u64 % PRIME; TRIALS]]),
+            };
+            return raised(root, above);
+        }
+        let exponent = self.values(exponent, depth)?;
+        if *base.kind() == Kind::Constant(Constant::E) {
+            return Some(self.irrational("exp", &[exponent]));
+        }
+        let base = self.values(base, depth)?;
+        Some(self.irrational("power", &[base, exponent]))
+    }
+
+    fn irrational(&mut self, function: &str, arguments: &[Values]) -> Values {
+        self.is_rational = false;
+        fresh(function, arguments)
+    }
+}
+
+/// Whether a unit has the factor one.
+fn is_coherent(unit: &Unit) -> bool {
+    Quantity::new(Decimal::from(1_u32), *unit).si_pair() == (1.0, 0.0)
+}
+
+/// A number modulo the prime.
+fn number(value: Rational) -> Option<Values> {
+    let modulus = i128::from(PRIME);
+    let above = value.numerator().rem_euclid(modulus) as u64;
+    let below = value.denominator().rem_euclid(modulus) as u64;
+    Some(each([above; TRIALS], inverse([below; TRIALS])?, times))
+}
+
+/// A random number for each trial that follows from a word and numbers.
+fn fresh(word: &str, of: &[Values]) -> Values {
+    let mut values = [0; TRIALS];
+    for (trial, value) in values.iter_mut().enumerate() {
+        let mut bits = mixed(0x9e37_79b9_7f4a_7c15 ^ trial as u64);
+        for byte in word.bytes() {
+            bits = mixed(bits ^ u64::from(byte));
+        }
+        for argument in of {
+            bits = mixed(bits.wrapping_add(1) ^ argument[trial]);
+        }
+        *value = bits % PRIME;
+    }
+    values
+}
+
+fn each(a: Values, b: Values, of: fn(u64, u64) -> u64) -> Values {
+    std::array::from_fn(|trial| of(a[trial], b[trial]))
+}
+
+fn add(a: u64, b: u64) -> u64 {
+    let sum = a + b;
+    if sum >= PRIME { sum - PRIME } else { sum }
+}
+
+fn negated(a: Values) -> Values {
+    a.map(|value| if value == 0 { 0 } else { PRIME - value })
+}
+
+fn times(a: u64, b: u64) -> u64 {
+    let product = u128::from(a) * u128::from(b);
+    let (low, high) = (product as u64 & PRIME, (product >> 61) as u64);
+    add(low, high)
+}
+
+/// One over each; `None` for zero.
+fn inverse(a: Values) -> Option<Values> {
+    a.iter()
+        .all(|value| *value != 0)
+        .then(|| a.map(|value| power(value, PRIME - 2)))
+}
+
+fn raised(a: Values, exponent: i128) -> Option<Values> {
+    let base = if exponent < 0 { inverse(a)? } else { a };
+    let exponent = exponent.unsigned_abs() as u64;
+    Some(base.map(|value| power(value, exponent)))
+}
+
+fn power(mut base: u64, mut exponent: u64) -> u64 {
+    let mut result = 1;
+    while exponent > 0 {
+        if exponent & 1 == 1 {
+            result = times(result, base);
+        }
+        base = times(base, base);
+        exponent >>= 1;
+    }
+    result
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn arithmetic_is_that_of_a_field() {
+        let a = [123_456_789, PRIME - 1];
+        assert_eq!(each(a, inverse(a).expect("not zero"), times), [1, 1]);
+        assert_eq!(each(a, negated(a), add), [0, 0]);
+        assert_eq!(raised(a, 3), Some(each(each(a, a, times), a, times)));
+        assert_eq!(raised(a, 0), Some([1, 1]));
+        assert_eq!(inverse([1, 0]), None);
+        assert_eq!(times(PRIME - 1, PRIME - 1), 1);
+    }
+
+    #[test]
+    fn fractions_are_exact() {
+        let of = |above, below| number(Rational::new(above, below).expect("a fraction"));
+        let third = of(1, 3).expect("a number");
+        assert_eq!(each(third, [3; TRIALS], times), [1; TRIALS]);
+        assert_eq!(of(-2, 4), of(1, -2));
+        assert_ne!(of(1, 3), of(333_333, 1_000_000));
+    }
+}

@@ -1,0 +1,232 @@
+//! `equation`: an equation of motion or another equation, or several.
+//!
+//! The student types `m x'' + c x' + k x = F0 cos(Ωt)` with `x'`, `xdot`, `\dot{x}`, `dx/dt`. Any side, any
+//! order of terms and any common factor made of data is right; several equations, joined by semicolons,
+//! are right if they follow from the key and the key from them. Where several parts of an item ask for one
+//! equation each, responses that make up the same equations together are right, too. What is wrong is told
+//! by terms: a sign, a term that is missing, a datum that a coefficient misses.
+//!
+//! ```toml
+//! [[part]]
+//! kind     = "equation"
+//! id       = "eom"
+//! key      = "m*x'' + c*x' + k*x = 0"     # or `model.equation`
+//! unknowns = ["x"]                         # the coordinates if left out
+//! ask      = "Find the equation of motion."
+//! mistakes = [{ answer = "m*x'' + k*x = 0", feedback = "The damper is missing." }]
+//! ```
+
+mod marker;
+mod points;
+mod read;
+mod rows;
+mod terms;
+mod told;
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use self::marker::Prepared;
+use super::meaning::{Meaning, Prefer, lexicon};
+use super::typed::Lexicon;
+use super::{Answer, AnswerError, AnswerKind, Context, Declare, Marker, Role, symbolic};
+use crate::expr::{Equation, Expr, Name, Program};
+use crate::quantity::{Absent, NodeId};
+use crate::source::{Table, Text, Value};
+
+/// The kind.
+pub(super) struct Kind;
+
+#[derive(Debug)]
+struct Asked {
+    setup: Arc<Setup>,
+    mistakes: Vec<(usize, Vec<Equation>)>,
+}
+
+#[derive(Debug)]
+struct Setup {
+    key: Vec<Equation>,
+    unknowns: Vec<Name>,
+    meaning: Meaning,
+    lexicon: Lexicon,
+}
+
+impl AnswerKind for Kind {
+    fn name(&self) -> &'static str {
+        "equation"
+    }
+
+    fn minutes(&self) -> u32 {
+        6
+    }
+
+    fn read(&self, part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+        part.required("key");
+        let (texts, unknowns, listed) =
+            (part.texts("key"), part.texts("unknowns"), part.texts("in"));
+        let mut meaning = Meaning::of(declare, Prefer::Coordinates);
+        let known = declare.known();
+        let mut names = Vec::new();
+        for text in &unknowns {
+            let Some(own) = known.iter().find(|own| own.name.as_str() == text.value) else {
+                declare.find(&AnswerError::UnknownName(text.value.clone()), text);
+                return None;
+            };
+            names.push(own.name.clone());
+        }
+        if unknowns.is_empty() {
+            let coordinates = known.iter().filter(|own| own.role == Role::Coordinate);
+            names = coordinates.map(|own| own.name.clone()).collect();
+        }
+        for name in &names {
+            meaning.set_moving(name);
+        }
+        let mut key = Vec::new();
+        for text in &texts {
+            key.extend(equations(text, &meaning, declare)?);
+        }
+        if key.is_empty() {
+            return None;
+        }
+        let (mut lexicon, _) = lexicon(declare, &listed, None);
+        for own in known.iter().filter(|own| names.contains(&own.name)) {
+            lexicon.allow(&own.name, &own.symbol, true);
+        }
+        let time = Name::new("t");
+        lexicon.allow(&time, &crate::math::symbol("t"), false);
+        Some(Box::new(Asked {
+            setup: Arc::new(Setup {
+                key,
+                unknowns: names,
+                meaning,
+                lexicon,
+            }),
+            mistakes: Vec::new(),
+        }))
+    }
+}
+
+/// The equations of a text: written, or those of a model.
+fn equations(text: &Text, meaning: &Meaning, declare: &mut dyn Declare) -> Option<Vec<Equation>> {
+    if !text.value.contains('=') {
+        return declare.equations(text);
+    }
+    let equation = match Equation::read(&text.value) {
+        Ok(equation) => equation,
+        Err(error) => {
+            declare.find(&error, text);
+            return None;
+        }
+    };
+    if let Err(errors) = equation.check(meaning) {
+        for error in &errors {
+            declare.find(error, text);
+        }
+        return None;
+    }
+    Some(vec![equation])
+}
+
+impl Answer for Asked {
+    fn kind(&self) -> &'static dyn AnswerKind {
+        &Kind
+    }
+
+    fn keys(&self) -> Vec<NodeId> {
+        Vec::new()
+    }
+
+    fn keeps_mistakes(&self) -> bool {
+        true
+    }
+
+    fn heeds_others(&self) -> bool {
+        true
+    }
+
+    fn read_mistake(
+        &mut self,
+        number: usize,
+        answer: &Value,
+        part: &Table<'_>,
+        declare: &mut dyn Declare,
+    ) -> Option<Vec<NodeId>> {
+        let texts: Vec<Text> = match &answer.data {
+            crate::source::Data::List(items) => items
+                .iter()
+                .filter_map(|item| part.as_text("answer", item))
+                .collect(),
+            _ => part.as_text("answer", answer).into_iter().collect(),
+        };
+        let mut given = Vec::new();
+        for text in &texts {
+            // A slip may have wrong dimensions: only its names have to be known.
+            let Ok(equation) = Equation::read(&text.value) else {
+                declare.find(&AnswerError::Unread(text.value.clone(), "equation"), text);
+                return None;
+            };
+            if self
+                .setup
+                .compile(std::slice::from_ref(&equation), &BTreeMap::new())
+                .is_none()
+            {
+                equations(text, &self.setup.meaning, declare)?;
+                return None;
+            }
+            given.push(equation);
+        }
+        self.mistakes.push((number, given));
+        Some(Vec::new())
+    }
+
+    fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
+        let setup = &self.setup;
+        let graph = context.evaluation.graph();
+        let none = BTreeMap::new();
+        let absent = || Absent::Function {
+            label: "key".into(),
+            of: Vec::new(),
+        };
+        let key = setup.compile(&setup.key, &none).ok_or_else(absent)?;
+        let points = points::points(setup, &key, context.evaluation);
+        let mut mistakes = Vec::new();
+        for mistaken in &context.mistakes {
+            let own = self
+                .mistakes
+                .iter()
+                .find(|(number, _)| *number == mistaken.number);
+            let given = match own {
+                Some((_, equations)) => setup.compile(equations, &none),
+                None => setup.compile(&setup.key, &symbolic::replaced(graph, mistaken)),
+            };
+            if let Some(programs) = given {
+                mistakes.push((mistaken.number, programs, mistaken.credit));
+            }
+        }
+        Ok(Box::new(Prepared {
+            setup: Arc::clone(setup),
+            key,
+            points,
+            mistakes,
+        }))
+    }
+}
+
+impl Setup {
+    fn compile(
+        &self,
+        equations: &[Equation],
+        replaced: &BTreeMap<Name, Expr>,
+    ) -> Option<Vec<Program>> {
+        let compile =
+            |equation: &Equation| self.meaning.compile(&equation.difference(), replaced).ok();
+        equations.iter().map(compile).collect()
+    }
+}
+
+fn written(equations: &[Equation]) -> String {
+    let texts = equations
+        .iter()
+        .map(|equation| format!("{} = {}", equation.left, equation.right));
+    texts.collect::<Vec<_>>().join("; ")
+}

@@ -1,0 +1,77 @@
+//! The points at which equations are compared.
+//!
+//! For each of a few choices of the data there are points that differ in everything else. Velocities and
+//! accelerations are drawn so large that their terms in the key are of one size with the rest: a slip in a
+//! term that is small for everyday values shows as well as in any other.
+
+use super::Setup;
+use crate::answer::equality::Around;
+use crate::answer::meaning::ORDERS;
+use crate::expr::{Approx, Precise, Program, Registers};
+use crate::quantity::Evaluation;
+
+/// Choices of the data.
+const DATA_POINTS: usize = 4;
+/// Points for each of them, beyond two for each equation of the key.
+const SPARE: usize = 10;
+/// The largest and, inverted, the least factor by which a term is brought to size.
+const MOST: f64 = 1e4;
+
+/// Points that differ in all but the data.
+pub(super) type Choice = Vec<Vec<Precise>>;
+
+/// The points for a key around the data of an instance.
+pub(super) fn points(setup: &Setup, key: &[Program], evaluation: &Evaluation<'_>) -> Vec<Choice> {
+    let count = 2 * key.len() + SPARE;
+    let mut around = Around::new(&setup.meaning, evaluation);
+    let mut choices = Vec::with_capacity(DATA_POINTS);
+    for place in 0..DATA_POINTS {
+        let spread = 0.3 * (1.0 - place as f64 / DATA_POINTS as f64);
+        let data = around.point(spread, false, false);
+        let factors = factors(setup, key, &data);
+        let points = (0..count).map(|_| {
+            let mut point = around.point(0.6, false, false);
+            for (value, factor) in point.iter_mut().zip(&factors) {
+                *value = Precise::exact(value.high() * factor);
+            }
+            setup.meaning.with_data(point, &data)
+        });
+        choices.push(points.collect());
+    }
+    choices
+}
+
+/// For each slot the factor that brings its term to the size of the key; 1 for all but time derivatives.
+fn factors(setup: &Setup, key: &[Program], point: &[Precise]) -> Vec<f64> {
+    let mut factors = vec![1.0; point.len()];
+    let whole: Vec<f64> = key.iter().map(|program| size(program, point)).collect();
+    for (place, input) in setup.meaning.inputs.iter().enumerate() {
+        let slots = place * ORDERS + 1..(place + 1) * ORDERS;
+        for slot in slots.filter(|_| input.is_moving) {
+            let mut still = point.to_vec();
+            still[slot] = Precise::exact(0.0);
+            let shares = key.iter().zip(&whole).map(|(program, whole)| {
+                let term = (value(program, point) - value(program, &still)).abs();
+                if *whole > 0.0 { term / whole } else { 0.0 }
+            });
+            let share = shares.fold(0.0, f64::max);
+            if share.is_finite() && share > 0.0 {
+                factors[slot] = (1.0 / share).clamp(1.0 / MOST, MOST);
+            }
+        }
+    }
+    factors
+}
+
+fn size(program: &Program, point: &[Precise]) -> f64 {
+    value(program, point).abs()
+}
+
+fn value(program: &Program, point: &[Precise]) -> f64 {
+    let mut room = Registers::<Approx<f64>>::default();
+    let outcome = program.run(point, &mut room);
+    let number = outcome
+        .ok()
+        .and_then(|outcome| outcome.numbers().next().map(|number| number.value));
+    number.unwrap_or(f64::NAN)
+}
