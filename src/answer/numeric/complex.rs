@@ -1,16 +1,14 @@
 //! Complex numbers as people type them, and how they are marked: `3 - 4i ohm`, `-100j ohm`, `5 ohm at -53 deg`, `5∠-53°`.
 
-use super::super::typed::{self, Lexicon, Manner, cut};
+use super::super::typed::cut;
 use super::super::{Credit, Feedback, Key, KeyValue, Marker, Marking, Mistaken, Reading, Reason};
+use super::arithmetic::{Arithmetic, LONGEST};
 use super::read;
-use crate::expr::{Expr, Form, Kind, Precise, Program, Slots, Workspace};
+use crate::expr::{Expr, Form, Kind};
 use crate::math::Math;
 use crate::numerics::Complex;
 use crate::source::Span;
 use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
-
-/// Longest complex number that is read, in bytes.
-const LONGEST: usize = 200;
 
 const HELP: &str =
     "Type a complex number and its unit, for example `3 - 4i ohm` or `5 ohm at -53 deg`.";
@@ -57,19 +55,10 @@ fn number(text: &str, mark: DecimalMark) -> Result<(Complex, Option<Unit>, Expr)
     if let Some((modulus, angle)) = polar {
         return of_polar(modulus, angle, mark);
     }
-    let text = text.trim();
-    if let Some((value, expr)) = cartesian(text) {
-        return Ok((value, None, expr));
-    }
-    let cuts = text.char_indices().map(|(at, _)| at).filter(|at| *at > 0);
-    for at in cuts.collect::<Vec<_>>().into_iter().rev() {
-        let (left, right) = text.split_at(at);
-        if let (Ok(unit), Some((value, expr))) = (Unit::read(right.trim()), cartesian(left.trim()))
-        {
-            return Ok((value, Some(unit), expr));
-        }
-    }
-    Err(HELP.to_owned())
+    let arithmetic = Arithmetic::read(text.trim(), mark, true).map_err(|_| HELP.to_owned())?;
+    let value = arithmetic.value().and_then(|value| value.as_complex());
+    let value = value.ok_or_else(|| HELP.to_owned())?;
+    Ok((value, arithmetic.unit, arithmetic.expr))
 }
 
 /// The complex number and the unit that a text is, as a response would be read.
@@ -77,18 +66,6 @@ pub(in crate::answer) fn complex_number(text: &str) -> Option<(Complex, Option<U
     let is_short = text.len() <= LONGEST;
     let (value, unit, _) = number(text, DecimalMark::Point).ok().filter(|_| is_short)?;
     Some((value, unit))
-}
-
-fn cartesian(text: &str) -> Option<(Complex, Expr)> {
-    let manner = Manner {
-        comma_is_decimal: true,
-        has_imaginary_unit: true,
-    };
-    let expr = typed::formula(text, &Lexicon::new(), manner).ok()?.value;
-    let program = Program::compile(&expr, &Slots(&[])).ok()?;
-    let none: [Precise; 0] = [];
-    let value = program.evaluate(&none, &mut Workspace::default()).ok()?;
-    Some((value.as_complex()?, expr))
 }
 
 /// Modulus and angle; the unit stands behind either.

@@ -1,24 +1,14 @@
 //! Marks numbers: right, a named mistake, or a slip that can be told from the number alone.
 
-use std::f64::consts::TAU;
-
 use super::super::{Credit, Feedback, Key, KeyValue, Marker, Marking, Mistaken, Reading, Reason};
-use super::read;
+use super::read::{self, Number};
+use super::slip::mixes_energy_and_moment;
+use super::target::{Target, Typed, pair};
+use super::words::misfit;
 use crate::expr::{Form, Shape};
 use crate::math::Math;
 use crate::numerics::{Dd, Rational};
 use crate::unit::{Decimal, DecimalMark, DimensionMismatch, Quantity, Unit};
-
-/// A number that is right, and how far from it is right, too; all in SI units.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Target {
-    pub(super) value: f64,
-    /// Bound on its own error.
-    pub(super) bound: f64,
-    pub(super) half: f64,
-    /// The half-width before it was kept clear of mistakes.
-    pub(super) fair: f64,
-}
 
 /// What a named mistake gives, in SI units.
 #[derive(Clone, Debug)]
@@ -43,9 +33,6 @@ pub(super) struct Numbers {
     pub(super) mistakes: Vec<Mistake>,
 }
 
-/// A typed number in SI units, to about 106 bits.
-type Typed = Dd;
-
 impl Mistake {
     pub(super) fn of(mistaken: &Mistaken) -> Self {
         let values = mistaken
@@ -59,27 +46,6 @@ impl Mistake {
             unit: mistaken.unit,
             credit: mistaken.credit,
         }
-    }
-}
-
-impl Target {
-    /// Whether a number is right. The comparison is made with twice the digits, so that a response
-    /// on the boundary is inside, whatever the rounding of decimals to binary does.
-    fn accepts(&self, typed: Typed, modulo: Option<f64>) -> bool {
-        self.distance(typed, modulo) <= self.half + self.slack()
-    }
-
-    fn distance(&self, typed: Typed, modulo: Option<f64>) -> f64 {
-        let difference = (typed - Dd::from(self.value)).hi();
-        match modulo {
-            None => difference.abs(),
-            Some(period) => (difference - period * (difference / period).round()).abs(),
-        }
-    }
-
-    /// What rounding of the key and of its tolerance may take away.
-    fn slack(&self) -> f64 {
-        self.bound + 4.0 * f64::EPSILON * (self.value.abs() + self.half)
     }
 }
 
@@ -125,15 +91,14 @@ impl Numbers {
             .min_by(f64::total_cmp)
     }
 
-    fn mark_one(&self, quantity: &Quantity, response: &str) -> Marking {
-        let target = &self.targets[0];
-        let typed = match self.si(quantity) {
-            Ok(typed) => typed,
-            Err(mismatch) => return self.wrong_dimension(quantity, &mismatch),
+    fn mark_one(&self, number: &Number) -> Marking {
+        let (target, quantity) = (&self.targets[0], &number.quantity);
+        let Ok(typed) = self.si(quantity) else {
+            return self.wrong_dimension(number);
         };
-        let reading = Self::reading(&[*quantity], &[typed.hi()], self.mark);
+        let reading = Self::reading(std::slice::from_ref(number), &[typed.hi()], self.mark);
         if target.accepts(typed, self.modulo) {
-            return self.right(reading, quantity, response);
+            return self.right(reading, number);
         }
         if let Some(marking) = self.mistake(&reading, &[typed]) {
             return marking;
@@ -153,20 +118,24 @@ impl Numbers {
         Ok(Dd::sum(high, low))
     }
 
-    fn right(&self, reading: Reading, quantity: &Quantity, response: &str) -> Marking {
+    fn right(&self, reading: Reading, number: &Number) -> Marking {
+        let quantity = &number.quantity;
         let mut marking = Marking::read(reading, Credit::FULL, Reason::Matches, None);
         if let Some(asked) = self
             .ask_digits
             .filter(|asked| quantity.value.significant_figures() != *asked)
         {
-            let found = quantity.value.significant_figures();
             marking.credit = Credit::FULL.minus(self.digits_penalty);
             marking.verdict = marking.credit.verdict();
             marking.reasons.push(Reason::Figures);
-            let words = format!(
-                "{asked} significant figures are asked, `{}` has {found}.",
-                response.trim()
-            );
+            let words = match &number.arithmetic {
+                Some(_) => format!("A decimal with {asked} significant figures is asked."),
+                None => format!(
+                    "{asked} significant figures are asked, `{}` has {}.",
+                    quantity.value,
+                    quantity.value.significant_figures()
+                ),
+            };
             marking.feedback.push(Feedback::Words(words));
         }
         if quantity.unit.is_one() && !self.unit.is_one() {
@@ -221,9 +190,10 @@ impl Numbers {
             && pair(&targets, typed, self.modulo, self.is_ordered) == typed.len()
     }
 
-    fn wrong_dimension(&self, quantity: &Quantity, mismatch: &DimensionMismatch) -> Marking {
+    fn wrong_dimension(&self, number: &Number) -> Marking {
+        let quantity = &number.quantity;
         let si = quantity.si();
-        let reading = Self::reading(&[*quantity], &[si], self.mark);
+        let reading = Self::reading(std::slice::from_ref(number), &[si], self.mark);
         let named = self.mistakes.iter().find(|mistake| {
             let unit = mistake
                 .unit
@@ -239,75 +209,16 @@ impl Numbers {
                 feedback,
             );
         }
-        let words = format!(
-            "The unit does not fit: {} measures {}, the answer is in {}.",
-            quantity.unit.text(),
-            mismatch.found.describe(),
-            if self.unit.is_one() {
-                "no unit (a pure number)".to_owned()
-            } else {
-                self.unit.text()
-            },
-        );
-        Marking::read(
-            reading,
-            Credit::NONE,
-            Reason::Dimension,
-            Some(Feedback::Words(words)),
-        )
+        let words = Some(Feedback::Words(misfit(&quantity.unit, &self.unit)));
+        Marking::read(reading, Credit::NONE, Reason::Dimension, words)
     }
 
-    /// A slip that the number alone gives away.
-    fn slip(&self, target: &Target, typed: Typed, quantity: &Quantity) -> (Reason, Option<String>) {
-        let fits = |factor: f64| {
-            target.value != 0.0 && target.accepts(typed * Dd::from(factor), self.modulo)
-        };
-        let counts = self.unit.dimension() == crate::unit::Dimension::TIME.inverse();
-        if counts && (fits(TAU) || fits(1.0 / TAU)) {
-            let words = "A factor 2π slipped: an angular frequency ω in rad/s is 2π times the frequency f in Hz.";
-            return (Reason::TwoPi, Some(words.to_owned()));
-        }
-        if self.modulo.is_none() && fits(-1.0) {
-            return (
-                Reason::Sign,
-                Some("The magnitude fits, the sign does not.".to_owned()),
-            );
-        }
-        let is_angle = !self.unit.is_one() && self.unit.dimension().is_pure();
-        let degree = TAU / 360.0;
-        if is_angle && (fits(degree) || fits(1.0 / degree)) {
-            let words = format!(
-                "The number fits in another unit of angle, not in {}.",
-                shown(&quantity.unit, &self.unit)
-            );
-            return (Reason::AngleUnit, Some(words));
-        }
-        if (1..=9).any(|power| {
-            fits(crate::numerics::powi(10.0, power)) || fits(crate::numerics::powi(10.0, -power))
-        }) {
-            return (
-                Reason::PowerOfTen,
-                Some("The digits fit, the power of ten does not: check the prefixes.".to_owned()),
-            );
-        }
-        if target.distance(typed, self.modulo) <= 3.0 * target.half {
-            return (
-                Reason::Near,
-                Some(
-                    "Close, but outside the tolerance: keep one more figure in the steps."
-                        .to_owned(),
-                ),
-            );
-        }
-        (Reason::Other, None)
-    }
-
-    fn mark_list(&self, items: &[Quantity]) -> Marking {
+    fn mark_list(&self, items: &[Number]) -> Marking {
         let mut typed = Vec::with_capacity(items.len());
         for item in items {
-            match self.si(item) {
+            match self.si(&item.quantity) {
                 Ok(value) => typed.push(value),
-                Err(mismatch) => return self.wrong_dimension(item, &mismatch),
+                Err(_) => return self.wrong_dimension(item),
             }
         }
         let numbers: Vec<f64> = typed.iter().map(|value| value.hi()).collect();
@@ -335,14 +246,14 @@ impl Numbers {
     }
 
     /// How numbers with units were read.
-    fn reading(items: &[Quantity], si: &[f64], mark: DecimalMark) -> Reading {
+    fn reading(items: &[Number], si: &[f64], mark: DecimalMark) -> Reading {
         let math = match items {
             [one] => one.math(mark),
             many => listed(many.iter().map(|item| item.math(mark))),
         };
         let text = items
             .iter()
-            .map(ToString::to_string)
+            .map(Number::text)
             .collect::<Vec<_>>()
             .join(", ");
         Reading {
@@ -399,8 +310,8 @@ impl Marker for Numbers {
                 Err(help) => Marking::unreadable(help),
             };
         }
-        match read::quantity(response, self.mark) {
-            Ok(quantity) => self.mark_one(&quantity, response),
+        match read::number(response, self.mark) {
+            Ok(number) => self.mark_one(&number),
             Err(help) => Marking::unreadable(help),
         }
     }
@@ -410,56 +321,6 @@ impl Marker for Numbers {
         let fair = self.targets.first()?.fair;
         (fair > 0.0).then(|| distance / fair)
     }
-}
-
-/// The greatest number of typed values that can be paired with targets; in order, or in any.
-fn pair(targets: &[Target], typed: &[Typed], modulo: Option<f64>, is_ordered: bool) -> usize {
-    if is_ordered {
-        return targets
-            .iter()
-            .zip(typed)
-            .filter(|(target, typed)| target.accepts(**typed, modulo))
-            .count();
-    }
-    let mut owner: Vec<Option<usize>> = vec![None; typed.len()];
-    (0..targets.len())
-        .filter(|target| {
-            augment(
-                *target,
-                targets,
-                typed,
-                modulo,
-                &mut owner,
-                &mut vec![false; typed.len()],
-            )
-        })
-        .count()
-}
-
-/// Finds a typed value for a target, moving earlier pairs where that makes room.
-fn augment(
-    target: usize,
-    targets: &[Target],
-    typed: &[Typed],
-    modulo: Option<f64>,
-    owner: &mut [Option<usize>],
-    seen: &mut [bool],
-) -> bool {
-    for place in 0..typed.len() {
-        if seen[place] || !targets[target].accepts(typed[place], modulo) {
-            continue;
-        }
-        seen[place] = true;
-        let is_free = match owner[place] {
-            None => true,
-            Some(other) => augment(other, targets, typed, modulo, owner, seen),
-        };
-        if is_free {
-            owner[place] = Some(target);
-            return true;
-        }
-    }
-    false
 }
 
 /// Values side by side with commas.
@@ -472,20 +333,4 @@ fn listed(items: impl Iterator<Item = Math>) -> Math {
         row.push(item);
     }
     Math::row(row)
-}
-
-/// The unit that was typed, or the one that was asked for.
-fn shown(typed: &Unit, asked: &Unit) -> String {
-    if typed.is_one() {
-        asked.text()
-    } else {
-        typed.text()
-    }
-}
-
-/// Whether a joule was typed for a moment.
-fn mixes_energy_and_moment(typed: &Unit, asked: &Unit) -> bool {
-    let is_joule = |unit: &Unit| unit.text().ends_with('J');
-    let is_moment = |unit: &Unit| unit.text().contains('N') && !unit.text().contains('J');
-    typed.dimension() == asked.dimension() && is_joule(typed) && is_moment(asked)
 }

@@ -1,6 +1,7 @@
 //! `numeric`: a real number with a unit, or a list of numbers.
 //!
-//! The student types `15.8 rad/s`, `2,52 Hz`, `1.6e-2 m`, `3×10^-4`; a list is `0, 180°`.
+//! The student types `15.8 rad/s`, `2,52 Hz`, `1.6e-2 m`, `3×10^-4`, or arithmetic with the unit behind it,
+//! `2*pi rad/s`, `sqrt(2)/2 m`; a list is `0, 180°`.
 //! A response is right if its value in the key's unit lies within the tolerance; units count by
 //! dimension. A number without a unit is taken in the unit that is printed behind the blank.
 //! A complex number is `3 - 4i ohm`, `-100j ohm`, `5 ohm at -53 deg` or `5∠-53°`; it is right within a distance in the plane.
@@ -15,9 +16,13 @@
 //! ask       = "Find the natural angular frequency."
 //! ```
 
+mod arithmetic;
 mod complex;
 mod marker;
 mod read;
+mod slip;
+mod target;
+mod words;
 
 use super::{Answer, AnswerError, AnswerKind, Context, Credit, Declare, Marker, Tolerance};
 use crate::expr::{Field, Shape};
@@ -25,7 +30,8 @@ use crate::quantity::{Absent, NodeId};
 use crate::source::{Table, Text, Value};
 use crate::unit::{Quantity, Unit};
 
-use self::marker::{Mistake, Numbers, Target};
+use self::marker::{Mistake, Numbers};
+use self::target::Target;
 
 pub(super) use self::complex::complex_number;
 pub(super) use self::read::quantity;

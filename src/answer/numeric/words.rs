@@ -1,0 +1,66 @@
+//! What units measure, in words.
+
+use crate::unit::{Dimension, Unit};
+
+/// Units with what they measure, most often in this field.
+const MEASURED: &[(&str, &str)] = &[
+    ("m", "a length"),
+    ("kg", "a mass"),
+    ("s", "a time"),
+    ("1/s", "a frequency or a rate"),
+    ("1/s^2", "an angular acceleration"),
+    ("m/s", "a velocity"),
+    ("m/s^2", "an acceleration"),
+    ("N", "a force"),
+    ("N m", "a moment or an energy"),
+    ("W", "a power"),
+    ("N/m", "a stiffness"),
+    ("N s/m", "a damping coefficient"),
+    ("N m s", "a damping coefficient of rotation"),
+    ("kg m^2", "a moment of inertia"),
+    ("kg m", "an unbalance"),
+    ("kg m/s", "a momentum"),
+    ("kg/m", "a mass per length"),
+    ("kg/m^3", "a density"),
+    ("m^2", "an area"),
+    ("m^3", "a volume"),
+    ("Pa", "a pressure"),
+    ("1/m", "an inverse length"),
+    ("V", "a voltage"),
+    ("A", "a current"),
+    ("C", "a charge"),
+    ("ohm", "a resistance"),
+    ("F", "a capacitance"),
+    ("H", "an inductance"),
+    ("m/N", "a compliance"),
+];
+
+/// What a dimension is that of, if it has a name.
+fn measured(dimension: Dimension) -> Option<&'static str> {
+    let own = |unit: &&(&str, &str)| Dimension::parse(unit.0) == Ok(dimension);
+    MEASURED.iter().find(own).map(|(_, words)| *words)
+}
+
+/// What is said where a unit of another dimension was typed.
+pub(super) fn misfit(typed: &Unit, asked: &Unit) -> String {
+    let of = |unit: &Unit| match measured(unit.dimension()) {
+        Some(words) => format!("{words}, "),
+        None if unit.dimension().is_pure() => "an angle or a pure number, ".to_owned(),
+        None => String::new(),
+    };
+    let found = of(typed);
+    let found = found.trim_end_matches(", ");
+    let is = if found.is_empty() {
+        String::new()
+    } else {
+        format!(": `{}` measures {found}", typed.text())
+    };
+    if asked.is_one() {
+        return format!("The unit does not fit{is}. A pure number is asked, without a unit.");
+    }
+    format!(
+        "The unit does not fit{is}. What is asked is {}in {}.",
+        of(asked),
+        asked.text()
+    )
+}
