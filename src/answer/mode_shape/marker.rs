@@ -1,0 +1,266 @@
+//! Marks shapes: each in the space of its mode, those of one frequency independent.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::modes::Modes;
+use super::span::{are_independent, length, lies_in, vectors};
+use super::{Scale, Setup};
+use crate::answer::matrix::Written;
+use crate::answer::typed::{self, Manner};
+use crate::answer::{Credit, Feedback, Key, KeyValue, Marker, Marking, Reading, Reason};
+use crate::expr::{Expr, Precise, Value, Workspace};
+use crate::math::Math;
+use crate::numerics::Rational;
+use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
+
+/// A prepared key.
+pub(super) struct Prepared {
+    pub(super) setup: Arc<Setup>,
+    pub(super) key: Value,
+    /// The vectors of the key.
+    pub(super) keys: Vec<Vec<f64>>,
+    /// Which modes they are, from 1.
+    pub(super) numbers: Vec<usize>,
+    /// Those of the model, where the key is in its coordinates.
+    pub(super) modes: Option<Modes>,
+    pub(super) angle: f64,
+    pub(super) digits: u32,
+    pub(super) mistakes: Vec<(usize, Vec<Vec<f64>>, Credit)>,
+    pub(super) data: Vec<Precise>,
+    pub(super) mark: DecimalMark,
+}
+
+/// Why shapes are not right.
+enum Fault {
+    /// These places are wrong.
+    Places(Vec<usize>),
+    /// They are multiples of one another.
+    Dependent,
+}
+
+impl Prepared {
+    fn width(&self) -> usize {
+        self.keys.first().map_or(0, Vec::len)
+    }
+
+    /// The shapes that are right for the vector at this place.
+    fn space(&self, place: usize) -> Vec<Vec<f64>> {
+        match (&self.modes, self.numbers.get(place)) {
+            (Some(modes), Some(number)) => modes.space(*number),
+            // Without a model the vectors of the key span one space.
+            _ => self.keys.clone(),
+        }
+    }
+
+    fn fault(&self, typed: &[Vec<f64>]) -> Option<Fault> {
+        let wrong: Vec<usize> = (0..typed.len())
+            .filter(|place| !lies_in(&typed[*place], &self.space(*place), self.angle))
+            .collect();
+        if !wrong.is_empty() {
+            return Some(Fault::Places(wrong));
+        }
+        (!are_independent(typed)).then_some(Fault::Dependent)
+    }
+
+    /// Whether vectors are those of a mistake, up to scale, or span the same.
+    fn are(&self, given: &[Vec<f64>], typed: &[Vec<f64>]) -> bool {
+        given.len() == typed.len()
+            && typed
+                .iter()
+                .all(|vector| lies_in(vector, given, self.angle))
+            && are_independent(typed) == are_independent(given)
+    }
+
+    /// What is wrong with the scale of shapes that are right.
+    fn scale_trouble(&self, typed: &[Vec<f64>]) -> Option<&'static str> {
+        let margin = self.angle.max(0.005);
+        match self.setup.scale {
+            Scale::Any => None,
+            Scale::First => {
+                let is_one = typed.iter().all(|vector| (vector[0] - 1.0).abs() <= 0.005);
+                (!is_one)
+                    .then_some("The shape is right; scale it so that its first component is 1.")
+            }
+            Scale::Mass => {
+                let is_one = typed.iter().enumerate().all(|(place, vector)| {
+                    let modal = self
+                        .modes
+                        .as_ref()
+                        .and_then(|modes| modes.modal_mass(vector, *self.numbers.get(place)?));
+                    let scale = match modal {
+                        Some(mass) => mass.sqrt(),
+                        None => length(vector) / length(&self.keys[place]),
+                    };
+                    (scale - 1.0).abs() <= margin
+                });
+                (!is_one).then_some("The shape is right; scale it so that its modal mass is 1.")
+            }
+        }
+    }
+
+    /// What is said about shapes that are not right, and their credit.
+    fn told(&self, typed: &[Vec<f64>], fault: &Fault) -> (Reason, Credit, Option<String>) {
+        let wrong = match fault {
+            Fault::Dependent => {
+                let words =
+                    "These shapes are multiples of one another; independent ones are asked.";
+                return (Reason::Other, Credit::NONE, Some(words.to_owned()));
+            }
+            Fault::Places(places) => places,
+        };
+        let sentences: Vec<String> = wrong
+            .iter()
+            .filter_map(|place| self.sentence(*place, &typed[*place]))
+            .collect();
+        let is_reversed = wrong
+            .iter()
+            .all(|place| is_reversed(&self.keys[*place], &typed[*place], self.angle));
+        let reason = if is_reversed {
+            Reason::Sign
+        } else {
+            Reason::Other
+        };
+        // Shapes of different modes count one by one, those of one frequency together.
+        let right = typed.len() - wrong.len();
+        let has_own_modes =
+            self.modes.is_some() && (0..typed.len()).all(|at| self.space(at).len() == 1);
+        let share = Rational::new(right as i128, typed.len() as i128).filter(|_| has_own_modes);
+        let credit = share.and_then(Credit::new).unwrap_or(Credit::NONE);
+        let words = (!sentences.is_empty()).then(|| sentences.join(" "));
+        (reason, credit, words)
+    }
+
+    fn sentence(&self, place: usize, typed: &[f64]) -> Option<String> {
+        let number = self.numbers.get(place).copied()?;
+        let other = self
+            .modes
+            .as_ref()
+            .and_then(|modes| modes.of(typed, self.angle));
+        if let Some(other) = other {
+            return Some(format!(
+                "This is the shape of mode {other}, not of mode {number}; the modes count from the lowest frequency."
+            ));
+        }
+        if is_reversed(&self.keys[place], typed, self.angle) {
+            return Some(
+                "The magnitudes fit, but look again at which parts move against each other."
+                    .to_owned(),
+            );
+        }
+        (self.keys.len() > 1).then(|| format!("The shape of mode {number} is wrong."))
+    }
+
+    fn typeset(entries: &[Math], width: usize) -> Math {
+        let mut rows = entries.chunks(width.max(1)).map(|row| {
+            Math::matrix(row.iter().map(|entry| vec![entry.clone()]).collect()).fenced("(", ")")
+        });
+        let first = rows.next().unwrap_or_else(|| Math::row([]));
+        Math::row(std::iter::once(first).chain(rows.flat_map(|row| [Math::punctuation(","), row])))
+    }
+
+    /// The numbers of entries for these data.
+    fn values(&self, entries: &[Expr]) -> Option<Vec<f64>> {
+        let mut room = Workspace::default();
+        let number = |entry: &Expr| {
+            let program = self.setup.meaning.compile(entry, &BTreeMap::new()).ok()?;
+            program.evaluate(&self.data[..], &mut room).ok()?.as_real()
+        };
+        entries.iter().map(number).collect()
+    }
+
+    /// How a response is read, and its vectors in SI units.
+    fn read(&self, response: &str) -> Result<(Reading, Vec<Vec<f64>>), String> {
+        let setup = &self.setup;
+        let start = response.rfind('=').map_or(0, |at| at + 1);
+        let manner = Manner {
+            comma_is_decimal: response.contains(';')
+                && response.contains(',')
+                && !response.contains('.'),
+            has_imaginary_unit: false,
+        };
+        let listed = typed::list(response, start, response.len(), &setup.lexicon, manner)
+            .map_err(|error| error.sentence(response))?;
+        let (width, count) = (self.width(), self.keys.len());
+        let entries = listed.rows.concat();
+        if entries.len() != width * count {
+            return Err(format!(
+                "This has {} components; {} are asked, such as `(1, -0.5)` for two.",
+                entries.len(),
+                width * count
+            ));
+        }
+        let has_names = entries.iter().any(|entry| !entry.names().free.is_empty());
+        if has_names && setup.written == Written::Number {
+            return Err("Numbers are asked here, not formulas.".to_owned());
+        }
+        let mut numbers = self
+            .values(&entries)
+            .ok_or_else(|| "A component has no value.".to_owned())?;
+        let set = entries.iter().map(|entry| entry.typeset(&setup.lexicon));
+        let texts = entries.iter().map(ToString::to_string);
+        let reading = Reading {
+            math: Self::typeset(&set.collect::<Vec<_>>(), width),
+            text: format!("[{}]", texts.collect::<Vec<_>>().join(", ")),
+            si: numbers.clone(),
+        };
+        if !has_names {
+            for (number, unit) in numbers.iter_mut().zip(&setup.units) {
+                *number = unit.to_si(*number);
+            }
+        }
+        Ok((reading, vectors(&numbers, width)))
+    }
+}
+
+impl Marker for Prepared {
+    fn key(&self) -> Key {
+        let numbers = self.key.numbers();
+        let set = |number: &f64| match Decimal::rounded(*number, self.digits) {
+            Some(decimal) => Quantity::new(decimal, Unit::ONE).math(self.mark),
+            None => Math::text("out of range"),
+        };
+        Key {
+            math: Self::typeset(&numbers.iter().map(set).collect::<Vec<_>>(), self.width()),
+            accepted: None,
+            value: KeyValue::Numbers {
+                form: self.key.form(),
+                si: numbers.to_vec(),
+            },
+        }
+    }
+
+    fn mark(&self, response: &str) -> Marking {
+        let (reading, typed) = match self.read(response) {
+            Ok(read) => read,
+            Err(words) => return Marking::unreadable(words),
+        };
+        let say = |words: &str| Some(Feedback::Words(words.to_owned()));
+        if typed.iter().any(|vector| length(vector) == 0.0) {
+            let words = say("A shape with all components zero is no motion.");
+            return Marking::read(reading, Credit::NONE, Reason::Other, words);
+        }
+        let Some(fault) = self.fault(&typed) else {
+            return match self.scale_trouble(&typed) {
+                None => Marking::read(reading, Credit::FULL, Reason::Matches, None),
+                Some(words) => Marking::read(reading, Credit::NONE, Reason::Near, say(words)),
+            };
+        };
+        let named = self
+            .mistakes
+            .iter()
+            .find(|(_, given, _)| self.are(given, &typed));
+        if let Some((number, _, credit)) = named {
+            let feedback = Some(Feedback::Mistake(*number));
+            return Marking::read(reading, *credit, Reason::Mistake(*number), feedback);
+        }
+        let (reason, credit, words) = self.told(&typed, &fault);
+        Marking::read(reading, credit, reason, words.map(Feedback::Words))
+    }
+}
+
+/// Whether shapes agree but for signs of components.
+fn is_reversed(key: &[f64], typed: &[f64], angle: f64) -> bool {
+    let size = |vector: &[f64]| vector.iter().map(|value| value.abs()).collect::<Vec<_>>();
+    lies_in(&size(typed), &[size(key)], angle)
+}

@@ -1,0 +1,200 @@
+//! `mode-shape`: the shape of a mode, or a basis of the modes of one frequency.
+//!
+//! The student types `(1, 0.618)`, `[1; -2]` or `[1, (1 + sqrt(5))/2]`; any scale and sign is right unless
+//! `normalization` asks for one: `mass` for shapes with unit modal mass, `first` for a first component of 1.
+//! Several vectors, `[[1, -1, 0], [0, 1, -1]]`, are asked by several modes: each has to lie in the space of its
+//! mode, and those of one frequency have to be independent. Where frequencies repeat, any shape of that frequency
+//! is right. The tolerance is an angle, a hundredth of a radian for three figures unless stated. A shape of
+//! another mode of the model is told as such.
+//!
+//! ```toml
+//! [[part]]
+//! kind          = "mode-shape"
+//! key           = "u1"
+//! mode          = 1
+//! normalization = "any"         # or "mass", "first"
+//! ask           = "Find the shape of the first mode."
+//! ```
+
+mod marker;
+mod modes;
+mod span;
+
+use std::sync::Arc;
+
+use self::marker::Prepared;
+use self::modes::Asked;
+use self::span::{lies_in, vectors};
+use super::matrix::Written;
+use super::meaning::{Meaning, Prefer, lexicon};
+use super::typed::Lexicon;
+use super::{Answer, AnswerError, AnswerKind, Context, Declare, Marker, Tolerance};
+use crate::expr::{Field, Name, Shape};
+use crate::quantity::{Absent, NodeId};
+use crate::source::{Table, Value as Data};
+use crate::unit::Unit;
+
+/// The kind.
+pub(super) struct Kind;
+
+/// Which scale is asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Scale {
+    Any,
+    Mass,
+    First,
+}
+
+#[derive(Debug)]
+struct Mode {
+    key: NodeId,
+    asked: Asked,
+    tolerance: Option<Tolerance>,
+    digits: u32,
+    setup: Arc<Setup>,
+}
+
+#[derive(Debug)]
+struct Setup {
+    scale: Scale,
+    written: Written,
+    units: Vec<Unit>,
+    meaning: Meaning,
+    lexicon: Lexicon,
+}
+
+impl AnswerKind for Kind {
+    fn name(&self) -> &'static str {
+        "mode-shape"
+    }
+
+    fn minutes(&self) -> u32 {
+        5
+    }
+
+    fn read(&self, part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+        let text = part
+            .required("key")
+            .and_then(|key| part.as_formula("key", key));
+        let asked = Asked::read(part, declare);
+        let (normalization, tolerance) = (part.text("normalization"), part.text("tolerance"));
+        let written = Written::read(part, declare);
+        let text = text?;
+        let key = declare.formula("key", &text)?;
+        let kind = declare.graph().kind(key)?.clone();
+        let is_list = matches!(kind.shape(), Shape::Vector(_) | Shape::Matrix(..));
+        if kind.field() != Field::Real || !is_list {
+            let found = kind.form().to_string();
+            declare.find(
+                &AnswerError::KeyForm {
+                    expected: "a vector, or several",
+                    found,
+                },
+                &text,
+            );
+            return None;
+        }
+        let scale = match normalization.as_ref().map(|text| text.value.as_str()) {
+            None | Some("any") => Scale::Any,
+            Some("mass") => Scale::Mass,
+            Some("first") => Scale::First,
+            Some(_) => {
+                let text = normalization.unwrap_or(text);
+                declare.find(
+                    &AnswerError::Unread(
+                        text.value.clone(),
+                        "normalization: `any`, `mass` or `first`",
+                    ),
+                    &text,
+                );
+                return None;
+            }
+        };
+        let radian = Unit::parse("rad").unwrap_or(Unit::ONE);
+        let tolerance = match tolerance {
+            Some(text) => Some(Tolerance::read(&text, &radian, declare)?),
+            None => None,
+        };
+        let own = Name::new(text.value.as_str());
+        let named = declare.graph().find(&own).map(|_| own);
+        let (lexicon, _) = lexicon(declare, &part.texts("in"), named.as_ref());
+        Some(Box::new(Mode {
+            key,
+            asked: asked?,
+            tolerance,
+            digits: u32::from(declare.digits_of(key)),
+            setup: Arc::new(Setup {
+                scale,
+                written,
+                units: declare.units_of(key),
+                meaning: Meaning::of(declare, Prefer::Quantities),
+                lexicon,
+            }),
+        }))
+    }
+}
+
+impl Answer for Mode {
+    fn kind(&self) -> &'static dyn AnswerKind {
+        &Kind
+    }
+
+    fn keys(&self) -> Vec<NodeId> {
+        vec![self.key]
+    }
+
+    fn read_mistake(
+        &mut self,
+        _number: usize,
+        answer: &Data,
+        part: &Table<'_>,
+        declare: &mut dyn Declare,
+    ) -> Option<Vec<NodeId>> {
+        let text = part.as_formula("answer", answer)?;
+        Some(vec![declare.formula("mistake", &text)?])
+    }
+
+    fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
+        let evaluation = context.evaluation;
+        let key = evaluation.value(self.key)?.clone();
+        let derived = 0.01 * crate::numerics::powi(10.0, 3 - self.digits as i32);
+        let angle = match &self.tolerance {
+            Some(tolerance) => tolerance.half_width(1.0, || 0.0, self.digits, evaluation),
+            None => derived,
+        };
+        let width = match key.shape() {
+            Shape::Matrix(_, columns) => columns,
+            _ => key.numbers().len(),
+        };
+        let mistakes = context.mistakes.iter().filter_map(|mistaken| {
+            let value = mistaken.values.first()?;
+            Some((
+                mistaken.number,
+                vectors(value.numbers(), width),
+                mistaken.credit,
+            ))
+        });
+        let keys = vectors(key.numbers(), width);
+        let modes = self.asked.modes(evaluation);
+        // A key in other coordinates than those of the model stands for itself.
+        let modes = modes.filter(|modes| {
+            keys.len() == self.asked.numbers.len()
+                && keys.iter().zip(&self.asked.numbers).all(|(key, number)| {
+                    let space = modes.space(*number);
+                    space.iter().all(|shape| shape.len() == width) && lies_in(key, &space, 1e-6)
+                })
+        });
+        Ok(Box::new(Prepared {
+            setup: Arc::clone(&self.setup),
+            key,
+            keys,
+            numbers: self.asked.numbers.clone(),
+            modes,
+            angle,
+            digits: self.digits,
+            mistakes: mistakes.collect(),
+            data: self.setup.meaning.data(evaluation),
+            mark: context.mark,
+        }))
+    }
+}
