@@ -43,7 +43,7 @@ use super::{
     Answer, AnswerError, AnswerKind, Context, Credit, Declare, Feedback, Key, KeyValue, Marker,
     Marking, Reading, Reason, Tolerance, symbolic,
 };
-use crate::expr::{Expr, Form, Name, Precise, Type, Value as Number, Workspace};
+use crate::expr::{Expr, Form, Name, Path, Precise, Type, Value as Number, Workspace};
 use crate::quantity::{Absent, Evaluation, Function as Curve, NodeId};
 use crate::source::{Table, Text, Value};
 use crate::unit::{Dimension, Unit};
@@ -57,11 +57,20 @@ const SAMPLES: usize = 48;
 #[derive(Debug)]
 struct Motion {
     key: NodeId,
-    span: [NodeId; 2],
+    span: Extent,
     tolerance: Tolerance,
     digits: u32,
     setup: Arc<Setup>,
     mistakes: Vec<(usize, NodeId)>,
+}
+
+/// Where functions are compared.
+#[derive(Clone, Copy, Debug)]
+enum Extent {
+    /// Between these.
+    Stated([NodeId; 2]),
+    /// From 0 to three periods of the slowest of these angular frequencies.
+    Periods(NodeId),
 }
 
 #[derive(Debug)]
@@ -124,21 +133,15 @@ impl AnswerKind for Kind {
             Some(text) => Tolerance::read(&text, &unit.unwrap_or(Unit::ONE), declare)?,
             None => Tolerance::default(),
         };
-        let Some(span) = span else {
-            let expected = "a function with a `span`";
-            declare.find(
-                &AnswerError::KeyForm {
-                    expected,
-                    found: "one without".to_owned(),
-                },
-                &text,
-            );
-            return None;
+        let span = match &span {
+            Some(span) => {
+                let [from, to] = &span[..] else {
+                    return None;
+                };
+                Extent::Stated([declare.formula("span", from)?, declare.formula("span", to)?])
+            }
+            None => Extent::of_model(&text, declare)?,
         };
-        let [from, to] = &span[..] else {
-            return None;
-        };
-        let span = [declare.formula("span", from)?, declare.formula("span", to)?];
         let own = Name::new(text.value.as_str());
         let named = declare.graph().find(&own).map(|_| own);
         let (mut lexicon, mut names) = lexicon(declare, &listed, named.as_ref());
@@ -161,6 +164,44 @@ impl AnswerKind for Kind {
             }),
             mistakes: Vec::new(),
         }))
+    }
+}
+
+impl Extent {
+    /// Three periods of the item's model; without one the span has to be stated.
+    fn of_model(key: &Text, declare: &mut dyn Declare) -> Option<Self> {
+        for quantity in ["natural_angular_frequency", "natural_angular_frequencies"] {
+            let path = Path::new([Name::new("model"), Name::new(quantity)]);
+            if declare.graph().offered(&path).is_some() {
+                let text = Text {
+                    value: path.to_string(),
+                    span: key.span,
+                };
+                return declare.formula("span", &text).map(Self::Periods);
+            }
+        }
+        let (expected, found) = ("a function with a `span`", "one without".to_owned());
+        declare.find(&AnswerError::KeyForm { expected, found }, key);
+        None
+    }
+
+    fn ends(self, evaluation: &Evaluation<'_>) -> Result<[f64; 2], Absent> {
+        const PERIODS: f64 = 3.0;
+        match self {
+            Self::Stated([from, to]) => Ok([evaluation.real(from)?, evaluation.real(to)?]),
+            Self::Periods(node) => {
+                let frequencies = evaluation.value(node)?.numbers();
+                let slowest = frequencies.iter().copied().filter(|own| *own > 0.0);
+                let slowest = slowest.fold(f64::INFINITY, f64::min);
+                // Without a restoring force there is no period; a second will do.
+                let end = if slowest.is_finite() {
+                    PERIODS * std::f64::consts::TAU / slowest
+                } else {
+                    1.0
+                };
+                Ok([0.0, end])
+            }
+        }
     }
 }
 
@@ -202,10 +243,7 @@ impl Answer for Motion {
 
     fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
         let evaluation = context.evaluation;
-        let (from, to) = (
-            evaluation.real(self.span[0])?,
-            evaluation.real(self.span[1])?,
-        );
+        let [from, to] = self.span.ends(evaluation)?;
         let times: Vec<Precise> = (0..SAMPLES)
             .map(|place| {
                 // Away from the ends, and not in step with any period.
