@@ -203,7 +203,7 @@ impl<'s> Reader<'s> {
             {
                 let verify = self
                     .formula(&label, text)
-                    .filter(|route| self.is_route(one, *route, text));
+                    .filter(|route| self.is_route(&one, *route, text));
                 if let Some(info) = self.quantities.get_mut(&node) {
                     info.verify = verify;
                 }
