@@ -1,4 +1,12 @@
 //! Problem bank and exercise generator for the physics of vibrations.
+#![cfg_attr(
+    not(feature = "render"),
+    allow(
+        dead_code,
+        unused_imports,
+        reason = "the core holds what reads item files, which only `render` calls"
+    )
+)]
 
 // Layer 0: text, random streams, bare numbers, typeset mathematics, units.
 pub mod math;
@@ -36,6 +44,7 @@ pub mod scene;
 pub mod suitability;
 
 // Layer 9: sheets and reports.
+pub mod survey;
 pub mod worksheet;
 
 // Layer 10: formats.

@@ -123,6 +123,11 @@ pub trait Marker: Send + Sync {
     fn clearance(&self) -> Option<f64> {
         None
     }
+
+    /// How far each number of the key may be off, in SI units; empty where the kind has no such numbers.
+    fn half_widths(&self) -> Vec<f64> {
+        Vec::new()
+    }
 }
 
 /// A response to another part of the same item.

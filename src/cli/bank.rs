@@ -20,19 +20,46 @@ pub(crate) struct BankArgument {
 impl BankArgument {
     /// The catalogue and all findings.
     pub(crate) fn load(&self) -> Result<(Catalogue, Vec<Finding>), Failure> {
-        match &self.bank {
-            None => Ok(Catalogue::load(embedded())),
-            Some(folder) => {
-                let mut found = Found::default();
-                found.collect(folder, "")?;
-                let texts = found.texts.iter();
-                let (catalogue, mut findings) =
-                    Catalogue::load(texts.map(|(path, text)| (path.as_str(), text.as_str())));
-                findings.append(&mut found.unreadable);
-                Finding::sort(&mut findings);
-                Ok((catalogue, findings))
-            }
+        self.load_with(&[])
+    }
+
+    /// The same with further files, each with its path inside the bank; one of a known path takes its place.
+    pub(crate) fn load_with(
+        &self,
+        further: &[(String, String)],
+    ) -> Result<(Catalogue, Vec<Finding>), Failure> {
+        let mut found = Found::default();
+        if let Some(folder) = &self.bank {
+            found.collect(folder, "")?;
         }
+        let embedded = if self.bank.is_none() {
+            embedded()
+        } else {
+            Vec::new()
+        };
+        let own = found
+            .texts
+            .iter()
+            .map(|(path, text)| (path.as_str(), text.as_str()));
+        let known: Vec<(&str, &str)> = embedded
+            .into_iter()
+            .chain(own)
+            .filter(|(path, _)| further.iter().all(|(given, _)| given != path))
+            .collect();
+        let chapters: Vec<String> = further
+            .iter()
+            .filter_map(|(path, _)| Some(format!("{}/_chapter.toml", path.split_once('/')?.0)))
+            .filter(|chapter| known.iter().all(|(path, _)| path != chapter))
+            .collect();
+        let chapters = chapters.iter().map(|path| (path.as_str(), CHAPTER));
+        let further = further
+            .iter()
+            .map(|(path, text)| (path.as_str(), text.as_str()));
+        let texts = known.into_iter().chain(chapters).chain(further);
+        let (catalogue, mut findings) = Catalogue::load(texts);
+        findings.append(&mut found.unreadable);
+        Finding::sort(&mut findings);
+        Ok((catalogue, findings))
     }
 
     /// The catalogue; errors are told in one line, since they hide items.
@@ -48,6 +75,9 @@ impl BankArgument {
         Ok(catalogue)
     }
 }
+
+/// Stands in for the chapter of a file that is looked at by itself.
+const CHAPTER: &str = "title = \"Files\"\nnumber = 99\n";
 
 /// The TOML files of a folder.
 #[derive(Default)]

@@ -39,6 +39,7 @@ mod responses;
 mod sheet;
 mod show;
 mod solve;
+mod survey;
 
 use std::io::Write as _;
 use std::process::ExitCode;

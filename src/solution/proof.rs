@@ -104,7 +104,9 @@ pub fn routes(template: &Template, seeds: u64) -> Vec<Finding> {
             if doubted.contains(node) {
                 continue;
             }
-            if let Some((first, second)) = differ(&evaluation, *node, verify) {
+            if let Some(Difference { first, second, .. }) =
+                differ(&evaluation, *node, verify).filter(|difference| difference.share > ROUNDING)
+            {
                 doubted.push(*node);
                 let quantity = info.name.to_string();
                 let error = Disproof::Routes {
@@ -377,8 +379,25 @@ fn agree(
     Ok(())
 }
 
-/// The first two numbers in which two routes differ; what does not exist is not compared.
-fn differ(evaluation: &Evaluation<'_>, first: NodeId, second: NodeId) -> Option<(f64, f64)> {
+/// How far the two routes to each quantity of an instance differ, as a share of its greatest number.
+pub fn disagreements<'s>(solution: &'s Solution<'_>) -> impl Iterator<Item = (&'s Name, f64)> {
+    let quantities = solution.template().quantities.iter();
+    quantities.filter_map(|(node, info)| {
+        let difference = differ(solution.evaluation(), *node, info.verify?)?;
+        Some((&info.name, difference.share))
+    })
+}
+
+/// Two numbers that should be equal.
+struct Difference {
+    first: f64,
+    second: f64,
+    /// Their difference by the size of what is compared.
+    share: f64,
+}
+
+/// The two numbers in which two routes differ most; what does not exist is not compared.
+fn differ(evaluation: &Evaluation<'_>, first: NodeId, second: NodeId) -> Option<Difference> {
     let times = TIMES.map(|time| Precise::new(time, 0.0, 0.0));
     let values = |node| numbers(evaluation, node, &times).and_then(Result::ok);
     let (first, second) = (values(first)?, values(second)?);
@@ -389,16 +408,32 @@ fn differ(evaluation: &Evaluation<'_>, first: NodeId, second: NodeId) -> Option<
         .iter()
         .chain(&second)
         .fold(0.0_f64, |size, number| size.max(number.abs()));
+    let share = |a: Complex, b: Complex| {
+        let difference = (a - b).abs();
+        if difference == 0.0 {
+            0.0
+        } else {
+            difference / size
+        }
+    };
     let apart = |sign: f64| {
-        first
-            .iter()
-            .zip(&second)
-            .find(|(a, b)| (**a - **b * sign).abs() > ROUNDING * size)
-            .map(|(a, b)| (a.re, b.re))
+        let pairs = first.iter().zip(&second);
+        pairs
+            .map(|(a, b)| Difference {
+                first: a.re,
+                second: b.re,
+                share: share(*a, *b * sign),
+            })
+            .max_by(|a, b| a.share.total_cmp(&b.share))
     };
     // Shapes are compared up to their sign.
     let is_shape = first.len() > 1;
-    apart(1.0).filter(|_| !is_shape || apart(-1.0).is_some())
+    let (same, opposite) = (apart(1.0)?, apart(-1.0)?);
+    Some(if is_shape && opposite.share < same.share {
+        opposite
+    } else {
+        same
+    })
 }
 
 impl Diagnose for Disproof {

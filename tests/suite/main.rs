@@ -11,6 +11,8 @@ mod answer;
 #[cfg(feature = "render")]
 mod bank;
 #[cfg(feature = "cli")]
+mod book;
+#[cfg(feature = "cli")]
 mod cli;
 mod layers;
 mod mechanics;

@@ -321,6 +321,10 @@ impl Marker for Numbers {
         let fair = self.targets.first()?.fair;
         (fair > 0.0).then(|| distance / fair)
     }
+
+    fn half_widths(&self) -> Vec<f64> {
+        self.targets.iter().map(|target| target.half).collect()
+    }
 }
 
 /// Values side by side with commas.

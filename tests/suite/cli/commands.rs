@@ -167,9 +167,44 @@ fn a_sound_bank_has_no_findings_and_an_unsound_one_has() {
     let ran = ran.complains("free/broken.toml:13:").complains("1 item, ");
     ran.complains("free/not-utf-8.toml");
     let json = vibank(&["check", "--bank", &bank, "--format", "json"]).ends(1);
-    assert_eq!(json.lines()[0][0]["file"], "free/broken.toml");
+    assert_eq!(json.lines()[0]["findings"][0]["file"], "free/broken.toml");
     // What is broken never hides the rest.
     vibank(&["show", "free/spring-mass", "--bank", &bank])
         .ends(0)
         .complains("`vibank check` shows them");
+}
+
+#[test]
+fn check_takes_items_and_files() {
+    vibank(&["check", "ch3/e5-log-decrement", "--seeds", "5"]).ends(0);
+    vibank(&["check", "nonsense"])
+        .ends(2)
+        .complains("there is no item or file `nonsense`");
+    let folder = folder("check-files");
+    let item = include_str!("../../fixtures/book/disk-on-a-wire.toml");
+    put(&folder, "disk.toml", item.as_bytes());
+    let file = text_of(&folder.join("disk.toml"));
+    vibank(&["check", &file, "--seeds", "5"]).ends(0);
+    put(
+        &folder,
+        "disk.toml",
+        item.replace("M*R^2))\", unit", "M*R))\", unit").as_bytes(),
+    );
+    vibank(&["check", &file, "--seeds", "5"])
+        .ends(1)
+        .complains("m^(1/2)/s");
+}
+
+#[test]
+fn reports_tell_what_the_draws_look_like() {
+    let arguments = ["check", "ch3/e5-log-decrement", "--seeds", "20", "--report"];
+    vibank(&arguments)
+        .ends(0)
+        .says("routes agree to")
+        .says("nearest mistake");
+    let json = vibank(&[&arguments[..], &["--format", "json"]].concat()).ends(0);
+    let item = &json.lines()[0]["items"][0];
+    assert_eq!(item["draws"], 20);
+    assert!(item["disagreement"]["share"].as_f64().unwrap() < 1e-12);
+    assert!(item["answers"][0]["tightest"].as_f64().unwrap() > 0.0);
 }

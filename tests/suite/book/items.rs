@@ -1,0 +1,129 @@
+//! Items of the bank as they stand in the book, in HTML with MathML.
+
+use std::fmt::Write as _;
+use std::sync::LazyLock;
+
+use vibank::bank::{Catalogue, Template, embedded};
+use vibank::document::read_math;
+use vibank::instance::Instance;
+use vibank::math::Display;
+use vibank::scene::{Data, Scene, Shown};
+use vibank::seed::Seed;
+use vibank::solution::Solution;
+use vibank::worksheet::letter;
+
+static BANK: LazyLock<Catalogue> = LazyLock::new(|| Catalogue::load(embedded()).0);
+
+/// A displayed formula.
+pub(super) fn math(latex: &str) -> String {
+    let math = read_math(latex).unwrap_or_else(|error| panic!("`{latex}`: {error:?}"));
+    format!("<div>{}</div>", math.mathml(Display::Block))
+}
+
+fn find(id: &str) -> &'static Template {
+    BANK.find(id)
+        .unwrap_or_else(|| panic!("there is no item `{id}`"))
+}
+
+fn texts(shown: &[Shown<'_>]) -> String {
+    let pieces = shown
+        .iter()
+        .map(|piece| piece.document.html(&piece.fillings));
+    pieces.collect()
+}
+
+/// HTML stays one block of Markdown while it has no empty line.
+fn block(html: &str) -> String {
+    let lines = html
+        .lines()
+        .map(str::trim_end)
+        .filter(|line| !line.is_empty());
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// The statement and the questions, with the worked solution folded away.
+fn shown(solution: &Solution<'_>) -> String {
+    let template = solution.template();
+    let scene = Scene::of(solution, Data::Both);
+    let mut out = texts(&scene.passage(&template.statement));
+    let mut worked = texts(&scene.passage(&template.solution));
+    out.push_str("<ol type=\"a\">\n");
+    let asked = (0..template.parts.len()).filter(|place| solution.asks(*place));
+    for (position, place) in asked.enumerate() {
+        let part = &template.parts[place];
+        let _ = writeln!(out, "<li>{}", texts(&scene.passage(&part.ask)));
+        let options = part.answer.options();
+        if !options.is_empty() {
+            out.push_str("<ul>\n");
+            for option in solution.order(place) {
+                let _ = writeln!(out, "<li>{}</li>", options[option].text.html(&Vec::new()));
+            }
+            out.push_str("</ul>\n");
+        }
+        out.push_str("</li>\n");
+        let key = solution
+            .marker(place)
+            .map(|marker| marker.key().math.mathml(Display::Inline));
+        let _ = writeln!(
+            worked,
+            "<p><strong>{})</strong> {}</p>\n{}",
+            letter(position),
+            key.unwrap_or_default(),
+            texts(&scene.passage(&part.solution))
+        );
+    }
+    let _ = write!(
+        out,
+        "</ol>\n<details>\n<summary>Worked solution</summary>\n{worked}</details>"
+    );
+    out
+}
+
+/// An item with the data of a seed, or those of its source: `ch3/e5-log-decrement seed=7`.
+pub(super) fn worked(argument: &str) -> String {
+    let (id, seed) = argument
+        .split_once(" seed=")
+        .map_or((argument, None), |(id, seed)| {
+            (id, Some(Seed::new(seed.parse().expect("a number"))))
+        });
+    let template = find(id);
+    let instance = Instance::of(template, seed, &[]).unwrap();
+    let html = shown(&Solution::of(instance));
+    let title = &template.about.title;
+    block(&format!(
+        "<div class=\"item\">\n<p><strong>{title}</strong> (<code>{id}</code>)</p>\n{html}\n</div>"
+    ))
+}
+
+/// All items of a chapter with the data of their sources.
+pub(super) fn chapter(chapter: &str) -> String {
+    let mut out = String::new();
+    let inside = format!("{chapter}/");
+    let items = BANK
+        .items()
+        .iter()
+        .filter(|item| item.id.as_str().starts_with(&inside));
+    for template in items {
+        let about = &template.about;
+        let topics: Vec<&str> = about
+            .topics
+            .iter()
+            .map(|topic| topic.value.as_str())
+            .collect();
+        let slug = &template.id.as_str()[inside.len()..];
+        let _ = writeln!(
+            out,
+            "<h2 id=\"{slug}\">{}</h2>\n\n`{}` · level {} · {} min · {}\n\n{}\n",
+            about.title,
+            template.id,
+            about.level,
+            template.minutes(),
+            topics.join(", "),
+            block(&format!(
+                "<div class=\"item\">\n{}\n</div>",
+                shown(&Solution::of(Instance::of_source(template)))
+            ))
+        );
+    }
+    out
+}

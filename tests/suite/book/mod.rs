@@ -1,0 +1,96 @@
+//! The generated parts of the book, held against the program.
+//!
+//! A part stands between `<!-- generated: DIRECTIVE -->` and `<!-- end -->`. The test makes each anew and
+//! compares; `UPDATE_BOOK=1 cargo test --test suite book` writes what has changed.
+
+mod authors;
+mod items;
+mod links;
+mod reference;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+const BEGIN: &str = "<!-- generated: ";
+const END: &str = "<!-- end -->";
+
+/// All pages.
+fn pages() -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    let mut folders = vec![PathBuf::from("book/src")];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(&folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|end| end == "md") {
+                found.push(path);
+            }
+        }
+    }
+    found.sort();
+    found
+}
+
+/// A page with its generated parts made anew.
+fn anew(page: &Path, text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(start) = rest.find(BEGIN) {
+        let (before, after) = rest.split_at(start);
+        let (head, body) = after
+            .split_once("-->\n")
+            .unwrap_or_else(|| panic!("{}: a directive without its end", page.display()));
+        let (_, behind) = body
+            .split_once(END)
+            .unwrap_or_else(|| panic!("{}: `{head}` has no `{END}`", page.display()));
+        let directive = head[BEGIN.len()..].trim();
+        out.push_str(before);
+        out.push_str(head);
+        out.push_str("-->\n");
+        out.push_str(made(directive).trim_end());
+        out.push('\n');
+        out.push_str(END);
+        rest = behind;
+    }
+    out + rest
+}
+
+/// What a directive stands for.
+fn made(directive: &str) -> String {
+    let (verb, argument) = directive.split_once(' ').unwrap_or((directive, ""));
+    match verb {
+        "math" => items::math(argument),
+        "item" => items::worked(argument),
+        "items" => items::chapter(argument),
+        "run" => reference::run(argument),
+        "commands" => reference::commands(),
+        "units" => reference::units(),
+        "functions" => reference::functions(),
+        "codes" => reference::codes(),
+        "model-quantities" => reference::model_quantities(),
+        "answer-kinds" => reference::answer_kinds(),
+        _ => panic!("there is no directive `{verb}`"),
+    }
+}
+
+#[test]
+fn generated_parts_are_fresh() {
+    let update = std::env::var_os("UPDATE_BOOK").is_some();
+    let mut stale = Vec::new();
+    for page in pages() {
+        let text = fs::read_to_string(&page).unwrap();
+        let fresh = anew(&page, &text);
+        if fresh != text {
+            if update {
+                fs::write(&page, fresh).unwrap();
+            } else {
+                stale.push(page);
+            }
+        }
+    }
+    assert!(
+        stale.is_empty(),
+        "stale: {stale:?}; `UPDATE_BOOK=1 cargo test --test suite book` writes them anew"
+    );
+}
