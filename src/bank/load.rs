@@ -2,9 +2,9 @@
 
 use super::catalogue::Catalogue;
 use super::folder::{BankFile, Chapter};
-use super::{ItemId, read};
+use super::{ItemId, Revision, read};
 use crate::diagnostic::{Code, Diagnose, Finding, Label, Severity};
-use crate::source::Source;
+use crate::source::{Problems, Source, toml};
 
 /// What is wrong with the folder of a bank.
 #[derive(Debug, thiserror::Error)]
@@ -61,7 +61,15 @@ impl Catalogue {
         } else if &*source.path != "bank.toml" {
             match ItemId::of_path(&source.path) {
                 Some(id) => {
-                    let (template, mut found) = read::item(id, source, Some(&self.bank.topics));
+                    let problems = Problems::default();
+                    let item = read::Item {
+                        id,
+                        revision: Revision::of(&source.text),
+                        source,
+                        tree: &toml::read(source, &problems),
+                        topics: Some(&self.bank.topics),
+                    };
+                    let (template, mut found) = read::item(item, &problems, &mut read::Parsers);
                     findings.append(&mut found);
                     self.items.extend(template);
                 }

@@ -6,6 +6,7 @@
 
 mod about;
 mod catalogue;
+mod compiled;
 #[cfg(feature = "render")]
 mod embedded;
 mod folder;
@@ -14,19 +15,18 @@ mod identity;
 mod load;
 mod parameter;
 mod passage;
-#[cfg(feature = "render")]
 mod read;
 mod template;
 
 pub use about::About;
 pub use catalogue::Catalogue;
+pub use compiled::{Compiled, CompiledError};
 #[cfg(feature = "render")]
 pub use embedded::embedded;
 pub use folder::{BankFile, Chapter, FORMAT};
 pub use identity::{ItemId, Revision};
 pub use parameter::{Domain, Grid, Parameter, ParameterError};
 pub use passage::{Passage, Piece, Target};
-#[cfg(feature = "render")]
 pub use read::ItemError;
 pub use template::{
     Check, Constraint, Expected, Mistake, MistakeAnswer, Part, QuantityInfo, Template, Units,

@@ -5,7 +5,10 @@ use serde::{Deserialize, Serialize};
 use super::Span;
 
 /// A value as it stands in a file.
+///
+/// Its JSON is that of compiled items; it keeps no places.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
 pub struct Value {
     /// What it is.
     pub data: Data,
@@ -16,19 +19,24 @@ pub struct Value {
 
 /// What a value is.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(untagged)]
 pub enum Data {
     /// `true` or `false`.
+    #[serde(rename = "b")]
     Boolean(bool),
     /// A text.
+    #[serde(rename = "s")]
     Text(String),
     /// An array.
+    #[serde(rename = "l")]
     List(Vec<Value>),
     /// A table, inline or under a header.
+    #[serde(rename = "t")]
     Table(Vec<Entry>),
     /// A number, kept as it was written.
+    #[serde(rename = "n")]
     Number {
         /// Its digits.
+        #[serde(rename = "d")]
         number: String,
     },
 }
@@ -37,11 +45,13 @@ pub enum Data {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Entry {
     /// The key.
+    #[serde(rename = "k")]
     pub key: String,
     /// Where the key stands.
     #[serde(skip)]
     pub span: Span,
     /// Its value.
+    #[serde(rename = "v")]
     pub value: Value,
 }
 

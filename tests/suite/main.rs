@@ -14,6 +14,8 @@ mod bank;
 mod book;
 #[cfg(feature = "cli")]
 mod cli;
+#[cfg(feature = "render")]
+mod compiled;
 mod layers;
 mod mechanics;
 mod numerics;

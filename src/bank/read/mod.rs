@@ -9,25 +9,29 @@ mod models;
 mod parts;
 mod passages;
 mod quantities;
+mod texts;
 
 use std::collections::{BTreeMap, BTreeSet};
 
 pub use error::ItemError;
+#[cfg(feature = "render")]
+pub(super) use texts::{Noting, Parsers};
+pub(super) use texts::{Stored, Texts};
 
 use super::template::{Constraint, QuantityInfo, Template};
 use super::{About, ItemId, Parameter, Revision};
 use crate::answer::Known;
 use crate::diagnostic::{Diagnose, Finding};
-use crate::document::read_math;
 use crate::expr::{Expr, Field, Name};
 use crate::math::{Math, symbol};
 use crate::quantity::{Graph, NodeId};
-use crate::source::{Problems, Source, Span, Table, Text, toml};
+use crate::source::{Problems, Source, Span, Table, Text, Value};
 use crate::unit::{self, Unit};
 
 /// The state of reading one item.
 struct Reader<'s> {
     source: &'s Source,
+    texts: &'s mut dyn Texts,
     findings: Vec<Finding>,
     graph: Graph,
     parameters: Vec<Parameter>,
@@ -43,17 +47,27 @@ struct Reader<'s> {
     part: String,
 }
 
-/// Reads an item; there is no template where something is wrong with it.
+/// An item file, or what a compiled item has of it.
+pub(super) struct Item<'s> {
+    pub(super) id: ItemId,
+    pub(super) revision: Revision,
+    pub(super) source: &'s Source,
+    pub(super) tree: &'s Value,
+    /// The vocabulary of topics, where it is to be kept to.
+    pub(super) topics: Option<&'s BTreeMap<String, String>>,
+}
+
+/// Builds the template of an item; there is none where something is wrong with it.
+/// What was noted about the form of the file is added to the findings.
 pub(super) fn item(
-    id: ItemId,
-    source: &Source,
-    topics: Option<&BTreeMap<String, String>>,
+    item: Item<'_>,
+    problems: &Problems,
+    texts: &mut dyn Texts,
 ) -> (Option<Template>, Vec<Finding>) {
-    let problems = Problems::default();
-    let value = toml::read(source, &problems);
-    let mut reader = Reader::new(source);
+    let source = item.source;
+    let mut reader = Reader::new(source, texts);
     let template =
-        Table::of(source, &problems, "", &value).and_then(|table| reader.item(id, &table, topics));
+        Table::of(source, problems, "", item.tree).and_then(|table| reader.item(item, &table));
     let mut findings: Vec<Finding> = problems
         .take()
         .iter()
@@ -68,9 +82,10 @@ pub(super) fn item(
 }
 
 impl<'s> Reader<'s> {
-    fn new(source: &'s Source) -> Self {
+    fn new(source: &'s Source, texts: &'s mut dyn Texts) -> Self {
         Self {
             source,
+            texts,
             findings: Vec::new(),
             graph: Graph::new(),
             parameters: Vec::new(),
@@ -84,16 +99,11 @@ impl<'s> Reader<'s> {
         }
     }
 
-    fn item(
-        &mut self,
-        id: ItemId,
-        table: &Table<'s>,
-        topics: Option<&BTreeMap<String, String>>,
-    ) -> Option<Template> {
+    fn item(&mut self, item: Item<'_>, table: &Table<'s>) -> Option<Template> {
         let about = table.required_table("item").map(About::read);
         if let Some(about) = &about {
             self.digits = about.digits;
-            self.about(about, topics);
+            self.about(about, item.topics);
         }
         self.has_figure = table.has("figure");
         if let Some(plots) = table.table("plots") {
@@ -127,8 +137,8 @@ impl<'s> Reader<'s> {
             .and_then(|about| about.notes.as_ref())
             .map(|notes| self.text(notes));
         let template = Template {
-            id,
-            revision: Revision::of(&self.source.text),
+            id: item.id,
+            revision: item.revision,
             about: about?,
             source: self.source.clone(),
             parameters: std::mem::take(&mut self.parameters),
@@ -242,13 +252,12 @@ impl<'s> Reader<'s> {
         let Some(text) = text else {
             return symbol(name);
         };
-        match read_math(&text.value) {
-            Ok(math) => math,
-            Err(error) => {
-                self.find(&error, text);
-                symbol(name)
-            }
+        let mut errors = Vec::new();
+        let math = self.texts.math(text, &mut errors);
+        for error in &errors {
+            self.find(error.as_ref(), text);
         }
+        math.unwrap_or_else(|| symbol(name))
     }
 
     /// A name that formulas can use.
@@ -277,7 +286,7 @@ impl<'s> Reader<'s> {
         None
     }
 
-    fn find(&mut self, error: &impl Diagnose, text: &Text) {
+    fn find(&mut self, error: &dyn Diagnose, text: &Text) {
         let mut finding = Finding::within(error, self.source, text);
         for label in finding
             .labels

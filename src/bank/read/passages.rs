@@ -99,11 +99,12 @@ impl<'s> Reader<'s> {
     }
 
     fn document(&mut self, text: &Text) -> Document {
-        let reading = Document::read(&text.value);
-        for error in &reading.errors {
-            self.find(error, text);
+        let mut errors = Vec::new();
+        let document = self.texts.document(text, &mut errors);
+        for error in &errors {
+            self.find(error.as_ref(), text);
         }
-        reading.document
+        document
     }
 
     /// What a placeholder stands for.
