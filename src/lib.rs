@@ -50,3 +50,6 @@ pub mod worksheet;
 // Layer 10: formats.
 #[cfg(feature = "render")]
 pub mod output;
+
+// Layer 11: the grader in the browser.
+pub mod wasm;

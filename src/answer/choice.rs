@@ -17,8 +17,8 @@
 //! ```
 
 use super::{
-    Answer, AnswerError, AnswerKind, Choosable, Context, Credit, Declare, Feedback, Key, KeyValue,
-    Marker, Marking, Reading, Reason,
+    Answer, AnswerError, AnswerKind, Choosable, Choosing, Context, Credit, Declare, Feedback, Key,
+    KeyValue, Marker, Marking, Reading, Reason,
 };
 use crate::document::Document;
 use crate::math::Math;
@@ -144,6 +144,14 @@ impl Answer for Choice {
 
     fn options(&self) -> &[Choosable] {
         &self.options
+    }
+
+    fn choosing(&self) -> Option<Choosing> {
+        Some(match (self.is_ranking, self.is_several) {
+            (true, _) => Choosing::Ranking,
+            (false, true) => Choosing::Several,
+            (false, false) => Choosing::One,
+        })
     }
 
     fn shuffles(&self) -> bool {

@@ -68,6 +68,11 @@ pub trait Answer: std::fmt::Debug + Send + Sync {
         &[]
     }
 
+    /// How one chooses among the options, if there are any.
+    fn choosing(&self) -> Option<Choosing> {
+        None
+    }
+
     /// Whether the options are shuffled.
     fn shuffles(&self) -> bool {
         false
@@ -146,6 +151,28 @@ pub struct Equations {
     pub key: Vec<Equation>,
     /// Those of the response; none if there is none, or it cannot be read.
     pub typed: Vec<Equation>,
+}
+
+/// How one chooses among options.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Choosing {
+    /// One of them.
+    One,
+    /// Any number of them.
+    Several,
+    /// All of them, in order.
+    Ranking,
+}
+
+impl Choosing {
+    /// Its name for programs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::One => "one",
+            Self::Several => "several",
+            Self::Ranking => "ranking",
+        }
+    }
 }
 
 /// An option of a choice.

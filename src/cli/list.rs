@@ -4,6 +4,7 @@ use serde_json::json;
 use vibank::bank::Template;
 
 use super::bank::BankArgument;
+use super::filter::Filter;
 use super::{Failure, Format, Outcome};
 
 /// List the items of the bank, by chapter, topic, level and kind of answer.
@@ -11,18 +12,8 @@ use super::{Failure, Format, Outcome};
 /// Example: vibank list --chapter ch3 --topic "Coulomb friction" --level 2
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
-    /// Items of this chapter, such as ch3.
-    #[arg(long)]
-    chapter: Option<String>,
-    /// Items with this topic.
-    #[arg(long)]
-    topic: Option<String>,
-    /// Items of this level, 1 to 3.
-    #[arg(long, value_parser = clap::value_parser!(u8).range(1..=3))]
-    level: Option<u8>,
-    /// Items with a part of this kind, such as numeric.
-    #[arg(long)]
-    kind: Option<String>,
+    #[command(flatten)]
+    filter: Filter,
     #[command(flatten)]
     bank: BankArgument,
     /// How the list is printed.
@@ -30,34 +21,12 @@ pub(crate) struct Arguments {
     format: Format,
 }
 
-impl Arguments {
-    fn wants(&self, item: &Template) -> bool {
-        fn fits<'a>(wanted: Option<&String>, found: impl IntoIterator<Item = &'a str>) -> bool {
-            wanted.is_none_or(|wanted| {
-                found
-                    .into_iter()
-                    .any(|found| found.eq_ignore_ascii_case(wanted))
-            })
-        }
-        fits(self.chapter.as_ref(), [item.id.chapter()])
-            && fits(
-                self.topic.as_ref(),
-                item.about.topics.iter().map(|topic| topic.value.as_str()),
-            )
-            && self.level.is_none_or(|level| level == item.about.level)
-            && fits(
-                self.kind.as_ref(),
-                item.parts.iter().map(|part| part.answer.kind().name()),
-            )
-    }
-}
-
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let catalogue = arguments.bank.catalogue()?;
     let items: Vec<&Template> = catalogue
         .items()
         .iter()
-        .filter(|item| arguments.wants(item))
+        .filter(|item| arguments.filter.passes(item))
         .collect();
     if let Format::Json = arguments.format {
         let entries: Vec<_> = items.iter().map(|item| entry(item)).collect();

@@ -27,11 +27,13 @@ mod compute;
 mod explain;
 mod failure;
 mod files;
+mod filter;
 mod grade;
 mod lines;
 mod list;
 mod mark;
 mod new;
+mod page;
 mod progress;
 mod record;
 mod report;
@@ -74,6 +76,7 @@ enum Command {
     Check(check::Arguments),
     Explain(explain::Arguments),
     New(new::Arguments),
+    Page(page::Arguments),
     Completions(completions::Arguments),
 }
 
@@ -108,6 +111,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Explain(arguments) => explain::run(&arguments),
         Command::Completions(arguments) => completions::run(&arguments),
         Command::New(arguments) => new::run(&arguments),
+        Command::Page(arguments) => page::run(&arguments),
     };
     match outcome {
         Ok(outcome) => outcome.into(),

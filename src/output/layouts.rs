@@ -123,7 +123,8 @@ pub(super) fn font() -> String {
     base64(bytes)
 }
 
-fn text(path: &str) -> &'static str {
+/// The text of a layout's file; empty if there is none.
+pub(super) fn text(path: &str) -> &'static str {
     TEMPLATES
         .get_file(path)
         .and_then(|file| file.contents_utf8())
@@ -131,7 +132,7 @@ fn text(path: &str) -> &'static str {
 }
 
 /// Base 64 with padding, RFC 4648, section 4.
-fn base64(bytes: &[u8]) -> String {
+pub(super) fn base64(bytes: &[u8]) -> String {
     const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
     for chunk in bytes.chunks(3) {

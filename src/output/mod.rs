@@ -11,6 +11,7 @@ mod key_table;
 mod latex;
 mod layouts;
 mod markdown;
+mod page;
 mod pages;
 #[cfg(feature = "pdf")]
 mod typst;
@@ -18,6 +19,7 @@ mod view;
 
 pub use key_table::{KeyRow, KeyTable};
 pub use layouts::{Layouts, OutputError};
+pub use page::practice;
 pub use pages::{Feedback, FeedbackPart, FeedbackQuestion, Kind, Page, Pages, Run};
 
 use crate::document::{Block, Document};

@@ -10,7 +10,6 @@ use super::{Writer, is_line};
 use crate::answer::KeyValue;
 use crate::bank::Passage;
 use crate::document::Filling;
-use crate::math::Math;
 use crate::numerics::Rational;
 use crate::scene::Scene;
 use crate::worksheet::{Sheet, SheetQuestion, letter};
@@ -224,13 +223,7 @@ impl<'p> View<'p> {
 
     /// The symbol of the quantity that is asked, and an equals sign.
     fn lead(&self, scene: &Scene<'_, '_>, place: usize) -> String {
-        let template = scene.solution().template();
-        let keys = template.parts[place].answer.keys();
-        let info = keys
-            .first()
-            .filter(|_| keys.len() == 1)
-            .and_then(|node| template.info(*node));
-        let math = info.map(|info| Math::row([info.symbol.clone(), Math::relation("=")]));
+        let math = scene.lead(place);
         math.map(|math| self.writer.math(&math)).unwrap_or_default()
     }
 

@@ -66,6 +66,17 @@ impl<'s, 't> Scene<'s, 't> {
             .collect()
     }
 
+    /// The symbol of the quantity that a part asks for, and an equals sign; `None` where it asks for something else.
+    pub fn lead(&self, place: usize) -> Option<Math> {
+        let template = self.solution.template();
+        let keys = template.parts[place].answer.keys();
+        let [key] = keys[..] else {
+            return None;
+        };
+        let info = template.info(key)?;
+        Some(Math::row([info.symbol.clone(), Math::relation("=")]))
+    }
+
     /// The given data as one printed list, for sheets whose statement shows symbols alone.
     pub fn values(&self) -> Vec<(Math, Math)> {
         let template = self.solution.template();

@@ -2,13 +2,14 @@
 //!
 //! A [`Blueprint`] is what a teacher writes; with the bank it becomes a [`Plan`]. A [`Chooser`] takes
 //! one suitable variant after the other, and each is drawn as a [`Sheet`], which the formats write.
-//! The [`Manifest`] keeps what marking needs.
+//! The [`Manifest`] keeps what marking needs. A [`Practice`] is what a self-check page offers.
 
 #[cfg(feature = "render")]
 mod blueprint;
 mod manifest;
 #[cfg(feature = "render")]
 mod plan;
+mod practice;
 mod sheet;
 #[cfg(feature = "render")]
 mod variants;
@@ -22,6 +23,7 @@ pub use manifest::{
 };
 #[cfg(feature = "render")]
 pub use plan::{Plan, Planned};
+pub use practice::{Practice, PracticeError, PracticeQuestion};
 pub use sheet::{Sheet, SheetQuestion, Student, letter};
 #[cfg(feature = "render")]
 pub use variants::{Chooser, Chosen, SheetError};

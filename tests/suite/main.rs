@@ -19,6 +19,8 @@ mod compiled;
 mod layers;
 mod mechanics;
 mod numerics;
+#[cfg(feature = "render")]
+mod page;
 mod physics;
 #[cfg(feature = "pdf")]
 mod print;

@@ -1,0 +1,78 @@
+//! The self-check page: one HTML file with the items, the math font and the grader.
+//!
+//! Nothing is fetched: the page works from a disk. Its program may run only as it was written here (a content
+//! security policy names its digest), and all texts are written by the grader, which escapes them.
+
+use sha2::{Digest, Sha256};
+use tera::{Context, Tera};
+
+use super::layouts::{self, OutputError, base64};
+use crate::bank::Compiled;
+use crate::document::Filling;
+use crate::worksheet::Practice;
+
+/// The grader, built from these sources by `src/wasm/build.sh`.
+const GRADER: &[u8] = include_bytes!("../wasm/grader.wasm");
+
+/// How hard the contents of the page are deflated: the most that miniz does.
+const LEVEL: u8 = 10;
+
+/// The page of a practice with its items.
+///
+/// # Errors
+///
+/// [`OutputError`] if the layout cannot be filled.
+pub fn practice(practice: &Practice, items: &[Compiled]) -> Result<String, OutputError> {
+    let script = layouts::text("page/page.js");
+    let texts = texts(&practice.language);
+    let fail = |message: String| OutputError::Page {
+        layout: "page.html".to_owned(),
+        message,
+    };
+    let words: serde_json::Value =
+        serde_json::from_str(texts).map_err(|error| fail(error.to_string()))?;
+    let instructions = practice.instructions.html(&Vec::<Filling>::new());
+    let style = [
+        crate::math::MATHML_STYLE,
+        "\n",
+        layouts::text("page/page.css"),
+    ]
+    .concat();
+
+    let mut tera = Tera::default();
+    tera.autoescape_on(vec![".html"]);
+    tera.add_raw_template("page.html", layouts::text("page/page.html"))
+        .map_err(|error| fail(error.to_string()))?;
+    let mut context = Context::new();
+    context.insert("language", &practice.language);
+    context.insert("title", &practice.title);
+    context.insert("program", &practice.program);
+    context.insert("instructions", &instructions);
+    context.insert("texts", &words);
+    context.insert("texts_json", &in_script(texts));
+    context.insert("style", &style);
+    context.insert("font", &layouts::font());
+    context.insert("script", script);
+    context.insert("script_digest", &base64(&Sha256::digest(script)));
+    context.insert("items", &packed(practice.lines(items).as_bytes()));
+    context.insert("grader", &packed(GRADER));
+    tera.render("page.html", &context)
+        .map_err(|error| fail(error.to_string()))
+}
+
+/// The words of the page in a language, else in English.
+fn texts(language: &str) -> &'static str {
+    match layouts::text(&format!("page/texts.{language}.json")) {
+        "" => layouts::text("page/texts.en.json"),
+        texts => texts,
+    }
+}
+
+/// JSON as it may stand in a `script` element.
+fn in_script(json: &str) -> String {
+    json.replace('<', "\\u003c")
+}
+
+fn packed(bytes: &[u8]) -> String {
+    base64(&miniz_oxide::deflate::compress_to_vec(bytes, LEVEL))
+}

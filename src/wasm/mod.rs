@@ -1,0 +1,171 @@
+//! The grader in the browser: questions, marks, hints and solutions as JSON.
+//!
+//! A [`Grader`] holds what a page offers and answers one request at a time. It draws, marks and
+//! writes with the same code as the command line, and computes nothing before it is asked for: showing a
+//! question computes no key. Items are built when they are first asked for, so that a page opens at once.
+//!
+//! | request | reply |
+//! | --- | --- |
+//! | `{"do":"choose","question":0,"from":7}` | `{"code"}`: the first variant from there that is fit to be asked |
+//! | `{"do":"show","question":0,"code":"…"}` | `identity`, `statement`, `parts` |
+//! | `{"do":"read", … "part":"X","response":"2 m"}` | `reading`, or `problem` |
+//! | `{"do":"mark", … "part":"X","response":"2 m","earlier":{}}` | `verdict`, `credit`, `reading`, `feedback`, `reasons` |
+//! | `{"do":"hint", … "part":"X","number":0}` | `html` |
+//! | `{"do":"solve", … "part":"X"}` | `key`, `html` |
+//!
+//! Texts are HTML with MathML, whatever they say: nothing in an item or a response becomes markup.
+//! A request that cannot be answered gives `{"error": …}`.
+//!
+//! In the module (`grader.wasm`, built by `build.sh`) the same is behind four functions on bytes; see `memory.rs`.
+
+#[cfg(target_arch = "wasm32")]
+mod memory;
+mod question;
+mod request;
+
+use std::cell::OnceCell;
+
+use crate::bank::{Compiled, Template};
+use crate::instance::Instance;
+use crate::scene::Scene;
+use crate::seed::{Seed, Variant};
+use crate::solution::Solution;
+use crate::suitability;
+use crate::unit::DecimalMark;
+use crate::worksheet::{Practice, PracticeError, PracticeQuestion};
+
+use self::request::Request;
+
+/// Answers the requests of one page.
+pub struct Grader {
+    practice: Practice,
+    items: Vec<Item>,
+}
+
+/// An item of a page, built when it is asked for.
+struct Item {
+    line: String,
+    template: OnceCell<Result<Template, String>>,
+}
+
+/// Variants that are tried before one that is not fit is taken after all.
+const MOST_TRIES: u64 = 400;
+
+impl Grader {
+    /// The grader of a page with these lines.
+    ///
+    /// # Errors
+    ///
+    /// [`PracticeError`] if the first line cannot be read; items are read when they are asked for.
+    pub fn of(lines: &str) -> Result<Self, PracticeError> {
+        let (practice, items) = Practice::read(lines)?;
+        let item = |line: &str| Item {
+            line: line.to_owned(),
+            template: OnceCell::new(),
+        };
+        let items = items.into_iter().map(item).collect();
+        Ok(Self { practice, items })
+    }
+
+    /// Answers one request; both are JSON.
+    ///
+    /// ```
+    /// # #[cfg(feature = "render")] {
+    /// use vibank::bank::{Catalogue, Compiled, embedded};
+    /// use vibank::document::Document;
+    /// use vibank::wasm::Grader;
+    /// use vibank::worksheet::{Practice, PracticeQuestion};
+    ///
+    /// let (catalogue, _) = Catalogue::load(embedded());
+    /// let item = catalogue.find("ch3/e5-log-decrement").unwrap();
+    /// let practice = Practice {
+    ///     program: "doc".into(), title: "Practice".into(), instructions: Document::default(),
+    ///     language: "en".into(), decimal: '.', data: Default::default(),
+    ///     questions: vec![PracticeQuestion::of(item, 0, "Damping")],
+    /// };
+    /// let grader = Grader::of(&practice.lines(&[Compiled::of(item)])).unwrap();
+    /// let reply = grader.answer(r#"{"do":"choose","question":0,"from":7}"#);
+    /// assert!(reply.starts_with(r#"{"code":"#));
+    /// # }
+    /// ```
+    pub fn answer(&self, request: &str) -> String {
+        let reply = serde_json::from_str::<Request>(request)
+            .map_err(|error| error.to_string())
+            .and_then(|request| self.reply(&request));
+        let reply = reply.unwrap_or_else(|error| serde_json::json!({ "error": error }));
+        reply.to_string()
+    }
+
+    /// What the page offers.
+    pub fn practice(&self) -> &Practice {
+        &self.practice
+    }
+
+    /// A question and its item.
+    fn question(&self, number: usize) -> Result<(&PracticeQuestion, &Template), String> {
+        let question = self.practice.questions.get(number);
+        let question = question.ok_or_else(|| format!("there is no question {number}"))?;
+        let item = self.items.get(question.place);
+        let item =
+            item.ok_or_else(|| format!("the item `{}` is not on this page", question.item))?;
+        let template = item.template()?;
+        Ok((question, template))
+    }
+
+    /// The solution of a question for a variant; nothing of it is computed yet.
+    fn solution<'s>(
+        &self,
+        question: &'s PracticeQuestion,
+        template: &'s Template,
+        variant: Variant,
+    ) -> Result<Solution<'s>, String> {
+        let set: Vec<(&str, &str)> = question
+            .set
+            .iter()
+            .map(|(name, value)| (name.as_str(), value.as_str()))
+            .collect();
+        let seed: Seed = variant.item(template.id.as_str(), None);
+        let instance =
+            Instance::of(template, Some(seed), &set).map_err(|error| error.to_string())?;
+        let mark = if self.practice.decimal == ',' {
+            DecimalMark::Comma
+        } else {
+            DecimalMark::Point
+        };
+        Ok(Solution::with_mark(instance, mark))
+    }
+
+    fn scene<'s, 't>(&self, solution: &'s Solution<'t>) -> Scene<'s, 't> {
+        Scene::of(solution, self.practice.data)
+    }
+
+    /// The first variant from a number on that is fit to be asked.
+    fn choose(&self, number: usize, from: u64) -> Result<Variant, String> {
+        let (question, template) = self.question(number)?;
+        let variant = |step: u64| {
+            Variant::new(from.wrapping_add(step) % Variant::COUNT).expect("it is below the count")
+        };
+        for step in 0..MOST_TRIES {
+            let solution = self.solution(question, template, variant(step))?;
+            let asked = question::asked(question, &solution);
+            if !asked.is_empty() && suitability::judge(&solution, &asked).is_ok() {
+                return Ok(variant(step));
+            }
+        }
+        Ok(variant(0))
+    }
+}
+
+impl Item {
+    fn template(&self) -> Result<&Template, String> {
+        let build = || {
+            let compiled: Compiled =
+                serde_json::from_str(&self.line).map_err(|error| error.to_string())?;
+            compiled.template().map_err(|error| error.to_string())
+        };
+        self.template
+            .get_or_init(build)
+            .as_ref()
+            .map_err(Clone::clone)
+    }
+}

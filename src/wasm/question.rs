@@ -1,0 +1,65 @@
+//! The pieces of a question as a page shows them.
+
+use serde_json::{Value as Json, json};
+
+use crate::bank::{Part, Template};
+use crate::document::{Block, Document, Inline};
+use crate::expr::Shape;
+use crate::scene::Shown;
+use crate::solution::Solution;
+use crate::worksheet::{PracticeQuestion, letter};
+
+/// The parts of a question that are asked for these data, as places in the item.
+pub(super) fn asked(question: &PracticeQuestion, solution: &Solution<'_>) -> Vec<usize> {
+    let parts = &solution.template().parts;
+    (0..parts.len())
+        .filter(|place| question.asks(&parts[*place].id) && solution.asks(*place))
+        .collect()
+}
+
+/// Texts, one after the other.
+pub(super) fn html(shown: &[Shown<'_>]) -> String {
+    let mut out = String::new();
+    for piece in shown {
+        piece.document.write_html(&mut out, &piece.fillings);
+    }
+    out
+}
+
+/// A sentence of our own as a paragraph.
+pub(super) fn words(text: &str) -> String {
+    let line = vec![Inline::Text(text.to_owned())];
+    Document::of(vec![Block::Paragraph(line)], Vec::new()).html(&Vec::new())
+}
+
+/// The options of a choice in the order in which they are shown.
+pub(super) fn options(solution: &Solution<'_>, place: usize) -> Vec<Json> {
+    let options = solution.template().parts[place].answer.options();
+    if options.is_empty() {
+        return Vec::new();
+    }
+    let option = |(at, place): (usize, usize)| {
+        let mut text = String::new();
+        options[place].text.write_html_line(&mut text, &Vec::new());
+        json!({ "id": options[place].id, "letter": letter(at), "text": text })
+    };
+    let order = solution.order(place).into_iter().enumerate();
+    order.map(option).collect()
+}
+
+/// Rows and columns of an answer that is easier to fill in entry by entry.
+pub(super) fn shape(part: &Part, template: &Template) -> Option<(usize, usize)> {
+    /// Wider tables do not fit a telephone.
+    const MOST: usize = 6;
+    let keys = part.answer.keys();
+    let [key] = keys[..] else {
+        return None;
+    };
+    let shape = template.graph.kind(key)?.shape();
+    let (rows, columns) = match (part.answer.kind().name(), shape) {
+        ("matrix", Shape::Matrix(rows, columns)) => (rows, columns),
+        ("mode-shape", Shape::Vector(rows)) => (rows, 1),
+        _ => return None,
+    };
+    (rows <= MOST && columns <= MOST).then_some((rows, columns))
+}

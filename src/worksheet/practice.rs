@@ -1,0 +1,186 @@
+//! What a self-check page offers: its questions, and the compiled items they are drawn from.
+//!
+//! It is written as lines of JSON, so that a page can be opened before its items are read: the first
+//! line says what there is, each further one is an item.
+
+use serde::{Deserialize, Serialize};
+
+#[cfg(feature = "render")]
+use crate::bank::Catalogue;
+use crate::bank::{Compiled, ItemId, Template};
+use crate::document::Document;
+use crate::scene::Data;
+
+/// What a page offers.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Practice {
+    /// Version of the program that wrote it; the module that reads it is of the same.
+    pub program: String,
+    /// The title of the page.
+    pub title: String,
+    /// What is said before the questions.
+    pub instructions: Document,
+    /// Language of the texts.
+    pub language: String,
+    /// Decimal sign.
+    pub decimal: char,
+    /// Data as numbers or symbols.
+    pub data: Data,
+    /// The questions in order.
+    pub questions: Vec<PracticeQuestion>,
+}
+
+/// A question, before its data are drawn.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PracticeQuestion {
+    /// Its item.
+    pub item: ItemId,
+    /// The place of the item among those of the page, from 0.
+    pub place: usize,
+    /// The title of the item.
+    pub title: String,
+    /// The title of the chapter.
+    pub chapter: String,
+    /// The topics of the item.
+    pub topics: Vec<String>,
+    /// Difficulty, 1 to 3.
+    pub level: u8,
+    /// Expected working time.
+    pub minutes: u32,
+    /// The parts that are asked; all if empty.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub parts: Vec<String>,
+    /// Data that are fixed.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub set: Vec<(String, String)>,
+}
+
+/// Why the lines of a page cannot be read.
+#[derive(Debug, thiserror::Error)]
+#[error("line {line} of the items cannot be read: {message}")]
+pub struct PracticeError {
+    /// The line, from 1.
+    pub line: usize,
+    /// What is wrong.
+    pub message: String,
+}
+
+impl PracticeQuestion {
+    /// A question on a whole item, which stands at a place among those of the page.
+    pub fn of(item: &Template, place: usize, chapter: &str) -> Self {
+        Self {
+            item: item.id.clone(),
+            place,
+            title: item.about.title.clone(),
+            chapter: chapter.to_owned(),
+            topics: item
+                .about
+                .topics
+                .iter()
+                .map(|topic| topic.value.clone())
+                .collect(),
+            level: item.about.level,
+            minutes: item.minutes(),
+            parts: Vec::new(),
+            set: Vec::new(),
+        }
+    }
+
+    /// Whether a part is asked.
+    pub fn asks(&self, part: &str) -> bool {
+        self.parts.is_empty() || self.parts.iter().any(|asked| asked == part)
+    }
+}
+
+#[cfg(feature = "render")]
+impl Practice {
+    /// A practice of whole items.
+    pub fn of_items(
+        catalogue: &Catalogue,
+        items: &[&Template],
+        title: &str,
+    ) -> (Self, Vec<Compiled>) {
+        let mut practice = Self {
+            program: concat!("vibank ", env!("CARGO_PKG_VERSION")).to_owned(),
+            title: title.to_owned(),
+            instructions: Document::default(),
+            language: catalogue.bank.language.clone(),
+            decimal: '.',
+            data: Data::default(),
+            questions: Vec::new(),
+        };
+        let mut compiled = Vec::new();
+        for item in items {
+            practice.add(catalogue, item, &mut compiled);
+        }
+        (practice, compiled)
+    }
+
+    /// A practice of the questions of a blueprint; of a pick, all items that pass its filter.
+    pub fn of_plan(plan: &super::Plan<'_>, catalogue: &Catalogue) -> (Self, Vec<Compiled>) {
+        let blueprint = plan.blueprint;
+        let (mut practice, mut compiled) = Self::of_items(catalogue, &[], &blueprint.title);
+        practice.instructions = Document::read(&blueprint.instructions.value).document;
+        practice.language.clone_from(&blueprint.language);
+        practice.decimal = blueprint.decimal;
+        practice.data = blueprint.data;
+        for planned in &plan.questions {
+            for item in &planned.candidates {
+                practice.add(catalogue, item, &mut compiled);
+                let question = practice.questions.last_mut().expect("one was added");
+                question.parts.clone_from(&planned.parts);
+                question.set.clone_from(&planned.set);
+                let question = question.clone();
+                let (_, earlier) = practice.questions.split_last().expect("one was added");
+                if earlier.contains(&question) {
+                    practice.questions.pop();
+                }
+            }
+        }
+        (practice, compiled)
+    }
+
+    fn add(&mut self, catalogue: &Catalogue, item: &Template, compiled: &mut Vec<Compiled>) {
+        let place = compiled.iter().position(|known| known.id == item.id);
+        let place = place.unwrap_or_else(|| {
+            compiled.push(Compiled::of(item));
+            compiled.len() - 1
+        });
+        let chapters = &catalogue.chapters;
+        let chapter = chapters
+            .iter()
+            .find(|chapter| chapter.folder == item.id.chapter());
+        let chapter = chapter.map_or(item.id.chapter(), |chapter| &chapter.title);
+        self.questions
+            .push(PracticeQuestion::of(item, place, chapter));
+    }
+}
+
+impl Practice {
+    /// The lines of a page.
+    pub fn lines(&self, items: &[Compiled]) -> String {
+        let line =
+            |value: serde_json::Result<String>| value.expect("plain data, with texts as keys");
+        let mut out = line(serde_json::to_string(self));
+        for item in items {
+            out.push('\n');
+            out.push_str(&line(serde_json::to_string(item)));
+        }
+        out
+    }
+
+    /// What a page offers, and the line of each of its items.
+    ///
+    /// # Errors
+    ///
+    /// [`PracticeError`].
+    pub fn read(text: &str) -> Result<(Self, Vec<&str>), PracticeError> {
+        let mut lines = text.lines();
+        let first = lines.next().unwrap_or_default();
+        let practice = serde_json::from_str(first).map_err(|error| PracticeError {
+            line: 1,
+            message: error.to_string(),
+        })?;
+        Ok((practice, lines.collect()))
+    }
+}

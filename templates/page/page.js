@@ -1,0 +1,574 @@
+// The self-check page: shows what the grader says, and keeps what the student did.
+// All HTML that is placed with `innerHTML` was written by the grader, which escapes every text and response.
+
+const texts = JSON.parse(element("texts").textContent);
+const say = (key, values = {}) => texts[key].replace(/\{(\w+)\}/g, (_, name) => values[name]);
+
+function element(id) {
+  return document.getElementById(id);
+}
+
+/** A copy of a template of the page. */
+function copy(id) {
+  return element(id).content.firstElementChild.cloneNode(true);
+}
+
+function make(tag, properties = {}, ...children) {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...children);
+  return made;
+}
+
+// ── What the page carries ──────────────────────────────────────────────────────────────────────
+
+async function unpacked(id) {
+  const holder = element(id);
+  const bytes = Uint8Array.from(atob(holder.textContent.trim()), (letter) => letter.charCodeAt(0));
+  holder.remove();
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+/** The marking program: JSON in, JSON out. */
+class Grader {
+  constructor(module, items) {
+    this.module = module;
+    this.items = items;
+  }
+
+  async start() {
+    this.exports = (await WebAssembly.instantiate(this.module, {})).exports;
+    const error = this.call("load", this.items);
+    if (error) throw new Error(error);
+  }
+
+  call(name, bytes) {
+    const { memory, reserve, release } = this.exports;
+    const start = reserve(bytes.length) >>> 0;
+    new Uint8Array(memory.buffer).set(bytes, start);
+    const packed = BigInt.asUintN(64, this.exports[name](start, bytes.length));
+    const [at, length] = [Number(packed >> 32n), Number(packed & 0xffffffffn)];
+    const reply = new TextDecoder().decode(new Uint8Array(memory.buffer, at, length));
+    release(at, length);
+    return reply;
+  }
+
+  ask(request) {
+    try {
+      const reply = JSON.parse(this.call("ask", new TextEncoder().encode(JSON.stringify(request))));
+      if (reply.error) console.warn(reply.error);
+      return reply;
+    } catch (error) {
+      // The program stopped in its tracks: a fresh one takes over.
+      console.warn(error);
+      this.start();
+      return { error: String(error) };
+    }
+  }
+}
+
+// ── What the student did ───────────────────────────────────────────────────────────────────────
+
+/** State of the page, kept in this browser alone; where that is denied, until the page is closed. */
+class Memory {
+  constructor(name) {
+    this.name = `vibank practice ${name}`;
+    this.questions = {};
+    this.current = "";
+    try {
+      const kept = JSON.parse(localStorage.getItem(this.name) ?? "{}");
+      if (kept.questions) Object.assign(this, { questions: kept.questions, current: kept.current });
+      localStorage.setItem(this.name, JSON.stringify(kept));
+    } catch {
+      element("kept").hidden = false;
+    }
+  }
+
+  keep() {
+    try {
+      localStorage.setItem(this.name, JSON.stringify({ questions: this.questions, current: this.current }));
+    } catch {
+      element("kept").hidden = false;
+    }
+  }
+
+  question(key) {
+    return (this.questions[key] ??= { code: "", status: "new", parts: {} });
+  }
+
+  forget() {
+    this.questions = {};
+    this.keep();
+  }
+}
+
+// ── The page ───────────────────────────────────────────────────────────────────────────────────
+
+const MARKS = { new: "○", tried: "◔", seen: "◐", done: "●" };
+
+class Page {
+  constructor(practice, grader, memory) {
+    Object.assign(this, { practice, grader, memory });
+    this.keys = practice.questions.map(({ item, parts = [] }) => [item, ...parts].join(" "));
+    this.list();
+    element("topic").addEventListener("change", () => this.filter());
+    element("forget").addEventListener("click", () => this.forget());
+    addEventListener("hashchange", () => this.open(this.wanted(), true));
+    this.open(this.wanted(), false);
+  }
+
+  /** The question and variant that the address names, else those of last time. */
+  wanted() {
+    const address = decodeURIComponent(location.hash.slice(1));
+    const code = address.match(/\/([0-9A-Za-z]{3}-[0-9A-Za-z]{3}-[0-9A-Za-z]{3})$/)?.[1];
+    const item = code ? address.slice(0, -code.length - 1) : address;
+    const number = this.practice.questions.findIndex((question) => question.item === item);
+    if (number >= 0) return { number, code };
+    return { number: Math.max(0, this.keys.indexOf(this.memory.current)) };
+  }
+
+  list() {
+    const topics = new Map();
+    let chapter = null;
+    this.links = this.practice.questions.map((question, number) => {
+      question.topics.forEach((topic) => topics.set(topic, [...(topics.get(topic) ?? []), number]));
+      if (chapter?.title !== question.chapter) {
+        const title = make("h2", { textContent: question.chapter });
+        const list = make("ol");
+        chapter = { title: question.chapter };
+        element("list").append(make("section", {}, title, list));
+      }
+      const mark = make("span", { className: "mark", ariaHidden: "true" });
+      const words = make("span", { className: "visually-hidden" });
+      const link = make("a", { href: `#${question.item}` }, mark, make("span", { textContent: question.title }), words);
+      element("list").lastElementChild.lastElementChild.append(make("li", {}, link));
+      return { link, mark, words };
+    });
+    this.topics = [...topics].sort(([a], [b]) => a.localeCompare(b, document.documentElement.lang));
+    for (const [topic] of this.topics) {
+      element("topic").append(make("option", { value: topic, textContent: topic }));
+    }
+    this.meters = this.topics.map(([topic, numbers], at) => {
+      const id = `topic-${at}`;
+      const meter = make("progress", { max: numbers.length });
+      meter.setAttribute("aria-labelledby", id);
+      const words = make("span");
+      element("topics").append(make("li", {}, make("span", { id, textContent: topic }), words, meter));
+      return { meter, words, numbers };
+    });
+    element("footer").textContent = say("footer", { program: this.practice.program });
+    if (matchMedia("(max-width: 52rem)").matches) element("contents").open = false;
+    this.score();
+  }
+
+  filter() {
+    const topic = element("topic").value;
+    this.practice.questions.forEach((question, number) => {
+      this.links[number].link.parentElement.hidden = topic !== "" && !question.topics.includes(topic);
+    });
+    for (const section of element("list").children) {
+      section.hidden = [...section.querySelectorAll("li")].every((item) => item.hidden);
+    }
+  }
+
+  /** Shows how far the student has come. */
+  score() {
+    const status = (number) => this.memory.questions[this.keys[number]]?.status ?? "new";
+    this.links.forEach(({ link, mark, words }, number) => {
+      mark.textContent = MARKS[status(number)];
+      words.textContent = `(${say(`status_${status(number)}`)})`;
+      if (number === this.number) link.setAttribute("aria-current", "page");
+      else link.removeAttribute("aria-current");
+    });
+    const show = (meter, words, numbers) => {
+      const done = numbers.filter((number) => status(number) === "done").length;
+      meter.max = numbers.length;
+      meter.value = done;
+      words.textContent = say("done_of", { done, all: numbers.length });
+    };
+    this.meters.forEach(({ meter, words, numbers }) => show(meter, words, numbers));
+    show(element("score"), element("score-words"), this.links.map((_, number) => number));
+  }
+
+  forget() {
+    if (!confirm(say("forget_really"))) return;
+    this.memory.forget();
+    this.open({ number: this.number }, true);
+  }
+
+  /** A new variant: data that the student has not seen. */
+  fresh(number) {
+    const [high, low] = crypto.getRandomValues(new Uint32Array(2));
+    const from = (high % 256) * 2 ** 32 + low;
+    return this.grader.ask({ do: "choose", question: number, from }).code;
+  }
+
+  open({ number, code }, focus) {
+    const record = this.memory.question(this.keys[number]);
+    const variant = code?.toUpperCase() ?? (record.code || this.fresh(number));
+    if (record.code !== variant) Object.assign(record, { code: variant, parts: {} });
+    this.number = number;
+    this.memory.current = this.keys[number];
+    this.memory.keep();
+    this.stage = new Question(this, number, record);
+    element("stage").replaceChildren(this.stage.root);
+    history.replaceState(null, "", `#${this.practice.questions[number].item}/${record.code}`);
+    this.score();
+    if (focus) this.stage.root.querySelector("h2").focus();
+  }
+
+  another() {
+    const code = this.fresh(this.number);
+    this.open({ number: this.number, code }, true);
+    element("announce").textContent = say("new_instance", { code });
+  }
+}
+
+/** One question on the stage. */
+class Question {
+  constructor(page, number, record) {
+    Object.assign(this, { page, number, record });
+    const about = page.practice.questions[number];
+    this.root = copy("t-question");
+    const find = (selector) => this.root.querySelector(selector);
+    find("h2").textContent = about.title;
+    find(".about").textContent = [
+      about.chapter,
+      say("level", { level: about.level }),
+      say("minutes", { minutes: about.minutes }),
+    ].join(" · ");
+    const shown = this.ask("show");
+    if (shown.error) {
+      find(".statement").append(make("p", { className: "notice", textContent: say("failed") }));
+      this.parts = [];
+    } else {
+      find(".statement").innerHTML = shown.statement;
+      find(".identity").append(say("code"), " ", make("b", { textContent: record.code }), ` · ${shown.identity}`);
+      this.parts = shown.parts.map((part) => new Part(this, part));
+      find(".parts").append(...this.parts.map((part) => part.root));
+    }
+    const on = (name, action) => find(`[data-do=${name}]`).addEventListener("click", action);
+    on("another", () => page.another());
+    on("print", () => print());
+    on("link", () => this.link());
+    const step = (name, to) => {
+      on(name, () => page.open({ number: to }, true));
+      find(`[data-do=${name}]`).disabled = !page.practice.questions[to];
+    };
+    step("previous", number - 1);
+    step("next", number + 1);
+  }
+
+  ask(what, more = {}) {
+    return this.page.grader.ask({ do: what, question: this.number, code: this.record.code, ...more });
+  }
+
+  async link() {
+    try {
+      await navigator.clipboard.writeText(location.href);
+      element("announce").textContent = say("link_copied");
+      this.root.querySelector("[data-do=link]").textContent = say("link_copied");
+    } catch {
+      this.root.querySelector("[data-do=link]").replaceWith(say("link_here"));
+    }
+  }
+
+  /** What was answered to the parts before this one. */
+  earlier(part) {
+    const before = this.parts.slice(0, this.parts.indexOf(part));
+    const answered = before.filter((other) => other.record.verdict && other.record.response);
+    return Object.fromEntries(answered.map((other) => [other.id, other.record.response]));
+  }
+
+  /** Takes stock after a mark or a look at a solution. */
+  settle() {
+    const records = this.parts.map((part) => part.record);
+    const right = records.every((record) => record.verdict === "right");
+    const seen = records.some((record) => record.solved);
+    const best = this.record.status === "done" || (right && !seen) ? "done" : seen ? "seen" : "tried";
+    this.record.status = best;
+    this.page.memory.keep();
+    this.page.score();
+  }
+}
+
+/** One part of a question with its answer. */
+class Part {
+  constructor(question, part) {
+    Object.assign(this, { question, part, id: part.id });
+    this.record = question.record.parts[part.id] ??= { response: "", attempts: 0, hints: 0 };
+    this.root = copy("t-part");
+    this.name = `part-${part.letter}`;
+    const heading = this.find("h3");
+    heading.append(make("span", { ariaHidden: "true", textContent: `${part.letter})` }));
+    heading.append(make("span", { className: "visually-hidden", textContent: say("part", { letter: part.letter }) }));
+    heading.id = this.name;
+    this.root.setAttribute("aria-labelledby", this.name);
+    this.find(".ask").innerHTML = part.ask;
+    this.find(".ask").id = `${this.name}-ask`;
+    this.find(".echo").id = `${this.name}-echo`;
+    this.input = this.field();
+    this.find(".answer").append(this.input.root);
+    this.find("form").addEventListener("submit", (event) => {
+      event.preventDefault();
+      this.mark();
+    });
+    this.find("[data-do=hint]").addEventListener("click", () => this.hint());
+    this.find("[data-do=solve]").addEventListener("click", () => this.solve());
+    this.restore();
+  }
+
+  find(selector) {
+    return this.root.querySelector(selector);
+  }
+
+  ask(what, more = {}) {
+    return this.question.ask(what, { part: this.id, ...more });
+  }
+
+  /** The way in which this part is answered. */
+  field() {
+    if (this.part.options.length > 0 && this.part.choosing !== "ranking") return options(this);
+    if (this.part.rows) return entries(this);
+    return line(this);
+  }
+
+  restore() {
+    if (this.record.response) {
+      this.input.fill(this.record.response);
+      this.echo();
+    }
+    if (this.record.verdict) this.show(this.ask("mark", this.asked(this.record.response)));
+    for (let number = 0; number < this.record.hints; number += 1) this.addHint(number);
+    if (this.record.solved) this.addSolution();
+    this.refresh();
+  }
+
+  refresh() {
+    const { attempts, hints, solved } = this.record;
+    const hint = this.find("[data-do=hint]");
+    hint.hidden = this.part.hints === 0;
+    hint.disabled = hints >= this.part.hints;
+    hint.textContent = say(hints > 0 ? "next_hint" : "hint");
+    this.find("[data-do=solve]").disabled = Boolean(solved);
+    this.find(".attempts").textContent =
+      attempts === 0 ? "" : say(attempts === 1 ? "attempts_one" : "attempts", { count: attempts });
+  }
+
+  /** The answer was changed: it is read again, and marks of another answer are taken away. */
+  changed() {
+    this.record.response = this.input.value();
+    if (this.record.verdict) {
+      delete this.record.verdict;
+      this.find(".feedback").replaceChildren();
+      this.find(".feedback").className = "feedback";
+    }
+    this.question.page.memory.keep();
+    clearTimeout(this.waiting);
+    this.waiting = setTimeout(() => this.echo(), 150);
+  }
+
+  echo() {
+    const place = this.find(".echo");
+    const response = this.record.response.trim();
+    if (response === "" || this.input.isChoice) return place.replaceChildren();
+    const { reading, problem } = this.ask("read", { response });
+    const said = reading ?? problem;
+    const lead = `${say(reading ? "read_as" : "unreadable")}: `;
+    place.replaceChildren(make("span", { textContent: lead }), make("span", { innerHTML: said ?? "" }));
+  }
+
+  asked(response) {
+    return { response, earlier: this.question.earlier(this) };
+  }
+
+  mark() {
+    clearTimeout(this.waiting);
+    this.record.response = this.input.value();
+    const marking = this.ask("mark", this.asked(this.record.response));
+    if (marking.error) return this.show({ verdict: "unreadable", feedback: "" });
+    if (["right", "partial", "wrong"].includes(marking.verdict)) {
+      this.record.attempts += 1;
+      this.record.verdict = marking.verdict;
+    } else {
+      delete this.record.verdict;
+    }
+    this.echo();
+    this.show(marking);
+    this.refresh();
+    this.question.settle();
+  }
+
+  show({ verdict, feedback, reasons = [] }) {
+    const place = this.find(".feedback");
+    place.className = `feedback ${verdict}`;
+    const key = reasons.includes("follow-through") ? "verdict_follow" : `verdict_${verdict}`;
+    const title = make("p", { className: "verdict", textContent: say(key) });
+    place.replaceChildren(title, make("div", { innerHTML: feedback }));
+    // A sentence that says the verdict again is left out.
+    if (place.lastElementChild.textContent.trim() === `${title.textContent}.`) place.lastElementChild.remove();
+  }
+
+  addHint(number) {
+    const title = make("h4", { textContent: say("hint_number", { number: number + 1 }) });
+    const text = make("div", { innerHTML: this.ask("hint", { number }).html ?? "" });
+    this.find(".hints").append(make("section", {}, title, text));
+  }
+
+  hint() {
+    this.addHint(this.record.hints);
+    this.record.hints += 1;
+    this.refresh();
+    this.question.settle();
+  }
+
+  addSolution() {
+    const { key, html, error } = this.ask("solve");
+    const place = this.find(".solution");
+    if (error) return place.replaceChildren(make("p", { textContent: error }));
+    const value = make("p", { className: "value" });
+    value.append(`${say("key")}: `, make("span", { innerHTML: this.part.options.length ? this.chosen() : key }));
+    place.replaceChildren(make("h4", { textContent: say("solution") }), value, make("div", { innerHTML: html }));
+  }
+
+  /** The right options in words. */
+  chosen() {
+    const { right } = this.ask("solve");
+    const option = (id) => this.part.options.find((known) => known.id === id);
+    return right.map((id) => `${option(id).letter}) ${option(id).text}`).join(" ");
+  }
+
+  solve() {
+    this.record.solved = true;
+    this.addSolution();
+    this.refresh();
+    this.question.settle();
+  }
+}
+
+// ── Ways to answer ─────────────────────────────────────────────────────────────────────────────
+
+/** One line of text. */
+function line(part) {
+  const { part: asked, name } = part;
+  const root = copy("t-line");
+  const input = root.querySelector("input");
+  const format = root.querySelector(".format p");
+  input.id = `${name}-answer`;
+  format.id = `${name}-format`;
+  format.textContent = say(`format_${asked.kind}`);
+  input.setAttribute("aria-describedby", `${name}-ask ${name}-echo`);
+  root.querySelector("label").htmlFor = input.id;
+  root.querySelector("label").textContent = say("answer", { letter: asked.letter });
+  root.querySelector(".lead").innerHTML = asked.lead ?? "";
+  root.querySelector(".unit").innerHTML = asked.unit ?? "";
+  if (asked.options.length) root.prepend(lettered(asked.options));
+  input.addEventListener("input", () => part.changed());
+  return { root, value: () => input.value, fill: (response) => (input.value = response) };
+}
+
+/** Options with their letters, to be put in order. */
+function lettered(options) {
+  const item = ({ letter, text }) => make("li", { innerHTML: `<b>${letter}</b> ${text}` });
+  return make("ul", { className: "ranking" }, ...options.map(item));
+}
+
+/** Options to choose from. */
+function options(part) {
+  const { part: asked, name } = part;
+  const type = asked.choosing === "several" ? "checkbox" : "radio";
+  const legend = make("legend", {
+    className: "visually-hidden",
+    textContent: say("answer_option", { letter: asked.letter }),
+  });
+  const root = make("fieldset", {}, legend);
+  const inputs = asked.options.map((option, at) => {
+    const input = make("input", { type, name, value: option.id, id: `${name}-${at}` });
+    const label = make("label", { htmlFor: input.id, innerHTML: option.text });
+    input.addEventListener("change", () => part.changed());
+    root.append(make("div", { className: "option" }, input, label));
+    return input;
+  });
+  const chosen = () => inputs.filter((input) => input.checked).map((input) => input.value);
+  const fill = (response) => {
+    const ids = response.split(", ");
+    inputs.forEach((input) => (input.checked = ids.includes(input.value)));
+  };
+  return { root, isChoice: true, value: () => chosen().join(", "), fill };
+}
+
+/** Entries of a matrix or a shape, with a line of text for those who rather type. */
+function entries(part) {
+  const { part: asked, name } = part;
+  const { rows, columns } = asked;
+  const text = line(part);
+  const legend = make("legend", { className: "visually-hidden", textContent: say("answer", { letter: asked.letter }) });
+  const grid = make("div", { className: "entries" });
+  grid.style.gridTemplateColumns = `repeat(${columns}, minmax(3rem, 9rem))`;
+  const cells = Array.from({ length: rows * columns }, (_, at) => {
+    const cell = make("input", { type: "text", autocomplete: "off", spellcheck: false, maxLength: 400 });
+    cell.setAttribute("autocapitalize", "off");
+    cell.setAttribute("aria-describedby", `${name}-ask ${name}-echo`);
+    const [row, column] = [Math.floor(at / columns) + 1, (at % columns) + 1];
+    cell.setAttribute("aria-label", say("answer_entry", { row, column }));
+    cell.addEventListener("input", () => part.changed());
+    return cell;
+  });
+  grid.append(...cells);
+  const lead = make("span", { className: "lead", innerHTML: asked.lead ?? "" });
+  const unit = make("span", { className: "unit", innerHTML: asked.unit ?? "" });
+  const field = make("div", { className: "field" }, lead, grid, unit);
+  const other = make("button", { type: "button", textContent: say("typed") });
+  const root = make("fieldset", {}, legend, field, text.root, make("p", {}, other));
+  let isTyped = false;
+  const change = (typed) => {
+    isTyped = typed;
+    field.hidden = typed;
+    text.root.hidden = !typed;
+    other.textContent = say(typed ? "entries" : "typed");
+  };
+  change(false);
+  other.addEventListener("click", () => {
+    if (!isTyped) text.fill(composed());
+    change(!isTyped);
+    part.changed();
+  });
+  const composed = () => {
+    const values = cells.map((cell) => cell.value.trim());
+    if (values.every((value) => value === "")) return "";
+    const row = (at) => values.slice(at * columns, (at + 1) * columns).join(", ");
+    if (columns === 1) return `(${values.join(", ")})`;
+    return `[${Array.from({ length: rows }, (_, at) => `[${row(at)}]`).join(", ")}]`;
+  };
+  const fill = (response) => {
+    const values = response.replace(/^[[(]+|[\])]+$/g, "").split(/\]\s*,\s*\[|,\s*/);
+    const fits = values.length === cells.length;
+    if (fits) cells.forEach((cell, at) => (cell.value = values[at]));
+    if (!fits || composed() !== response) {
+      text.fill(response);
+      change(true);
+    }
+  };
+  return { root, value: () => (isTyped ? text.value() : composed()), fill };
+}
+
+// ── Beginning ──────────────────────────────────────────────────────────────────────────────────
+
+async function begin() {
+  if (!globalThis.DecompressionStream || !globalThis.WebAssembly) {
+    element("stage").textContent = say("too_old");
+    return;
+  }
+  const [items, code] = await Promise.all([unpacked("items"), unpacked("grader")]);
+  const first = new TextDecoder().decode(items.subarray(0, items.indexOf(10)));
+  const practice = JSON.parse(first);
+  const grader = new Grader(await WebAssembly.compile(code), items);
+  await grader.start();
+  globalThis.page = new Page(practice, grader, new Memory(practice.title));
+  document.documentElement.dataset.ready = Math.round(performance.now());
+}
+
+begin().catch((error) => {
+  console.error(error);
+  element("stage").textContent = say("failed");
+});

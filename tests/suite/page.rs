@@ -1,0 +1,265 @@
+//! The self-check page: its grader against the library, and the page itself.
+//!
+//! The committed module runs here in an interpreter and has to give the replies of the library, bit for bit.
+
+use std::fs;
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+
+use sha2::{Digest, Sha256};
+use vibank::bank::{Catalogue, Template, embedded};
+use vibank::instance::Instance;
+use vibank::solution::Solution;
+use vibank::wasm::Grader;
+use vibank::worksheet::Practice;
+use wasmi::{Engine, Instance as Running, Linker, Module, Store, TypedFunc};
+
+const REBUILD: &str =
+    "build it again with `src/wasm/build.sh` (needs `rustup target add wasm32-unknown-unknown`)";
+
+/// The module, running.
+struct Sandbox {
+    store: Store<()>,
+    instance: Running,
+}
+
+impl Sandbox {
+    fn start(lines: &str) -> Self {
+        let bytes = fs::read("src/wasm/grader.wasm").expect("the module is committed");
+        let engine = Engine::default();
+        let module = Module::new(&engine, &bytes).expect("a module");
+        assert_eq!(module.imports().count(), 0, "the module imports nothing");
+        let mut store = Store::new(&engine, ());
+        let instance = Linker::new(&engine)
+            .instantiate_and_start(&mut store, &module)
+            .expect("it starts");
+        let mut sandbox = Self { store, instance };
+        assert_eq!(sandbox.call("load", lines), "");
+        sandbox
+    }
+
+    fn call(&mut self, name: &str, text: &str) -> String {
+        let store = &mut self.store;
+        let instance = self.instance;
+        let memory = instance.get_memory(&*store, "memory").expect("it has one");
+        let reserve: TypedFunc<i32, i32> = instance.get_typed_func(&*store, "reserve").expect("");
+        let release: TypedFunc<(i32, i32), ()> =
+            instance.get_typed_func(&*store, "release").expect("");
+        let function: TypedFunc<(i32, i32), i64> =
+            instance.get_typed_func(&*store, name).expect("");
+        let length = text.len() as i32;
+        let start = reserve.call(&mut *store, length).expect("room");
+        memory
+            .write(&mut *store, start as u32 as usize, text.as_bytes())
+            .expect("it was reserved");
+        let packed = function
+            .call(&mut *store, (start, length))
+            .unwrap_or_else(|error| panic!("`{text}` stopped the module: {error}"))
+            as u64;
+        let mut reply = vec![0; packed as u32 as usize];
+        memory
+            .read(&*store, (packed >> 32) as usize, &mut reply)
+            .expect("it is there");
+        release
+            .call(store, ((packed >> 32) as i32, packed as u32 as i32))
+            .expect("given back");
+        String::from_utf8(reply).expect("JSON")
+    }
+}
+
+/// Requests about a question: everything that a page asks, with right, wrong and unreadable responses.
+fn requests(
+    number: usize,
+    code: &str,
+    template: &Template,
+    keys: &[(String, String)],
+) -> Vec<String> {
+    let about = |what: &str, part: &str, more: serde_json::Value| {
+        let mut request = serde_json::json!({ "do": what, "question": number, "code": code });
+        if !part.is_empty() {
+            request["part"] = part.into();
+        }
+        for (key, value) in more.as_object().into_iter().flatten() {
+            request[key] = value.clone();
+        }
+        request.to_string()
+    };
+    let mut requests = vec![about("show", "", serde_json::json!({}))];
+    for (part, key) in keys {
+        let wrong = [key.as_str(), "2.5 Hz", "m x'' + k x = 0", "a, b", "][<b>"];
+        for response in wrong {
+            let response = serde_json::json!({ "response": response });
+            requests.push(about("mark", part, response.clone()));
+            requests.push(about("read", part, response));
+        }
+        requests.push(about("solve", part, serde_json::json!({})));
+        let hints = template.part(part).map_or(0, |part| part.hints.len());
+        requests
+            .extend((0..hints).map(|at| about("hint", part, serde_json::json!({ "number": at }))));
+    }
+    requests
+}
+
+/// The parts that are asked of a variant, and their keys as a student might type them.
+fn keys(template: &Template, code: &str) -> Vec<(String, String)> {
+    let variant: vibank::seed::Variant = code.parse().expect("a code");
+    let seed = variant.item(template.id.as_str(), None);
+    let solution = Solution::of(Instance::draw(template, seed).expect("it was chosen"));
+    let asked = (0..template.parts.len()).filter(|place| solution.asks(*place));
+    let key = |place: usize| {
+        let key = solution
+            .marker(place)
+            .map(|marker| marker.key().math.plain());
+        (template.parts[place].id.clone(), key.unwrap_or_default())
+    };
+    asked.map(key).collect()
+}
+
+#[test]
+fn the_module_answers_as_the_library_does() {
+    if !is_current() {
+        // Told past the capture of the test runner.
+        let _ = writeln!(
+            std::io::stderr(),
+            "note: src/wasm/grader.wasm was built from other sources and is not compared; {REBUILD}"
+        );
+        return;
+    }
+    let (catalogue, _) = Catalogue::load(embedded());
+    let all: Vec<&Template> = catalogue.items().iter().collect();
+    let (practice, items) = Practice::of_items(&catalogue, &all, "All");
+    let lines = practice.lines(&items);
+    let native = Grader::of(&lines).expect("it was written so");
+    let mut sandbox = Sandbox::start(&lines);
+    let mut compared = 0;
+    for (number, question) in practice.questions.iter().enumerate() {
+        let template = catalogue.find(question.item.as_str()).expect("it is there");
+        let choose = format!(
+            r#"{{"do":"choose","question":{number},"from":{}}}"#,
+            7 * number
+        );
+        let reply = native.answer(&choose);
+        assert_eq!(sandbox.call("ask", &choose), reply, "{}", template.id);
+        let reply: serde_json::Value = serde_json::from_str(&reply).expect("JSON");
+        let code = reply["code"].as_str().unwrap_or_else(|| panic!("{reply}"));
+        for request in requests(number, code, template, &keys(template, code)) {
+            let (here, there) = (native.answer(&request), sandbox.call("ask", &request));
+            assert!(
+                here == there,
+                "{request}\n library: {here}\n module:  {there}"
+            );
+            assert!(!here.starts_with(r#"{"error""#), "{request}: {here}");
+            compared += 1;
+        }
+    }
+    assert!(compared > 3000, "only {compared} replies were compared");
+}
+
+#[test]
+fn a_request_that_makes_no_sense_gets_an_error() {
+    let catalogue = super::small_bank();
+    let all: Vec<&Template> = catalogue.items().iter().collect();
+    let (practice, items) = Practice::of_items(&catalogue, &all, "Small");
+    let grader = Grader::of(&practice.lines(&items)).expect("it was written so");
+    for request in [
+        "",
+        "{}",
+        "[[[[[[",
+        r#"{"do":"show","question":99,"code":"000-000-000"}"#,
+        r#"{"do":"show","question":0,"code":"K7Q"}"#,
+        r#"{"do":"show","question":0,"code":"<script>"}"#,
+        r#"{"do":"hint","question":0,"code":"000-000-000","part":"none","number":0}"#,
+    ] {
+        let reply: serde_json::Value =
+            serde_json::from_str(&grader.answer(request)).expect("the reply is JSON");
+        assert!(reply["error"].is_string(), "{request}: {reply}");
+    }
+    assert!(Grader::of("no items").is_err());
+}
+
+#[test]
+fn a_hostile_response_stays_text() {
+    let catalogue = super::small_bank();
+    let all: Vec<&Template> = catalogue.items().iter().collect();
+    let (practice, items) = Practice::of_items(&catalogue, &all, "Small");
+    let grader = Grader::of(&practice.lines(&items)).expect("it was written so");
+    let long = "(".repeat(3900);
+    for (number, question) in practice.questions.iter().enumerate() {
+        let template = catalogue.find(question.item.as_str()).expect("it is there");
+        let code = "000-000-000";
+        for (part, _) in keys(template, code) {
+            for response in [
+                "<img src=x onerror=alert(1)>",
+                "\u{0}\u{1b}[2J",
+                "𝟙</script>",
+                &long,
+            ] {
+                for what in ["mark", "read"] {
+                    let request = serde_json::json!({
+                        "do": what, "question": number, "code": code, "part": part, "response": response,
+                    });
+                    let reply = grader.answer(&request.to_string());
+                    assert!(
+                        !reply.contains("<img") && !reply.contains("</script"),
+                        "{reply}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_page_is_one_file_that_fetches_nothing() {
+    let catalogue = super::small_bank();
+    let all: Vec<&Template> = catalogue.items().iter().collect();
+    let title = "Practice </script><script>alert(1)</script>";
+    let (practice, items) = Practice::of_items(&catalogue, &all, title);
+    let page = vibank::output::practice(&practice, &items).expect("it can be filled");
+    assert_eq!(
+        page.matches("<script").count(),
+        4,
+        "texts, items, grader, program"
+    );
+    assert!(!page.contains("alert(1)</script>"), "the title stays text");
+    for fetching in [" src=", "http://", "https://", "@import", "fetch("] {
+        let outside = page.replace("url(data:", "");
+        assert!(!outside.contains(fetching), "the page has `{fetching}`");
+    }
+    let again = vibank::output::practice(&practice, &items).expect("it can be filled");
+    assert!(page == again, "the same items give the same bytes");
+}
+
+/// What of the sources is in the module.
+fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
+    let entries = fs::read_dir(folder).expect("a folder");
+    for path in entries.map(|entry| entry.expect("an entry").path()) {
+        let is_outside = ["src/cli", "src/output", "src/main.rs"]
+            .iter()
+            .any(|outside| path == Path::new(outside));
+        if is_outside {
+            continue;
+        } else if path.is_dir() {
+            sources(&path, found);
+        } else if path.extension().is_some_and(|end| end == "rs") {
+            found.push(path);
+        }
+    }
+}
+
+/// Whether the module was built from these sources.
+fn is_current() -> bool {
+    let mut files = Vec::new();
+    sources(Path::new("src"), &mut files);
+    files.sort_by(|a, b| a.as_os_str().cmp(b.as_os_str()));
+    let mut hash = Sha256::new();
+    for file in files {
+        hash.update(fs::read(file).expect("it is there"));
+    }
+    let digest: String = hash
+        .finalize()
+        .iter()
+        .map(|byte| format!("{byte:02x}"))
+        .collect();
+    fs::read_to_string("src/wasm/grader.sources").is_ok_and(|noted| noted.trim() == digest)
+}
