@@ -19,6 +19,14 @@
 //! assert_eq!(law.plain(), "ω_n = √(k/m)");
 //! assert_eq!(law.spoken(), "omega sub n equals the square root of k over m end root");
 //! ```
+#![cfg_attr(
+    not(feature = "render"),
+    allow(
+        dead_code,
+        unused_imports,
+        reason = "the readers of texts use more of the tables than the writers do"
+    )
+)]
 
 mod alphabet;
 mod atom;
