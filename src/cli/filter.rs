@@ -1,8 +1,8 @@
-//! The items that a command works on, by what they say of themselves.
+//! Which items of the bank are meant.
 
 use vibank::bank::Template;
 
-/// What an item has to be; all that is stated has to hold.
+/// Items by chapter, topic, level and kind of answer.
 #[derive(clap::Args)]
 pub(crate) struct Filter {
     /// Items of this chapter, such as ch3.
@@ -29,7 +29,7 @@ impl Filter {
     }
 
     /// Whether an item passes.
-    pub(crate) fn passes(&self, item: &Template) -> bool {
+    pub(crate) fn wants(&self, item: &Template) -> bool {
         fn fits<'a>(wanted: Option<&String>, found: impl IntoIterator<Item = &'a str>) -> bool {
             wanted.is_none_or(|wanted| {
                 found

@@ -26,7 +26,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let items: Vec<&Template> = catalogue
         .items()
         .iter()
-        .filter(|item| arguments.filter.passes(item))
+        .filter(|item| arguments.filter.wants(item))
         .collect();
     if let Format::Json = arguments.format {
         let entries: Vec<_> = items.iter().map(|item| entry(item)).collect();

@@ -75,7 +75,7 @@ fn filtered(filter: &Filter, catalogue: &Catalogue) -> Result<Offered, Failure> 
     let items: Vec<&Template> = catalogue
         .items()
         .iter()
-        .filter(|item| filter.passes(item))
+        .filter(|item| filter.wants(item))
         .collect();
     if items.is_empty() {
         return Err(Failure::new("no item passes this filter")
