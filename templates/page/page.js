@@ -246,6 +246,7 @@ class Question {
       find(".identity").append(say("code"), " ", make("b", { textContent: record.code }), ` · ${shown.identity}`);
       this.parts = shown.parts.map((part) => new Part(this, part));
       find(".parts").append(...this.parts.map((part) => part.root));
+      this.parts.forEach((part) => part.restore());
     }
     const on = (name, action) => find(`[data-do=${name}]`).addEventListener("click", action);
     on("another", () => page.another());
@@ -315,7 +316,6 @@ class Part {
     });
     this.find("[data-do=hint]").addEventListener("click", () => this.hint());
     this.find("[data-do=solve]").addEventListener("click", () => this.solve());
-    this.restore();
   }
 
   find(selector) {
@@ -333,6 +333,7 @@ class Part {
     return line(this);
   }
 
+  /** Shows what was done before the page was opened again. */
   restore() {
     if (this.record.response) {
       this.input.fill(this.record.response);
@@ -393,7 +394,8 @@ class Part {
     } else {
       delete this.record.verdict;
     }
-    this.echo();
+    if (marking.reading) this.echo();
+    else this.find(".echo").replaceChildren();
     this.show(marking);
     this.refresh();
     this.question.settle();

@@ -110,7 +110,7 @@ await step("what cannot be read spends no attempt", async () => {
 await step("a wrong answer is told, and how it was read", async () => {
   await answer("a", "123456");
   assert.match(await part("a").locator(".echo").textContent(), /Read as/);
-  assert.match(await feedback("a").textContent(), /Not right/);
+  assert.match(await feedback("a").textContent(), /This is not the answer/);
   assert.equal(await part("a").locator(".attempts").textContent(), "1 attempt");
 });
 
@@ -125,7 +125,7 @@ await step("reloading keeps answer, attempts and hints", async () => {
   assert.equal(await field("a").inputValue(), "123456");
   assert.equal(await part("a").locator(".attempts").textContent(), "1 attempt");
   assert.match(await part("a").locator(".hints").textContent(), /Hint 1/);
-  assert.match(await feedback("a").textContent(), /Not right/);
+  assert.match(await feedback("a").textContent(), /This is not the answer/);
 });
 
 await step("axe finds nothing in a marked question", () => check("marked"));
