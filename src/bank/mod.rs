@@ -15,6 +15,7 @@ mod identity;
 mod load;
 mod parameter;
 mod passage;
+pub mod plot;
 mod read;
 mod template;
 

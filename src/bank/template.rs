@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::plot::Plot;
 use super::{About, ItemId, Parameter, Passage, Revision};
 use crate::answer::Answer;
 use crate::expr::{Name, Precise};
@@ -32,6 +33,8 @@ pub struct Template {
     pub quantities: BTreeMap<NodeId, QuantityInfo>,
     /// Symbols of coordinates and other free names, where the item states them.
     pub symbols: BTreeMap<Name, Math>,
+    /// Plots, by name.
+    pub plots: Vec<Plot>,
     /// What is given.
     pub statement: Passage,
     /// What comes before the solutions of the parts.

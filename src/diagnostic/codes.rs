@@ -100,6 +100,8 @@ codes! {
         "A tolerance is `2 %`, `0.05 rad`, `3 sf`, `1 % of omega2`, or several of these joined by commas, of which the widest counts."
     OPTIONS "bank::options" "Options of a choice that cannot be chosen from."
         "A choice has from 2 to 26 options with identities of their own, and at least one that can be right."
+    PLOT "bank::plot" "A plot that cannot be drawn."
+        "A plot of `curves` or of a `phase-plane` has a variable `x` with a range of two formulas, and from 1 to 12 curves, whose formulas are real numbers and functions of the variable alone.\nAll curves have the dimension of the unit of `y`; a mark has the dimensions of both axes.\nA `band` has two edges, `[-delta, delta]`.\nA plot of `mode-shapes` draws those of a model."
     MODEL_COORDINATE "model::coordinate" "A model moves something that it does not declare."
         "What bears a prime is a coordinate or a name in `kinematics`.\n`forces`, `friction`, `initial` and `equilibrium` are keyed by coordinates.\nA name stands for one thing, and kinematic names do not need each other in a circle."
     MODEL_DIMENSION "model::dimension" "A term of an energy or force has the wrong dimension."

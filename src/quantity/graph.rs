@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::error::GraphError;
 use super::link::{Linked, Linker, Order};
 use super::model::{Offered, System};
-use crate::expr::{CompileError, Expr, Name, Path, Program, Type};
+use crate::expr::{CompileError, Expr, Kind, Name, Path, Program, Type};
 use crate::unit::Dimension;
 
 /// A thing of an item that has a value.
@@ -159,6 +159,40 @@ impl Graph {
         } else {
             Err(errors)
         }
+    }
+
+    /// Adds a formula without a name in which `variable` is free, of type `kind`.
+    ///
+    /// A parameter or quantity of this name stands back: what depends on it follows the variable.
+    ///
+    /// # Errors
+    ///
+    /// All that is wrong with its names and dimensions.
+    pub fn formula_over(
+        &mut self,
+        label: impl Into<Box<str>>,
+        expr: Expr,
+        variable: &Name,
+        kind: Type,
+    ) -> Result<NodeId, Vec<GraphError>> {
+        let is_number = self
+            .find(variable)
+            .is_some_and(|id| self.variables(id).is_empty());
+        if is_number {
+            // No formula can write this name.
+            let free = Name::new(&*format!("{variable} of the plot"));
+            let put = Expr::name(free.clone());
+            let span = expr.span();
+            let expr = Expr::new(Kind::At(expr, vec![(variable.clone(), put)]), span);
+            return self.formula_over(label, expr, &free, kind);
+        }
+        let hidden = self.names.insert(variable.clone(), Entry::Free(kind));
+        let result = self.formula(label, expr);
+        match hidden {
+            Some(entry) => self.names.insert(variable.clone(), entry),
+            None => self.names.remove(variable),
+        };
+        result
     }
 
     /// Checks all quantities, in an order in which each comes after those that it needs.

@@ -13,7 +13,8 @@ impl Scene<'_, '_> {
     pub(super) fn filling(&self, target: &Target, form: Form) -> Filling {
         match target {
             Target::Node(node) => self.node(*node, form),
-            Target::Figure | Target::Plot(_) => Filling::Figure(String::new()),
+            Target::Figure => Filling::Figure(String::new()),
+            Target::Plot(name) => self.drawn_plot(name),
             Target::Model(path) => Filling::Math(self.offered(path)),
             Target::Nothing => Filling::words("?"),
         }

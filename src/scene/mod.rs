@@ -6,6 +6,9 @@
 
 mod fill;
 mod notation;
+mod plot;
+
+pub use plot::Undrawn;
 
 use crate::bank::{Passage, Piece};
 use crate::document::{Document, Filling};

@@ -25,6 +25,8 @@ mod physics;
 #[cfg(feature = "pdf")]
 mod print;
 #[cfg(feature = "render")]
+mod plots;
+#[cfg(feature = "render")]
 mod text;
 #[cfg(feature = "render")]
 mod trace;

@@ -130,6 +130,55 @@ pub enum ItemError {
         /// The known name that is nearest.
         nearest: Option<String>,
     },
+    /// A kind of plot that does not exist.
+    #[error("`{found}` is no kind of plot")]
+    PlotKind {
+        /// The word.
+        found: String,
+    },
+    /// A style of curves that does not exist.
+    #[error("`{found}` is no style of a curve")]
+    PlotStyle {
+        /// The word.
+        found: String,
+    },
+    /// Something that is not two formulas.
+    #[error("two formulas are due here")]
+    PlotPair,
+    /// A formula that has no number to draw.
+    #[error("a plot draws real numbers, and this is none")]
+    PlotValue,
+    /// A band without two edges.
+    #[error("a band has two edges")]
+    PlotBand,
+    /// A function of something else than the variable.
+    #[error("this is a function of `{of}`, which is not the variable")]
+    PlotVariable {
+        /// Of what.
+        of: String,
+    },
+    /// A unit that its formula does not have.
+    #[error("the axis is in {unit}, but this is in {found}")]
+    PlotUnit {
+        /// The unit of the axis.
+        unit: String,
+        /// The dimension found.
+        found: String,
+    },
+    /// Too many curves, or none.
+    #[error("a plot has from 1 to {most} curves, and this one {found}")]
+    CurveCount {
+        /// How many.
+        found: usize,
+        /// The most.
+        most: usize,
+    },
+    /// Mode shapes of a model that is not there.
+    #[error("there is no `{found}` in this item")]
+    PlotModel {
+        /// Its name.
+        found: String,
+    },
     /// A parameter that is not there.
     #[error("`{found}` is no parameter of this item")]
     Parameter {
@@ -158,6 +207,15 @@ impl Diagnose for ItemError {
             Self::PartId | Self::PartTwice { .. } | Self::Points => Code::PART,
             Self::Credit | Self::Mistake => Code::MISTAKE,
             Self::Expected { .. } | Self::Parameter { .. } => Code::CHECK,
+            Self::PlotKind { .. }
+            | Self::PlotStyle { .. }
+            | Self::PlotPair
+            | Self::PlotValue
+            | Self::PlotBand
+            | Self::PlotVariable { .. }
+            | Self::PlotUnit { .. }
+            | Self::CurveCount { .. }
+            | Self::PlotModel { .. } => Code::PLOT,
         }
     }
 
@@ -200,6 +258,21 @@ impl Diagnose for ItemError {
                         names().collect::<Vec<_>>().join(", ")
                     ))
                 })
+            }
+            Self::PlotKind { .. } => {
+                Some("it can be curves, mode-shapes, phase-plane".to_owned())
+            }
+            Self::PlotStyle { .. } => {
+                let names: Vec<_> = crate::figure::plot::Style::names().collect();
+                Some(format!("it can be {}", names.join(", ")))
+            }
+            Self::PlotPair => Some("write `[\"0\", \"5*T\"]`".to_owned()),
+            Self::PlotBand => Some("write both, `[-delta, delta]`".to_owned()),
+            Self::PlotVariable { .. } => {
+                Some("put in its value, `at(x, t = 2[s])`, or choose it as the variable".to_owned())
+            }
+            Self::PlotModel { .. } => {
+                Some("mode shapes are those of `[model]` or of the model named in `model`".to_owned())
             }
             Self::NoCondition => Some("compare two numbers, for example `zeta < 1`".to_owned()),
             Self::PartId => Some("add `id = \"…\"`".to_owned()),

@@ -8,6 +8,7 @@ mod error;
 mod models;
 mod parts;
 mod passages;
+mod plots;
 mod quantities;
 mod texts;
 
@@ -115,6 +116,7 @@ impl<'s> Reader<'s> {
         }
         self.data(table);
         self.quantities(table);
+        let plots = self.plots(table);
         let constraints = self.constraints(table);
         let statement = table.required_table("statement").map(|statement| {
             let passage = statement
@@ -150,6 +152,7 @@ impl<'s> Reader<'s> {
                 .iter()
                 .map(|known| (known.name.clone(), known.symbol.clone()))
                 .collect(),
+            plots,
             statement: statement?,
             solution: solution.unwrap_or_default(),
             notes: notes.unwrap_or_default(),

@@ -197,7 +197,7 @@ impl<'s> Reader<'s> {
         })
     }
 
-    fn replacements(&mut self, table: &Table<'s>) -> Vec<(NodeId, NodeId)> {
+    pub(super) fn replacements(&mut self, table: &Table<'s>) -> Vec<(NodeId, NodeId)> {
         let mut replaced = Vec::new();
         for entry in table.entries() {
             let Some(text) = table.as_formula(&entry.key, &entry.value) else {

@@ -1,0 +1,109 @@
+//! Plots as an item declares them: which formulas are drawn against what.
+
+use crate::figure::plot::Style;
+use crate::math::Math;
+use crate::quantity::NodeId;
+use crate::unit::Unit;
+
+/// A plot of an item.
+#[derive(Clone, Debug)]
+pub struct Plot {
+    /// Its name, as in `<< plots.name >>`.
+    pub name: String,
+    /// What it draws.
+    pub kind: PlotKind,
+}
+
+/// What a plot draws.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub enum PlotKind {
+    /// Quantities against a variable.
+    Curves(Curves),
+    /// The rate of a quantity against the quantity.
+    PhasePlane(Curves),
+    /// The mode shapes of a model.
+    ModeShapes(ModeShapes),
+}
+
+/// Curves over the range of a variable.
+#[derive(Clone, Debug)]
+pub struct Curves {
+    /// The variable.
+    pub x: Abscissa,
+    /// The axis upwards.
+    pub y: Ordinate,
+    /// The curves.
+    pub curves: Vec<Curve>,
+    /// Points that are marked.
+    pub marks: Vec<Mark>,
+}
+
+/// The variable of the curves and its axis.
+#[derive(Clone, Debug)]
+pub struct Abscissa {
+    /// From where to where.
+    pub range: [NodeId; 2],
+    /// Its unit.
+    pub unit: Unit,
+    /// What stands at the axis.
+    pub label: Math,
+    /// The distance of ticks, and whether they are shares of π.
+    pub ticks: Option<(NodeId, bool)>,
+    /// Whether it is logarithmic.
+    pub is_logarithmic: bool,
+}
+
+/// The axis of the values.
+#[derive(Clone, Debug)]
+pub struct Ordinate {
+    /// Its unit.
+    pub unit: Unit,
+    /// In a phase plane, the unit of the rate.
+    pub rate_unit: Unit,
+    /// What stands at the axis; may be empty.
+    pub label: Option<Math>,
+    /// What is shown, if not all.
+    pub range: Option<[NodeId; 2]>,
+    /// Whether it is logarithmic.
+    pub is_logarithmic: bool,
+}
+
+/// A curve.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    /// Its value, or the two edges of a band, as a function of the variable.
+    pub y: NodeId,
+    /// In a phase plane, its rate.
+    pub rate: Option<NodeId>,
+    /// What stands at it.
+    pub label: Option<Math>,
+    /// How it is drawn.
+    pub style: Style,
+    /// Quantities that have other values for this curve.
+    pub with: Vec<(NodeId, NodeId)>,
+}
+
+/// A marked point.
+#[derive(Clone, Debug)]
+pub struct Mark {
+    /// Where.
+    pub at: [NodeId; 2],
+    /// What stands at it.
+    pub label: Option<Math>,
+}
+
+/// The mode shapes of a model.
+#[derive(Clone, Debug)]
+pub struct ModeShapes {
+    /// The shapes, by rows.
+    pub shapes: NodeId,
+    /// The natural angular frequencies.
+    pub frequencies: NodeId,
+    /// The mass matrix, where the coordinates have several dimensions.
+    pub masses: Option<NodeId>,
+    /// The symbols of the coordinates.
+    pub coordinates: Vec<Math>,
+    /// The units of the components as shares of the first.
+    pub units: Vec<Unit>,
+}

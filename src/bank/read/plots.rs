@@ -1,0 +1,533 @@
+//! The tables of plots: variable, curves, marks; the mode shapes of a model.
+
+use super::{ItemError, Reader};
+use crate::bank::plot::{Abscissa, Curve, Curves, Mark, ModeShapes, Ordinate, Plot, PlotKind};
+use crate::bank::template::Units;
+use crate::document::read_math;
+use crate::expr::{Constant, Expr, Kind, Name, Path, Shape, Type};
+use crate::figure::plot::Style;
+use crate::math::Math;
+use crate::quantity::NodeId;
+use crate::source::{Data, Entry, Table, Text, Value};
+use crate::unit::{Dimension, Unit};
+
+/// No plot has more curves, or more marks.
+const MOST_CURVES: usize = 12;
+
+/// The variable of a plot while it is read.
+struct Variable {
+    name: Name,
+    kind: Type,
+}
+
+impl<'s> Reader<'s> {
+    /// The plots of the item. The names of all of them are known before the first text is read.
+    pub(super) fn plots(&mut self, table: &Table<'s>) -> Vec<Plot> {
+        let Some(plots) = table.table("plots") else {
+            return Vec::new();
+        };
+        plots
+            .entries()
+            .iter()
+            .filter_map(|entry| self.plot(&plots, entry))
+            .collect()
+    }
+
+    fn plot(&mut self, plots: &Table<'s>, entry: &'s Entry) -> Option<Plot> {
+        let name = format!("plots.{}", entry.key);
+        let table = Table::of(plots.source(), plots.problems(), &name, &entry.value)?;
+        let kind = table.text("kind");
+        let kind = match kind.as_ref().map_or("curves", |kind| kind.value.as_str()) {
+            "curves" => self.curves(&table, false).map(PlotKind::Curves),
+            "phase-plane" => self.curves(&table, true).map(PlotKind::PhasePlane),
+            "mode-shapes" => self.mode_shapes(&table).map(PlotKind::ModeShapes),
+            other => {
+                let found = other.to_owned();
+                self.find(&ItemError::PlotKind { found }, &kind.clone()?);
+                return None;
+            }
+        };
+        table.finish();
+        let name = entry.key.clone();
+        kind.map(|kind| Plot { name, kind })
+    }
+
+    fn curves(&mut self, table: &Table<'s>, is_phase_plane: bool) -> Option<Curves> {
+        let x = table.required_table("x");
+        let y = table.table("y");
+        let items = table.required("curves");
+        let marks = table.tables("marks");
+        let (variable, x) = self.abscissa(table.name(), &x?)?;
+        let unit = y.as_ref().and_then(|y| y.text("unit"));
+        let unit = unit.and_then(|unit| self.unit(&unit).map(|read| (read, unit)));
+        let mut curves = Vec::new();
+        for item in self.few(table, "curves", items?) {
+            let inner = Table::of(table.source(), table.problems(), "curves", item);
+            let read = inner.and_then(|inner| {
+                self.curve(table.name(), inner, &variable, is_phase_plane)
+            });
+            curves.extend(read);
+        }
+        let unit = self.ordinate_unit(&curves, unit, &variable)?;
+        let curves = curves.into_iter().map(|(curve, _)| curve).collect();
+        let y = self.ordinate(table.name(), y, unit, is_phase_plane, &x.unit);
+        let across = if is_phase_plane { y.unit } else { x.unit };
+        let up = if is_phase_plane { y.rate_unit } else { y.unit };
+        let marks = marks
+            .into_iter()
+            .take(MOST_CURVES)
+            .filter_map(|mark| self.mark(table.name(), mark, [across, up]))
+            .collect();
+        Some(Curves { x, y, curves, marks })
+    }
+
+    /// The items of an array that has few of them.
+    fn few(&mut self, table: &Table<'s>, key: &'static str, value: &'s Value) -> &'s [Value] {
+        let items = table.items(key, value);
+        if items.is_empty() || items.len() > MOST_CURVES {
+            let error = ItemError::CurveCount {
+                found: items.len(),
+                most: MOST_CURVES,
+            };
+            self.find(&error, &place(value));
+        }
+        &items[..items.len().min(MOST_CURVES)]
+    }
+
+    fn abscissa(&mut self, plot: &str, table: &Table<'s>) -> Option<(Variable, Abscissa)> {
+        let name = table.required_text("variable");
+        let range = table.required("range");
+        let unit = table.text("unit");
+        let label = table.text("label");
+        let ticks = table
+            .value("ticks")
+            .and_then(|ticks| table.as_formula("ticks", ticks));
+        let is_logarithmic = table.boolean("log").unwrap_or(false);
+        let range = range.and_then(|range| self.ends(plot, table, "range", range));
+        table.finish_ref();
+        let name = name?;
+        let name = self.variable(&name)?;
+        let (range, _) = range?;
+        let dimension = self.dimension_of(&range);
+        let unit = unit.map(|text| self.unit(&text).map(|unit| (unit, text)));
+        let unit = match unit {
+            Some(Some((unit, text))) => {
+                self.hold(&unit, dimension, &text);
+                unit
+            }
+            Some(None) => return None,
+            None => self.unit_of_name(&name, dimension),
+        };
+        let label = match &label {
+            Some(label) => self.plot_label(label),
+            None => self.symbol_of(&name),
+        };
+        let ticks = ticks.and_then(|text| self.ticks(plot, &text, &unit));
+        let kind = Type::real(unit.dimension());
+        let abscissa = Abscissa {
+            range,
+            unit,
+            label,
+            ticks,
+            is_logarithmic,
+        };
+        Some((Variable { name, kind }, abscissa))
+    }
+
+    /// The name of a variable: any, also one that the item has.
+    fn variable(&mut self, text: &Text) -> Option<Name> {
+        if text.value == "t" {
+            return Some(Name::new("t"));
+        }
+        self.name(&text.value, text.span)
+    }
+
+    /// Two formulas for numbers of one dimension.
+    fn ends(
+        &mut self,
+        plot: &str,
+        table: &Table<'s>,
+        key: &'static str,
+        value: &'s Value,
+    ) -> Option<([NodeId; 2], Text)> {
+        let items = table.items(key, value);
+        let [from, to] = items else {
+            self.find(&ItemError::PlotPair, &place(value));
+            return None;
+        };
+        let mut end = |name: &str, value: &'s Value| {
+            let text = table.as_formula(key, value)?;
+            self.number(&format!("{plot}: {name}"), &text)
+        };
+        let (from, to) = (end("from", from), end("to", to));
+        Some(([from?, to?], place(value)))
+    }
+
+    /// A formula that is one real number for given data.
+    fn number(&mut self, label: &str, text: &Text) -> Option<NodeId> {
+        let node = self.formula(label, text)?;
+        self.real(node, text)?;
+        let variables = self.graph.variables(node);
+        if let Some(of) = variables.first() {
+            let of = of.to_string();
+            self.find(&ItemError::PlotVariable { of }, text);
+            return None;
+        }
+        Some(node)
+    }
+
+    /// A finding unless a formula is a real number.
+    fn real(&mut self, node: NodeId, text: &Text) -> Option<()> {
+        let is_real = self
+            .graph
+            .kind(node)
+            .is_some_and(|kind| kind.form() == crate::expr::Form::REAL);
+        if !is_real {
+            self.find(&ItemError::PlotValue, text);
+        }
+        is_real.then_some(())
+    }
+
+    fn dimension_of(&self, nodes: &[NodeId]) -> Option<Dimension> {
+        let dimension = |node: &NodeId| self.graph.kind(*node).and_then(Type::dimension);
+        nodes.iter().find_map(dimension)
+    }
+
+    /// The unit in which a name is declared, if it has this dimension; else the coherent unit.
+    fn unit_of_name(&self, name: &Name, dimension: Option<Dimension>) -> Unit {
+        let node = self.graph.find(name);
+        let info = node.and_then(|node| self.quantities.get(&node));
+        let declared = match info.and_then(|info| info.units.as_ref()) {
+            Some(Units::One(unit)) => Some(*unit),
+            _ => None,
+        };
+        declared
+            .filter(|unit| dimension.is_none_or(|dimension| unit.dimension() == dimension))
+            .unwrap_or_else(|| coherent(dimension))
+    }
+
+    fn symbol_of(&self, name: &Name) -> Math {
+        let info = self
+            .graph
+            .find(name)
+            .and_then(|node| self.quantities.get(&node));
+        let free = self.free.iter().find(|known| known.name == *name);
+        info.map(|info| info.symbol.clone())
+            .or_else(|| free.map(|known| known.symbol.clone()))
+            .unwrap_or_else(|| crate::math::symbol(name.as_str()))
+    }
+
+    /// The distance of ticks; a share of π gives labels that are shares of π.
+    fn ticks(&mut self, plot: &str, text: &Text, unit: &Unit) -> Option<(NodeId, bool)> {
+        let node = self.number(&format!("{plot}: ticks"), text)?;
+        self.hold(unit, self.dimension_of(&[node]), text);
+        let mut is_share = false;
+        Expr::read(&text.value).ok()?.walk(&mut |node| {
+            is_share |= matches!(node.kind(), Kind::Constant(Constant::Pi));
+        });
+        Some((node, is_share))
+    }
+
+    /// A finding unless a unit has this dimension; zero has every dimension.
+    fn hold(&mut self, unit: &Unit, dimension: Option<Dimension>, text: &Text) {
+        if let Some(found) = dimension.filter(|found| *found != unit.dimension()) {
+            let error = ItemError::PlotUnit {
+                unit: unit.to_string(),
+                found: found.describe(),
+            };
+            self.find(&error, text);
+        }
+    }
+
+    /// A curve, and the text of its formula.
+    fn curve(
+        &mut self,
+        plot: &str,
+        table: Table<'s>,
+        variable: &Variable,
+        is_phase_plane: bool,
+    ) -> Option<(Curve, Text)> {
+        let y = table
+            .required("y")
+            .and_then(|y| table.as_formula("y", y));
+        let label = table.text("label").map(|label| self.plot_label(&label));
+        let style = table.text("style");
+        let style = style.map_or(Style::Auto, |text| {
+            Style::of_name(&text.value).unwrap_or_else(|| {
+                let found = text.value.clone();
+                self.find(&ItemError::PlotStyle { found }, &text);
+                Style::Auto
+            })
+        });
+        let with = table.table("with");
+        let with = with.map_or(Vec::new(), |with| self.replacements(&with));
+        table.finish();
+        let text = y?;
+        let expr = self.expr(&text)?;
+        let node = self.over(&format!("{plot}: curve"), expr.clone(), &text, variable)?;
+        let is_band = style == Style::Band && !is_phase_plane;
+        let shape = self.graph.kind(node)?.shape();
+        if !is_band {
+            self.real(node, &text)?;
+        } else if shape != Shape::Vector(2) {
+            self.find(&ItemError::PlotBand, &text);
+            return None;
+        }
+        let rate = if is_phase_plane {
+            let rate = Expr::derived(Kind::Diff(expr, vec![variable.name.clone()]));
+            Some(self.over(&format!("{plot}: rate"), rate, &text, variable)?)
+        } else {
+            None
+        };
+        let curve = Curve {
+            y: node,
+            rate,
+            label,
+            style,
+            with,
+        };
+        Some((curve, text))
+    }
+
+    /// A formula over the variable of the plot.
+    fn over(
+        &mut self,
+        label: &str,
+        expr: Expr,
+        text: &Text,
+        variable: &Variable,
+    ) -> Option<NodeId> {
+        let kind = variable.kind.clone();
+        let node = match self.graph.formula_over(label, expr, &variable.name, kind) {
+            Ok(node) => node,
+            Err(errors) => {
+                errors.iter().for_each(|error| self.find(error, text));
+                return None;
+            }
+        };
+        let names = self.graph.variables(node);
+        if let [_, other, ..] = names.as_slice() {
+            let of = if *other == variable.name { &names[0] } else { other };
+            let of = of.to_string();
+            self.find(&ItemError::PlotVariable { of }, text);
+            return None;
+        }
+        if let [only] = names.as_slice()
+            && self.graph.find(&variable.name).is_none()
+            && *only != variable.name
+        {
+            let of = only.to_string();
+            self.find(&ItemError::PlotVariable { of }, text);
+            return None;
+        }
+        Some(node)
+    }
+
+    /// The unit of the values: what is written, else that of the first curve; all curves agree with it.
+    fn ordinate_unit(
+        &mut self,
+        curves: &[(Curve, Text)],
+        written: Option<(Unit, Text)>,
+        variable: &Variable,
+    ) -> Option<Unit> {
+        let dimension = |reader: &Self, curve: &Curve| {
+            let kind = reader.graph.kind(curve.y)?;
+            kind.entries().flatten().next()
+        };
+        let unit = match &written {
+            Some((unit, _)) => *unit,
+            None => {
+                let (first, text) = curves.first()?;
+                let found = dimension(self, first);
+                let name = Name::new(text.value.trim());
+                let is_variable = name == variable.name;
+                if is_variable {
+                    coherent(found)
+                } else {
+                    self.unit_of_name(&name, found)
+                }
+            }
+        };
+        for (curve, text) in curves {
+            self.hold(&unit, dimension(self, curve), text);
+        }
+        Some(unit)
+    }
+
+    fn ordinate(
+        &mut self,
+        plot: &str,
+        table: Option<Table<'s>>,
+        unit: Unit,
+        is_phase_plane: bool,
+        variable: &Unit,
+    ) -> Ordinate {
+        let mut ordinate = Ordinate {
+            unit,
+            rate_unit: unit,
+            label: None,
+            range: None,
+            is_logarithmic: false,
+        };
+        if is_phase_plane {
+            let per = variable.pow(crate::unit::Rational::integer(-1));
+            let rate = per.and_then(|per| unit.times(&per));
+            ordinate.rate_unit = rate.unwrap_or(unit);
+        }
+        let Some(table) = table else {
+            return ordinate;
+        };
+        ordinate.label = table.text("label").map(|label| self.plot_label(&label));
+        ordinate.is_logarithmic = table.boolean("log").unwrap_or(false);
+        if let Some(value) = table.value("range") {
+            let ends = self.ends(plot, &table, "range", value);
+            if let Some((ends, place)) = ends {
+                self.hold(&unit, self.dimension_of(&ends), &place);
+                ordinate.range = Some(ends);
+            }
+        }
+        table.finish();
+        ordinate
+    }
+
+    fn mark(&mut self, plot: &str, table: Table<'s>, units: [Unit; 2]) -> Option<Mark> {
+        let at = table.required("at");
+        let label = table.text("label").map(|label| self.plot_label(&label));
+        table.finish();
+        let value = at?;
+        let [across, up] = table_pair(self, value)?;
+        let mut coordinate = |value: &'s Value, unit: Unit| {
+            let Data::Text(text) = &value.data else {
+                let found = place(value);
+                self.find(&ItemError::PlotValue, &found);
+                return None;
+            };
+            let text = Text {
+                value: text.clone(),
+                span: value.span,
+            };
+            let node = self.number(&format!("{plot}: mark"), &text)?;
+            self.hold(&unit, self.dimension_of(&[node]), &text);
+            Some(node)
+        };
+        let (across, up) = (coordinate(across, units[0]), coordinate(up, units[1]));
+        Some(Mark {
+            at: [across?, up?],
+            label,
+        })
+    }
+
+    fn mode_shapes(&mut self, table: &Table<'s>) -> Option<ModeShapes> {
+        let model = table.text("model");
+        let beginning = model.as_ref().map_or("model", |text| text.value.as_str());
+        let text = model.clone().unwrap_or(Text {
+            value: String::new(),
+            span: table.span(),
+        });
+        let Some(derived) = self.graph.derived(beginning) else {
+            let found = beginning.to_owned();
+            self.find(&ItemError::PlotModel { found }, &text);
+            return None;
+        };
+        let names: Vec<Name> = derived.coordinates().to_vec();
+        let mut offered = |quantity: &str| {
+            let path = beginning.split('.').chain([quantity]).map(Name::new);
+            let expr = Expr::derived(Kind::Path(Path::new(path.collect::<Vec<_>>())));
+            let label = format!("{}: {quantity}", table.name());
+            match self.graph.formula(label, expr) {
+                Ok(node) => Some(node),
+                Err(errors) => {
+                    errors.iter().for_each(|error| self.find(error, &text));
+                    None
+                }
+            }
+        };
+        let shapes = offered("mode_shapes");
+        let frequencies = offered("natural_angular_frequencies");
+        let masses = offered("M");
+        let shapes = shapes?;
+        let kind = self.graph.kind(shapes)?.clone();
+        let first = kind.entry(0);
+        let unit = |column: usize| {
+            let ratio = kind.entry(column).zip(first).map(|(own, first)| own / first);
+            coherent(ratio)
+        };
+        let units: Vec<Unit> = (0..names.len()).map(unit).collect();
+        let is_uniform = units.iter().all(|unit| unit.dimension().is_pure());
+        Some(ModeShapes {
+            shapes,
+            frequencies: frequencies?,
+            masses: masses.filter(|_| !is_uniform),
+            coordinates: names.iter().map(|name| self.coordinate_symbol(name)).collect(),
+            units,
+        })
+    }
+
+    /// The symbol of a coordinate, also where a quantity bears its name.
+    fn coordinate_symbol(&self, name: &Name) -> Math {
+        let known = self.free.iter().find(|known| known.name == *name);
+        known.map_or_else(|| crate::math::symbol(name.as_str()), |known| known.symbol.clone())
+    }
+
+    /// What stands at a curve, mark or axis: words, `$x$` in words, or a formula in LaTeX.
+    pub(super) fn plot_label(&mut self, text: &Text) -> Math {
+        let words = text.value.trim();
+        if let Some(inner) = words.strip_prefix('\'').and_then(|rest| rest.strip_suffix('\'')) {
+            return Math::text(inner);
+        }
+        if is_words(words) {
+            return Math::text(words);
+        }
+        if !words.contains('$') {
+            return self.label_math(words, text);
+        }
+        let pieces = words.split('$').enumerate().filter(|(_, piece)| !piece.is_empty());
+        let piece = |(place, piece): (usize, &str)| match place % 2 {
+            0 => Math::text(piece),
+            _ => self.label_math(piece, text),
+        };
+        Math::row(pieces.map(piece).collect::<Vec<_>>())
+    }
+
+    fn label_math(&mut self, latex: &str, text: &Text) -> Math {
+        match read_math(latex) {
+            Ok(math) => math,
+            Err(error) => {
+                self.find(&error, text);
+                Math::text("?")
+            }
+        }
+    }
+}
+
+/// Whether a label is words and no formula: letters and blanks, at least two letters in a row.
+fn is_words(label: &str) -> bool {
+    let is_plain = |letter: char| letter.is_alphabetic() || " ,-'".contains(letter);
+    let mut pieces = label.split(|letter: char| !letter.is_alphabetic());
+    label.chars().all(is_plain) && pieces.any(|piece| piece.chars().count() > 1)
+}
+
+fn table_pair<'s>(reader: &mut Reader<'s>, value: &'s Value) -> Option<[&'s Value; 2]> {
+    match &value.data {
+        Data::List(items) if items.len() == 2 => Some([&items[0], &items[1]]),
+        _ => {
+            reader.find(&ItemError::PlotPair, &place(value));
+            None
+        }
+    }
+}
+
+/// A value as a place to point at.
+fn place(value: &Value) -> Text {
+    Text {
+        value: String::new(),
+        span: value.span,
+    }
+}
+
+/// The coherent unit of a dimension.
+fn coherent(dimension: Option<Dimension>) -> Unit {
+    dimension
+        .and_then(|dimension| Unit::parse(&dimension.describe()).ok())
+        .unwrap_or(Unit::ONE)
+}

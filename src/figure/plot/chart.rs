@@ -1,0 +1,99 @@
+//! Draws a plot: axes, curves, marks, and the labels at them.
+
+use super::course::{Line, area, lines, place};
+use super::frame::Frame;
+use super::lettering::{Letterer, Named};
+use super::{DASHES, Picture, Plot, PlotError, Style, axis, description};
+use crate::figure::{Dash, Drawing, Fill, Path, Pen, Point, Weight};
+use crate::math::Math;
+
+/// Radius of the dot of a mark.
+const DOT: f64 = 0.07;
+
+pub(super) fn draw(plot: &Plot<'_>) -> Result<Picture, PlotError> {
+    let (lines, frame) = lines(plot)?;
+    let mut drawing = Drawing::new();
+    let (up, moved) = axis_label(plot);
+    for pair in lines.windows(2) {
+        if pair[0].curve == pair[1].curve
+            && let Some(area) = area(&pair[0], &pair[1], &frame)
+        {
+            drawing.fill(area, Fill::Tint);
+        }
+    }
+    let ends = axis::draw(&mut drawing, &frame, plot, &up);
+    let pens = pens(plot);
+    // Thin lines first: what moves stands out over its limits.
+    let mut order: Vec<&Line> = lines.iter().collect();
+    order.sort_by_key(|line| is_guide(plot, line));
+    for line in order.into_iter().rev() {
+        drawing.stroke(line.path(&frame), pens[line.curve]);
+    }
+    let mut letterer = Letterer::of(&frame, &lines, plot, ends);
+    for (number, mark) in plot.marks.iter().enumerate() {
+        match place(plot, mark.at).map(|at| frame.place(at)) {
+            Some(at) if Frame::bounds().grown(1e-6).has(at) => dot(&mut drawing, at),
+            _ => return Err(PlotError::Mark { at: plot.marks[number].at }),
+        }
+    }
+    letterer.marks(&mut drawing, plot, &frame);
+    letterer.curves(&mut drawing, &names(plot, moved));
+    Ok(Picture {
+        drawing,
+        title: description::title(plot, &up),
+        description: description::of(plot, &lines, &up),
+    })
+}
+
+fn is_guide(plot: &Plot<'_>, line: &Line) -> bool {
+    matches!(plot.curves[line.curve].style, Style::Limit | Style::Band)
+}
+
+/// What the axis upwards counts: what it says itself, or the name of the only curve, which then needs none.
+fn axis_label(plot: &Plot<'_>) -> (Math, Option<usize>) {
+    if plot.y.label != Math::Row(Vec::new()) {
+        return (plot.y.label.clone(), None);
+    }
+    let is_named = |curve: &super::Curve<'_>| {
+        curve.label.is_some() && !matches!(curve.style, Style::Limit | Style::Band)
+    };
+    let mut named = plot.curves.iter().enumerate().filter(|(_, curve)| is_named(curve));
+    match (named.next(), named.next()) {
+        (Some((number, curve)), None) => (curve.label.clone().unwrap_or(Math::Row(Vec::new())), Some(number)),
+        _ => (Math::Row(Vec::new()), None),
+    }
+}
+
+/// The names of the curves, with the pens in a legend if it comes to that.
+fn names(plot: &Plot<'_>, moved: Option<usize>) -> Vec<Named> {
+    let curves = plot.curves.iter().enumerate();
+    let named = curves.filter(|(number, _)| Some(*number) != moved);
+    named
+        .filter_map(|(number, curve)| {
+            Some(Named {
+                curve: number,
+                label: curve.label.clone()?,
+                is_at_end: matches!(curve.style, Style::Limit | Style::Band),
+            })
+        })
+        .collect()
+}
+
+/// The pen of each curve.
+fn pens(plot: &Plot<'_>) -> Vec<Pen> {
+    let mut dashes = DASHES.iter().cycle();
+    let medium = Pen::new(Weight::Medium);
+    let pen = |style: Style| match style {
+        Style::Auto => medium.dashed(*dashes.next().unwrap_or(&Dash::Solid)),
+        Style::Solid => medium,
+        Style::Dashed => medium.dashed(Dash::Dashed),
+        Style::Dotted => medium.dashed(Dash::Dotted),
+        Style::Limit => Pen::new(Weight::Hair).dashed(Dash::Long),
+        Style::Band => Pen::new(Weight::Hair),
+    };
+    plot.curves.iter().map(|curve| curve.style).map(pen).collect()
+}
+
+fn dot(drawing: &mut Drawing, at: Point) {
+    drawing.shape(Path::circle(at, DOT), None, Fill::Ink);
+}

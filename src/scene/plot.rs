@@ -1,0 +1,274 @@
+//! Plots of an instance: the formulas of a declared plot, evaluated for its data.
+
+use super::Scene;
+use crate::bank::plot::{Abscissa, Curve, Curves, ModeShapes, Plot, PlotKind};
+use crate::document::Filling;
+use crate::expr::Precise;
+use crate::figure::Head;
+use crate::figure::plot::{self, Axis, Course, Picture, PlotError, Shape, Spacing, Style};
+use crate::math::{Math, symbol};
+use crate::quantity::{Absent, Evaluation, Function, NodeId};
+use crate::unit::{Decimal, Quantity, Rational, Unit};
+
+/// Why a plot cannot be drawn for these data.
+#[derive(Clone, Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Undrawn {
+    /// There is no plot of this name.
+    #[error("there is no plot `{0}`")]
+    Unknown(String),
+    /// A number that it needs does not exist.
+    #[error("{0}")]
+    Absent(#[from] Absent),
+    /// What is there cannot be drawn.
+    #[error("{0}")]
+    Plot(#[from] PlotError),
+}
+
+impl Scene<'_, '_> {
+    /// A plot of the item, drawn for these data.
+    ///
+    /// # Errors
+    ///
+    /// [`Undrawn`].
+    pub fn plot(&self, name: &str) -> Result<Picture, Undrawn> {
+        let mut plots = self.solution.template().plots.iter();
+        let plot = plots.find(|plot: &&Plot| plot.name == name);
+        match &plot.ok_or_else(|| Undrawn::Unknown(name.to_owned()))?.kind {
+            PlotKind::Curves(curves) => self.curves(curves, false),
+            PlotKind::PhasePlane(curves) => self.curves(curves, true),
+            PlotKind::ModeShapes(shapes) => self.mode_shapes(shapes),
+        }
+    }
+
+    /// A plot as it stands in a text.
+    pub(super) fn drawn_plot(&self, name: &str) -> Filling {
+        let id = self.plot_id(name);
+        match self.plot(name) {
+            Ok(picture) => {
+                let head = Head {
+                    id: &id,
+                    title: &picture.title,
+                    description: &picture.description,
+                };
+                Filling::Figure(picture.drawing.svg(&head))
+            }
+            Err(undrawn) => Filling::words(format!("(no plot: {undrawn})")),
+        }
+    }
+
+    /// Letters, digits and hyphens that no other plot of a page has.
+    fn plot_id(&self, name: &str) -> String {
+        let identity = format!("{}-plot-{name}", self.solution.instance().identity());
+        let is_plain = |letter: char| letter.is_ascii_alphanumeric();
+        identity.chars().map(|letter| if is_plain(letter) { letter } else { '-' }).collect()
+    }
+
+    fn curves(&self, curves: &Curves, is_plane: bool) -> Result<Picture, Undrawn> {
+        let evaluations: Vec<Option<Evaluation<'_>>> = curves
+            .curves
+            .iter()
+            .map(|curve| self.evaluation_of(curve))
+            .collect::<Result<_, Absent>>()?;
+        let y = &curves.y;
+        let mut drawn = Vec::new();
+        for (curve, own) in curves.curves.iter().zip(&evaluations) {
+            let evaluation = own.as_ref().unwrap_or_else(|| self.solution.evaluation());
+            let value = match evaluation.function(curve.y) {
+                Ok(function) => values(function, curves.x.unit),
+                // What does not exist for these data is not drawn.
+                Err(Absent::NotForTheseData(_)) => continue,
+                Err(absent) => return Err(absent.into()),
+            };
+            let course = match curve.rate {
+                Some(rate) => {
+                    let rate = values(evaluation.function(rate)?, curves.x.unit);
+                    Course::Path(Box::new(move |variable| {
+                        let at = first(&value(variable)?)?;
+                        let rate = first(&rate(variable)?)?;
+                        Some([y.unit.of_si(at), y.rate_unit.of_si(rate)])
+                    }))
+                }
+                None if curve.style == Style::Band => Course::Band(Box::new(move |variable| {
+                    let edges = value(variable)?;
+                    let [low, high] = *edges.as_slice() else {
+                        return None;
+                    };
+                    Some([y.unit.of_si(low), y.unit.of_si(high)])
+                })),
+                None => Course::Graph(Box::new(move |variable| {
+                    first(&value(variable)?).map(|value| y.unit.of_si(value))
+                })),
+            };
+            drawn.push(plot::Curve {
+                course,
+                label: curve.label.clone(),
+                style: curve.style,
+            });
+        }
+        let marks = self.marks(curves, is_plane)?;
+        let (x, y) = self.axes(curves, is_plane)?;
+        let plot = plot::Plot {
+            x,
+            y,
+            range: self.ends(&curves.x.range, &curves.x.unit)?,
+            curves: drawn,
+            marks,
+            decimal: self.solution.mark(),
+        };
+        Ok(plot.draw()?)
+    }
+
+    /// The evaluation of a curve with other values of some quantities.
+    fn evaluation_of(&self, curve: &Curve) -> Result<Option<Evaluation<'_>>, Absent> {
+        if curve.with.is_empty() {
+            return Ok(None);
+        }
+        let evaluation = self.solution.evaluation();
+        let with = curve.with.iter();
+        let with = with.map(|(quantity, value)| Ok((*quantity, evaluation.value(*value)?.clone())));
+        Ok(Some(evaluation.replacing(with.collect::<Result<_, Absent>>()?)))
+    }
+
+    fn axes(&self, curves: &Curves, is_plane: bool) -> Result<(Axis, Axis), Undrawn> {
+        let (x, y) = (&curves.x, &curves.y);
+        let label = y.label.clone().unwrap_or(Math::Row(Vec::new()));
+        let axis = |label: Math, unit: Unit, is_logarithmic| Axis {
+            label,
+            unit,
+            is_logarithmic,
+            spacing: Spacing::Round,
+            range: None,
+        };
+        if is_plane {
+            let rate = rate_of(&label);
+            return Ok((axis(label, y.unit, false), axis(rate, y.rate_unit, false)));
+        }
+        let mut across = axis(x.label.clone(), x.unit, x.is_logarithmic);
+        across.spacing = self.spacing(x)?;
+        let mut up = axis(label, y.unit, y.is_logarithmic);
+        if let Some(range) = &y.range {
+            up.range = Some(self.ends(range, &y.unit)?);
+        }
+        Ok((across, up))
+    }
+
+    fn spacing(&self, x: &Abscissa) -> Result<Spacing, Absent> {
+        let Some((node, is_share_of_pi)) = x.ticks else {
+            return Ok(Spacing::Round);
+        };
+        let step = x.unit.of_si(self.solution.evaluation().real(node)?);
+        // Shares of π are those of radians.
+        let is_share_of_pi = is_share_of_pi && x.unit.of_si(1.0) == 1.0;
+        Ok(if is_share_of_pi { Spacing::ShareOfPi(step) } else { Spacing::Step(step) })
+    }
+
+    fn ends(&self, nodes: &[NodeId; 2], unit: &Unit) -> Result<[f64; 2], Absent> {
+        let evaluation = self.solution.evaluation();
+        Ok([unit.of_si(evaluation.real(nodes[0])?), unit.of_si(evaluation.real(nodes[1])?)])
+    }
+
+    fn marks(&self, curves: &Curves, is_plane: bool) -> Result<Vec<plot::Mark>, Absent> {
+        let (x, y) = (&curves.x, &curves.y);
+        let units = if is_plane { [y.unit, y.rate_unit] } else { [x.unit, y.unit] };
+        let evaluation = self.solution.evaluation();
+        let mut marks = Vec::new();
+        for mark in &curves.marks {
+            let place = |axis: usize| evaluation.real(mark.at[axis]).map(|si| units[axis].of_si(si));
+            match (place(0), place(1)) {
+                (Ok(across), Ok(up)) => marks.push(plot::Mark {
+                    at: [across, up],
+                    label: mark.label.clone(),
+                }),
+                // What does not exist for these data is not marked.
+                (Err(Absent::NotForTheseData(_)), _) | (_, Err(Absent::NotForTheseData(_))) => {}
+                (Err(absent), _) | (_, Err(absent)) => return Err(absent),
+            }
+        }
+        Ok(marks)
+    }
+
+    fn mode_shapes(&self, modes: &ModeShapes) -> Result<Picture, Undrawn> {
+        let evaluation = self.solution.evaluation();
+        let shapes = evaluation.value(modes.shapes)?;
+        let frequencies = evaluation.value(modes.frequencies)?;
+        let count = modes.coordinates.len();
+        let masses = modes.masses.map(|masses| evaluation.value(masses)).transpose()?;
+        let weight = |place: usize| {
+            let mass = masses.and_then(|masses| masses.numbers().get(place * (count + 1)));
+            mass.map_or(1.0, |mass| mass.max(0.0).sqrt())
+        };
+        let rows = shapes.numbers().chunks(count).zip(frequencies.numbers());
+        let shape = |(number, (row, frequency)): (usize, (&[f64], &f64))| Shape {
+            heading: self.heading(number + 1, *frequency),
+            heights: row.iter().enumerate().map(|(place, own)| own * weight(place)).collect(),
+            labels: self.components(row, &modes.units),
+        };
+        let modes = plot::ModeShapes {
+            coordinates: modes.coordinates.clone(),
+            shapes: rows.enumerate().map(shape).collect(),
+        };
+        Ok(modes.draw())
+    }
+
+    /// `ω₁ = 3.16 rad/s`.
+    fn heading(&self, number: usize, frequency: f64) -> Math {
+        let unit = Unit::parse("rad/s").unwrap_or(Unit::ONE);
+        let value = Decimal::rounded(frequency, 3).unwrap_or(Decimal::ZERO);
+        let value = Quantity::new(value, unit).math(self.solution.mark());
+        Math::row([symbol(&format!("omega_{number}")), Math::relation("="), value])
+    }
+
+    /// The components as shares of the first that is not zero.
+    fn components(&self, row: &[f64], units: &[Unit]) -> Vec<Math> {
+        let largest = row.iter().fold(0.0_f64, |largest, own| largest.max(own.abs()));
+        let first = row.iter().position(|own| own.abs() > 1e-9 * largest).unwrap_or(0);
+        let mark = self.solution.mark();
+        let component = |(place, own): (usize, &f64)| {
+            if own.abs() <= 1e-9 * largest {
+                return Math::number("0");
+            }
+            if place == first {
+                return Math::number("1");
+            }
+            let unit = share(&units[place], &units[first]);
+            let value = Decimal::rounded(own / row[first], 3).unwrap_or(Decimal::ZERO);
+            Quantity::new(value, unit).math(mark)
+        };
+        row.iter().enumerate().map(component).collect()
+    }
+}
+
+/// What a quantity is at a value of its variable, in the unit of the axis; SI numbers.
+type Values<'e> = Box<dyn Fn(f64) -> Option<Vec<f64>> + 'e>;
+
+fn values<'e>(function: Function<'e, '_>, unit: Unit) -> Values<'e> {
+    let count = function.variables().count();
+    Box::new(move |variable| {
+        let variables = [Precise::exact(unit.to_si(variable))];
+        let value = function.at(&variables[..count.min(1)]).ok()?;
+        Some(value.numbers().to_vec())
+    })
+}
+
+fn first(numbers: &[f64]) -> Option<f64> {
+    numbers.first().copied()
+}
+
+/// The unit of one component as a share of another.
+fn share(own: &Unit, other: &Unit) -> Unit {
+    let inverse = other.pow(Rational::integer(-1));
+    let share = inverse.and_then(|inverse| own.times(&inverse));
+    share.unwrap_or(Unit::ONE)
+}
+
+/// The symbol of the rate of something: with a dot, before its arguments.
+fn rate_of(label: &Math) -> Math {
+    match label {
+        Math::Row(pieces) => match pieces.split_first() {
+            Some((first, rest)) => Math::row(std::iter::once(first.clone().derivative(1)).chain(rest.iter().cloned())),
+            None => label.clone(),
+        },
+        symbol => symbol.clone().derivative(1),
+    }
+}
