@@ -10,6 +10,7 @@ mod metrics;
 mod path;
 mod pen;
 mod placing;
+pub mod plot;
 mod svg;
 
 pub use drawing::{Anchor, Drawing, Lettering, Mark, Spot};

@@ -61,7 +61,10 @@ impl Scene<'_, '_> {
     fn plot_id(&self, name: &str) -> String {
         let identity = format!("{}-plot-{name}", self.solution.instance().identity());
         let is_plain = |letter: char| letter.is_ascii_alphanumeric();
-        identity.chars().map(|letter| if is_plain(letter) { letter } else { '-' }).collect()
+        identity
+            .chars()
+            .map(|letter| if is_plain(letter) { letter } else { '-' })
+            .collect()
     }
 
     fn curves(&self, curves: &Curves, is_plane: bool) -> Result<Picture, Undrawn> {
@@ -106,7 +109,7 @@ impl Scene<'_, '_> {
                 style: curve.style,
             });
         }
-        let marks = self.marks(curves, is_plane)?;
+        let marks = self.marks(curves, is_plane);
         let (x, y) = self.axes(curves, is_plane)?;
         let plot = plot::Plot {
             x,
@@ -127,7 +130,9 @@ impl Scene<'_, '_> {
         let evaluation = self.solution.evaluation();
         let with = curve.with.iter();
         let with = with.map(|(quantity, value)| Ok((*quantity, evaluation.value(*value)?.clone())));
-        Ok(Some(evaluation.replacing(with.collect::<Result<_, Absent>>()?)))
+        Ok(Some(
+            evaluation.replacing(with.collect::<Result<_, Absent>>()?),
+        ))
     }
 
     fn axes(&self, curves: &Curves, is_plane: bool) -> Result<(Axis, Axis), Undrawn> {
@@ -160,32 +165,45 @@ impl Scene<'_, '_> {
         let step = x.unit.of_si(self.solution.evaluation().real(node)?);
         // Shares of π are those of radians.
         let is_share_of_pi = is_share_of_pi && x.unit.of_si(1.0) == 1.0;
-        Ok(if is_share_of_pi { Spacing::ShareOfPi(step) } else { Spacing::Step(step) })
+        Ok(if is_share_of_pi {
+            Spacing::ShareOfPi(step)
+        } else {
+            Spacing::Step(step)
+        })
     }
 
     fn ends(&self, nodes: &[NodeId; 2], unit: &Unit) -> Result<[f64; 2], Absent> {
         let evaluation = self.solution.evaluation();
-        Ok([unit.of_si(evaluation.real(nodes[0])?), unit.of_si(evaluation.real(nodes[1])?)])
+        Ok([
+            unit.of_si(evaluation.real(nodes[0])?),
+            unit.of_si(evaluation.real(nodes[1])?),
+        ])
     }
 
-    fn marks(&self, curves: &Curves, is_plane: bool) -> Result<Vec<plot::Mark>, Absent> {
+    fn marks(&self, curves: &Curves, is_plane: bool) -> Vec<plot::Mark> {
         let (x, y) = (&curves.x, &curves.y);
-        let units = if is_plane { [y.unit, y.rate_unit] } else { [x.unit, y.unit] };
+        let units = if is_plane {
+            [y.unit, y.rate_unit]
+        } else {
+            [x.unit, y.unit]
+        };
         let evaluation = self.solution.evaluation();
         let mut marks = Vec::new();
         for mark in &curves.marks {
-            let place = |axis: usize| evaluation.real(mark.at[axis]).map(|si| units[axis].of_si(si));
-            match (place(0), place(1)) {
-                (Ok(across), Ok(up)) => marks.push(plot::Mark {
+            let place = |axis: usize| {
+                evaluation
+                    .real(mark.at[axis])
+                    .map(|si| units[axis].of_si(si))
+            };
+            // What does not exist for these data is not marked.
+            if let (Ok(across), Ok(up)) = (place(0), place(1)) {
+                marks.push(plot::Mark {
                     at: [across, up],
                     label: mark.label.clone(),
-                }),
-                // What does not exist for these data is not marked.
-                (Err(Absent::NotForTheseData(_)), _) | (_, Err(Absent::NotForTheseData(_))) => {}
-                (Err(absent), _) | (_, Err(absent)) => return Err(absent),
+                });
             }
         }
-        Ok(marks)
+        marks
     }
 
     fn mode_shapes(&self, modes: &ModeShapes) -> Result<Picture, Undrawn> {
@@ -193,15 +211,33 @@ impl Scene<'_, '_> {
         let shapes = evaluation.value(modes.shapes)?;
         let frequencies = evaluation.value(modes.frequencies)?;
         let count = modes.coordinates.len();
-        let masses = modes.masses.map(|masses| evaluation.value(masses)).transpose()?;
+        let masses = modes
+            .masses
+            .map(|masses| evaluation.value(masses))
+            .transpose()?;
         let weight = |place: usize| {
             let mass = masses.and_then(|masses| masses.numbers().get(place * (count + 1)));
             mass.map_or(1.0, |mass| mass.max(0.0).sqrt())
         };
+        let fastest = frequencies
+            .numbers()
+            .iter()
+            .fold(0.0_f64, |fastest, own| fastest.max(*own));
         let rows = shapes.numbers().chunks(count).zip(frequencies.numbers());
         let shape = |(number, (row, frequency)): (usize, (&[f64], &f64))| Shape {
-            heading: self.heading(number + 1, *frequency),
-            heights: row.iter().enumerate().map(|(place, own)| own * weight(place)).collect(),
+            heading: self.heading(
+                number + 1,
+                if *frequency > 1e-7 * fastest {
+                    *frequency
+                } else {
+                    0.0
+                },
+            ),
+            heights: row
+                .iter()
+                .enumerate()
+                .map(|(place, own)| own * weight(place))
+                .collect(),
             labels: self.components(row, &modes.units),
         };
         let modes = plot::ModeShapes {
@@ -214,15 +250,26 @@ impl Scene<'_, '_> {
     /// `ω₁ = 3.16 rad/s`.
     fn heading(&self, number: usize, frequency: f64) -> Math {
         let unit = Unit::parse("rad/s").unwrap_or(Unit::ONE);
-        let value = Decimal::rounded(frequency, 3).unwrap_or(Decimal::ZERO);
-        let value = Quantity::new(value, unit).math(self.solution.mark());
-        Math::row([symbol(&format!("omega_{number}")), Math::relation("="), value])
+        let value = match Decimal::rounded(frequency, 3) {
+            Some(value) if frequency > 0.0 => Quantity::new(value, unit).math(self.solution.mark()),
+            _ => Math::number("0"),
+        };
+        Math::row([
+            symbol(&format!("omega_{number}")),
+            Math::relation("="),
+            value,
+        ])
     }
 
     /// The components as shares of the first that is not zero.
     fn components(&self, row: &[f64], units: &[Unit]) -> Vec<Math> {
-        let largest = row.iter().fold(0.0_f64, |largest, own| largest.max(own.abs()));
-        let first = row.iter().position(|own| own.abs() > 1e-9 * largest).unwrap_or(0);
+        let largest = row
+            .iter()
+            .fold(0.0_f64, |largest, own| largest.max(own.abs()));
+        let first = row
+            .iter()
+            .position(|own| own.abs() > 1e-9 * largest)
+            .unwrap_or(0);
         let mark = self.solution.mark();
         let component = |(place, own): (usize, &f64)| {
             if own.abs() <= 1e-9 * largest {
@@ -266,7 +313,9 @@ fn share(own: &Unit, other: &Unit) -> Unit {
 fn rate_of(label: &Math) -> Math {
     match label {
         Math::Row(pieces) => match pieces.split_first() {
-            Some((first, rest)) => Math::row(std::iter::once(first.clone().derivative(1)).chain(rest.iter().cloned())),
+            Some((first, rest)) => {
+                Math::row(std::iter::once(first.clone().derivative(1)).chain(rest.iter().cloned()))
+            }
             None => label.clone(),
         },
         symbol => symbol.clone().derivative(1),

@@ -15,7 +15,10 @@ const SEEDS: u64 = 12;
 
 /// All items with plots.
 fn items(catalogue: &Catalogue) -> impl Iterator<Item = &Template> {
-    catalogue.items().iter().filter(|item| !item.plots.is_empty())
+    catalogue
+        .items()
+        .iter()
+        .filter(|item| !item.plots.is_empty())
 }
 
 /// Calls `visit` with each plot of the bank for the data of its source and for several draws.
@@ -31,7 +34,12 @@ fn for_each_plot(mut visit: impl FnMut(&str, Result<Picture, String>)) {
             let scene = Scene::of(&solution, Data::Both);
             for plot in &item.plots {
                 let name = format!("{} plots.{} # {seed}", item.id, plot.name);
-                visit(&name, scene.plot(&plot.name).map_err(|undrawn| undrawn.to_string()));
+                visit(
+                    &name,
+                    scene
+                        .plot(&plot.name)
+                        .map_err(|undrawn| undrawn.to_string()),
+                );
             }
         }
     }
@@ -58,14 +66,21 @@ fn sound(picture: &Picture) -> Result<(), String> {
         if !(frame.has(label.bounds.low) && frame.has(label.bounds.high)) {
             return Err(format!("`{}` lies outside", label.label.plain()));
         }
-        let later = boxes[place + 1..].iter().position(|other| other.meets(label.bounds));
+        let later = boxes[place + 1..]
+            .iter()
+            .position(|other| other.meets(label.bounds));
         if let Some(other) = later {
             let other = &drawing.labels()[place + 1 + other].label;
-            return Err(format!("`{}` overlaps `{}`", label.label.plain(), other.plain()));
+            return Err(format!(
+                "`{}` overlaps `{}`",
+                label.label.plain(),
+                other.plain()
+            ));
         }
         for mark in drawing.marks() {
             let mut is_crossed = false;
-            mark.path.for_each_segment(|a, b| is_crossed |= label.bounds.chord(a, b).is_some());
+            mark.path
+                .for_each_segment(|a, b| is_crossed |= label.bounds.chord(a, b).is_some());
             if is_crossed && mark.fill != vibank::figure::Fill::Tint {
                 return Err(format!("a line crosses `{}`", label.label.plain()));
             }
@@ -108,9 +123,18 @@ fn pictures() {
         let page = pages.last_mut().expect("a page was begun");
         match picture {
             Ok(picture) => {
-                let head = Head { id: &format!("p{count}"), title: &picture.title, description: &picture.description };
+                let head = Head {
+                    id: &format!("p{count}"),
+                    title: &picture.title,
+                    description: &picture.description,
+                };
                 let svg = picture.drawing.svg(&head);
-                let _ = write!(page, "<div><b>{name}</b> {} bytes<br>{svg}<small>{}</small></div>", svg.len(), picture.description);
+                let _ = write!(
+                    page,
+                    "<div><b>{name}</b> {} bytes<br>{svg}<small>{}</small></div>",
+                    svg.len(),
+                    picture.description
+                );
             }
             Err(fault) => {
                 let _ = write!(page, "<div><b>{name}</b><br>{fault}</div>");
@@ -118,7 +142,11 @@ fn pictures() {
         }
         count += 1;
     });
-    for (number, page) in pages.iter().filter(|page| page.contains("<div>")).enumerate() {
+    for (number, page) in pages
+        .iter()
+        .filter(|page| page.contains("<div>"))
+        .enumerate()
+    {
         std::fs::write(format!("{folder}/plots-{number}.html"), page).expect("the folder is there");
     }
 }

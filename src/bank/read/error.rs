@@ -259,9 +259,7 @@ impl Diagnose for ItemError {
                     ))
                 })
             }
-            Self::PlotKind { .. } => {
-                Some("it can be curves, mode-shapes, phase-plane".to_owned())
-            }
+            Self::PlotKind { .. } => Some("it can be curves, mode-shapes, phase-plane".to_owned()),
             Self::PlotStyle { .. } => {
                 let names: Vec<_> = crate::figure::plot::Style::names().collect();
                 Some(format!("it can be {}", names.join(", ")))
@@ -271,9 +269,9 @@ impl Diagnose for ItemError {
             Self::PlotVariable { .. } => {
                 Some("put in its value, `at(x, t = 2[s])`, or choose it as the variable".to_owned())
             }
-            Self::PlotModel { .. } => {
-                Some("mode shapes are those of `[model]` or of the model named in `model`".to_owned())
-            }
+            Self::PlotModel { .. } => Some(
+                "mode shapes are those of `[model]` or of the model named in `model`".to_owned(),
+            ),
             Self::NoCondition => Some("compare two numbers, for example `zeta < 1`".to_owned()),
             Self::PartId => Some("add `id = \"…\"`".to_owned()),
             Self::NoEquation { .. } => {

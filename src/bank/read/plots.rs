@@ -63,9 +63,8 @@ impl<'s> Reader<'s> {
         let mut curves = Vec::new();
         for item in self.few(table, "curves", items?) {
             let inner = Table::of(table.source(), table.problems(), "curves", item);
-            let read = inner.and_then(|inner| {
-                self.curve(table.name(), inner, &variable, is_phase_plane)
-            });
+            let read =
+                inner.and_then(|inner| self.curve(table.name(), inner, &variable, is_phase_plane));
             curves.extend(read);
         }
         let unit = self.ordinate_unit(&curves, unit, &variable)?;
@@ -78,7 +77,12 @@ impl<'s> Reader<'s> {
             .take(MOST_CURVES)
             .filter_map(|mark| self.mark(table.name(), mark, [across, up]))
             .collect();
-        Some(Curves { x, y, curves, marks })
+        Some(Curves {
+            x,
+            y,
+            curves,
+            marks,
+        })
     }
 
     /// The items of an array that has few of them.
@@ -247,9 +251,7 @@ impl<'s> Reader<'s> {
         variable: &Variable,
         is_phase_plane: bool,
     ) -> Option<(Curve, Text)> {
-        let y = table
-            .required("y")
-            .and_then(|y| table.as_formula("y", y));
+        let y = table.required("y").and_then(|y| table.as_formula("y", y));
         let label = table.text("label").map(|label| self.plot_label(&label));
         let style = table.text("style");
         let style = style.map_or(Style::Auto, |text| {
@@ -307,7 +309,11 @@ impl<'s> Reader<'s> {
         };
         let names = self.graph.variables(node);
         if let [_, other, ..] = names.as_slice() {
-            let of = if *other == variable.name { &names[0] } else { other };
+            let of = if *other == variable.name {
+                &names[0]
+            } else {
+                other
+            };
             let of = of.to_string();
             self.find(&ItemError::PlotVariable { of }, text);
             return None;
@@ -449,7 +455,10 @@ impl<'s> Reader<'s> {
         let kind = self.graph.kind(shapes)?.clone();
         let first = kind.entry(0);
         let unit = |column: usize| {
-            let ratio = kind.entry(column).zip(first).map(|(own, first)| own / first);
+            let ratio = kind
+                .entry(column)
+                .zip(first)
+                .map(|(own, first)| own / first);
             coherent(ratio)
         };
         let units: Vec<Unit> = (0..names.len()).map(unit).collect();
@@ -458,7 +467,10 @@ impl<'s> Reader<'s> {
             shapes,
             frequencies: frequencies?,
             masses: masses.filter(|_| !is_uniform),
-            coordinates: names.iter().map(|name| self.coordinate_symbol(name)).collect(),
+            coordinates: names
+                .iter()
+                .map(|name| self.coordinate_symbol(name))
+                .collect(),
             units,
         })
     }
@@ -466,13 +478,19 @@ impl<'s> Reader<'s> {
     /// The symbol of a coordinate, also where a quantity bears its name.
     fn coordinate_symbol(&self, name: &Name) -> Math {
         let known = self.free.iter().find(|known| known.name == *name);
-        known.map_or_else(|| crate::math::symbol(name.as_str()), |known| known.symbol.clone())
+        known.map_or_else(
+            || crate::math::symbol(name.as_str()),
+            |known| known.symbol.clone(),
+        )
     }
 
     /// What stands at a curve, mark or axis: words, `$x$` in words, or a formula in LaTeX.
     pub(super) fn plot_label(&mut self, text: &Text) -> Math {
         let words = text.value.trim();
-        if let Some(inner) = words.strip_prefix('\'').and_then(|rest| rest.strip_suffix('\'')) {
+        if let Some(inner) = words
+            .strip_prefix('\'')
+            .and_then(|rest| rest.strip_suffix('\''))
+        {
             return Math::text(inner);
         }
         if is_words(words) {
@@ -481,7 +499,10 @@ impl<'s> Reader<'s> {
         if !words.contains('$') {
             return self.label_math(words, text);
         }
-        let pieces = words.split('$').enumerate().filter(|(_, piece)| !piece.is_empty());
+        let pieces = words
+            .split('$')
+            .enumerate()
+            .filter(|(_, piece)| !piece.is_empty());
         let piece = |(place, piece): (usize, &str)| match place % 2 {
             0 => Math::text(piece),
             _ => self.label_math(piece, text),

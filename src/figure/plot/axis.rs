@@ -40,7 +40,11 @@ impl Axis {
     /// The coordinates of a range.
     pub(super) fn coordinates(&self, name: char, range: [f64; 2]) -> Result<[f64; 2], PlotError> {
         let [from, to] = range;
-        let error = || PlotError::Range { axis: name, from, to };
+        let error = || PlotError::Range {
+            axis: name,
+            from,
+            to,
+        };
         let coordinate = |value| self.coordinate(value).ok_or_else(error);
         Ok([coordinate(from)?, coordinate(to)?])
     }
@@ -55,14 +59,31 @@ impl Axis {
     }
 
     /// Ticks whose labels, of a height or width given by `extent`, do not crowd.
-    fn clear_ticks(&self, range: [f64; 2], most: usize, mark: DecimalMark, extent: impl Fn(&Label) -> f64, length: f64) -> Ticks {
+    fn clear_ticks(
+        &self,
+        range: [f64; 2],
+        most: usize,
+        mark: DecimalMark,
+        extent: impl Fn(&Label) -> f64,
+        length: f64,
+    ) -> Ticks {
         let mut ticks = Ticks::default();
         for count in (2..=most).rev() {
             ticks = self.ticks(range, count, mark);
             let labels = ticks.ticks.iter().filter_map(|tick| tick.label.as_ref());
-            let widest = labels.map(|label| extent(&Label::of(label))).fold(0.0, f64::max);
-            let places: Vec<f64> = ticks.ticks.iter().filter(|tick| tick.label.is_some()).map(|tick| tick.at).collect();
-            let nearest = places.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);
+            let widest = labels
+                .map(|label| extent(&Label::of(label)))
+                .fold(0.0, f64::max);
+            let places: Vec<f64> = ticks
+                .ticks
+                .iter()
+                .filter(|tick| tick.label.is_some())
+                .map(|tick| tick.at)
+                .collect();
+            let nearest = places
+                .windows(2)
+                .map(|pair| pair[1] - pair[0])
+                .fold(f64::INFINITY, f64::min);
             if nearest / (range[1] - range[0]) * length > 1.5 * widest + 0.15 {
                 break;
             }
@@ -93,11 +114,19 @@ impl Axis {
 }
 
 /// Draws both axes; the boxes of what stands at their ends are returned.
-pub(super) fn draw(drawing: &mut Drawing, frame: &Frame, plot: &Plot<'_>, up: &Math) -> Vec<Bounds> {
+pub(super) fn draw(
+    drawing: &mut Drawing,
+    frame: &Frame,
+    plot: &Plot<'_>,
+    up: &Math,
+) -> Vec<Bounds> {
     zero_lines(drawing, frame, plot);
     let pen = Pen::new(Weight::Thin);
     let origin = Point::default();
-    let ends = [Point::new(WIDTH + BEYOND, 0.0), Point::new(0.0, HEIGHT + BEYOND)];
+    let ends = [
+        Point::new(WIDTH + BEYOND, 0.0),
+        Point::new(0.0, HEIGHT + BEYOND),
+    ];
     for end in ends {
         drawing.stroke(Path::line(origin, end), pen);
     }
@@ -105,13 +134,17 @@ pub(super) fn draw(drawing: &mut Drawing, frame: &Frame, plot: &Plot<'_>, up: &M
         arrow_head(drawing, end, end.unit());
     }
     let width = |label: &Label| label.width();
-    let across = plot.x.clear_ticks(frame.x, MOST[0], plot.decimal, width, WIDTH);
+    let across = plot
+        .x
+        .clear_ticks(frame.x, MOST[0], plot.decimal, width, WIDTH);
     for tick in &across.ticks {
         let at = Point::new(frame.place([tick.at, frame.y[0]]).x, 0.0);
         draw_tick(drawing, tick, at, Point::new(0.0, -1.0));
     }
     let height = |label: &Label| label.ascent() + label.depth();
-    let upward = plot.y.clear_ticks(frame.y, MOST[1], plot.decimal, height, HEIGHT);
+    let upward = plot
+        .y
+        .clear_ticks(frame.y, MOST[1], plot.decimal, height, HEIGHT);
     for tick in &upward.ticks {
         let at = Point::new(0.0, frame.place([frame.x[0], tick.at]).y);
         draw_tick(drawing, tick, at, Point::new(-1.0, 0.0));
@@ -148,9 +181,17 @@ fn zero_lines(drawing: &mut Drawing, frame: &Frame, plot: &Plot<'_>) {
 fn draw_tick(drawing: &mut Drawing, tick: &Tick, at: Point, outward: Point) {
     let length = TICKS[usize::from(tick.label.is_none())];
     let end = at + outward * length;
-    drawing.decorate(Path::line(at, end), Some(Pen::new(Weight::Thin)), Fill::None);
+    drawing.decorate(
+        Path::line(at, end),
+        Some(Pen::new(Weight::Thin)),
+        Fill::None,
+    );
     if let Some(label) = &tick.label {
-        drawing.text(Label::of(label), end + outward * GAP, Anchor::facing(outward));
+        drawing.text(
+            Label::of(label),
+            end + outward * GAP,
+            Anchor::facing(outward),
+        );
     }
 }
 
@@ -158,6 +199,10 @@ fn draw_tick(drawing: &mut Drawing, tick: &Tick, at: Point, outward: Point) {
 fn arrow_head(drawing: &mut Drawing, tip: Point, direction: Point) {
     let (length, half) = (0.24, 0.07);
     let back = tip - direction * length;
-    let corners = [tip, back + direction.left() * half, back - direction.left() * half];
+    let corners = [
+        tip,
+        back + direction.left() * half,
+        back - direction.left() * half,
+    ];
     drawing.decorate(Path::polygon(corners), None, Fill::Ink);
 }

@@ -33,7 +33,11 @@ pub(super) fn draw(plot: &Plot<'_>) -> Result<Picture, PlotError> {
     for (number, mark) in plot.marks.iter().enumerate() {
         match place(plot, mark.at).map(|at| frame.place(at)) {
             Some(at) if Frame::bounds().grown(1e-6).has(at) => dot(&mut drawing, at),
-            _ => return Err(PlotError::Mark { at: plot.marks[number].at }),
+            _ => {
+                return Err(PlotError::Mark {
+                    at: plot.marks[number].at,
+                });
+            }
         }
     }
     letterer.marks(&mut drawing, plot, &frame);
@@ -57,9 +61,16 @@ fn axis_label(plot: &Plot<'_>) -> (Math, Option<usize>) {
     let is_named = |curve: &super::Curve<'_>| {
         curve.label.is_some() && !matches!(curve.style, Style::Limit | Style::Band)
     };
-    let mut named = plot.curves.iter().enumerate().filter(|(_, curve)| is_named(curve));
+    let mut named = plot
+        .curves
+        .iter()
+        .enumerate()
+        .filter(|(_, curve)| is_named(curve));
     match (named.next(), named.next()) {
-        (Some((number, curve)), None) => (curve.label.clone().unwrap_or(Math::Row(Vec::new())), Some(number)),
+        (Some((number, curve)), None) => (
+            curve.label.clone().unwrap_or(Math::Row(Vec::new())),
+            Some(number),
+        ),
         _ => (Math::Row(Vec::new()), None),
     }
 }
@@ -91,7 +102,11 @@ fn pens(plot: &Plot<'_>) -> Vec<Pen> {
         Style::Limit => Pen::new(Weight::Hair).dashed(Dash::Long),
         Style::Band => Pen::new(Weight::Hair),
     };
-    plot.curves.iter().map(|curve| curve.style).map(pen).collect()
+    plot.curves
+        .iter()
+        .map(|curve| curve.style)
+        .map(pen)
+        .collect()
 }
 
 fn dot(drawing: &mut Drawing, at: Point) {

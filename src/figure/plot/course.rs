@@ -29,7 +29,11 @@ pub(super) fn lines(plot: &Plot<'_>) -> Result<(Vec<Line>, Frame), PlotError> {
     };
     if !(variable[0] < variable[1] && (variable[1] - variable[0]).is_finite()) {
         let [from, to] = plot.range;
-        return Err(PlotError::Range { axis: 'x', from, to });
+        return Err(PlotError::Range {
+            axis: 'x',
+            from,
+            to,
+        });
     }
     let coarse: Vec<Coarse<'_>> = functions
         .iter()
@@ -56,7 +60,11 @@ pub(super) fn lines(plot: &Plot<'_>) -> Result<(Vec<Line>, Frame), PlotError> {
 }
 
 /// The frame around these extents and the marks.
-fn frame(plot: &Plot<'_>, variable: [f64; 2], extents: &[[[f64; 2]; 2]]) -> Result<Frame, PlotError> {
+fn frame(
+    plot: &Plot<'_>,
+    variable: [f64; 2],
+    extents: &[[[f64; 2]; 2]],
+) -> Result<Frame, PlotError> {
     let points = extents.iter().flatten().copied();
     let all: Vec<[f64; 2]> = points.collect();
     if all.is_empty() {
@@ -91,7 +99,9 @@ pub(super) fn place(plot: &Plot<'_>, at: [f64; 2]) -> Option<[f64; 2]> {
 }
 
 fn is_plane(plot: &Plot<'_>) -> bool {
-    plot.curves.iter().any(|curve| matches!(curve.course, Course::Path(_)))
+    plot.curves
+        .iter()
+        .any(|curve| matches!(curve.course, Course::Path(_)))
 }
 
 /// A function of the variable whose values are coordinates.
@@ -108,7 +118,8 @@ fn functions<'p>(plot: &'p Plot<'_>) -> Vec<(usize, Coordinates<'p>)> {
             }
             Course::Band(edges) => {
                 for edge in [0, 1] {
-                    let point = move |s: f64| Some([s, shown(plot, edges(plot.x.value(s))?[edge])?]);
+                    let point =
+                        move |s: f64| Some([s, shown(plot, edges(plot.x.value(s))?[edge])?]);
                     functions.push((number, Box::new(point)));
                 }
             }
@@ -122,7 +133,10 @@ fn functions<'p>(plot: &'p Plot<'_>) -> Vec<(usize, Coordinates<'p>)> {
 
 /// The coordinate of a value, if the axis shows it.
 fn shown(plot: &Plot<'_>, value: f64) -> Option<f64> {
-    let is_outside = plot.y.range.is_some_and(|[low, high]| !(low..=high).contains(&value));
+    let is_outside = plot
+        .y
+        .range
+        .is_some_and(|[low, high]| !(low..=high).contains(&value));
     if is_outside {
         return None;
     }
@@ -132,7 +146,9 @@ fn shown(plot: &Plot<'_>, value: f64) -> Option<f64> {
 impl Line {
     /// The line on paper.
     pub(super) fn path(&self, frame: &Frame) -> Path {
-        self.runs.iter().fold(Path::new(), |path, run| path.and(run_path(run, frame)))
+        self.runs
+            .iter()
+            .fold(Path::new(), |path, run| path.and(run_path(run, frame)))
     }
 
     /// Its points on paper, dense enough to stand for the line, run by run.

@@ -26,9 +26,16 @@ pub(super) fn title(plot: &Plot<'_>, up: &Math) -> String {
 pub(super) fn of(plot: &Plot<'_>, lines: &[Line], up: &Math) -> String {
     let mark = plot.decimal;
     let title = title(plot, up);
-    let range = if lines.is_empty() { None } else { plot.x.range.or(Some(plot.range)) };
+    let range = if lines.is_empty() {
+        None
+    } else {
+        plot.x.range.or(Some(plot.range))
+    };
     let mut text = title;
-    let is_plane = plot.curves.iter().any(|curve| matches!(curve.course, super::Course::Path(_)));
+    let is_plane = plot
+        .curves
+        .iter()
+        .any(|curve| matches!(curve.course, super::Course::Path(_)));
     if let Some([from, to]) = range.filter(|_| !is_plane) {
         let (from, to) = (number(from, Unit::ONE, mark), number(to, plot.x.unit, mark));
         text += &format!(", from {from} to {to}");
@@ -42,8 +49,16 @@ pub(super) fn of(plot: &Plot<'_>, lines: &[Line], up: &Math) -> String {
     }
     for point in &plot.marks {
         let label = point.label.as_ref().map(name).unwrap_or_default();
-        let at = [number(point.at[0], plot.x.unit, mark), number(point.at[1], plot.y.unit, mark)];
-        text += &format!(" Marked{}{label}: {}, {}.", if label.is_empty() { "" } else { ", " }, at[0], at[1]);
+        let at = [
+            number(point.at[0], plot.x.unit, mark),
+            number(point.at[1], plot.y.unit, mark),
+        ];
+        text += &format!(
+            " Marked{}{label}: {}, {}.",
+            if label.is_empty() { "" } else { ", " },
+            at[0],
+            at[1]
+        );
     }
     text
 }
@@ -57,19 +72,25 @@ fn curve(plot: &Plot<'_>, line: &Line, is_plane: bool) -> String {
     let curve = &plot.curves[line.curve];
     let kind = match curve.style {
         Style::Limit => "Limit",
-        Style::Band => "Edge of a band",
+        Style::Band => "Edge of",
         _ => "Curve",
     };
     let label = curve.label.as_ref().map(name).unwrap_or_default();
-    let label = if label.is_empty() { label } else { format!(" {label}") };
+    let label = match (label.is_empty(), curve.style) {
+        (true, Style::Band) => " a band".to_owned(),
+        (true, _) => label,
+        (false, _) => format!(" {label}"),
+    };
     if is_plane {
-        return format!("{kind}{label}.").replace("Curve.", "").trim_end().to_owned();
+        return String::new();
     }
     let values: Vec<f64> = line
         .runs
         .iter()
         .flat_map(|run| run.windows(2))
-        .flat_map(|pair| (0..=POINTS).map(|point| cubic(&pair[0], &pair[1], point as f64 / POINTS as f64).0[1]))
+        .flat_map(|pair| {
+            (0..=POINTS).map(|point| cubic(&pair[0], &pair[1], point as f64 / POINTS as f64).0[1])
+        })
         .collect();
     match behaviour(&values, &plot.y, plot.decimal) {
         Some(behaviour) => format!(" {kind}{label} {behaviour}."),
@@ -81,7 +102,9 @@ fn curve(plot: &Plot<'_>, line: &Line, is_plane: bool) -> String {
 fn behaviour(values: &[f64], axis: &Axis, mark: DecimalMark) -> Option<String> {
     let (first, last) = (*values.first()?, *values.last()?);
     let say = |coordinate: f64| number(axis.value(coordinate), axis.unit, mark);
-    let (low, high) = values.iter().fold((first, first), |(low, high), value| (low.min(*value), high.max(*value)));
+    let (low, high) = values.iter().fold((first, first), |(low, high), value| {
+        (low.min(*value), high.max(*value))
+    });
     if high - low <= 1e-6 * high.abs().max(low.abs()) {
         return Some(format!("is constant at {}", say(first)));
     }
@@ -109,10 +132,16 @@ fn behaviour(values: &[f64], axis: &Axis, mark: DecimalMark) -> Option<String> {
 
 /// Whether oscillations decay or grow.
 fn tendency(turns: &[f64]) -> &'static str {
-    let swings: Vec<f64> = turns.windows(2).map(|pair| (pair[1] - pair[0]).abs()).collect();
+    let swings: Vec<f64> = turns
+        .windows(2)
+        .map(|pair| (pair[1] - pair[0]).abs())
+        .collect();
     let is_falling = swings.windows(2).all(|pair| pair[1] < pair[0] * 0.999);
     let is_rising = swings.windows(2).all(|pair| pair[1] > pair[0] * 1.001);
-    match (swings.len() > 1 && is_falling, swings.len() > 1 && is_rising) {
+    match (
+        swings.len() > 1 && is_falling,
+        swings.len() > 1 && is_rising,
+    ) {
         (true, _) => " and decays",
         (_, true) => " and grows",
         _ => "",
@@ -169,7 +198,10 @@ mod tests {
     fn courses_are_told_apart() {
         assert_eq!(says(&[2.0, 2.0]), "is constant at 2 mm");
         assert_eq!(says(&[2.0, 1.0, 0.5]), "falls from 2 mm to 0.5 mm");
-        assert_eq!(says(&[0.0, 3.0, 1.0]), "rises from 0 mm to 3 mm, then falls to 1 mm");
+        assert_eq!(
+            says(&[0.0, 3.0, 1.0]),
+            "rises from 0 mm to 3 mm, then falls to 1 mm"
+        );
         let decay = [4.0, -3.0, 2.0, -1.0, 0.5, 0.0];
         assert_eq!(
             says(&decay),

@@ -67,7 +67,11 @@ pub(super) fn roomy(low: f64, high: f64, is_logarithmic: bool) -> [f64; 2] {
     let [mut low, mut high] = [low, high];
     let size = low.abs().max(high.abs());
     if high - low <= 1e-9 * size || high == low {
-        let around = if size > 0.0 && !is_logarithmic { 0.5 * size } else { 0.5 };
+        let around = if size > 0.0 && !is_logarithmic {
+            0.5 * size
+        } else {
+            0.5
+        };
         return [low - around, high + around];
     }
     if !is_logarithmic {

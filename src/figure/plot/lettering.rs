@@ -3,10 +3,10 @@
 //! A name stands at its curve, where no other curve is near. Limits are named at their right ends, outside of
 //! the frame. What finds no room at its curve is named at the right end too, with a hairline to it.
 
+use super::Plot;
 use super::course::{Line, place};
 use super::frame::{Frame, HEIGHT, WIDTH};
 use super::room::Room;
-use super::Plot;
 use crate::figure::{Anchor, Bounds, Drawing, Label, Path, Pen, Point, Weight};
 use crate::math::Math;
 
@@ -14,6 +14,8 @@ use crate::math::Math;
 const GAP: f64 = 0.06;
 /// Distance of a label from the point that it names.
 const NEAR: f64 = 0.13;
+/// The same for the dot of a mark.
+const AT_DOT: f64 = 0.21;
 /// Distances with a hairline to the point.
 const FAR: [f64; 4] = [0.5, 0.8, 1.2, 1.7];
 /// Least distance of names at the right end.
@@ -49,7 +51,10 @@ struct Candidate {
 
 impl Letterer {
     pub(super) fn of(frame: &Frame, lines: &[Line], plot: &Plot<'_>, boxes: Vec<Bounds>) -> Self {
-        let lines: Vec<_> = lines.iter().map(|line| (line.curve, line.flat(frame))).collect();
+        let lines: Vec<_> = lines
+            .iter()
+            .map(|line| (line.curve, line.flat(frame)))
+            .collect();
         let mut room = Room::of(Frame::bounds().grown(0.5));
         for (_, runs) in &lines {
             take(&mut room, runs);
@@ -57,7 +62,7 @@ impl Letterer {
         take_axes(&mut room, frame, plot);
         for mark in &plot.marks {
             if let Some(at) = place(plot, mark.at).map(|at| frame.place(at)) {
-                let half = Point::new(0.06, 0.06);
+                let half = Point::new(0.03, 0.03);
                 room.take(at - half, at + half);
                 room.take(at - half.left(), at + half.left());
             }
@@ -73,14 +78,19 @@ impl Letterer {
                 continue;
             };
             let (label, at) = (Label::of(label), frame.place(at));
-            let near = directions().map(|(direction, cost)| Candidate::beside(at, direction, NEAR, cost));
+            let near = directions()
+                .map(|(direction, cost)| Candidate::beside(at, direction, AT_DOT, cost));
             let far = FAR.iter().flat_map(|distance| {
                 directions().map(move |(direction, cost)| {
                     Candidate::beside(at, direction, *distance, cost + 10.0 * distance).led(at)
                 })
             });
             let best = self.best(&label, near.chain(far));
-            self.put(drawing, label, best.unwrap_or_else(|| Candidate::beside(at, Point::new(0.0, 1.0), NEAR, 0.0)));
+            self.put(
+                drawing,
+                label,
+                best.unwrap_or_else(|| Candidate::beside(at, Point::new(0.0, 1.0), AT_DOT, 0.0)),
+            );
         }
     }
 
@@ -127,7 +137,11 @@ impl Letterer {
     }
 
     /// The best free one of some places.
-    fn best(&self, label: &Label, candidates: impl Iterator<Item = Candidate>) -> Option<Candidate> {
+    fn best(
+        &self,
+        label: &Label,
+        candidates: impl Iterator<Item = Candidate>,
+    ) -> Option<Candidate> {
         let mut best: Option<Candidate> = None;
         for candidate in candidates {
             let is_better = best.as_ref().is_none_or(|best| candidate.cost < best.cost);
@@ -139,11 +153,17 @@ impl Letterer {
     }
 
     fn is_free(&self, bounds: Bounds) -> bool {
-        let space = Bounds::of(Point::new(0.05, 0.05), Point::new(WIDTH + 0.35, HEIGHT + 0.1));
+        let space = Bounds::of(
+            Point::new(0.05, 0.05),
+            Point::new(WIDTH + 0.35, HEIGHT + 0.1),
+        );
         let is_inside = space.has(bounds.low) && space.has(bounds.high);
         is_inside
             && self.room.taken(bounds.grown(GAP)) == 0
-            && !self.boxes.iter().any(|other| other.meets(bounds.grown(GAP)))
+            && !self
+                .boxes
+                .iter()
+                .any(|other| other.meets(bounds.grown(GAP)))
     }
 
     fn put(&mut self, drawing: &mut Drawing, label: Label, candidate: Candidate) {
@@ -160,7 +180,9 @@ impl Letterer {
     fn end_of(&self, curve: usize) -> Option<Point> {
         let lines = self.lines.iter().filter(|(own, _)| *own == curve);
         let ends = lines.filter_map(|(_, runs)| runs.last()?.last().copied());
-        let (sum, count) = ends.fold((Point::default(), 0.0), |(sum, count), end| (sum + end, count + 1.0));
+        let (sum, count) = ends.fold((Point::default(), 0.0), |(sum, count), end| {
+            (sum + end, count + 1.0)
+        });
         (count > 0.0).then(|| sum * (1.0 / count))
     }
 
@@ -169,13 +191,17 @@ impl Letterer {
         ends.sort_by(|a, b| a.0.y.total_cmp(&b.0.y));
         let mut heights: Vec<f64> = ends.iter().map(|(end, _)| end.y).collect();
         spread(&mut heights);
+        lift(&mut heights);
         for ((end, label), height) in ends.into_iter().zip(heights) {
             let is_moved = (height - end.y).abs() > 0.05 || end.x < WIDTH - 0.05;
             let start = if is_moved { WIDTH + 0.45 } else { WIDTH + 0.12 };
             let at = Point::new(start, height);
             if is_moved {
                 let from = Point::new(end.x + 0.05, end.y);
-                drawing.stroke(Path::line(from, at - Point::new(0.08, 0.0)), Pen::new(Weight::Hair));
+                drawing.stroke(
+                    Path::line(from, at - Point::new(0.08, 0.0)),
+                    Pen::new(Weight::Hair),
+                );
             }
             let bounds = drawing.text(label, at, Anchor::LEFT);
             self.boxes.push(bounds);
@@ -228,7 +254,10 @@ fn spaced(runs: &[Vec<Point>]) -> Vec<Point> {
     const SPACE: f64 = 0.12;
     let mut points: Vec<Point> = Vec::new();
     for point in runs.iter().flatten() {
-        if points.last().is_none_or(|last| last.distance(*point) >= SPACE) {
+        if points
+            .last()
+            .is_none_or(|last| last.distance(*point) >= SPACE)
+        {
             points.push(*point);
         }
     }
@@ -272,8 +301,12 @@ fn spread(heights: &mut [f64]) {
         groups.push((start, start + 1));
         start += 1;
         while let [.., first, second] = groups.as_slice() {
-            let top = |(from, to): (usize, usize)| middle(&wanted, from, to) + LINE * (to - from - 1) as f64 / 2.0;
-            let bottom = |(from, to): (usize, usize)| middle(&wanted, from, to) - LINE * (to - from - 1) as f64 / 2.0;
+            let top = |(from, to): (usize, usize)| {
+                middle(&wanted, from, to) + LINE * (to - from - 1) as f64 / 2.0
+            };
+            let bottom = |(from, to): (usize, usize)| {
+                middle(&wanted, from, to) - LINE * (to - from - 1) as f64 / 2.0
+            };
             if bottom(*second) - top(*first) >= LINE {
                 break;
             }
@@ -287,6 +320,15 @@ fn spread(heights: &mut [f64]) {
         for place in from..to {
             heights[place] = lowest + LINE * (place - from) as f64;
         }
+    }
+}
+
+/// Moves heights up until none is beside what the axis to the right counts.
+fn lift(heights: &mut [f64]) {
+    let mut least = LINE;
+    for height in heights {
+        *height = height.max(least);
+        least = *height + LINE;
     }
 }
 
@@ -307,6 +349,11 @@ mod tests {
         assert_eq!(heights[2], 4.0);
         let mut many = [0.0; 5];
         spread(&mut many);
-        assert!(many.windows(2).all(|pair| (pair[1] - pair[0] - LINE).abs() < 1e-12));
+        assert!(
+            many.windows(2)
+                .all(|pair| (pair[1] - pair[0] - LINE).abs() < 1e-12)
+        );
+        lift(&mut many);
+        assert_eq!(many[0], LINE);
     }
 }

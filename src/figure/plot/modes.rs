@@ -79,7 +79,10 @@ impl ModeShapes {
             drawing.stroke(Path::line(foot(place), *tip), Pen::new(Weight::Thin));
             drawing.shape(Path::circle(*tip, 0.08), None, Fill::Ink);
         }
-        drawing.stroke(Path::through(tips.iter().copied()), Pen::new(Weight::Medium));
+        drawing.stroke(
+            Path::through(tips.iter().copied()),
+            Pen::new(Weight::Medium),
+        );
         let heading = Point::new(origin.x + width / 2.0, origin.y + HEADING);
         drawing.text(Label::of(&shape.heading), heading, Anchor::BOTTOM);
         for (place, tip) in tips.iter().enumerate() {
@@ -99,7 +102,12 @@ impl ModeShapes {
             let components: Vec<String> = components
                 .map(|(symbol, label)| format!("{} : {}", symbol.plain(), label.plain()))
                 .collect();
-            format!("Mode {}, {}: {}.", number + 1, shape.heading.plain(), components.join(", "))
+            format!(
+                "Mode {}, {}: {}.",
+                number + 1,
+                shape.heading.plain(),
+                components.join(", ")
+            )
         });
         shapes.collect::<Vec<_>>().join(" ")
     }

@@ -42,13 +42,6 @@ impl Room {
         }
     }
 
-    /// Takes all that another takes.
-    pub(super) fn join(&mut self, other: &Self) {
-        for (own, taken) in self.taken.iter_mut().zip(&other.taken) {
-            *own |= taken;
-        }
-    }
-
     /// Counts, after the last cell was taken.
     pub(super) fn count(&mut self) {
         let width = self.columns + 1;
@@ -57,7 +50,8 @@ impl Room {
             let mut sum = 0;
             for column in 0..self.columns {
                 sum += u32::from(self.taken[row * self.columns + column]);
-                self.sums[(row + 1) * width + column + 1] = self.sums[row * width + column + 1] + sum;
+                self.sums[(row + 1) * width + column + 1] =
+                    self.sums[row * width + column + 1] + sum;
             }
         }
     }

@@ -162,9 +162,8 @@ impl Refined<'_, '_> {
         self.calls += 3;
         let middle = (from.variable + to.variable) / 2.0;
         let point = self.coarse.at(middle);
-        let fits = point.is_some_and(|point| {
-            self.fits(&from, &to, 0.5, point) && self.fits_beside(&from, &to)
-        });
+        let fits = point
+            .is_some_and(|point| self.fits(&from, &to, 0.5, point) && self.fits_beside(&from, &to));
         if fits {
             self.push(to);
         } else if halvings == 0 || self.calls > MOST_CALLS {
@@ -226,7 +225,10 @@ fn joined(run: &[Knot], size: [f64; 2], error: f64) -> Run {
     let mut start = 0;
     while start + 1 < run.len() {
         let mut end = start + 1;
-        while end + 1 < run.len() && end + 1 - start <= LONGEST_JOIN && serves(&run[start..=end + 1], size, error) {
+        while end + 1 < run.len()
+            && end + 1 - start <= LONGEST_JOIN
+            && serves(&run[start..=end + 1], size, error)
+        {
             end += 1;
         }
         joined.push(run[end]);
@@ -239,7 +241,8 @@ fn joined(run: &[Knot], size: [f64; 2], error: f64) -> Run {
 fn serves(knots: &[Knot], size: [f64; 2], error: f64) -> bool {
     let (from, to) = (&knots[0], &knots[knots.len() - 1]);
     let share = |variable: f64| (variable - from.variable) / (to.variable - from.variable);
-    let is_near = |variable: f64, point: [f64; 2]| distance(from, to, share(variable), point, size) <= error;
+    let is_near =
+        |variable: f64, point: [f64; 2]| distance(from, to, share(variable), point, size) <= error;
     knots.windows(2).all(|pair| {
         let middle = (pair[0].variable + pair[1].variable) / 2.0;
         is_near(middle, cubic(&pair[0], &pair[1], 0.5).0) && is_near(pair[1].variable, pair[1].at)

@@ -24,7 +24,11 @@ const MOST: usize = 60;
 impl Ticks {
     /// Ticks at multiples of 1, 2 or 5 times a power of ten, about `count` of them.
     pub(super) fn linear(range: [f64; 2], count: usize, mark: DecimalMark) -> Self {
-        Self::stepped(range, round_step((range[1] - range[0]) / count as f64), mark)
+        Self::stepped(
+            range,
+            round_step((range[1] - range[0]) / count as f64),
+            mark,
+        )
     }
 
     /// Ticks at the multiples of `step`.
@@ -35,7 +39,12 @@ impl Ticks {
         let decimals = decimals(step / unit);
         let label = |at: f64| Some(number(at / unit, decimals, mark));
         Self {
-            ticks: multiples(range, step).map(|at| Tick { at, label: label(at) }).collect(),
+            ticks: multiples(range, step)
+                .map(|at| Tick {
+                    at,
+                    label: label(at),
+                })
+                .collect(),
             power,
         }
     }
@@ -63,7 +72,8 @@ impl Ticks {
             for digit in 1..10 {
                 let at = decade + log10(f64::from(digit));
                 let is_labelled = digit == 1 || (decades < 1.5 && [2, 5].contains(&digit));
-                if at >= range[0] - SLACK && at <= range[1] + SLACK && (decades < 4.0 || digit == 1) {
+                if at >= range[0] - SLACK && at <= range[1] + SLACK && (decades < 4.0 || digit == 1)
+                {
                     let label = is_labelled.then(|| decimal(decade, digit, mark));
                     ticks.push(Tick { at, label });
                 }
@@ -100,7 +110,9 @@ pub(super) fn round_step(least: f64) -> f64 {
     }
     let power = pow(10.0, log10(least).floor());
     let share = least / power;
-    let factor = [1.0, 2.0, 5.0].into_iter().find(|factor| share <= factor * (1.0 + SLACK));
+    let factor = [1.0, 2.0, 5.0]
+        .into_iter()
+        .find(|factor| share <= factor * (1.0 + SLACK));
     factor.unwrap_or(10.0) * power
 }
 
@@ -215,7 +227,10 @@ mod tests {
         let ticks = Ticks::linear([0.0, 3e-4], 6, DecimalMark::Comma);
         assert_eq!(ticks.power, -6);
         assert_eq!(labels(&ticks)[1], "50");
-        assert_eq!(Ticks::linear([0.0, 25_000.0], 5, DecimalMark::Point).power, 3);
+        assert_eq!(
+            Ticks::linear([0.0, 25_000.0], 5, DecimalMark::Point).power,
+            3
+        );
     }
 
     #[test]
@@ -234,7 +249,12 @@ mod tests {
 
     #[test]
     fn hostile_ranges_give_few_ticks_and_no_panic() {
-        for range in [[0.0, 0.0], [1.0, 1.0 + 1e-15], [-1e300, 1e300], [0.0, 5e-324]] {
+        for range in [
+            [0.0, 0.0],
+            [1.0, 1.0 + 1e-15],
+            [-1e300, 1e300],
+            [0.0, 5e-324],
+        ] {
             let ticks = Ticks::linear(range, 6, DecimalMark::Point);
             assert!(ticks.ticks.len() <= MOST);
             let ticks = Ticks::stepped(range, 1e-9, DecimalMark::Point);
