@@ -9,7 +9,7 @@ use super::key_table::{KeyRow, KeyTable, Panel};
 use super::layouts::{Layouts, OutputError, font};
 use super::view::{SheetView, View};
 use crate::numerics::Rational;
-use crate::scene::Data;
+use crate::scene::{Data, Scene};
 use crate::unit::DecimalMark;
 use crate::worksheet::{AnswerSpace, Blueprint, Paper, Sheet, letter};
 
@@ -364,15 +364,15 @@ impl Pages {
             ..KeyRow::default()
         };
         for question in &sheet.questions {
+            let scene = Scene::of(&question.solution, self.run.data);
             for (position, place) in question.parts.iter().enumerate() {
                 row.parts
                     .push(format!("{}{}", question.number, letter(position)));
-                let key = question.solution.marker(*place).map(|marker| marker.key());
-                let (cell, width) = match key {
-                    Ok(key) => (
-                        self.writer.math(&key.math),
-                        key.math.plain().chars().count(),
-                    ),
+                let (cell, width) = match question.solution.marker(*place) {
+                    Ok(marker) => {
+                        let math = scene.key(*place).unwrap_or_else(|| marker.key().math);
+                        (self.writer.math(&math), math.plain().chars().count())
+                    }
                     Err(_) => (self.writer.words("–"), 1),
                 };
                 row.cells.push(cell);

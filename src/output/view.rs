@@ -205,7 +205,8 @@ impl<'p> View<'p> {
             Kind::Key | Kind::Solutions => {
                 match solution.marker(place).map(|marker| marker.key()) {
                     Ok(key) => {
-                        view.key = self.writer.math(&key.math);
+                        let shown = scene.key(place).unwrap_or(key.math);
+                        view.key = self.writer.math(&shown);
                         let accepted = key.accepted.as_ref().filter(|_| self.kind == Kind::Key);
                         view.accepted = accepted
                             .map(|range| format!("accepted: {}", self.writer.math(range)))

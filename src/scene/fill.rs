@@ -1,5 +1,6 @@
 //! What fills the holes of a text.
 
+use super::concrete;
 use super::notation::{Numbers, Symbols};
 use super::{Data, Scene};
 use crate::bank::{QuantityInfo, Target, Units};
@@ -94,7 +95,7 @@ impl Scene<'_, '_> {
             return self.solution.instance().values()[place].math(self.solution.mark());
         }
         if !self.solution.template().graph.variables(node).is_empty() {
-            return self.substituted(node);
+            return concrete::function(self.solution, node).unwrap_or_else(nothing);
         }
         match self.solution.evaluation().value(node) {
             Ok(value) => self.printed(value, info, true),
@@ -121,7 +122,9 @@ impl Scene<'_, '_> {
 
     fn substituted(&self, node: NodeId) -> Math {
         let expr = self.solution.template().graph.expr(node);
-        expr.map_or_else(nothing, |expr| expr.typeset(&Numbers(self.solution)))
+        expr.map_or_else(nothing, |expr| {
+            concrete::concrete(self.solution, expr).typeset(&Numbers(self.solution))
+        })
     }
 
     /// A value in its units, arranged as it is.

@@ -4,6 +4,7 @@
 //! what it shows; nothing else is computed. Showing a question computes no key, one part's key
 //! computes that part alone.
 
+mod concrete;
 mod fill;
 mod notation;
 mod plot;
@@ -78,6 +79,27 @@ impl<'s, 't> Scene<'s, 't> {
         };
         let info = template.info(key)?;
         Some(Math::row([info.symbol.clone(), Math::relation("=")]))
+    }
+
+    /// How the key of a part is shown where its general form is not what one looks for: a function
+    /// of time with the numbers of this instance.
+    pub fn key(&self, place: usize) -> Option<Math> {
+        let template = self.solution.template();
+        let answer = &template.parts.get(place)?.answer;
+        let keys = answer.keys();
+        if answer.kind().name() != "function" || keys.len() != 1 {
+            return None;
+        }
+        let math = concrete::function(self.solution, keys[0])?;
+        Some(match answer.unit().filter(|unit| !unit.is_one()) {
+            Some(unit) => Math::row([
+                math,
+                Math::Space(18),
+                Math::text("in "),
+                unit.coherent().math(),
+            ]),
+            None => math,
+        })
     }
 
     /// The given data as one printed list, for sheets whose statement shows symbols alone.

@@ -1,0 +1,171 @@
+//! Functions of time as they are for the data of an instance.
+//!
+//! A formula that serves for all data has branches for the regimes and names for the pieces. For given
+//! data one branch holds, the pieces are written out, and what does not move is a number.
+
+use std::cell::RefCell;
+
+use super::notation::Symbols;
+use crate::expr::{
+    Expr, Kind, Name, Notation, Path, Precise, Program, Slots, Symbol, SymbolKind, Value, Workspace,
+};
+use crate::math::Math;
+use crate::quantity::NodeId;
+use crate::solution::Solution;
+use crate::unit::Decimal;
+
+/// Pieces within pieces that are written out at most.
+const DEEPEST: usize = 20;
+
+/// A formula without the branches that the data rule out, its moving pieces written out.
+pub(super) fn concrete(solution: &Solution<'_>, expr: &Expr) -> Expr {
+    Reader { solution }.concrete(expr, 0)
+}
+
+/// A quantity that moves with time, as a formula with numbers in SI units.
+pub(super) fn function(solution: &Solution<'_>, node: NodeId) -> Option<Math> {
+    let template = solution.template();
+    let expr = concrete(solution, template.graph.expr(node)?);
+    let folded = Folded {
+        solution,
+        digits: u32::from(template.info(node)?.digits),
+        numbers: RefCell::default(),
+    };
+    Some(folded.fold(&expr).typeset(&folded))
+}
+
+struct Reader<'a, 't> {
+    solution: &'a Solution<'t>,
+}
+
+impl Reader<'_, '_> {
+    fn concrete(&self, expr: &Expr, depth: usize) -> Expr {
+        match expr.kind() {
+            Kind::If(condition, first, second) => match self.truth(condition) {
+                Some(true) => self.concrete(first, depth),
+                Some(false) => self.concrete(second, depth),
+                None => self.in_children(expr, depth),
+            },
+            Kind::Name(name) if depth < DEEPEST => match self.moving_piece(name) {
+                Some(piece) => self.concrete(piece, depth + 1),
+                None => expr.clone(),
+            },
+            Kind::Path(path) if depth < DEEPEST => match self.of_model(path) {
+                Some(formula) => self.concrete(&formula, depth + 1),
+                None => expr.clone(),
+            },
+            // What stands in these is bound or differentiated; it stays as it is.
+            Kind::Prime(..) | Kind::Diff(..) | Kind::At(..) => expr.clone(),
+            Kind::Root(..) | Kind::Integral(..) => expr.clone(),
+            _ => self.in_children(expr, depth),
+        }
+    }
+
+    fn in_children(&self, expr: &Expr, depth: usize) -> Expr {
+        let mapped = expr.try_map_children(&mut |child| {
+            Ok::<_, std::convert::Infallible>(self.concrete(child, depth))
+        });
+        mapped.unwrap_or_else(|never| match never {})
+    }
+
+    /// The formula of a quantity that moves with time.
+    fn moving_piece(&self, name: &Name) -> Option<&Expr> {
+        let graph = &self.solution.template().graph;
+        let node = graph.find(name)?;
+        graph
+            .expr(node)
+            .filter(|_| !graph.variables(node).is_empty())
+    }
+
+    /// The formula of a model's quantity.
+    fn of_model(&self, path: &Path) -> Option<Expr> {
+        let (model, quantity) = self.solution.template().graph.offered(path)?;
+        model.formula(quantity).ok()
+    }
+
+    /// Whether a condition holds at all times.
+    fn truth(&self, condition: &Expr) -> Option<bool> {
+        value(self.solution, condition)?.as_boolean()
+    }
+}
+
+/// The value of a formula in which nothing moves.
+fn value(solution: &Solution<'_>, expr: &Expr) -> Option<Value> {
+    let graph = &solution.template().graph;
+    let used = expr.names();
+    if !used.paths.is_empty() || used.free.iter().any(|variable| variable.order > 0) {
+        return None;
+    }
+    let mut names = Vec::new();
+    let mut data = Vec::new();
+    for variable in used.free {
+        let node = graph.find(&variable.name)?;
+        if !graph.variables(node).is_empty() {
+            return None;
+        }
+        data.push(Precise::exact(solution.evaluation().real(node).ok()?));
+        names.push(variable.name);
+    }
+    let names: Vec<&str> = names.iter().map(Name::as_str).collect();
+    let program = Program::compile(expr, &Slots(&names)).ok()?;
+    program.evaluate(&data[..], &mut Workspace::default()).ok()
+}
+
+/// Names as symbols, and what does not move as a number.
+struct Folded<'a, 't> {
+    solution: &'a Solution<'t>,
+    digits: u32,
+    numbers: RefCell<Vec<Decimal>>,
+}
+
+impl Folded<'_, '_> {
+    /// The formula with names for the numbers of what does not move.
+    fn fold(&self, expr: &Expr) -> Expr {
+        // What has no data in it stays as it was written, `2` or `π/2`.
+        let used = expr.names();
+        if used.free.is_empty() && used.paths.is_empty() {
+            return expr.clone();
+        }
+        if let Some(number) = self.number(expr) {
+            let mut numbers = self.numbers.borrow_mut();
+            numbers.push(number);
+            return Expr::name(format!("#{}", numbers.len() - 1));
+        }
+        match expr.kind() {
+            Kind::Prime(..) | Kind::Diff(..) | Kind::At(..) => expr.clone(),
+            Kind::Root(..) | Kind::Integral(..) => expr.clone(),
+            _ => {
+                let mapped = expr.try_map_children(&mut |child| {
+                    Ok::<_, std::convert::Infallible>(self.fold(child))
+                });
+                mapped.unwrap_or_else(|never| match never {})
+            }
+        }
+    }
+
+    /// One figure more than results have, as in intermediate steps.
+    fn number(&self, expr: &Expr) -> Option<Decimal> {
+        let number = value(self.solution, expr)?.as_real()?;
+        Decimal::rounded(number, self.digits + 1)
+    }
+}
+
+impl Notation for Folded<'_, '_> {
+    fn name(&self, name: &Name) -> Symbol {
+        let place = name.as_str().strip_prefix('#');
+        let number = place
+            .and_then(|place| place.parse::<usize>().ok())
+            .and_then(|place| self.numbers.borrow().get(place).copied());
+        match number {
+            Some(number) => Symbol {
+                math: number.math(self.solution.mark()),
+                kind: if number.is_negative() {
+                    SymbolKind::Negative
+                } else {
+                    SymbolKind::Number
+                },
+            },
+            None => Symbols(self.solution).name(name),
+        }
+    }
+}
