@@ -129,7 +129,7 @@ impl Folded<'_, '_> {
         if let Some(number) = self.number(expr) {
             let mut numbers = self.numbers.borrow_mut();
             numbers.push(number);
-            return Expr::name(format!("#{}", numbers.len() - 1));
+            return Expr::name(format!("#{}", numbers.len() - 1).as_str());
         }
         match expr.kind() {
             Kind::Prime(..) | Kind::Diff(..) | Kind::At(..) => expr.clone(),
