@@ -32,6 +32,10 @@ impl Writer for Pdf {
 
     fn escape(&self) -> Option<super::Escape> {
         Some(|words, out| {
+            // A layout sees whether a place is empty.
+            if words.is_empty() {
+                return Ok(());
+            }
             let mut quoted = String::from("#");
             quote(&mut quoted, words);
             out.write_all(quoted.as_bytes())
