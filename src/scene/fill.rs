@@ -154,7 +154,7 @@ impl Scene<'_, '_> {
                         .map(|column| self.cell(value, row * columns + column, info, one))
                         .collect()
                 };
-                Math::matrix((0..rows).map(row).collect()).fenced("(", ")")
+                Math::matrix((0..rows).map(row).collect())
             }
         };
         match one.filter(|unit| has_unit && !unit.is_one()) {

@@ -173,7 +173,7 @@ impl Setup {
                 .map(|entry| entry.typeset(&self.lexicon))
                 .collect()
         };
-        Math::matrix(entries.chunks(self.columns.max(1)).map(set).collect()).fenced("(", ")")
+        Math::matrix(entries.chunks(self.columns.max(1)).map(set).collect())
     }
 }
 
