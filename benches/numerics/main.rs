@@ -1,24 +1,34 @@
 //! Work against precision: how long our methods and others take, and how far off they are.
 //!
 //! ```text
-//! cargo bench --no-default-features --bench numerics [-- FOLDER]
+//! cargo bench --no-default-features --bench numerics [-- [--gate] [FOLDER]]
 //! ```
 //!
-//! writes `results.csv` and one picture for each task to the folder, by default `target/bench-numerics`, and prints a
-//! summary in units of the yardstick, one exponential and one pair of sine and cosine.
+//! writes `results.csv` and pictures for each task to the folder, by default `target/bench-numerics`, and prints a summary:
+//! the yardstick Y, one exponential and one pair of sine and cosine; each method on each case; what each task costs and may
+//! cost; methods that are both faster and more accurate than ours. With `--gate`, a cost above its limit or such a method
+//! fails the run. `scipy_methods.py` adds the methods of SciPy to a results file.
 
 #![expect(clippy::print_stdout, reason = "a benchmark reports to the terminal")]
 
+mod checker;
+mod costs;
+mod friction;
 mod integrate;
+mod linearisation;
 mod measure;
 mod modes;
 mod oscillator;
+mod pendulum;
 mod plot;
 mod record;
+mod reference;
 mod response;
 
 use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 
+use costs::Cost;
 use record::Record;
 
 /// A task appends its measurements.
@@ -28,28 +38,47 @@ const TASKS: &[Task] = &[
     oscillator::free,
     oscillator::forced,
     oscillator::steady,
+    oscillator::bandwidth,
+    oscillator::decrement,
+    friction::from_release_to_rest,
     modes::against_size,
     modes::against_stiffness_ratio,
     response::of_ten_masses,
     response::against_time,
+    pendulum::period,
+    pendulum::excess,
+    pendulum::motion,
+    linearisation::of_a_double_pendulum,
+    checker::formulas,
 ];
 
-fn main() -> std::io::Result<()> {
-    let folder = std::env::args()
-        .skip(1)
-        .find(|argument| !argument.starts_with('-'));
+fn main() -> std::io::Result<ExitCode> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let is_gate = arguments.iter().any(|argument| argument == "--gate");
+    let folder = arguments.iter().find(|argument| !argument.starts_with('-'));
     let folder = folder.map_or_else(|| PathBuf::from("target/bench-numerics"), PathBuf::from);
     // The first measurement finds the processor at its idle clock.
     measure::yardstick();
     let before = measure::yardstick();
+    let costs = costs::measure();
+    let middle = measure::yardstick();
     let mut records = Vec::new();
     for task in TASKS {
         task(&mut records);
     }
     let after = measure::yardstick();
     write(&folder, &records)?;
-    summarize(&records, before, after);
-    Ok(())
+    println!("yardstick Y: {before:.1} ns before, {middle:.1} ns between, {after:.1} ns after");
+    // Costs are measured between the first two.
+    let yardstick = f64::midpoint(before, middle);
+    summarize(&records, yardstick);
+    let missed = tell_costs(&costs, yardstick);
+    let beaten = tell_better(&records);
+    Ok(if is_gate && (missed || beaten) {
+        ExitCode::FAILURE
+    } else {
+        ExitCode::SUCCESS
+    })
 }
 
 #[expect(
@@ -59,25 +88,26 @@ fn main() -> std::io::Result<()> {
 fn write(folder: &Path, records: &[Record]) -> std::io::Result<()> {
     std::fs::create_dir_all(folder)?;
     std::fs::write(folder.join("results.csv"), record::table(records))?;
-    let mut tasks: Vec<&str> = records.iter().map(|record| record.task).collect();
+    let mut tasks: Vec<&str> = records.iter().map(|record| record.task.as_str()).collect();
     tasks.dedup();
     for task in tasks {
-        let of_task: Vec<&Record> = records
-            .iter()
-            .filter(|record| record.task == task)
+        let of_task = || records.iter().filter(|record| record.task == task);
+        let all: Vec<&Record> = of_task().collect();
+        std::fs::write(folder.join(format!("{task}.svg")), plot::work(task, &all))?;
+        let sweep: Vec<&Record> = of_task()
+            .filter(|record| record.parameter.is_some() && record.tolerance.is_none())
             .collect();
-        std::fs::write(
-            folder.join(format!("{task}.svg")),
-            plot::svg(task, &of_task),
-        )?;
+        if !sweep.is_empty() {
+            let picture = plot::sweep(task, &sweep);
+            std::fs::write(folder.join(format!("{task}-sweep.svg")), picture)?;
+        }
     }
     Ok(())
 }
 
-fn summarize(records: &[Record], before: f64, after: f64) {
-    println!("yardstick Y: {before:.1} ns before, {after:.1} ns after");
+fn summarize(records: &[Record], yardstick: f64) {
     println!(
-        "{:<22} {:<26} {:<26} {:>7} {:>12} {:>10} {:>9}",
+        "\n{:<30} {:<28} {:<34} {:>6} {:>12} {:>10} {:>9}",
         "task", "case", "method", "tol", "ns", "Y", "error"
     );
     for record in records {
@@ -85,13 +115,39 @@ fn summarize(records: &[Record], before: f64, after: f64) {
             .tolerance
             .map_or(String::new(), |tolerance| format!("{tolerance:.0e}"));
         println!(
-            "{:<22} {:<26} {:<26} {tolerance:>7} {:>12.1} {:>10.1} {:>9.1e}",
+            "{:<30} {:<28} {:<34} {tolerance:>6} {:>12.1} {:>10.1} {:>9.1e}",
             record.task,
             record.case,
             record.method,
             record.timing.fast,
-            record.timing.fast / before,
-            record.scaled_error
+            record.timing.fast / yardstick,
+            record.error.scaled
         );
     }
+}
+
+/// Prints the costs; says whether one is above its limit.
+fn tell_costs(costs: &[Cost], yardstick: f64) -> bool {
+    println!("\n{:<50} {:>10} {:>10}", "cost", "found", "limit");
+    let mut missed = false;
+    for cost in costs {
+        let (found, limit, unit) = cost.against_limit(yardstick);
+        let verdict = if found > limit { "above" } else { "" };
+        missed |= found > limit;
+        println!("{:<50} {found:>10.2} {limit:>10.1} {unit:<3} {verdict}", cost.task);
+    }
+    missed
+}
+
+/// Prints the methods that are both faster and more accurate than ours; says whether there is one.
+fn tell_better(records: &[Record]) -> bool {
+    let better = record::better(records);
+    println!("\nfaster and more accurate than ours: {}", better.len());
+    for record in &better {
+        println!(
+            "{} {}: {} ({:.1} ns, {:.1e})",
+            record.task, record.case, record.method, record.timing.fast, record.error.scaled
+        );
+    }
+    !better.is_empty()
 }

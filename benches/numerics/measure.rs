@@ -28,23 +28,38 @@ impl Timing {
     }
 }
 
-/// Batches that are timed.
-const BATCHES: usize = 15;
+/// Batches that are timed, as long as they take less than [`LONGEST`] together.
+const BATCHES: usize = 25;
 
-/// Least duration of a batch in nanoseconds.
+/// Fewest batches that are timed.
+const FEWEST: usize = 3;
+
+/// Items in a batch, unless they take longer than [`BATCH`].
+const ITEMS: usize = 4096;
+
+/// Duration of a batch of slow items in nanoseconds.
 const BATCH: f64 = 5e5;
+
+/// Duration of all batches in nanoseconds.
+const LONGEST: f64 = 1.5e8;
 
 /// Times an operation on the items 0, 1, 2, ....
 pub(crate) fn time<T>(mut operation: impl FnMut(usize) -> T) -> Timing {
     let mut items = 1;
-    while batch(&mut operation, items) * (items as f64) < BATCH && items < 1 << 20 {
+    while items < ITEMS && batch(&mut operation, items) * (items as f64) < BATCH {
         items *= 2;
     }
-    let mut times: Vec<f64> = (0..BATCHES).map(|_| batch(&mut operation, items)).collect();
+    let mut times = Vec::with_capacity(BATCHES);
+    let mut spent = 0.0;
+    while times.len() < FEWEST || times.len() < BATCHES && spent < LONGEST {
+        let each = batch(&mut operation, items);
+        spent += each * items as f64;
+        times.push(each);
+    }
     times.sort_by(f64::total_cmp);
     Timing {
         fast: times[1],
-        median: times[BATCHES / 2],
+        median: times[times.len() / 2],
         items,
     }
 }

@@ -5,7 +5,7 @@ use vibank::numerics::Dd;
 use vibank::vibration::modes::{Link, Modes, Pair, System, natural_angular_frequencies};
 
 use crate::measure::time;
-use crate::record::Record;
+use crate::record::{Error, Record};
 
 /// Masses of 1 kg and springs of 1 N/m in a row from a wall.
 pub(crate) fn uniform_chain(size: usize) -> (Vec<f64>, Vec<Link>) {
@@ -76,81 +76,85 @@ fn characteristic_equation([m1, m2]: [f64; 2], [k01, k12, k02]: [f64; 3]) -> Vec
     vec![(sum / 2.0 - root).sqrt(), (sum / 2.0 + root).sqrt()]
 }
 
-/// Adds the measurements of one network.
-fn measure(
-    records: &mut Vec<Record>,
-    task: &'static str,
-    case: &str,
-    (masses, springs): (&[f64], &[Link]),
-    exact: &[Dd],
-) {
-    let system = System::of_network(masses, springs).expect("the network is sound");
-    let mut add = |method: &'static str, solve: &dyn Fn() -> Vec<f64>| {
-        let error = error(&solve(), exact);
-        records.push(Record {
-            task,
-            case: case.to_owned(),
+/// The task and case of a network, with the small number of a sweep.
+#[derive(Clone, Copy)]
+struct Place<'a> {
+    task: &'a str,
+    case: &'a str,
+    parameter: Option<f64>,
+}
+
+impl Place<'_> {
+    fn record(
+        self,
+        method: &'static str,
+        exact: &[Dd],
+        solve: &dyn Fn() -> Vec<f64>,
+    ) -> Record {
+        Record {
+            task: self.task.to_owned(),
+            case: self.case.to_owned(),
+            parameter: self.parameter,
             method,
             tolerance: None,
             timing: time(|_| solve()),
-            relative_error: error,
-            scaled_error: error,
-        });
-    };
-    add("vibank (with shapes)", &|| {
-        all_frequencies(&Modes::of_network(masses, springs).expect("the network is sound"))
-    });
-    add("vibank (frequencies)", &|| {
-        natural_angular_frequencies(&system).expect("the network is stable")
-    });
-    add("dense symmetric QR", &|| dense_symmetric(masses, springs));
+            error: Error::computed(error(&solve(), exact)),
+        }
+    }
+}
+
+/// The measurements of one network.
+fn measure(
+    place: Place<'_>,
+    (masses, springs): (&[f64], &[Link]),
+    exact: &[Dd],
+) -> [Record; 3] {
+    let system = System::of_network(masses, springs).expect("the network is sound");
+    [
+        place.record("vibank (with shapes)", exact, &|| {
+            all_frequencies(&Modes::of_network(masses, springs).expect("the network is sound"))
+        }),
+        place.record("vibank (frequencies)", exact, &|| {
+            natural_angular_frequencies(&system).expect("the network is stable")
+        }),
+        place.record("dense symmetric QR", exact, &|| dense_symmetric(masses, springs)),
+    ]
 }
 
 /// Uniform chains of two to two hundred masses.
 pub(crate) fn against_size(records: &mut Vec<Record>) {
-    const TASK: &str = "modes-against-size";
     for size in [2, 3, 5, 10, 20, 50, 100, 200] {
         let (masses, springs) = uniform_chain(size);
-        measure(
-            records,
-            TASK,
-            &format!("n={size}"),
-            (&masses, &springs),
-            &exact_frequencies(size),
-        );
+        let place = Place {
+            task: "modes-against-size",
+            case: &format!("n={size}"),
+            parameter: None,
+        };
+        records.extend(measure(place, (&masses, &springs), &exact_frequencies(size)));
     }
 }
 
-/// Two masses whose wall fades away, in closed form, and a chain of four.
+/// Two masses whose wall fades away, in closed form and as networks.
 pub(crate) fn against_stiffness_ratio(records: &mut Vec<Record>) {
-    const TASK: &str = "modes-against-stiffness-ratio";
     for power in [0, 3, 6, 9, 12, 15] {
         let weak = vibank::numerics::powi(10.0, -power);
         let springs = [weak, 1.0, 0.0];
         let links = [Link::to_ground(1, weak), Link::between(1, 2, 1.0)];
         let exact = pair_of_unit_masses(weak);
-        let case = format!("n=2 ratio=1e{power}");
-        let mut add = |method, solve: &dyn Fn() -> Vec<f64>| {
-            let error = error(&solve(), &exact);
-            records.push(Record {
-                task: TASK,
-                case: case.clone(),
-                method,
-                tolerance: None,
-                timing: time(|_| solve()),
-                relative_error: error,
-                scaled_error: error,
-            });
+        let place = Place {
+            task: "modes-against-stiffness-ratio",
+            case: &format!("ratio=1e{power}"),
+            parameter: Some(weak),
         };
-        add("vibank (closed form)", &|| {
+        records.push(place.record("vibank (closed form)", &exact, &|| {
             Pair::of_network([1.0; 2], springs)
                 .natural_angular_frequencies()
                 .to_vec()
-        });
-        add("characteristic equation", &|| {
+        }));
+        records.push(place.record("characteristic equation", &exact, &|| {
             characteristic_equation([1.0; 2], springs)
-        });
-        measure(records, TASK, &case, (&[1.0; 2], &links), &exact);
+        }));
+        records.extend(measure(place, (&[1.0; 2], &links), &exact));
     }
 }
 

@@ -6,10 +6,10 @@ use vibank::numerics::{Dd, cos};
 use vibank::vibration::modal::{Damping, ModalResponse};
 use vibank::vibration::modes::Modes;
 
-use crate::integrate::ladder;
+use crate::integrate::{Place, ladder};
 use crate::measure::time;
 use crate::modes::{exact_frequencies, uniform_chain};
-use crate::record::Record;
+use crate::record::{Error, Record};
 
 const SIZE: usize = 10;
 const SAMPLES: usize = 201;
@@ -99,7 +99,7 @@ impl Textbook {
 /// Measures displacements at uniform times; an item is the whole motion, set-up included.
 fn measure(
     records: &mut Vec<Record>,
-    task: &'static str,
+    task: &str,
     case: &str,
     last: f64,
     with_integrators: bool,
@@ -145,13 +145,13 @@ fn measure(
     let mut add = |method, solve: &dyn Fn() -> Vec<f64>| {
         let error = error(solve().chunks_exact(SIZE), &reference);
         records.push(Record {
-            task,
+            task: task.to_owned(),
             case: case.to_owned(),
+            parameter: None,
             method,
             tolerance: None,
             timing: time(|_| solve()),
-            relative_error: error,
-            scaled_error: error,
+            error: Error::computed(error),
         });
     };
     add("vibank", &ours);
@@ -160,11 +160,16 @@ fn measure(
     if with_integrators {
         let mut state = [0.0; 2 * SIZE];
         state[..SIZE].copy_from_slice(&start());
-        ladder(records, (task, case), &Chain, state, &times, |states| {
+        let place = Place {
+            task,
+            case,
+            parts: 1,
+        };
+        records.extend(ladder(place, &Chain, state, &times, |states| {
             // At the last time, where no interpolation enters.
             let last = states.iter().skip(SAMPLES - 1).map(|state| &state[..SIZE]);
-            error(last, &reference[SAMPLES - 1..])
-        });
+            Error::computed(error(last, &reference[SAMPLES - 1..]))
+        }));
     }
 }
 

@@ -110,6 +110,15 @@ pub fn diff_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
 }
 
 /// Sum of two products, `a b + c d`, to 1.5 units in the last place whatever cancels.
+///
+/// # Examples
+///
+/// ```
+/// use vibank::numerics::sum_of_products;
+///
+/// let above = 1.0 + f64::EPSILON;
+/// assert_eq!(sum_of_products(above, above, -1.0, 1.0 + 2.0 * f64::EPSILON), f64::EPSILON * f64::EPSILON);
+/// ```
 #[inline]
 pub fn sum_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     diff_of_products(a, b, -c, d)

@@ -4,9 +4,20 @@ use thiserror::Error;
 
 use super::power_of_two::PowerOfTwo;
 use super::state::State;
-use crate::numerics::{Dd, binary_exponent, scale_by_power_of_two};
+use crate::numerics::{Dd, binary_exponent, scale_by_power_of_two, two_sum};
 
 /// How the free motion of an oscillator decays; decided by the exact sign of c² - 4 m k.
+///
+/// # Examples
+///
+/// ```
+/// use vibank::vibration::{Oscillator, Regime};
+///
+/// // In binary64 2 * 0.3 is exactly critical; one unit in the last place less is not.
+/// let regime = |damping| Oscillator::new(0.3, damping, 0.3).unwrap().regime();
+/// assert_eq!(regime(0.6), Regime::Critical);
+/// assert_eq!(regime(0.6_f64.next_down()), Regime::Underdamped);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Regime {
     /// c = 0: the motion does not decay.
@@ -252,8 +263,10 @@ impl Scaled {
 
     /// The oscillator with time in units of the higher one of its natural frequency and this angular frequency.
     pub(crate) fn driven(oscillator: &Oscillator, angular_frequency: f64) -> Self {
-        let natural = natural_exponent(oscillator.mass, oscillator.stiffness);
-        let exponent = natural.max(binary_exponent(angular_frequency));
+        let exponent = binary_exponent(angular_frequency);
+        if exponent <= oscillator.scaled.rate_exponent {
+            return oscillator.scaled;
+        }
         Self::of(
             oscillator.mass,
             oscillator.damping,
@@ -284,12 +297,19 @@ impl Scaled {
     ///
     /// Beyond a damping ratio of 1e30 the second term is below the last digit of the first, whose square may overflow.
     pub(crate) fn discriminant(&self) -> Dd {
+        const CANCELLED: f64 = 1e-3;
         let square = if self.damping < LARGE_DAMPING {
             Dd::product(self.damping, self.damping)
         } else {
             Dd::from(1e60)
         };
-        square - Dd::product(4.0 * self.mass, self.stiffness)
+        let product = Dd::product(4.0 * self.mass, self.stiffness);
+        let (high, low) = two_sum(square.hi(), -product.hi());
+        if high.abs() > CANCELLED * product.hi() {
+            Dd::sum(high, low + (square.lo() - product.lo()))
+        } else {
+            square - product
+        }
     }
 
     /// √|c² - 4 m k|.

@@ -5,7 +5,7 @@
 
 import struct
 
-from mpmath import e, factorial, floor, log, mp, mpf, pi, sqrt
+from mpmath import e, expm1, factorial, floor, log, mp, mpf, pi, sqrt
 
 mp.prec = 2000
 
@@ -71,6 +71,15 @@ print("/// The reciprocals of the factorials, 1/n! for n = 0, 1, ..., 30.")
 print("pub(super) const INVERSE_FACTORIALS: [Dd; 31] = [")
 for n in range(31):
     print(f"    {pair(1 / factorial(n))},")
+print("];")
+print()
+print("/// Where zero stands in the table of exponentials.")
+print("pub(super) const EXPM1_OF_32NDS_CENTRE: f64 = 12.0;")
+print()
+print("/// e^(j/32) - 1 for j = -12, -11, ..., 12.")
+print("pub(super) const EXPM1_OF_32NDS: [Dd; 25] = [")
+for j in range(-12, 13):
+    print(f"    {pair(expm1(mpf(j) / 32))},")
 print("];")
 print()
 words = 23

@@ -4,9 +4,11 @@ Displacements and velocities come from the exponential of the state matrix, in e
 is shared with a modal solution; 30 digits are printed. Data are the binary64 numbers printed.
 
     python3 tests/references/modal_response.py > tests/fixtures/references/modal-response.jsonl
+    python3 tests/references/modal_response.py forced > tests/fixtures/references/forced-modal-response.jsonl
 """
 
 import json
+import sys
 
 from mpmath import cos, expm, lu_solve, matrix, mp, mpc, mpf, nstr
 
@@ -101,6 +103,31 @@ def steady(name, masses, springs, forces, frequencies, dampers=(), rayleigh=(0.0
     print(json.dumps(entry, separators=(",", ":")), flush=True)
 
 
+def forced(name, masses, springs, x0, v0, cosine, sine, frequency, times, dampers=(), rayleigh=(0.0, 0.0)):
+    """The force is two more components of the state, which turn with its angular frequency."""
+    n = len(masses)
+    mp.dps = 80
+    free = generator(masses, springs, dampers, rayleigh)
+    a = matrix(2 * n + 2)
+    for i in range(2 * n):
+        for j in range(2 * n):
+            a[i, j] = free[i, j]
+    for i in range(n):
+        a[n + i, 2 * n] = mpf(cosine[i]) / mpf(masses[i])
+        a[n + i, 2 * n + 1] = mpf(sine[i]) / mpf(masses[i])
+    a[2 * n, 2 * n + 1] = -mpf(frequency)
+    a[2 * n + 1, 2 * n] = mpf(frequency)
+    xs, vs = [], []
+    for time in times:
+        mp.dps = 80
+        z = moved(a, matrix([mpf(x) for x in x0 + v0 + [1.0, 0.0]]), time)
+        xs.append([nstr(z[i], 30) for i in range(n)])
+        vs.append([nstr(z[n + i], 30) for i in range(n)])
+    entry = {"name": name, "masses": masses, "springs": springs, "dampers": list(dampers), "rayleigh": list(rayleigh),
+             "x0": x0, "v0": v0, "cosine": cosine, "sine": sine, "frequency": frequency, "t": times, "x": xs, "v": vs}
+    print(json.dumps(entry, separators=(",", ":")), flush=True)
+
+
 def chain(springs):
     return [[i, i + 1, k] for i, k in enumerate(springs) if k]
 
@@ -111,6 +138,26 @@ LONG = [1e3, 1e6, 1e9]
 TWO = [1.0, 2.0], [[0, 1, 3.0], [1, 2, 2.0], [2, 0, 1.0]]
 FIVE = [1.0, 2.0, 1.0, 0.5, 1.5], chain([1.0, 2.0, 1.5, 0.75, 1.25])
 FIVE_STATE = [0.1, -0.2, 0.3, 0.0, 1.0], [0.0, 1.0, -0.5, 0.25, 0.0]
+
+if sys.argv[1:] == ["forced"]:
+    REST = [0.0, 0.0], [0.0, 0.0]
+    for frequency in (0.3, 1.0, 1.0000001, 1.7, 2.1):
+        # The lower natural frequency of this pair is 1.
+        forced(f"two at {frequency}", *TWO, *REST, [1.0, -0.5], [0.0, 0.0], frequency, SHORT + LONG)
+        forced(f"two at {frequency}, by a sine", *TWO, [0.5, 0.0], [0.0, -1.0], [0.0, 0.3], [1.0, -0.5], frequency,
+               SHORT + [1e3, 1e6])
+        forced(f"two at {frequency}, lightly damped", *TWO, [0.5, 0.0], [0.0, -1.0], [1.0, -0.5], [0.2, 0.0], frequency,
+               SHORT + LONG, rayleigh=(1e-6, 0.0))
+        forced(f"two at {frequency}, damped", *TWO, [0.5, 0.0], [0.0, -1.0], [1.0, -0.5], [0.2, 0.0], frequency,
+               SHORT + [1e4], rayleigh=(0.02, 0.01))
+        forced(f"two at {frequency}, coupled", *TWO, [0.5, 0.0], [0.0, -1.0], [1.0, -0.5], [0.2, 0.0], frequency,
+               SHORT + [100.0], [[1, 2, 0.3]])
+    forced("five", *FIVE, *FIVE_STATE, [0.0, 1.0, 0.0, 0.0, -2.0], [0.0] * 5, 0.7, SHORT + LONG)
+    forced("overdamped", *TWO, [0.5, 0.0], [0.0, -1.0], [1.0, -0.5], [0.2, 0.0], 0.8, SHORT + [1e3], rayleigh=(0.0, 6.0))
+    forced("constant", *TWO, *REST, [1.0, 2.0], [0.0, 0.0], 0.0, SHORT + LONG)
+    forced("free three", [1.0, 2.0, 3.0], chain([0.0, 2.0, 1.0]), [0.0] * 3, [0.0] * 3, [1.0, 0.0, -1.0], [0.0] * 3, 0.6,
+           SHORT + [300.0])
+    sys.exit()
 
 # No damping, to long times.
 response("two undamped", *TWO, [1.0, 0.0], [0.0, 0.5], SHORT + LONG)

@@ -65,6 +65,21 @@ impl Mul for Dd {
     }
 }
 
+impl Dd {
+    /// `self * factor + term` for a term that outweighs the product, as in the series of a small number: the error is a few
+    /// u² of the term. Nothing is guarded against numbers out of range.
+    #[inline]
+    pub(super) fn times_plus(self, factor: Self, term: Self) -> Self {
+        let (product, error) = two_prod(self.hi, factor.hi);
+        let cross = self.hi * factor.lo + self.lo * factor.hi;
+        let (hi, rest) = fast_two_sum(term.hi, product);
+        Self {
+            hi,
+            lo: rest + (error + cross + term.lo),
+        }
+    }
+}
+
 impl Mul<f64> for Dd {
     type Output = Self;
 

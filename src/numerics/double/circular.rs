@@ -150,7 +150,8 @@ impl Dd {
             sum * self.hi + sign(n) * INVERSE_FACTORIALS[n].hi
         });
         orders(FIRST, SHORT).fold(Self::from(tail), |sum, n| {
-            sum * self + INVERSE_FACTORIALS[n] * sign(n)
+            let term = INVERSE_FACTORIALS[n];
+            sum.times_plus(self, if sign(n) < 0.0 { -term } else { term })
         })
     }
 }

@@ -65,6 +65,38 @@ pub(super) const INVERSE_FACTORIALS: [Dd; 31] = [
     Dd::from_bits(0x3933_932c_5047_d60e, 0x35d8_32b7_b530_a627),
 ];
 
+/// Where zero stands in the table of exponentials.
+pub(super) const EXPM1_OF_32NDS_CENTRE: f64 = 12.0;
+
+/// e^(j/32) - 1 for j = -12, -11, ..., 12.
+pub(super) const EXPM1_OF_32NDS: [Dd; 25] = [
+    Dd::from_bits(0xbfd4_0373_d42c_e2e3, 0x3c75_3d8d_b804_c224),
+    Dd::from_bits(0xbfd2_9e01_1a42_8ec6, 0xbc6d_abf5_975c_0c02),
+    Dd::from_bits(0xbfd1_2d35_a41b_a104, 0x3c63_445f_7544_e0ef),
+    Dd::from_bits(0xbfcf_616a_79dd_a3a8, 0xbc66_b2ea_b630_20c1),
+    Dd::from_bits(0xbfcc_5041_854d_f7d4, 0xbc67_97d4_686c_5393),
+    Dd::from_bits(0xbfc9_262c_1c34_30a1, 0xbc64_6ff6_ec4a_4251),
+    Dd::from_bits(0xbfc5_e25f_b4fd_e211, 0x3c06_4eec_8291_5df3),
+    Dd::from_bits(0xbfc2_840b_5836_cf67, 0xbc68_5405_051e_b425),
+    Dd::from_bits(0xbfbe_14ae_d893_eef4, 0x3c4e_1f58_934f_97af),
+    Dd::from_bits(0xbfb6_e8ca_ff34_1fea, 0xbc59_573d_ed78_88b2),
+    Dd::from_bits(0xbfaf_0540_438f_d5c3, 0xbc2a_1ce0_1f9f_6ca7),
+    Dd::from_bits(0xbf9f_8152_aee9_450e, 0x3c24_b00a_bf97_7627),
+    Dd::from_bits(0x0000_0000_0000_0000, 0x0000_0000_0000_0000),
+    Dd::from_bits(0x3fa0_40ac_0224_fd93, 0x3c2c_17a1_0757_5019),
+    Dd::from_bits(0x3fb0_82b5_77d3_4ed8, 0xbc45_272f_f30e_ed1b),
+    Dd::from_bits(0x3fb9_2937_074e_0cd7, 0xbc5d_b0b9_cc91_5fc5),
+    Dd::from_bits(0x3fc1_0b02_2db7_ae68, 0xbc58_c4a5_df1e_c7e5),
+    Dd::from_bits(0x3fc5_a5ac_59b9_63cb, 0xbc6f_d913_07e7_4c50),
+    Dd::from_bits(0x3fca_65c0_b85a_c1a9, 0x3c6a_9c18_9196_f8cd),
+    Dd::from_bits(0x3fcf_4c6f_5508_ee5d, 0x3c64_6ef7_b808_180a),
+    Dd::from_bits(0x3fd2_2d78_f0fa_061a, 0xbc78_9843_c496_4554),
+    Dd::from_bits(0x3fd4_c946_033e_b3de, 0xbc73_5d26_7d66_dc96),
+    Dd::from_bits(0x3fd7_7a45_d811_7fd5, 0xbc52_bb36_e6b3_a2af),
+    Dd::from_bits(0x3fda_4124_b2fe_50cb, 0x3c6f_b5f3_020a_46f5),
+    Dd::from_bits(0x3fdd_1e94_4f6f_bdaa, 0xbc7d_cb87_49a6_4f6e),
+];
+
 /// The binary fraction of 2/π, 64 bits a word, the leading word first.
 pub(super) const TWO_OVER_PI: [u64; 23] = [
     0xa2f9_836e_4e44_1529,

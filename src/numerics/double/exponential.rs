@@ -1,7 +1,9 @@
 //! Exponentials, logarithms and powers.
 
 use super::Dd;
-use super::constants::{INVERSE_FACTORIALS, LN_2_PARTS, LN_2_REST};
+use super::constants::{
+    EXPM1_OF_32NDS, EXPM1_OF_32NDS_CENTRE, INVERSE_FACTORIALS, LN_2_PARTS, LN_2_REST,
+};
 use crate::numerics::elementary::{exp, ln_1p};
 use crate::numerics::exact::two_prod;
 
@@ -135,15 +137,26 @@ impl Dd {
         (n as i32, self - first - second - LN_2_REST * n)
     }
 
-    /// Taylor series of e^x - 1 for |x| <= 0.35. Terms below u of the sum are formed in `f64`.
+    /// e^x - 1 for |x| <= 0.35: from that of the nearest 32nd, which is tabulated, and of what is left.
     fn small_expm1(self) -> Self {
-        const LAST: usize = 26;
-        const FIRST_SHORT: usize = 14;
+        let nearest = (self.hi * 32.0).round_ties_even();
+        let rest = (self - nearest / 32.0).tiny_expm1();
+        if nearest == 0.0 {
+            return rest;
+        }
+        let tabulated = EXPM1_OF_32NDS[(nearest + EXPM1_OF_32NDS_CENTRE) as usize];
+        tabulated + (rest + tabulated * rest)
+    }
+
+    /// Taylor series of e^x - 1 for |x| <= 1/64. Terms below u of the sum are formed in `f64`.
+    fn tiny_expm1(self) -> Self {
+        const LAST: usize = 14;
+        const FIRST_SHORT: usize = 8;
         let tail = (FIRST_SHORT..=LAST)
             .rev()
             .fold(0.0, |sum, n| sum * self.hi + INVERSE_FACTORIALS[n].hi);
         let sum = (2..FIRST_SHORT).rev().fold(Self::from(tail), |sum, n| {
-            sum * self + INVERSE_FACTORIALS[n]
+            sum.times_plus(self, INVERSE_FACTORIALS[n])
         });
         self + self.square() * sum
     }

@@ -163,8 +163,10 @@ impl Dd {
         if root == 0.0 || !root.is_finite() {
             return Self::from(root);
         }
+        // The quotient does not wait for the product.
+        let half_reciprocal = 0.5 / root;
         let (square, error) = two_prod(root, root);
-        Self::normalized(root, ((self.hi - square) - error + self.lo) / (2.0 * root))
+        Self::normalized(root, ((self.hi - square) - error + self.lo) * half_reciprocal)
     }
 
     /// Number times 2^n, exactly barring over- and underflow.

@@ -27,8 +27,8 @@ const MOST_STEPS: usize = 16;
 /// R. Bulirsch, Numer. Math. 7 (1965) 78. DLMF 22.20(ii).
 #[derive(Clone, Copy, Debug)]
 pub struct JacobiFunctions {
-    /// The pairs of arithmetic and geometric means, from (1, k') on.
-    means: [(f64, f64); MOST_STEPS],
+    /// The arithmetic and geometric means, from (1, k') on, and the reciprocals of the first.
+    means: [(f64, f64, f64); MOST_STEPS],
     steps: usize,
     /// The limit of the means, agm(1, k').
     limit: Dd,
@@ -52,15 +52,16 @@ impl JacobiFunctions {
         // Means that differ by less than this agree to the last digit after one step more.
         const CLOSE: f64 = 1e-8;
         let modulus = complementary_parameter.sqrt();
-        let mut means = [(1.0, modulus.hi()); MOST_STEPS];
+        let mut means = [(1.0, modulus.hi(), 1.0); MOST_STEPS];
         let mut steps = 0;
         while steps + 1 < MOST_STEPS {
-            let (a, b) = means[steps];
+            let (a, b, _) = means[steps];
             steps += 1;
             if (a - b).abs() <= CLOSE * a {
                 break;
             }
-            means[steps] = (0.5 * (a + b), (a * b).sqrt());
+            let mean = 0.5 * (a + b);
+            means[steps] = (mean, (a * b).sqrt(), 1.0 / mean);
         }
         Self {
             means,
@@ -105,10 +106,18 @@ impl JacobiFunctions {
     /// The amplitude am, unwrapped: it keeps within a right angle of the phase, however many turns that has made.
     #[must_use]
     pub fn amplitude(&self, phase: Dd) -> Dd {
-        let values = self.at(phase.sin_cos_to_f64());
+        Self::amplitude_of(&self.at(phase.sin_cos_to_f64()), phase)
+    }
+
+    /// The amplitude from the functions at a phase.
+    #[must_use]
+    pub fn amplitude_of(values: &JacobiValues, phase: Dd) -> Dd {
         let angle = atan2(values.sn, values.cn);
         // The phase is within a quarter turn of the amplitude, so rounded numbers suffice to count the turns.
         let turns = ((phase.hi() - angle) / Dd::TAU.hi()).round();
+        if turns == 0.0 {
+            return Dd::from(angle);
+        }
         Dd::TAU * turns + angle
     }
 
@@ -117,11 +126,11 @@ impl JacobiFunctions {
         let mut dn = 1.0;
         let mut ratio = cotangent;
         let mut scaled = self.limit.hi() * cotangent;
-        for &(a, b) in self.means[..self.steps].iter().rev() {
+        for &(a, b, reciprocal) in self.means[..self.steps].iter().rev() {
             ratio *= scaled;
             scaled *= dn;
             dn = (b + ratio) / (a + ratio);
-            ratio = scaled / a;
+            ratio = scaled * reciprocal;
         }
         (scaled, dn)
     }

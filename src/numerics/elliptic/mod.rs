@@ -47,6 +47,15 @@ pub fn agm(mut a: f64, mut b: f64) -> f64 {
 }
 
 /// [`agm`] of double-double numbers.
+///
+/// # Examples
+///
+/// ```
+/// use vibank::numerics::{Dd, agm_dd};
+///
+/// let mean = agm_dd(Dd::ONE, Dd::SQRT_2);
+/// assert!((mean * 0.834_626_841_674_073_2 - 1.0).abs() < Dd::from(1e-15));
+/// ```
 #[must_use]
 pub fn agm_dd(mut a: Dd, mut b: Dd) -> Dd {
     const CLOSE: f64 = 1e-15;
@@ -82,6 +91,15 @@ pub fn complete_elliptic_first(complementary_modulus: f64) -> f64 {
 /// E = k'^2 (R_D(0, k'^2, 1) + R_D(0, 1, k'^2))/3        no difference
 /// ```
 ///
+/// # Examples
+///
+/// ```
+/// use vibank::numerics::complete_elliptic_second;
+///
+/// // The quarter of an ellipse with half-axes 1 and 1/2.
+/// assert!((complete_elliptic_second(0.5) - 1.211_056_027_568_459_5).abs() < 4e-16);
+/// ```
+///
 /// # References
 ///
 /// DLMF 19.25.1.
@@ -100,6 +118,15 @@ pub fn complete_elliptic_second(complementary_modulus: f64) -> f64 {
 /// F = sin(phi) R_F(cos^2(phi), cos^2(phi) + k'^2 sin^2(phi), 1)
 /// ```
 ///
+/// # Examples
+///
+/// ```
+/// use vibank::numerics::elliptic_first;
+///
+/// // Without a modulus the integral is the amplitude.
+/// assert!((elliptic_first(0.7, 1.0) - 0.7).abs() < 2e-16);
+/// ```
+///
 /// # References
 ///
 /// DLMF 19.25.5.
@@ -114,6 +141,15 @@ pub fn elliptic_first(amplitude: f64, complementary_parameter: f64) -> f64 {
 ///
 /// ```text
 /// E = k'^2 (F + k^2 sin^3(phi) R_D(cos^2(phi), 1, 1 - k^2 sin^2(phi))/3) + k^2 sin(phi) cos(phi)/sqrt(1 - k^2 sin^2(phi))
+/// ```
+///
+/// # Examples
+///
+/// ```
+/// use vibank::numerics::elliptic_second;
+///
+/// assert!((elliptic_second(0.7, 1.0) - 0.7).abs() < 2e-16);
+/// assert!((elliptic_second(0.7, 0.0) - vibank::numerics::sin(0.7)).abs() < 2e-16);
 /// ```
 ///
 /// # References

@@ -107,6 +107,31 @@ impl Nodes {
         ])
     }
 
+    /// For a unit mass, and damping and stiffness of thirty digits.
+    pub(super) fn of_mode(damping: Dd, stiffness: Dd, frequency: f64) -> Self {
+        // Beyond this damping the square of its coefficient is all that counts.
+        const LARGE: f64 = 1e30;
+        let discriminant = damping.square() - stiffness * 4.0;
+        let root = if damping.hi() > LARGE {
+            damping
+        } else {
+            discriminant.abs().sqrt()
+        };
+        let (first, second) = if discriminant.is_negative() {
+            let (re, im) = (damping * -0.5, root * 0.5);
+            (Node { re, im }, Node { re, im: -im })
+        } else {
+            let sum = root + damping;
+            let real = |re| Node { re, im: Dd::ZERO };
+            (real(stiffness * -2.0 / sum), real(sum * -0.5))
+        };
+        let force = Node {
+            re: Dd::ZERO,
+            im: Dd::from(frequency),
+        };
+        Self::ordered([first, second, force])
+    }
+
     fn ordered(nodes: [Node; 3]) -> Self {
         let distance = |i: usize, j: usize| nodes[i].minus(nodes[j]).abs();
         let middle = (0..3).max_by(|&i, &j| {

@@ -1,7 +1,9 @@
 //! The steady state at one angular frequency.
 
 use super::super::oscillator::{Oscillator, Scaled};
-use crate::numerics::{Complex, Dd, atan2, binary_exponent, scale_by_power_of_two};
+use crate::numerics::{
+    Complex, Dd, atan2, binary_exponent, scale_by_power_of_two, two_prod, two_sum,
+};
 
 /// Response of an oscillator to excitation at one angular frequency Ω, per unit of excitation.
 ///
@@ -37,8 +39,6 @@ pub struct FrequencyResponse {
     residual: Dd,
     /// I = c Ω.
     loss: Dd,
-    /// √(R² + I²).
-    modulus: Dd,
 }
 
 impl FrequencyResponse {
@@ -53,13 +53,26 @@ impl FrequencyResponse {
             frequency,
             residual,
             loss,
-            modulus: residual.hypot(loss),
         }
+    }
+
+    /// The response of a mode whose mass is the unit, and whose damping and stiffness have thirty digits in scaled units.
+    pub(super) fn of_mode(self, damping: Dd, stiffness: Dd) -> Self {
+        Self {
+            residual: stiffness - Dd::product(self.frequency, self.frequency),
+            loss: damping * self.frequency,
+            ..self
+        }
+    }
+
+    /// √(R² + I²).
+    fn modulus(&self) -> Dd {
+        self.residual.hypot(self.loss)
     }
 
     /// Whether an undamped oscillator is driven at its natural frequency, so that no steady state exists.
     pub fn is_unbounded(&self) -> bool {
-        self.modulus == Dd::ZERO
+        self.residual == Dd::ZERO && self.loss == Dd::ZERO
     }
 
     /// Amplitude X in m of the displacement under a force of this amplitude in N.
@@ -76,7 +89,7 @@ impl FrequencyResponse {
     pub fn mean_power(&self, force: f64) -> f64 {
         let exponent = finite_exponent(force);
         let speed =
-            Dd::from(scale_by_power_of_two(force, -exponent)) * self.frequency / self.modulus;
+            Dd::from(scale_by_power_of_two(force, -exponent)) * self.frequency / self.modulus();
         let power = if self.loss == Dd::ZERO {
             Dd::ZERO
         } else {
@@ -158,10 +171,8 @@ impl FrequencyResponse {
         if self.is_unbounded() {
             return (1.0, 0.0);
         }
-        (
-            self.residual.hi() / self.modulus.hi(),
-            self.loss.hi() / self.modulus.hi(),
-        )
+        let modulus = self.modulus().hi();
+        (self.residual.hi() / modulus, self.loss.hi() / modulus)
     }
 
     /// Exponent of the unit of stiffness.
@@ -176,13 +187,29 @@ impl FrequencyResponse {
         }
         let own = finite_exponent(number);
         let mantissa = scale_by_power_of_two(number, -own);
-        scale_by_power_of_two(factor * mantissa / self.modulus.hi(), own + exponent)
+        scale_by_power_of_two(self.over_modulus(factor * mantissa), own + exponent)
+    }
+
+    /// number/√(R² + I²), rounded once.
+    fn over_modulus(&self, number: f64) -> f64 {
+        const ORDINARY: std::ops::Range<f64> = 1e-140..1e140;
+        let square = self.residual.square() + self.loss.square();
+        if !(ORDINARY.contains(&square.hi()) && number.is_finite()) {
+            return (Dd::from(number) / self.modulus()).hi();
+        }
+        let root = square.hi().sqrt();
+        let reciprocal = 1.0 / root;
+        let (product, error) = two_prod(root, root);
+        let beyond = 0.5 * reciprocal * ((square.hi() - product) - error + square.lo());
+        let quotient = number * reciprocal;
+        let (back, error) = two_prod(quotient, root);
+        quotient + reciprocal * ((number - back) - error - quotient * beyond)
     }
 
     /// 1/(R + i I) in scaled units.
     fn per_unit_force(&self) -> Complex {
         let (cosine, sine) = self.direction();
-        let gain = 1.0 / self.modulus.hi();
+        let gain = self.over_modulus(1.0);
         Complex::new(gain * cosine, -gain * sine)
     }
 }
@@ -195,10 +222,15 @@ fn finite_exponent(x: f64) -> i32 {
     }
 }
 
-/// k - m Ω² to the last digits of a double-double: the product is kept in four parts.
+/// k - m Ω² to the last digits of a double-double: where it is a small difference, the product is kept in four parts.
 pub(super) fn residual_stiffness(mass: f64, stiffness: f64, frequency: f64) -> Dd {
+    const CANCELLED: f64 = 1e-3;
     let square = Dd::product(frequency, frequency);
     let leading = Dd::product(mass, square.hi());
+    let (high, low) = two_sum(stiffness, -leading.hi());
+    if high.abs() > CANCELLED * stiffness {
+        return Dd::sum(high, low - leading.lo() - mass * square.lo());
+    }
     let trailing = Dd::product(mass, square.lo());
     let difference = Dd::sum(stiffness, -leading.hi());
     difference + Dd::sum(-leading.lo(), -trailing.hi()) - trailing.lo()

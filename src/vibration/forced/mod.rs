@@ -8,6 +8,7 @@ mod divided_difference;
 mod frequency_response;
 mod periodic;
 mod response;
+mod subject;
 mod undamped;
 
 pub use frequency_response::FrequencyResponse;

@@ -21,6 +21,16 @@ pub struct Harmonic {
 /// ```text
 /// F(t) = F0 + Σ (a_n cos nΩt + b_n sin nΩt),   n = 1, 2, ...
 /// ```
+///
+/// # Examples
+///
+/// ```
+/// use vibank::vibration::PeriodicForce;
+///
+/// let force = PeriodicForce::square(3.0, 2.0, 5);
+/// assert_eq!(force.harmonics[0].sine, 12.0 / std::f64::consts::PI);
+/// assert_eq!(force.harmonics[1].sine, 0.0);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeriodicForce {
     /// Mean F0 in N.

@@ -5,7 +5,7 @@ use super::super::oscillator::{Oscillator, Scaled};
 use super::super::power_of_two::PowerOfTwo;
 use super::super::state::State;
 use super::divided_difference::Nodes;
-use super::frequency_response::FrequencyResponse;
+use super::subject::Subject;
 use super::undamped::Beat;
 use crate::numerics::{Complex, Dd, binary_exponent, hypot};
 
@@ -159,12 +159,35 @@ enum Kind {
 impl ForcedResponse {
     /// The motion under a force, from an initial state in m and m/s.
     pub fn of(oscillator: &Oscillator, force: HarmonicForce, initial: State) -> Self {
+        let subject = Subject {
+            oscillator,
+            mode: None,
+        };
+        Self::of_subject(subject, force, initial)
+    }
+
+    /// The motion `q'' + c q' + k q = a cos Ωt + b sin Ωt` of a mode; none if it is no oscillator.
+    pub(crate) fn of_mode(
+        damping: Dd,
+        stiffness: Dd,
+        force: HarmonicForce,
+        initial: State,
+    ) -> Option<Self> {
+        let oscillator = Oscillator::new(1.0, damping.hi(), stiffness.hi()).ok()?;
+        let subject = Subject {
+            oscillator: &oscillator,
+            mode: Some((damping, stiffness)),
+        };
+        Some(Self::of_subject(subject, force, initial))
+    }
+
+    fn of_subject(subject: Subject<'_>, force: HarmonicForce, initial: State) -> Self {
         let force = force.with_positive_frequency();
         let is_driven = force.cosine != 0.0 || force.sine != 0.0;
         Self {
             initial,
-            free: (initial != State::REST).then(|| FreeResponse::of(oscillator, initial)),
-            driven: is_driven.then(|| Driven::of(oscillator, force)),
+            free: (initial != State::REST).then(|| subject.free(initial)),
+            driven: is_driven.then(|| Driven::of(subject, force)),
         }
     }
 
@@ -195,18 +218,18 @@ impl ForcedResponse {
 }
 
 impl Driven {
-    fn of(oscillator: &Oscillator, force: HarmonicForce) -> Self {
-        let scaled = Scaled::driven(oscillator, force.angular_frequency);
+    fn of(subject: Subject<'_>, force: HarmonicForce) -> Self {
+        let scaled = Scaled::driven(subject.oscillator, force.angular_frequency);
         let frequency = scaled.scaled_rate(force.angular_frequency);
-        let is_beat = oscillator.damping() == 0.0 && force.sine == 0.0;
+        let is_beat = subject.oscillator.damping() == 0.0 && force.sine == 0.0;
         let kind = if is_beat {
-            Kind::Beat(Beat::of(&scaled, frequency))
+            Kind::Beat(subject.beat(&scaled, frequency))
         } else {
-            Kind::Nodes(Nodes::of(&scaled, frequency))
+            Kind::Nodes(subject.nodes(&scaled, frequency))
         };
         Self {
             from_rest: FromRest::of(&scaled, kind, force),
-            separated: Separated::of(oscillator, force, is_beat),
+            separated: Separated::of(subject, force, is_beat),
         }
     }
 
@@ -232,8 +255,9 @@ impl Driven {
 impl Separated {
     /// Both motions, and the time after which no exponential of the free one is close to that of the force,
     /// 1/min |r - iΩ|. A beat is taken apart only where the force is much faster than the free motion.
-    fn of(oscillator: &Oscillator, force: HarmonicForce, is_beat: bool) -> Option<Self> {
+    fn of(subject: Subject<'_>, force: HarmonicForce, is_beat: bool) -> Option<Self> {
         const FAST: f64 = 1e6;
+        let oscillator = subject.oscillator;
         let frequency = force.angular_frequency;
         if is_beat && frequency < FAST * oscillator.natural_angular_frequency() {
             return None;
@@ -244,7 +268,7 @@ impl Separated {
             let free = oscillator.damped_angular_frequency().unwrap_or(0.0);
             hypot(oscillator.decay_rate(), free - frequency)
         };
-        let steady = Steady::of(oscillator, force);
+        let steady = Steady::of(subject, force);
         let State { position, velocity } = steady.start();
         let opposite = State {
             position: -position,
@@ -252,15 +276,15 @@ impl Separated {
         };
         Some(Self {
             steady,
-            transient: FreeResponse::of(oscillator, opposite),
+            transient: subject.free(opposite),
             since: 1.0 / nearest,
         })
     }
 }
 
 impl Steady {
-    fn of(oscillator: &Oscillator, force: HarmonicForce) -> Self {
-        let response = FrequencyResponse::at(oscillator, force.angular_frequency);
+    fn of(subject: Subject<'_>, force: HarmonicForce) -> Self {
+        let response = subject.steady(force.angular_frequency);
         let (cosine, sine) = response.direction();
         let (from_cosine, from_sine) = (
             response.amplitude(force.cosine),
@@ -345,6 +369,7 @@ impl FromRest {
 
 #[cfg(test)]
 mod tests {
+    use super::super::frequency_response::FrequencyResponse;
     use super::*;
 
     /// The largest position over the last of many periods.

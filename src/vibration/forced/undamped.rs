@@ -28,6 +28,16 @@ impl Beat {
         }
     }
 
+    /// For a unit mass and a stiffness of thirty digits.
+    pub(super) fn of_mode(stiffness: Dd, frequency: f64) -> Self {
+        let carrier = (stiffness.sqrt() + frequency) * 0.5;
+        let residual = stiffness - Dd::product(frequency, frequency);
+        Self {
+            carrier,
+            detuning: residual / (carrier * 4.0),
+        }
+    }
+
     /// Position under a unit force on a unit mass.
     pub(super) fn position(&self, t: f64) -> f64 {
         let (fast, _) = (self.carrier * t).sin_cos_to_f64();

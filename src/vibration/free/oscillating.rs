@@ -33,13 +33,14 @@ impl Oscillating {
             ..
         } = *scaled;
         let State { position, velocity } = initial;
+        let per_mass = Dd::quotient(0.5, mass);
         Self {
             initial,
             position_sine: sum_of_products(2.0 * mass, velocity, damping, position) / root.hi(),
             velocity_sine: -sum_of_products(2.0 * stiffness, position, damping, velocity)
                 / root.hi(),
-            growth: -scaled.decay_rate(),
-            frequency: root / (2.0 * mass),
+            growth: per_mass * -damping,
+            frequency: root * per_mass,
             is_damped: damping > 0.0,
         }
     }

@@ -4,7 +4,7 @@
 //! is on the other side, at `q U - a (1 + q)`, with the slip a and `q = e^-theta`. A negative distance means that the
 //! mass stops before it reaches the equilibrium, on the side it came from.
 
-use crate::numerics::Dd;
+use crate::numerics::{Dd, ln_1p};
 
 /// The rule from one turning point to the next.
 #[derive(Clone, Copy, Debug)]
@@ -43,18 +43,20 @@ impl Decay {
         self.viscous.map_or(0.0, |viscous| viscous.theta.hi())
     }
 
-    /// How many half-cycles bring the distance `reach` down to `hold`, as a real number.
+    /// How many half-cycles bring the distance `reach` down to `hold`, as a real number; off by less than a quarter
+    /// up to 1e14.
     ///
     /// ```text
-    /// (U - h)/(2 a)   or   ln(1 + (U - h)/(h + b))/theta,   b = a/tanh(theta/2)
+    /// (U - h)/(2 a)   or   ln(1 + (U - h)/(h + b))/theta,   b = a/tanh(theta/2) = a (1 + q)/(1 - q)
     /// ```
-    pub(super) fn steps_until(&self, reach: Dd, hold: Dd) -> Dd {
-        let surplus = reach - hold;
+    pub(super) fn steps_until(&self, reach: Dd, hold: Dd) -> f64 {
+        let surplus = (reach - hold).hi();
         match self.viscous {
-            None => surplus / (self.slip * 2.0),
+            None => surplus / (2.0 * self.slip.hi()),
             Some(viscous) => {
-                let fixed_point = self.slip * (2.0 - viscous.lost) / viscous.lost;
-                (surplus / (hold + fixed_point)).ln_1p() / viscous.theta
+                let lost = viscous.lost.hi();
+                let bound = hold.hi() * lost + self.slip.hi() * (2.0 - lost);
+                ln_1p(surplus * lost / bound) / viscous.theta.hi()
             }
         }
     }
@@ -74,9 +76,18 @@ impl Decay {
         }
     }
 
-    /// The length of a number of half-cycles, `sum (U_j + U_(j+1))`.
-    pub(super) fn path(&self, reach: Dd, steps: f64) -> Dd {
-        let last = self.after(reach, steps);
+    /// The distance after one half-cycle more.
+    pub(super) fn next(&self, reach: Dd) -> Dd {
+        match self.viscous {
+            None => reach - self.slip * 2.0,
+            Some(viscous) => {
+                reach - reach * viscous.lost - self.slip * (2.0 - viscous.lost)
+            }
+        }
+    }
+
+    /// The length of a number of half-cycles, `sum (U_j + U_(j+1))`, from the first distance and the last.
+    pub(super) fn path(&self, reach: Dd, steps: f64, last: Dd) -> Dd {
         match self.viscous {
             None => (reach + last) * steps,
             Some(viscous) => {
@@ -143,7 +154,8 @@ mod tests {
                     (decay.after(reach, steps) - expected).hi().abs() < 1e-27,
                     "{theta} {steps}"
                 );
-                let error = (decay.path(reach, steps) - expected_path).hi().abs();
+                let path = decay.path(reach, steps, decay.after(reach, steps));
+                let error = (path - expected_path).hi().abs();
                 assert!(
                     error <= 1e-14 * expected_path.hi().abs(),
                     "{theta} {steps} {error:e}"
@@ -159,7 +171,7 @@ mod tests {
             let decay = Decay::new(slip, Dd::from(theta));
             let hold = decay.after(reach, 7.0);
             assert!(
-                (decay.steps_until(reach, hold) - 7.0).hi().abs() < 1e-24,
+                (decay.steps_until(reach, hold) - 7.0).abs() < 1e-13,
                 "{theta}"
             );
         }

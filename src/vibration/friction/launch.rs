@@ -7,10 +7,17 @@ use crate::vibration::oscillator::Regime;
 /// A slide up to its turning point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Launch {
-    /// How long it takes, in units of the scale.
-    pub(super) duration: Dd,
+    duration: Duration,
     /// How far beyond the centre of the slide it turns, in the direction of the velocity.
     pub(super) overshoot: Dd,
+}
+
+/// How long the slide takes, in units of the scale.
+#[derive(Clone, Copy, Debug)]
+enum Duration {
+    Known(Dd),
+    /// `atan2(across, along)/omega_d`, for those who ask.
+    Angle { across: Dd, along: Dd },
 }
 
 impl Launch {
@@ -31,15 +38,25 @@ impl Launch {
     fn oscillating(scale: &Scale, y: Dd, w: Dd) -> Self {
         let across = w * scale.root;
         let along = scale.stiffness * y * 2.0 + scale.damping * w;
-        let duration = Dd::atan2(across, along) * scale.mass * 2.0 / scale.root;
         let amplitude = across.hypot(along) / (scale.stiffness * 2.0);
-        let overshoot = match scale.regime {
-            Regime::Undamped => amplitude,
-            _ => (-decay_rate(scale) * duration).exp() * amplitude,
-        };
+        if scale.regime == Regime::Undamped {
+            return Self {
+                duration: Duration::Angle { across, along },
+                overshoot: amplitude,
+            };
+        }
+        let duration = time_of_angle(scale, across, along);
         Self {
-            duration,
-            overshoot,
+            duration: Duration::Known(duration),
+            overshoot: (-decay_rate(scale) * duration).exp() * amplitude,
+        }
+    }
+
+    /// How long it takes, in units of the scale.
+    pub(super) fn duration(&self, scale: &Scale) -> Dd {
+        match self.duration {
+            Duration::Known(duration) => duration,
+            Duration::Angle { across, along } => time_of_angle(scale, across, along),
         }
     }
 
@@ -51,7 +68,7 @@ impl Launch {
         slope(w, rate * y).map(|slope| {
             let exponent = w / slope;
             Self {
-                duration: exponent / rate,
+                duration: Duration::Known(exponent / rate),
                 overshoot: (-exponent).exp() * (slope / rate),
             }
         })
@@ -70,11 +87,16 @@ impl Launch {
         slope(w, fast * y).map(|slope| {
             let duration = (w * gap / (slow * slope)).ln_1p() / gap;
             Self {
-                duration,
+                duration: Duration::Known(duration),
                 overshoot: (-slow * duration).exp() * (slope / fast),
             }
         })
     }
+}
+
+/// The time in which the phase of an oscillation advances by the angle of a point.
+fn time_of_angle(scale: &Scale, across: Dd, along: Dd) -> Dd {
+    Dd::atan2(across, along) * scale.mass * 2.0 / scale.root
 }
 
 /// The speed less that of a motion by the fast root alone, which never turns; none unless it is positive.

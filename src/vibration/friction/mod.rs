@@ -27,11 +27,25 @@ pub use path::FrictionPath;
 
 use thiserror::Error;
 
+use self::decay::Decay;
 use self::scale::{Scale, ratio};
 use super::oscillator::{Oscillator, OscillatorError};
 use crate::numerics::{Dd, ExactNumber, sign_of_sum};
 
-/// The force of dry friction: while sliding, and at most while sticking.
+/// The force of dry friction: while sliding, `F_k`, and at most while sticking, `F_s`; on a plane `F = mu m g`.
+///
+/// # Examples
+///
+/// ```
+/// use vibank::numerics::ExactNumber;
+/// use vibank::vibration::{DryFriction, FrictionOscillator};
+///
+/// let number = |text| ExactNumber::from_decimal(text).unwrap();
+/// let friction = DryFriction::of_weight(number("0.3"), number("0.4"), number("2"), number("10"));
+/// let block = FrictionOscillator::new(number("2"), number("0"), number("200"), friction)?;
+/// assert_eq!((block.slip_half_width(), block.stick_half_width()), (0.03, 0.04));
+/// # Ok::<(), vibank::vibration::FrictionError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct DryFriction {
     kinetic: Factors,
@@ -64,6 +78,21 @@ type Factors = [ExactNumber; 3];
 #[derive(Clone, Copy, Debug)]
 pub struct FrictionOscillator {
     given: Given,
+    system: System,
+}
+
+/// The numbers as they were given; ties are decided on them.
+#[derive(Clone, Copy, Debug)]
+struct Given {
+    mass: ExactNumber,
+    stiffness: ExactNumber,
+    friction: DryFriction,
+    force: ExactNumber,
+}
+
+/// The numbers of the closed forms.
+#[derive(Clone, Copy, Debug)]
+struct System {
     oscillator: Oscillator,
     scale: Scale,
     /// How far friction shifts the centre of a slide, F_k/k.
@@ -72,15 +101,7 @@ pub struct FrictionOscillator {
     hold: Dd,
     /// The equilibrium without friction, F/k.
     equilibrium: Dd,
-}
-
-/// The numbers as they were given.
-#[derive(Clone, Copy, Debug)]
-struct Given {
-    mass: ExactNumber,
-    stiffness: ExactNumber,
-    friction: DryFriction,
-    force: ExactNumber,
+    decay: Decay,
 }
 
 /// Why there is no such system or motion.
@@ -129,7 +150,7 @@ impl DryFriction {
 
     fn check(&self) -> Result<(), FrictionError> {
         let negated = ties::negated(self.kinetic);
-        if sign_of_sum(&[&self.kinetic]).is_lt() {
+        if self.kinetic.iter().map(|factor| factor.signum()).product::<i32>() < 0 {
             Err(FrictionError::NegativeFriction)
         } else if self.fixed != self.kinetic && sign_of_sum(&[&self.fixed, &negated]).is_lt() {
             Err(FrictionError::StaticBelowKinetic)
@@ -154,25 +175,32 @@ impl FrictionOscillator {
     ) -> Result<Self, FrictionError> {
         let oscillator = Oscillator::new(mass.to_f64(), damping.to_f64(), stiffness.to_f64())?;
         friction.check()?;
-        let given = Given {
-            mass,
-            stiffness,
-            friction,
-            force: ExactNumber::ZERO,
-        };
-        let system = Self {
-            given,
-            oscillator,
-            scale: Scale::of(mass, damping, stiffness),
-            slip: ratio(&friction.kinetic, stiffness),
-            hold: ratio(&friction.fixed, stiffness),
-            equilibrium: Dd::ZERO,
-        };
-        if system.hold.is_finite() && system.scale.is_moderate() {
-            Ok(system)
+        let scale = Scale::of(mass, damping, stiffness);
+        let slip = ratio(&friction.kinetic, stiffness);
+        let hold = if friction.fixed == friction.kinetic {
+            slip
         } else {
-            Err(FrictionError::OutOfRange)
+            ratio(&friction.fixed, stiffness)
+        };
+        if !(hold.is_finite() && scale.is_moderate()) {
+            return Err(FrictionError::OutOfRange);
         }
+        Ok(Self {
+            given: Given {
+                mass,
+                stiffness,
+                friction,
+                force: ExactNumber::ZERO,
+            },
+            system: System {
+                oscillator,
+                scale,
+                slip,
+                hold,
+                equilibrium: Dd::ZERO,
+                decay: Decay::new(slip, scale.decay_in_half_period()),
+            },
+        })
     }
 
     /// The same system under a constant force in N, such as the weight along an incline.
@@ -182,8 +210,8 @@ impl FrictionOscillator {
     /// [`FrictionError::OutOfRange`] if the equilibrium is beyond the range of numbers.
     pub fn with_force(mut self, force: ExactNumber) -> Result<Self, FrictionError> {
         self.given.force = force;
-        self.equilibrium = ratio(&[force], self.given.stiffness);
-        if self.equilibrium.is_finite() {
+        self.system.equilibrium = ratio(&[force], self.given.stiffness);
+        if self.system.equilibrium.is_finite() {
             Ok(self)
         } else {
             Err(FrictionError::OutOfRange)
@@ -205,16 +233,16 @@ impl FrictionOscillator {
 
     /// How far friction shifts the centre of a slide, `F_k/k`, in m.
     pub fn slip_half_width(&self) -> f64 {
-        self.slip.hi()
+        self.system.slip.hi()
     }
 
     /// How far from the equilibrium friction can hold the mass at rest, `F_s/k`, in m.
     pub fn stick_half_width(&self) -> f64 {
-        self.hold.hi()
+        self.system.hold.hi()
     }
 
     /// Where the mass would rest without friction, `F/k`, in m.
     pub fn equilibrium(&self) -> f64 {
-        self.equilibrium.hi()
+        self.system.equilibrium.hi()
     }
 }

@@ -1,10 +1,9 @@
 //! A motion with dry friction, from its start to its rest.
 
-use super::decay::Decay;
 use super::launch::Launch;
 use super::path::FrictionPath;
 use super::scale::is_decided;
-use super::{FrictionError, FrictionOscillator};
+use super::{FrictionError, FrictionOscillator, Given, System};
 use crate::numerics::{Dd, ExactNumber};
 use crate::vibration::State;
 
@@ -34,15 +33,16 @@ use crate::vibration::State;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct FrictionMotion {
-    pub(super) system: FrictionOscillator,
+    pub(super) system: System,
     pub(super) initial: State,
     pub(super) opening: Opening,
     /// The side of the equilibrium where the first turning point lies, 1 or -1.
     pub(super) side: f64,
     /// Its distance from the equilibrium; negative if the mass turns before it gets there.
     pub(super) reach: Dd,
-    pub(super) decay: Decay,
     pub(super) ending: Ending,
+    /// The distance of the last turning point from the equilibrium, if there is a last one.
+    last_reach: Dd,
     /// Start, from the equilibrium.
     offset: Dd,
 }
@@ -53,7 +53,7 @@ pub(super) enum Opening {
     /// The start is a turning point.
     Released,
     /// It slides there, for a time in units of the scale.
-    Thrown { duration: Dd },
+    Thrown(Launch),
     /// It is overdamped and creeps to the centre of its slide for ever.
     Creeping,
 }
@@ -72,15 +72,19 @@ pub(super) enum Ending {
 /// The largest whole number below which binary64 has them all.
 const MOST_SLIDES: f64 = 9_007_199_254_740_991.0;
 
+/// Up to here a count in `f64` is off by less than one half.
+const SURELY_NEAREST: f64 = 1e14;
+
 impl FrictionMotion {
     pub(super) fn of(
-        system: &FrictionOscillator,
+        friction: &FrictionOscillator,
         position: ExactNumber,
         velocity: ExactNumber,
     ) -> Result<Self, FrictionError> {
-        let offset = system.offset(position);
+        let given = &friction.given;
+        let offset = friction.offset(position);
         let mut motion = Self {
-            system: *system,
+            system: friction.system,
             initial: State {
                 position: position.to_f64(),
                 velocity: velocity.to_f64(),
@@ -88,15 +92,15 @@ impl FrictionMotion {
             opening: Opening::Released,
             side: if offset.is_negative() { -1.0 } else { 1.0 },
             reach: offset.abs(),
-            decay: system.decay(),
             ending: Ending::Rest(0),
+            last_reach: offset.abs(),
             offset,
         };
         if velocity.is_zero() {
-            motion.ending = motion.ending_from_rest(position)?;
+            motion.end_from_rest(given, position)?;
         } else {
             motion.launch(velocity);
-            motion.ending = motion.ending_from_throw(position, velocity)?;
+            motion.end_from_throw(given, position, velocity)?;
         }
         if motion.reach.is_finite() {
             Ok(motion)
@@ -112,18 +116,20 @@ impl FrictionMotion {
         let beyond_centre = self.offset * self.side + slip;
         let speed = velocity.abs().to_dd().scale(-scale.rate_exponent);
         if let Some(launch) = Launch::of(scale, beyond_centre, speed) {
-            self.opening = Opening::Thrown {
-                duration: launch.duration,
-            };
             self.reach = launch.overshoot - slip;
+            self.opening = Opening::Thrown(launch);
         } else {
-            self.opening = Opening::Creeping;
             self.reach = -slip;
+            self.opening = Opening::Creeping;
         }
+        self.last_reach = self.reach;
     }
 
-    fn ending_from_rest(&self, position: ExactNumber) -> Result<Ending, FrictionError> {
-        let given = &self.system.given;
+    fn end_from_rest(
+        &mut self,
+        given: &Given,
+        position: ExactNumber,
+    ) -> Result<(), FrictionError> {
         // The magnitudes from which the offset was formed bound its rounding.
         let size = self.initial.position.abs()
             + self.system.equilibrium.hi().abs()
@@ -135,61 +141,68 @@ impl FrictionMotion {
             given.holds_at(position)
         };
         if holds {
-            return Ok(Ending::Rest(0));
+            return Ok(());
         }
-        self.ending_of_half_cycles(size, |steps| given.rests_from_rest(position, steps))
+        self.end_after_half_cycles(size, |steps| given.rests_from_rest(position, steps))
     }
 
-    fn ending_from_throw(
-        &self,
+    fn end_from_throw(
+        &mut self,
+        given: &Given,
         position: ExactNumber,
         velocity: ExactNumber,
-    ) -> Result<Ending, FrictionError> {
-        let given = &self.system.given;
+    ) -> Result<(), FrictionError> {
         let size = self.reach.hi().abs()
             + self.system.hold.hi()
             + self.initial.position.abs()
             + self.system.equilibrium.hi().abs();
-        self.ending_of_half_cycles(size, |steps| {
+        self.end_after_half_cycles(size, |steps| {
             given.rests_from_throw(position, velocity, steps)
         })
     }
 
-    /// The number of half-cycles, where the exact answer to "does it rest after n" is for undamped motions.
-    fn ending_of_half_cycles(
-        &self,
+    /// Finds the number of half-cycles, where the exact answer to "does it rest after n" is for undamped motions.
+    fn end_after_half_cycles(
+        &mut self,
         size: f64,
         rests_after: impl Fn(u64) -> bool,
-    ) -> Result<Ending, FrictionError> {
-        let hold = self.system.hold;
+    ) -> Result<(), FrictionError> {
+        let (hold, decay) = (self.system.hold, self.system.decay);
         if !self.system.scale.oscillates() {
-            let rests = (self.reach - hold).hi() <= 0.0;
-            return Ok(if rests {
-                Ending::Rest(0)
-            } else {
-                Ending::Creeping
-            });
+            if (self.reach - hold).hi() > 0.0 {
+                self.ending = Ending::Creeping;
+            }
+            return Ok(());
         }
         if self.never_rests() {
-            return Ok(Ending::Endless);
+            self.ending = Ending::Endless;
+            return Ok(());
         }
-        let steps = self.decay.steps_until(self.reach, hold);
-        let nearest = steps.round().hi().max(0.0);
+        // Rounded numbers suffice to come within one of the number; the exact distance there tells which it is.
+        let mut nearest = decay.steps_until(self.reach, hold).round().max(0.0);
         if nearest >= MOST_SLIDES {
             return Err(FrictionError::TooManySlides);
         }
-        let surplus = self.decay.after(self.reach, nearest) - hold;
+        let mut last = decay.after(self.reach, nearest);
+        if nearest > SURELY_NEAREST {
+            let missing = (last - hold) / (last - decay.next(last));
+            nearest += missing.hi().round();
+            last = decay.after(self.reach, nearest);
+        }
+        let surplus = last - hold;
         let rests = if is_decided(surplus, size) || !self.ties_as_undamped(nearest) {
             surplus.hi() <= 0.0
         } else {
             rests_after(nearest as u64)
         };
-        Ok(Ending::Rest(nearest as u64 + u64::from(!rests)))
+        self.ending = Ending::Rest(nearest as u64 + u64::from(!rests));
+        self.last_reach = if rests { last } else { decay.next(last) };
+        Ok(())
     }
 
     /// Without kinetic friction a turning point outside the reach of static friction, if any, is followed by others.
     fn never_rests(&self) -> bool {
-        let dies_out = self.decay.is_viscous() && self.system.hold.hi() > 0.0;
+        let dies_out = self.system.decay.is_viscous() && self.system.hold.hi() > 0.0;
         self.system.slip.hi() == 0.0 && !dies_out && (self.reach - self.system.hold).hi() > 0.0
     }
 
@@ -197,7 +210,7 @@ impl FrictionMotion {
     fn ties_as_undamped(&self, steps: f64) -> bool {
         const WEAK: f64 = 1e-30;
         steps == 0.0 && matches!(self.opening, Opening::Released)
-            || self.decay.theta() * (steps + 1.0) * (steps + 1.0) < WEAK
+            || self.system.decay.theta() * (steps + 1.0) * (steps + 1.0) < WEAK
     }
 
     /// The number of slides until it rests for good; none if it swings for ever. A slide that creeps counts.
@@ -235,11 +248,15 @@ impl FrictionMotion {
     pub fn path_length(&self) -> f64 {
         let launch = match self.opening {
             Opening::Released => Dd::ZERO,
-            Opening::Thrown { .. } | Opening::Creeping => self.reach - self.offset * self.side,
+            Opening::Thrown(_) | Opening::Creeping => self.reach - self.offset * self.side,
         };
         let rest = match self.ending {
-            Ending::Rest(half_cycles) => self.decay.path(self.reach, half_cycles as f64),
-            Ending::Endless => self.decay.endless_path(self.reach),
+            Ending::Rest(half_cycles) => {
+                self.system
+                    .decay
+                    .path(self.reach, half_cycles as f64, self.last_reach)
+            }
+            Ending::Endless => self.system.decay.endless_path(self.reach),
             Ending::Creeping => self.reach - self.system.slip,
         };
         (launch + rest).hi()
@@ -254,10 +271,10 @@ impl FrictionMotion {
         let Some(rest) = self.rest_offset() else {
             return 0.0;
         };
-        let stiffness = self.system.given.stiffness.to_dd();
+        let oscillator = &self.system.oscillator;
         let speed = Dd::from(self.initial.velocity);
-        let elastic = stiffness * (self.offset - rest) * (self.offset + rest);
-        ((elastic + self.system.given.mass.to_dd() * speed.square()) * 0.5).hi()
+        let elastic = (self.offset - rest) * (self.offset + rest) * oscillator.stiffness();
+        ((elastic + speed.square() * oscillator.mass()) * 0.5).hi()
     }
 
     /// Position and velocity as functions of time.
@@ -270,7 +287,7 @@ impl FrictionMotion {
         let side = Dd::from(self.side);
         match self.ending {
             Ending::Rest(half_cycles) => {
-                let offset = self.turning_point(half_cycles as f64);
+                let offset = self.last_reach * self.side_after(half_cycles as f64);
                 // What is left of a long difference is rounding: it rests at the equilibrium.
                 Some(if is_decided(offset, self.reach.hi()) {
                     offset
@@ -279,13 +296,13 @@ impl FrictionMotion {
                 })
             }
             Ending::Creeping => Some(side * self.system.slip),
-            Ending::Endless => self.decay.is_viscous().then_some(Dd::ZERO),
+            Ending::Endless => self.system.decay.is_viscous().then_some(Dd::ZERO),
         }
     }
 
     /// The turning point after a number of half-cycles, from the equilibrium.
     pub(super) fn turning_point(&self, half_cycles: f64) -> Dd {
-        self.decay.after(self.reach, half_cycles) * self.side_after(half_cycles)
+        self.system.decay.after(self.reach, half_cycles) * self.side_after(half_cycles)
     }
 
     /// The side of the turning point after a number of half-cycles.
@@ -300,7 +317,7 @@ impl FrictionMotion {
     /// The duration of the first slide of a thrown mass, in units of the scale.
     pub(super) fn launch_duration(&self) -> Dd {
         match self.opening {
-            Opening::Thrown { duration } => duration,
+            Opening::Thrown(launch) => launch.duration(&self.system.scale),
             Opening::Released | Opening::Creeping => Dd::ZERO,
         }
     }
@@ -317,7 +334,7 @@ impl FrictionOscillator {
     /// The distance of a position from the equilibrium, with an exact sign.
     fn offset(&self, position: ExactNumber) -> Dd {
         let position_dd = position.to_dd();
-        let offset = position_dd - self.equilibrium;
+        let offset = position_dd - self.system.equilibrium;
         if is_decided(offset, position_dd.hi()) {
             return offset;
         }
@@ -326,14 +343,5 @@ impl FrictionOscillator {
             std::cmp::Ordering::Less => -offset.abs(),
             std::cmp::Ordering::Greater => offset.abs(),
         }
-    }
-
-    fn decay(&self) -> Decay {
-        let theta = if self.scale.oscillates() {
-            self.scale.decay_in_half_period()
-        } else {
-            Dd::ZERO
-        };
-        Decay::new(self.slip, theta)
     }
 }

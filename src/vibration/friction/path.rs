@@ -28,6 +28,7 @@ pub struct FrictionPath {
     launch: FreeResponse,
     /// A slide from rest at the distance 1 from its centre.
     slide: FreeResponse,
+    launch_duration: Dd,
     half_period: Dd,
     /// Where and when it rests, if it does in a finite time.
     rest: Option<(f64, f64)>,
@@ -59,6 +60,7 @@ impl FrictionPath {
             motion: *motion,
             launch: FreeResponse::of(&system.oscillator, thrown),
             slide: FreeResponse::of(&system.oscillator, unit),
+            launch_duration: motion.launch_duration(),
             half_period: system.scale.half_period(),
             rest: motion
                 .rest_position()
@@ -100,10 +102,10 @@ impl FrictionPath {
         }
         let motion = &self.motion;
         let scaled = scaled_time(time, motion.system.scale.rate_exponent);
-        let since_turning = scaled - motion.launch_duration();
+        let since_turning = scaled - self.launch_duration;
         let is_launching = match motion.opening {
             Opening::Released => false,
-            Opening::Thrown { .. } => since_turning.is_negative(),
+            Opening::Thrown(_) => since_turning.is_negative(),
             Opening::Creeping => true,
         };
         if is_launching {

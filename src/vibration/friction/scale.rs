@@ -77,9 +77,13 @@ impl Scale {
         Dd::TAU * self.mass / self.root
     }
 
-    /// What decays in a half-cycle, `theta = lambda pi/omega_d`: amplitudes shrink by `e^-theta`.
+    /// What decays in a half-cycle, `theta = lambda pi/omega_d`: amplitudes shrink by `e^-theta`; 0 if there is none.
     pub(super) fn decay_in_half_period(&self) -> Dd {
-        Dd::PI * self.damping / self.root
+        if self.regime == Regime::Underdamped {
+            Dd::PI * self.damping / self.root
+        } else {
+            Dd::ZERO
+        }
     }
 }
 
@@ -94,16 +98,17 @@ pub(super) fn is_decided(difference: Dd, size: f64) -> bool {
 
 /// A product over a number, without leaving the exponent range on the way.
 pub(super) fn ratio(factors: &[ExactNumber], divisor: ExactNumber) -> Dd {
-    let split = |number: ExactNumber| {
-        let exponent = binary_exponent(number.to_f64()).clamp(-1100, 1100);
-        (number.to_dd().scale(-exponent), exponent)
+    const ORDINARY: std::ops::Range<f64> = 1e-60..1e60;
+    let is_ordinary = |number: &ExactNumber| ORDINARY.contains(&number.to_f64().abs());
+    let product = |numbers: &mut dyn Iterator<Item = Dd>| {
+        numbers.fold(Dd::ONE, |product, factor| product * factor)
     };
-    let (mut product, mut exponent) = (Dd::ONE, 0);
-    for factor in factors {
-        let (mantissa, of_factor) = split(*factor);
-        product *= mantissa;
-        exponent += of_factor;
+    if factors.iter().all(is_ordinary) && is_ordinary(&divisor) {
+        return product(&mut factors.iter().map(|factor| factor.to_dd())) / divisor.to_dd();
     }
-    let (mantissa, of_divisor) = split(divisor);
-    (product / mantissa).scale(exponent - of_divisor)
+    let exponent = |number: &ExactNumber| binary_exponent(number.to_f64()).clamp(-1100, 1100);
+    let mantissa = |number: &ExactNumber| number.to_dd().scale(-exponent(number));
+    let total: i32 = factors.iter().map(exponent).sum();
+    (product(&mut factors.iter().map(mantissa)) / mantissa(&divisor))
+        .scale(total - exponent(&divisor))
 }

@@ -7,9 +7,19 @@ use super::{Damping, Initial, check_time, check_vectors, uncoupled};
 use crate::numerics::Dd;
 use crate::numerics::exponential::Propagator;
 use crate::vibration::modes::{Modes, ModesError, Refined};
-use crate::vibration::{ForcedResponse, HarmonicForce, Oscillator};
+use crate::vibration::{ForcedResponse, HarmonicForce};
 
 /// Forces `a cos Ωt + b sin Ωt` in N on all coordinates, with one angular frequency in rad/s.
+///
+/// # Examples
+///
+/// ```
+/// use vibank::vibration::modal::HarmonicForces;
+///
+/// // 10 N on the first of two masses, at 3 rad/s.
+/// let forces = HarmonicForces { cosine: &[10.0, 0.0], sine: &[0.0, 0.0], angular_frequency: 3.0 };
+/// assert_eq!(forces.cosine.len(), 2);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HarmonicForces<'a> {
     /// Factors of the cosine.
@@ -182,18 +192,17 @@ fn driven_modes(
     let modes = initial.modes;
     (0..modes.count())
         .map(|mode| {
-            let oscillator =
-                Oscillator::new(1.0, dampings[mode].hi(), modes.eigenvalue(mode).hi()).ok()?;
             let force = HarmonicForce {
                 cosine: modal_force(modes, mode, forces.cosine).hi(),
                 sine: modal_force(modes, mode, forces.sine).hi(),
                 angular_frequency: forces.angular_frequency,
             };
-            Some(ForcedResponse::of(
-                &oscillator,
+            ForcedResponse::of_mode(
+                dampings[mode],
+                modes.eigenvalue(mode),
                 force,
                 initial.modal_state(mode),
-            ))
+            )
         })
         .collect()
 }

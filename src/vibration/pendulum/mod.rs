@@ -43,6 +43,8 @@ pub struct Pendulum {
     /// The square root of g/L in units of `2^exponent`.
     rate: Dd,
     exponent: i32,
+    /// The period of small swings.
+    small_period: Dd,
 }
 
 /// Why there is no such pendulum or motion.
@@ -89,11 +91,13 @@ impl Pendulum {
         let exponent = (of_gravity - of_length).div_euclid(2);
         let square = Dd::from(gravity).scale(-of_gravity) / Dd::from(length).scale(-of_length);
         let odd = of_gravity - of_length - 2 * exponent;
+        let rate = square.scale(odd).sqrt();
         Ok(Self {
             length,
             gravity,
-            rate: square.scale(odd).sqrt(),
+            rate,
             exponent,
+            small_period: (Dd::TAU / rate).scale(-exponent),
         })
     }
 

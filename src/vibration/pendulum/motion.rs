@@ -5,7 +5,7 @@
 
 use super::{Pendulum, PendulumError};
 use crate::numerics::{
-    Dd, JacobiFunctions, asinh, atan, atan2, carlson_rf, cosh, scale_by_power_of_two, sinh,
+    Dd, JacobiFunctions, JacobiValues, asinh, atan, atan2, carlson_rf, cosh, scale_by_power_of_two, sinh,
 };
 
 /// The motion of a pendulum, prepared for many times.
@@ -35,7 +35,20 @@ pub struct PendulumMotion {
     double_rate: f64,
 }
 
-/// What a pendulum does in the long run.
+/// What a pendulum does in the long run, by the exact sign of `cos^2(theta/2) - kappa^2`.
+///
+/// # Examples
+///
+/// ```
+/// use vibank::vibration::{Pendulum, PendulumRegime};
+///
+/// // Thrown from the bottom the top is just reached with 2 sqrt(g L).
+/// let pendulum = Pendulum::new(1.0, 1.0)?;
+/// let regime = |velocity| pendulum.motion(0.0, velocity).map(|motion| motion.regime());
+/// assert_eq!(regime(2.0)?, PendulumRegime::Separatrix);
+/// assert_eq!(regime(2.0_f64.next_up())?, PendulumRegime::Turning);
+/// # Ok::<(), vibank::vibration::PendulumError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PendulumRegime {
     /// It swings to and fro.
@@ -208,7 +221,7 @@ impl PendulumMotion {
     /// Time of a full swing, or of a full turn, in s; none on the separatrix.
     #[must_use]
     pub fn period(&self) -> Option<f64> {
-        match self.course {
+        match &self.course {
             Course::Swing { clock, .. } => Some((Dd::TAU / clock.rate).hi()),
             Course::Separatrix { .. } => None,
             Course::Turn { clock, .. } => Some((Dd::PI / clock.rate).hi()),
@@ -220,43 +233,95 @@ impl PendulumMotion {
     /// It is no number where the phase, about `omega0 t`, leaves the range of numbers.
     #[must_use]
     pub fn angle(&self, t: f64) -> f64 {
-        self.turns
-            + self.direction
-                * match self.course {
-                    Course::Swing {
-                        functions,
-                        clock,
-                        modulus,
-                    } => {
-                        let at = functions.at(clock.sin_cos(t));
-                        2.0 * atan2(modulus * at.sn, at.dn)
-                    }
-                    Course::Separatrix { rate, start } => {
-                        2.0 * atan(sinh(separatrix_argument(rate, start, t)))
-                    }
-                    Course::Turn {
-                        functions, clock, ..
-                    } => (functions.amplitude(clock.phase(t)) * 2.0).hi(),
-                }
+        let place = self.course.at(t);
+        self.turns + self.direction * place.angle(&self.course)
     }
 
     /// Angular velocity at the time `t` in s, in rad/s.
     #[must_use]
     pub fn angular_velocity(&self, t: f64) -> f64 {
-        let kappa = match self.course {
-            Course::Swing {
-                functions,
-                clock,
-                modulus,
-            } => modulus * functions.at(clock.sin_cos(t)).cn,
-            Course::Separatrix { rate, start } => 1.0 / cosh(separatrix_argument(rate, start, t)),
-            Course::Turn {
-                functions,
-                clock,
-                root,
-            } => root * functions.at(clock.sin_cos(t)).dn,
-        };
-        self.direction * self.double_rate * kappa
+        self.direction * self.double_rate * self.course.at(t).reduced_velocity(&self.course)
+    }
+
+    /// Angle in rad and angular velocity in rad/s at the time `t` in s, for the price of one of them.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use vibank::vibration::Pendulum;
+    ///
+    /// let motion = Pendulum::new(1.0, 9.81)?.motion(0.0, 7.0)?;
+    /// assert_eq!(motion.state(3.0), (motion.angle(3.0), motion.angular_velocity(3.0)));
+    /// # Ok::<(), vibank::vibration::PendulumError>(())
+    /// ```
+    #[must_use]
+    pub fn state(&self, t: f64) -> (f64, f64) {
+        let place = self.course.at(t);
+        (
+            self.turns + self.direction * place.angle(&self.course),
+            self.direction * self.double_rate * place.reduced_velocity(&self.course),
+        )
+    }
+}
+
+/// The elliptic functions at one time, from which angle and velocity are read off.
+enum Place {
+    Swing(JacobiValues),
+    /// The argument of the hyperbolic functions.
+    Separatrix(f64),
+    Turn { values: JacobiValues, phase: Dd },
+}
+
+impl Course {
+    fn at(&self, t: f64) -> Place {
+        match self {
+            Self::Swing {
+                functions, clock, ..
+            } => Place::Swing(functions.at(clock.sin_cos(t))),
+            Self::Separatrix { rate, start } => {
+                Place::Separatrix(separatrix_argument(*rate, *start, t))
+            }
+            Self::Turn {
+                functions, clock, ..
+            } => {
+                let phase = clock.phase(t);
+                Place::Turn {
+                    values: functions.at(phase.sin_cos_to_f64()),
+                    phase,
+                }
+            }
+        }
+    }
+
+    /// The modulus of a swing, the root of the energy of a turn.
+    const fn amplitude(&self) -> f64 {
+        match self {
+            Self::Swing { modulus, .. } => *modulus,
+            Self::Separatrix { .. } => 1.0,
+            Self::Turn { root, .. } => *root,
+        }
+    }
+}
+
+impl Place {
+    /// The angle of a motion that begins towards positive ones, in rad.
+    fn angle(&self, course: &Course) -> f64 {
+        match self {
+            Self::Swing(at) => 2.0 * atan2(course.amplitude() * at.sn, at.dn),
+            Self::Separatrix(argument) => 2.0 * atan(sinh(*argument)),
+            Self::Turn { values, phase } => {
+                (JacobiFunctions::amplitude_of(values, *phase) * 2.0).hi()
+            }
+        }
+    }
+
+    /// theta'/(2 omega0).
+    fn reduced_velocity(&self, course: &Course) -> f64 {
+        match self {
+            Self::Swing(at) => course.amplitude() * at.cn,
+            Self::Separatrix(argument) => 1.0 / cosh(*argument),
+            Self::Turn { values, .. } => course.amplitude() * values.dn,
+        }
     }
 }
 

@@ -27,9 +27,9 @@ impl Task for PendulumMotion {
             .motion(angle, velocity)
             .map_err(RequestError::domain)?;
         Ok(
-            Reply::default().states(["theta", "omega"], &parameters.times("t")?, |time| State {
-                position: motion.angle(time),
-                velocity: motion.angular_velocity(time),
+            Reply::default().states(["theta", "omega"], &parameters.times("t")?, |time| {
+                let (position, velocity) = motion.state(time);
+                State { position, velocity }
             }),
         )
     }

@@ -1,8 +1,8 @@
 //! Double-double functions against `tests/references/double_double.py`.
 
-use std::collections::BTreeMap;
-
 use vibank::numerics::Dd;
+
+use crate::physics::Accuracy;
 
 const REFERENCES: &str = include_str!("../../fixtures/references/double-double.jsonl");
 
@@ -52,23 +52,14 @@ fn amplification(case: &Case) -> f64 {
     }
 }
 
-#[test]
-fn functions_of_double_doubles_keep_thirty_one_digits() {
-    let mut worst: BTreeMap<String, (usize, f64, String)> = BTreeMap::new();
+/// Functions of double-double numbers.
+pub(crate) fn functions(table: &mut Accuracy) {
     for line in REFERENCES.lines() {
         let case: Case = serde_json::from_str(line).unwrap();
         let expected = number(case.2);
         let error = ((value(&case) - expected) / expected).abs().hi() / amplification(&case);
-        let entry = worst.entry(case.0.clone()).or_default();
-        entry.0 += 1;
-        if error.is_nan() || error > entry.1 {
-            (entry.1, entry.2) = (error, line.to_owned());
-        }
-    }
-    for (name, (cases, error, _)) in &worst {
-        println!("{name:8} {cases:5} cases  worst {error:.1e}  target {TARGET:.0e}");
-    }
-    for (name, (_, error, line)) in worst {
-        assert!(error <= TARGET, "{name}: {error:e} at {line}");
+        table.record("double-double functions, relative", error, TARGET, || {
+            line.to_owned()
+        });
     }
 }

@@ -1,3 +1,3 @@
 //! Bare numbers against references of many digits.
 
-mod double;
+pub(crate) mod double;

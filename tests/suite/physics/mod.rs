@@ -1,9 +1,12 @@
 //! The physics against references of many digits, known results and conservation laws.
 
 #![expect(clippy::unwrap_used, reason = "a test fails where a value is missing")]
-#![expect(clippy::print_stdout, reason = "the tables of errors are printed")]
+#![expect(clippy::print_stdout, reason = "the table of errors is printed")]
 
+mod accuracy;
+mod bits;
 mod friction;
+mod linearisation;
 mod modal;
 mod modes;
 mod oscillator;
@@ -11,3 +14,5 @@ mod oscillator_laws;
 mod pendulum;
 mod reference;
 mod requests;
+
+pub(crate) use reference::Accuracy;

@@ -12,6 +12,7 @@ use vibank::vibration::modes::{Link, Modes, ModesError, System};
 use super::reference::Accuracy;
 
 const REFERENCES: &str = include_str!("../../fixtures/references/modal-response.jsonl");
+const FORCED: &str = include_str!("../../fixtures/references/forced-modal-response.jsonl");
 
 #[derive(Deserialize)]
 struct Case {
@@ -32,6 +33,12 @@ struct Case {
     v: Vec<Vec<String>>,
     #[serde(default)]
     forces: Vec<f64>,
+    #[serde(default)]
+    cosine: Vec<f64>,
+    #[serde(default)]
+    sine: Vec<f64>,
+    #[serde(default)]
+    frequency: f64,
     #[serde(default)]
     frequencies: Vec<f64>,
     #[serde(default)]
@@ -66,7 +73,11 @@ impl Case {
 }
 
 fn cases() -> Vec<Case> {
-    REFERENCES
+    read(REFERENCES)
+}
+
+fn read(references: &str) -> Vec<Case> {
+    references
         .lines()
         .map(|line| serde_json::from_str(line).unwrap())
         .collect()
@@ -99,9 +110,8 @@ fn state(motion: &ModalResponse, time: f64, size: usize) -> (Vec<f64>, Vec<f64>)
     (x, v)
 }
 
-#[test]
-fn motions_keep_their_digits_to_long_times() {
-    let mut table = Accuracy::default();
+/// Motion of several degrees of freedom to long times.
+pub(super) fn motion(table: &mut Accuracy) {
     for case in cases().iter().filter(|case| !case.t.is_empty()) {
         let motion = case.motion();
         let name = match (case.is_undamped(), motion.is_classically_damped()) {
@@ -116,7 +126,34 @@ fn motions_keep_their_digits_to_long_times() {
             table.record(name, error(&v, &numbers(&case.v[i])), 1e-13, at);
         }
     }
-    table.conclude();
+}
+
+/// Motion under a harmonic force to long times.
+pub(super) fn forced_motion(table: &mut Accuracy) {
+    for case in read(FORCED) {
+        let modes = Modes::of(case.system()).unwrap();
+        let forces = HarmonicForces {
+            cosine: &case.cosine,
+            sine: &case.sine,
+            angular_frequency: case.frequency,
+        };
+        let horizon = case.t.iter().copied().fold(0.0, f64::max);
+        let motion =
+            ForcedModalResponse::of(&modes, &case.damping(), forces, &case.x0, &case.v0, horizon)
+                .unwrap();
+        let name = if case.dampers.is_empty() {
+            "forced motion, modes, of the largest"
+        } else {
+            "forced motion, general damping"
+        };
+        for (i, &time) in case.t.iter().enumerate() {
+            let (mut x, mut v) = (case.x0.clone(), case.v0.clone());
+            motion.state(time, &mut x, &mut v).unwrap();
+            let at = || format!("{} t = {time}", case.name);
+            table.record(name, error(&x, &numbers(&case.x[i])), 1e-13, at);
+            table.record(name, error(&v, &numbers(&case.v[i])), 1e-13, at);
+        }
+    }
 }
 
 #[test]
@@ -153,9 +190,8 @@ fn which_damping_is_classical() {
     }
 }
 
-#[test]
-fn steady_states_keep_their_digits_next_to_resonance() {
-    let mut table = Accuracy::default();
+/// Steady states next to resonance.
+pub(super) fn steady(table: &mut Accuracy) {
     for case in cases().iter().filter(|case| !case.frequencies.is_empty()) {
         for (i, &frequency) in case.frequencies.iter().enumerate() {
             let response =
@@ -171,7 +207,6 @@ fn steady_states_keep_their_digits_next_to_resonance() {
             }
         }
     }
-    table.conclude();
 }
 
 #[test]

@@ -8,6 +8,8 @@ use vibank::numerics::{Dd, powi, scale_by_power_of_two};
 use vibank::vibration::modes::{Link, Modes, System, natural_angular_frequencies};
 use vibank::vibration::request::answer;
 
+use super::reference::Accuracy;
+
 const REFERENCES: &str = include_str!("../../fixtures/references/modes.jsonl");
 
 const U: f64 = f64::EPSILON / 2.0;
@@ -107,53 +109,6 @@ fn rate(modes: &Modes, mode: usize) -> f64 {
         .unwrap_or_else(|| -modes.growth_rate(mode).unwrap())
 }
 
-/// One line of the accuracy table: the worst error over its target.
-struct Row {
-    task: &'static str,
-    target: &'static str,
-    cases: usize,
-    worst: f64,
-    share: f64,
-    place: String,
-}
-
-impl Row {
-    fn new(task: &'static str, target: &'static str) -> Self {
-        Self {
-            task,
-            target,
-            cases: 0,
-            worst: 0.0,
-            share: 0.0,
-            place: String::new(),
-        }
-    }
-
-    fn add(&mut self, error: f64, target: f64, place: &str) {
-        self.cases += 1;
-        assert!(!error.is_nan(), "{place}");
-        if error / target > self.share {
-            self.share = error / target;
-            self.worst = error;
-            place.clone_into(&mut self.place);
-        }
-    }
-
-    fn finish(self) {
-        println!(
-            "{:<44} {:>6} {:>9.1e} {:>7.3} of {:<18} {}",
-            self.task, self.cases, self.worst, self.share, self.target, self.place
-        );
-        assert!(
-            self.share <= 1.0,
-            "{}: {} at {}",
-            self.task,
-            self.share,
-            self.place
-        );
-    }
-}
-
 fn relative_error(value: f64, expected: Dd) -> f64 {
     if expected == Dd::ZERO {
         value.abs()
@@ -162,41 +117,33 @@ fn relative_error(value: f64, expected: Dd) -> f64 {
     }
 }
 
-#[test]
-fn frequencies_of_networks_keep_their_digits() {
-    let mut row = Row::new("frequencies of a network", "n u");
-    let mut alone = Row::new("frequencies without shapes", "n u");
-    let mut rigid = Row::new("rigid modes exactly zero", "0");
+/// Frequencies of networks.
+pub(super) fn frequencies(table: &mut Accuracy) {
     for case in cases().iter().filter(|case| case.is_attractive_network()) {
         let modes = case.modes();
         let values = natural_angular_frequencies(modes.system()).unwrap();
         for (mode, expected) in case.exact_rates().into_iter().enumerate() {
             let target = (modes.count().max(2) as f64) * U;
             if expected == Dd::ZERO {
-                rigid.add(
+                table.record("rigid modes exactly zero", 
                     rate(&modes, mode) + values[mode],
                     f64::MIN_POSITIVE,
-                    &case.name,
+                    || case.name.clone(),
                 );
             } else {
-                row.add(
+                table.record("frequencies of a network (n u)", 
                     relative_error(rate(&modes, mode), expected),
                     target,
-                    &case.name,
+                    || case.name.clone(),
                 );
-                alone.add(relative_error(values[mode], expected), target, &case.name);
+                table.record("frequencies without shapes (n u)", relative_error(values[mode], expected), target, || case.name.clone());
             }
         }
     }
-    row.finish();
-    alone.finish();
-    rigid.finish();
 }
 
-#[test]
-fn frequencies_of_matrices_and_of_repelling_springs() {
-    let mut plain = Row::new("rates of matrices, of the largest", "10 n u");
-    let mut refined_row = Row::new("refined rates of matrices", "1e-24");
+/// Rates of matrices and of repelling springs.
+pub(super) fn rates_of_matrices(table: &mut Accuracy) {
     for case in cases().iter().filter(|case| !case.is_attractive_network()) {
         let (modes, expected) = (case.modes(), case.exact_rates());
         let refined = modes.refined();
@@ -206,21 +153,18 @@ fn frequencies_of_matrices_and_of_repelling_springs() {
             .fold(0.0, f64::max);
         for (mode, expected) in expected.into_iter().enumerate() {
             let error = (rate(&modes, mode) - expected).hi().abs() / largest;
-            plain.add(error, 10.0 * modes.count() as f64 * U, &case.name);
+            table.record("rates of matrices, of the largest (10 n u)", error, 10.0 * modes.count() as f64 * U, || case.name.clone());
             let signed = refined
                 .natural_angular_frequency(mode)
                 .unwrap_or_else(|| -refined.growth_rate(mode).unwrap());
             let error = (signed - expected).hi().abs() / expected.hi().abs().max(f64::MIN_POSITIVE);
-            refined_row.add(error, 1e-24, &case.name);
+            table.record("refined rates of matrices", error, 1e-24, || case.name.clone());
         }
     }
-    plain.finish();
-    refined_row.finish();
 }
 
-#[test]
-fn requests_answer_with_the_nearest_numbers() {
-    let mut row = Row::new("frequencies by request", "2 u");
+/// Frequencies as requests are answered.
+pub(super) fn requests(table: &mut Accuracy) {
     for case in cases().iter().filter(|case| case.rates.len() <= 50) {
         let params = if case.masses.is_empty() {
             json!({ "M": case.mass, "K": case.stiffness })
@@ -233,20 +177,17 @@ fn requests_answer_with_the_nearest_numbers() {
             let frequency = reply["result"]["omega"][mode].as_f64();
             let value =
                 frequency.unwrap_or_else(|| -reply["result"]["growth"][mode].as_f64().unwrap());
-            row.add(
+            table.record("frequencies by request", 
                 relative_error(value, expected),
                 if case.spread() < 1e16 { 2.0 } else { 5.0 } * U,
-                &case.name,
+                || case.name.clone(),
             );
         }
     }
-    row.finish();
 }
 
-#[test]
-fn refined_frequencies_have_twice_the_digits() {
-    let mut row = Row::new("refined frequencies of a network", "1e-21");
-    let mut beyond = Row::new("the same, spread above 1e15", "n u");
+/// Frequencies to twice the digits.
+pub(super) fn refined_frequencies(table: &mut Accuracy) {
     for case in cases()
         .iter()
         .filter(|case| case.is_attractive_network() && case.rates.len() <= 50)
@@ -260,19 +201,16 @@ fn refined_frequencies_have_twice_the_digits() {
                 ((value - expected) / expected).hi().abs()
             };
             if case.spread() <= 1e16 {
-                row.add(error, 1e-21, &case.name);
+                table.record("refined frequencies of a network", error, 1e-21, || case.name.clone());
             } else {
-                beyond.add(error, case.rates.len() as f64 * U, &case.name);
+                table.record("the same, spread above 1e15 (n u)", error, case.rates.len() as f64 * U, || case.name.clone());
             }
         }
     }
-    row.finish();
-    beyond.finish();
 }
 
-#[test]
-fn shapes_lie_in_the_span_of_the_exact_ones() {
-    let mut row = Row::new("shapes, sine of the largest angle", "10 n u/relgap");
+/// Shapes against the span of the exact ones.
+pub(super) fn shapes(table: &mut Accuracy) {
     for case in cases()
         .iter()
         .filter(|case| !case.shapes.is_empty() && case.is_attractive_network())
@@ -286,15 +224,13 @@ fn shapes_lie_in_the_span_of_the_exact_ones() {
             let gap = modes.relative_gap(cluster.clone()).min(1.0);
             let target = 10.0 * modes.count() as f64 * U / gap;
             let sine = modes.largest_principal_angle_sine(cluster, &exact).unwrap();
-            row.add(sine, target, &case.name);
+            table.record("shapes, sine of the largest angle (10 n u/relgap)", sine, target, || case.name.clone());
         }
     }
-    row.finish();
 }
 
-#[test]
-fn refined_shapes_tell_close_modes_apart() {
-    let mut row = Row::new("refined shapes, component by component", "4 n u");
+/// Shapes of close modes, component by component.
+pub(super) fn refined_shapes(table: &mut Accuracy) {
     for case in cases()
         .iter()
         .filter(|case| case.name.starts_with("weak coupling"))
@@ -304,11 +240,10 @@ fn refined_shapes_tell_close_modes_apart() {
             let exact: Vec<f64> = exact.iter().map(|digits| decimal(digits).hi()).collect();
             let sign = exact[0].signum();
             for (x, y) in refined.mode_shape(mode).iter().zip(&exact) {
-                row.add((x - sign * y).abs(), 16.0 * U, &case.name);
+                table.record("refined shapes, component by component (4 n u)", (x - sign * y).abs(), 16.0 * U, || case.name.clone());
             }
         }
     }
-    row.finish();
 }
 
 fn spectral_scale(matrix: &DMatrix<f64>) -> f64 {
@@ -317,10 +252,8 @@ fn spectral_scale(matrix: &DMatrix<f64>) -> f64 {
         .fold(0.0, f64::max)
 }
 
-#[test]
-fn residuals_and_orthogonality() {
-    let mut residual = Row::new("residual |K u - ω² M u|, of |K| + ω² |M|", "10 n u");
-    let mut orthogonality = Row::new("orthogonality |Uᵀ M U - I|", "10 n u");
+/// Residuals and orthogonality.
+pub(super) fn residuals(table: &mut Accuracy) {
     for case in cases().iter().filter(|case| case.masses.len() != 200) {
         let modes = case.modes();
         let (mass, stiffness) = (
@@ -332,7 +265,7 @@ fn residuals_and_orthogonality() {
         let defect = (shapes.transpose() * &mass * &shapes
             - DMatrix::identity(modes.count(), modes.count()))
         .amax();
-        orthogonality.add(defect, target, &case.name);
+        table.record("orthogonality |Uᵀ M U - I| (10 n u)", defect, target, || case.name.clone());
         for mode in 0..modes.count() {
             let shape = DVector::from_vec(modes.mode_shape(mode));
             let eigenvalue = modes.eigenvalue(mode);
@@ -340,12 +273,10 @@ fn residuals_and_orthogonality() {
             let scale = (spectral_scale(&stiffness) + eigenvalue.abs() * spectral_scale(&mass))
                 * shape.norm();
             if scale > 0.0 {
-                residual.add(rest / scale, target, &case.name);
+                table.record("residual |K u - ω² M u|, of |K| + ω² |M| (10 n u)", rest / scale, target, || case.name.clone());
             }
         }
     }
-    residual.finish();
-    orthogonality.finish();
 }
 
 /// A network of random masses and springs, some of them to the ground.

@@ -18,8 +18,7 @@ enum Target {
 use Target::{OfScale, Ulps};
 
 /// Answers all cases and holds each quantity to its target.
-fn check(references: &str, targets: &[(&'static str, Target)]) {
-    let mut accuracy = Accuracy::default();
+fn check(accuracy: &mut Accuracy, references: &str, targets: &[(&'static str, Target)]) {
     for case in Case::read(references) {
         let result = match case.task.as_str() {
             "forced_by_sine" => forced_by_sine(&case),
@@ -41,11 +40,9 @@ fn check(references: &str, targets: &[(&'static str, Target)]) {
                 "{name} of {:?}",
                 case.params
             );
-            record(&mut accuracy, &case, &result, name, *target);
+            record(accuracy, &case, &result, name, *target);
         }
     }
-    println!("oscillator: {} cases", references.lines().count());
-    accuracy.conclude();
 }
 
 fn solve(case: &Case) -> Value {
@@ -97,7 +94,8 @@ fn record(
     match target {
         Ulps(target) if !result[name].is_null() => {
             let value = result[name].as_f64().unwrap();
-            accuracy.record(name, ulps(value, case.expected(name)), target, || at(0));
+            let error = ulps(value, case.expected(name));
+            accuracy.record(&format!("{name}, last places"), error, target, || at(0));
         }
         Ulps(_) => {}
         OfScale(target) => {
@@ -111,9 +109,8 @@ fn record(
                 .into_iter()
                 .zip(case.expected_list(&format!("{name}_scale")));
             for (index, (value, (expected, scale))) in values.zip(expected).enumerate() {
-                accuracy.record(name, error(value, expected, scale.hi()), target, || {
-                    at(index)
-                });
+                let error = error(value, expected, scale.hi());
+                accuracy.record(&format!("{name} / scale"), error, target, || at(index));
             }
         }
     }
@@ -124,9 +121,10 @@ fn error(value: f64, expected: Dd, scale: f64) -> f64 {
     (expected - value).hi().abs() / scale.max(f64::MIN_POSITIVE)
 }
 
-#[test]
-fn free_responses_are_right_to_the_last_digits() {
+/// Free response in all regimes.
+pub(super) fn free(accuracy: &mut Accuracy) {
     check(
+        accuracy,
         include_str!("../../fixtures/references/free.jsonl"),
         &[
             ("x", OfScale(1e-15)),
@@ -140,18 +138,20 @@ fn free_responses_are_right_to_the_last_digits() {
     );
 }
 
-#[test]
-fn forced_responses_are_right_at_and_off_resonance() {
+/// Total response at, near and far from resonance.
+pub(super) fn forced(accuracy: &mut Accuracy) {
     check(
+        accuracy,
         include_str!("../../fixtures/references/forced.jsonl"),
         &[("x", OfScale(2e-14)), ("v", OfScale(2e-14))],
     );
 }
 
-#[test]
-fn steady_states_and_resonances_are_right_to_the_last_digits() {
+/// Steady states, resonances and bandwidths.
+pub(super) fn steady(accuracy: &mut Accuracy) {
     let (steady, resonance) = (Ulps(2.0), Ulps(1.0));
     check(
+        accuracy,
         include_str!("../../fixtures/references/steady.jsonl"),
         &[
             ("X", steady),
@@ -183,10 +183,11 @@ fn steady_states_and_resonances_are_right_to_the_last_digits() {
     );
 }
 
-#[test]
-fn decrements_are_right_to_the_last_digits() {
+/// Decrements and what follows from them.
+pub(super) fn decrement(accuracy: &mut Accuracy) {
     let target = Ulps(1.0);
     check(
+        accuracy,
         include_str!("../../fixtures/references/decrement.jsonl"),
         &["delta", "zeta", "lambda", "omega0", "c", "k"].map(|name| (name, target)),
     );

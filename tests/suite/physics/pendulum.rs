@@ -19,9 +19,8 @@ fn pendulum(case: &Case) -> Pendulum {
     Pendulum::new(case.number("L"), case.number("g")).unwrap()
 }
 
-#[test]
-fn periods_are_right_to_the_last_digits() {
-    let mut accuracy = Accuracy::default();
+/// Periods and by how much they exceed those of small swings.
+pub(super) fn period(accuracy: &mut Accuracy) {
     for case in cases("pendulum_period") {
         let (pendulum, theta0) = (pendulum(&case), case.number("theta0"));
         let at = || format!("{:?}", case.params);
@@ -30,10 +29,10 @@ fn periods_are_right_to_the_last_digits() {
             ("T_small", pendulum.small_period(), 1.0),
             ("excess", pendulum.period_excess(theta0).unwrap(), 6.0),
         ] {
-            accuracy.record(name, ulps(value, case.expected(name)), target, at);
+            let error = ulps(value, case.expected(name));
+            accuracy.record(&format!("{name}, last places"), error, target, at);
         }
     }
-    accuracy.conclude();
 }
 
 /// The group of the table, and its target in units of the scale.
@@ -53,9 +52,8 @@ fn group(case: &Case, motion: &PendulumMotion, t: f64) -> (&'static str, f64) {
     }
 }
 
-#[test]
-fn motions_are_right_at_any_time() {
-    let mut accuracy = Accuracy::default();
+/// Angle and angular velocity at any time.
+pub(super) fn motion(accuracy: &mut Accuracy) {
     for case in cases("pendulum_motion") {
         let motion = pendulum(&case)
             .motion(case.number("theta0"), case.number("omega0"))
@@ -78,7 +76,6 @@ fn motions_are_right_at_any_time() {
             });
         }
     }
-    accuracy.conclude();
 }
 
 #[test]

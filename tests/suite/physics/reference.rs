@@ -1,7 +1,5 @@
 //! Reference values of 50 digits, and the table of the errors against them.
 
-use std::collections::BTreeMap;
-
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
 use vibank::numerics::{Dd, ExactNumber};
@@ -64,7 +62,7 @@ impl Case {
 }
 
 /// The leading digits of a decimal, as many as a double-double holds.
-fn read(value: &Value) -> Dd {
+pub(super) fn read(value: &Value) -> Dd {
     const DIGITS: usize = 36;
     let text = value.as_str().unwrap();
     let (mantissa, exponent) = text.split_once('e').map_or((text, ""), |(mantissa, _)| {
@@ -91,60 +89,60 @@ pub(super) fn ulps(value: f64, expected: Dd) -> f64 {
 
 /// Worst errors by quantity, each with its target.
 #[derive(Default)]
-pub(super) struct Accuracy {
-    rows: BTreeMap<&'static str, Row>,
+pub(crate) struct Accuracy {
+    rows: Vec<Row>,
 }
 
-#[derive(Default)]
-struct Row {
-    target: f64,
-    cases: usize,
-    worst: f64,
-    at: String,
+/// The errors of one quantity.
+pub(crate) struct Row {
+    pub(crate) name: String,
+    pub(crate) cases: usize,
+    /// The error that comes closest to its target, or passes it.
+    pub(crate) worst: f64,
+    pub(crate) target: f64,
+    pub(crate) at: String,
 }
 
 impl Accuracy {
     /// Counts one error of a quantity.
-    pub(super) fn record(
+    pub(crate) fn record(
         &mut self,
-        name: &'static str,
+        name: &str,
         error: f64,
         target: f64,
         at: impl FnOnce() -> String,
     ) {
-        let row = self.rows.entry(name).or_default();
-        row.target = target;
+        let index = self.rows.iter().position(|row| row.name == name);
+        let row = match index {
+            Some(index) => &mut self.rows[index],
+            None => {
+                self.rows.push(Row {
+                    name: name.to_owned(),
+                    cases: 0,
+                    worst: 0.0,
+                    target,
+                    at: String::new(),
+                });
+                self.rows.last_mut().unwrap()
+            }
+        };
         row.cases += 1;
-        #[expect(
-            clippy::neg_cmp_op_on_partial_ord,
-            reason = "an error that is no number is worse than any"
-        )]
-        if !(error <= row.worst) {
-            (row.worst, row.at) = (error, at());
+        // An error that is no number is worse than any, and stays: nothing is greater than it.
+        let is_worse = error / target > row.worst / row.target || error.is_nan();
+        if is_worse || row.cases == 1 {
+            (row.worst, row.target, row.at) = (error, target, at());
         }
     }
 
-    /// Prints the table and holds every quantity to its target.
-    pub(super) fn conclude(self) {
-        for (
-            name,
-            Row {
-                target,
-                cases,
-                worst,
-                at,
-            },
-        ) in &self.rows
-        {
-            println!("{name:44} {cases:6} cases  worst {worst:8.1e}  target {target:8.1e}  {at}");
-        }
-        for (name, row) in self.rows {
-            assert!(
-                row.worst <= row.target,
-                "{name}: {:e} at {}",
-                row.worst,
-                row.at
-            );
-        }
+    /// The table, a row for each quantity.
+    pub(crate) fn rows(self) -> Vec<Row> {
+        self.rows
+    }
+}
+
+impl Row {
+    /// Whether no error passes its target.
+    pub(crate) fn is_met(&self) -> bool {
+        self.worst <= self.target
     }
 }
