@@ -19,8 +19,20 @@ struct Corpus {
 const CORPORA: [Corpus; 4] = [
     Corpus {
         key: "sqrt(k/m)",
-        equal: &["(k/m)^0.5", "sqrt(k)/sqrt(m)", "k/sqrt(k*m)", "1/sqrt(m/k)", "abs(sqrt(k/m))"],
-        other: &["sqrt(m/k)", "1.000001*sqrt(k/m)", "sqrt(k/m)*1.0005", "-sqrt(k/m)", "sqrt(2*k/m)"],
+        equal: &[
+            "(k/m)^0.5",
+            "sqrt(k)/sqrt(m)",
+            "k/sqrt(k*m)",
+            "1/sqrt(m/k)",
+            "abs(sqrt(k/m))",
+        ],
+        other: &[
+            "sqrt(m/k)",
+            "1.000001*sqrt(k/m)",
+            "sqrt(k/m)*1.0005",
+            "-sqrt(k/m)",
+            "sqrt(2*k/m)",
+        ],
     },
     Corpus {
         key: "sqrt(4*k*m - c^2)/(2*m)",
@@ -38,8 +50,16 @@ const CORPORA: [Corpus; 4] = [
     },
     Corpus {
         key: "m*g*l*(1 - cos(theta))",
-        equal: &["2*m*g*l*sin(theta/2)^2", "m*g*l - m*g*l*cos(theta)", "m*g*l*(1 - cos(-theta))"],
-        other: &["m*g*l*theta^2/2", "m*g*l*sin(theta)^2/(1 + cos(theta))*1.0003", "m*g*l*(1 + cos(theta))"],
+        equal: &[
+            "2*m*g*l*sin(theta/2)^2",
+            "m*g*l - m*g*l*cos(theta)",
+            "m*g*l*(1 - cos(-theta))",
+        ],
+        other: &[
+            "m*g*l*theta^2/2",
+            "m*g*l*sin(theta)^2/(1 + cos(theta))*1.0003",
+            "m*g*l*(1 + cos(theta))",
+        ],
     },
     Corpus {
         key: "(x - l)^7",
@@ -85,10 +105,14 @@ fn catalogue(key: &str) -> Catalogue {
 fn points(count: usize) -> Vec<[f64; NAMES.len()]> {
     let mut state = 7_u64;
     let mut next = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         (state >> 11) as f64 / (1_u64 << 51) as f64 - 2.0
     };
-    (0..count).map(|_| std::array::from_fn(|_| next())).collect()
+    (0..count)
+        .map(|_| std::array::from_fn(|_| next()))
+        .collect()
 }
 
 /// The scheme that is common in exercise systems: formulas agree if their values do, at random points in [-2, 2], to a
@@ -129,7 +153,9 @@ impl Corpus {
     /// Measures a checker; an item is one response, the error the share of wrong verdicts.
     fn measure(&self, method: &'static str, accepts: impl Fn(&str) -> bool) -> Record {
         let responses: Vec<_> = self.responses().collect();
-        let wrong = responses.iter().filter(|(response, equal)| accepts(response) != *equal);
+        let wrong = responses
+            .iter()
+            .filter(|(response, equal)| accepts(response) != *equal);
         let share = wrong.count() as f64 / responses.len() as f64;
         let mut error = Error::computed(share);
         error.digits = 0;

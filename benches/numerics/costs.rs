@@ -122,15 +122,38 @@ fn forced(costs: &mut Vec<Cost>) {
     add(costs, "steady amplitude", Limit::Yards(2.0, 2.0), |i| {
         FrequencyResponse::at(&damped, 0.3 + 2.0 * share(i)).amplitude(3.0)
     });
-    add(costs, "steady amplitude and lag", Limit::Yards(2.0, 2.0), |i| {
-        let response = FrequencyResponse::at(&damped, 0.3 + 2.0 * share(i));
-        (response.amplitude(3.0), response.phase_lag())
-    });
+    add(
+        costs,
+        "steady amplitude and lag",
+        Limit::Yards(2.0, 2.0),
+        |i| {
+            let response = FrequencyResponse::at(&damped, 0.3 + 2.0 * share(i));
+            (response.amplitude(3.0), response.phase_lag())
+        },
+    );
     let natural = damped.natural_angular_frequency();
     for (task, damping, frequency, longest, limit) in [
-        ("forced: position, undamped, near resonance", 0.0, natural * 1.0001, 100.0, 6.0),
-        ("forced: position, off resonance", 0.3, 3.0 * natural, 100.0, 4.0),
-        ("forced: position, early, near resonance", 1e-3, natural, 50.0, 6.0),
+        (
+            "forced: position, undamped, near resonance",
+            0.0,
+            natural * 1.0001,
+            100.0,
+            6.0,
+        ),
+        (
+            "forced: position, off resonance",
+            0.3,
+            3.0 * natural,
+            100.0,
+            4.0,
+        ),
+        (
+            "forced: position, early, near resonance",
+            1e-3,
+            natural,
+            50.0,
+            6.0,
+        ),
     ] {
         let force = HarmonicForce::cosine(3.0, frequency);
         let motion = ForcedResponse::of(&oscillator(damping), force, State::REST);
@@ -146,28 +169,40 @@ fn friction(costs: &mut Vec<Cost>) {
     let starts: Vec<ExactNumber> = (0..ARGUMENTS)
         .filter_map(|i| ExactNumber::from_f64(0.5 + 10.0 * share(i)))
         .collect();
-    let friction = DryFriction::of_weight(number("0.2"), number("0.2"), number("1.3"), number("9.81"));
+    let friction =
+        DryFriction::of_weight(number("0.2"), number("0.2"), number("1.3"), number("9.81"));
     for (setup, stop, damping) in [
         ("friction: set-up", "friction: stop from rest", "0"),
-        ("friction with damping: set-up", "friction with damping: stop from rest", "0.4"),
+        (
+            "friction with damping: set-up",
+            "friction with damping: stop from rest",
+            "0.4",
+        ),
     ] {
-        let system = || FrictionOscillator::new(number("1.3"), number(damping), number("470"), friction);
+        let system =
+            || FrictionOscillator::new(number("1.3"), number(damping), number("470"), friction);
         let (mass, resistance, stiffness) = (number("1.3"), number(damping), number("470"));
         add(costs, setup, STOP, |_| {
-            FrictionOscillator::new(mass, resistance, stiffness, friction).map(|system| system.stick_half_width())
+            FrictionOscillator::new(mass, resistance, stiffness, friction)
+                .map(|system| system.stick_half_width())
         });
         let system = system().expect("the system is sound");
         add(costs, stop, STOP, |i| {
-            let motion = system.motion(starts[i % ARGUMENTS], ExactNumber::ZERO).ok()?;
+            let motion = system
+                .motion(starts[i % ARGUMENTS], ExactNumber::ZERO)
+                .ok()?;
             Some((motion.slides(), motion.rest_position(), motion.stop_time()))
         });
     }
 }
 
 fn modes(costs: &mut Vec<Cost>) {
-    add(costs, "modes: two masses, frequencies", Limit::Yards(2.0, 2.0), |i| {
-        Pair::of_network([1.0, 2.0 + share(i)], [3.0, 0.7, 1.1]).natural_angular_frequencies()
-    });
+    add(
+        costs,
+        "modes: two masses, frequencies",
+        Limit::Yards(2.0, 2.0),
+        |i| Pair::of_network([1.0, 2.0 + share(i)], [3.0, 0.7, 1.1]).natural_angular_frequencies(),
+    );
     for (task, size, limit) in [
         ("modes: chain of 3, with shapes", 3, 1.0),
         ("modes: chain of 10, with shapes", 10, 30.0),
@@ -175,7 +210,9 @@ fn modes(costs: &mut Vec<Cost>) {
         ("modes: chain of 200, with shapes", 200, 3000.0),
     ] {
         let (masses, springs) = uniform_chain(size);
-        add(costs, task, Limit::Micros(limit), |_| Modes::of_network(&masses, &springs));
+        add(costs, task, Limit::Micros(limit), |_| {
+            Modes::of_network(&masses, &springs)
+        });
     }
     for (task, size, limit) in [
         ("modes: dense network of 10, with shapes", 10, 30.0),
@@ -183,23 +220,31 @@ fn modes(costs: &mut Vec<Cost>) {
         ("modes: dense network of 200, with shapes", 200, 25_000.0),
     ] {
         let (masses, springs) = dense_network(size);
-        add(costs, task, Limit::Micros(limit), |_| Modes::of_network(&masses, &springs));
+        add(costs, task, Limit::Micros(limit), |_| {
+            Modes::of_network(&masses, &springs)
+        });
     }
     let (masses, springs) = uniform_chain(10);
     let mut start = [0.0; 10];
     start[9] = 1.0;
     let mut displacements = [0.0; 2010];
-    add(costs, "response of 10 masses, 201 samples", Limit::Micros(30.0), |_| {
-        let modes = Modes::of_network(&masses, &springs)?;
-        let motion = ModalResponse::of(&modes, &Damping::none(), &start, &[0.0; 10], 200.0)?;
-        motion.grid(0.0, 0.625, &mut displacements)?;
-        Ok::<_, vibank::vibration::modes::ModesError>(displacements[2009])
-    });
+    add(
+        costs,
+        "response of 10 masses, 201 samples",
+        Limit::Micros(30.0),
+        |_| {
+            let modes = Modes::of_network(&masses, &springs)?;
+            let motion = ModalResponse::of(&modes, &Damping::none(), &start, &[0.0; 10], 200.0)?;
+            motion.grid(0.0, 0.625, &mut displacements)?;
+            Ok::<_, vibank::vibration::modes::ModesError>(displacements[2009])
+        },
+    );
 }
 
 /// Every mass joined to the ground and to some twenty others, by springs of all magnitudes between 0.1 and 10 N/m.
 fn dense_network(size: usize) -> (Vec<f64>, Vec<Link>) {
-    let stiffness = |i: usize, j: usize| vibank::numerics::pow(10.0, share(i * 977 + j * 331) * 2.0 - 1.0);
+    let stiffness =
+        |i: usize, j: usize| vibank::numerics::pow(10.0, share(i * 977 + j * 331) * 2.0 - 1.0);
     let masses = (1..=size).map(|i| 1.0 + share(i * 571)).collect();
     let links = (1..=size).flat_map(|i| {
         (0..i)
@@ -219,8 +264,16 @@ fn pendulum(costs: &mut Vec<Cost>) {
         pendulum.period(0.01 + 3.1 * share(i))
     });
     for (angle, state, velocity) in [
-        ("pendulum: angle, swinging", "pendulum: angle and velocity, swinging", 4.0),
-        ("pendulum: angle, turning over", "pendulum: angle and velocity, turning over", 9.0),
+        (
+            "pendulum: angle, swinging",
+            "pendulum: angle and velocity, swinging",
+            4.0,
+        ),
+        (
+            "pendulum: angle, turning over",
+            "pendulum: angle and velocity, turning over",
+            9.0,
+        ),
     ] {
         let motion = pendulum.motion(0.0, velocity).expect("the motion is sound");
         let sample = Limit::Yards(8.0, 8.0);

@@ -13,8 +13,8 @@ fn model() -> Arc<Model> {
     let read = |formula| Expr::read(formula).expect("the formula can be read");
     let definition = Definition {
         coordinates: vec![Coordinate::angle("p"), Coordinate::angle("q")],
-        kinetic: read("p'^2 + 1/2*q'^2 + p'*q'*cos(p - q)"),
-        potential: read("-2*cos(p) - cos(q) + (q - p - s)^2"),
+        kinetic: read("J*(p'^2 + 1/2*q'^2 + p'*q'*cos(p - q))"),
+        potential: read("-2*G*cos(p) - G*cos(q) + H*(q - p - s)^2"),
         ..Definition::default()
     };
     Arc::new(Model::derive(definition).expect("the model is sound"))
@@ -39,7 +39,12 @@ pub(crate) fn of_a_double_pendulum(records: &mut Vec<Record>) {
     let model = model();
     for case in Case::of("linearisation") {
         let prestretch = case.number("s");
-        let numbers = || Numbers::of(Arc::clone(&model), |_| Ok(Precise::exact(prestretch)));
+        let numbers = || {
+            Numbers::of(Arc::clone(&model), |name| {
+                let is_prestretch = name.as_str() == "s";
+                Ok(Precise::exact(if is_prestretch { prestretch } else { 1.0 }))
+            })
+        };
         let rest = numbers();
         let place = match rest.equilibrium() {
             Ok([p, q]) => [*p, *q],

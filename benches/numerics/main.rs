@@ -1,16 +1,20 @@
 //! Work against precision: how long our methods and others take, and how far off they are.
 //!
 //! ```text
-//! cargo bench --no-default-features --bench numerics [-- [--gate] [FOLDER]]
+//! cargo bench --bench numerics [-- [--gate] [--bits] [FOLDER]]
 //! ```
 //!
 //! writes `results.csv` and pictures for each task to the folder, by default `target/bench-numerics`, and prints a summary:
 //! the yardstick Y, one exponential and one pair of sine and cosine; each method on each case; what each task costs and may
 //! cost; methods that are both faster and more accurate than ours. With `--gate`, a cost above its limit or such a method
-//! fails the run. `scipy_methods.py` adds the methods of SciPy to a results file.
+//! fails the run. With `--bits` it prints the digests of all replies in this build and measures nothing; they have to be
+//! those in `tests/fixtures/bits.txt`. `scipy_methods.py` adds the methods of SciPy to a results file.
 
 #![expect(clippy::print_stdout, reason = "a benchmark reports to the terminal")]
 
+#[path = "../../tests/suite/physics/bits.rs"]
+mod bits;
+#[cfg(feature = "render")]
 mod checker;
 mod costs;
 mod friction;
@@ -49,11 +53,16 @@ const TASKS: &[Task] = &[
     pendulum::excess,
     pendulum::motion,
     linearisation::of_a_double_pendulum,
+    #[cfg(feature = "render")]
     checker::formulas,
 ];
 
 fn main() -> std::io::Result<ExitCode> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
+    if arguments.iter().any(|argument| argument == "--bits") {
+        print!("{}", bits::digests());
+        return Ok(ExitCode::SUCCESS);
+    }
     let is_gate = arguments.iter().any(|argument| argument == "--gate");
     let folder = arguments.iter().find(|argument| !argument.starts_with('-'));
     let folder = folder.map_or_else(|| PathBuf::from("target/bench-numerics"), PathBuf::from);
@@ -91,10 +100,13 @@ fn write(folder: &Path, records: &[Record]) -> std::io::Result<()> {
     let mut tasks: Vec<&str> = records.iter().map(|record| record.task.as_str()).collect();
     tasks.dedup();
     for task in tasks {
-        let of_task = || records.iter().filter(|record| record.task == task);
-        let all: Vec<&Record> = of_task().collect();
+        let all: Vec<&Record> = records
+            .iter()
+            .filter(|record| record.task == task)
+            .collect();
         std::fs::write(folder.join(format!("{task}.svg")), plot::work(task, &all))?;
-        let sweep: Vec<&Record> = of_task()
+        let sweep: Vec<&Record> = all
+            .into_iter()
             .filter(|record| record.parameter.is_some() && record.tolerance.is_none())
             .collect();
         if !sweep.is_empty() {
@@ -134,7 +146,10 @@ fn tell_costs(costs: &[Cost], yardstick: f64) -> bool {
         let (found, limit, unit) = cost.against_limit(yardstick);
         let verdict = if found > limit { "above" } else { "" };
         missed |= found > limit;
-        println!("{:<50} {found:>10.2} {limit:>10.1} {unit:<3} {verdict}", cost.task);
+        println!(
+            "{:<50} {found:>10.2} {limit:>10.1} {unit:<3} {verdict}",
+            cost.task
+        );
     }
     missed
 }

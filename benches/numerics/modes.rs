@@ -85,12 +85,7 @@ struct Place<'a> {
 }
 
 impl Place<'_> {
-    fn record(
-        self,
-        method: &'static str,
-        exact: &[Dd],
-        solve: &dyn Fn() -> Vec<f64>,
-    ) -> Record {
+    fn record(self, method: &'static str, exact: &[Dd], solve: &dyn Fn() -> Vec<f64>) -> Record {
         Record {
             task: self.task.to_owned(),
             case: self.case.to_owned(),
@@ -104,11 +99,7 @@ impl Place<'_> {
 }
 
 /// The measurements of one network.
-fn measure(
-    place: Place<'_>,
-    (masses, springs): (&[f64], &[Link]),
-    exact: &[Dd],
-) -> [Record; 3] {
+fn measure(place: Place<'_>, (masses, springs): (&[f64], &[Link]), exact: &[Dd]) -> [Record; 3] {
     let system = System::of_network(masses, springs).expect("the network is sound");
     [
         place.record("vibank (with shapes)", exact, &|| {
@@ -117,7 +108,9 @@ fn measure(
         place.record("vibank (frequencies)", exact, &|| {
             natural_angular_frequencies(&system).expect("the network is stable")
         }),
-        place.record("dense symmetric QR", exact, &|| dense_symmetric(masses, springs)),
+        place.record("dense symmetric QR", exact, &|| {
+            dense_symmetric(masses, springs)
+        }),
     ]
 }
 
@@ -130,7 +123,11 @@ pub(crate) fn against_size(records: &mut Vec<Record>) {
             case: &format!("n={size}"),
             parameter: None,
         };
-        records.extend(measure(place, (&masses, &springs), &exact_frequencies(size)));
+        records.extend(measure(
+            place,
+            (&masses, &springs),
+            &exact_frequencies(size),
+        ));
     }
 }
 

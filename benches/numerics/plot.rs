@@ -81,9 +81,9 @@ struct Picture {
 fn title(task: &str) -> String {
     let words = task.replace('-', " ");
     let mut letters = words.chars();
-    letters
-        .next()
-        .map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+    letters.next().map_or(String::new(), |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
 }
 
 /// Error to the right, time upwards, a mark for each measurement of a task.
@@ -214,7 +214,9 @@ impl Picture {
             let (x, y) = (WIDTH - RIGHT + 22.0, TOP + 8.0 + 20.0 * index as f64);
             self.mark(index, x, y, method);
             let (x, y) = (x + 12.0, y + 4.0);
-            self.line(format_args!("<text x=\"{x:.1}\" y=\"{y:.1}\">{method}</text>"));
+            self.line(format_args!(
+                "<text x=\"{x:.1}\" y=\"{y:.1}\">{method}</text>"
+            ));
         }
     }
 
@@ -238,5 +240,8 @@ impl Picture {
 }
 
 fn power_of_ten(power: i32) -> String {
-    format!("10<tspan dy=\"-5\" font-size=\"9\">{}</tspan>", power.to_string().replace('-', "−"))
+    format!(
+        "10<tspan dy=\"-5\" font-size=\"9\">{}</tspan>",
+        power.to_string().replace('-', "−")
+    )
 }

@@ -97,13 +97,7 @@ impl Textbook {
 }
 
 /// Measures displacements at uniform times; an item is the whole motion, set-up included.
-fn measure(
-    records: &mut Vec<Record>,
-    task: &str,
-    case: &str,
-    last: f64,
-    with_integrators: bool,
-) {
+fn measure(records: &mut Vec<Record>, task: &str, case: &str, last: f64, with_integrators: bool) {
     let step = last / (SAMPLES - 1) as f64;
     let times: Vec<f64> = (0..SAMPLES).map(|i| step * i as f64).collect();
     let reference: Vec<Vec<f64>> = times.iter().map(|&time| exact(time)).collect();

@@ -1,6 +1,6 @@
 """Adds the methods of SciPy to the table of the work-precision benchmark, in the same columns.
 
-    cargo bench --no-default-features --bench numerics -- FOLDER
+    cargo bench --bench numerics -- FOLDER
     python3 benches/numerics/scipy_methods.py FOLDER/results.csv
 
 The rows are appended; rows of an earlier run are replaced. Needs NumPy and SciPy.

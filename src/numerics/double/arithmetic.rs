@@ -15,6 +15,26 @@ fn guarded(result: Dd, plain: impl FnOnce() -> f64) -> Dd {
     }
 }
 
+/// From here on a low part keeps all its digits: 2⁻⁹⁶⁸.
+const SMALLEST_FULL: f64 = f64::MIN_POSITIVE * 18_014_398_509_481_984.0;
+
+/// A product or a quotient, from the plain operation where that leaves the range of numbers. Where the low part would be
+/// rounded to the smallest numbers, and might then move the leading part, all is done with a number that is raised.
+#[inline]
+fn ranged(result: Dd, plain: impl FnOnce() -> f64, raised: impl FnOnce() -> Dd) -> Dd {
+    let magnitude = result.hi.abs();
+    if magnitude >= SMALLEST_FULL && magnitude < f64::INFINITY {
+        return result;
+    }
+    let plain = plain();
+    // Below this there is no low part.
+    if (2.0 * f64::MIN_POSITIVE..SMALLEST_FULL).contains(&plain.abs()) {
+        raised()
+    } else {
+        Dd::from(plain)
+    }
+}
+
 impl Neg for Dd {
     type Output = Self;
 
@@ -61,7 +81,9 @@ impl Mul for Dd {
     fn mul(self, other: Self) -> Self {
         let (high, error) = two_prod(self.hi, other.hi);
         let cross = self.hi * other.lo + self.lo * other.hi;
-        guarded(Self::normalized(high, error + cross), || self.hi * other.hi)
+        let product = Self::normalized(high, error + cross);
+        let raise = || raised(self, |raised| raised * other);
+        ranged(product, || self.hi * other.hi, raise)
     }
 }
 
@@ -88,9 +110,9 @@ impl Mul<f64> for Dd {
     fn mul(self, other: f64) -> Self {
         let (high, error) = two_prod(self.hi, other);
         let (high, correction) = fast_two_sum(high, self.lo * other);
-        guarded(Self::normalized(high, correction + error), || {
-            self.hi * other
-        })
+        let product = Self::normalized(high, correction + error);
+        let raise = || raised(self, |raised| raised * other);
+        ranged(product, || self.hi * other, raise)
     }
 }
 
@@ -106,7 +128,9 @@ impl Div for Dd {
         }
         let back = other * quotient;
         let rest = (self.hi - back.hi) + (self.lo - back.lo);
-        guarded(Self::normalized(quotient, rest / other.hi), || quotient)
+        let result = Self::normalized(quotient, rest / other.hi);
+        let raise = || raised(self, |raised| raised / other);
+        ranged(result, || quotient, raise)
     }
 }
 
@@ -117,9 +141,9 @@ fn loses_its_error(dividend: f64, quotient: f64) -> bool {
     dividend.abs() < 1e-290 && dividend != 0.0 && quotient.abs() > 1e-285
 }
 
-/// A quotient of a dividend that is raised by 2²⁰⁰ and brought back, both exactly.
+/// A product or quotient of a number that is raised by 2²⁰⁰, brought back.
 #[cold]
-fn raised(dividend: Dd, divide: impl FnOnce(Dd) -> Dd) -> Dd {
+fn raised(number: Dd, operation: impl FnOnce(Dd) -> Dd) -> Dd {
     let (up, down) = (
         2.0_f64.to_bits() + (199 << 52),
         2.0_f64.to_bits() - (201 << 52),
@@ -131,7 +155,7 @@ fn raised(dividend: Dd, divide: impl FnOnce(Dd) -> Dd) -> Dd {
             lo: number.lo * factor,
         }
     };
-    scaled(divide(scaled(dividend, up)), down)
+    scaled(operation(scaled(number, up)), down)
 }
 
 impl Div<f64> for Dd {
@@ -146,7 +170,9 @@ impl Div<f64> for Dd {
         }
         let (back, error) = two_prod(quotient, other);
         let rest = (self.hi - back) - error + self.lo;
-        guarded(Self::normalized(quotient, rest / other), || quotient)
+        let result = Self::normalized(quotient, rest / other);
+        let raise = || raised(self, |raised| raised / other);
+        ranged(result, || quotient, raise)
     }
 }
 
@@ -264,6 +290,19 @@ mod tests {
                 prop_assert!(z.hi() == plain || plain.is_nan() && z.is_nan(), "{z:?} {plain}");
                 prop_assert!(!z.lo().is_nan());
             }
+        }
+    }
+
+    #[test]
+    fn the_smallest_results_are_rounded_once() {
+        // The low part is a little less than half a unit in the last place, and the smallest numbers are too coarse for it.
+        let (a, b) = (-1.718_276_202_727_112e-77, -1.923_398_043_416_828_9e230);
+        assert_eq!((Dd::from(a) / b).hi(), a / b);
+        assert_eq!((Dd::from(a) / Dd::from(b)).hi(), a / b);
+        for n in 1..1000 {
+            let (a, b) = (1e-154 * f64::from(n), 1.1e-152 / f64::from(n).sqrt());
+            assert_eq!((Dd::from(a) * b).hi(), a * b);
+            assert_eq!((Dd::from(a) * Dd::from(b)).hi(), a * b);
         }
     }
 

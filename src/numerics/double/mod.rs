@@ -166,7 +166,10 @@ impl Dd {
         // The quotient does not wait for the product.
         let half_reciprocal = 0.5 / root;
         let (square, error) = two_prod(root, root);
-        Self::normalized(root, ((self.hi - square) - error + self.lo) * half_reciprocal)
+        Self::normalized(
+            root,
+            ((self.hi - square) - error + self.lo) * half_reciprocal,
+        )
     }
 
     /// Number times 2^n, exactly barring over- and underflow.

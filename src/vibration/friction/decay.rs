@@ -80,9 +80,7 @@ impl Decay {
     pub(super) fn next(&self, reach: Dd) -> Dd {
         match self.viscous {
             None => reach - self.slip * 2.0,
-            Some(viscous) => {
-                reach - reach * viscous.lost - self.slip * (2.0 - viscous.lost)
-            }
+            Some(viscous) => reach - reach * viscous.lost - self.slip * (2.0 - viscous.lost),
         }
     }
 

@@ -17,7 +17,10 @@ pub(super) struct Launch {
 enum Duration {
     Known(Dd),
     /// `atan2(across, along)/omega_d`, for those who ask.
-    Angle { across: Dd, along: Dd },
+    Angle {
+        across: Dd,
+        along: Dd,
+    },
 }
 
 impl Launch {

@@ -150,7 +150,13 @@ impl DryFriction {
 
     fn check(&self) -> Result<(), FrictionError> {
         let negated = ties::negated(self.kinetic);
-        if self.kinetic.iter().map(|factor| factor.signum()).product::<i32>() < 0 {
+        if self
+            .kinetic
+            .iter()
+            .map(|factor| factor.signum())
+            .product::<i32>()
+            < 0
+        {
             Err(FrictionError::NegativeFriction)
         } else if self.fixed != self.kinetic && sign_of_sum(&[&self.fixed, &negated]).is_lt() {
             Err(FrictionError::StaticBelowKinetic)

@@ -125,11 +125,7 @@ impl FrictionMotion {
         self.last_reach = self.reach;
     }
 
-    fn end_from_rest(
-        &mut self,
-        given: &Given,
-        position: ExactNumber,
-    ) -> Result<(), FrictionError> {
+    fn end_from_rest(&mut self, given: &Given, position: ExactNumber) -> Result<(), FrictionError> {
         // The magnitudes from which the offset was formed bound its rounding.
         let size = self.initial.position.abs()
             + self.system.equilibrium.hi().abs()

@@ -5,7 +5,8 @@
 
 use super::{Pendulum, PendulumError};
 use crate::numerics::{
-    Dd, JacobiFunctions, JacobiValues, asinh, atan, atan2, carlson_rf, cosh, scale_by_power_of_two, sinh,
+    Dd, JacobiFunctions, JacobiValues, asinh, atan, atan2, carlson_rf, cosh, scale_by_power_of_two,
+    sinh,
 };
 
 /// The motion of a pendulum, prepared for many times.
@@ -269,7 +270,10 @@ enum Place {
     Swing(JacobiValues),
     /// The argument of the hyperbolic functions.
     Separatrix(f64),
-    Turn { values: JacobiValues, phase: Dd },
+    Turn {
+        values: JacobiValues,
+        phase: Dd,
+    },
 }
 
 impl Course {

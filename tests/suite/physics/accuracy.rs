@@ -71,11 +71,6 @@ fn table(rows: &[(&str, Row)]) -> String {
         "| task | quantity | cases | worst error | target |\n| --- | --- | ---: | ---: | ---: |\n",
     );
     for (task, row) in rows {
-        // A quantity that has to be exact has the smallest of all targets.
-        let number = |x: f64| match x {
-            x if x <= f64::MIN_POSITIVE => "0".to_owned(),
-            x => format!("{x:.1e}"),
-        };
         let name = row.name.replace('|', "\\|");
         writeln!(
             text,
@@ -89,6 +84,16 @@ fn table(rows: &[(&str, Row)]) -> String {
     text
 }
 
+/// Numbers of everyday size as they are, others by their power of ten; a quantity that has to be exact has the smallest of
+/// all targets.
+fn number(x: f64) -> String {
+    match x {
+        x if x <= f64::MIN_POSITIVE => "0".to_owned(),
+        x if (0.01..1000.0).contains(&x) => format!("{x:.2}"),
+        x => format!("{x:.1e}"),
+    }
+}
+
 #[test]
 fn every_target_is_met() {
     let rows = measure();
@@ -97,7 +102,12 @@ fn every_target_is_met() {
     let missed: Vec<String> = rows
         .iter()
         .filter(|(_, row)| !row.is_met())
-        .map(|(task, row)| format!("{task}, {}: {:e} of {:e} at {}", row.name, row.worst, row.target, row.at))
+        .map(|(task, row)| {
+            format!(
+                "{task}, {}: {:e} of {:e} at {}",
+                row.name, row.worst, row.target, row.at
+            )
+        })
         .collect();
     assert!(missed.is_empty(), "{}", missed.join("\n"));
     let [_, rest] = PAGE.split_once(MARKS[0]).map(<[&str; 2]>::from).unwrap();

@@ -31,7 +31,9 @@ fn request(line: &str) -> Option<(String, Value)> {
     let case: Map<String, Value> = serde_json::from_str(line).ok()?;
     let part = |names: &[&str]| -> Map<String, Value> {
         let given = names.iter().filter_map(|name| case.get_key_value(*name));
-        given.map(|(name, value)| (name.clone(), value.clone())).collect()
+        given
+            .map(|(name, value)| (name.clone(), value.clone()))
+            .collect()
     };
     let (task, params) = if let Some(Value::String(task)) = case.get("task") {
         (task.as_str(), case.get("params")?.clone())
@@ -45,7 +47,10 @@ fn request(line: &str) -> Option<(String, Value)> {
     if ["forced_by_sine", "transfer"].contains(&task) {
         return None;
     }
-    Some((task.to_owned(), json!({ "id": 0, "task": task, "params": params })))
+    Some((
+        task.to_owned(),
+        json!({ "id": 0, "task": task, "params": params }),
+    ))
 }
 
 /// A line for each task: its name, the number of requests, the digest of all replies.

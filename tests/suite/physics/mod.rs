@@ -1,7 +1,6 @@
 //! The physics against references of many digits, known results and conservation laws.
 
 #![expect(clippy::unwrap_used, reason = "a test fails where a value is missing")]
-#![expect(clippy::print_stdout, reason = "the table of errors is printed")]
 
 mod accuracy;
 mod bits;

@@ -125,18 +125,25 @@ pub(super) fn frequencies(table: &mut Accuracy) {
         for (mode, expected) in case.exact_rates().into_iter().enumerate() {
             let target = (modes.count().max(2) as f64) * U;
             if expected == Dd::ZERO {
-                table.record("rigid modes exactly zero", 
+                table.record(
+                    "rigid modes exactly zero",
                     rate(&modes, mode) + values[mode],
                     f64::MIN_POSITIVE,
                     || case.name.clone(),
                 );
             } else {
-                table.record("frequencies of a network (n u)", 
+                table.record(
+                    "frequencies of a network (n u)",
                     relative_error(rate(&modes, mode), expected),
                     target,
                     || case.name.clone(),
                 );
-                table.record("frequencies without shapes (n u)", relative_error(values[mode], expected), target, || case.name.clone());
+                table.record(
+                    "frequencies without shapes (n u)",
+                    relative_error(values[mode], expected),
+                    target,
+                    || case.name.clone(),
+                );
             }
         }
     }
@@ -153,12 +160,19 @@ pub(super) fn rates_of_matrices(table: &mut Accuracy) {
             .fold(0.0, f64::max);
         for (mode, expected) in expected.into_iter().enumerate() {
             let error = (rate(&modes, mode) - expected).hi().abs() / largest;
-            table.record("rates of matrices, of the largest (10 n u)", error, 10.0 * modes.count() as f64 * U, || case.name.clone());
+            table.record(
+                "rates of matrices, of the largest (10 n u)",
+                error,
+                10.0 * modes.count() as f64 * U,
+                || case.name.clone(),
+            );
             let signed = refined
                 .natural_angular_frequency(mode)
                 .unwrap_or_else(|| -refined.growth_rate(mode).unwrap());
             let error = (signed - expected).hi().abs() / expected.hi().abs().max(f64::MIN_POSITIVE);
-            table.record("refined rates of matrices", error, 1e-24, || case.name.clone());
+            table.record("refined rates of matrices", error, 1e-24, || {
+                case.name.clone()
+            });
         }
     }
 }
@@ -177,7 +191,8 @@ pub(super) fn requests(table: &mut Accuracy) {
             let frequency = reply["result"]["omega"][mode].as_f64();
             let value =
                 frequency.unwrap_or_else(|| -reply["result"]["growth"][mode].as_f64().unwrap());
-            table.record("frequencies by request", 
+            table.record(
+                "frequencies by request",
                 relative_error(value, expected),
                 if case.spread() < 1e16 { 2.0 } else { 5.0 } * U,
                 || case.name.clone(),
@@ -201,9 +216,16 @@ pub(super) fn refined_frequencies(table: &mut Accuracy) {
                 ((value - expected) / expected).hi().abs()
             };
             if case.spread() <= 1e16 {
-                table.record("refined frequencies of a network", error, 1e-21, || case.name.clone());
+                table.record("refined frequencies of a network", error, 1e-21, || {
+                    case.name.clone()
+                });
             } else {
-                table.record("the same, spread above 1e15 (n u)", error, case.rates.len() as f64 * U, || case.name.clone());
+                table.record(
+                    "the same, spread above 1e15 (n u)",
+                    error,
+                    case.rates.len() as f64 * U,
+                    || case.name.clone(),
+                );
             }
         }
     }
@@ -224,7 +246,12 @@ pub(super) fn shapes(table: &mut Accuracy) {
             let gap = modes.relative_gap(cluster.clone()).min(1.0);
             let target = 10.0 * modes.count() as f64 * U / gap;
             let sine = modes.largest_principal_angle_sine(cluster, &exact).unwrap();
-            table.record("shapes, sine of the largest angle (10 n u/relgap)", sine, target, || case.name.clone());
+            table.record(
+                "shapes, sine of the largest angle (10 n u/relgap)",
+                sine,
+                target,
+                || case.name.clone(),
+            );
         }
     }
 }
@@ -240,7 +267,12 @@ pub(super) fn refined_shapes(table: &mut Accuracy) {
             let exact: Vec<f64> = exact.iter().map(|digits| decimal(digits).hi()).collect();
             let sign = exact[0].signum();
             for (x, y) in refined.mode_shape(mode).iter().zip(&exact) {
-                table.record("refined shapes, component by component (4 n u)", (x - sign * y).abs(), 16.0 * U, || case.name.clone());
+                table.record(
+                    "refined shapes, component by component (4 n u)",
+                    (x - sign * y).abs(),
+                    16.0 * U,
+                    || case.name.clone(),
+                );
             }
         }
     }
@@ -265,7 +297,12 @@ pub(super) fn residuals(table: &mut Accuracy) {
         let defect = (shapes.transpose() * &mass * &shapes
             - DMatrix::identity(modes.count(), modes.count()))
         .amax();
-        table.record("orthogonality |Uᵀ M U - I| (10 n u)", defect, target, || case.name.clone());
+        table.record(
+            "orthogonality |Uᵀ M U - I| (10 n u)",
+            defect,
+            target,
+            || case.name.clone(),
+        );
         for mode in 0..modes.count() {
             let shape = DVector::from_vec(modes.mode_shape(mode));
             let eigenvalue = modes.eigenvalue(mode);
@@ -273,7 +310,12 @@ pub(super) fn residuals(table: &mut Accuracy) {
             let scale = (spectral_scale(&stiffness) + eigenvalue.abs() * spectral_scale(&mass))
                 * shape.norm();
             if scale > 0.0 {
-                table.record("residual |K u - ω² M u|, of |K| + ω² |M| (10 n u)", rest / scale, target, || case.name.clone());
+                table.record(
+                    "residual |K u - ω² M u|, of |K| + ω² |M| (10 n u)",
+                    rest / scale,
+                    target,
+                    || case.name.clone(),
+                );
             }
         }
     }
