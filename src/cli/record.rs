@@ -10,32 +10,28 @@ use vibank::worksheet::{
 };
 
 use super::Failure;
-use super::files::Draft;
+use super::files::{self, Draft};
+use super::sheet::{Mark, PROGRAM, Shard, Stamp};
 
 /// The two files of a run that grow with each sheet.
 pub(crate) struct Record {
+    name: String,
     manifest: Draft,
-    responses: Draft,
+    /// Only the whole run has a form.
+    responses: Option<Draft>,
     is_first: bool,
 }
 
-/// What is recorded of a sheet.
-pub(crate) struct Entry(VariantEntry);
+/// The name of the form.
+const FORM: &str = "responses.csv";
 
 /// The columns of a response form.
 const COLUMNS: [&str; 7] = [
     "code", "student", "question", "part", "kind", "unit", "response",
 ];
 
-impl Entry {
-    /// A file that was made for the sheet.
-    pub(crate) fn file(&mut self, path: String, digest: String) {
-        self.0.files.insert(path, digest);
-    }
-}
-
 /// What is recorded of a sheet; its files are added when they are written.
-pub(crate) fn entry(sheet: &Sheet<'_>) -> Entry {
+pub(crate) fn entry(sheet: &Sheet<'_>) -> VariantEntry {
     let question = |question: &vibank::worksheet::SheetQuestion<'_>| {
         let solution = &question.solution;
         let template = solution.template();
@@ -82,7 +78,7 @@ pub(crate) fn entry(sheet: &Sheet<'_>) -> Entry {
                 .collect(),
         }
     };
-    Entry(VariantEntry {
+    VariantEntry {
         code: sheet.variant.to_string(),
         seed: sheet.variant.number(),
         student: sheet
@@ -91,59 +87,41 @@ pub(crate) fn entry(sheet: &Sheet<'_>) -> Entry {
             .map(|student| student.columns.clone()),
         files: BTreeMap::new(),
         questions: sheet.questions.iter().map(question).collect(),
-    })
+    }
 }
 
 impl Record {
-    /// Begins both files.
-    pub(crate) fn begin(
+    /// The files of a run that goes on at `mark`.
+    pub(crate) fn open(
         out: &Path,
+        shard: Shard,
+        stamp: &Stamp,
         plan: &Plan<'_>,
         catalogue: &Catalogue,
-        digest: &str,
+        mark: &Mark,
     ) -> Result<Self, Failure> {
-        let blueprint = plan.blueprint;
-        let name = Path::new(&*blueprint.source.path)
-            .file_name()
-            .map(|name| name.to_string_lossy().into_owned());
-        let head = Manifest {
-            format: FORMAT,
-            program: concat!("vibank ", env!("CARGO_PKG_VERSION")).to_owned(),
-            bank: BankStamp {
-                title: catalogue.bank.title.clone(),
-                digest: catalogue.digest(),
-            },
-            blueprint: FileStamp {
-                path: name.unwrap_or_default(),
-                digest: digest.to_owned(),
-            },
-            title: blueprint.title.clone(),
-            data: blueprint.data,
-            language: blueprint.language.clone(),
-            decimal: blueprint.decimal,
-            keyed: plan.secret.is_some(),
-            shard: "1/1".to_owned(),
-            variants: Vec::new(),
-        };
-        let head = serde_json::to_string(&head).expect("a manifest is plain data");
-        let head = head
-            .strip_suffix("]}")
-            .expect("the variants come last, and there are none");
-        let mut manifest = Draft::begin(&out.join("manifest.json"))?;
-        manifest.write(head.as_bytes())?;
-        let mut responses = Draft::begin(&out.join("responses.csv"))?;
-        responses.write(line(&COLUMNS)?.as_slice())?;
+        let name = shard.named("manifest", "json");
+        let draft = |name: &str| Draft::go_on(&out.join(name), mark.length(name));
+        let mut manifest = draft(&name)?;
+        let mut responses = shard.is_whole().then(|| draft(FORM)).transpose()?;
+        let is_first = mark.done == 0;
+        if is_first {
+            manifest.write(head(plan, catalogue, shard, stamp).as_bytes())?;
+            if let Some(form) = &mut responses {
+                form.write(&line(&COLUMNS)?)?;
+            }
+        }
         Ok(Self {
+            name,
             manifest,
             responses,
-            is_first: true,
+            is_first,
         })
     }
 
     /// Adds a sheet.
-    pub(crate) fn add(&mut self, entry: Entry) -> Result<(), Failure> {
-        let Entry(variant) = entry;
-        let text = serde_json::to_string(&variant).expect("an entry is plain data");
+    pub(crate) fn add(&mut self, variant: &VariantEntry) -> Result<(), Failure> {
+        let text = serde_json::to_string(variant).expect("an entry is plain data");
         let before = if std::mem::take(&mut self.is_first) {
             "\n"
         } else {
@@ -151,36 +129,100 @@ impl Record {
         };
         self.manifest.write(before.as_bytes())?;
         self.manifest.write(text.as_bytes())?;
-        let student = variant
-            .student
-            .as_ref()
-            .and_then(|student| student.get("id"))
-            .map_or("", String::as_str);
-        for question in &variant.questions {
-            let number = question.number.to_string();
-            for part in &question.parts {
-                let fields = [
-                    &variant.code,
-                    student,
-                    &number,
-                    &part.letter,
-                    &part.kind,
-                    &part.unit,
-                    "",
-                ];
-                self.responses.write(&line(&fields)?)?;
-            }
+        match &mut self.responses {
+            Some(form) => rows(form, variant),
+            None => Ok(()),
         }
-        Ok(())
     }
 
-    /// Ends both files.
-    pub(crate) fn finish(mut self) -> Result<(), Failure> {
-        self.manifest.write(b"\n]}\n")?;
-        self.manifest.finish()?;
-        self.responses.finish()?;
-        Ok(())
+    /// Hands everything to the system; how long the files are now.
+    pub(crate) fn flush(&mut self) -> Result<Vec<(String, u64)>, Failure> {
+        let mut lengths = vec![(self.name.clone(), self.manifest.flush()?)];
+        if let Some(form) = &mut self.responses {
+            lengths.push((FORM.to_owned(), form.flush()?));
+        }
+        Ok(lengths)
     }
+
+    /// Ends both files, the manifest last, with the digests of the `files` of the run; what they are is told.
+    ///
+    /// The form is not among them: it is there to be filled in.
+    pub(crate) fn finish(
+        mut self,
+        files: &BTreeMap<String, String>,
+    ) -> Result<Vec<(String, &'static str)>, Failure> {
+        let files = serde_json::to_string(files).expect("digests are plain data");
+        let foot = format!("\n],\"files\":{files}}}\n");
+        self.manifest.write(foot.as_bytes())?;
+        let mut shown = Vec::new();
+        if let Some(form) = self.responses {
+            form.finish()?;
+            let what = "form for the answers, filled in and given to `vibank grade`";
+            shown.push((FORM.to_owned(), what));
+        }
+        self.manifest.finish()?;
+        shown.push((self.name, "what marking needs; keep it to yourself"));
+        Ok(shown)
+    }
+}
+
+/// The rows of a sheet in the form.
+fn rows(form: &mut Draft, variant: &VariantEntry) -> Result<(), Failure> {
+    let student = variant
+        .student
+        .as_ref()
+        .and_then(|student| student.get("id"))
+        .map_or("", String::as_str);
+    for question in &variant.questions {
+        let number = question.number.to_string();
+        for part in &question.parts {
+            let fields = [
+                &variant.code,
+                student,
+                &number,
+                &part.letter,
+                &part.kind,
+                &part.unit,
+                "",
+            ];
+            form.write(&line(&fields)?)?;
+        }
+    }
+    Ok(())
+}
+
+/// What stands before the variants.
+fn head(plan: &Plan<'_>, catalogue: &Catalogue, shard: Shard, stamp: &Stamp) -> String {
+    let blueprint = plan.blueprint;
+    let name = Path::new(&*blueprint.source.path)
+        .file_name()
+        .map(|name| name.to_string_lossy().into_owned());
+    let head = Manifest {
+        format: FORMAT,
+        program: PROGRAM.to_owned(),
+        bank: BankStamp {
+            title: catalogue.bank.title.clone(),
+            digest: catalogue.digest(),
+        },
+        blueprint: FileStamp {
+            path: name.unwrap_or_default(),
+            digest: files::digest(blueprint.source.text.as_bytes()),
+        },
+        title: blueprint.title.clone(),
+        data: blueprint.data,
+        language: blueprint.language.clone(),
+        decimal: blueprint.decimal,
+        keyed: plan.secret.is_some(),
+        shard: shard.to_string(),
+        inputs: stamp.inputs.clone(),
+        look: stamp.look.clone(),
+        variants: Vec::new(),
+        files: BTreeMap::new(),
+    };
+    let head = serde_json::to_string(&head).expect("a manifest is plain data");
+    head.strip_suffix("],\"files\":{}}")
+        .expect("variants and files come last, and there are none")
+        .to_owned()
 }
 
 /// One line of CSV.

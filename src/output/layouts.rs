@@ -40,6 +40,7 @@ pub enum OutputError {
 /// The layouts of one format.
 pub struct Layouts {
     tera: Tera,
+    text: String,
     ending: &'static str,
 }
 
@@ -91,11 +92,19 @@ impl Layouts {
         if writer.has_braces() {
             tera.set_delimiters(ANGLES).map_err(fail)?;
         }
+        let text = texts.iter().flat_map(|(name, text)| [&**name, &**text]);
+        let text = text.collect();
         tera.add_raw_templates(texts).map_err(fail)?;
         Ok(Self {
             tera,
+            text,
             ending: writer.layout(),
         })
+    }
+
+    /// All layouts, one after the other.
+    pub(super) fn text(&self) -> &str {
+        &self.text
     }
 
     /// Fills the layout `name`.

@@ -255,6 +255,11 @@ impl Pages {
         self.writer
     }
 
+    /// All that its pages depend on beside their sheets: layouts, and what the run says.
+    pub fn description(&self) -> String {
+        format!("{:?}{}", self.run, self.layouts.text())
+    }
+
     /// What stands before the first page of a file.
     ///
     /// # Errors

@@ -33,8 +33,17 @@ pub struct Manifest {
     pub keyed: bool,
     /// Which part of the run this is, `1/1` for all of it.
     pub shard: String,
+    /// Digest of everything the run depends on: same digest, same bytes.
+    #[serde(default)]
+    pub inputs: String,
+    /// Digest of what pages depend on beside the entries of their sheets.
+    #[serde(default)]
+    pub look: String,
     /// The sheets, in order.
     pub variants: Vec<VariantEntry>,
+    /// The files of the run that are no single sheet's, each with its digest; but for the form, which is filled in.
+    #[serde(default)]
+    pub files: BTreeMap<String, String>,
 }
 
 /// A bank, by title and digest.

@@ -1,8 +1,9 @@
 //! Worksheets: blueprints, variants, the manifest, and the document made of scenes; no format.
 //!
-//! A [`Blueprint`] is what a teacher writes; with the bank it becomes a [`Plan`]. A [`Chooser`] takes
-//! one suitable variant after the other, and each is drawn as a [`Sheet`], which the formats write.
-//! The [`Manifest`] keeps what marking needs. A [`Practice`] is what a self-check page offers.
+//! A [`Blueprint`] is what a teacher writes; with the bank it becomes a [`Plan`]. A [`Chooser`]
+//! proposes and takes suitable variants, each drawn as a [`Sheet`], which the formats write.
+//! The [`Manifest`] keeps what marking needs.
+//! A [`Practice`] is what a self-check page offers.
 
 #[cfg(feature = "render")]
 mod blueprint;
@@ -26,4 +27,4 @@ pub use plan::{Plan, Planned};
 pub use practice::{Practice, PracticeError, PracticeQuestion};
 pub use sheet::{Sheet, SheetQuestion, Student, letter};
 #[cfg(feature = "render")]
-pub use variants::{Chooser, Chosen, SheetError};
+pub use variants::{Candidate, Chooser, SheetError};

@@ -112,6 +112,21 @@ impl<'c> Plan<'c> {
     }
 }
 
+impl Planned<'_> {
+    /// How many different data its items can have, constraints aside; saturates.
+    pub fn instances(&self) -> u64 {
+        let is_free = |name: &str| self.set.iter().all(|(set, _)| set != name);
+        let of_item = |item: &&Template| {
+            let free = item.parameters.iter();
+            let free = free.filter(|parameter| is_free(parameter.name.as_str()));
+            let counts = free.filter_map(|parameter| parameter.grid.map(|grid| grid.count()));
+            counts.fold(1, u64::saturating_mul)
+        };
+        let counts = self.candidates.iter().map(of_item);
+        counts.fold(0, u64::saturating_add)
+    }
+}
+
 struct Planner<'c> {
     blueprint: &'c Blueprint,
     catalogue: &'c Catalogue,

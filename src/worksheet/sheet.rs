@@ -20,6 +20,8 @@ pub struct Sheet<'c> {
 pub struct SheetQuestion<'c> {
     /// Its number, from 1.
     pub number: usize,
+    /// Its place in the plan, from 0; the same in every variant.
+    pub place: usize,
     /// Its data and keys.
     pub solution: Solution<'c>,
     /// The parts that are asked, as places in the item.

@@ -1,4 +1,8 @@
 //! Choosing the variants of a run: the first seeds whose items are all suitable and not repeated.
+//!
+//! Looking at a seed is pure and costs most, so [`Chooser::propose`] can be called from many threads;
+//! [`Chooser::take`] then decides in the order of the run. What is taken does not depend on how many
+//! were proposed at once.
 
 use std::collections::BTreeSet;
 
@@ -11,27 +15,35 @@ use crate::instance::{Instance, InstanceError};
 use crate::numerics::Rational;
 use crate::seed::{Seed, Streams, Variant};
 use crate::solution::Solution;
-use crate::suitability;
+use crate::suitability::{self, Unfit};
 use crate::unit::DecimalMark;
 
-/// Chooses one variant after the other.
+/// Chooses the variants of a run.
 pub struct Chooser<'p, 'c> {
     plan: &'p Plan<'c>,
-    next: u64,
-    /// Digests of the data of earlier variants, question by question.
-    seen: Vec<BTreeSet<u64>>,
+    /// By place in the plan.
+    questions: Vec<Taken>,
     codes: BTreeSet<Variant>,
     /// Seeds that were tried and not taken.
     rejected: u64,
 }
 
-/// A variant that was chosen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Chosen {
-    /// Its place in the run, from 0.
-    pub index: u64,
-    /// Its seed.
-    pub variant: Variant,
+/// What was taken for one question of the plan.
+struct Taken {
+    /// How many different data there are, constraints aside.
+    instances: u64,
+    /// Digests of those that were taken.
+    data: BTreeSet<u64>,
+}
+
+/// A variant that can be taken.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Candidate {
+    index: u64,
+    attempt: u64,
+    variant: Variant,
+    /// Digests of the data, by place in the plan.
+    data: Vec<u64>,
 }
 
 /// Why a run cannot be made.
@@ -50,6 +62,15 @@ pub enum SheetError {
     },
 }
 
+/// Why a seed is not taken.
+#[derive(Debug, thiserror::Error)]
+enum Objection {
+    #[error("its data repeat an earlier variant")]
+    Repeats,
+    #[error(transparent)]
+    Unfit(#[from] Unfit),
+}
+
 /// Seeds tried for one variant before a repetition is accepted, and before giving up.
 const TRIES_AGAINST_REPETITION: u64 = 60;
 const MOST_TRIES: u64 = 400;
@@ -57,11 +78,13 @@ const MOST_TRIES: u64 = 400;
 impl<'p, 'c> Chooser<'p, 'c> {
     /// A chooser at the first variant of a plan.
     pub fn new(plan: &'p Plan<'c>) -> Self {
-        let seen = plan.questions.iter().map(|_| BTreeSet::new()).collect();
+        let taken = |planned: &Planned<'_>| Taken {
+            instances: planned.instances(),
+            data: BTreeSet::new(),
+        };
         Self {
             plan,
-            next: 0,
-            seen,
+            questions: plan.questions.iter().map(taken).collect(),
             codes: BTreeSet::new(),
             rejected: 0,
         }
@@ -72,54 +95,94 @@ impl<'p, 'c> Chooser<'p, 'c> {
         self.rejected
     }
 
-    /// The next variant.
+    /// The first attempt at the variant `index`, not before `from`, that is suitable and repeats nothing that was
+    /// taken so far.
     ///
     /// # Errors
     ///
     /// [`SheetError`].
-    pub fn choose(&mut self) -> Result<Chosen, SheetError> {
-        let index = self.next;
-        let mut last = String::new();
-        for attempt in 0..MOST_TRIES {
+    pub fn propose(&self, index: u64, from: u64) -> Result<(Candidate, Sheet<'c>), SheetError> {
+        let mut last = None;
+        for attempt in from..MOST_TRIES {
             let variant = self.plan.variant(index, attempt);
             let sheet = Sheet::draw(self.plan, variant, None)?;
-            let digests: Vec<u64> = sheet
-                .questions
-                .iter()
-                .map(|question| digest(&question.solution))
-                .collect();
-            let repeats = digests
-                .iter()
-                .zip(&self.seen)
-                .any(|(digest, seen)| seen.contains(digest));
-            let is_fresh =
-                !self.codes.contains(&variant) && (!repeats || attempt >= TRIES_AGAINST_REPETITION);
-            let unfit = sheet
-                .questions
-                .iter()
-                .find_map(|question| suitability::judge(&question.solution, &question.parts).err());
-            match unfit {
-                None if is_fresh => {
-                    self.next += 1;
-                    self.codes.insert(variant);
-                    self.seen
-                        .iter_mut()
-                        .zip(digests)
-                        .for_each(|(seen, digest)| {
-                            seen.insert(digest);
-                        });
-                    return Ok(Chosen { index, variant });
-                }
-                None => "its data repeat an earlier variant".clone_into(&mut last),
-                Some(unfit) => last = unfit.to_string(),
+            let mut data = vec![0; sheet.questions.len()];
+            for question in &sheet.questions {
+                data[question.place] = digest(&question.solution);
             }
-            self.rejected += 1;
+            let candidate = Candidate {
+                index,
+                attempt,
+                variant,
+                data,
+            };
+            match self.accepts(&candidate).and_then(|()| judge(&sheet)) {
+                Ok(()) => return Ok((candidate, sheet)),
+                Err(objection) => last = Some(objection),
+            }
         }
         Err(SheetError::NoVariant {
             attempts: MOST_TRIES,
-            reason: last,
+            reason: last.map_or_else(String::new, |objection| objection.to_string()),
         })
     }
+
+    /// Takes a candidate, unless it repeats what was taken since it was proposed; then another has to be proposed,
+    /// from its [next attempt](Candidate::next_attempt).
+    pub fn take(&mut self, candidate: &Candidate) -> bool {
+        if self.accepts(candidate).is_err() {
+            return false;
+        }
+        for (question, data) in self.questions.iter_mut().zip(&candidate.data) {
+            question.data.insert(*data);
+        }
+        self.codes.insert(candidate.variant);
+        self.rejected += candidate.attempt;
+        true
+    }
+
+    fn accepts(&self, candidate: &Candidate) -> Result<(), Objection> {
+        let mut pairs = self.questions.iter().zip(&candidate.data);
+        let repeats = pairs.any(|(question, data)| question.repeats(*data));
+        if self.codes.contains(&candidate.variant)
+            || (repeats && candidate.attempt < TRIES_AGAINST_REPETITION)
+        {
+            return Err(Objection::Repeats);
+        }
+        Ok(())
+    }
+}
+
+impl Taken {
+    /// Whether data were taken before, while there are others.
+    fn repeats(&self, data: u64) -> bool {
+        self.data.contains(&data) && (self.data.len() as u64) < self.instances
+    }
+}
+
+impl Candidate {
+    /// Its place in the run, from 0.
+    pub fn index(&self) -> u64 {
+        self.index
+    }
+
+    /// Its seed.
+    pub fn variant(&self) -> Variant {
+        self.variant
+    }
+
+    /// The attempt after this one.
+    pub fn next_attempt(&self) -> u64 {
+        self.attempt + 1
+    }
+}
+
+/// Whether all questions of a sheet are fit to hand out.
+fn judge(sheet: &Sheet<'_>) -> Result<(), Objection> {
+    for question in &sheet.questions {
+        suitability::judge(&question.solution, &question.parts)?;
+    }
+    Ok(())
 }
 
 /// A digest of the item and data of a question.
@@ -168,6 +231,7 @@ impl<'c> Sheet<'c> {
             let number = questions.len() + 1;
             questions.push(question(
                 number,
+                place,
                 planned,
                 Solution::with_mark(instance, mark),
             ));
@@ -214,7 +278,12 @@ fn pick<'c>(
 }
 
 /// A question with its parts and their points.
-fn question<'c>(number: usize, planned: &Planned<'c>, solution: Solution<'c>) -> SheetQuestion<'c> {
+fn question<'c>(
+    number: usize,
+    place: usize,
+    planned: &Planned<'c>,
+    solution: Solution<'c>,
+) -> SheetQuestion<'c> {
     let all = &solution.template().parts;
     let is_asked = |place: &usize| {
         let wanted = planned.parts.is_empty() || planned.parts.contains(&all[*place].id);
@@ -236,6 +305,7 @@ fn question<'c>(number: usize, planned: &Planned<'c>, solution: Solution<'c>) ->
     let points = parts.iter().map(share).collect();
     SheetQuestion {
         number,
+        place,
         solution,
         parts,
         points,

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
+use std::process::{Command, Stdio};
 
 use super::{BANK, blueprint, content, folder, put, small, text_of, vibank};
 
@@ -272,4 +273,165 @@ fn a_blueprint_that_asks_for_what_is_not_there_is_refused_with_its_place() {
     refused(&blueprint("seed = 1\nvariants = 1\nformats = [\"docx\"]")).complains("docx");
     refused(&blueprint("seed = 1\nvariant = 1")).complains("did you mean `variants`?");
     let _ = vibank(&["sheet", "/dev/null", "--bank", BANK]).ends(2);
+}
+
+/// When each file of a folder was written.
+fn times(folder: &Path) -> BTreeMap<String, std::time::SystemTime> {
+    let names = files(folder).into_keys();
+    let time = |name: &String| {
+        let file = fs::metadata(folder.join(name)).expect("the file is there");
+        file.modified().expect("the system keeps times")
+    };
+    names.map(|name| (name.clone(), time(&name))).collect()
+}
+
+#[test]
+fn a_run_that_was_killed_is_gone_on_with() {
+    let folder = folder("killed");
+    let top = "seed = 11\nvariants = 500\nformats = [\"html\", \"json\"]";
+    let plan = put(&folder, "test.toml", blueprint(top));
+    let whole = folder.join("whole");
+    small(&["sheet", &plan, "--out", &text_of(&whole)]).ends(0);
+    for more in [&[][..], &["--split"]] {
+        let out = folder.join(if more.is_empty() { "out" } else { "split" });
+        let arguments = [
+            &["sheet", &plan, "--out", &text_of(&out), "--bank", BANK],
+            more,
+        ]
+        .concat();
+        let mut child = Command::new(env!("CARGO_BIN_EXE_vibank"))
+            .args(&arguments)
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("the program starts");
+        let ledger = out.join(".sheet.run");
+        let has_begun = || fs::read(&ledger).is_ok_and(|text| text.contains(&b'4'));
+        while !has_begun() && child.try_wait().expect("it can be asked").is_none() {
+            std::thread::yield_now();
+        }
+        let _ = child.kill();
+        child.wait().expect("it ends");
+        assert!(
+            !out.join("manifest.json").exists(),
+            "the manifest is the last file, and was there before the run was killed"
+        );
+        vibank(&arguments).ends(0).says("500 sheets");
+        let found = files(&out);
+        assert!(
+            !found
+                .keys()
+                .any(|name| name.contains("/.") || name.starts_with('.'))
+        );
+        if more.is_empty() {
+            assert_eq!(found, files(&whole));
+        } else {
+            let direct = folder.join("split-whole");
+            small(&[&["sheet", &plan, "--out", &text_of(&direct)], more].concat()).ends(0);
+            assert_eq!(found, files(&direct));
+        }
+    }
+}
+
+#[test]
+fn what_would_come_out_the_same_is_left_as_it_is() {
+    let folder = folder("unchanged");
+    let run = |count: usize, more: &[&str]| {
+        let top = format!("seed = 4\nvariants = {count}");
+        let plan = put(&folder, "test.toml", blueprint(&top));
+        let out = text_of(&folder.join("out"));
+        small(&[&["sheet", &plan, "--out", &out], more].concat()).ends(0)
+    };
+    let out = folder.join("out");
+    run(5, &["--split"]);
+    let (first, made) = (times(&out), files(&out));
+    run(5, &["--split"]).complains("5 sheets unchanged");
+    assert_eq!(times(&out), first, "nothing was written");
+
+    // A sheet that is lost is made again, and no other.
+    let lost = made.keys().find(|name| name.starts_with("sheets/"));
+    let lost = lost.expect("there are sheets");
+    fs::remove_file(out.join(lost)).expect("it is there");
+    run(5, &["--split"]).complains("4 sheets unchanged");
+    assert_eq!(files(&out), made);
+    let again = times(&out);
+    let kept = made
+        .keys()
+        .filter(|name| name.contains('/') && !name.contains(&lost[7..18]));
+    assert_eq!(kept.clone().count(), 4 * 3);
+    for name in kept {
+        assert_eq!(again[name], first[name], "{name} was written again");
+    }
+
+    // Further variants leave the first ones alone; fewer leave nothing behind.
+    run(7, &["--split"]).complains("5 sheets unchanged");
+    run(5, &["--split"]).complains("5 sheets unchanged");
+    assert_eq!(files(&out), made);
+
+    // A form that was filled in is no reason to make the sheets again.
+    put(&out, "responses.csv", "filled in");
+    run(5, &["--split"]).complains("5 sheets unchanged");
+    assert_eq!(content(out.join("responses.csv")), "filled in");
+
+    // Another layout makes all of them again.
+    put(
+        &folder,
+        "own/html/end.html",
+        "</body>\n</html>\n<!-- own -->\n",
+    );
+    let layouts = text_of(&folder.join("own"));
+    let ran = run(5, &["--split", "--layouts", &layouts]);
+    assert!(!ran.err.contains("unchanged"), "{}", ran.err);
+}
+
+#[test]
+fn shards_merge_into_one_folder() {
+    let folder = folder("shards");
+    let top = "seed = 21\nvariants = 90\nformats = [\"html\", \"md\"]";
+    let plan = put(&folder, "test.toml", blueprint(top));
+    let out = text_of(&folder.join("out"));
+    for (shard, count) in [("3/4", 22), ("1/4", 22), ("4/4", 23), ("2/4", 23)] {
+        let ran = small(&["sheet", &plan, "--out", &out, "--shard", shard]).ends(0);
+        ran.says(&format!("{count} sheets"));
+    }
+    small(&["sheet", &plan, "--out", &out, "--split"])
+        .ends(0)
+        .complains("90 sheets unchanged");
+    let direct = folder.join("direct");
+    small(&["sheet", &plan, "--out", &text_of(&direct), "--split"]).ends(0);
+    assert_eq!(files(&folder.join("out")), files(&direct));
+    for wrong in ["0/4", "5/4", "x"] {
+        small(&["sheet", &plan, "--shard", wrong])
+            .ends(2)
+            .complains("--shard");
+    }
+}
+
+#[test]
+fn a_folder_that_another_run_writes_to_is_left_to_it() {
+    let folder = folder("locked");
+    let plan = put(&folder, "test.toml", blueprint("seed = 1\nvariants = 1"));
+    let ledger = put(&folder, "out/.sheet.run", "");
+    let held = fs::File::open(&ledger).expect("the ledger is there");
+    held.lock().expect("it can be locked");
+    small(&["sheet", &plan, "--out", &text_of(&folder.join("out"))])
+        .ends(2)
+        .complains("another run");
+    held.unlock().expect("it can be unlocked");
+    small(&["sheet", &plan, "--out", &text_of(&folder.join("out"))]).ends(0);
+}
+
+#[test]
+fn a_run_sums_itself_up_for_programs() {
+    let folder = folder("summary");
+    let plan = put(&folder, "test.toml", blueprint("seed = 1\nvariants = 2"));
+    let out = text_of(&folder.join("out"));
+    let ran = small(&["sheet", &plan, "--out", &out, "--format", "json"]).ends(0);
+    let summary = &ran.lines()[0];
+    assert_eq!(
+        (&summary["sheets"], &summary["questions"]),
+        (&2.into(), &3.into())
+    );
+    let files = summary["files"].as_array().expect("it lists files");
+    assert!(files.contains(&"manifest.json".into()));
 }

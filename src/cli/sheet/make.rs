@@ -1,0 +1,227 @@
+//! Making the sheets: chosen in order, written by all cores, kept in order.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
+use std::path::Path;
+
+use indicatif::ProgressBar;
+use rayon::prelude::*;
+use vibank::worksheet::{Candidate, Chooser, Plan, Sheet, SheetError, Student, VariantEntry};
+
+use super::known::Alike;
+use super::ledger::{Ledger, Mark};
+use super::outputs::{Format, Outputs, Written};
+use crate::cli::record::{self, Record};
+use crate::cli::{Failure, progress};
+
+/// Sheets that are made at once; memory holds no more than twice as many.
+const CHUNK: usize = 64;
+
+/// What making a sheet needs to know.
+pub(super) struct Job<'a, 'c> {
+    pub(super) plan: &'a Plan<'c>,
+    pub(super) students: &'a [Student],
+    pub(super) formats: &'a [Format],
+    pub(super) known: Alike<'a>,
+    pub(super) out: &'a Path,
+    pub(super) is_split: bool,
+}
+
+/// Where sheets are kept.
+pub(super) struct Store<'f> {
+    pub(super) ledger: Ledger,
+    pub(super) outputs: Outputs<'f>,
+    pub(super) record: Record,
+}
+
+/// What a run made.
+pub(super) struct Made {
+    pub(super) sheets: usize,
+    pub(super) unchanged: usize,
+    pub(super) rejected: u64,
+    /// All files.
+    pub(super) files: BTreeSet<String>,
+    /// What to tell of them, each with what it is.
+    pub(super) shown: Vec<(String, &'static str)>,
+}
+
+/// A candidate with what it gives if it is taken.
+struct Draft {
+    candidate: Candidate,
+    /// Nothing where the sheet is another run's or an earlier one's.
+    page: Option<Page>,
+}
+
+struct Page {
+    entry: VariantEntry,
+    is_kept: bool,
+    written: Vec<Written>,
+}
+
+impl Job<'_, '_> {
+    /// Makes the sheets of a share, from where an interrupted run has stopped.
+    ///
+    /// All sheets before are chosen again, which is quick, since what is taken depends on what was taken before.
+    pub(super) fn make(
+        &self,
+        share: Range<usize>,
+        mark: &Mark,
+        mut store: Store<'_>,
+    ) -> Result<Made, Failure> {
+        let bar = progress::bar(share.len() as u64, "sheets");
+        let mut chooser = Chooser::new(self.plan);
+        let first = share.start + mark.done;
+        let mut made = Made {
+            sheets: share.len(),
+            unchanged: 0,
+            rejected: 0,
+            files: BTreeSet::new(),
+            shown: Vec::new(),
+        };
+        bar.inc(mark.done as u64);
+        let mut drafts = self.propose(&chooser, chunk(0, first, share.end), first, &bar)?;
+        let mut done = 0;
+        while !drafts.is_empty() {
+            let settled = self.settle(&mut chooser, drafts, first)?;
+            done += settled.len();
+            let pages: Vec<Page> = settled.into_iter().flatten().collect();
+            let next = chunk(done, first, share.end);
+            let (kept, proposed) = rayon::join(
+                || store.keep(pages, done.saturating_sub(share.start), &mut made),
+                || self.propose(&chooser, next, first, &bar),
+            );
+            kept?;
+            drafts = proposed?;
+        }
+        bar.finish_and_clear();
+        made.rejected = chooser.rejected();
+        store.finish(&mut made)?;
+        Ok(made)
+    }
+
+    /// Looks for a suitable seed for each of some places, and writes those from `first` on.
+    fn propose(
+        &self,
+        chooser: &Chooser<'_, '_>,
+        places: Range<usize>,
+        first: usize,
+        bar: &ProgressBar,
+    ) -> Result<Vec<Draft>, Failure> {
+        let propose = |place: usize| {
+            let draft = self.draft(chooser, place as u64, 0, first)?;
+            bar.inc(u64::from(draft.page.is_some()));
+            Ok(draft)
+        };
+        places.into_par_iter().map(propose).collect()
+    }
+
+    /// Takes the candidates in order; one that repeats another of them gives way to the next attempt.
+    fn settle(
+        &self,
+        chooser: &mut Chooser<'_, '_>,
+        drafts: Vec<Draft>,
+        first: usize,
+    ) -> Result<Vec<Option<Page>>, Failure> {
+        let mut pages = Vec::with_capacity(drafts.len());
+        for mut draft in drafts {
+            while !chooser.take(&draft.candidate) {
+                let (index, from) = (draft.candidate.index(), draft.candidate.next_attempt());
+                draft = self.draft(chooser, index, from, first)?;
+            }
+            pages.push(draft.page);
+        }
+        Ok(pages)
+    }
+
+    fn draft(
+        &self,
+        chooser: &Chooser<'_, '_>,
+        index: u64,
+        from: u64,
+        first: usize,
+    ) -> Result<Draft, Failure> {
+        let (candidate, mut sheet) = chooser
+            .propose(index, from)
+            .map_err(|error| refuse(&error))?;
+        let place = index as usize;
+        let page = if place < first {
+            None
+        } else {
+            sheet.student = self.students.get(place).cloned();
+            Some(self.page(&sheet)?)
+        };
+        Ok(Draft { candidate, page })
+    }
+
+    fn page(&self, sheet: &Sheet<'_>) -> Result<Page, Failure> {
+        let mut entry = record::entry(sheet);
+        let held = self
+            .is_split
+            .then(|| self.known.files(self.out, &entry))
+            .flatten();
+        let is_kept = held.is_some();
+        let formats = self.formats.iter();
+        let written = formats
+            .map(|format| format.write(sheet, is_kept, self.out))
+            .collect::<Result<_, _>>()?;
+        entry.files = held.cloned().unwrap_or_default();
+        Ok(Page {
+            entry,
+            is_kept,
+            written,
+        })
+    }
+}
+
+/// The next places from `done` on: whole chunks from `first`, so that a run that goes on has the same ones.
+fn chunk(done: usize, first: usize, end: usize) -> Range<usize> {
+    let last = if done < first {
+        first.min(done + CHUNK)
+    } else {
+        done + CHUNK
+    };
+    done..last.min(end)
+}
+
+impl Store<'_> {
+    /// Keeps some sheets; after them `done` are written.
+    fn keep(&mut self, pages: Vec<Page>, done: usize, made: &mut Made) -> Result<(), Failure> {
+        if pages.is_empty() {
+            return Ok(());
+        }
+        let mut tables = self.outputs.tables();
+        for page in pages {
+            let mut entry = page.entry;
+            made.unchanged += usize::from(page.is_kept);
+            let files = self.outputs.add(page.written, &mut tables)?;
+            entry.files.extend(files);
+            made.files.extend(entry.files.keys().cloned());
+            self.record.add(&entry)?;
+        }
+        self.outputs.add_tables(&tables)?;
+        let mut bytes = self.outputs.flush()?;
+        bytes.extend(self.record.flush()?);
+        self.ledger.note(Mark { done, bytes })
+    }
+
+    /// Completes all files, the manifest last.
+    fn finish(self, made: &mut Made) -> Result<(), Failure> {
+        let mut digests = BTreeMap::new();
+        for finished in self.outputs.finish()? {
+            if let Some(digest) = finished.digest {
+                digests.insert(finished.name.clone(), digest);
+            }
+            made.shown.push((finished.name, finished.what));
+        }
+        made.shown.extend(self.record.finish(&digests)?);
+        made.files.extend(digests.into_keys());
+        self.ledger.close();
+        Ok(())
+    }
+}
+
+/// A run that cannot be made.
+pub(super) fn refuse(error: &SheetError) -> Failure {
+    Failure::new(error.to_string())
+        .help("loosen the constraints of the item, or fix other data with `set`")
+}

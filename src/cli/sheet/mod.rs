@@ -1,0 +1,236 @@
+//! `vibank sheet BLUEPRINT`
+
+mod known;
+mod ledger;
+mod make;
+mod outputs;
+mod shard;
+mod stamp;
+mod trace;
+
+use std::path::{Path, PathBuf};
+
+use serde_json::json;
+use vibank::seed::Secret;
+use vibank::source::Source;
+use vibank::worksheet::{Audience, Blueprint, Plan, Student};
+
+pub(crate) use self::ledger::Mark;
+pub(crate) use self::shard::Shard;
+pub(crate) use self::stamp::{PROGRAM, Stamp};
+
+use self::known::Known;
+use self::ledger::Ledger;
+use self::make::{Job, Made};
+use self::outputs::Outputs;
+use super::bank::{self, BankArgument};
+use super::record::Record;
+use super::{Failure, Format, Outcome, class_list, files};
+
+/// Make the sheets of a blueprint, with keys, worked solutions, a response form and a manifest.
+///
+/// A run that was interrupted is gone on with, and what is there already and would come out the same is left
+/// as it is.
+///
+/// Example: vibank sheet examples/midterm.toml --out midterm
+#[derive(clap::Args)]
+pub(crate) struct Arguments {
+    /// The blueprint; `vibank new sheet FILE` begins one.
+    blueprint: PathBuf,
+    /// The folder to write to; named after the blueprint if left out.
+    #[arg(long, value_name = "FOLDER")]
+    out: Option<PathBuf>,
+    /// A file for each sheet, in place of one file for all.
+    #[arg(long)]
+    split: bool,
+    /// Make one part of the sheets, such as 2/4, with `--split`; then a run without it joins the parts.
+    #[arg(long, value_name = "I/N", default_value_t)]
+    shard: Shard,
+    /// A folder with page layouts of your own, `FORMAT/worksheet.EXT` and so on.
+    #[arg(long, value_name = "FOLDER")]
+    layouts: Option<PathBuf>,
+    /// How many threads work; all cores if left out.
+    #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u16).range(1..=512))]
+    threads: Option<u16>,
+    /// How the summary is printed.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+    /// Print what the first sheet computed and what it did not.
+    #[arg(long)]
+    trace: bool,
+    #[command(flatten)]
+    bank: BankArgument,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let path = &arguments.blueprint;
+    let source = Source::new(path.display().to_string(), files::read(path)?);
+    let blueprint = match Blueprint::read(&source) {
+        Ok(blueprint) => blueprint,
+        Err(findings) => return bank::refuse(&findings),
+    };
+    let catalogue = arguments.bank.catalogue()?;
+    let folder = path.parent().unwrap_or(Path::new("."));
+    let secret = blueprint.secret.as_ref();
+    let secret = secret.map(|file| read_secret(&folder.join(&file.value)));
+    let plan = match Plan::of(&blueprint, &catalogue, secret.transpose()?) {
+        Ok(plan) => plan,
+        Err(findings) => return bank::refuse(&findings),
+    };
+    let students = students(&blueprint, folder)?;
+    let count = match blueprint.audience {
+        Audience::Variants(count) => count,
+        Audience::Students(_) => students.len(),
+    };
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(arguments.threads.map_or(0, usize::from))
+        .build();
+    let pool = pool.map_err(|error| Failure::new(format!("cannot start threads: {error}")))?;
+    let run = Run {
+        arguments,
+        plan: &plan,
+        students: &students,
+        out: &out(arguments),
+        is_split: arguments.split || !arguments.shard.is_whole(),
+    };
+    let summary = pool.install(|| run.make(&catalogue, count))?;
+    if arguments.trace {
+        trace::first_sheet(&plan)?;
+    }
+    summary.print(arguments, &plan);
+    Ok(Outcome::Done)
+}
+
+/// One run: what it makes of what, and where.
+struct Run<'a, 'c> {
+    arguments: &'a Arguments,
+    plan: &'a Plan<'c>,
+    students: &'a [Student],
+    out: &'a Path,
+    is_split: bool,
+}
+
+impl Run<'_, '_> {
+    fn make(&self, catalogue: &vibank::bank::Catalogue, count: usize) -> Result<Summary, Failure> {
+        let shard = self.arguments.shard;
+        let layouts = self.arguments.layouts.as_deref();
+        let formats = outputs::formats(self.plan.blueprint, layouts, self.is_split)?;
+        let stamp =
+            Stamp::of(self.plan, self.students, catalogue, &formats).for_run(self.is_split, shard);
+        let known = Known::in_folder(self.out);
+        if known.is_current(self.out, shard, &stamp) {
+            return Ok(Summary::unchanged(self.out, shard.share(count).len()));
+        }
+        let share = shard.share(count);
+        let (ledger, mark) = Ledger::open(self.out, shard, &stamp.inputs)?;
+        let outputs = Outputs::open(&formats, self.out, shard, &mark)?;
+        let record = Record::open(self.out, shard, &stamp, self.plan, catalogue, &mark)?;
+        let job = Job {
+            plan: self.plan,
+            students: self.students,
+            formats: &formats,
+            known: known.for_look(&stamp.look),
+            out: self.out,
+            is_split: self.is_split,
+        };
+        let made = job.make(
+            share,
+            &mark,
+            make::Store {
+                ledger,
+                outputs,
+                record,
+            },
+        )?;
+        known.tidy(self.out, shard, &made.files);
+        Ok(Summary::of(self.out, made))
+    }
+}
+
+/// What a run tells in the end.
+struct Summary {
+    folder: PathBuf,
+    sheets: usize,
+    /// Sheets whose files were there and are left as they are.
+    unchanged: usize,
+    rejected: u64,
+    /// Each with what it is.
+    files: Vec<(String, &'static str)>,
+}
+
+impl Summary {
+    fn of(out: &Path, made: Made) -> Self {
+        Self {
+            folder: out.to_owned(),
+            sheets: made.sheets,
+            unchanged: made.unchanged,
+            rejected: made.rejected,
+            files: made.shown,
+        }
+    }
+
+    fn unchanged(out: &Path, count: usize) -> Self {
+        Self {
+            folder: out.to_owned(),
+            sheets: count,
+            unchanged: count,
+            rejected: 0,
+            files: Vec::new(),
+        }
+    }
+
+    fn print(&self, arguments: &Arguments, plan: &Plan<'_>) {
+        if arguments.format == Format::Json {
+            let files = self.files.iter().map(|(file, _)| file);
+            let summary = json!({
+                "folder": self.folder,
+                "sheets": self.sheets,
+                "unchanged": self.unchanged,
+                "questions": plan.questions.len(),
+                "rejected": self.rejected,
+                "files": files.collect::<Vec<_>>(),
+            });
+            return println!("{summary}");
+        }
+        let counted = |count: usize, thing: &str| {
+            let plural = if count == 1 { "" } else { "s" };
+            format!("{count} {thing}{plural}")
+        };
+        println!(
+            "{} of {} in {}",
+            counted(self.sheets, "sheet"),
+            counted(plan.questions.len(), "question"),
+            self.folder.display()
+        );
+        for (file, what) in &self.files {
+            println!("  {file:<18} {what}");
+        }
+        if self.unchanged > 0 {
+            eprintln!("{} unchanged", counted(self.unchanged, "sheet"));
+        }
+        if self.rejected > 0 {
+            let were = if self.rejected == 1 { "was" } else { "were" };
+            let seeds = counted(self.rejected as usize, "seed");
+            eprintln!("{seeds} {were} not suitable and passed over");
+        }
+    }
+}
+
+/// The folder to write to.
+fn out(arguments: &Arguments) -> PathBuf {
+    let name = || arguments.blueprint.file_stem().unwrap_or("sheet".as_ref());
+    arguments.out.clone().unwrap_or_else(|| name().into())
+}
+
+fn students(blueprint: &Blueprint, folder: &Path) -> Result<Vec<Student>, Failure> {
+    match &blueprint.audience {
+        Audience::Variants(_) => Ok(Vec::new()),
+        Audience::Students(list) => class_list::read(&folder.join(&list.value)),
+    }
+}
+
+/// The contents of a secret file.
+fn read_secret(path: &Path) -> Result<Secret, Failure> {
+    let bytes = files::read_bytes(path)?;
+    Secret::new(&bytes).map_err(|error| Failure::new(format!("`{}`: {error}", path.display())))
+}

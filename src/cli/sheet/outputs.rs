@@ -1,0 +1,417 @@
+//! The files of a run: one for all sheets of a format and kind, or one for each sheet.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+
+use vibank::output::{self, KeyRow, KeyTable, Kind, Pages, Run};
+use vibank::worksheet::{Blueprint, Sheet};
+
+use super::ledger::Mark;
+use super::shard::Shard;
+use crate::cli::Failure;
+use crate::cli::files::{self, Draft};
+
+/// How sheets are written in one format.
+pub(crate) enum Format {
+    /// By page layouts.
+    Pages(Laid),
+    /// One line of JSON for each sheet.
+    Json,
+}
+
+/// A format with page layouts.
+pub(crate) struct Laid {
+    pages: Pages,
+    /// What is made, with what stands before its first page.
+    kinds: Vec<(Kind, String)>,
+    /// What stands before the table with the answers of all variants, if it is made.
+    table: Option<String>,
+    end: String,
+    /// Whether each sheet is a file of its own.
+    is_split: bool,
+    /// The figures that are files of their own and were written, with their digests.
+    pictures: Mutex<BTreeMap<String, String>>,
+}
+
+/// What one sheet gives in one format.
+pub(crate) enum Written {
+    /// Its pages, and a row of the table of keys.
+    Pages(Vec<Leaf>, Option<KeyRow>),
+    /// Its files are there already; the row of the table.
+    Kept(Option<KeyRow>),
+    /// A line.
+    Json(String),
+}
+
+/// A page: for the file of its kind, or written to one of its own.
+pub(crate) struct Leaf {
+    text: Vec<u8>,
+    /// The files that were written, with their digests.
+    files: BTreeMap<String, String>,
+}
+
+/// The formats of a blueprint; `layouts` is a folder of the user.
+pub(super) fn formats(
+    blueprint: &Blueprint,
+    layouts: Option<&Path>,
+    is_split: bool,
+) -> Result<Vec<Format>, Failure> {
+    let format = |name: &str| {
+        if name == "json" {
+            return Ok(Format::Json);
+        }
+        Laid::of(name, blueprint, layouts, is_split).map(Format::Pages)
+    };
+    let names = blueprint.formats.iter();
+    names.map(|name| format(&name.value)).collect()
+}
+
+impl Format {
+    /// All that its pages depend on beside the sheet.
+    pub(super) fn description(&self) -> String {
+        match self {
+            Self::Json => "json".to_owned(),
+            Self::Pages(laid) => {
+                let begins = laid.kinds.iter().map(|(_, begin)| begin.as_str());
+                let begins: String = begins.chain(laid.table.as_deref()).collect();
+                format!("{}{begins}{}", laid.pages.description(), laid.end)
+            }
+        }
+    }
+
+    /// What a sheet gives; with `is_kept` its pages are there already.
+    pub(super) fn write(
+        &self,
+        sheet: &Sheet<'_>,
+        is_kept: bool,
+        out: &Path,
+    ) -> Result<Written, Failure> {
+        let laid = match self {
+            Self::Json => return Ok(Written::Json(format!("{}\n", output::json(sheet)))),
+            Self::Pages(laid) => laid,
+        };
+        let row = laid.table.as_ref().map(|_| laid.pages.key_row(sheet));
+        if is_kept {
+            return Ok(Written::Kept(row));
+        }
+        let kinds = laid.kinds.iter();
+        let leaves = kinds.map(|(kind, begin)| laid.leaf(*kind, begin, sheet, out));
+        Ok(Written::Pages(leaves.collect::<Result<_, _>>()?, row))
+    }
+}
+
+impl Laid {
+    fn of(
+        name: &str,
+        blueprint: &Blueprint,
+        layouts: Option<&Path>,
+        is_split: bool,
+    ) -> Result<Self, Failure> {
+        let writer = output::writer(name).ok_or_else(|| unknown_format(name))?;
+        let own = own_layouts(layouts, writer.name())?;
+        let pages = Pages::new(writer, Run::of(blueprint, writer), &own).map_err(unfilled)?;
+        let mut kinds = vec![Kind::Sheet];
+        kinds.extend(blueprint.keys.each.then_some(Kind::Key));
+        kinds.extend(blueprint.solutions.then_some(Kind::Solutions));
+        let begin = |kind| Ok((kind, pages.begin(Pages::subtitle(kind))?));
+        let kinds = kinds.into_iter().map(begin).collect::<Result<_, _>>();
+        let table = blueprint.keys.table.then(|| pages.begin(TABLE)).transpose();
+        Ok(Self {
+            kinds: kinds.map_err(unfilled)?,
+            table: table.map_err(unfilled)?,
+            end: pages.end().map_err(unfilled)?,
+            is_split: is_split || writer.is_bound(),
+            pictures: Mutex::default(),
+            pages,
+        })
+    }
+
+    fn extension(&self) -> &'static str {
+        self.pages.writer().extension()
+    }
+
+    fn leaf(
+        &self,
+        kind: Kind,
+        begin: &str,
+        sheet: &Sheet<'_>,
+        out: &Path,
+    ) -> Result<Leaf, Failure> {
+        let page = self.pages.page(kind, sheet).map_err(unfilled)?;
+        let mut files = BTreeMap::new();
+        for (name, svg) in &page.pictures {
+            files.insert(name.clone(), self.place(name, svg, out)?);
+        }
+        if !self.is_split {
+            let text = page.text.into_bytes();
+            return Ok(Leaf { text, files });
+        }
+        let whole = format!("{begin}{}{}", page.text, self.end);
+        let bytes = self.pages.writer().bind(whole).map_err(unfilled)?;
+        let inside = format!("{}/{}.{}", kind.folder(), sheet.variant, self.extension());
+        files::write(&out.join(&inside), &bytes)?;
+        files.insert(inside, files::digest(&bytes));
+        let text = Vec::new();
+        Ok(Leaf { text, files })
+    }
+
+    /// Writes a figure that is a file of its own, once: its name says what is in it. Its digest is told.
+    fn place(&self, name: &str, svg: &str, out: &Path) -> Result<String, Failure> {
+        let mut placed = self
+            .pictures
+            .lock()
+            .unwrap_or_else(std::sync::PoisonError::into_inner);
+        if let Some(digest) = placed.get(name) {
+            return Ok(digest.clone());
+        }
+        let bytes = self.pages.writer().picture(svg).map_err(unfilled)?;
+        files::write(&out.join(name), &bytes)?;
+        let digest = files::digest(&bytes);
+        placed.insert(name.to_owned(), digest.clone());
+        Ok(digest)
+    }
+}
+
+/// What the page with all keys is called.
+const TABLE: &str = "answers of all variants";
+
+fn unfilled(error: output::OutputError) -> Failure {
+    Failure::new(error.to_string())
+}
+
+/// The files of a run, while it lasts.
+pub(super) struct Outputs<'f> {
+    formats: Vec<Files<'f>>,
+}
+
+/// The files of one format.
+enum Files<'f> {
+    Pages {
+        laid: &'f Laid,
+        /// One for each kind; none where each sheet has its own.
+        streams: Vec<Option<Stream>>,
+        table: Option<Stream>,
+    },
+    Json(Stream),
+}
+
+/// A file that grows with each sheet.
+struct Stream {
+    path: PathBuf,
+    name: String,
+    draft: Draft,
+}
+
+impl<'f> Outputs<'f> {
+    /// The files of a run that goes on at `mark`.
+    pub(super) fn open(
+        formats: &'f [Format],
+        out: &Path,
+        shard: Shard,
+        mark: &Mark,
+    ) -> Result<Self, Failure> {
+        let open = |format: &'f Format| {
+            let laid = match format {
+                Format::Json => {
+                    let name = shard.named("sheets", "jsonl");
+                    return Ok(Files::Json(Stream::open(out, name, "", mark)?));
+                }
+                Format::Pages(laid) => laid,
+            };
+            let stream = |(kind, begin): &(Kind, String)| {
+                let name = shard.named(kind.folder(), laid.extension());
+                let open = || Stream::open(out, name, begin, mark);
+                (!laid.is_split).then(open).transpose()
+            };
+            let table = laid.table.as_ref().map(|begin| {
+                let name = shard.named("key-table", laid.extension());
+                Stream::open(out, name, begin, mark)
+            });
+            Ok(Files::Pages {
+                laid,
+                streams: laid.kinds.iter().map(stream).collect::<Result<_, _>>()?,
+                table: table.transpose()?,
+            })
+        };
+        Ok(Self {
+            formats: formats.iter().map(open).collect::<Result<_, _>>()?,
+        })
+    }
+
+    /// Keeps what a sheet gives, by format; the files that were written for it are told, with their digests.
+    pub(super) fn add(
+        &mut self,
+        written: Vec<Written>,
+        tables: &mut [KeyTable],
+    ) -> Result<BTreeMap<String, String>, Failure> {
+        let mut own = BTreeMap::new();
+        let formats = self.formats.iter_mut().zip(written).zip(tables);
+        for ((files, written), collected) in formats {
+            match (files, written) {
+                (Files::Json(stream), Written::Json(line)) => {
+                    stream.draft.write(line.as_bytes())?;
+                }
+                (Files::Pages { streams, .. }, Written::Pages(leaves, row)) => {
+                    row.into_iter().for_each(|row| collected.add(row));
+                    for (stream, leaf) in streams.iter_mut().zip(leaves) {
+                        own.extend(leaf.files);
+                        if let Some(stream) = stream {
+                            stream.draft.write(&leaf.text)?;
+                        }
+                    }
+                }
+                (_, Written::Kept(row)) => row.into_iter().for_each(|row| collected.add(row)),
+                (Files::Json(_), Written::Pages(..)) | (Files::Pages { .. }, Written::Json(_)) => {}
+            }
+        }
+        Ok(own)
+    }
+
+    /// Empty tables of keys, one for each format.
+    pub(super) fn tables(&self) -> Vec<KeyTable> {
+        self.formats.iter().map(|_| KeyTable::default()).collect()
+    }
+
+    /// Writes the tables of keys of some sheets.
+    pub(super) fn add_tables(&mut self, tables: &[KeyTable]) -> Result<(), Failure> {
+        for (files, collected) in self.formats.iter_mut().zip(tables) {
+            if let Files::Pages {
+                laid,
+                table: Some(stream),
+                ..
+            } = files
+            {
+                let page = laid.pages.key_table(collected).map_err(unfilled)?;
+                stream.draft.write(page.as_bytes())?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Hands everything to the system; how long each file is now.
+    pub(super) fn flush(&mut self) -> Result<BTreeMap<String, u64>, Failure> {
+        let mut lengths = BTreeMap::new();
+        for stream in self.formats.iter_mut().flat_map(Files::streams) {
+            lengths.insert(stream.name.clone(), stream.draft.flush()?);
+        }
+        Ok(lengths)
+    }
+
+    /// Completes the files: each with what it is, and with its digest where it belongs to the whole run.
+    pub(super) fn finish(self) -> Result<Vec<Finished>, Failure> {
+        let mut finished = Vec::new();
+        for files in self.formats {
+            let (laid, streams, table) = match files {
+                Files::Json(stream) => {
+                    finished.push(stream.finish("", "one sheet a line")?);
+                    continue;
+                }
+                Files::Pages {
+                    laid,
+                    streams,
+                    table,
+                } => (laid, streams, table),
+            };
+            for ((kind, _), stream) in laid.kinds.iter().zip(streams) {
+                let what = match Pages::subtitle(*kind) {
+                    "" => "the sheets",
+                    subtitle => subtitle,
+                };
+                finished.push(match stream {
+                    Some(stream) => stream.finish(&laid.end, what)?,
+                    None => Finished {
+                        name: format!("{}/*.{}", kind.folder(), laid.extension()),
+                        digest: None,
+                        what,
+                    },
+                });
+            }
+            if let Some(table) = table {
+                finished.push(if laid.pages.writer().is_bound() {
+                    table.bind(laid)?
+                } else {
+                    table.finish(&laid.end, TABLE)?
+                });
+            }
+        }
+        Ok(finished)
+    }
+}
+
+/// A file that is complete, or a folder of them.
+pub(super) struct Finished {
+    pub(super) name: String,
+    pub(super) digest: Option<String>,
+    pub(super) what: &'static str,
+}
+
+impl Files<'_> {
+    fn streams(&mut self) -> Vec<&mut Stream> {
+        match self {
+            Self::Json(stream) => vec![stream],
+            Self::Pages { streams, table, .. } => {
+                streams.iter_mut().flatten().chain(table).collect()
+            }
+        }
+    }
+}
+
+impl Stream {
+    /// The file of this name, with its beginning where it is new.
+    fn open(out: &Path, name: String, begin: &str, mark: &Mark) -> Result<Self, Failure> {
+        let length = mark.length(&name);
+        let path = out.join(&name);
+        let mut draft = Draft::go_on(&path, length)?;
+        if length == 0 {
+            draft.write(begin.as_bytes())?;
+        }
+        Ok(Self { path, name, draft })
+    }
+
+    fn finish(mut self, end: &str, what: &'static str) -> Result<Finished, Failure> {
+        self.draft.write(end.as_bytes())?;
+        Ok(Finished {
+            digest: Some(self.draft.finish()?),
+            name: self.name,
+            what,
+        })
+    }
+}
+
+impl Stream {
+    /// The table of keys of a format whose finished text is not yet the file.
+    fn bind(mut self, laid: &Laid) -> Result<Finished, Failure> {
+        self.draft.write(laid.end.as_bytes())?;
+        let text = self.draft.take()?;
+        let bytes = laid.pages.writer().bind(text).map_err(unfilled)?;
+        files::write(&self.path, &bytes)?;
+        Ok(Finished {
+            name: self.name,
+            digest: Some(files::digest(&bytes)),
+            what: TABLE,
+        })
+    }
+}
+
+fn unknown_format(name: &str) -> Failure {
+    let writers = output::WRITERS.iter().map(|writer| writer.name());
+    let known: Vec<&str> = writers.chain(["json"]).collect();
+    Failure::new(format!("`{name}` is no format"))
+        .help(format!("the formats are {}", known.join(", ")))
+}
+
+/// The layouts of one format in a folder of the user.
+fn own_layouts(folder: Option<&Path>, format: &str) -> Result<Vec<(String, String)>, Failure> {
+    let inside = folder.map(|folder| folder.join(format));
+    let entries = inside.and_then(|inside| std::fs::read_dir(inside).ok());
+    let mut layouts = Vec::new();
+    for entry in entries.into_iter().flatten().flatten() {
+        if entry.path().is_file() {
+            let name = entry.file_name().to_string_lossy().into_owned();
+            layouts.push((name, files::read(&entry.path())?));
+        }
+    }
+    layouts.sort();
+    Ok(layouts)
+}
