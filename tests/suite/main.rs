@@ -22,10 +22,10 @@ mod numerics;
 #[cfg(feature = "render")]
 mod page;
 mod physics;
-#[cfg(feature = "pdf")]
-mod print;
 #[cfg(feature = "render")]
 mod plots;
+#[cfg(feature = "pdf")]
+mod print;
 #[cfg(feature = "render")]
 mod text;
 #[cfg(feature = "render")]

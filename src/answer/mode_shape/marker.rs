@@ -152,9 +152,9 @@ impl Prepared {
     }
 
     fn typeset(entries: &[Math], width: usize) -> Math {
-        let mut rows = entries.chunks(width.max(1)).map(|row| {
-            Math::matrix(row.iter().map(|entry| vec![entry.clone()]).collect())
-        });
+        let mut rows = entries
+            .chunks(width.max(1))
+            .map(|row| Math::matrix(row.iter().map(|entry| vec![entry.clone()]).collect()));
         let first = rows.next().unwrap_or_else(|| Math::row([]));
         Math::row(std::iter::once(first).chain(rows.flat_map(|row| [Math::punctuation(","), row])))
     }
