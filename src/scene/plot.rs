@@ -114,7 +114,7 @@ impl Scene<'_, '_> {
         let plot = plot::Plot {
             x,
             y,
-            range: self.ends(&curves.x.range, &curves.x.unit)?,
+            range: self.ends(curves.x.range, &curves.x.unit)?,
             curves: drawn,
             marks,
             decimal: self.solution.mark(),
@@ -153,7 +153,7 @@ impl Scene<'_, '_> {
         across.spacing = self.spacing(x)?;
         let mut up = axis(label, y.unit, y.is_logarithmic);
         if let Some(range) = &y.range {
-            up.range = Some(self.ends(range, &y.unit)?);
+            up.range = Some(self.ends(*range, &y.unit)?);
         }
         Ok((across, up))
     }
@@ -172,7 +172,7 @@ impl Scene<'_, '_> {
         })
     }
 
-    fn ends(&self, nodes: &[NodeId; 2], unit: &Unit) -> Result<[f64; 2], Absent> {
+    fn ends(&self, nodes: [NodeId; 2], unit: &Unit) -> Result<[f64; 2], Absent> {
         let evaluation = self.solution.evaluation();
         Ok([
             unit.of_si(evaluation.real(nodes[0])?),

@@ -239,7 +239,8 @@ fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
             .any(|outside| path == Path::new(outside));
         if is_outside {
             continue;
-        } else if path.is_dir() {
+        }
+        if path.is_dir() {
             sources(&path, found);
         } else if path.extension().is_some_and(|end| end == "rs") {
             found.push(path);

@@ -3,7 +3,6 @@
 use super::{ItemError, Reader};
 use crate::bank::plot::{Abscissa, Curve, Curves, Mark, ModeShapes, Ordinate, Plot, PlotKind};
 use crate::bank::template::Units;
-use crate::document::read_math;
 use crate::expr::{Constant, Expr, Kind, Name, Path, Shape, Type};
 use crate::figure::plot::Style;
 use crate::math::Math;
@@ -75,7 +74,7 @@ impl<'s> Reader<'s> {
         let marks = marks
             .into_iter()
             .take(MOST_CURVES)
-            .filter_map(|mark| self.mark(table.name(), mark, [across, up]))
+            .filter_map(|mark| self.mark(table.name(), mark, &[across, up]))
             .collect();
         Some(Curves {
             x,
@@ -396,7 +395,7 @@ impl<'s> Reader<'s> {
         ordinate
     }
 
-    fn mark(&mut self, plot: &str, table: Table<'s>, units: [Unit; 2]) -> Option<Mark> {
+    fn mark(&mut self, plot: &str, table: Table<'s>, units: &[Unit; 2]) -> Option<Mark> {
         let at = table.required("at");
         let label = table.text("label").map(|label| self.plot_label(&label));
         table.finish();
@@ -484,48 +483,15 @@ impl<'s> Reader<'s> {
         )
     }
 
-    /// What stands at a curve, mark or axis: words, `$x$` in words, or a formula in LaTeX.
+    /// What stands at a curve, mark or axis.
     pub(super) fn plot_label(&mut self, text: &Text) -> Math {
-        let words = text.value.trim();
-        if let Some(inner) = words
-            .strip_prefix('\'')
-            .and_then(|rest| rest.strip_suffix('\''))
-        {
-            return Math::text(inner);
+        let mut errors = Vec::new();
+        let label = self.texts.label(text, &mut errors);
+        for error in &errors {
+            self.find(&**error, text);
         }
-        if is_words(words) {
-            return Math::text(words);
-        }
-        if !words.contains('$') {
-            return self.label_math(words, text);
-        }
-        let pieces = words
-            .split('$')
-            .enumerate()
-            .filter(|(_, piece)| !piece.is_empty());
-        let piece = |(place, piece): (usize, &str)| match place % 2 {
-            0 => Math::text(piece),
-            _ => self.label_math(piece, text),
-        };
-        Math::row(pieces.map(piece).collect::<Vec<_>>())
+        label.unwrap_or_else(|| Math::text("?"))
     }
-
-    fn label_math(&mut self, latex: &str, text: &Text) -> Math {
-        match read_math(latex) {
-            Ok(math) => math,
-            Err(error) => {
-                self.find(&error, text);
-                Math::text("?")
-            }
-        }
-    }
-}
-
-/// Whether a label is words and no formula: letters and blanks, at least two letters in a row.
-fn is_words(label: &str) -> bool {
-    let is_plain = |letter: char| letter.is_alphabetic() || " ,-'".contains(letter);
-    let mut pieces = label.split(|letter: char| !letter.is_alphabetic());
-    label.chars().all(is_plain) && pieces.any(|piece| piece.chars().count() > 1)
 }
 
 fn table_pair<'s>(reader: &mut Reader<'s>, value: &'s Value) -> Option<[&'s Value; 2]> {

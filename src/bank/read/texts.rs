@@ -15,6 +15,9 @@ pub(in crate::bank) trait Texts {
 
     /// A symbol that is written in LaTeX; `None`, with an error, where it cannot be read.
     fn math(&mut self, text: &Text, errors: &mut Errors) -> Option<Math>;
+
+    /// A label of a drawing: words, words with formulas between dollar signs, or a formula in LaTeX.
+    fn label(&mut self, text: &Text, errors: &mut Errors) -> Option<Math>;
 }
 
 /// Reads texts as they are written.
@@ -32,13 +35,49 @@ impl Texts for Parsers {
     }
 
     fn math(&mut self, text: &Text, errors: &mut Errors) -> Option<Math> {
-        match crate::document::read_math(&text.value) {
+        Self::formula(&text.value, errors)
+    }
+
+    fn label(&mut self, text: &Text, errors: &mut Errors) -> Option<Math> {
+        let words = text.value.trim();
+        let quoted = words
+            .strip_prefix('\'')
+            .and_then(|rest| rest.strip_suffix('\''));
+        if let Some(words) = quoted.or_else(|| Self::is_words(words).then_some(words)) {
+            return Some(Math::text(words));
+        }
+        if !words.contains('$') {
+            return Self::formula(words, errors);
+        }
+        let pieces = words
+            .split('$')
+            .enumerate()
+            .filter(|(_, piece)| !piece.is_empty());
+        let pieces = pieces.map(|(place, piece)| match place % 2 {
+            0 => Some(Math::text(piece)),
+            _ => Self::formula(piece, errors),
+        });
+        Some(Math::row(pieces.collect::<Option<Vec<_>>>()?))
+    }
+}
+
+#[cfg(feature = "render")]
+impl Parsers {
+    fn formula(latex: &str, errors: &mut Errors) -> Option<Math> {
+        match crate::document::read_math(latex) {
             Ok(math) => Some(math),
             Err(error) => {
                 errors.push(Box::new(error));
                 None
             }
         }
+    }
+
+    /// Whether a label is words and no formula: letters and blanks, at least two letters in a row.
+    fn is_words(label: &str) -> bool {
+        let is_plain = |letter: char| letter.is_alphabetic() || " ,-'".contains(letter);
+        let mut pieces = label.split(|letter: char| !letter.is_alphabetic());
+        label.chars().all(is_plain) && pieces.any(|piece| piece.chars().count() > 1)
     }
 }
 
@@ -63,6 +102,12 @@ impl Texts for Noting {
         self.symbols.push((text.span, math.clone()));
         Some(math)
     }
+
+    fn label(&mut self, text: &Text, errors: &mut Errors) -> Option<Math> {
+        let math = Parsers.label(text, errors)?;
+        self.symbols.push((text.span, math.clone()));
+        Some(math)
+    }
 }
 
 /// Takes texts from a compiled item, in whose tree each is the number of its document or symbol.
@@ -77,6 +122,10 @@ impl Texts for Stored<'_> {
     }
 
     fn math(&mut self, text: &Text, errors: &mut Errors) -> Option<Math> {
+        stored(self.symbols, text, errors)
+    }
+
+    fn label(&mut self, text: &Text, errors: &mut Errors) -> Option<Math> {
         stored(self.symbols, text, errors)
     }
 }

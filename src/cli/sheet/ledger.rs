@@ -68,7 +68,7 @@ impl Ledger {
             .filter(|line| line.ends_with('\n'));
         let last = lines
             .filter_map(|line| serde_json::from_str::<Line>(line).ok())
-            .last();
+            .next_back();
         let is_whole = |line: &Line| {
             let mut bytes = line.mark.bytes.iter();
             line.inputs == inputs

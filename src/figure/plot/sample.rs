@@ -146,7 +146,7 @@ impl Refined<'_, '_> {
         const HALVINGS: u32 = 20;
         let (mut inside, mut outside) = (from.variable, outside);
         for _ in 0..HALVINGS {
-            let middle = (inside + outside) / 2.0;
+            let middle = f64::midpoint(inside, outside);
             if self.coarse.at(middle).is_some() {
                 inside = middle;
             } else {
@@ -160,7 +160,7 @@ impl Refined<'_, '_> {
 
     fn between(&mut self, from: Knot, to: Knot, halvings: u32) {
         self.calls += 3;
-        let middle = (from.variable + to.variable) / 2.0;
+        let middle = f64::midpoint(from.variable, to.variable);
         let point = self.coarse.at(middle);
         let fits = point
             .is_some_and(|point| self.fits(&from, &to, 0.5, point) && self.fits_beside(&from, &to));
@@ -244,7 +244,7 @@ fn serves(knots: &[Knot], size: [f64; 2], error: f64) -> bool {
     let is_near =
         |variable: f64, point: [f64; 2]| distance(from, to, share(variable), point, size) <= error;
     knots.windows(2).all(|pair| {
-        let middle = (pair[0].variable + pair[1].variable) / 2.0;
+        let middle = f64::midpoint(pair[0].variable, pair[1].variable);
         is_near(middle, cubic(&pair[0], &pair[1], 0.5).0) && is_near(pair[1].variable, pair[1].at)
     })
 }

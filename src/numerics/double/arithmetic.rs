@@ -23,7 +23,7 @@ const SMALLEST_FULL: f64 = f64::MIN_POSITIVE * 18_014_398_509_481_984.0;
 #[inline]
 fn ranged(result: Dd, plain: impl FnOnce() -> f64, raised: impl FnOnce() -> Dd) -> Dd {
     let magnitude = result.hi.abs();
-    if magnitude >= SMALLEST_FULL && magnitude < f64::INFINITY {
+    if (SMALLEST_FULL..f64::INFINITY).contains(&magnitude) {
         return result;
     }
     let plain = plain();

@@ -294,11 +294,8 @@ fn a_run_that_was_killed_is_gone_on_with() {
     small(&["sheet", &plan, "--out", &text_of(&whole)]).ends(0);
     for more in [&[][..], &["--split"]] {
         let out = folder.join(if more.is_empty() { "out" } else { "split" });
-        let arguments = [
-            &["sheet", &plan, "--out", &text_of(&out), "--bank", BANK],
-            more,
-        ]
-        .concat();
+        let place = text_of(&out);
+        let arguments = [&["sheet", &plan, "--out", &place, "--bank", BANK], more].concat();
         let mut child = Command::new(env!("CARGO_BIN_EXE_vibank"))
             .args(&arguments)
             .stdout(Stdio::null())
