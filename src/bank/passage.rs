@@ -37,6 +37,13 @@ pub enum Target {
 }
 
 impl Passage {
+    /// Whether it says where the figure stands.
+    pub fn places_figure(&self) -> bool {
+        self.pieces
+            .iter()
+            .any(|piece| piece.targets.contains(&Target::Figure))
+    }
+
     /// Whether there is no text in it.
     pub fn is_empty(&self) -> bool {
         self.pieces.iter().all(|piece| piece.document.is_empty())

@@ -5,7 +5,9 @@ use std::collections::BTreeMap;
 use super::plot::Plot;
 use super::{About, ItemId, Parameter, Passage, Revision};
 use crate::answer::Answer;
+use crate::document::Document;
 use crate::expr::{Name, Precise};
+use crate::figure::Figure;
 use crate::math::Math;
 use crate::numerics::Rational;
 use crate::quantity::{Graph, NodeId};
@@ -41,6 +43,10 @@ pub struct Template {
     pub solution: Passage,
     /// For the teacher.
     pub notes: Passage,
+    /// Its schematic.
+    pub figure: Option<Figure>,
+    /// What is written under the schematic.
+    pub caption: Document,
     /// What is asked.
     pub parts: Vec<Part>,
     /// Known results.

@@ -183,6 +183,9 @@ impl Drawing {
 
     /// Draws without asking labels to keep clear: for fine marks whose place is kept free by [`Self::keep_clear`].
     pub fn decorate(&mut self, path: Path, pen: Option<Pen>, fill: Fill) {
+        if path.is_empty() {
+            return;
+        }
         self.marks.push(Mark {
             path,
             pen,

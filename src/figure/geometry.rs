@@ -149,12 +149,18 @@ impl Bounds {
     /// The least box around both.
     #[must_use]
     pub fn joined(self, other: Self) -> Self {
+        if other.is_nothing() {
+            return self;
+        }
         self.with(other.low).with(other.high)
     }
 
     /// The box with this much more on each side.
     #[must_use]
     pub fn grown(self, by: f64) -> Self {
+        if self.is_nothing() {
+            return self;
+        }
         let by = Point::new(by, by);
         Self {
             low: self.low - by,

@@ -1,21 +1,37 @@
 //! Schematics and plots, drawn as SVG.
 //!
 //! A [`Drawing`] gathers lines, areas and labels in figure units (10 mm in print, y up), finds places for
-//! its labels, and is written as SVG.
+//! its labels, and is written as SVG. A [`Figure`] is the schematic of an item: read from its table
+//! `[figure]`, compiled, and drawn for the data of an instance by its [`element`]s.
 
+mod arrow;
+mod describe;
 mod drawing;
+pub mod element;
+mod error;
+mod formula;
 mod geometry;
 mod label;
 mod metrics;
+mod outline;
+mod part;
 mod path;
 mod pen;
 mod placing;
 pub mod plot;
+mod read;
+mod schematic;
+mod spots;
 mod svg;
 
 pub use drawing::{Anchor, Drawing, Lettering, Mark, Spot};
+pub use error::FigureError;
 pub use geometry::{Bounds, Point};
 pub use label::{LETTER_SIZE, Label};
+pub use outline::{Form, Outline, Side};
+pub use part::{End, Part, Setting, Style};
 pub use path::Path;
 pub use pen::{Dash, Fill, Pen, Weight};
+pub use read::Subject;
+pub use schematic::{Figure, Given, Labels, Picture, Undrawable};
 pub use svg::Head;

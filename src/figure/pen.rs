@@ -48,6 +48,8 @@ pub enum Fill {
     None,
     /// Light grey: bodies with mass.
     Tint,
+    /// Grey: small bodies, liquids, plates.
+    Shade,
     /// Black: arrow heads, small balls.
     Ink,
     /// White: what covers the lines behind it.

@@ -58,13 +58,15 @@ struct View {
 
 impl View {
     fn of(frame: Bounds) -> Self {
+        // What is drawn is bounded; the clamp keeps whole numbers in range whatever it was given.
+        let whole = |number: f64| number.clamp(-1e9, 1e9) as i64;
         let (left, top) = (
-            (frame.low.x * SCALE).floor() as i64,
-            (-frame.high.y * SCALE).floor() as i64,
+            whole((frame.low.x * SCALE).floor()),
+            whole((-frame.high.y * SCALE).floor()),
         );
         let (right, bottom) = (
-            (frame.high.x * SCALE).ceil() as i64,
-            (-frame.low.y * SCALE).ceil() as i64,
+            whole((frame.high.x * SCALE).ceil()),
+            whole((-frame.low.y * SCALE).ceil()),
         );
         Self {
             left,
@@ -167,6 +169,7 @@ impl Writer<'_> {
         match fill {
             Fill::None => {}
             Fill::Tint => self.text(" fill=\"currentColor\" fill-opacity=\".09\""),
+            Fill::Shade => self.text(" fill=\"currentColor\" fill-opacity=\".28\""),
             Fill::Ink => self.text(" fill=\"currentColor\""),
             Fill::Paper => self.text(" fill=\"#fff\""),
         }

@@ -48,6 +48,8 @@ pub struct Run {
     #[serde(skip)]
     pub(super) hints: bool,
     #[serde(skip)]
+    pub(super) figures: bool,
+    #[serde(skip)]
     pub(super) mark: DecimalMark,
 }
 
@@ -143,6 +145,7 @@ impl Run {
             paper: Paper::A4,
             data: Data::Both,
             hints: false,
+            figures: true,
             mark: if decimal == ',' {
                 DecimalMark::Comma
             } else {
@@ -174,6 +177,7 @@ impl Run {
             paper: blueprint.paper,
             data: blueprint.data,
             hints: blueprint.hints,
+            figures: blueprint.figures,
             mark: if blueprint.decimal == ',' {
                 DecimalMark::Comma
             } else {

@@ -9,7 +9,7 @@ use super::pages::{Kind, Run};
 use super::{Writer, is_line};
 use crate::answer::KeyValue;
 use crate::bank::Passage;
-use crate::document::Filling;
+use crate::document::{Document, Filling};
 use crate::numerics::Rational;
 use crate::scene::Scene;
 use crate::worksheet::{Sheet, SheetQuestion, letter};
@@ -38,6 +38,7 @@ struct QuestionView {
     worth: String,
     statement: String,
     figure: String,
+    caption: String,
     solution: String,
     notes: String,
     identity: String,
@@ -153,6 +154,14 @@ impl<'p> View<'p> {
         };
         if self.kind != Kind::Key {
             view.statement = texts(&template.statement);
+            if self.run.figures
+                && !template.statement.places_figure()
+                && let Some(picture) = scene.picture()
+            {
+                self.note(&picture.svg);
+                view.figure = self.writer.figure(&picture.svg);
+                view.caption = self.caption(&template.caption);
+            }
         }
         if self.kind == Kind::Solutions && !template.solution.is_empty() {
             view.solution = texts(&template.solution);
@@ -168,6 +177,15 @@ impl<'p> View<'p> {
             .map(|(position, (place, points))| self.part(&scene, position, *place, *points))
             .collect();
         view
+    }
+
+    /// What is written under a figure.
+    fn caption(&self, caption: &Document) -> String {
+        if caption.is_empty() {
+            String::new()
+        } else {
+            self.writer.line(caption)
+        }
     }
 
     fn part(

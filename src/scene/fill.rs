@@ -14,7 +14,11 @@ impl Scene<'_, '_> {
     pub(super) fn filling(&self, target: &Target, form: Form) -> Filling {
         match target {
             Target::Node(node) => self.node(*node, form),
-            Target::Figure => Filling::Figure(String::new()),
+            Target::Figure => Filling::Figure(
+                self.picture()
+                    .map(|picture| picture.svg)
+                    .unwrap_or_default(),
+            ),
             Target::Plot(name) => self.drawn_plot(name),
             Target::Model(path) => Filling::Math(self.offered(path)),
             Target::Nothing => Filling::words("?"),
@@ -90,7 +94,7 @@ impl Scene<'_, '_> {
     }
 
     /// The number with its unit; a function of time as its formula with numbers.
-    fn value(&self, node: NodeId, info: &QuantityInfo) -> Math {
+    pub(super) fn value(&self, node: NodeId, info: &QuantityInfo) -> Math {
         if let Some(place) = info.parameter {
             return self.solution.instance().values()[place].math(self.solution.mark());
         }

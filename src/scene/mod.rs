@@ -7,6 +7,7 @@
 mod concrete;
 mod fill;
 mod notation;
+mod picture;
 mod plot;
 
 pub use plot::Undrawn;

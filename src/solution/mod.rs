@@ -4,7 +4,7 @@ mod entry;
 pub mod proof;
 pub mod request;
 
-use std::cell::OnceCell;
+use std::cell::{Cell, OnceCell};
 
 pub use entry::Entry;
 
@@ -21,6 +21,7 @@ pub struct Solution<'t> {
     evaluation: Evaluation<'t>,
     markers: Vec<OnceCell<Result<Box<dyn Marker>, Absent>>>,
     mark: DecimalMark,
+    is_drawn: Cell<bool>,
 }
 
 impl<'t> Solution<'t> {
@@ -43,6 +44,7 @@ impl<'t> Solution<'t> {
             evaluation,
             markers,
             mark,
+            is_drawn: Cell::new(false),
         }
     }
 
@@ -105,7 +107,21 @@ impl<'t> Solution<'t> {
 
     /// What was computed so far, and what was not.
     pub fn trace(&self) -> Trace {
-        self.evaluation.trace()
+        let mut trace = self.evaluation.trace();
+        if self.template().figure.is_some() {
+            let list = if self.is_drawn.get() {
+                &mut trace.computed
+            } else {
+                &mut trace.skipped
+            };
+            list.push("figure".to_owned());
+        }
+        trace
+    }
+
+    /// Notes for the trace that the figure was drawn.
+    pub fn note_figure(&self) {
+        self.is_drawn.set(true);
     }
 
     fn prepare(&self, place: usize) -> Result<Box<dyn Marker>, Absent> {

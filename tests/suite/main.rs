@@ -16,6 +16,8 @@ mod book;
 mod cli;
 #[cfg(feature = "render")]
 mod compiled;
+#[cfg(feature = "render")]
+mod figures;
 mod layers;
 mod mechanics;
 mod numerics;

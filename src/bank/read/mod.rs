@@ -5,6 +5,7 @@
 
 mod checks;
 mod error;
+mod figure;
 mod models;
 mod parts;
 mod passages;
@@ -118,6 +119,7 @@ impl<'s> Reader<'s> {
         self.quantities(table);
         let plots = self.plots(table);
         let constraints = self.constraints(table);
+        let (figure, caption) = self.figure(table);
         let statement = table.required_table("statement").map(|statement| {
             let passage = statement
                 .required("text")
@@ -156,6 +158,8 @@ impl<'s> Reader<'s> {
             statement: statement?,
             solution: solution.unwrap_or_default(),
             notes: notes.unwrap_or_default(),
+            figure,
+            caption,
             parts,
             checks,
         };

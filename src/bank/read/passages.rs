@@ -112,7 +112,7 @@ impl<'s> Reader<'s> {
         let mut names = place.names();
         let first = names.next().unwrap_or_default();
         match (first, place.path.as_str()) {
-            (_, "figure") => Target::Figure,
+            (_, "figure") if self.has_figure => Target::Figure,
             ("plots", path) => {
                 let name = path.trim_start_matches("plots.");
                 if self.plots.contains(name) {

@@ -1,0 +1,75 @@
+//! A dashpot between two points: the cylinder at the first, the piston rod to the second.
+//!
+//! ```toml
+//! points = { W = [0, 1], B = [4, 1] }
+//! elements = [
+//!   { ground = ["[0, 2]", "[0, 0]"] },
+//!   { spring = ["W", "B"], label = "k" },
+//!   { damper = ["W", "B"], label = "c" },
+//!   { block = "B", size = [1.4, 2], label = "m" },
+//! ]
+//! ```
+
+use super::{Element, Layer, Role, Takes};
+use crate::figure::part::Part;
+use crate::figure::{Drawing, Fill, Path, Spot, Weight, spots};
+
+pub(super) struct Damper;
+
+/// Half of the breadth of the cylinder.
+const HALF: f64 = 0.2;
+
+/// Longest cylinder.
+const LONGEST: f64 = 0.9;
+
+impl Element for Damper {
+    fn name(&self) -> &'static str {
+        "damper"
+    }
+
+    fn takes(&self) -> Takes {
+        Takes::Two
+    }
+
+    fn layer(&self) -> Layer {
+        Layer::Link
+    }
+
+    fn role(&self) -> Role {
+        Role::Link("damper")
+    }
+
+    fn spreads(&self) -> bool {
+        true
+    }
+
+    fn draw(&self, part: &Part<'_>, drawing: &mut Drawing) {
+        let (a, b) = part.working();
+        let along = (b - a).unit();
+        let length = a.distance(b);
+        let cylinder = (0.5 * length).min(LONGEST);
+        let bottom = (length - cylinder) / 2.0;
+        let across = along.left() * HALF;
+        let at = |distance: f64| a + along * distance;
+        let piston = bottom + 0.5 * cylinder;
+        let pen = part.pen(Weight::Medium);
+        let walls = Path::through([
+            at(bottom + cylinder) + across,
+            at(bottom) + across,
+            at(bottom) - across,
+            at(bottom + cylinder) - across,
+        ]);
+        let plate = Path::line(at(piston) + across * 0.8, at(piston) - across * 0.8);
+        let rods = Path::line(a, at(bottom)).and(Path::line(at(piston), b));
+        drawing.decorate(rods.and(walls), Some(pen), Fill::None);
+        drawing.decorate(plate, Some(part.pen(Weight::Heavy)), Fill::None);
+        drawing.stroke(part.leads(), pen);
+        drawing.keep_clear(at(bottom), at(bottom + cylinder), HALF);
+        drawing.keep_clear(a, b, pen.width() / 2.0);
+    }
+
+    fn spots(&self, part: &Part<'_>) -> Vec<Spot> {
+        let (a, b) = part.working();
+        spots::beside(a, b, HALF, part.at)
+    }
+}

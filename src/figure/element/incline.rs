@@ -1,0 +1,88 @@
+//! A slope with its angle: it rises from its point over the horizontal `length`, by `angle` in radians.
+//!
+//! With a negative angle it falls to the right from its upper end, above the point.
+//! The label is written at the angle.
+//!
+//! ```toml
+//! elements = [{ incline = [0, 0], angle = "0.4", length = 6, label = "theta" }]
+//! ```
+
+use super::ground::hatch;
+use super::{Element, Key, Layer, Role, number};
+use crate::figure::part::Part;
+use crate::figure::{Drawing, Fill, Path, Point, Spot, Weight};
+use crate::numerics::tan;
+
+pub(super) struct Incline;
+
+/// Radius of the arc at the angle.
+const ARC: f64 = 1.3;
+
+impl Incline {
+    /// The foot, the other end of the base, the upper end, and the angle.
+    fn corners(part: &Part<'_>) -> (Point, Point, Point, f64) {
+        let angle = part.number("angle").unwrap_or(0.4).clamp(-1.4, 1.4);
+        let (start, length) = (part.point(), part.length("length", 6.0));
+        let end = start + Point::new(length, 0.0);
+        let rise = Point::new(0.0, length * tan(angle.abs()));
+        if angle < 0.0 {
+            (end, start, start + rise, angle)
+        } else {
+            (start, end, end + rise, angle)
+        }
+    }
+}
+
+impl Element for Incline {
+    fn name(&self) -> &'static str {
+        "incline"
+    }
+
+    fn keys(&self) -> &'static [Key] {
+        const { &[number("angle"), number("length")] }
+    }
+
+    fn layer(&self) -> Layer {
+        Layer::Support
+    }
+
+    fn role(&self) -> Role {
+        Role::Thing("slope")
+    }
+
+    fn draw(&self, part: &Part<'_>, drawing: &mut Drawing) {
+        let (foot, far, upper, angle) = Self::corners(part);
+        drawing.stroke(Path::line(foot, far), part.pen(Weight::Thin));
+        drawing.stroke(Path::line(foot, upper), part.pen(Weight::Bold));
+        let (a, b) = if angle < 0.0 {
+            (upper, foot)
+        } else {
+            (foot, upper)
+        };
+        hatch(part, a, b, 0.0, drawing);
+        if part.label.is_some() {
+            let (from, to) = if angle < 0.0 {
+                (std::f64::consts::PI + angle, std::f64::consts::PI)
+            } else {
+                (0.0, angle)
+            };
+            let radius = ARC.min(foot.distance(far) / 2.0);
+            let arc = Path::arc(foot, radius, from, to);
+            drawing.shape(arc, Some(part.pen(Weight::Thin)), Fill::None);
+        }
+    }
+
+    fn spots(&self, part: &Part<'_>) -> Vec<Spot> {
+        let (foot, far, _, angle) = Self::corners(part);
+        let base = (far - foot).unit();
+        let half = Point::at_angle(if angle < 0.0 {
+            std::f64::consts::PI + angle / 2.0
+        } else {
+            angle / 2.0
+        });
+        let radius = ARC.min(foot.distance(far) / 2.0);
+        [0.1, 0.2, 0.35, 0.5]
+            .map(|more| Spot::beside(foot + half * radius, base, more))
+            .to_vec()
+    }
+}

@@ -1,0 +1,251 @@
+//! The elements of schematics: one file each, listed in [`KINDS`].
+//!
+//! An element reads nothing and knows no data: it says what its first key holds and which other keys it
+//! takes, and draws a [`Part`] whose points and numbers are known. Its `//!` is its page in the book, with
+//! an example that the page draws.
+
+mod angle;
+mod arrow;
+mod axes;
+mod bar;
+mod bead;
+mod block;
+mod bob;
+mod capacitor;
+mod cart;
+mod coil;
+mod column;
+mod coordinate;
+mod cord;
+mod damper;
+mod dimension;
+mod disk;
+mod force;
+mod gravity;
+mod ground;
+mod incline;
+mod line;
+mod mass_centre;
+mod moment;
+mod pin;
+mod platform;
+mod pulley;
+mod radius;
+mod resistor;
+mod ring;
+mod rod;
+mod roller;
+mod rotor;
+mod source;
+mod spring;
+mod text;
+mod tube;
+mod turn;
+mod wire;
+
+use super::outline::Outline;
+use super::part::Part;
+use super::{Drawing, Spot};
+
+/// A kind of element: one file, one line in [`KINDS`].
+pub trait Element: Sync {
+    /// Its name in item files.
+    fn name(&self) -> &'static str;
+
+    /// What its first key holds.
+    fn takes(&self) -> Takes {
+        Takes::Point
+    }
+
+    /// The keys that it has for itself.
+    fn keys(&self) -> &'static [Key] {
+        &[]
+    }
+
+    /// What it covers and what covers it.
+    fn layer(&self) -> Layer;
+
+    /// What it is to its neighbours, for the description.
+    fn role(&self) -> Role {
+        Role::Mark
+    }
+
+    /// Whether several between the same two points are spread beside each other.
+    fn spreads(&self) -> bool {
+        false
+    }
+
+    /// The outline of a body, at which links to its point end.
+    fn outline(&self, part: &Part<'_>) -> Option<Outline> {
+        let _ = part;
+        None
+    }
+
+    /// Draws it.
+    fn draw(&self, part: &Part<'_>, drawing: &mut Drawing);
+
+    /// Where its label may stand, best first.
+    fn spots(&self, part: &Part<'_>) -> Vec<Spot>;
+
+    /// The label that it bears if none is given.
+    fn usual_label(&self) -> &'static str {
+        ""
+    }
+}
+
+/// What the first key of an element holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Takes {
+    /// One point.
+    Point,
+    /// Two points.
+    Two,
+    /// Three points.
+    Three,
+    /// Two or more points; pulleys are passed clockwise or counterclockwise.
+    Way,
+    /// A point and an angle in degrees.
+    PointAndDegrees,
+    /// One point; or the label, if the point stands in `from`.
+    PointOrLabel,
+    /// The label; the point stands in `from`.
+    Label,
+}
+
+impl Takes {
+    /// What is due, in words.
+    pub fn describe(self) -> &'static str {
+        match self {
+            Self::Point | Self::PointOrLabel => "one point",
+            Self::Two => "an array of two points",
+            Self::Three => "an array of three points",
+            Self::Way => "an array of points",
+            Self::PointAndDegrees => "an array of a point and an angle in degrees",
+            Self::Label => "its symbol, and a point in `from`",
+        }
+    }
+}
+
+/// A key of an element.
+#[derive(Clone, Copy, Debug)]
+pub struct Key {
+    /// Its name.
+    pub name: &'static str,
+    /// What it holds.
+    pub holds: Holds,
+}
+
+/// What a key of an element holds.
+#[derive(Clone, Copy, Debug)]
+pub enum Holds {
+    /// A formula for a number.
+    Number,
+    /// Two numbers.
+    Vector,
+    /// A point.
+    Point,
+    /// `true` or `false`.
+    Flag,
+    /// One of some words.
+    Word(&'static [&'static str]),
+}
+
+/// The order in which elements cover each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Layer {
+    /// Ground, walls.
+    Support,
+    /// Bodies.
+    Body,
+    /// Springs, rods, cords.
+    Link,
+    /// Pins, balls.
+    Joint,
+    /// Arrows, dimensions, angles.
+    Mark,
+}
+
+/// What an element is to its neighbours.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// A wall, floor or ceiling, called so by where it lies.
+    Ground,
+    /// A body of this name.
+    Body(&'static str),
+    /// A link of this name between two points.
+    Link(&'static str),
+    /// Something else that is named in the description.
+    Thing(&'static str),
+    /// An arrow or label that says what is measured.
+    Measure,
+    /// What a description leaves out.
+    Mark,
+}
+
+const fn number(name: &'static str) -> Key {
+    Key {
+        name,
+        holds: Holds::Number,
+    }
+}
+
+const fn flag(name: &'static str) -> Key {
+    Key {
+        name,
+        holds: Holds::Flag,
+    }
+}
+
+const fn vector(name: &'static str) -> Key {
+    Key {
+        name,
+        holds: Holds::Vector,
+    }
+}
+
+/// All kinds.
+pub static KINDS: &[&dyn Element] = &[
+    &ground::Ground,
+    &platform::Platform,
+    &incline::Incline,
+    &tube::Tube,
+    &block::Block,
+    &cart::Cart,
+    &bead::Bead,
+    &bob::Bob,
+    &disk::Disk,
+    &ring::Ring,
+    &pulley::Pulley,
+    &rotor::Rotor,
+    &spring::Spring,
+    &damper::Damper,
+    &rod::Rod,
+    &bar::Bar,
+    &column::Column,
+    &wire::Wire,
+    &cord::Cord,
+    &pin::Pin,
+    &roller::Roller,
+    &mass_centre::MassCentre,
+    &force::Force,
+    &moment::Moment,
+    &arrow::Arrow,
+    &coordinate::Coordinate,
+    &gravity::Gravity,
+    &axes::Axes,
+    &dimension::Dimension,
+    &angle::Angle,
+    &radius::Radius,
+    &turn::Turn,
+    &resistor::Resistor,
+    &coil::Coil,
+    &capacitor::Capacitor,
+    &source::Source,
+    &line::Line,
+    &text::Text,
+];
+
+/// The kind of this name.
+pub fn kind(name: &str) -> Option<&'static dyn Element> {
+    KINDS.iter().copied().find(|kind| kind.name() == name)
+}

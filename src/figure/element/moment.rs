@@ -1,0 +1,87 @@
+//! A moment about a point, `sense` = `ccw` or `cw`; `radius` is that of its arrow.
+//!
+//! ```toml
+//! elements = [{ disk = [1.2, 1.2], radius = 1.1 }, { moment = [1.2, 1.2], sense = "cw", label = "'M(t)'" }]
+//! ```
+
+use super::{Element, Holds, Key, Layer, Role, Takes, number};
+use crate::figure::arrow::bent;
+use crate::figure::part::Part;
+use crate::figure::{Drawing, Point, Spot, Weight, spots};
+
+pub(super) struct Moment;
+
+/// Where the arrow begins and ends if it turns counterclockwise, in degrees.
+const SPAN: (f64, f64) = (-50.0, 130.0);
+
+fn span(part: &Part<'_>) -> (f64, f64) {
+    let (from, to) = (SPAN.0.to_radians(), SPAN.1.to_radians());
+    if part.word("sense") == Some("cw") {
+        (to, from)
+    } else {
+        (from, to)
+    }
+}
+
+impl Element for Moment {
+    fn name(&self) -> &'static str {
+        "moment"
+    }
+
+    fn takes(&self) -> Takes {
+        Takes::PointOrLabel
+    }
+
+    fn keys(&self) -> &'static [Key] {
+        const {
+            &[
+                Key {
+                    name: "sense",
+                    holds: Holds::Word(&["ccw", "cw"]),
+                },
+                number("radius"),
+                Key {
+                    name: "from",
+                    holds: Holds::Point,
+                },
+            ]
+        }
+    }
+
+    fn layer(&self) -> Layer {
+        Layer::Mark
+    }
+
+    fn role(&self) -> Role {
+        Role::Thing("moment")
+    }
+
+    fn draw(&self, part: &Part<'_>, drawing: &mut Drawing) {
+        let (from, to) = span(part);
+        let radius = part.length("radius", 0.5);
+        bent(
+            drawing,
+            part.point(),
+            radius,
+            from,
+            to,
+            part.pen(Weight::Bold),
+        );
+    }
+
+    fn spots(&self, part: &Part<'_>) -> Vec<Spot> {
+        let (centre, radius) = (part.point(), part.length("radius", 0.5));
+        let mut spots = Vec::new();
+        if let Some(side) = part.at {
+            spots.extend(spots::off(centre, side.direction(), radius));
+        }
+        for angle in [40.0_f64, 60.0, 20.0, 90.0, 0.0, 120.0, -20.0, 150.0] {
+            spots.extend(spots::off(
+                centre,
+                Point::at_angle(angle.to_radians()),
+                radius,
+            ));
+        }
+        spots
+    }
+}

@@ -1,0 +1,144 @@
+//! What can be wrong with a figure.
+
+use crate::diagnostic::{Code, Diagnose, Label};
+use crate::source::{Span, nearest};
+
+use super::element::KINDS;
+
+/// Something in a figure that cannot be drawn.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum FigureError {
+    /// A table that begins with no kind of element.
+    #[error("`{found}` is no element of a figure")]
+    Kind {
+        /// The key.
+        found: String,
+        /// The key.
+        span: Span,
+    },
+    /// An element without a key.
+    #[error("an element of a figure begins with its kind")]
+    Empty {
+        /// The table.
+        span: Span,
+    },
+    /// A place of the wrong number of points.
+    #[error("`{kind}` is placed by {expected}, found {found}")]
+    Place {
+        /// The kind.
+        kind: &'static str,
+        /// What is due.
+        expected: &'static str,
+        /// What stands there.
+        found: String,
+        /// The place.
+        span: Span,
+    },
+    /// A formula that is no number, or no point.
+    #[error("this is {found}, expected {}", if *is_point { "a point, `[x, y]` in units of 10 mm" } else { "a pure number" })]
+    Form {
+        /// What it is.
+        found: String,
+        /// Whether a point is due.
+        is_point: bool,
+        /// Where.
+        span: Span,
+    },
+    /// A side or pass of a point that has none.
+    #[error("`{found}` is no point of this figure")]
+    Point {
+        /// The text.
+        found: String,
+        /// The point that is nearest.
+        nearest: Option<String>,
+        /// Where.
+        span: Span,
+    },
+    /// A side of a point at which no body is placed.
+    #[error("no body is placed at `{found}`, so it has no sides")]
+    NoBody {
+        /// The point.
+        found: String,
+        /// Where.
+        span: Span,
+    },
+    /// A cord that is led over something that is round nowhere.
+    #[error("no pulley or disk is placed at `{found}`")]
+    NoPulley {
+        /// The point.
+        found: String,
+        /// Where.
+        span: Span,
+    },
+    /// A word that a key does not take.
+    #[error("`{key}` cannot be `{found}`")]
+    Word {
+        /// The key.
+        key: &'static str,
+        /// The word.
+        found: String,
+        /// The words that it takes.
+        known: Vec<&'static str>,
+        /// Where.
+        span: Span,
+    },
+}
+
+impl Diagnose for FigureError {
+    fn code(&self) -> Code {
+        match self {
+            Self::Kind { .. } | Self::Empty { .. } => Code::FIGURE_ELEMENT,
+            Self::Word { .. } => Code::FIGURE_WORD,
+            _ => Code::FIGURE_PLACE,
+        }
+    }
+
+    fn labels(&self) -> Vec<Label> {
+        let span = match self {
+            Self::Kind { span, .. }
+            | Self::Empty { span }
+            | Self::Place { span, .. }
+            | Self::Form { span, .. }
+            | Self::Point { span, .. }
+            | Self::NoBody { span, .. }
+            | Self::NoPulley { span, .. }
+            | Self::Word { span, .. } => *span,
+        };
+        vec![Label {
+            span,
+            text: String::new(),
+        }]
+    }
+
+    fn help(&self) -> Option<String> {
+        match self {
+            Self::Kind { found, .. } => {
+                let kinds = || KINDS.iter().map(|kind| kind.name());
+                Some(match nearest(found, kinds()) {
+                    Some(near) => format!("did you mean `{near}`?"),
+                    None => format!(
+                        "the elements are {}",
+                        kinds().collect::<Vec<_>>().join(", ")
+                    ),
+                })
+            }
+            Self::Empty { .. } => Some("write for example `{ block = \"B\" }`".to_owned()),
+            Self::Place { .. } | Self::Form { .. } => None,
+            Self::Point { nearest, .. } => Some(match nearest {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => "points are declared in `points` of the figure".to_owned(),
+            }),
+            Self::NoBody { found, .. } => {
+                Some(format!("place a body there, `{{ block = \"{found}\" }}`"))
+            }
+            Self::NoPulley { found, .. } => {
+                Some(format!("place one there, `{{ pulley = \"{found}\" }}`"))
+            }
+            Self::Word { found, known, .. } => Some(match nearest(found, known.iter().copied()) {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => format!("it is one of {}", known.join(", ")),
+            }),
+        }
+    }
+}

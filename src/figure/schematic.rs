@@ -1,0 +1,364 @@
+//! A schematic as an item declares it, and its drawing for certain data.
+
+use super::describe::{self, Story};
+use super::element::{Element, Role};
+use super::formula::{Amount, Pair, Values};
+use super::outline::{Outline, Side};
+use super::part::{End, Part, Setting, Style};
+use super::{Drawing, Head, Label, Point, Spot};
+use crate::expr::Name;
+use crate::math::Math;
+
+/// A schematic of an item: its names and points, and its elements, compiled.
+#[derive(Debug)]
+pub struct Figure {
+    pub(super) alt: Option<String>,
+    pub(super) labels: Labels,
+    pub(super) locals: Vec<(u32, Local)>,
+    pub(super) taken: Vec<(Name, u32)>,
+    pub(super) slots: u32,
+    pub(super) items: Vec<Item>,
+    /// The items in the order in which they cover each other.
+    pub(super) order: Vec<usize>,
+}
+
+/// What a figure asks of the data for which it is drawn.
+pub trait Given {
+    /// The real number of a name of the item, in SI units.
+    fn number(&self, name: &Name) -> Option<f64>;
+
+    /// A name's number with its unit, as it is printed.
+    fn value(&self, name: &Name) -> Option<Math>;
+}
+
+/// What labels show of a quantity.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Labels {
+    /// Its symbol.
+    #[default]
+    Symbol,
+    /// Its value.
+    Value,
+    /// Both.
+    Both,
+}
+
+/// A name of a figure.
+#[derive(Debug)]
+pub(super) enum Local {
+    Number(Amount),
+    Point(Pair),
+}
+
+/// An element as it is declared.
+pub(super) struct Item {
+    pub(super) kind: &'static dyn Element,
+    pub(super) ends: Vec<Place>,
+    pub(super) settings: Vec<(&'static str, Value)>,
+    pub(super) label: Option<Written>,
+    pub(super) at: Option<Side>,
+    pub(super) style: Style,
+}
+
+/// The place of an element.
+#[derive(Debug)]
+pub(super) enum Place {
+    Free(Pair),
+    /// A point with a name, by its slot.
+    Named(u32),
+    Side(u32, Side),
+    /// Round a pulley, counterclockwise if true.
+    Pass(u32, bool),
+}
+
+/// The value of a key.
+#[derive(Debug)]
+pub(super) enum Value {
+    Number(Amount),
+    Vector(Pair),
+    Point(Place),
+    Known(Setting),
+}
+
+/// A label as it is declared.
+#[derive(Debug)]
+pub(super) struct Written {
+    pub(super) label: Label,
+    pub(super) words: String,
+    /// The name of the item that it is, if it is one.
+    pub(super) name: Option<Name>,
+}
+
+/// A figure that was drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// The picture, as an SVG element.
+    pub svg: String,
+    /// What it shows, in words.
+    pub alt: String,
+    /// Its width in print, in millimetres.
+    pub width: f64,
+    /// Its height in print, in millimetres.
+    pub height: f64,
+}
+
+/// An element whose place or size is no number, or lies beyond what can be drawn, for these data.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("`{kind}`, element {number} of the figure, has no place for these data")]
+pub struct Undrawable {
+    /// The kind of the element.
+    pub kind: &'static str,
+    /// Its number, from 1.
+    pub number: usize,
+}
+
+impl std::fmt::Debug for Item {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(formatter, "{} at {:?}", self.kind.name(), self.ends)
+    }
+}
+
+impl Figure {
+    /// What its places need of the item.
+    pub fn demands(&self) -> impl Iterator<Item = &Name> {
+        self.taken.iter().map(|(name, _)| name)
+    }
+
+    /// The drawing for these data.
+    ///
+    /// # Errors
+    ///
+    /// [`Undrawable`].
+    pub fn draw(&self, given: &dyn Given) -> Result<Drawing, Undrawable> {
+        Ok(drawn(&self.parts(given)?, &self.items, &self.order))
+    }
+
+    /// The picture for these data; `id` begins all identities in it.
+    ///
+    /// # Errors
+    ///
+    /// [`Undrawable`].
+    pub fn picture(&self, given: &dyn Given, id: &str) -> Result<Picture, Undrawable> {
+        let parts = self.parts(given)?;
+        let drawing = drawn(&parts, &self.items, &self.order);
+        let Story { title, text } = describe::story(&self.items, &parts);
+        let alt = self.alt.clone().unwrap_or(text);
+        let svg = drawing.svg(&Head {
+            id,
+            title: &title,
+            description: &alt,
+        });
+        let (width, height) = drawing.size();
+        Ok(Picture {
+            svg,
+            alt,
+            width,
+            height,
+        })
+    }
+
+    fn parts(&self, given: &dyn Given) -> Result<Vec<Part<'_>>, Undrawable> {
+        let values = self.values(given);
+        let mut parts = Vec::with_capacity(self.items.len());
+        for (place, item) in self.items.iter().enumerate() {
+            let part = self.part(item, &values, given);
+            if !part.ends.iter().all(|end| end.point.is_drawable()) {
+                return Err(Undrawable {
+                    kind: item.kind.name(),
+                    number: place + 1,
+                });
+            }
+            parts.push(part);
+        }
+        self.join(&mut parts);
+        spread(&self.items, &mut parts);
+        Ok(parts)
+    }
+
+    /// The numbers of all names.
+    fn values(&self, given: &dyn Given) -> Values {
+        let mut values = Values::new(self.slots);
+        for (name, slot) in &self.taken {
+            values.set(*slot, given.number(name).unwrap_or(f64::NAN));
+        }
+        for (slot, local) in &self.locals {
+            match local {
+                Local::Number(amount) => values.set(*slot, values.amount(amount)),
+                Local::Point(pair) => {
+                    let point = values.pair(pair);
+                    values.set(*slot, point.x);
+                    values.set(slot + 1, point.y);
+                }
+            }
+        }
+        values
+    }
+
+    fn part<'f>(&self, item: &'f Item, values: &Values, given: &dyn Given) -> Part<'f> {
+        let ends = item.ends.iter().map(|place| {
+            let pass = match place {
+                Place::Pass(_, is_left) => Some(*is_left),
+                _ => None,
+            };
+            End {
+                point: place.point(values),
+                body: None,
+                out: None,
+                pass,
+            }
+        });
+        let settings = item.settings.iter().map(|(key, value)| {
+            let setting = match value {
+                Value::Number(amount) => Setting::Number(values.amount(amount)),
+                Value::Vector(pair) => Setting::Vector(values.pair(pair)),
+                Value::Point(place) => Setting::Vector(place.point(values)),
+                Value::Known(setting) => *setting,
+            };
+            (*key, setting)
+        });
+        Part {
+            ends: ends.collect(),
+            settings: settings.collect(),
+            label: item
+                .label
+                .as_ref()
+                .map(|written| self.label(written, given)),
+            at: item.at,
+            style: item.style,
+            shift: 0.0,
+            words: item.label.as_ref().map_or("", |written| &written.words),
+        }
+    }
+
+    fn label(&self, written: &Written, given: &dyn Given) -> Label {
+        let value = match (self.labels, &written.name) {
+            (Labels::Symbol, _) | (_, None) => None,
+            (_, Some(name)) => given.value(name),
+        };
+        let symbol = written.label.clone();
+        match value {
+            None => symbol,
+            Some(value) if self.labels == Labels::Value => Label::of(&value),
+            Some(value) => symbol
+                .followed_by(Label::upright("="))
+                .followed_by(Label::of(&value)),
+        }
+    }
+
+    /// Tells every end which body it meets.
+    fn join(&self, parts: &mut [Part<'_>]) {
+        let mut bodies: Vec<(u32, Outline)> = Vec::new();
+        for (item, part) in self.items.iter().zip(parts.iter()) {
+            let (Some(Place::Named(slot)), Some(outline)) =
+                (item.ends.first(), item.kind.outline(part))
+            else {
+                continue;
+            };
+            match bodies.iter_mut().find(|(known, _)| known == slot) {
+                // Of several bodies at a point the largest has the sides.
+                Some((_, known)) if known.bounds().width() < outline.bounds().width() => {
+                    *known = outline;
+                }
+                Some(_) => {}
+                None => bodies.push((*slot, outline)),
+            }
+        }
+        let body = |slot: &u32| {
+            bodies
+                .iter()
+                .find(|(known, _)| known == slot)
+                .map(|(_, body)| *body)
+        };
+        for (item, part) in self.items.iter().zip(parts.iter_mut()) {
+            let is_body = matches!(item.kind.role(), Role::Body(_));
+            for (place, end) in item.ends.iter().zip(&mut part.ends) {
+                match place {
+                    Place::Named(slot) if !is_body => end.body = body(slot),
+                    Place::Pass(slot, _) => end.body = body(slot),
+                    Place::Side(slot, side) => {
+                        end.body = body(slot);
+                        if let Some(body) = end.body {
+                            let (point, out) = body.side(*side);
+                            (end.point, end.out) = (point, Some(out));
+                        }
+                    }
+                    Place::Named(_) | Place::Free(_) => {}
+                }
+            }
+        }
+    }
+}
+
+impl Place {
+    fn point(&self, values: &Values) -> Point {
+        match self {
+            Self::Free(pair) => values.pair(pair),
+            Self::Named(slot) | Self::Side(slot, _) | Self::Pass(slot, _) => values.point(*slot),
+        }
+    }
+}
+
+/// Room that a link needs beside its neighbour.
+const LINK: f64 = 0.85;
+
+/// Spreads links that share their ends evenly, first above or left of last.
+fn spread(items: &[Item], parts: &mut [Part<'_>]) {
+    let links: Vec<usize> = (0..parts.len())
+        .filter(|place| items[*place].kind.spreads() && parts[*place].vector("around").is_none())
+        .collect();
+    let ends = |part: &Part<'_>| (part.ends[0].point, part.ends[1].point);
+    let mut done: Vec<usize> = Vec::new();
+    for first in &links {
+        if done.contains(first) {
+            continue;
+        }
+        let (a, b) = ends(&parts[*first]);
+        let shares = |place: &&usize| {
+            let (c, d) = ends(&parts[**place]);
+            a.distance(c).max(b.distance(d)) < 1e-6 || a.distance(d).max(b.distance(c)) < 1e-6
+        };
+        let group: Vec<usize> = links.iter().filter(shares).copied().collect();
+        done.extend(&group);
+        if group.len() < 2 {
+            continue;
+        }
+        let breadth = |end: &End| end.body.map_or(f64::INFINITY, |body| body.breadth(b - a));
+        let [start, end] = [&parts[*first].ends[0], &parts[*first].ends[1]];
+        let room = breadth(start).min(breadth(end)) / group.len() as f64;
+        let step = room.clamp(0.55, LINK);
+        for (rank, place) in group.iter().enumerate() {
+            let part = &mut parts[*place];
+            let left = (part.ends[1].point - part.ends[0].point).unit().left();
+            let is_first_side = left.y > 0.3 || (left.y.abs() <= 0.3 && left.x < 0.0);
+            let rank = rank as f64 - (group.len() - 1) as f64 / 2.0;
+            let shift = -rank * step;
+            part.shift = if is_first_side { shift } else { -shift };
+            if part.at.is_none() && rank != 0.0 {
+                let out = left * part.shift;
+                part.at = Some(
+                    match (out.x.abs() > out.y.abs(), out.x > 0.0, out.y > 0.0) {
+                        (true, true, _) => Side::Right,
+                        (true, false, _) => Side::Left,
+                        (false, _, true) => Side::Above,
+                        (false, _, false) => Side::Below,
+                    },
+                );
+            }
+        }
+    }
+}
+
+fn drawn(parts: &[Part<'_>], items: &[Item], order: &[usize]) -> Drawing {
+    let mut drawing = Drawing::new();
+    for place in order {
+        let (item, part) = (&items[*place], &parts[*place]);
+        drawing.belongs_to(*place as u32);
+        item.kind.draw(part, &mut drawing);
+        if let Some(label) = &part.label {
+            let spots: Vec<Spot> = item.kind.spots(part);
+            drawing.place(label.clone(), spots);
+        }
+    }
+    drawing.settle();
+    drawing
+}

@@ -1,0 +1,40 @@
+//! The figure of an item, drawn for the data of its instance.
+
+use super::Scene;
+use crate::expr::Name;
+use crate::figure::{Given, Picture};
+use crate::math::Math;
+
+impl Scene<'_, '_> {
+    /// The figure; `None` where the item has none, or where its places have no value for these data.
+    pub fn picture(&self) -> Option<Picture> {
+        let figure = self.solution.template().figure.as_ref()?;
+        self.solution.note_figure();
+        figure.picture(self, &self.picture_id()).ok()
+    }
+
+    /// The beginning of the identities in the figure: the item's identity, and the seed, which differs from that
+    /// of any other instance on a page.
+    fn picture_id(&self) -> String {
+        let instance = self.solution.instance();
+        let item = instance.template().id.as_str().replace('/', "-");
+        match instance.seed() {
+            Some(seed) => format!("{item}-{seed}"),
+            None => item,
+        }
+    }
+}
+
+impl Given for Scene<'_, '_> {
+    fn number(&self, name: &Name) -> Option<f64> {
+        let node = self.solution.template().graph.find(name)?;
+        self.solution.evaluation().real(node).ok()
+    }
+
+    fn value(&self, name: &Name) -> Option<Math> {
+        let template = self.solution.template();
+        let node = template.graph.find(name)?;
+        let info = template.info(node).filter(|info| info.units.is_some())?;
+        Some(self.value(node, info))
+    }
+}
