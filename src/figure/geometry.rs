@@ -250,7 +250,7 @@ mod tests {
         let through = unit.chord(Point::new(-1.0, 0.5), Point::new(3.0, 0.5));
         assert_eq!(through, Some(1.0));
         assert_eq!(
-            unit.chord(Point::new(0.2, 0.2), Point::new(0.2, 0.7)),
+            unit.chord(Point::new(0.2, 0.25), Point::new(0.2, 0.75)),
             Some(0.5)
         );
         assert_eq!(

@@ -152,8 +152,8 @@ impl Scene<'_, '_> {
         let mut across = axis(x.label.clone(), x.unit, x.is_logarithmic);
         across.spacing = self.spacing(x)?;
         let mut up = axis(label, y.unit, y.is_logarithmic);
-        if let Some(range) = &y.range {
-            up.range = Some(self.ends(*range, &y.unit)?);
+        if let Some(range) = y.range {
+            up.range = Some(self.ends(range, &y.unit)?);
         }
         Ok((across, up))
     }

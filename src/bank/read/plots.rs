@@ -268,11 +268,12 @@ impl<'s> Reader<'s> {
         let node = self.over(&format!("{plot}: curve"), expr.clone(), &text, variable)?;
         let is_band = style == Style::Band && !is_phase_plane;
         let shape = self.graph.kind(node)?.shape();
-        if !is_band {
-            self.real(node, &text)?;
-        } else if shape != Shape::Vector(2) {
+        if is_band && shape != Shape::Vector(2) {
             self.find(&ItemError::PlotBand, &text);
             return None;
+        }
+        if !is_band {
+            self.real(node, &text)?;
         }
         let rate = if is_phase_plane {
             let rate = Expr::derived(Kind::Diff(expr, vec![variable.name.clone()]));

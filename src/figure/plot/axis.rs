@@ -20,10 +20,13 @@ const MOST: [usize; 2] = [8, 6];
 impl Axis {
     /// Where a value stands, in the axis's own coordinate.
     pub(super) fn coordinate(&self, value: f64) -> Option<f64> {
-        let coordinate = match self.is_logarithmic {
-            true if value > 0.0 => log10(value),
-            true => return None,
-            false => value,
+        if self.is_logarithmic && value <= 0.0 {
+            return None;
+        }
+        let coordinate = if self.is_logarithmic {
+            log10(value)
+        } else {
+            value
         };
         coordinate.is_finite().then_some(coordinate)
     }

@@ -5,8 +5,8 @@ use super::sample::{Coarse, Function, Knot, Run, cubic};
 use super::{Course, Plot, PlotError};
 use crate::figure::{Path, Point};
 
-/// Largest distance of a curve from its cubic pieces, in millimetres: a tenth of the line's width.
-const ERROR: f64 = 0.03;
+/// Largest distance of a curve from its cubic pieces, in millimetres: a ninth of the line's width.
+const ERROR: f64 = 0.04;
 /// Millimetres in a figure unit.
 const MILLIMETRES: f64 = 10.0;
 /// Straight pieces for a cubic one where labels keep clear.

@@ -1,5 +1,7 @@
 //! What a plot shows, in words.
 
+use std::fmt::Write as _;
+
 use super::course::Line;
 use super::sample::cubic;
 use super::{Axis, Plot, Style};
@@ -38,7 +40,7 @@ pub(super) fn of(plot: &Plot<'_>, lines: &[Line], up: &Math) -> String {
         .any(|curve| matches!(curve.course, super::Course::Path(_)));
     if let Some([from, to]) = range.filter(|_| !is_plane) {
         let (from, to) = (number(from, Unit::ONE, mark), number(to, plot.x.unit, mark));
-        text += &format!(", from {from} to {to}");
+        let _ = write!(text, ", from {from} to {to}");
     }
     if plot.x.is_logarithmic {
         text += " (logarithmic)";
@@ -53,12 +55,8 @@ pub(super) fn of(plot: &Plot<'_>, lines: &[Line], up: &Math) -> String {
             number(point.at[0], plot.x.unit, mark),
             number(point.at[1], plot.y.unit, mark),
         ];
-        text += &format!(
-            " Marked{}{label}: {}, {}.",
-            if label.is_empty() { "" } else { ", " },
-            at[0],
-            at[1]
-        );
+        let comma = if label.is_empty() { "" } else { ", " };
+        let _ = write!(text, " Marked{comma}{label}: {}, {}.", at[0], at[1]);
     }
     text
 }
@@ -205,8 +203,8 @@ mod tests {
         let decay = [4.0, -3.0, 2.0, -1.0, 0.5, 0.0];
         assert_eq!(
             says(&decay),
-            "oscillates between -3 mm and 4 mm and decays, with 4 turning points"
+            "oscillates between −3 mm and 4 mm and decays, with 4 turning points"
         );
-        assert!(says(&[0.0, 1.0, -1.0, 1.0, -1.0, 1.0]).contains("between -1 mm and 1 mm, with"));
+        assert!(says(&[0.0, 1.0, -1.0, 1.0, -1.0, 1.0]).contains("between −1 mm and 1 mm, with"));
     }
 }

@@ -317,8 +317,8 @@ fn spread(heights: &mut [f64]) {
     }
     for (from, to) in groups {
         let lowest = middle(&wanted, from, to) - LINE * (to - from - 1) as f64 / 2.0;
-        for place in from..to {
-            heights[place] = lowest + LINE * (place - from) as f64;
+        for (place, height) in heights[from..to].iter_mut().enumerate() {
+            *height = lowest + LINE * place as f64;
         }
     }
 }
