@@ -82,7 +82,8 @@ fn sheets_are_tagged_pdf_of_the_same_bytes() {
 fn the_whole_bank_prints() {
     let (catalogue, _) = Catalogue::load(embedded());
     let items: Vec<&str> = catalogue
-        .templates()
+        .items()
+        .iter()
         .map(|template| template.id.as_str())
         .collect();
     let blueprint = blueprint(&items);
