@@ -9,10 +9,12 @@ use std::fmt::Write;
 use super::script::Bearer;
 use super::{Accent, Class, Display, Empty, Holes, Math, Size, Style, TableKind};
 
-/// What a Typst file defines before the formulas that are written here: `m` and `dm` set a formula
-/// in a line and on its own, with its words for who cannot see it; the others are the classes of
+/// What a Typst file defines before the formulas that are written here: `m`, `sm` and `dm` set a formula
+/// in a line, one so short that no line ends in it, and one on its own, with its words for who cannot see
+/// it; the others are the classes of
 /// signs, which TeX and Typst do not give to the same signs.
 pub const PRELUDE: &str = r#"#let m(words, formula) = math.equation(alt: words, formula.body)
+#let sm(words, formula) = box(m(words, formula))
 #let dm(words, formula) = math.equation(block: true, alt: words, formula.body)
 #let bin(sign) = math.class("binary", sign)
 #let rel(sign) = math.class("relation", sign)
@@ -26,6 +28,9 @@ pub const PRELUDE: &str = r#"#let m(words, formula) = math.equation(alt: words, 
 #let lines(..cells) = math.mat(delim: none, column-gap: 0pt, row-gap: .7em, ..cells)
 "#;
 
+/// Bytes of a formula in which no line ends, about those of `x₀ = −0.17 m`.
+const SHORT: usize = 80;
+
 impl Math {
     /// As Typst markup that sets the formula, for a file that begins with [`PRELUDE`].
     pub fn typst(&self, display: Display) -> String {
@@ -36,7 +41,14 @@ impl Math {
 
     /// Appends Typst markup that sets the formula.
     pub fn write_typst(&self, out: &mut String, display: Display, holes: &dyn Holes) {
+        let mut body = String::new();
+        Writer {
+            out: &mut body,
+            holes,
+        }
+        .math(self);
         out.push_str(match display {
+            Display::Inline if body.len() <= SHORT => "#sm(",
             Display::Inline => "#m(",
             Display::Block => "#dm(",
         });
@@ -44,7 +56,7 @@ impl Math {
         self.write_spoken(&mut words, holes);
         quote(out, &words);
         out.push_str(",$");
-        Writer { out, holes }.math(self);
+        out.push_str(&body);
         out.push_str("$)");
     }
 }

@@ -4,10 +4,11 @@
 //! data one branch holds, the pieces are written out, and what does not move is a number.
 
 use std::cell::RefCell;
+use std::convert::Infallible;
 
-use super::notation::Symbols;
+use super::notation::{Numbers, Symbols, symbol_of};
 use crate::expr::{
-    Expr, Kind, Name, Notation, Path, Precise, Program, Slots, Symbol, SymbolKind, Value, Workspace,
+    Expr, Kind, Name, Notation, Operator, Path, Precise, Program, Slots, Symbol, Value, Workspace,
 };
 use crate::math::Math;
 use crate::quantity::NodeId;
@@ -62,9 +63,8 @@ impl Reader<'_, '_> {
     }
 
     fn in_children(&self, expr: &Expr, depth: usize) -> Expr {
-        let mapped = expr.try_map_children(&mut |child| {
-            Ok::<_, std::convert::Infallible>(self.concrete(child, depth))
-        });
+        let mapped =
+            expr.try_map_children(&mut |child| Ok::<_, Infallible>(self.concrete(child, depth)));
         mapped.unwrap_or_else(|never| match never {})
     }
 
@@ -127,44 +127,72 @@ impl Folded<'_, '_> {
             return expr.clone();
         }
         if let Some(number) = self.number(expr) {
-            let mut numbers = self.numbers.borrow_mut();
-            numbers.push(number);
-            return Expr::name(format!("#{}", numbers.len() - 1).as_str());
+            return self.note(number);
         }
         match expr.kind() {
             Kind::Prime(..) | Kind::Diff(..) | Kind::At(..) => expr.clone(),
             Kind::Root(..) | Kind::Integral(..) => expr.clone(),
+            Kind::Binary(sign @ (Operator::Add | Operator::Subtract), first, second) => {
+                let (first, second) = (self.fold(first), self.fold(second));
+                match (sign, self.negated(&second)) {
+                    (Operator::Add, Some(second)) => first - second,
+                    (_, Some(second)) => first + second,
+                    (Operator::Add, None) => first + second,
+                    (_, None) => first - second,
+                }
+            }
             _ => {
-                let mapped = expr.try_map_children(&mut |child| {
-                    Ok::<_, std::convert::Infallible>(self.fold(child))
-                });
+                let mapped =
+                    expr.try_map_children(&mut |child| Ok::<_, Infallible>(self.fold(child)));
                 mapped.unwrap_or_else(|never| match never {})
             }
         }
     }
 
-    /// One figure more than results have, as in intermediate steps.
+    /// A datum as it is given; results with one figure more than they have at the end.
     fn number(&self, expr: &Expr) -> Option<Decimal> {
         let number = value(self.solution, expr)?.as_real()?;
-        Decimal::rounded(number, self.digits + 1)
+        match expr.kind() {
+            Kind::Name(name) => Numbers(self.solution).decimal(name),
+            _ => Decimal::rounded(number, self.digits + 1),
+        }
+    }
+
+    /// A name that stands for a number.
+    fn note(&self, number: Decimal) -> Expr {
+        let mut numbers = self.numbers.borrow_mut();
+        numbers.push(number);
+        Expr::name(format!("#{}", numbers.len() - 1).as_str())
+    }
+
+    fn noted(&self, name: &Name) -> Option<Decimal> {
+        let place: usize = name.as_str().strip_prefix('#')?.parse().ok()?;
+        self.numbers.borrow().get(place).copied()
+    }
+
+    /// A folded term without the sign of its first factor, if that is negative: `a + (−2)·b` is `a − 2·b`.
+    fn negated(&self, term: &Expr) -> Option<Expr> {
+        match term.kind() {
+            Kind::Name(name) => {
+                let number = self.noted(name).filter(|number| number.is_negative())?;
+                Some(self.note(number.abs()))
+            }
+            Kind::Negate(inner) => Some(inner.clone()),
+            Kind::Binary(Operator::Multiply, first, rest) => {
+                Some(self.negated(first)? * rest.clone())
+            }
+            Kind::Binary(Operator::Divide, first, rest) => {
+                Some(self.negated(first)? / rest.clone())
+            }
+            _ => None,
+        }
     }
 }
 
 impl Notation for Folded<'_, '_> {
     fn name(&self, name: &Name) -> Symbol {
-        let place = name.as_str().strip_prefix('#');
-        let number = place
-            .and_then(|place| place.parse::<usize>().ok())
-            .and_then(|place| self.numbers.borrow().get(place).copied());
-        match number {
-            Some(number) => Symbol {
-                math: number.math(self.solution.mark()),
-                kind: if number.is_negative() {
-                    SymbolKind::Negative
-                } else {
-                    SymbolKind::Number
-                },
-            },
+        match self.noted(name) {
+            Some(number) => symbol_of(number, self.solution),
             None => Symbols(self.solution).name(name),
         }
     }

@@ -44,6 +44,9 @@ pub struct Shown<'t> {
     pub fillings: Vec<Filling>,
 }
 
+/// Letters of a function that a key shows at most.
+const LONGEST_KEY: usize = 120;
+
 impl<'s, 't> Scene<'s, 't> {
     /// A scene of a solution.
     pub fn of(solution: &'s Solution<'t>, data: Data) -> Self {
@@ -83,7 +86,7 @@ impl<'s, 't> Scene<'s, 't> {
     }
 
     /// How the key of a part is shown where its general form is not what one looks for: a function
-    /// of time with the numbers of this instance.
+    /// of time with the numbers of this instance. One that no line can hold is left to the solution.
     pub fn key(&self, place: usize) -> Option<Math> {
         let template = self.solution.template();
         let answer = &template.parts.get(place)?.answer;
@@ -92,6 +95,9 @@ impl<'s, 't> Scene<'s, 't> {
             return None;
         }
         let math = concrete::function(self.solution, keys[0])?;
+        if math.plain().chars().count() > LONGEST_KEY {
+            return Some(Math::text("see the worked solution"));
+        }
         Some(match answer.unit().filter(|unit| !unit.is_one()) {
             Some(unit) => Math::row([
                 math,

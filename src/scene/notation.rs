@@ -36,30 +36,41 @@ impl Notation for Numbers<'_, '_> {
 
 impl Numbers<'_, '_> {
     fn number(&self, name: &Name) -> Option<Symbol> {
+        Some(symbol_of(self.decimal(name)?, self.0))
+    }
+
+    /// The number of a name, as it is printed in SI units.
+    pub(super) fn decimal(&self, name: &Name) -> Option<Decimal> {
         let (solution, template) = (self.0, self.0.template());
         let node = template.graph.find(name)?;
         let info = template.info(node)?;
-        let number = match info
-            .parameter
-            .map(|place| solution.instance().values()[place])
-        {
-            // A datum in SI units stands as it is printed.
-            Some(given) if matches!(info.units, Some(Units::One(unit)) if unit == unit.coherent() && given.unit == unit) => {
-                given.value
-            }
-            _ => Decimal::rounded(
-                solution.evaluation().real(node).ok()?,
-                u32::from(info.digits) + 1,
-            )?,
-        };
-        let kind = if number.is_negative() {
-            SymbolKind::Negative
-        } else {
-            SymbolKind::Number
-        };
-        Some(Symbol {
-            math: number.math(solution.mark()),
-            kind,
-        })
+        Some(
+            match info
+                .parameter
+                .map(|place| solution.instance().values()[place])
+            {
+                // A datum in SI units stands as it is printed.
+                Some(given) if matches!(info.units, Some(Units::One(unit)) if unit == unit.coherent() && given.unit == unit) => {
+                    given.value
+                }
+                _ => Decimal::rounded(
+                    solution.evaluation().real(node).ok()?,
+                    u32::from(info.digits) + 1,
+                )?,
+            },
+        )
+    }
+}
+
+/// A number as a symbol: one that is negative is put in parentheses where it has to be.
+pub(super) fn symbol_of(number: Decimal, solution: &Solution<'_>) -> Symbol {
+    let kind = if number.is_negative() {
+        SymbolKind::Negative
+    } else {
+        SymbolKind::Number
+    };
+    Symbol {
+        math: number.math(solution.mark()),
+        kind,
     }
 }
