@@ -35,6 +35,8 @@ pub struct Chapter {
     pub number: i64,
     /// What it is about.
     pub text: String,
+    /// Its formulas, for sheets that come with them; may be empty.
+    pub formulas: String,
 }
 
 #[cfg(feature = "render")]
@@ -132,6 +134,7 @@ impl Chapter {
             title: folder.to_owned(),
             number: i64::MAX,
             text: String::new(),
+            formulas: String::new(),
         };
         if let Some(table) = Table::of(source, &problems, "", &value) {
             if let Some(title) = table.required_text("title") {
@@ -140,10 +143,8 @@ impl Chapter {
             if let Some(number) = table.integer("number", "a whole number", 0..=i64::MAX) {
                 chapter.number = number;
             }
-            chapter.text = table
-                .text("text")
-                .map(|text| text.value)
-                .unwrap_or_default();
+            let text = |key| table.text(key).map(|text| text.value).unwrap_or_default();
+            (chapter.text, chapter.formulas) = (text("text"), text("formulas"));
             table.finish();
         }
         let findings = problems.take();

@@ -53,6 +53,7 @@ pub(crate) fn read(path: &Path) -> Result<Vec<Student>, Failure> {
             id,
             name: column("name"),
             group: column("group"),
+            seat: column("seat"),
             columns,
         });
         if students.len() > MOST_STUDENTS {

@@ -38,6 +38,7 @@ mod progress;
 mod record;
 mod report;
 mod responses;
+mod schema;
 mod sheet;
 mod show;
 mod solve;
@@ -77,6 +78,7 @@ enum Command {
     Explain(explain::Arguments),
     New(new::Arguments),
     Page(page::Arguments),
+    Schema(schema::Arguments),
     Completions(completions::Arguments),
 }
 
@@ -112,6 +114,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Completions(arguments) => completions::run(&arguments),
         Command::New(arguments) => new::run(&arguments),
         Command::Page(arguments) => page::run(&arguments),
+        Command::Schema(arguments) => schema::run(&arguments),
     };
     match outcome {
         Ok(outcome) => outcome.into(),

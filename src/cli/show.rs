@@ -1,13 +1,17 @@
-//! `vibank show ITEM`
+//! `vibank show ITEM|CODE`
 
+use std::path::{Path, PathBuf};
+
+use vibank::bank::Catalogue;
 use vibank::instance::Instance;
 use vibank::scene::{Data, Scene, Shown};
 use vibank::seed::{Seed, Variant};
 use vibank::solution::Solution;
-use vibank::worksheet::letter;
+use vibank::source::Source;
+use vibank::worksheet::{Blueprint, PartEntry, Plan, Sheet, letter};
 
-use super::bank::BankArgument;
-use super::{Failure, Outcome, solve};
+use super::bank::{self, BankArgument};
+use super::{Failure, Outcome, files, solve};
 
 /// Show an item, or the sheet of a code, in the terminal.
 ///
@@ -18,7 +22,10 @@ pub(crate) struct Arguments {
     item: String,
     /// The manifest in which a code is looked up.
     #[arg(long, value_name = "FILE")]
-    manifest: Option<std::path::PathBuf>,
+    manifest: Option<PathBuf>,
+    /// The blueprint whose sheet a code is; its bank has to be as it was then.
+    #[arg(long, value_name = "FILE", conflicts_with = "manifest")]
+    blueprint: Option<PathBuf>,
     /// Draw the data from this seed; else those of the source are shown.
     #[arg(long)]
     seed: Option<u64>,
@@ -48,25 +55,27 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             .collect();
         let instance = Instance::of(template, arguments.seed.map(Seed::new), &set)
             .map_err(|error| Failure::new(error.to_string()))?;
-        show(arguments, &Solution::of(instance));
+        let solution = Solution::of(instance);
+        show(arguments, &solution, Data::Both, &asked(&solution));
         return Ok(Outcome::Done);
+    }
+    if let Some(blueprint) = &arguments.blueprint {
+        return of_blueprint(arguments, blueprint, &catalogue);
     }
     let Some(manifest) = &arguments.manifest else {
         let failure = Failure::new(format!("there is no item `{}`", arguments.item));
         let is_code = arguments.item.parse::<Variant>().is_ok();
         return Err(match catalogue.nearest(&arguments.item) {
             _ if is_code => failure.help(
-                "for the code of a sheet give its manifest: `--manifest FOLDER/manifest.json`",
+                "for the code of a sheet give its manifest: `--manifest FOLDER/manifest.json`, \
+                 or its `--blueprint`",
             ),
             Some(near) => failure.help(format!("did you mean `{near}`?")),
             None => failure.help("`vibank list` shows all items"),
         });
     };
     let manifest = super::grade::manifest(manifest)?;
-    let code = arguments
-        .item
-        .parse::<Variant>()
-        .map_err(|error| Failure::new(format!("`{}`: {error}", arguments.item)))?;
+    let code = code(arguments)?;
     let entry = manifest
         .variants
         .iter()
@@ -74,17 +83,60 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let entry = entry.ok_or_else(|| Failure::new(format!("the manifest has no sheet {code}")))?;
     for question in &entry.questions {
         println!("Question {}", question.number);
+        let solution = super::grade::solution(&catalogue, question, manifest.decimal, false)?;
+        let parts = &solution.template().parts;
+        let place = |part: &PartEntry| parts.iter().position(|found| found.id == part.id);
+        let places: Vec<usize> = question.parts.iter().filter_map(place).collect();
+        show(arguments, &solution, manifest.data, &places);
+    }
+    Ok(Outcome::Done)
+}
+
+/// Shows the sheet that a code is of a blueprint.
+fn of_blueprint(
+    arguments: &Arguments,
+    path: &Path,
+    catalogue: &Catalogue,
+) -> Result<Outcome, Failure> {
+    let source = Source::new(path.display().to_string(), files::read(path)?);
+    let blueprint = match Blueprint::read(&source) {
+        Ok(blueprint) => blueprint,
+        Err(findings) => return bank::refuse(&findings),
+    };
+    let secret = super::sheet::secret(&blueprint)?;
+    let plan = match Plan::of(&blueprint, catalogue, secret) {
+        Ok(plan) => plan,
+        Err(findings) => return bank::refuse(&findings),
+    };
+    let sheet = Sheet::draw(&plan, code(arguments)?, None);
+    let sheet = sheet.map_err(|error| Failure::new(error.to_string()))?;
+    for question in &sheet.questions {
+        println!("Question {}", question.number);
         show(
             arguments,
-            &super::grade::solution(&catalogue, question, manifest.decimal, false)?,
+            &question.solution,
+            blueprint.data,
+            &question.parts,
         );
     }
     Ok(Outcome::Done)
 }
 
-fn show(arguments: &Arguments, solution: &Solution<'_>) {
+/// The code that was given.
+fn code(arguments: &Arguments) -> Result<Variant, Failure> {
+    let code = arguments.item.parse::<Variant>();
+    code.map_err(|error| Failure::new(format!("`{}`: {error}", arguments.item)))
+}
+
+/// The parts of an item that are asked for these data.
+fn asked(solution: &Solution<'_>) -> Vec<usize> {
+    let places = 0..solution.template().parts.len();
+    places.filter(|place| solution.asks(*place)).collect()
+}
+
+fn show(arguments: &Arguments, solution: &Solution<'_>, data: Data, parts: &[usize]) {
     let template = solution.template();
-    let scene = Scene::of(solution, Data::Both);
+    let scene = Scene::of(solution, data);
     println!(
         "{}  ({})\n",
         template.about.title,
@@ -97,8 +149,7 @@ fn show(arguments: &Arguments, solution: &Solution<'_>) {
             println!("\n{before}");
         }
     }
-    let asked = (0..template.parts.len()).filter(|place| solution.asks(*place));
-    for (position, place) in asked.enumerate() {
+    for (position, place) in parts.iter().copied().enumerate() {
         let part = &template.parts[place];
         println!(
             "\n{}) {}",

@@ -4,6 +4,7 @@
 //! with what a sheet shows. Layouts can read no files and run no code, and see finished pieces only:
 //! numbers are printed by `unit`, texts by `document`, and everything else is escaped.
 
+mod fairness;
 mod html;
 mod json;
 mod key_table;

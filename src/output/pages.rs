@@ -5,13 +5,16 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::Writer;
+use super::fairness::FairnessView;
 use super::key_table::{KeyRow, KeyTable, Panel};
 use super::layouts::{Layouts, OutputError, font};
 use super::view::{SheetView, View};
+use crate::bank::Chapter;
+use crate::document::{Block, Document, Inline};
 use crate::numerics::Rational;
-use crate::scene::{Data, Scene};
+use crate::scene::{Data, Scene, Shown};
 use crate::unit::DecimalMark;
-use crate::worksheet::{AnswerSpace, Blueprint, Paper, Sheet, letter};
+use crate::worksheet::{AnswerSpace, Blueprint, Fairness, Paper, Sheet, letter};
 
 /// What a page is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -37,6 +40,8 @@ pub struct Run {
     pub duration: String,
     /// Instructions, written.
     pub instructions: String,
+    /// The formulas of the chapters, written; may be empty.
+    pub formulas: String,
     /// `lines`, `boxes` or `none`.
     pub answer_space: &'static str,
     #[serde(skip)]
@@ -140,6 +145,7 @@ impl Run {
             date: String::new(),
             duration: String::new(),
             instructions: String::new(),
+            formulas: String::new(),
             answer_space: "none",
             language: language.to_owned(),
             paper: Paper::A4,
@@ -156,7 +162,7 @@ impl Run {
 
     /// What the pages of a blueprint have in common, in one notation.
     pub fn of(blueprint: &Blueprint, writer: &dyn Writer) -> Self {
-        let instructions = crate::document::Document::read(&blueprint.instructions.value).document;
+        let instructions = Document::read(&blueprint.instructions.value).document;
         let is_empty = instructions.is_empty();
         Self {
             title: blueprint.title.clone(),
@@ -168,6 +174,7 @@ impl Run {
             } else {
                 writer.line(&instructions)
             },
+            formulas: String::new(),
             answer_space: match blueprint.answer_space {
                 AnswerSpace::Lines => "lines",
                 AnswerSpace::Boxes => "boxes",
@@ -184,6 +191,27 @@ impl Run {
                 DecimalMark::Point
             },
         }
+    }
+
+    /// The same with the formulas of some chapters after the questions.
+    #[must_use]
+    pub fn with_formulas(mut self, chapters: &[&Chapter], writer: &dyn Writer) -> Self {
+        for chapter in chapters {
+            let title = Block::Heading {
+                level: 3,
+                content: vec![Inline::Text(chapter.title.clone())],
+            };
+            let formulas = Document::read(&chapter.formulas).document;
+            for document in [Document::of(vec![title], Vec::new()), formulas] {
+                let shown = Shown {
+                    document: &document,
+                    fillings: Vec::new(),
+                };
+                self.formulas.push_str(&writer.texts(&[shown]));
+                self.formulas.push_str("\n\n");
+            }
+        }
+        self
     }
 
     /// Points in words, `2.5 points`.
@@ -341,6 +369,26 @@ impl Pages {
         )
     }
 
+    /// The page that tells a teacher how alike the variants are.
+    ///
+    /// # Errors
+    ///
+    /// [`OutputError::Page`].
+    pub fn fairness(&self, fairness: &Fairness) -> Result<String, OutputError> {
+        #[derive(Serialize)]
+        struct Content<'a> {
+            run: &'a Run,
+            fairness: FairnessView<'a>,
+        }
+        self.layouts.fill(
+            "fairness",
+            &Content {
+                run: &self.run,
+                fairness: FairnessView::of(fairness, self.run.mark),
+            },
+        )
+    }
+
     /// The page of a student's feedback.
     ///
     /// # Errors
@@ -377,9 +425,9 @@ impl Pages {
             for (position, place) in question.parts.iter().enumerate() {
                 row.parts
                     .push(format!("{}{}", question.number, letter(position)));
-                let (cell, width) = match question.solution.marker(*place) {
-                    Ok(marker) => {
-                        let math = scene.key(*place).unwrap_or_else(|| marker.key().math);
+                let (cell, width) = match question.solution.key(*place) {
+                    Ok(key) => {
+                        let math = scene.key(*place).unwrap_or_else(|| key.math.clone());
                         (self.writer.math(&math), math.plain().chars().count())
                     }
                     Err(_) => (self.writer.words("–"), 1),

@@ -220,19 +220,17 @@ impl<'p> View<'p> {
                     .map(|unit| self.writer.math(&unit.math()))
                     .unwrap_or_default();
             }
-            Kind::Key | Kind::Solutions => {
-                match solution.marker(place).map(|marker| marker.key()) {
-                    Ok(key) => {
-                        let shown = scene.key(place).unwrap_or(key.math);
-                        view.key = self.writer.math(&shown);
-                        let accepted = key.accepted.as_ref().filter(|_| self.kind == Kind::Key);
-                        view.accepted = accepted
-                            .map(|range| format!("accepted: {}", self.writer.math(range)))
-                            .unwrap_or_default();
-                    }
-                    Err(absent) => view.absent = self.placed(&absent.to_string()),
+            Kind::Key | Kind::Solutions => match solution.key(place) {
+                Ok(key) => {
+                    let shown = scene.key(place).unwrap_or_else(|| key.math.clone());
+                    view.key = self.writer.math(&shown);
+                    let accepted = key.accepted.as_ref().filter(|_| self.kind == Kind::Key);
+                    view.accepted = accepted
+                        .map(|range| format!("accepted: {}", self.writer.math(range)))
+                        .unwrap_or_default();
                 }
-            }
+                Err(absent) => view.absent = self.placed(&absent.to_string()),
+            },
         }
         if self.kind == Kind::Solutions && !part.solution.is_empty() {
             view.solution = texts(&part.solution);
@@ -254,12 +252,10 @@ impl<'p> View<'p> {
         }
         let right = match self.kind {
             Kind::Sheet => Vec::new(),
-            Kind::Key | Kind::Solutions => {
-                match solution.marker(place).map(|marker| marker.key().value) {
-                    Ok(KeyValue::Options { ids, .. }) => ids,
-                    _ => Vec::new(),
-                }
-            }
+            Kind::Key | Kind::Solutions => match solution.key(place).map(|key| &key.value) {
+                Ok(KeyValue::Options { ids, .. }) => ids.clone(),
+                _ => Vec::new(),
+            },
         };
         let option = |(position, at): (usize, usize)| {
             let option = &options[at];

@@ -8,7 +8,7 @@ use std::cell::{Cell, OnceCell};
 
 pub use entry::Entry;
 
-use crate::answer::{Context, Marker, Mistaken};
+use crate::answer::{Context, Key, Marker, Mistaken};
 use crate::bank::{Mistake, MistakeAnswer, Part, Template};
 use crate::instance::Instance;
 use crate::quantity::{Absent, Evaluation, Trace};
@@ -20,6 +20,8 @@ pub struct Solution<'t> {
     instance: Instance<'t>,
     evaluation: Evaluation<'t>,
     markers: Vec<OnceCell<Result<Box<dyn Marker>, Absent>>>,
+    /// The keys as they are printed, on several pages of one sheet.
+    printed: Vec<OnceCell<Key>>,
     mark: DecimalMark,
     is_drawn: Cell<bool>,
 }
@@ -33,16 +35,12 @@ impl<'t> Solution<'t> {
     /// The solution of an instance on a sheet with this decimal sign.
     pub fn with_mark(instance: Instance<'t>, mark: DecimalMark) -> Self {
         let evaluation = instance.evaluation();
-        let markers = instance
-            .template()
-            .parts
-            .iter()
-            .map(|_| OnceCell::new())
-            .collect();
+        let count = instance.template().parts.len();
         Self {
             instance,
             evaluation,
-            markers,
+            markers: std::iter::repeat_with(OnceCell::new).take(count).collect(),
+            printed: std::iter::repeat_with(OnceCell::new).take(count).collect(),
             mark,
             is_drawn: Cell::new(false),
         }
@@ -91,6 +89,16 @@ impl<'t> Solution<'t> {
     pub fn marker(&self, place: usize) -> Result<&dyn Marker, Absent> {
         let prepared = self.markers[place].get_or_init(|| self.prepare(place));
         prepared.as_ref().map(AsRef::as_ref).map_err(Clone::clone)
+    }
+
+    /// The key of a part as it is printed.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::marker`].
+    pub fn key(&self, place: usize) -> Result<&Key, Absent> {
+        let marker = self.marker(place)?;
+        Ok(self.printed[place].get_or_init(|| marker.key()))
     }
 
     /// The order in which the options of a part are printed, as places in the file.

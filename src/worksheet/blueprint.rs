@@ -69,8 +69,8 @@ pub struct Blueprint {
     pub figures: bool,
     /// Whether hints are printed.
     pub hints: bool,
-    /// Whether a sheet of formulas is added.
-    pub formula_sheet: bool,
+    /// Where it says that the formulas of the chapters are printed after the questions, if it does.
+    pub formula_sheet: Option<Span>,
     /// Where answers are written.
     pub answer_space: AnswerSpace,
     /// Whether the order of the questions is drawn.
@@ -311,7 +311,11 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
         ),
         figures: table.boolean("figures").unwrap_or(true),
         hints: table.boolean("hints").unwrap_or(false),
-        formula_sheet: table.boolean("formula_sheet").unwrap_or(false),
+        formula_sheet: table
+            .boolean("formula_sheet")
+            .filter(|is_on| *is_on)
+            .and_then(|_| table.value("formula_sheet"))
+            .map(|value| value.span),
         answer_space: faults.word(
             &table,
             "answer_space",

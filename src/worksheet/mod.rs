@@ -7,11 +7,16 @@
 
 #[cfg(feature = "render")]
 mod blueprint;
+mod fairness;
 mod manifest;
 #[cfg(feature = "render")]
 mod plan;
 mod practice;
+#[cfg(feature = "render")]
+mod seat;
 mod sheet;
+#[cfg(feature = "render")]
+mod usual;
 #[cfg(feature = "render")]
 mod variants;
 
@@ -19,6 +24,7 @@ mod variants;
 pub use blueprint::{
     AnswerSpace, Audience, Blueprint, BlueprintError, Choice, Filter, Keys, Paper, Question,
 };
+pub use fairness::{Fairness, ItemFairness, QuestionFairness, Range};
 pub use manifest::{
     BankStamp, FORMAT, FileStamp, Manifest, PartEntry, QuestionEntry, VariantEntry,
 };

@@ -1,7 +1,7 @@
 //! A plan: a blueprint whose items were found in the bank.
 
 use super::blueprint::{Blueprint, Choice, Filter, Question};
-use crate::bank::{Catalogue, Template};
+use crate::bank::{Catalogue, Chapter, Template};
 use crate::diagnostic::{Code, Diagnose, Finding, Label};
 use crate::numerics::Rational;
 use crate::seed::{Secret, Seed, Streams, Variant};
@@ -14,6 +14,8 @@ pub struct Plan<'c> {
     pub blueprint: &'c Blueprint,
     /// Its questions, each pick as many times as it counts.
     pub questions: Vec<Planned<'c>>,
+    /// The chapters whose formulas are printed.
+    pub formulas: Vec<&'c Chapter>,
     /// What keys the seeds.
     pub secret: Option<Secret>,
 }
@@ -68,6 +70,8 @@ enum PlanError {
     },
     #[error("points are a positive number")]
     Points { span: Span },
+    #[error("the chapters of these items have no formulas")]
+    NoFormulas { span: Span },
 }
 
 impl<'c> Plan<'c> {
@@ -90,10 +94,12 @@ impl<'c> Plan<'c> {
         for (place, question) in blueprint.questions.iter().enumerate() {
             planner.question(place, question);
         }
+        let formulas = planner.formulas();
         if planner.findings.is_empty() {
             return Ok(Self {
                 blueprint,
                 questions: planner.questions,
+                formulas,
                 secret,
             });
         }
@@ -203,6 +209,32 @@ impl<'c> Planner<'c> {
         }
     }
 
+    /// The chapters whose formulas are printed: those of all items that can be asked, the same in every variant.
+    fn formulas(&mut self) -> Vec<&'c Chapter> {
+        let Some(place) = self.blueprint.formula_sheet else {
+            return Vec::new();
+        };
+        let items = || {
+            self.questions
+                .iter()
+                .flat_map(|question| &question.candidates)
+        };
+        let has_formulas = |chapter: &&Chapter| {
+            let is_asked = items().any(|item| item.id.chapter() == chapter.folder);
+            is_asked && !chapter.formulas.is_empty()
+        };
+        let found: Vec<&Chapter> = self
+            .catalogue
+            .chapters
+            .iter()
+            .filter(has_formulas)
+            .collect();
+        if found.is_empty() && !self.questions.is_empty() {
+            self.find(&PlanError::NoFormulas { span: place });
+        }
+        found
+    }
+
     fn pass(&mut self, filter: &Filter) -> Vec<&'c Template> {
         for text in &filter.items {
             if self.catalogue.find(&text.value).is_none() {
@@ -300,7 +332,8 @@ impl Diagnose for PlanError {
         | Self::Parameter { span, .. }
         | Self::Value { span, .. }
         | Self::TooFew { span, .. }
-        | Self::Points { span }) = self;
+        | Self::Points { span }
+        | Self::NoFormulas { span }) = self;
         vec![Label {
             span: *span,
             text: String::new(),
@@ -317,6 +350,9 @@ impl Diagnose for PlanError {
                 .as_ref()
                 .map(|near| format!("did you mean `{near}`?")),
             Self::TooFew { .. } => Some("widen the filter, or lower `count`".to_owned()),
+            Self::NoFormulas { .. } => {
+                Some("write them under `formulas` in `_chapter.toml`".to_owned())
+            }
             Self::Value { .. } | Self::Points { .. } => None,
         }
     }

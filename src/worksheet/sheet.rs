@@ -39,6 +39,8 @@ pub struct Student {
     pub name: String,
     /// Group; may be empty.
     pub group: String,
+    /// Seat, as row and place, `C7` or `3-7`; may be empty.
+    pub seat: String,
     /// All columns of the class list.
     pub columns: BTreeMap<String, String>,
 }

@@ -1,22 +1,26 @@
-//! Choosing the variants of a run: the first seeds whose items are all suitable and not repeated.
+//! Choosing the variants of a run: the first seeds whose items are all suitable, alike and not repeated.
 //!
 //! Looking at a seed is pure and costs most, so [`Chooser::propose`] can be called from many threads;
 //! [`Chooser::take`] then decides in the order of the run. What is taken does not depend on how many
 //! were proposed at once.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::OnceLock;
 
 use sha2::{Digest, Sha256};
 
+use super::fairness::{Fairness, ItemFairness, QuestionFairness, Range};
 use super::plan::{Plan, Planned};
+use super::seat::Seat;
 use super::sheet::{Sheet, SheetQuestion, Student};
+use super::usual::{Unusual, Usual, size};
 use crate::bank::Template;
 use crate::instance::{Instance, InstanceError};
 use crate::numerics::Rational;
 use crate::seed::{Seed, Streams, Variant};
 use crate::solution::Solution;
 use crate::suitability::{self, Unfit};
-use crate::unit::DecimalMark;
+use crate::unit::{DecimalMark, Unit};
 
 /// Chooses the variants of a run.
 pub struct Chooser<'p, 'c> {
@@ -24,8 +28,15 @@ pub struct Chooser<'p, 'c> {
     /// By place in the plan.
     questions: Vec<Taken>,
     codes: BTreeSet<Variant>,
+    /// The seats of the students, by place in the run.
+    seats: Vec<Option<Seat>>,
+    /// Who has a seat.
+    room: BTreeMap<Seat, Vec<usize>>,
+    /// What neighbours must not share, of those that were taken.
+    marks: Vec<BTreeSet<u64>>,
     /// Seeds that were tried and not taken.
     rejected: u64,
+    fairness: Fairness,
 }
 
 /// What was taken for one question of the plan.
@@ -34,16 +45,32 @@ struct Taken {
     instances: u64,
     /// Digests of those that were taken.
     data: BTreeSet<u64>,
+    /// What is usual for each candidate.
+    usual: Vec<OnceLock<Usual>>,
 }
 
 /// A variant that can be taken.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Candidate {
     index: u64,
     attempt: u64,
     variant: Variant,
-    /// Digests of the data, by place in the plan.
-    data: Vec<u64>,
+    /// By place in the plan.
+    questions: Vec<Asked>,
+}
+
+/// What has to be known of a question of a candidate.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Asked {
+    /// Which of the items that can be picked.
+    item: usize,
+    /// Digest of its data.
+    data: u64,
+    /// The parts that are asked, with the sizes of their answers.
+    parts: Vec<(usize, Option<f64>)>,
+    is_unusual: bool,
+    /// Digests of what neighbours must not share: the data, and the answers that differ between instances.
+    marks: Vec<u64>,
 }
 
 /// Why a run cannot be made.
@@ -67,26 +94,50 @@ pub enum SheetError {
 enum Objection {
     #[error("its data repeat an earlier variant")]
     Repeats,
+    #[error("it shares data or an answer with a neighbour")]
+    Neighbour,
+    #[error(transparent)]
+    Unusual(#[from] Unusual),
     #[error(transparent)]
     Unfit(#[from] Unfit),
 }
 
-/// Seeds tried for one variant before a repetition is accepted, and before giving up.
-const TRIES_AGAINST_REPETITION: u64 = 60;
+/// Seeds tried for one variant before one is taken that repeats another or is not like most.
+const TRIES_FOR_FAIRNESS: u64 = 60;
+/// Seeds tried for one variant before giving up.
 const MOST_TRIES: u64 = 400;
 
 impl<'p, 'c> Chooser<'p, 'c> {
-    /// A chooser at the first variant of a plan.
-    pub fn new(plan: &'p Plan<'c>) -> Self {
+    /// A chooser at the first variant of a plan; `students` are those of the class list, if there is one.
+    pub fn new(plan: &'p Plan<'c>, students: &[Student]) -> Self {
         let taken = |planned: &Planned<'_>| Taken {
             instances: planned.instances(),
             data: BTreeSet::new(),
+            usual: planned.candidates.iter().map(|_| OnceLock::new()).collect(),
         };
+        let questions = plan.questions.iter();
+        let seats: Vec<Option<Seat>> = students
+            .iter()
+            .map(|student| Seat::read(&student.seat))
+            .collect();
+        let mut room: BTreeMap<Seat, Vec<usize>> = BTreeMap::new();
+        for (place, seat) in seats.iter().enumerate() {
+            if let Some(seat) = seat {
+                room.entry(*seat).or_default().push(place);
+            }
+        }
         Self {
             plan,
-            questions: plan.questions.iter().map(taken).collect(),
+            questions: questions.clone().map(taken).collect(),
             codes: BTreeSet::new(),
+            seats,
+            room,
+            marks: Vec::new(),
             rejected: 0,
+            fairness: Fairness {
+                questions: questions.map(|_| QuestionFairness::default()).collect(),
+                ..Fairness::default()
+            },
         }
     }
 
@@ -95,8 +146,13 @@ impl<'p, 'c> Chooser<'p, 'c> {
         self.rejected
     }
 
-    /// The first attempt at the variant `index`, not before `from`, that is suitable and repeats nothing that was
-    /// taken so far.
+    /// How alike the variants are that were taken so far.
+    pub fn fairness(&self) -> &Fairness {
+        &self.fairness
+    }
+
+    /// The first attempt at the variant `index`, not before `from`, that is suitable, like most others, and
+    /// repeats nothing that was taken so far.
     ///
     /// # Errors
     ///
@@ -106,18 +162,8 @@ impl<'p, 'c> Chooser<'p, 'c> {
         for attempt in from..MOST_TRIES {
             let variant = self.plan.variant(index, attempt);
             let sheet = Sheet::draw(self.plan, variant, None)?;
-            let mut data = vec![0; sheet.questions.len()];
-            for question in &sheet.questions {
-                data[question.place] = digest(&question.solution);
-            }
-            let candidate = Candidate {
-                index,
-                attempt,
-                variant,
-                data,
-            };
-            match self.accepts(&candidate).and_then(|()| judge(&sheet)) {
-                Ok(()) => return Ok((candidate, sheet)),
+            match self.judge(index, attempt, &sheet) {
+                Ok(candidate) => return Ok((candidate, sheet)),
                 Err(objection) => last = Some(objection),
             }
         }
@@ -129,27 +175,125 @@ impl<'p, 'c> Chooser<'p, 'c> {
 
     /// Takes a candidate, unless it repeats what was taken since it was proposed; then another has to be proposed,
     /// from its [next attempt](Candidate::next_attempt).
+    ///
+    /// Candidates are taken in the order of the run.
     pub fn take(&mut self, candidate: &Candidate) -> bool {
         if self.accepts(candidate).is_err() {
             return false;
         }
-        for (question, data) in self.questions.iter_mut().zip(&candidate.data) {
-            question.data.insert(*data);
-        }
         self.codes.insert(candidate.variant);
         self.rejected += candidate.attempt;
+        self.fairness.variants += 1;
+        let neighbours = self.neighbours(candidate.index);
+        self.fairness.neighbours += neighbours.clone().count() as u64;
+        let alike = neighbours.filter(|marks| candidate.shares(marks)).count();
+        self.fairness.alike_neighbours += alike as u64;
+        for (place, asked) in candidate.questions.iter().enumerate() {
+            let item = self.plan.questions[place].candidates[asked.item];
+            let is_new = self.questions[place].data.insert(asked.data);
+            self.fairness.questions[place].add(item, asked, is_new);
+        }
+        if !self.seats.is_empty() {
+            self.marks.push(candidate.marks().collect());
+        }
         true
     }
 
+    /// Whether a sheet can be taken; the cheapest questions come first.
+    fn judge(&self, index: u64, attempt: u64, sheet: &Sheet<'c>) -> Result<Candidate, Objection> {
+        let mut candidate = Candidate {
+            index,
+            attempt,
+            variant: sheet.variant,
+            questions: vec![Asked::default(); sheet.questions.len()],
+        };
+        for question in &sheet.questions {
+            candidate.questions[question.place].data = digest(&question.solution);
+        }
+        self.accepts(&candidate)?;
+        for question in &sheet.questions {
+            suitability::judge(&question.solution, &question.parts)?;
+            let asked = self.asked(question, candidate.questions[question.place].data);
+            if asked.is_unusual && attempt < TRIES_FOR_FAIRNESS {
+                self.usual(question).judge(question)?;
+            }
+            candidate.questions[question.place] = asked;
+        }
+        self.accepts(&candidate)?;
+        Ok(candidate)
+    }
+
+    /// Whether a candidate repeats nothing, or has to be taken anyway.
     fn accepts(&self, candidate: &Candidate) -> Result<(), Objection> {
-        let mut pairs = self.questions.iter().zip(&candidate.data);
-        let repeats = pairs.any(|(question, data)| question.repeats(*data));
-        if self.codes.contains(&candidate.variant)
-            || (repeats && candidate.attempt < TRIES_AGAINST_REPETITION)
-        {
+        if self.codes.contains(&candidate.variant) {
             return Err(Objection::Repeats);
         }
+        if candidate.attempt >= TRIES_FOR_FAIRNESS {
+            return Ok(());
+        }
+        let mut pairs = self.questions.iter().zip(&candidate.questions);
+        if pairs.any(|(question, asked)| question.repeats(asked.data)) {
+            return Err(Objection::Repeats);
+        }
+        if self
+            .neighbours(candidate.index)
+            .any(|marks| candidate.shares(marks))
+        {
+            return Err(Objection::Neighbour);
+        }
         Ok(())
+    }
+
+    /// What the neighbours of a place have, of those that were taken.
+    fn neighbours(&self, index: u64) -> impl Iterator<Item = &BTreeSet<u64>> + Clone {
+        let seat = self.seats.get(index as usize).copied().flatten();
+        let around = seat.into_iter().flat_map(Seat::around);
+        let near = around.filter_map(|seat| self.room.get(&seat)).flatten();
+        near.filter(move |place| **place as u64 != index)
+            .filter_map(|place| self.marks.get(*place))
+    }
+
+    fn asked(&self, question: &SheetQuestion<'_>, data: u64) -> Asked {
+        let usual = self.usual(question);
+        let solution = &question.solution;
+        let sizes = question
+            .parts
+            .iter()
+            .map(|part| (*part, size(solution, *part)));
+        let answer = |part: &usize| {
+            let key = solution.key(*part).ok().filter(|_| usual.differs(*part))?;
+            Some(mark(
+                &[question.place as u64, *part as u64],
+                &key.math.plain(),
+            ))
+        };
+        let answers = question.parts.iter().filter_map(answer);
+        Asked {
+            item: self.item(question),
+            data,
+            parts: sizes.collect(),
+            is_unusual: usual.judge(question).is_err(),
+            marks: if self.seats.is_empty() {
+                Vec::new()
+            } else {
+                std::iter::once(data).chain(answers).collect()
+            },
+        }
+    }
+
+    fn item(&self, question: &SheetQuestion<'_>) -> usize {
+        let id = &question.solution.template().id;
+        let mut candidates = self.plan.questions[question.place].candidates.iter();
+        candidates
+            .position(|item| item.id == *id)
+            .unwrap_or_default()
+    }
+
+    /// What is usual for a question; looked for when it is first needed.
+    fn usual(&self, question: &SheetQuestion<'_>) -> &Usual {
+        let planned = &self.plan.questions[question.place];
+        let usual = &self.questions[question.place].usual[self.item(question)];
+        usual.get_or_init(|| Usual::of(question.solution.template(), planned))
     }
 }
 
@@ -175,14 +319,69 @@ impl Candidate {
     pub fn next_attempt(&self) -> u64 {
         self.attempt + 1
     }
+
+    fn marks(&self) -> impl Iterator<Item = u64> {
+        self.questions
+            .iter()
+            .flat_map(|asked| asked.marks.iter().copied())
+    }
+
+    fn shares(&self, marks: &BTreeSet<u64>) -> bool {
+        self.marks().any(|mark| marks.contains(&mark))
+    }
 }
 
-/// Whether all questions of a sheet are fit to hand out.
-fn judge(sheet: &Sheet<'_>) -> Result<(), Objection> {
-    for question in &sheet.questions {
-        suitability::judge(&question.solution, &question.parts)?;
+impl QuestionFairness {
+    /// Counts a variant.
+    fn add(&mut self, item: &Template, asked: &Asked, is_new: bool) {
+        self.repeats += u64::from(!is_new);
+        self.unusual += u64::from(asked.is_unusual);
+        let count = asked.parts.len();
+        let entry = self.items.entry(item.id.clone());
+        let counted = entry.or_insert_with(|| ItemFairness {
+            title: item.about.title.clone(),
+            revision: item.revision,
+            level: item.about.level,
+            minutes: item.minutes(),
+            variants: 0,
+            parts: [count; 2],
+            answers: BTreeMap::new(),
+        });
+        counted.variants += 1;
+        counted.parts = [counted.parts[0].min(count), counted.parts[1].max(count)];
+        for (part, size) in &asked.parts {
+            let part = &item.parts[*part];
+            let Some(size) = size else { continue };
+            let unit = part.answer.unit().unwrap_or(Unit::ONE);
+            let size = unit.of_si(*size);
+            let range = counted
+                .answers
+                .entry(part.id.clone())
+                .or_insert_with(|| Range {
+                    unit: unit.to_string(),
+                    least: size,
+                    most: size,
+                });
+            (range.least, range.most) = (range.least.min(size), range.most.max(size));
+        }
     }
-    Ok(())
+}
+
+/// A digest of something that neighbours must not share.
+fn mark(place: &[u64], text: &str) -> u64 {
+    let mut hash = Sha256::new();
+    for number in place {
+        hash.update(number.to_be_bytes());
+    }
+    hash.update(text);
+    first_word(hash)
+}
+
+fn first_word(hash: Sha256) -> u64 {
+    let bytes = hash.finalize();
+    u64::from_be_bytes([
+        bytes[0], bytes[1], bytes[2], bytes[3], bytes[4], bytes[5], bytes[6], bytes[7],
+    ])
 }
 
 /// A digest of the item and data of a question.
@@ -192,10 +391,7 @@ fn digest(solution: &Solution<'_>) -> u64 {
     for value in solution.instance().values() {
         hash.update(format!(";{value}"));
     }
-    let bytes = hash.finalize();
-    u64::from_be_bytes([
-        bytes[0], bytes[1], bytes[2], bytes[3], bytes[4], bytes[5], bytes[6], bytes[7],
-    ])
+    first_word(hash)
 }
 
 impl<'c> Sheet<'c> {
@@ -285,11 +481,7 @@ fn question<'c>(
     solution: Solution<'c>,
 ) -> SheetQuestion<'c> {
     let all = &solution.template().parts;
-    let is_asked = |place: &usize| {
-        let wanted = planned.parts.is_empty() || planned.parts.contains(&all[*place].id);
-        wanted && solution.asks(*place)
-    };
-    let parts: Vec<usize> = (0..all.len()).filter(is_asked).collect();
+    let parts = asked(planned, &solution);
     let weight = |place: &usize| all[*place].points;
     let total = parts
         .iter()
@@ -310,4 +502,14 @@ fn question<'c>(
         parts,
         points,
     }
+}
+
+/// The parts that a question asks for these data, as places in the item.
+pub(super) fn asked(planned: &Planned<'_>, solution: &Solution<'_>) -> Vec<usize> {
+    let all = &solution.template().parts;
+    let is_asked = |place: &usize| {
+        let wanted = planned.parts.is_empty() || planned.parts.contains(&all[*place].id);
+        wanted && solution.asks(*place)
+    };
+    (0..all.len()).filter(is_asked).collect()
 }

@@ -82,21 +82,26 @@ impl Known {
 
     /// Removes what earlier runs made here and this one did not, unless somebody has changed it: sheets that are
     /// not handed out any more, and the manifests and forms of the parts that are joined now.
-    pub(crate) fn tidy(&self, out: &Path, shard: Shard, made: &BTreeSet<String>) {
+    pub(crate) fn tidy(&self, out: &Path, shard: Shard) {
         let own = shard.named("manifest", "json");
-        for (manifest, held) in &self.manifests {
-            if *manifest != own && !shard.is_whole() {
-                continue;
-            }
-            let sheets = held.sheets.values().flat_map(|sheet| &sheet.files);
-            for (file, digest) in held.files.iter().chain(sheets) {
+        let others = self.manifests.keys().filter(|name| **name != own);
+        let stale = others.filter(|_| shard.is_whole());
+        let Some(made) = Held::read(&out.join(&own)) else {
+            return;
+        };
+        let made: BTreeSet<&String> = made.all_files().map(|(file, _)| file).collect();
+        for name in stale
+            .clone()
+            .chain(self.manifests.get_key_value(&own).map(|(own, _)| own))
+        {
+            for (file, digest) in self.manifests[name].all_files() {
                 if !made.contains(file) && files::is_intact(&out.join(file), digest) {
                     let _ = fs::remove_file(out.join(file));
                 }
             }
-            if *manifest != own {
-                let _ = fs::remove_file(out.join(manifest));
-            }
+        }
+        for name in stale {
+            let _ = fs::remove_file(out.join(name));
         }
     }
 }
@@ -136,9 +141,14 @@ impl Held {
     }
 
     fn is_intact(&self, out: &Path) -> bool {
-        let sheets = self.sheets.values().flat_map(|sheet| &sheet.files);
-        let mut files = self.files.iter().chain(sheets);
+        let mut files = self.all_files();
         files.all(|(file, digest)| files::is_intact(&out.join(file), digest))
+    }
+
+    /// The files of the run and of its sheets, with their digests.
+    fn all_files(&self) -> impl Iterator<Item = (&String, &String)> {
+        let sheets = self.sheets.values().flat_map(|sheet| &sheet.files);
+        self.files.iter().chain(sheets)
     }
 }
 

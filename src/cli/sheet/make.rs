@@ -1,16 +1,18 @@
 //! Making the sheets: chosen in order, written by all cores, kept in order.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::Path;
 
 use indicatif::ProgressBar;
 use rayon::prelude::*;
-use vibank::worksheet::{Candidate, Chooser, Plan, Sheet, SheetError, Student, VariantEntry};
+use vibank::worksheet::{
+    Candidate, Chooser, Fairness, Plan, Sheet, SheetError, Student, VariantEntry,
+};
 
 use super::known::Alike;
 use super::ledger::{Ledger, Mark};
-use super::outputs::{Format, Outputs, Written};
+use super::outputs::{Finished, Format, Outputs, Written, write_fairness};
 use crate::cli::record::{self, Record};
 use crate::cli::{Failure, progress};
 
@@ -24,7 +26,9 @@ pub(super) struct Job<'a, 'c> {
     pub(super) formats: &'a [Format],
     pub(super) known: Alike<'a>,
     pub(super) out: &'a Path,
-    pub(super) is_split: bool,
+    pub(super) layouts: Option<&'a Path>,
+    /// Whether all variants are there, so that it can be told how alike they are.
+    pub(super) tell_fairness: bool,
 }
 
 /// Where sheets are kept.
@@ -39,8 +43,7 @@ pub(super) struct Made {
     pub(super) sheets: usize,
     pub(super) unchanged: usize,
     pub(super) rejected: u64,
-    /// All files.
-    pub(super) files: BTreeSet<String>,
+    pub(super) fairness: Fairness,
     /// What to tell of them, each with what it is.
     pub(super) shown: Vec<(String, &'static str)>,
 }
@@ -69,13 +72,13 @@ impl Job<'_, '_> {
         mut store: Store<'_>,
     ) -> Result<Made, Failure> {
         let bar = progress::bar(share.len() as u64, "sheets");
-        let mut chooser = Chooser::new(self.plan);
+        let mut chooser = Chooser::new(self.plan, self.students);
         let first = share.start + mark.done;
         let mut made = Made {
             sheets: share.len(),
             unchanged: 0,
             rejected: 0,
-            files: BTreeSet::new(),
+            fairness: Fairness::default(),
             shown: Vec::new(),
         };
         bar.inc(mark.done as u64);
@@ -95,7 +98,11 @@ impl Job<'_, '_> {
         }
         bar.finish_and_clear();
         made.rejected = chooser.rejected();
-        store.finish(&mut made)?;
+        made.fairness = chooser.fairness().clone();
+        let fairness = self
+            .tell_fairness
+            .then(|| write_fairness(self.plan, self.layouts, &made.fairness, self.out));
+        store.finish(fairness.transpose()?, &mut made)?;
         Ok(made)
     }
 
@@ -155,8 +162,8 @@ impl Job<'_, '_> {
 
     fn page(&self, sheet: &Sheet<'_>) -> Result<Page, Failure> {
         let mut entry = record::entry(sheet);
-        let held = self
-            .is_split
+        let is_split = self.formats.iter().any(Format::is_split);
+        let held = is_split
             .then(|| self.known.files(self.out, &entry))
             .flatten();
         let is_kept = held.is_some();
@@ -195,7 +202,6 @@ impl Store<'_> {
             made.unchanged += usize::from(page.is_kept);
             let files = self.outputs.add(page.written, &mut tables)?;
             entry.files.extend(files);
-            made.files.extend(entry.files.keys().cloned());
             self.record.add(&entry)?;
         }
         self.outputs.add_tables(&tables)?;
@@ -205,16 +211,15 @@ impl Store<'_> {
     }
 
     /// Completes all files, the manifest last.
-    fn finish(self, made: &mut Made) -> Result<(), Failure> {
+    fn finish(self, fairness: Option<Finished>, made: &mut Made) -> Result<(), Failure> {
         let mut digests = BTreeMap::new();
-        for finished in self.outputs.finish()? {
+        for finished in self.outputs.finish()?.into_iter().chain(fairness) {
             if let Some(digest) = finished.digest {
                 digests.insert(finished.name.clone(), digest);
             }
             made.shown.push((finished.name, finished.what));
         }
         made.shown.extend(self.record.finish(&digests)?);
-        made.files.extend(digests.into_keys());
         self.ledger.close();
         Ok(())
     }

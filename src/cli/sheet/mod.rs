@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use serde_json::json;
 use vibank::seed::Secret;
 use vibank::source::Source;
-use vibank::worksheet::{Audience, Blueprint, Plan, Student};
+use vibank::worksheet::{Audience, Blueprint, Fairness, Plan, Student};
 
 pub(crate) use self::ledger::Mark;
 pub(crate) use self::shard::Shard;
@@ -71,9 +71,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     };
     let catalogue = arguments.bank.catalogue()?;
     let folder = path.parent().unwrap_or(Path::new("."));
-    let secret = blueprint.secret.as_ref();
-    let secret = secret.map(|file| read_secret(&folder.join(&file.value)));
-    let plan = match Plan::of(&blueprint, &catalogue, secret.transpose()?) {
+    let plan = match Plan::of(&blueprint, &catalogue, secret(&blueprint)?) {
         Ok(plan) => plan,
         Err(findings) => return bank::refuse(&findings),
     };
@@ -114,7 +112,7 @@ impl Run<'_, '_> {
     fn make(&self, catalogue: &vibank::bank::Catalogue, count: usize) -> Result<Summary, Failure> {
         let shard = self.arguments.shard;
         let layouts = self.arguments.layouts.as_deref();
-        let formats = outputs::formats(self.plan.blueprint, layouts, self.is_split)?;
+        let formats = outputs::formats(self.plan, layouts, self.is_split)?;
         let stamp =
             Stamp::of(self.plan, self.students, catalogue, &formats).for_run(self.is_split, shard);
         let known = Known::in_folder(self.out);
@@ -131,7 +129,8 @@ impl Run<'_, '_> {
             formats: &formats,
             known: known.for_look(&stamp.look),
             out: self.out,
-            is_split: self.is_split,
+            layouts,
+            tell_fairness: shard.is_whole(),
         };
         let made = job.make(
             share,
@@ -142,7 +141,7 @@ impl Run<'_, '_> {
                 record,
             },
         )?;
-        known.tidy(self.out, shard, &made.files);
+        known.tidy(self.out, shard);
         Ok(Summary::of(self.out, made))
     }
 }
@@ -154,6 +153,8 @@ struct Summary {
     /// Sheets whose files were there and are left as they are.
     unchanged: usize,
     rejected: u64,
+    /// Nothing where nothing was made.
+    fairness: Option<Fairness>,
     /// Each with what it is.
     files: Vec<(String, &'static str)>,
 }
@@ -165,6 +166,7 @@ impl Summary {
             sheets: made.sheets,
             unchanged: made.unchanged,
             rejected: made.rejected,
+            fairness: Some(made.fairness),
             files: made.shown,
         }
     }
@@ -175,6 +177,7 @@ impl Summary {
             sheets: count,
             unchanged: count,
             rejected: 0,
+            fairness: None,
             files: Vec::new(),
         }
     }
@@ -188,6 +191,7 @@ impl Summary {
                 "unchanged": self.unchanged,
                 "questions": plan.questions.len(),
                 "rejected": self.rejected,
+                "fairness": self.fairness,
                 "files": files.collect::<Vec<_>>(),
             });
             return println!("{summary}");
@@ -207,6 +211,13 @@ impl Summary {
         }
         if self.unchanged > 0 {
             eprintln!("{} unchanged", counted(self.unchanged, "sheet"));
+        }
+        if self
+            .fairness
+            .as_ref()
+            .is_some_and(|fairness| !fairness.is_fair())
+        {
+            eprintln!("the variants are not all alike: see the page on fairness");
         }
         if self.rejected > 0 {
             let were = if self.rejected == 1 { "was" } else { "were" };
@@ -229,8 +240,13 @@ fn students(blueprint: &Blueprint, folder: &Path) -> Result<Vec<Student>, Failur
     }
 }
 
-/// The contents of a secret file.
-fn read_secret(path: &Path) -> Result<Secret, Failure> {
-    let bytes = files::read_bytes(path)?;
-    Secret::new(&bytes).map_err(|error| Failure::new(format!("`{}`: {error}", path.display())))
+/// The contents of the file that keys the seeds of a blueprint, which stands beside it.
+pub(crate) fn secret(blueprint: &Blueprint) -> Result<Option<Secret>, Failure> {
+    let Some(file) = &blueprint.secret else {
+        return Ok(None);
+    };
+    let path = Path::new(&*blueprint.source.path).with_file_name(&file.value);
+    let secret = Secret::new(&files::read_bytes(&path)?);
+    let secret = secret.map_err(|error| Failure::new(format!("`{}`: {error}", path.display())));
+    secret.map(Some)
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
 use vibank::output::{self, KeyRow, KeyTable, Kind, Pages, Run};
-use vibank::worksheet::{Blueprint, Sheet};
+use vibank::worksheet::{Fairness, Plan, Sheet};
 
 use super::ledger::Mark;
 use super::shard::Shard;
@@ -54,7 +54,7 @@ pub(crate) struct Leaf {
 
 /// The formats of a blueprint; `layouts` is a folder of the user.
 pub(super) fn formats(
-    blueprint: &Blueprint,
+    plan: &Plan<'_>,
     layouts: Option<&Path>,
     is_split: bool,
 ) -> Result<Vec<Format>, Failure> {
@@ -62,9 +62,9 @@ pub(super) fn formats(
         if name == "json" {
             return Ok(Format::Json);
         }
-        Laid::of(name, blueprint, layouts, is_split).map(Format::Pages)
+        Laid::of(name, plan, layouts, is_split).map(Format::Pages)
     };
-    let names = blueprint.formats.iter();
+    let names = plan.blueprint.formats.iter();
     names.map(|name| format(&name.value)).collect()
 }
 
@@ -81,7 +81,12 @@ impl Format {
         }
     }
 
-    /// What a sheet gives; with `is_kept` its pages are there already.
+    /// Whether each sheet is a file of its own.
+    pub(super) fn is_split(&self) -> bool {
+        matches!(self, Self::Pages(laid) if laid.is_split)
+    }
+
+    /// What a sheet gives; with `is_kept` its own files are there already.
     pub(super) fn write(
         &self,
         sheet: &Sheet<'_>,
@@ -93,7 +98,7 @@ impl Format {
             Self::Pages(laid) => laid,
         };
         let row = laid.table.as_ref().map(|_| laid.pages.key_row(sheet));
-        if is_kept {
+        if is_kept && laid.is_split {
             return Ok(Written::Kept(row));
         }
         let kinds = laid.kinds.iter();
@@ -105,13 +110,15 @@ impl Format {
 impl Laid {
     fn of(
         name: &str,
-        blueprint: &Blueprint,
+        plan: &Plan<'_>,
         layouts: Option<&Path>,
         is_split: bool,
     ) -> Result<Self, Failure> {
         let writer = output::writer(name).ok_or_else(|| unknown_format(name))?;
         let own = own_layouts(layouts, writer.name())?;
-        let pages = Pages::new(writer, Run::of(blueprint, writer), &own).map_err(unfilled)?;
+        let blueprint = plan.blueprint;
+        let run = Run::of(blueprint, writer).with_formulas(&plan.formulas, writer);
+        let pages = Pages::new(writer, run, &own).map_err(unfilled)?;
         let mut kinds = vec![Kind::Sheet];
         kinds.extend(blueprint.keys.each.then_some(Kind::Key));
         kinds.extend(blueprint.solutions.then_some(Kind::Solutions));
@@ -172,6 +179,32 @@ impl Laid {
         placed.insert(name.to_owned(), digest.clone());
         Ok(digest)
     }
+}
+
+/// Writes the page that tells a teacher how alike the variants are: as HTML, unless Markdown alone is made.
+pub(super) fn write_fairness(
+    plan: &Plan<'_>,
+    layouts: Option<&Path>,
+    fairness: &Fairness,
+    out: &Path,
+) -> Result<Finished, Failure> {
+    let formats = plan.blueprint.formats.iter();
+    let is_markdown = formats
+        .clone()
+        .all(|format| ["md", "json"].contains(&&*format.value));
+    let name = if is_markdown { "md" } else { "html" };
+    let laid = Laid::of(name, plan, layouts, true)?;
+    let what = "how alike the variants are";
+    let page = laid.pages.fairness(fairness).map_err(unfilled)?;
+    let begin = laid.pages.begin("fairness").map_err(unfilled)?;
+    let whole = format!("{begin}{page}{}", laid.end);
+    let file = format!("fairness.{name}");
+    files::write(&out.join(&file), whole.as_bytes())?;
+    Ok(Finished {
+        name: file,
+        digest: Some(files::digest(whole.as_bytes())),
+        what,
+    })
 }
 
 /// What the page with all keys is called.

@@ -41,6 +41,7 @@ fn a_run_writes_sheets_keys_solutions_form_and_manifest() {
     assert_eq!(
         names,
         [
+            "fairness.html",
             "key-table.html",
             "key-table.md",
             "keys.html",
@@ -206,10 +207,15 @@ fn a_code_shows_its_sheet_with_the_manifest() {
     let mass = data["variants"][0]["questions"][0]["values"]["m"]
         .as_str()
         .expect("it has m");
-    shown.says(&format!("m = {mass}"));
+    let shown = shown.says(&format!("m = {mass}"));
     small(&["show", code])
         .ends(2)
         .complains("--manifest FOLDER/manifest.json");
+    let drawn = small(&["show", code, "--blueprint", &plan, "--key"]).ends(0);
+    assert_eq!(
+        drawn.out, shown.out,
+        "blueprint and manifest give the same sheet"
+    );
     let slipped = format!(
         "{}{}",
         if code.starts_with('A') { "B" } else { "A" },
@@ -431,4 +437,121 @@ fn a_run_sums_itself_up_for_programs() {
     );
     let files = summary["files"].as_array().expect("it lists files");
     assert!(files.contains(&"manifest.json".into()));
+}
+
+#[test]
+fn neighbours_share_no_data_and_no_answer() {
+    let folder = folder("seats");
+    let seats = (1..=3).flat_map(|row| (1..=6).map(move |place| format!("{row}-{place}")));
+    let rows = seats
+        .enumerate()
+        .map(|(id, seat)| format!("{id},Name {id},{seat}\n"));
+    put(
+        &folder,
+        "class.csv",
+        format!("id,name,seat\n{}", rows.collect::<String>()),
+    );
+    let top = "seed = 9\nstudents = \"class.csv\"\nformats = [\"md\"]";
+    let plan = put(&folder, "test.toml", blueprint(top));
+    let out = text_of(&folder.join("out"));
+    let ran = small(&["sheet", &plan, "--out", &out, "--format", "json"]).ends(0);
+    let fairness = &ran.lines()[0]["fairness"];
+    // Three rows of six: 15 pairs side by side, 12 behind each other, 20 across a corner.
+    assert_eq!(fairness["neighbours"], 47);
+    assert_eq!(fairness["alike_neighbours"], 0);
+    for question in fairness["questions"].as_array().expect("it has questions") {
+        assert_eq!(question["repeats"], 0);
+        let items = question["items"].as_object().expect("it has items");
+        assert!(
+            items
+                .values()
+                .all(|item| item["parts"][0] == item["parts"][1])
+        );
+        let answers = items.values().flat_map(|item| item["answers"].as_object());
+        for range in answers.flat_map(serde_json::Map::values) {
+            let (least, most) = (range["least"].as_f64(), range["most"].as_f64());
+            assert!(most <= least.map(|least| least * 100.0), "{range}");
+        }
+    }
+    let page = content(folder.join("out/fairness.md"));
+    assert!(
+        page.contains("47 pairs of students sit beside each other"),
+        "{page}"
+    );
+}
+
+#[test]
+fn the_schema_of_blueprints_has_the_keys_that_are_read() {
+    let schema = &vibank(&["schema", "blueprint"]).ends(0).out;
+    let schema: serde_json::Value = serde_json::from_str(schema).expect("a schema is JSON");
+    let keys = |schema: &serde_json::Value| {
+        let keys = schema["properties"].as_object().expect("it has properties");
+        keys.keys().cloned().collect::<Vec<_>>()
+    };
+    let question = &schema["properties"]["question"]["items"];
+    let places = [
+        (keys(&schema), "", ""),
+        (keys(question), "[[question]]\n", ""),
+        (
+            keys(&question["properties"]["pick"]),
+            "[[question]]\npick = { ",
+            " }",
+        ),
+    ];
+    let folder = folder("schema");
+    for (keys, before, after) in places {
+        for key in keys {
+            // A value of the wrong kind: what matters is that the key is known.
+            let plan = put(
+                &folder,
+                "plan.toml",
+                format!("{before}{key} = 1979-05-27{after}\n"),
+            );
+            let ran = small(&["sheet", &plan]).ends(2);
+            assert!(!ran.err.contains("unknown"), "{key}: {}", ran.err);
+        }
+    }
+    let plan = put(
+        &folder,
+        "plan.toml",
+        "[[question]]\npick = { chapters = \"a\" }\n",
+    );
+    small(&["sheet", &plan])
+        .ends(2)
+        .complains("did you mean `chapter`?");
+    // The file that begins a blueprint names them all.
+    let begun = include_str!("../../../templates/new/sheet.toml");
+    for key in keys(&schema).iter().chain(&keys(question)) {
+        assert!(begun.contains(key.as_str()), "{key}");
+    }
+}
+
+#[test]
+fn a_formula_sheet_has_the_formulas_of_the_chapters() {
+    let folder = folder("formulas");
+    let text = "title = \"T\"\nseed = 1\nvariants = 2\nformula_sheet = true\n\
+                formats = [\"html\", \"md\"]\n[[question]]\nitem = \"ch3/e5-log-decrement\"\n";
+    let plan = put(&folder, "test.toml", text);
+    let out = folder.join("out");
+    vibank(&["sheet", &plan, "--out", &text_of(&out)]).ends(0);
+    let page = content(out.join("sheets.md"));
+    assert_eq!(
+        page.matches("Logarithmic decrement: $").count(),
+        2,
+        "one a sheet"
+    );
+    assert!(
+        !page.contains("Huygens"),
+        "of the chapters that are asked alone"
+    );
+    assert!(content(out.join("sheets.html")).contains("class=\"formulas\""));
+    let bare = put(
+        &folder,
+        "bare.toml",
+        blueprint("seed = 1\nvariants = 1\nformula_sheet = true"),
+    );
+    small(&["sheet", &bare])
+        .ends(2)
+        .complains("bare.toml:4:17")
+        .complains("`formulas` in `_chapter.toml`");
 }

@@ -1,0 +1,31 @@
+//! `vibank schema NAME`
+
+use super::{Failure, Outcome};
+
+/// Print a JSON schema, for editors that check and complete while a file is written.
+///
+/// Example: vibank schema blueprint > blueprint.schema.json
+#[derive(clap::Args)]
+pub(crate) struct Arguments {
+    /// Of which files.
+    name: Name,
+}
+
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum Name {
+    /// Blueprints of sheets.
+    Blueprint,
+}
+
+impl Name {
+    fn schema(self) -> &'static str {
+        match self {
+            Self::Blueprint => include_str!("../../templates/schema/blueprint.json"),
+        }
+    }
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    println!("{}", arguments.name.schema().trim_end());
+    Ok(Outcome::Done)
+}

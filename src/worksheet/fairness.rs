@@ -1,0 +1,80 @@
+//! How alike the variants of a run are: what a teacher is told.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use crate::bank::{ItemId, Revision};
+
+/// How alike the variants of a run are.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Fairness {
+    /// How many variants there are.
+    pub variants: u64,
+    /// By question of the plan.
+    pub questions: Vec<QuestionFairness>,
+    /// How many pairs of students sit beside each other.
+    pub neighbours: u64,
+    /// How many of these pairs share the data or an answer of a question.
+    pub alike_neighbours: u64,
+}
+
+/// How alike the variants of one question are.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct QuestionFairness {
+    /// Variants whose data an earlier variant has, too.
+    pub repeats: u64,
+    /// Variants that ask other parts than most, or whose answers are of another size.
+    pub unusual: u64,
+    /// By item; several where one is picked for each variant.
+    pub items: BTreeMap<ItemId, ItemFairness>,
+}
+
+/// How alike the variants of one item are.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ItemFairness {
+    /// Its title.
+    pub title: String,
+    /// The text of the item that was used.
+    pub revision: Revision,
+    /// Difficulty, from 1 to 3.
+    pub level: u8,
+    /// Expected working time in minutes.
+    pub minutes: u32,
+    /// How many variants have it.
+    pub variants: u64,
+    /// The fewest and the most parts that are asked.
+    pub parts: [usize; 2],
+    /// The range of each answer that is one number, by part.
+    pub answers: BTreeMap<String, Range>,
+}
+
+/// The range of the sizes of an answer.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Range {
+    /// The unit of both.
+    pub unit: String,
+    /// The smallest.
+    pub least: f64,
+    /// The largest.
+    pub most: f64,
+}
+
+impl Fairness {
+    /// Whether there is nothing that a teacher should look at.
+    pub fn is_fair(&self) -> bool {
+        let is_fair = |question: &QuestionFairness| {
+            question.repeats == 0 && question.unusual == 0 && question.is_alike()
+        };
+        self.alike_neighbours == 0 && self.questions.iter().all(is_fair)
+    }
+}
+
+impl QuestionFairness {
+    /// Whether its items have one level and ask for as many steps.
+    pub fn is_alike(&self) -> bool {
+        let mut all = self.items.values().map(|item| (item.level, item.parts));
+        let first = all.next();
+        first.is_none_or(|(_, parts)| parts[0] == parts[1]) && all.all(|item| Some(item) == first)
+    }
+}
