@@ -185,8 +185,9 @@ impl<'p, 'c> Chooser<'p, 'c> {
         self.rejected += candidate.attempt;
         self.fairness.variants += 1;
         let neighbours = self.neighbours(candidate.index);
-        self.fairness.neighbours += neighbours.clone().count() as u64;
-        let alike = neighbours.filter(|marks| candidate.shares(marks)).count();
+        let alike = neighbours.clone().filter(|marks| candidate.shares(marks));
+        let (alike, neighbours) = (alike.count(), neighbours.count());
+        self.fairness.neighbours += neighbours as u64;
         self.fairness.alike_neighbours += alike as u64;
         for (place, asked) in candidate.questions.iter().enumerate() {
             let item = self.plan.questions[place].candidates[asked.item];

@@ -16,7 +16,7 @@ use crate::cli::files::{self, Draft};
 #[expect(clippy::large_enum_variant, reason = "a run has a handful of formats")]
 pub(crate) enum Format {
     /// By page layouts.
-    Pages(Laid),
+    Pages(Box<Laid>),
     /// One line of JSON for each sheet.
     Json,
 }
@@ -62,7 +62,8 @@ pub(super) fn formats(
         if name == "json" {
             return Ok(Format::Json);
         }
-        Laid::of(name, plan, layouts, is_split).map(Format::Pages)
+        let laid = Laid::of(name, plan, layouts, is_split)?;
+        Ok(Format::Pages(Box::new(laid)))
     };
     let names = plan.blueprint.formats.iter();
     names.map(|name| format(&name.value)).collect()
