@@ -21,9 +21,18 @@ function make(tag, properties = {}, ...children) {
 
 // ── What the page carries ──────────────────────────────────────────────────────────────────────
 
+/** The bytes of base 64. */
+function decoded(text) {
+  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
+  const letters = atob(text);
+  const bytes = new Uint8Array(letters.length);
+  for (let at = 0; at < bytes.length; at += 1) bytes[at] = letters.charCodeAt(at);
+  return bytes;
+}
+
 async function unpacked(id) {
   const holder = element(id);
-  const bytes = Uint8Array.from(atob(holder.textContent.trim()), (letter) => letter.charCodeAt(0));
+  const bytes = decoded(holder.textContent);
   holder.remove();
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
@@ -37,7 +46,7 @@ class Grader {
   }
 
   async start() {
-    this.exports = (await WebAssembly.instantiate(this.module, {})).exports;
+    this.exports = (await WebAssembly.instantiate(await this.module, {})).exports;
     const error = this.call("load", this.items);
     if (error) throw new Error(error);
   }
@@ -214,7 +223,15 @@ class Page {
     element("stage").replaceChildren(this.stage.root);
     history.replaceState(null, "", `#${this.practice.questions[number].item}/${record.code}`);
     this.score();
+    this.reveal();
     if (focus) this.stage.root.querySelector("h2").focus();
+  }
+
+  /** Brings the question into sight in the list, without moving the page. */
+  reveal() {
+    const [list, { link }] = [element("list"), this.links[this.number]];
+    const at = link.offsetTop - list.scrollTop;
+    if (at < 0 || at + link.offsetHeight > list.clientHeight) list.scrollTop = link.offsetTop - list.clientHeight / 3;
   }
 
   another() {
@@ -561,10 +578,11 @@ async function begin() {
     element("stage").textContent = say("too_old");
     return;
   }
-  const [items, code] = await Promise.all([unpacked("items"), unpacked("grader")]);
+  const code = unpacked("grader").then((bytes) => WebAssembly.compile(bytes));
+  const items = await unpacked("items");
   const first = new TextDecoder().decode(items.subarray(0, items.indexOf(10)));
   const practice = JSON.parse(first);
-  const grader = new Grader(await WebAssembly.compile(code), items);
+  const grader = new Grader(code, items);
   await grader.start();
   globalThis.page = new Page(practice, grader, new Memory(practice.title));
   document.documentElement.dataset.ready = Math.round(performance.now());
