@@ -22,8 +22,7 @@ const SMALLEST_FULL: f64 = f64::MIN_POSITIVE * 18_014_398_509_481_984.0;
 /// rounded to the smallest numbers, and might then move the leading part, all is done with a number that is raised.
 #[inline]
 fn ranged(result: Dd, plain: impl FnOnce() -> f64, raised: impl FnOnce() -> Dd) -> Dd {
-    let magnitude = result.hi.abs();
-    if (SMALLEST_FULL..f64::INFINITY).contains(&magnitude) {
+    if (SMALLEST_FULL..f64::INFINITY).contains(&result.hi.abs()) {
         return result;
     }
     let plain = plain();
