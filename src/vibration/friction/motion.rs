@@ -75,6 +75,9 @@ const MOST_SLIDES: f64 = 9_007_199_254_740_991.0;
 /// Up to here a count in `f64` is off by less than one half.
 const SURELY_NEAREST: f64 = 1e14;
 
+/// By how much a larger count may be off.
+const MOST_MISSING: f64 = 16.0;
+
 impl FrictionMotion {
     pub(super) fn of(
         friction: &FrictionOscillator,
@@ -181,9 +184,12 @@ impl FrictionMotion {
         }
         let mut last = decay.after(self.reach, nearest);
         if nearest > SURELY_NEAREST {
-            let missing = (last - hold) / (last - decay.next(last));
-            nearest += missing.hi().round();
-            last = decay.after(self.reach, nearest);
+            let missing = ((last - hold) / (last - decay.next(last))).hi().round();
+            // More is missing only where all digits of the distance have decayed, and then none can be gained.
+            if missing.abs() <= MOST_MISSING {
+                nearest += missing;
+                last = decay.after(self.reach, nearest);
+            }
         }
         let surplus = last - hold;
         let rests = if is_decided(surplus, size) || !self.ties_as_undamped(nearest) {

@@ -171,7 +171,9 @@ proptest! {
     fn every_start_has_a_motion(length in positive(), gravity in positive(), angle in finite(), velocity in finite(), t in finite()) {
         let pendulum = Pendulum::new(length, gravity).unwrap();
         if let Ok(motion) = pendulum.motion(angle, velocity) {
-            prop_assume!((t / motion.period().unwrap_or(1.0)).abs() < 1e300);
+            if (t / motion.period().unwrap_or(1.0)).abs() >= 1e300 {
+                return Ok(());
+            }
             prop_assert!(!motion.angle(t).is_nan() && !motion.angular_velocity(t).is_nan());
         }
     }
