@@ -25,6 +25,7 @@ impl Name {
     }
 }
 
+#[expect(clippy::unnecessary_wraps, reason = "all commands end in the same way")]
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     println!("{}", arguments.name.schema().trim_end());
     Ok(Outcome::Done)

@@ -13,7 +13,6 @@ use crate::cli::Failure;
 use crate::cli::files::{self, Draft};
 
 /// How sheets are written in one format.
-#[expect(clippy::large_enum_variant, reason = "a run has a handful of formats")]
 pub(crate) enum Format {
     /// By page layouts.
     Pages(Box<Laid>),
