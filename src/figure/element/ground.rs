@@ -18,7 +18,7 @@ use crate::figure::{Drawing, Fill, Path, Point, Spot, Weight, spots};
 pub(super) struct Ground;
 
 /// How deep the hatching goes.
-const DEPTH: f64 = 0.24;
+pub(super) const DEPTH: f64 = 0.24;
 
 /// From one stroke of the hatching to the next.
 const PITCH: f64 = 0.2;

@@ -7,11 +7,12 @@
 //! elements = [{ incline = [0, 0], angle = "0.4", length = 6, label = "theta" }]
 //! ```
 
-use super::ground::hatch;
+use super::ground::{DEPTH, hatch};
 use super::{Element, Key, Layer, Role, number};
+use crate::figure::outline::Side;
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Fill, Path, Point, Spot, Weight};
-use crate::numerics::tan;
+use crate::figure::{Anchor, Drawing, Fill, Path, Point, Spot, Weight, spots};
+use crate::numerics::{cos, tan};
 
 pub(super) struct Incline;
 
@@ -75,14 +76,18 @@ impl Element for Incline {
     fn spots(&self, part: &Part<'_>) -> Vec<Spot> {
         let (foot, far, _, angle) = Self::corners(part);
         let base = (far - foot).unit();
-        let half = Point::at_angle(if angle < 0.0 {
-            std::f64::consts::PI + angle / 2.0
-        } else {
-            angle / 2.0
-        });
+        // Between the base and the hatching under the slope.
+        let middle = |along: f64| {
+            let room = along * tan(angle.abs()) - DEPTH / cos(angle);
+            foot + base * along + Point::new(0.0, room / 2.0)
+        };
         let radius = ARC.min(foot.distance(far) / 2.0);
-        [0.1, 0.2, 0.35, 0.5]
-            .map(|more| Spot::beside(foot + half * radius, base, more))
-            .to_vec()
+        let mut spots = Vec::new();
+        for step in 0..8 {
+            let at = middle(radius + 0.2 + 0.2 * f64::from(step));
+            spots.push(Spot::new(at, Anchor::MIDDLE));
+        }
+        spots.extend(spots::beside(foot, far, 0.0, Some(Side::Below)));
+        spots
     }
 }

@@ -161,13 +161,19 @@ impl Element for Spring {
         let path = coils(&axis, length, turns as usize);
         drawing.decorate(path, Some(part.pen(Weight::Medium)), Fill::None);
         drawing.stroke(part.leads(), part.pen(Weight::Medium));
+        // A capsule of this radius reaches beyond its ends by as much.
+        let (first, last) = (
+            RADIUS.min(length / 2.0),
+            (length - RADIUS).max(length / 2.0),
+        );
         let pieces = if matches!(axis, Axis::Straight { .. }) {
             1
         } else {
             8
         };
         for piece in 0..pieces {
-            let at = |piece: usize| axis.at(length * piece as f64 / pieces as f64, 0.0);
+            let at =
+                |piece: usize| axis.at(first + (last - first) * piece as f64 / pieces as f64, 0.0);
             drawing.keep_clear(at(piece), at(piece + 1), RADIUS);
         }
     }
