@@ -49,7 +49,8 @@ pub(super) fn story(items: &[Item], parts: &[Part<'_>]) -> Story {
             all
         });
     if !marked.is_empty() {
-        sentences.push(format!("marked are {}", listed(&marked)));
+        let verb = if marked.len() == 1 { "is" } else { "are" };
+        sentences.push(format!("marked {verb} {}", listed(&marked)));
     }
     let text: String = sentences
         .iter()

@@ -83,6 +83,7 @@ pub(super) fn is_deep(letter: char) -> bool {
             | 'p'
             | 'q'
             | 'y'
+            | 'J'
             | 'Q'
             | '('
             | ')'
