@@ -23,7 +23,8 @@ mod memory;
 mod question;
 mod request;
 
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
+use std::rc::Rc;
 
 use crate::bank::{Compiled, Template};
 use crate::instance::Instance;
@@ -40,12 +41,22 @@ use self::request::Request;
 pub struct Grader {
     practice: Practice,
     items: Vec<Item>,
+    /// What the last request was about, so that a key is prepared once for many answers.
+    last: RefCell<Option<Last>>,
+}
+
+/// The instance of a question, with what was computed of it.
+struct Last {
+    question: usize,
+    variant: Variant,
+    solution: Rc<Solution<'static>>,
 }
 
 /// An item of a page, built when it is asked for.
 struct Item {
     line: String,
-    template: OnceCell<Result<Template, String>>,
+    /// It lives as long as the page, which has one grader.
+    template: OnceCell<Result<&'static Template, String>>,
 }
 
 /// Variants that are tried before one that is not fit is taken after all.
@@ -64,7 +75,11 @@ impl Grader {
             template: OnceCell::new(),
         };
         let items = items.into_iter().map(item).collect();
-        Ok(Self { practice, items })
+        Ok(Self {
+            practice,
+            items,
+            last: RefCell::default(),
+        })
     }
 
     /// Answers one request; both are JSON.
@@ -102,7 +117,7 @@ impl Grader {
     }
 
     /// A question and its item.
-    fn question(&self, number: usize) -> Result<(&PracticeQuestion, &Template), String> {
+    fn question(&self, number: usize) -> Result<(&PracticeQuestion, &'static Template), String> {
         let question = self.practice.questions.get(number);
         let question = question.ok_or_else(|| format!("there is no question {number}"))?;
         let item = self.items.get(question.place);
@@ -112,13 +127,31 @@ impl Grader {
         Ok((question, template))
     }
 
+    /// The solution of a question for a variant, with what was computed of it for the last request.
+    fn solution(&self, number: usize, variant: Variant) -> Result<Rc<Solution<'static>>, String> {
+        let mut last = self.last.borrow_mut();
+        if let Some(last) = &*last
+            && (last.question, last.variant) == (number, variant)
+        {
+            return Ok(Rc::clone(&last.solution));
+        }
+        let (question, template) = self.question(number)?;
+        let solution = Rc::new(self.draw(question, template, variant)?);
+        *last = Some(Last {
+            question: number,
+            variant,
+            solution: Rc::clone(&solution),
+        });
+        Ok(solution)
+    }
+
     /// The solution of a question for a variant; nothing of it is computed yet.
-    fn solution<'s>(
+    fn draw(
         &self,
-        question: &'s PracticeQuestion,
-        template: &'s Template,
+        question: &PracticeQuestion,
+        template: &'static Template,
         variant: Variant,
-    ) -> Result<Solution<'s>, String> {
+    ) -> Result<Solution<'static>, String> {
         let set: Vec<(&str, &str)> = question
             .set
             .iter()
@@ -146,7 +179,7 @@ impl Grader {
             Variant::new(from.wrapping_add(step) % Variant::COUNT).expect("it is below the count")
         };
         for step in 0..MOST_TRIES {
-            let solution = self.solution(question, template, variant(step))?;
+            let solution = self.draw(question, template, variant(step))?;
             let asked = question::asked(question, &solution);
             if !asked.is_empty() && suitability::judge(&solution, &asked).is_ok() {
                 return Ok(variant(step));
@@ -157,15 +190,13 @@ impl Grader {
 }
 
 impl Item {
-    fn template(&self) -> Result<&Template, String> {
-        let build = || {
+    fn template(&self) -> Result<&'static Template, String> {
+        let build = || -> Result<&'static Template, String> {
             let compiled: Compiled =
                 serde_json::from_str(&self.line).map_err(|error| error.to_string())?;
-            compiled.template().map_err(|error| error.to_string())
+            let template = compiled.template().map_err(|error| error.to_string())?;
+            Ok(Box::leak(Box::new(template)))
         };
-        self.template
-            .get_or_init(build)
-            .as_ref()
-            .map_err(Clone::clone)
+        self.template.get_or_init(build).clone()
     }
 }

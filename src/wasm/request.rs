@@ -1,5 +1,7 @@
 //! What a page asks, and the replies.
 
+use std::rc::Rc;
+
 use serde::Deserialize;
 use serde_json::{Map, Value as Json, json};
 
@@ -54,7 +56,7 @@ pub(super) enum Request {
 /// An instance of a question that is being asked about.
 struct Asked<'g> {
     grader: &'g Grader,
-    solution: Solution<'g>,
+    solution: Rc<Solution<'static>>,
     /// The parts that are asked, as places in the item.
     parts: Vec<usize>,
 }
@@ -96,9 +98,8 @@ impl Grader {
 
     fn asked(&self, number: usize, code: &str) -> Result<Asked<'_>, String> {
         let variant: Variant = code.parse().map_err(|error| format!("`{code}`: {error}"))?;
-        let (question, template) = self.question(number)?;
-        let solution = self.solution(question, template, variant)?;
-        let parts = asked(question, &solution);
+        let solution = self.solution(number, variant)?;
+        let parts = asked(self.question(number)?.0, &solution);
         Ok(Asked {
             grader: self,
             solution,
@@ -107,8 +108,8 @@ impl Grader {
     }
 }
 
-impl<'g> Asked<'g> {
-    fn template(&self) -> &'g Template {
+impl Asked<'_> {
+    fn template(&self) -> &'static Template {
         self.solution.template()
     }
 
@@ -121,7 +122,7 @@ impl<'g> Asked<'g> {
             .ok_or_else(|| format!("`{id}` is not asked here"))
     }
 
-    fn texts(&self, passage: &'g Passage) -> String {
+    fn texts(&self, passage: &'static Passage) -> String {
         html(&self.grader.scene(&self.solution).passage(passage))
     }
 
@@ -180,7 +181,7 @@ impl<'g> Asked<'g> {
     }
 
     fn feedback(&self, place: usize, marking: &crate::answer::Marking) -> String {
-        let piece = |said: &Said<'g>| match said {
+        let piece = |said: &Said<'static>| match said {
             Said::Words(text) => words(text),
             Said::Document(document) => document.html(&Vec::new()),
             Said::Passage(passage) => self.texts(passage),
