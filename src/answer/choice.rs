@@ -18,7 +18,7 @@
 
 use super::{
     Answer, AnswerError, AnswerKind, Choosable, Choosing, Context, Credit, Declare, Feedback, Key,
-    KeyValue, Marker, Marking, Reading, Reason,
+    KeyValue, Marker, Marking, Nature, Reading, Reason, Trial,
 };
 use crate::document::Document;
 use crate::math::Math;
@@ -343,6 +343,37 @@ impl Chosen {
 }
 
 impl Marker for Chosen {
+    fn trials(&self) -> Vec<Trial> {
+        let all: Vec<usize> = (0..self.ids.len()).collect();
+        let letters = |places: &[usize]| {
+            let letters = places.iter().map(|place| self.letter(*place).to_string());
+            letters.collect::<Vec<_>>().join(", ")
+        };
+        let (right, wrong): (Vec<usize>, Vec<usize>) =
+            all.iter().copied().partition(|place| self.right[*place]);
+        let (right, wrong) = match (self.is_ranking, self.is_several) {
+            (true, _) => (all.clone(), all.iter().rev().copied().collect()),
+            (false, true) => (right, wrong),
+            (false, false) => (
+                right.into_iter().take(1).collect(),
+                wrong.into_iter().take(1).collect(),
+            ),
+        };
+        let mut trials = vec![Trial::new(Nature::Unreadable, "zz9")];
+        if !right.is_empty() {
+            trials.push(Trial::new(Nature::Right, letters(&right)));
+            let ids: Vec<&str> = right
+                .iter()
+                .map(|place| self.ids[*place].as_str())
+                .collect();
+            trials.push(Trial::new(Nature::Borderline, ids.join("; ")));
+        }
+        if !wrong.is_empty() {
+            trials.push(Trial::new(Nature::Wrong, letters(&wrong)));
+        }
+        trials
+    }
+
     fn key(&self) -> Key {
         let places: Vec<usize> = if self.is_ranking {
             (0..self.ids.len()).collect()

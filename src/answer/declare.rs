@@ -104,8 +104,10 @@ pub struct Context<'a> {
 pub struct Mistaken {
     /// Its number in the item, from 0.
     pub number: usize,
+    /// Its formulas, where it is given by such.
+    pub given: Vec<NodeId>,
     /// What it gives: the values of its formulas, or of those of the key with quantities replaced.
-    /// Empty where the kind keeps formulas instead ([`super::Answer::keeps_mistakes`]).
+    /// Empty where the kind compares formulas ([`super::Answer::keeps_mistakes`]).
     pub values: Vec<Value>,
     /// The quantities that it replaces in the key.
     pub replaced: Vec<(NodeId, NodeId)>,

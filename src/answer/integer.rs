@@ -11,12 +11,11 @@
 
 use super::{
     Answer, AnswerError, AnswerKind, Context, Credit, Declare, Feedback, Key, KeyValue, Marker,
-    Marking, Reading, Reason, numeric,
+    Marking, Nature, Reading, Reason, Trial, numeric,
 };
 use crate::expr::Form;
 use crate::math::Math;
 use crate::quantity::{Absent, NodeId};
-use crate::source::{Table, Value};
 use crate::unit::{Decimal, DecimalMark};
 
 /// The kind.
@@ -77,17 +76,6 @@ impl Answer for Integer {
         vec![self.key]
     }
 
-    fn read_mistake(
-        &mut self,
-        _number: usize,
-        answer: &Value,
-        part: &Table<'_>,
-        declare: &mut dyn Declare,
-    ) -> Option<Vec<NodeId>> {
-        let text = part.as_formula("answer", answer)?;
-        Some(vec![declare.formula("mistake", &text)?])
-    }
-
     fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
         // A key that is whole but for its rounding is that whole number.
         let key = context.evaluation.real(self.key)?.round();
@@ -104,6 +92,20 @@ impl Answer for Integer {
 }
 
 impl Marker for Whole {
+    fn trials(&self) -> Vec<Trial> {
+        let key = Decimal::shortest(self.key).map_or_else(String::new, |key| key.to_string());
+        let next =
+            Decimal::shortest(self.key + 1.0).map_or_else(String::new, |key| key.to_string());
+        vec![
+            Trial::new(Nature::Right, key.as_str()),
+            Trial::new(Nature::Borderline, format!("n = {key}.0")),
+            Trial::new(Nature::Wrong, next),
+            Trial::new(Nature::Wrong, format!("{key}.5")),
+            Trial::new(Nature::WrongUnit, format!("{key} kg")),
+            Trial::new(Nature::Unreadable, "a few"),
+        ]
+    }
+
     fn key(&self) -> Key {
         let digits =
             Decimal::shortest(self.key).map_or_else(|| self.key.to_string(), |key| key.to_string());

@@ -24,12 +24,14 @@ mod mode_shape;
 mod numeric;
 mod symbolic;
 mod tolerance;
+mod trial;
 mod typed;
 
 pub use declare::{Context, Declare, Known, Mistaken, Role};
 pub use error::AnswerError;
 pub use marking::{Credit, Feedback, Key, KeyValue, Marking, Reading, Reason, Verdict};
 pub use tolerance::Tolerance;
+pub use trial::{Nature, Trial};
 
 use crate::document::Document;
 use crate::expr::Equation;
@@ -78,7 +80,7 @@ pub trait Answer: std::fmt::Debug + Send + Sync {
         false
     }
 
-    /// Whether named mistakes are formulas that the answer keeps, by their number; otherwise they are values.
+    /// Whether named mistakes are compared as formulas; otherwise by their values.
     fn keeps_mistakes(&self) -> bool {
         false
     }
@@ -92,11 +94,14 @@ pub trait Answer: std::fmt::Debug + Send + Sync {
     /// What is returned is computed for an instance; what the answer keeps for itself is not.
     fn read_mistake(
         &mut self,
-        number: usize,
+        _number: usize,
         answer: &Value,
         part: &Table<'_>,
         declare: &mut dyn Declare,
-    ) -> Option<Vec<NodeId>>;
+    ) -> Option<Vec<NodeId>> {
+        let text = part.as_formula("answer", answer)?;
+        Some(vec![declare.formula("mistake", &text)?])
+    }
 
     /// The key for these data, with what marking needs.
     ///
@@ -123,6 +128,9 @@ pub trait Marker: Send + Sync {
     fn equations(&self, _response: &str) -> Option<Equations> {
         None
     }
+
+    /// Responses that test this kind with this key: right and borderline ones, wrong ones, a wrong unit, unreadable ones.
+    fn trials(&self) -> Vec<Trial>;
 
     /// The least distance of a named mistake from the key, in tolerances; `None` without a mistake that differs.
     fn clearance(&self) -> Option<f64> {

@@ -155,9 +155,9 @@ impl<'t> Solution<'t> {
         if !applies {
             return None;
         }
-        let replaced = match &mistake.answer {
-            MistakeAnswer::Replaced(replaced) => replaced.clone(),
-            MistakeAnswer::Formulas(_) => Vec::new(),
+        let (given, replaced) = match &mistake.answer {
+            MistakeAnswer::Formulas(given) => (given.clone(), Vec::new()),
+            MistakeAnswer::Replaced(replaced) => (Vec::new(), replaced.clone()),
         };
         let values = match &mistake.answer {
             _ if part.answer.keeps_mistakes() => Ok(Vec::new()),
@@ -181,6 +181,7 @@ impl<'t> Solution<'t> {
         };
         Some(Mistaken {
             number,
+            given,
             values: values.ok()?,
             replaced,
             unit: mistake.unit,

@@ -6,7 +6,8 @@ use super::points::Choice;
 use super::rows::Rows;
 use super::{Arc, Setup, told, written};
 use crate::answer::{
-    Beside, Credit, Equations, Feedback, Key, KeyValue, Marker, Marking, Reading, Reason,
+    Beside, Credit, Equations, Feedback, Key, KeyValue, Marker, Marking, Nature, Reading, Reason,
+    Trial,
 };
 use crate::expr::{Equation, Program};
 use crate::numerics::Rational;
@@ -120,6 +121,41 @@ impl Prepared {
 }
 
 impl Marker for Prepared {
+    fn trials(&self) -> Vec<Trial> {
+        let mut trials = vec![
+            Trial::new(Nature::Unreadable, "x'' ="),
+            Trial::new(Nature::Unreadable, "sqrt(2)"),
+        ];
+        let text = written(&self.setup.key);
+        // Numbers with units cannot be typed.
+        if text.contains('[') || text.contains("if ") {
+            return trials;
+        }
+        let of = |left: &str, right: &str| {
+            let equations = self.setup.key.iter().map(|equation| {
+                let fill = |form: &str| {
+                    let form = form.replace("{l}", &equation.left.to_string());
+                    form.replace("{r}", &equation.right.to_string())
+                };
+                format!("{} = {}", fill(left), fill(right))
+            });
+            equations.collect::<Vec<_>>().join("; ")
+        };
+        trials.push(Trial::new(Nature::Right, text));
+        trials.push(Trial::new(Nature::Borderline, of("2*({r})", "2*({l})")));
+        trials.push(Trial::new(
+            Nature::Unreadable,
+            of("{l}", "unheard_of + {r}"),
+        ));
+        if let Some(unknown) = self.setup.unknowns.first() {
+            trials.push(Trial::new(
+                Nature::Wrong,
+                of(&format!("{{l}} + {unknown}^3"), "{r}"),
+            ));
+        }
+        trials
+    }
+
     fn key(&self) -> Key {
         let setup = &self.setup;
         let math = setup.typeset(&setup.key);

@@ -11,14 +11,14 @@ use super::super::equality::Draws;
 use super::super::meaning::{Meaning, ORDERS, Prefer, lexicon};
 use super::super::typed::{self, Lexicon, Manner, cut};
 use super::super::{
-    Answer, AnswerKind, Context, Credit, Declare, Feedback, Key, KeyValue, Marker, Marking,
-    Reading, Reason, Role,
+    Answer, AnswerKind, Context, Credit, Declare, Feedback, Key, KeyValue, Marker, Marking, Nature,
+    Reading, Reason, Role, Trial,
 };
 use super::Kind;
 use crate::expr::{Equation, Expr, Name, Precise, Program, Workspace};
 use crate::math::Math;
 use crate::quantity::{Absent, NodeId};
-use crate::source::{Span, Table, Text, Value};
+use crate::source::{Span, Text};
 
 /// Letters that people give to constants, alone or with a number.
 const LETTERS: [&str; 18] = [
@@ -108,17 +108,6 @@ impl Answer for General {
 
     fn keys(&self) -> Vec<NodeId> {
         Vec::new()
-    }
-
-    fn read_mistake(
-        &mut self,
-        _number: usize,
-        answer: &Value,
-        part: &Table<'_>,
-        declare: &mut dyn Declare,
-    ) -> Option<Vec<NodeId>> {
-        let text = part.as_formula("answer", answer)?;
-        Some(vec![declare.formula("mistake", &text)?])
     }
 
     fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
@@ -428,6 +417,19 @@ fn length(vector: &[f64]) -> f64 {
 }
 
 impl Marker for Prepared {
+    fn trials(&self) -> Vec<Trial> {
+        let solution: Vec<String> = self.written().into_iter().map(|(_, text)| text).collect();
+        let mut still = solution.clone();
+        if let (Some(first), Some(name)) = (still.first_mut(), self.setup.coordinates.first()) {
+            *first = format!("{name} = A1");
+        }
+        vec![
+            Trial::new(Nature::Right, solution.join("; ")),
+            Trial::new(Nature::Wrong, still.join("; ")),
+            Trial::new(Nature::Unreadable, "A cos("),
+        ]
+    }
+
     fn key(&self) -> Key {
         let (mut row, mut texts) = (Vec::new(), Vec::new());
         for (math, text) in self.written() {

@@ -38,10 +38,11 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::meaning::{Meaning, ORDERS, Prefer, lexicon};
+use super::trial::typed as typed_number;
 use super::typed::{self, Lexicon, Manner, Typed};
 use super::{
     Answer, AnswerError, AnswerKind, Context, Credit, Declare, Feedback, Key, KeyValue, Marker,
-    Marking, Reading, Reason, Tolerance, symbolic,
+    Marking, Nature, Reading, Reason, Tolerance, Trial, symbolic,
 };
 use crate::expr::{Expr, Form, Name, Path, Precise, Type, Value as Number, Workspace};
 use crate::quantity::{Absent, Evaluation, Function as Curve, NodeId};
@@ -61,7 +62,6 @@ struct Motion {
     tolerance: Tolerance,
     digits: u32,
     setup: Arc<Setup>,
-    mistakes: Vec<(usize, NodeId)>,
 }
 
 /// Where functions are compared.
@@ -162,7 +162,6 @@ impl AnswerKind for Kind {
                 meaning,
                 lexicon,
             }),
-            mistakes: Vec::new(),
         }))
     }
 }
@@ -228,19 +227,6 @@ impl Answer for Motion {
         true
     }
 
-    fn read_mistake(
-        &mut self,
-        number: usize,
-        answer: &Value,
-        part: &Table<'_>,
-        declare: &mut dyn Declare,
-    ) -> Option<Vec<NodeId>> {
-        let text = part.as_formula("answer", answer)?;
-        let node = declare.formula("mistake", &text)?;
-        self.mistakes.push((number, node));
-        Some(Vec::new())
-    }
-
     fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
         let evaluation = context.evaluation;
         let [from, to] = self.span.ends(evaluation)?;
@@ -265,11 +251,7 @@ impl Answer for Motion {
         };
         let mut mistakes = Vec::new();
         for mistaken in &context.mistakes {
-            let own = self
-                .mistakes
-                .iter()
-                .find(|(number, _)| *number == mistaken.number);
-            let given = if let Some((_, node)) = own {
+            let given = if let Some(node) = mistaken.given.first() {
                 samples(evaluation, *node, &times)
             } else {
                 let with: Result<Vec<_>, Absent> = mistaken
@@ -407,6 +389,34 @@ impl Prepared {
 }
 
 impl Marker for Prepared {
+    fn trials(&self) -> Vec<Trial> {
+        let mut trials = vec![
+            Trial::new(Nature::Unreadable, "exp("),
+            Trial::new(Nature::Unreadable, "unheard_of cos(t)"),
+        ];
+        let text = self.setup.shown.to_string();
+        let largest = self
+            .values
+            .iter()
+            .fold(0.0_f64, |most, value| most.max(value.abs()));
+        // Cases and numbers with units cannot be typed, and nothing is next to zero.
+        let is_typable = !text.contains("if ") && !text.contains('[');
+        if !is_typable || largest == 0.0 || !self.setup.shown.names().paths.is_empty() {
+            return trials;
+        }
+        trials.push(Trial::new(Nature::Right, text.as_str()));
+        let shares = self.values.iter().zip(&self.halves);
+        let nearest = shares
+            .map(|(value, half)| half / value.abs())
+            .fold(f64::INFINITY, f64::min);
+        if nearest.is_finite() {
+            let scaled = |share: f64| format!("({})*({text})", typed_number(1.0 + share * nearest));
+            trials.push(Trial::new(Nature::Borderline, scaled(0.99)));
+            trials.push(Trial::new(Nature::Wrong, scaled(1.01)));
+        }
+        trials
+    }
+
     fn key(&self) -> Key {
         let math = self.setup.shown.typeset(&self.setup.lexicon);
         let latex = math.latex();

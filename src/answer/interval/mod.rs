@@ -24,10 +24,11 @@ use self::read::Ends;
 use self::set::{End, Piece, Set};
 use super::matrix::Written;
 use super::meaning::{Meaning, Prefer, lexicon};
+use super::trial::other_unit;
 use super::typed::Lexicon;
 use super::{
     Answer, AnswerError, AnswerKind, Context, Credit, Declare, Feedback, Key, KeyValue, Marker,
-    Marking, Reading, Reason, Role, Tolerance, numeric,
+    Marking, Nature, Reading, Reason, Role, Tolerance, Trial, numeric,
 };
 use crate::expr::{Constant, Expr, Kind as Node, Name, Precise, Type};
 use crate::math::Math;
@@ -350,6 +351,49 @@ impl Prepared {
 }
 
 impl Marker for Prepared {
+    fn trials(&self) -> Vec<Trial> {
+        let name = &self.setup.variable;
+        let mut trials = vec![
+            Trial::new(Nature::Unreadable, "somewhere between"),
+            Trial::new(
+                Nature::WrongUnit,
+                format!("{name} > 3 {}", other_unit(&self.setup.unit)),
+            ),
+        ];
+        if self.key.0.is_empty() || self.setup.written == Written::Formula {
+            return trials;
+        }
+        let text = self.typeset(&self.key).1;
+        // What has no bound at all has no inequality.
+        if text.contains("any") {
+            return trials;
+        }
+        trials.push(Trial::new(Nature::Right, text));
+        let ends = self.key.0.iter().zip(&self.halves).enumerate();
+        let end = ends.flat_map(|(at, (piece, halves))| {
+            [0, 1].map(|place| (at, place, piece.0[place].value, halves[place]))
+        });
+        // An end that is not cut off by the bounds of the question.
+        let is_free = |value: f64| {
+            self.within
+                .as_ref()
+                .is_none_or(|within| within.0.iter().all(|end| end.value != value))
+        };
+        let mut ends =
+            end.filter(|(_, _, value, half)| value.is_finite() && *half > 0.0 && is_free(*value));
+        if let Some((at, place, value, half)) = ends.next() {
+            let moved = |share: f64| {
+                let mut set = self.key.clone();
+                set.0[at].0[place].value = value + share * half;
+                self.typeset(&set).1
+            };
+            trials.push(Trial::new(Nature::Borderline, moved(0.9)));
+            trials.push(Trial::new(Nature::Borderline, moved(-0.9)));
+            trials.push(Trial::new(Nature::Wrong, moved(1.3)));
+        }
+        trials
+    }
+
     fn key(&self) -> Key {
         let (math, text) = self.typeset(&self.key);
         let pieces = self.key.0.iter();

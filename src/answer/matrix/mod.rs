@@ -13,21 +13,21 @@
 //! mistakes  = [{ answer = "[[2*k, 0], [0, k]]", feedback = "The springs couple the blocks." }]
 //! ```
 
+mod marker;
+
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::equality::{Comparable, Comparison, Points};
+use self::marker::{Mistake, Prepared};
+use super::equality::{Comparable, Points};
 use super::meaning::{Meaning, Prefer, lexicon};
-use super::typed::{self, Lexicon, Listed, Manner};
-use super::{
-    Answer, AnswerError, AnswerKind, Context, Credit, Declare, Feedback, Key, KeyValue, Marker,
-    Marking, Reading, Reason, Tolerance, symbolic,
-};
-use crate::expr::{Expr, Field, Form, Name, Shape, Value};
+use super::typed::Lexicon;
+use super::{Answer, AnswerError, AnswerKind, Context, Declare, Marker, Tolerance, symbolic};
+use crate::expr::{Expr, Field, Form, Name, Shape};
 use crate::math::Math;
 use crate::quantity::{Absent, NodeId};
 use crate::source::{Table, Value as Data};
-use crate::unit::{Decimal, Unit};
+use crate::unit::Unit;
 
 /// The kind.
 pub(super) struct Kind;
@@ -64,7 +64,6 @@ struct Matrix {
     tolerance: Tolerance,
     digits: u32,
     setup: Arc<Setup>,
-    mistakes: Vec<(usize, NodeId)>,
 }
 
 #[derive(Debug)]
@@ -77,22 +76,6 @@ struct Setup {
     written: Written,
     meaning: Meaning,
     lexicon: Lexicon,
-}
-
-struct Prepared {
-    setup: Arc<Setup>,
-    /// The entries as formulas, where they can be compared as such.
-    formulas: Option<(Vec<Comparable>, Points)>,
-    value: Value,
-    halves: Vec<f64>,
-    mistakes: Vec<Mistake>,
-}
-
-struct Mistake {
-    number: usize,
-    formulas: Vec<Comparable>,
-    numbers: Vec<f64>,
-    credit: Credit,
 }
 
 impl AnswerKind for Kind {
@@ -147,7 +130,6 @@ impl AnswerKind for Kind {
             tolerance,
             digits: u32::from(declare.digits_of(key)),
             setup: Arc::new(setup),
-            mistakes: Vec::new(),
         }))
     }
 }
@@ -173,7 +155,7 @@ impl Setup {
                 .map(|entry| entry.typeset(&self.lexicon))
                 .collect()
         };
-        Math::matrix(entries.chunks(self.columns.max(1)).map(set).collect())
+        Math::matrix(entries.chunks(self.columns.max(1)).map(set).collect()).fenced("(", ")")
     }
 }
 
@@ -198,7 +180,7 @@ impl Answer for Matrix {
 
     fn read_mistake(
         &mut self,
-        number: usize,
+        _number: usize,
         answer: &Data,
         part: &Table<'_>,
         declare: &mut dyn Declare,
@@ -217,8 +199,7 @@ impl Answer for Matrix {
             );
             return None;
         }
-        self.mistakes.push((number, node));
-        Some(Vec::new())
+        Some(vec![node])
     }
 
     fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
@@ -243,18 +224,15 @@ impl Answer for Matrix {
             (formulas, points)
         });
         let mistakes = context.mistakes.iter().map(|mistaken| {
-            let own = self
-                .mistakes
-                .iter()
-                .find(|(number, _)| *number == mistaken.number);
+            let own = mistaken.given.first();
             let formulas = match own {
-                Some((_, node)) => {
+                Some(node) => {
                     let expr = symbolic::formula(graph, *node);
                     setup.compile(&symbolic::entries(&expr, setup.shape()), &none)
                 }
                 None => setup.compile(&entries, &symbolic::replaced(graph, mistaken)),
             };
-            let numbers = own.and_then(|(_, node)| evaluation.value(*node).ok());
+            let numbers = own.and_then(|node| evaluation.value(*node).ok());
             Mistake {
                 number: mistaken.number,
                 formulas: formulas.unwrap_or_default(),
@@ -269,195 +247,5 @@ impl Answer for Matrix {
             halves,
             mistakes: mistakes.collect(),
         }))
-    }
-}
-
-impl Prepared {
-    fn mark_formulas(&self, reading: Reading, entries: &[Expr]) -> Marking {
-        let setup = &self.setup;
-        let Some((keys, points)) = &self.formulas else {
-            return Marking::unreadable("Give the entries as numbers.");
-        };
-        let Some(typed) = setup.compile(entries, &BTreeMap::new()) else {
-            return Marking::unreadable(
-                "These entries cannot be compared; write them in a simpler form.",
-            );
-        };
-        let is_same = |keys: &[Comparable], place: usize| {
-            points.compare(&keys[place], &typed[place]) == Comparison::Same
-        };
-        let wrong: Vec<usize> = (0..typed.len())
-            .filter(|place| !is_same(keys, *place))
-            .collect();
-        if wrong.is_empty() {
-            return Marking::read(reading, Credit::FULL, Reason::Matches, None);
-        }
-        let named = self.mistakes.iter().find(|mistake| {
-            mistake.formulas.len() == typed.len()
-                && (0..typed.len()).all(|place| is_same(&mistake.formulas, place))
-        });
-        self.wrong(reading, named, &wrong)
-    }
-
-    fn mark_numbers(&self, reading: Reading, numbers: &[f64]) -> Marking {
-        let near = |place: usize, key: f64| {
-            let slack = 4.0 * f64::EPSILON * key.abs() + self.value.bounds()[place];
-            (numbers[place] - key).abs() <= self.halves[place] + slack
-        };
-        let keys = self.value.numbers();
-        let wrong: Vec<usize> = (0..numbers.len())
-            .filter(|place| !near(*place, keys[*place]))
-            .collect();
-        if wrong.is_empty() {
-            return Marking::read(reading, Credit::FULL, Reason::Matches, None);
-        }
-        let named = self.mistakes.iter().find(|mistake| {
-            mistake.numbers.len() == numbers.len()
-                && (0..numbers.len()).all(|place| near(place, mistake.numbers[place]))
-        });
-        self.wrong(reading, named, &wrong)
-    }
-
-    fn wrong(&self, reading: Reading, named: Option<&Mistake>, wrong: &[usize]) -> Marking {
-        if let Some(mistake) = named {
-            let feedback = Some(Feedback::Mistake(mistake.number));
-            return Marking::read(
-                reading,
-                mistake.credit,
-                Reason::Mistake(mistake.number),
-                feedback,
-            );
-        }
-        let place = |at: &usize| {
-            format!(
-                "({}, {})",
-                at / self.setup.columns + 1,
-                at % self.setup.columns + 1
-            )
-        };
-        let words = match wrong {
-            [one] => format!("The entry {} is wrong.", place(one)),
-            many if 2 * many.len() <= self.halves.len() => {
-                let places: Vec<String> = many.iter().map(place).collect();
-                format!("The entries {} are wrong.", places.join(", "))
-            }
-            _ => return Marking::read(reading, Credit::NONE, Reason::Other, None),
-        };
-        Marking::read(
-            reading,
-            Credit::NONE,
-            Reason::Other,
-            Some(Feedback::Words(words)),
-        )
-    }
-
-    /// The numbers of entries without names in SI units, or why they have none.
-    fn numbers(&self, entries: &[Expr], tail: &str) -> Result<Vec<f64>, String> {
-        let stated = match tail.trim() {
-            "" => None,
-            tail => Some(Unit::read(tail).map_err(|error| format!("At `{tail}`: {error}."))?),
-        };
-        let value = |(place, entry): (usize, &Expr)| {
-            let number = crate::expr::Program::compile(entry, &crate::expr::Slots(&[]))
-                .ok()
-                .and_then(|program| {
-                    let none: [crate::expr::Precise; 0] = [];
-                    program
-                        .evaluate(&none, &mut crate::expr::Workspace::default())
-                        .ok()?
-                        .as_real()
-                })
-                .ok_or_else(|| "An entry has no value.".to_owned())?;
-            let unit = self.setup.units.get(place).copied().unwrap_or(Unit::ONE);
-            let shown = stated.unwrap_or(unit);
-            if number == 0.0 || shown.dimension() == unit.dimension() {
-                Ok(shown.to_si(number))
-            } else {
-                Err(format!(
-                    "The unit `{}` does not fit all entries.",
-                    tail.trim()
-                ))
-            }
-        };
-        entries.iter().enumerate().map(value).collect()
-    }
-}
-
-impl Marker for Prepared {
-    fn key(&self) -> Key {
-        let setup = &self.setup;
-        let digits = 6;
-        let entry = |number: f64| match Decimal::rounded(number, digits) {
-            Some(_) if number == 0.0 => Math::number("0"),
-            Some(decimal) => {
-                let shortest = Decimal::shortest(decimal.to_f64()).unwrap_or(decimal);
-                Math::number(shortest.to_string())
-            }
-            None => Math::text("out of range"),
-        };
-        let math = if self.formulas.is_some() && setup.written != Written::Number {
-            setup.typeset(&symbolic::entries(&setup.expr, setup.shape()))
-        } else {
-            let rows = self.value.numbers().chunks(setup.columns);
-            Math::matrix(
-                rows.map(|row| row.iter().map(|number| entry(*number)).collect())
-                    .collect(),
-            )
-        };
-        Key {
-            math,
-            accepted: None,
-            value: KeyValue::Numbers {
-                form: self.value.form(),
-                si: self.value.numbers().to_vec(),
-            },
-        }
-    }
-
-    fn mark(&self, response: &str) -> Marking {
-        let setup = &self.setup;
-        let start = response.rfind('=').map_or(0, |at| at + 1);
-        let manner = Manner::default();
-        let Listed { rows, tail } =
-            match typed::list(response, start, response.len(), &setup.lexicon, manner) {
-                Ok(listed) => listed,
-                Err(error) => return Marking::unreadable(error.sentence(response)),
-            };
-        let (height, width) = (rows.len(), rows.first().map_or(0, Vec::len));
-        if (height, width) != (setup.rows, setup.columns) {
-            return Marking::unreadable(format!(
-                "This has {height} rows of {width}; a matrix of {} by {} is asked, such as `[[a, b], [c, d]]`.",
-                setup.rows, setup.columns
-            ));
-        }
-        let entries = rows.concat();
-        let tail = response.get(tail.range()).unwrap_or_default();
-        let has_names = entries.iter().any(|entry| !entry.names().free.is_empty());
-        let mut reading = Reading {
-            math: setup.typeset(&entries),
-            text: Expr::array(rows.into_iter().map(Expr::array).collect::<Vec<_>>()).to_string(),
-            si: Vec::new(),
-        };
-        match (has_names, setup.written) {
-            (true, Written::Number) => Marking::unreadable("Numbers are asked here, not formulas."),
-            (true, _) => self.mark_formulas(reading, &entries),
-            (false, Written::Formula) if self.is_symbolic() => {
-                Marking::unreadable("Formulas in symbols are asked here, not numbers.")
-            }
-            (false, _) => match self.numbers(&entries, tail) {
-                Ok(numbers) => {
-                    reading.si.clone_from(&numbers);
-                    self.mark_numbers(reading, &numbers)
-                }
-                Err(words) => Marking::unreadable(words),
-            },
-        }
-    }
-}
-
-impl Prepared {
-    /// Whether the key depends on data.
-    fn is_symbolic(&self) -> bool {
-        !self.setup.expr.names().free.is_empty()
     }
 }

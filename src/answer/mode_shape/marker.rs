@@ -4,11 +4,14 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::modes::Modes;
-use super::span::{are_independent, length, lies_in, vectors};
+use super::span::{are_independent, away, length, lies_in, vectors};
 use super::{Scale, Setup};
 use crate::answer::matrix::Written;
+use crate::answer::trial::typed as typed_number;
 use crate::answer::typed::{self, Manner};
-use crate::answer::{Credit, Feedback, Key, KeyValue, Marker, Marking, Reading, Reason};
+use crate::answer::{
+    Credit, Feedback, Key, KeyValue, Marker, Marking, Nature, Reading, Reason, Trial,
+};
 use crate::expr::{Expr, Precise, Value, Workspace};
 use crate::math::Math;
 use crate::numerics::Rational;
@@ -214,6 +217,47 @@ impl Prepared {
 }
 
 impl Marker for Prepared {
+    fn trials(&self) -> Vec<Trial> {
+        let mut trials = vec![
+            Trial::new(Nature::Unreadable, "up and down"),
+            Trial::new(Nature::Unreadable, "(1, 2, 3, 4, 5, 6, 7, 8, 9)"),
+        ];
+        let shown = |vectors: &[Vec<f64>]| {
+            let width = self.width();
+            let rows = vectors.iter().enumerate().map(|(row, vector)| {
+                let entries = vector.iter().enumerate().map(|(column, number)| {
+                    let unit = self.setup.units.get(row * width + column);
+                    typed_number(unit.map_or(*number, |unit| unit.of_si(*number)))
+                });
+                format!("[{}]", entries.collect::<Vec<_>>().join(", "))
+            });
+            let rows: Vec<String> = rows.collect();
+            match &rows[..] {
+                [one] => one.clone(),
+                many => format!("[{}]", many.join(", ")),
+            }
+        };
+        if self.setup.written == Written::Formula {
+            return trials;
+        }
+        trials.push(Trial::new(Nature::Right, shown(&self.keys)));
+        if self.setup.scale != Scale::Any {
+            return trials;
+        }
+        let turned = |share: f64| {
+            let mut vectors = self.keys.clone();
+            let away = away(&vectors[0], &self.space(0))?;
+            let size = length(&vectors[0]) * crate::numerics::tan(share * self.angle);
+            for (value, away) in vectors[0].iter_mut().zip(away) {
+                *value = -2.0 * (*value + size * away);
+            }
+            Some(shown(&vectors))
+        };
+        trials.extend(turned(0.9).map(|text| Trial::new(Nature::Borderline, text)));
+        trials.extend(turned(1.2).map(|text| Trial::new(Nature::Wrong, text)));
+        trials
+    }
+
     fn key(&self) -> Key {
         let numbers = self.key.numbers();
         let set = |number: &f64| match Decimal::rounded(*number, self.digits) {

@@ -31,7 +31,7 @@ use super::typed::Lexicon;
 use super::{Answer, AnswerError, AnswerKind, Context, Declare, Marker, Tolerance};
 use crate::expr::{Field, Name, Shape};
 use crate::quantity::{Absent, NodeId};
-use crate::source::{Table, Value as Data};
+use crate::source::Table;
 use crate::unit::Unit;
 
 /// The kind.
@@ -141,17 +141,6 @@ impl Answer for Mode {
 
     fn keys(&self) -> Vec<NodeId> {
         vec![self.key]
-    }
-
-    fn read_mistake(
-        &mut self,
-        _number: usize,
-        answer: &Data,
-        part: &Table<'_>,
-        declare: &mut dyn Declare,
-    ) -> Option<Vec<NodeId>> {
-        let text = part.as_formula("answer", answer)?;
-        Some(vec![declare.formula("mistake", &text)?])
     }
 
     fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {

@@ -50,6 +50,21 @@ pub(super) fn lies_in(vector: &[f64], space: &[Vec<f64>], angle: f64) -> bool {
     length(&rest(vector, &basis)) <= limit * length(vector)
 }
 
+/// A unit vector at right angles to a space, and as little as can be along each component of a vector; `None` where
+/// the space is all there is.
+pub(super) fn away(vector: &[f64], space: &[Vec<f64>]) -> Option<Vec<f64>> {
+    let basis = orthonormal(space, 1e-9);
+    let axes = (0..vector.len()).map(|at| {
+        let axis: Vec<f64> = (0..vector.len())
+            .map(|own| f64::from(u8::from(own == at)))
+            .collect();
+        rest(&axis, &basis)
+    });
+    let largest = axes.max_by(|a, b| length(a).total_cmp(&length(b)))?;
+    let size = length(&largest);
+    (size > 1e-6).then(|| largest.iter().map(|value| value / size).collect())
+}
+
 /// Whether vectors are independent by more than rounding of what was typed.
 pub(super) fn are_independent(vectors: &[Vec<f64>]) -> bool {
     orthonormal(vectors, 0.05).len() == vectors.len()

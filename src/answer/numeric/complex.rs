@@ -1,7 +1,9 @@
 //! Complex numbers as people type them, and how they are marked: `3 - 4i ohm`, `-100j ohm`, `5 ohm at -53 deg`, `5∠-53°`.
 
 use super::super::typed::cut;
-use super::super::{Credit, Feedback, Key, KeyValue, Marker, Marking, Mistaken, Reading, Reason};
+use super::super::{
+    Credit, Feedback, Key, KeyValue, Marker, Marking, Mistaken, Reading, Reason, Trial,
+};
 use super::arithmetic::{Arithmetic, LONGEST};
 use super::read;
 use crate::expr::{Expr, Form, Kind};
@@ -180,6 +182,10 @@ impl Numbers {
 }
 
 impl Marker for Numbers {
+    fn trials(&self) -> Vec<Trial> {
+        self.made_up()
+    }
+
     fn key(&self) -> Key {
         let mut row = Vec::new();
         for target in &self.targets {

@@ -1,6 +1,8 @@
 //! Marks numbers: right, a named mistake, or a slip that can be told from the number alone.
 
-use super::super::{Credit, Feedback, Key, KeyValue, Marker, Marking, Mistaken, Reading, Reason};
+use super::super::{
+    Credit, Feedback, Key, KeyValue, Marker, Marking, Mistaken, Reading, Reason, Trial,
+};
 use super::read::{self, Number};
 use super::slip::mixes_energy_and_moment;
 use super::target::{Target, Typed, pair};
@@ -314,6 +316,10 @@ impl Marker for Numbers {
             Ok(number) => self.mark_one(&number),
             Err(help) => Marking::unreadable(help),
         }
+    }
+
+    fn trials(&self) -> Vec<Trial> {
+        self.made_up()
     }
 
     fn clearance(&self) -> Option<f64> {

@@ -22,12 +22,13 @@ mod marker;
 mod read;
 mod slip;
 mod target;
+mod trial;
 mod words;
 
 use super::{Answer, AnswerError, AnswerKind, Context, Credit, Declare, Marker, Tolerance};
 use crate::expr::{Field, Shape};
 use crate::quantity::{Absent, NodeId};
-use crate::source::{Table, Text, Value};
+use crate::source::{Table, Text};
 use crate::unit::{Quantity, Unit};
 
 use self::marker::{Mistake, Numbers};
@@ -180,17 +181,6 @@ impl Answer for Numeric {
 
     fn unit(&self) -> Option<Unit> {
         Some(self.unit).filter(|unit| !unit.is_one())
-    }
-
-    fn read_mistake(
-        &mut self,
-        _number: usize,
-        answer: &Value,
-        part: &Table<'_>,
-        declare: &mut dyn Declare,
-    ) -> Option<Vec<NodeId>> {
-        let text = part.as_formula("answer", answer)?;
-        Some(vec![declare.formula("mistake", &text)?])
     }
 
     fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {

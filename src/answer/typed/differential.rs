@@ -55,13 +55,12 @@ impl Differentials<'_> {
 
     /// A name up to the slash or brace.
     fn name(&mut self) -> Option<String> {
+        const LONGEST: usize = 80;
         let rest = &self.text[self.at..];
-        let end = rest.find(['/', '}'])?;
+        let is_end = |(_, char): &(usize, char)| matches!(char, '/' | '}');
+        let (end, _) = rest.char_indices().take(LONGEST).find(is_end)?;
         let (mut spelling, mut command) = (String::new(), false);
         let name = rest[..end].trim();
-        if name.len() > 80 {
-            return None;
-        }
         let name = name.strip_suffix("(t)").unwrap_or(name);
         if let Some(word) = name.strip_prefix('\\') {
             let letters: String = word.chars().take_while(char::is_ascii_alphabetic).collect();

@@ -384,13 +384,17 @@ impl Lexer<'_> {
             return;
         }
         self.at += 1;
+        let mut inner = 0_u32;
         while let Some(char) = self.peek() {
             let at = self.at;
             self.at += char.len_utf8();
-            if char == '}' {
-                break;
+            match char {
+                '}' if inner == 0 => break,
+                '}' => inner -= 1,
+                '{' => inner += 1,
+                _ => {}
             }
-            if matches!(char, '{' | ',' | ' ' | '_') {
+            if matches!(char, '{' | '}' | ',' | ' ' | '_') {
                 continue;
             }
             if char == '\\' {
@@ -408,13 +412,6 @@ impl Lexer<'_> {
             if !letters.push(char, at, at) {
                 self.at = at;
                 break;
-            }
-        }
-        if self.peek() == Some('}') && self.text[..self.at].ends_with('}') {
-            // The inner braces of `_{\mathrm{st}}`.
-            let opened = self.text[..self.at].matches('{').count();
-            if opened > self.text[..self.at].matches('}').count() {
-                self.at += 1;
             }
         }
         letters.join_from(length);

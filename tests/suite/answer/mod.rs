@@ -2,12 +2,16 @@
 
 mod bank;
 mod complex;
+mod corpus;
 mod equation;
 mod formula;
 mod function;
+mod hostile;
 mod interval;
 mod matrix;
 mod mode_shape;
+mod trials;
+mod typing;
 
 use vibank::bank::Catalogue;
 use vibank::instance::Instance;

@@ -1,0 +1,158 @@
+//! Any text as a response to a part of every kind: no panic, no hang, and too long a text is refused.
+//! `fuzz/` does the same without end.
+
+use std::cell::RefCell;
+
+use proptest::prelude::*;
+use vibank::answer::Verdict;
+use vibank::bank::Catalogue;
+use vibank::grade::{LONGEST_RESPONSE, mark_among};
+use vibank::instance::Instance;
+use vibank::solution::Solution;
+
+pub(super) fn catalogue() -> Catalogue {
+    let (catalogue, _) = Catalogue::load([
+        ("bank.toml", "format = 1\ntitle = 'Test'\n"),
+        ("kinds/_chapter.toml", "title = 'Kinds'\n"),
+        (
+            "kinds/item.toml",
+            include_str!("../../fixtures/kinds/item.toml"),
+        ),
+    ]);
+    catalogue
+}
+
+/// The verdicts of all parts on one text.
+fn verdicts(solution: &Solution<'_>, text: &str) -> Vec<Verdict> {
+    let responses = vec![text; solution.template().parts.len()];
+    (0..responses.len())
+        .map(|place| mark_among(solution, place, &responses).verdict)
+        .collect()
+}
+
+thread_local! {
+    static SOLUTION: RefCell<Solution<'static>> = {
+        let catalogue: &'static Catalogue = Box::leak(Box::new(catalogue()));
+        RefCell::new(Solution::of(Instance::of_source(&catalogue.items()[0])))
+    };
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 150, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_text_is_marked(text in any::<String>()) {
+        SOLUTION.with_borrow(|solution| verdicts(solution, &text));
+    }
+
+    #[test]
+    fn any_signs_of_formulas_are_marked(text in "[0-9a-eijkmnxtω√πΩ²'=<>≤+*/^()\\[\\]{}_,;.|° \\\\-]{0,60}") {
+        SOLUTION.with_borrow(|solution| verdicts(solution, &text));
+    }
+
+    #[test]
+    fn any_words_of_formulas_are_marked(words in prop::collection::vec(prop::sample::select(WORDS), 0..24)) {
+        SOLUTION.with_borrow(|solution| verdicts(solution, &words.concat()));
+    }
+}
+
+const WORDS: &[&str] = &[
+    "m", "k", "c", "l", "x1", "x2", "x1''", "t", "Omega", "omega_n", "mu", "2", "0.5", "1,5",
+    "10^-3", "e", "pi", "i", "sqrt(", "sin(", "exp(", "\\frac{", "}{", "}", "(", ")", "[", "]",
+    "+", "-", "*", "/", "^", " ", "=", ";", ",", "<", "≥", " or ", " at ", "∠", "°", " N/m",
+    " rad/s", "dx1/dt", "\\ddot{", "|", "²", "±", "inf", "if ", "abs(",
+];
+
+#[test]
+fn what_repeats_without_end_is_answered() {
+    let catalogue = catalogue();
+    let solution = Solution::of(Instance::of_source(&catalogue.items()[0]));
+    let most = LONGEST_RESPONSE;
+    for word in [
+        "(",
+        "[",
+        "{",
+        "((",
+        "[[",
+        "x_{",
+        "\\frac{",
+        "\\sqrt{",
+        "sqrt(",
+        "sin",
+        "-",
+        "+",
+        "^",
+        "2^",
+        "1/",
+        "m/",
+        "mkc",
+        "d",
+        "dx",
+        "x'",
+        "'",
+        "|",
+        ",",
+        ";",
+        "=",
+        "x1=",
+        "<",
+        " or ",
+        "or",
+        "1 ",
+        "1,",
+        "1;",
+        "9",
+        "9e9",
+        "é",
+        "√",
+        "°",
+        "\\",
+        "\\\\",
+        "&",
+        "_",
+        "{}",
+        "()",
+        "[]",
+        "∠",
+        " at ",
+        "e^",
+        "exp(",
+        "A cos(2t) + ",
+        "m*",
+        "(m+k)*",
+        "N/",
+        "kg ",
+    ] {
+        let count = most / word.len();
+        for (before, after) in [("", ""), ("1", ""), ("(", ")"), ("x1 = ", "")] {
+            for count in [count / 8, count / 2, count - 4] {
+                let text = format!("{before}{}{after}", word.repeat(count));
+                let verdicts = verdicts(&solution, &text);
+                assert!(!verdicts.contains(&Verdict::Missing), "{word}");
+            }
+        }
+    }
+}
+
+#[test]
+fn too_long_a_text_is_refused() {
+    let catalogue = catalogue();
+    let solution = Solution::of(Instance::of_source(&catalogue.items()[0]));
+    for text in ["1+".repeat(LONGEST_RESPONSE), " 9".repeat(10 << 20)] {
+        for verdict in verdicts(&solution, &text) {
+            assert_eq!(verdict, Verdict::Unreadable);
+        }
+    }
+}
+
+#[test]
+fn every_kind_is_there() {
+    let catalogue = catalogue();
+    let parts = &catalogue.items()[0].parts;
+    for kind in vibank::answer::KINDS {
+        let is_there = parts
+            .iter()
+            .any(|part| part.answer.kind().name() == kind.name());
+        assert!(is_there, "{}", kind.name());
+    }
+}
