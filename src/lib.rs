@@ -44,6 +44,7 @@ pub mod scene;
 pub mod suitability;
 
 // Layer 9: sheets and reports.
+pub mod report;
 pub mod survey;
 pub mod worksheet;
 

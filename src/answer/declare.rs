@@ -1,5 +1,7 @@
 //! What a kind asks of the item that is being read, and gets of an instance.
 
+use std::collections::BTreeMap;
+
 use crate::diagnostic::Diagnose;
 use crate::document::Document;
 use crate::expr::{Equation, Expr, Name, Type, Value};
@@ -93,6 +95,8 @@ pub struct Context<'a> {
     pub evaluation: &'a Evaluation<'a>,
     /// The named mistakes that apply.
     pub mistakes: Vec<Mistaken>,
+    /// Formulas that stand in for quantities of a symbolic key: what was answered to earlier parts.
+    pub standing: BTreeMap<Name, Expr>,
     /// The order in which the options of a choice are printed, as places in the file.
     pub order: Vec<usize>,
     /// The decimal sign of the sheet.

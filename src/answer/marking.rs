@@ -8,7 +8,9 @@ use crate::math::Math;
 use crate::numerics::Rational;
 
 /// How a response fared.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, serde::Deserialize,
+)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
     /// Full credit.
@@ -34,6 +36,8 @@ pub enum Reason {
     Matches,
     /// It equals a named mistake of the item, counted from 0.
     Mistake(usize),
+    /// It follows from the student's own answer to an earlier part.
+    FollowThrough,
     /// Its unit has another dimension than the key.
     Dimension,
     /// It has no unit where one is due.
@@ -193,6 +197,7 @@ impl Reason {
         match self {
             Self::Matches => "matches".to_owned(),
             Self::Mistake(number) => format!("mistake-{}", number + 1),
+            Self::FollowThrough => "follow-through".to_owned(),
             Self::Dimension => "dimension".to_owned(),
             Self::NoUnit => "no-unit".to_owned(),
             Self::TwoPi => "two-pi".to_owned(),
@@ -217,6 +222,17 @@ impl Verdict {
             Self::Wrong => "wrong",
             Self::Unreadable => "unreadable",
             Self::Missing => "missing",
+        }
+    }
+
+    /// What a student reads.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Right => "Right",
+            Self::Partial => "Partly right",
+            Self::Wrong => "Not right",
+            Self::Unreadable => "Could not be read",
+            Self::Missing => "No answer",
         }
     }
 }

@@ -213,6 +213,14 @@ pub(crate) fn digest(bytes: &[u8]) -> String {
     hexadecimal(Sha256::new_with_prefix(bytes))
 }
 
+/// SHA-256 of a file of any size, in hexadecimal digits.
+pub(crate) fn digest_of(path: &Path) -> Result<String, Failure> {
+    let hashed = fs::File::open(path).and_then(|mut file| hash(&mut file));
+    hashed
+        .map(hexadecimal)
+        .map_err(|error| Failure::new(format!("cannot read `{}`: {error}", path.display())))
+}
+
 /// The digits of a hash.
 pub(crate) fn hexadecimal(hash: Sha256) -> String {
     hash.finalize()

@@ -34,6 +34,7 @@ mod list;
 mod mark;
 mod new;
 mod page;
+mod practice;
 mod progress;
 mod record;
 mod report;
@@ -73,6 +74,7 @@ enum Command {
     Mark(mark::Arguments),
     Sheet(sheet::Arguments),
     Grade(grade::Arguments),
+    Practice(practice::Arguments),
     Compute(compute::Arguments),
     Check(check::Arguments),
     Explain(explain::Arguments),
@@ -108,6 +110,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Grade(arguments) => grade::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Sheet(arguments) => sheet::run(&arguments),
+        Command::Practice(arguments) => practice::run(&arguments),
         Command::Compute(arguments) => compute::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Explain(arguments) => explain::run(&arguments),

@@ -1,117 +1,227 @@
-//! Response files: CSV with one row a part or one row a sheet, or JSON.
+//! Response files: CSV or JSON, with one row a part or one row a sheet.
+//!
+//! A row that cannot be read is told with its line; the others count.
 
 use std::path::Path;
 
-use serde::Deserialize;
-use vibank::grade::Row;
+use serde_json::{Map, Value as Json};
+use vibank::grade::{Responses, Row};
 
 use super::{Failure, files};
 
 /// The columns of a file with one row a part.
 const COLUMNS: [&str; 4] = ["code", "question", "part", "response"];
 
-/// The rows of a response file, and what is wrong with lines that cannot be read.
-pub(crate) fn read(path: &Path) -> Result<(Vec<Row>, Vec<String>), Failure> {
+/// What is read of a file.
+#[derive(Default)]
+struct Reading {
+    responses: Responses,
+    faults: Vec<String>,
+}
+
+/// The responses of a file, and what is wrong with single rows.
+pub(crate) fn read(path: &Path) -> Result<(Responses, Vec<String>), Failure> {
     let bytes = files::read_bytes(path)?;
-    if path
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
+    let mut reading = Reading::default();
+    let is_json = path
         .extension()
-        .is_some_and(|end| end.eq_ignore_ascii_case("json"))
-    {
-        return json(path, &bytes).map(|rows| (rows, Vec::new()));
+        .is_some_and(|end| end.eq_ignore_ascii_case("json"));
+    if is_json {
+        reading.json(path, bytes)?;
+    } else {
+        reading.csv(path, bytes)?;
     }
-    csv(path, &bytes)
+    let errors = reading.responses.settle();
+    reading
+        .faults
+        .extend(errors.iter().map(ToString::to_string));
+    Ok((reading.responses, reading.faults))
 }
 
-#[derive(Deserialize)]
-struct Object {
-    code: String,
-    question: serde_json::Value,
-    part: String,
-    #[serde(default)]
-    response: String,
-}
+impl Reading {
+    fn add(&mut self, row: &Row<'_>) {
+        let error = self.responses.add(row);
+        self.faults.extend(error.map(|error| error.to_string()));
+    }
 
-fn json(path: &Path, bytes: &[u8]) -> Result<Vec<Row>, Failure> {
-    let objects: Vec<Object> = serde_json::from_slice(bytes).map_err(|error| {
-        Failure::new(format!(
-            "`{}` is no list of responses: {error}",
-            path.display()
-        ))
-        .help("give an array of objects with `code`, `question`, `part` and `response`")
-    })?;
-    let row = |(position, object): (usize, Object)| {
-        let question = match object.question {
-            serde_json::Value::String(text) => text,
-            other => other.to_string(),
-        };
-        Row {
-            line: position + 1,
-            code: object.code,
-            question,
-            part: object.part,
-            response: object.response,
-        }
-    };
-    Ok(objects.into_iter().enumerate().map(row).collect())
-}
-
-fn csv(path: &Path, bytes: &[u8]) -> Result<(Vec<Row>, Vec<String>), Failure> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    let delimiter = delimiter(bytes);
-    let mut reader = csv::ReaderBuilder::new()
-        .delimiter(delimiter)
-        .flexible(true)
-        .from_reader(bytes);
-    let headers = reader
-        .byte_headers()
-        .map_err(|error| broken(path, &error))?
-        .clone();
-    let names: Vec<String> = headers
-        .iter()
-        .map(|name| String::from_utf8_lossy(name).trim().to_lowercase())
-        .collect();
-    let layout = Layout::of(&names).ok_or_else(|| {
-        Failure::new(format!("`{}` has no columns of responses", path.display()))
-            .help("the header needs `code`, `question`, `part`, `response`, or `code` and one column a part (`1a`, `1b`)")
-    })?;
-    let (mut rows, mut faults) = (Vec::new(), Vec::new());
-    let mut record = csv::ByteRecord::new();
-    loop {
-        match reader.read_byte_record(&mut record) {
-            Ok(false) => break,
-            Ok(true) => {
-                let line = record.position().map_or(0, csv::Position::line) as usize;
-                match record
-                    .iter()
-                    .map(|field| std::str::from_utf8(field))
-                    .collect::<Result<Vec<_>, _>>()
-                {
-                    Ok(fields) => layout.rows(line, &fields, &mut rows),
-                    Err(_) => {
-                        faults.push(format!("line {line}: not UTF-8; save the file as UTF-8"));
-                    }
-                }
+    fn json(&mut self, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+        let entries: Vec<Json> = serde_json::from_slice(bytes).map_err(|error| {
+            Failure::new(format!(
+                "`{}` is no list of responses: {error}",
+                path.display()
+            ))
+            .help("give an array of objects with `code`, `question`, `part` and `response`")
+        })?;
+        for (position, entry) in entries.iter().enumerate() {
+            let number = position + 1;
+            match entry.as_object() {
+                Some(object) => self.object(number, object),
+                None => self.faults.push(format!("entry {number} is no object")),
             }
-            Err(error) => return Err(broken(path, &error)),
+        }
+        Ok(())
+    }
+
+    /// One part, or one sheet with a key for each part.
+    fn object(&mut self, number: usize, object: &Map<String, Json>) {
+        let text = |name: &str| object.get(name).and_then(written);
+        let Some(code) = text("code") else {
+            self.faults.push(format!("entry {number} has no `code`"));
+            return;
+        };
+        if object.contains_key("question") {
+            let [question, part] = ["question", "part"].map(|name| text(name).unwrap_or_default());
+            let row = Row {
+                line: number,
+                code: &code,
+                question: &question,
+                part: &part,
+                response: &text("response").unwrap_or_default(),
+            };
+            return self.add(&row);
+        }
+        for (name, value) in object {
+            if let (Some((question, part)), Some(response)) =
+                (part_column(&name.to_lowercase()), written(value))
+            {
+                self.add(&Row {
+                    line: number,
+                    code: &code,
+                    question,
+                    part,
+                    response: &response,
+                });
+            }
         }
     }
-    Ok((rows, faults))
+
+    fn csv(&mut self, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+        let delimiter = delimiter(bytes);
+        let mut header = csv::ReaderBuilder::new()
+            .delimiter(delimiter)
+            .flexible(true)
+            .from_reader(bytes);
+        let broken =
+            |error: csv::Error| Failure::new(format!("`{}` is no CSV: {error}", path.display()));
+        let names: Vec<String> = header
+            .byte_headers()
+            .map_err(broken)?
+            .iter()
+            .map(|name| String::from_utf8_lossy(name).trim().to_lowercase())
+            .collect();
+        let layout = Layout::of(&names).ok_or_else(|| {
+            Failure::new(format!("`{}` has no columns of responses", path.display()))
+                .help("the header needs `code`, `question`, `part`, `response`, or `code` and one column a part (`1a`, `1b`)")
+        })?;
+        let start = header.position().byte() as usize;
+        let mut at = Place {
+            byte: start,
+            line: 1 + lines(&bytes[..start]),
+        };
+        while at.byte < bytes.len() {
+            at = self
+                .rows(&bytes[at.byte..], at, delimiter, &layout)
+                .map_err(broken)?;
+        }
+        Ok(())
+    }
+
+    /// Reads rows up to the end, or up to behind a line whose quote is not closed.
+    fn rows(
+        &mut self,
+        bytes: &[u8],
+        from: Place,
+        delimiter: u8,
+        layout: &Layout,
+    ) -> Result<Place, csv::Error> {
+        let mut reader = csv::ReaderBuilder::new()
+            .delimiter(delimiter)
+            .flexible(true)
+            .has_headers(false)
+            .from_reader(bytes);
+        let mut record = csv::ByteRecord::new();
+        while reader.read_byte_record(&mut record)? {
+            let start = record
+                .position()
+                .cloned()
+                .unwrap_or_else(csv::Position::new);
+            let (begin, line) = (start.byte() as usize, from.line + start.line() as usize - 1);
+            let end = reader.position().byte() as usize;
+            if is_open(&bytes[begin..end], end == bytes.len()) {
+                self.faults.push(format!(
+                    "line {line}: a quote is not closed; this line was left out"
+                ));
+                let length = bytes[begin..].iter().position(|byte| *byte == b'\n');
+                return Ok(Place {
+                    byte: from.byte + length.map_or(bytes.len(), |length| begin + length + 1),
+                    line: line + 1,
+                });
+            }
+            self.record(line, &record, layout);
+        }
+        Ok(Place {
+            byte: from.byte + bytes.len(),
+            line: from.line,
+        })
+    }
+
+    fn record(&mut self, line: usize, record: &csv::ByteRecord, layout: &Layout) {
+        match record
+            .iter()
+            .map(std::str::from_utf8)
+            .collect::<Result<Vec<_>, _>>()
+        {
+            Ok(fields) => layout.rows(line, &fields, &mut |row| self.add(row)),
+            Err(_) => {
+                let fault = format!("line {line}: not UTF-8; save the file as UTF-8");
+                self.faults.push(fault);
+            }
+        }
+    }
 }
 
-fn broken(path: &Path, error: &csv::Error) -> Failure {
-    Failure::new(format!("`{}` is no CSV: {error}", path.display()))
+/// Where reading goes on.
+#[derive(Clone, Copy)]
+struct Place {
+    byte: usize,
+    line: usize,
+}
+
+fn lines(bytes: &[u8]) -> usize {
+    count(bytes, b'\n')
+}
+
+fn count(bytes: &[u8], sign: u8) -> usize {
+    bytes.iter().filter(|byte| **byte == sign).count()
+}
+
+/// Whether a row has a quote that was not closed: it runs on and on, or to the end of the file.
+fn is_open(row: &[u8], is_last: bool) -> bool {
+    const MOST_LINES: usize = 60;
+    let is_odd = || count(row, b'"') % 2 == 1;
+    lines(row) > MOST_LINES || is_last && lines(row) > 1 && is_odd()
+}
+
+/// A text, or a number as it is written.
+fn written(value: &Json) -> Option<String> {
+    match value {
+        Json::String(text) => Some(text.clone()),
+        Json::Number(number) => Some(number.to_string()),
+        Json::Null => Some(String::new()),
+        _ => None,
+    }
 }
 
 /// Spreadsheets write semicolons where the comma is the decimal sign.
-fn delimiter(bytes: &[u8]) -> u8 {
+pub(crate) fn delimiter(bytes: &[u8]) -> u8 {
     let header = bytes
         .split(|byte| *byte == b'\n')
         .next()
         .unwrap_or_default();
-    let count = |sign: u8| header.iter().filter(|byte| **byte == sign).count();
     [b',', b';', b'\t']
         .into_iter()
-        .max_by_key(|sign| (count(*sign), *sign == b','))
+        .max_by_key(|sign| (count(header, *sign), *sign == b','))
         .unwrap_or(b',')
 }
 
@@ -130,18 +240,18 @@ impl Layout {
         if let [Some(a), Some(b), Some(c), Some(d)] = places {
             return Some(Self::Parts([a, b, c, d]));
         }
-        let parts: Vec<_> = names
-            .iter()
-            .enumerate()
-            .filter_map(|(at, name)| part_column(at, name))
-            .collect();
+        let part = |(at, name): (usize, &String)| {
+            let (question, part) = part_column(name)?;
+            Some((at, question.to_owned(), part.to_owned()))
+        };
+        let parts: Vec<_> = names.iter().enumerate().filter_map(part).collect();
         (!parts.is_empty()).then_some(Self::Sheets(places[0]?, parts))
     }
 
-    fn rows(&self, line: usize, fields: &[&str], rows: &mut Vec<Row>) {
-        let field = |at: usize| fields.get(at).copied().unwrap_or_default().to_owned();
+    fn rows(&self, line: usize, fields: &[&str], take: &mut dyn FnMut(&Row<'_>)) {
+        let field = |at: usize| fields.get(at).copied().unwrap_or_default();
         match self {
-            Self::Parts([code, question, part, response]) => rows.push(Row {
+            Self::Parts([code, question, part, response]) => take(&Row {
                 line,
                 code: field(*code),
                 question: field(*question),
@@ -149,24 +259,26 @@ impl Layout {
                 response: field(*response),
             }),
             Self::Sheets(code, parts) => {
-                rows.extend(parts.iter().map(|(at, question, part)| Row {
-                    line,
-                    code: field(*code),
-                    question: question.clone(),
-                    part: part.clone(),
-                    response: field(*at),
-                }));
+                for (at, question, part) in parts {
+                    take(&Row {
+                        line,
+                        code: field(*code),
+                        question,
+                        part,
+                        response: field(*at),
+                    });
+                }
             }
         }
     }
 }
 
 /// A column such as `2b`: question and part.
-fn part_column(at: usize, name: &str) -> Option<(usize, String, String)> {
+fn part_column(name: &str) -> Option<(&str, &str)> {
     let digits = name.find(|letter: char| !letter.is_ascii_digit())?;
     let (question, part) = name.split_at(digits);
     let is_part = !question.is_empty()
         && part.len() <= 2
         && part.bytes().all(|byte| byte.is_ascii_lowercase());
-    is_part.then(|| (at, question.to_owned(), part.to_owned()))
+    is_part.then_some((question, part))
 }

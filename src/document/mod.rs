@@ -166,6 +166,29 @@ impl Document {
         }
     }
 
+    /// A sentence of our own; what stands between back-ticks is code.
+    ///
+    /// ```
+    /// use vibank::document::Document;
+    /// let sentence = Document::sentence("Write `5 m`, not `5 <b>`.");
+    /// assert_eq!(sentence.html(&Vec::new()).trim(), "<p>Write <code>5 m</code>, not <code>5 &lt;b&gt;</code>.</p>");
+    /// assert_eq!(sentence.plain(&Vec::new()), "Write 5 m, not 5 <b>.");
+    /// ```
+    pub fn sentence(words: &str) -> Self {
+        let mut content = Vec::new();
+        for (place, piece) in words.split('`').enumerate() {
+            // An odd number of back-ticks leaves the last one as it is.
+            let is_code = place % 2 == 1 && words.split('`').count() > place + 1;
+            match piece {
+                "" => {}
+                code if is_code => content.push(Inline::Code(code.to_owned())),
+                words if place % 2 == 1 => content.push(Inline::Text(format!("`{words}"))),
+                words => content.push(Inline::Text(words.to_owned())),
+            }
+        }
+        Self::of(vec![Block::Paragraph(content)], Vec::new())
+    }
+
     /// Its blocks, in order.
     pub fn blocks(&self) -> &[Block] {
         &self.blocks

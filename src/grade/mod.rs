@@ -1,17 +1,23 @@
 //! Grading: responses to the parts of an instance, marked, with credit and feedback.
 //!
-//! Marks are exact fractions of points and are rounded once, where they are printed.
+//! [`Grade::mark`] marks all responses of an instance together, so that a part can be marked by the student's own
+//! earlier answers. Marks are exact fractions of points and are rounded once, where they are printed.
 
 mod among;
+mod feedback;
+mod follow;
+mod pattern;
+mod points;
 pub mod request;
 mod responses;
 
 pub use among::mark_among;
-pub use responses::{Place, Row, RowError, collect};
+pub use feedback::{Feedback, PartFeedback, QuestionFeedback, Remark, remarks};
+pub use pattern::pattern;
+pub use points::{of_marking, rounded, shares};
+pub use responses::{Place, Responses, Row, RowError};
 
-use crate::answer::{Feedback, Marking, Verdict};
-use crate::bank::Passage;
-use crate::numerics::Rational;
+use crate::answer::Marking;
 use crate::solution::Solution;
 
 /// Longest response that is read.
@@ -51,52 +57,62 @@ pub fn mark(solution: &Solution<'_>, place: usize, response: &str) -> Marking {
     }
 }
 
-/// What is said about a response, piece by piece.
-pub enum Said<'t> {
-    /// A text of the item.
-    Passage(&'t Passage),
-    /// A text of the item without placeholders.
-    Document(crate::document::Document),
-    /// A sentence of our own.
-    Words(String),
+/// The markings of the parts of an instance.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Grade {
+    parts: Vec<(usize, Marking)>,
 }
 
-/// The feedback of a marking, with the texts of the item that it names: at least one piece.
-pub fn said<'t>(solution: &Solution<'t>, place: usize, marking: &Marking) -> Vec<Said<'t>> {
-    let mistakes = &solution.template().parts[place].mistakes;
-    let piece = |feedback: &Feedback| match feedback {
-        Feedback::Mistake(number) => mistakes
-            .get(*number)
-            .map(|mistake| Said::Passage(&mistake.feedback)),
-        Feedback::Text(document) => Some(Said::Document(document.clone())),
-        Feedback::Words(words) => Some(Said::Words(words.clone())),
-    };
-    let said: Vec<Said<'t>> = marking.feedback.iter().filter_map(piece).collect();
-    if said.is_empty() {
-        return vec![Said::Words(bare(marking.verdict).to_owned())];
+impl Grade {
+    /// Marks responses to parts, given by their places in the item in any order, equations among each other.
+    /// One that is not right is marked again with what was answered to earlier parts: follow-through.
+    ///
+    /// # Panics
+    ///
+    /// If the item has no part at such a place.
+    ///
+    /// ```
+    /// # #[cfg(feature = "render")] {
+    /// use vibank::{answer::{Reason, Verdict}, bank, grade::Grade, instance::Instance, solution::Solution};
+    /// let (catalogue, _) = bank::Catalogue::load([
+    ///     ("bank.toml", "format = 1\ntitle = 'T'"),
+    ///     ("c/_chapter.toml", "title = 'C'"),
+    ///     ("c/a.toml", "[item]\ntitle = 'A'\nsource = 'by hand'\n[parameters]\nT = '2 s'\nR = '3 m'\n[quantities]\nomega = { formula = '2*pi/T', unit = 'rad/s' }\nv = { formula = 'R*omega', unit = 'm/s' }\n[statement]\ntext = 'A wheel.'\n[[part]]\nkey = 'omega'\nask = 'How fast does it turn?'\n[[part]]\nkey = 'v'\nask = 'How fast is its rim?'\n"),
+    /// ]);
+    /// let solution = Solution::of(Instance::of_source(catalogue.find("c/a").unwrap()));
+    /// let grade = Grade::mark(&solution, [(0, "1.57 rad/s"), (1, "4.71 m/s")]);
+    /// assert_eq!(grade.part(0).unwrap().verdict, Verdict::Wrong);
+    /// assert_eq!(grade.part(1).unwrap().verdict, Verdict::Right);
+    /// assert_eq!(grade.part(1).unwrap().reasons[0], Reason::FollowThrough);
+    /// # }
+    /// ```
+    pub fn mark<'r>(
+        solution: &Solution<'_>,
+        responses: impl IntoIterator<Item = (usize, &'r str)>,
+    ) -> Self {
+        let mut responses: Vec<(usize, &str)> = responses.into_iter().collect();
+        responses.sort_by_key(|(place, _)| *place);
+        let mut all = vec![""; solution.template().parts.len()];
+        for (place, response) in &responses {
+            all[*place] = response;
+        }
+        let mut grade = Self::default();
+        for (place, response) in responses {
+            let first = mark_among(solution, place, &all);
+            let followed = follow::follow(solution, place, response, &first, &grade.parts);
+            grade.parts.push((place, followed.unwrap_or(first)));
+        }
+        grade
     }
-    said
-}
 
-/// What is said where there is nothing more to say.
-fn bare(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::Right => "Right.",
-        Verdict::Partial => "Partly right.",
-        Verdict::Wrong => "This is not the answer.",
-        Verdict::Unreadable => "This could not be read.",
-        Verdict::Missing => "There is no answer.",
+    /// The marking of the part at a place of the item, if there was a response to it.
+    pub fn part(&self, place: usize) -> Option<&Marking> {
+        let own = self.parts.iter().find(|(own, _)| *own == place);
+        own.map(|(_, marking)| marking)
     }
-}
 
-/// The points of a marking, of so many.
-pub fn points(marking: &Marking, of: Rational) -> Rational {
-    match marking.verdict {
-        Verdict::Missing | Verdict::Unreadable => Rational::ZERO,
-        _ => marking
-            .credit
-            .share()
-            .checked_mul(of)
-            .unwrap_or(Rational::ZERO),
+    /// All markings, with the places of their parts, in the order of the item.
+    pub fn into_parts(self) -> Vec<(usize, Marking)> {
+        self.parts
     }
 }

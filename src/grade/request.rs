@@ -7,9 +7,8 @@
 use serde::Deserialize;
 use serde_json::{Map, Value as Json, json};
 
-use super::{Said, mark, said};
-use crate::bank::Catalogue;
-use crate::scene::{Data, Scene};
+use super::{Grade, remarks};
+use crate::bank::{Catalogue, Template};
 use crate::solution::Solution;
 use crate::solution::request::{LONGEST_LINE, Refusal, find, instance};
 
@@ -66,30 +65,24 @@ pub fn answer(catalogue: &Catalogue, line: &str) -> String {
 
 fn marked(catalogue: &Catalogue, request: &Request) -> Result<Map<String, Json>, Refusal> {
     let template = find(catalogue, &request.id)?;
-    let place = template
-        .parts
-        .iter()
-        .position(|part| part.id == request.part)
-        .ok_or_else(|| {
-            let ids = template.parts.iter().map(|part| part.id.as_str());
-            let near = crate::source::nearest(&request.part, ids)
-                .map(|near| format!(", did you mean `{near}`?"));
+    let place = place(template, &request.part)?;
+    let mut responses = vec![(place, request.response.as_str())];
+    for (part, response) in &request.earlier {
+        let response = response.as_str().ok_or_else(|| {
             Refusal::new(
-                "unknown-answer",
-                format!(
-                    "`{}` has no part `{}`{}",
-                    template.id,
-                    request.part,
-                    near.unwrap_or_default()
-                ),
+                "json",
+                format!("the earlier response to `{part}` is no text"),
             )
         })?;
+        let earlier = self::place(template, part)?;
+        if earlier < place {
+            responses.push((earlier, response));
+        }
+    }
     let solution = Solution::of(instance(template, request.seed, &request.set)?);
-    let marking = mark(&solution, place, &request.response);
-    let feedback: Vec<String> = said(&solution, place, &marking)
-        .iter()
-        .map(|said| plain(&solution, said))
-        .collect();
+    let grade = Grade::mark(&solution, responses);
+    let marking = grade.part(place).expect("its response was marked");
+    let feedback = remarks(&solution, place, marking);
     let reading = marking.reading.as_ref();
     Ok(Map::from_iter([
         ("verdict".to_owned(), json!(marking.verdict)),
@@ -111,22 +104,19 @@ fn marked(catalogue: &Catalogue, request: &Request) -> Result<Map<String, Json>,
                 .map(|reason| Json::from(reason.code()))
                 .collect(),
         ),
-        ("feedback".to_owned(), feedback.into()),
+        ("feedback".to_owned(), json!(feedback)),
     ]))
 }
 
-/// A piece of feedback as plain text.
-pub fn plain(solution: &Solution<'_>, said: &Said<'_>) -> String {
-    match said {
-        Said::Words(words) => words.clone(),
-        Said::Document(document) => document.plain(&Vec::new()),
-        Said::Passage(passage) => {
-            let shown = Scene::of(solution, Data::Both).passage(passage);
-            shown
-                .iter()
-                .map(|piece| piece.document.plain(&piece.fillings))
-                .collect::<Vec<_>>()
-                .join("\n")
-        }
-    }
+/// The place of a part in its item.
+fn place(template: &Template, part: &str) -> Result<usize, Refusal> {
+    let found = template.parts.iter().position(|own| own.id == part);
+    found.ok_or_else(|| {
+        let ids = template.parts.iter().map(|own| own.id.as_str());
+        let near = crate::source::nearest(part, ids)
+            .map(|near| format!(", did you mean `{near}`?"))
+            .unwrap_or_default();
+        let message = format!("`{}` has no part `{part}`{near}", template.id);
+        Refusal::new("unknown-answer", message)
+    })
 }

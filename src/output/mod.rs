@@ -5,6 +5,7 @@
 //! numbers are printed by `unit`, texts by `document`, and everything else is escaped.
 
 mod fairness;
+mod feedback;
 mod html;
 mod json;
 mod key_table;
@@ -14,6 +15,7 @@ mod layouts;
 mod markdown;
 mod page;
 mod pages;
+mod report;
 #[cfg(feature = "pdf")]
 mod typst;
 mod view;
@@ -21,7 +23,8 @@ mod view;
 pub use key_table::{KeyRow, KeyTable};
 pub use layouts::{Layouts, OutputError};
 pub use page::practice;
-pub use pages::{Feedback, FeedbackPart, FeedbackQuestion, Kind, Page, Pages, Run};
+pub use pages::{Kind, Page, Pages, Run};
+pub use report::{Analysed, Lost};
 
 use crate::document::{Block, Document};
 use crate::math::Math;

@@ -60,9 +60,9 @@ pub struct Run {
 
 /// Fills the layouts of one format.
 pub struct Pages {
-    writer: &'static dyn Writer,
-    layouts: Layouts,
-    run: Run,
+    pub(super) writer: &'static dyn Writer,
+    pub(super) layouts: Layouts,
+    pub(super) run: Run,
 }
 
 /// A page, written.
@@ -89,51 +89,6 @@ struct Begin<'a> {
 struct Content<'a> {
     run: &'a Run,
     sheet: SheetView,
-}
-
-/// What a student is told.
-#[derive(Clone, Debug, Serialize)]
-pub struct Feedback {
-    /// Code of the sheet.
-    pub code: String,
-    /// Name; may be empty.
-    pub name: String,
-    /// Identity; may be empty.
-    pub student: String,
-    /// Points reached of all.
-    pub total: String,
-    /// By question.
-    pub questions: Vec<FeedbackQuestion>,
-}
-
-/// Feedback to a question.
-#[derive(Clone, Debug, Serialize)]
-pub struct FeedbackQuestion {
-    /// Its number.
-    pub number: usize,
-    /// Title of the item.
-    pub title: String,
-    /// Points reached of all.
-    pub points: String,
-    /// By part.
-    pub parts: Vec<FeedbackPart>,
-}
-
-/// Feedback to a part.
-#[derive(Clone, Debug, Serialize)]
-pub struct FeedbackPart {
-    /// Its letter.
-    pub letter: String,
-    /// Name of the verdict.
-    pub verdict: &'static str,
-    /// Points reached of all.
-    pub points: String,
-    /// What was handed in, as it is.
-    pub response: String,
-    /// How it was read, written.
-    pub reading: String,
-    /// What is said, written.
-    pub feedback: Vec<String>,
 }
 
 impl Run {
@@ -226,8 +181,7 @@ impl Run {
 
     /// Points as a decimal of at most two places.
     pub(super) fn number(&self, points: Rational) -> String {
-        let hundredths = (points.to_f64() * 100.0).round() / 100.0;
-        let text = hundredths.to_string();
+        let text = crate::grade::rounded(points);
         if self.mark == DecimalMark::Comma {
             text.replace('.', ",")
         } else {
@@ -389,24 +343,13 @@ impl Pages {
         )
     }
 
-    /// The page of a student's feedback.
-    ///
-    /// # Errors
-    ///
-    /// [`OutputError::Page`].
-    pub fn feedback(&self, feedback: &Feedback) -> Result<String, OutputError> {
-        #[derive(Serialize)]
-        struct Content<'a> {
-            run: &'a Run,
-            sheet: &'a Feedback,
+    /// Words that a layout places: where it does not escape, they are escaped here.
+    pub(super) fn placed(&self, words: &str) -> String {
+        if self.writer.escape().is_some() {
+            words.to_owned()
+        } else {
+            self.writer.words(words)
         }
-        self.layouts.fill(
-            "feedback",
-            &Content {
-                run: &self.run,
-                sheet: feedback,
-            },
-        )
     }
 
     /// Points in words, `2.5 points`.

@@ -91,9 +91,11 @@ impl<'g> Evaluation<'g> {
         }
     }
 
-    /// The same data with these values in place of what formulas give.
+    /// The same data with these values in place of what formulas give, and those that stand there already;
+    /// of two values for one node the new one stands.
     #[must_use]
-    pub fn replacing(&self, replaced: Vec<(NodeId, Value)>) -> Self {
+    pub fn replacing(&self, mut replaced: Vec<(NodeId, Value)>) -> Self {
+        replaced.extend(self.replaced.iter().cloned());
         let mut evaluation = Self::new(self.graph, Arc::clone(&self.data));
         for (node, value) in &replaced {
             // A node is replaced once; of two values the first stands.

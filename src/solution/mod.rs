@@ -5,13 +5,15 @@ pub mod proof;
 pub mod request;
 
 use std::cell::{Cell, OnceCell};
+use std::collections::BTreeMap;
 
 pub use entry::Entry;
 
 use crate::answer::{Context, Key, Marker, Mistaken};
 use crate::bank::{Mistake, MistakeAnswer, Part, Template};
+use crate::expr::{Expr, Name, Value};
 use crate::instance::Instance;
-use crate::quantity::{Absent, Evaluation, Trace};
+use crate::quantity::{Absent, Evaluation, NodeId, Trace};
 use crate::seed::Streams;
 use crate::unit::DecimalMark;
 
@@ -22,8 +24,14 @@ pub struct Solution<'t> {
     markers: Vec<OnceCell<Result<Box<dyn Marker>, Absent>>>,
     /// The keys as they are printed, on several pages of one sheet.
     printed: Vec<OnceCell<Key>>,
+    standing: BTreeMap<Name, Expr>,
     mark: DecimalMark,
     is_drawn: Cell<bool>,
+}
+
+/// A place for the marker of each part.
+fn unprepared(template: &Template) -> Vec<OnceCell<Result<Box<dyn Marker>, Absent>>> {
+    template.parts.iter().map(|_| OnceCell::new()).collect()
 }
 
 impl<'t> Solution<'t> {
@@ -37,11 +45,27 @@ impl<'t> Solution<'t> {
         let evaluation = instance.evaluation();
         let count = instance.template().parts.len();
         Self {
+            markers: unprepared(instance.template()),
             instance,
             evaluation,
-            markers: std::iter::repeat_with(OnceCell::new).take(count).collect(),
             printed: std::iter::repeat_with(OnceCell::new).take(count).collect(),
+            standing: BTreeMap::new(),
             mark,
+            is_drawn: Cell::new(false),
+        }
+    }
+
+    /// The same instance with values and formulas of a student standing in for quantities: the keys are
+    /// those that follow from them.
+    #[must_use]
+    pub fn following(&self, values: Vec<(NodeId, Value)>, formulas: BTreeMap<Name, Expr>) -> Self {
+        Self {
+            markers: unprepared(self.template()),
+            instance: self.instance.clone(),
+            evaluation: self.evaluation.replacing(values),
+            printed: self.printed.iter().map(|_| OnceCell::new()).collect(),
+            standing: formulas,
+            mark: self.mark,
             is_drawn: Cell::new(false),
         }
     }
@@ -141,6 +165,7 @@ impl<'t> Solution<'t> {
         let context = Context {
             evaluation: &self.evaluation,
             mistakes,
+            standing: self.standing.clone(),
             order: self.order(place),
             mark: self.mark,
         };

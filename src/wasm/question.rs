@@ -26,12 +26,6 @@ pub(super) fn html(shown: &[Shown<'_>]) -> String {
     out
 }
 
-/// A sentence of our own as a paragraph.
-pub(super) fn words(text: &str) -> String {
-    let line = vec![Inline::Text(text.to_owned())];
-    Document::of(vec![Block::Paragraph(line)], Vec::new()).html(&Vec::new())
-}
-
 /// The options of a choice in the order in which they are shown.
 pub(super) fn options(solution: &Solution<'_>, place: usize) -> Vec<Json> {
     let options = solution.template().parts[place].answer.options();

@@ -6,9 +6,9 @@ use serde::Deserialize;
 use serde_json::{Map, Value as Json, json};
 
 use super::Grader;
-use super::question::{asked, html, options, shape, words};
+use super::question::{asked, html, options, shape};
 use crate::bank::{Passage, Template};
-use crate::grade::{self, Said};
+use crate::grade::{self, Grade};
 use crate::math::Display;
 use crate::seed::Variant;
 use crate::solution::Solution;
@@ -165,9 +165,18 @@ impl Asked<'_> {
         })
     }
 
-    fn mark(&self, id: &str, response: &str, _earlier: &Map<String, Json>) -> Result<Json, String> {
+    fn mark(&self, id: &str, response: &str, earlier: &Map<String, Json>) -> Result<Json, String> {
         let place = self.place(id)?;
-        let marking = grade::mark(&self.solution, place, response);
+        let mut responses = vec![(place, response)];
+        for (part, response) in earlier {
+            if let (Ok(before), Some(response)) = (self.place(part), response.as_str())
+                && before < place
+            {
+                responses.push((before, response));
+            }
+        }
+        let grade = Grade::mark(&self.solution, responses);
+        let marking = grade.part(place).ok_or("the part was not marked")?;
         let reasons: Vec<String> = marking.reasons.iter().map(|reason| reason.code()).collect();
         let reading = marking.reading.as_ref();
         Ok(json!({
@@ -176,18 +185,14 @@ impl Asked<'_> {
             "reading": reading.map(|reading| reading.math.mathml(Display::Inline)),
             "si": reading.map(|reading| &reading.si),
             "reasons": reasons,
-            "feedback": self.feedback(place, &marking),
+            "feedback": self.feedback(place, marking),
         }))
     }
 
     fn feedback(&self, place: usize, marking: &crate::answer::Marking) -> String {
-        let piece = |said: &Said<'static>| match said {
-            Said::Words(text) => words(text),
-            Said::Document(document) => document.html(&Vec::new()),
-            Said::Passage(passage) => self.texts(passage),
-        };
-        let said = grade::said(&self.solution, place, marking);
-        said.iter().map(piece).collect()
+        let remarks = grade::remarks(&self.solution, place, marking);
+        let html = |remark: &grade::Remark| remark.document.html(&remark.fillings);
+        remarks.iter().map(html).collect()
     }
 
     fn hint(&self, id: &str, number: usize) -> Result<Json, String> {

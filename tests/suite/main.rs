@@ -18,6 +18,8 @@ mod cli;
 mod compiled;
 #[cfg(feature = "render")]
 mod figures;
+#[cfg(feature = "render")]
+mod grade;
 mod layers;
 mod mechanics;
 mod numerics;

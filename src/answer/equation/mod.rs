@@ -187,7 +187,9 @@ impl Answer for Asked {
             label: "key".into(),
             of: Vec::new(),
         };
-        let key = setup.compile(&setup.key, &none).ok_or_else(absent)?;
+        let key = setup
+            .compile(&setup.key, &context.standing)
+            .ok_or_else(absent)?;
         let points = points::points(setup, &key, context.evaluation);
         let mut mistakes = Vec::new();
         for mistaken in &context.mistakes {

@@ -143,7 +143,7 @@ impl Answer for Formula {
                 of: Vec::new(),
             })
         };
-        let key = compile(&setup.expr, &none)?;
+        let key = compile(&setup.expr, &context.standing)?;
         let points = Points::around(&setup.meaning, context.evaluation, &[&key]);
         let mut mistakes = Vec::new();
         for mistaken in &context.mistakes {

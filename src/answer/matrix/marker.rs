@@ -216,7 +216,6 @@ impl Marker for Prepared {
                 rows.map(|row| row.iter().map(|number| entry(*number)).collect())
                     .collect(),
             )
-            .fenced("(", ")")
         };
         Key {
             math,

@@ -155,7 +155,7 @@ impl Setup {
                 .map(|entry| entry.typeset(&self.lexicon))
                 .collect()
         };
-        Math::matrix(entries.chunks(self.columns.max(1)).map(set).collect()).fenced("(", ")")
+        Math::matrix(entries.chunks(self.columns.max(1)).map(set).collect())
     }
 }
 
@@ -215,7 +215,7 @@ impl Answer for Matrix {
         let halves = halves.collect();
         let none = BTreeMap::new();
         let entries = symbolic::entries(&setup.expr, setup.shape());
-        let formulas = setup.compile(&entries, &none).map(|formulas| {
+        let formulas = setup.compile(&entries, &context.standing).map(|formulas| {
             let points = Points::around(
                 &setup.meaning,
                 evaluation,

@@ -322,3 +322,273 @@ fn files_that_are_no_form_or_manifest_are_refused() {
         .complains("line 3")
         .says("1 right");
 }
+
+#[test]
+fn what_could_not_be_read_comes_first_and_is_settled_by_the_overrides() {
+    let mut exam = Exam::new("overrides", "seed = 7\nvariants = 3");
+    for variant in 0..3 {
+        exam.answer(variant, "1a", "about twenty, I think");
+    }
+    exam.answer(0, "2a", "nonsense");
+    let (ran, _) = exam.grade("");
+    ran.ends(0).says("4 unreadable").says("unreadable.csv");
+    let report: Json =
+        serde_json::from_str(&content(exam.folder.join("marks/report.json"))).expect("JSON");
+    assert_eq!(report["unreadable"].as_array().map(Vec::len), Some(4));
+    assert!(content(exam.folder.join("marks/report.html")).contains("Could not be read (4)"));
+    // The table of what could not be read, filled in: read by hand, marked by hand, and left as it is.
+    let table = content(exam.folder.join("marks/unreadable.csv"));
+    let mut reader = csv::Reader::from_reader(table.as_bytes());
+    let mut filled = csv::Writer::from_writer(Vec::new());
+    filled
+        .write_record(reader.headers().expect("it has a header"))
+        .expect("it is in memory");
+    for row in reader.records() {
+        let row = row.expect("a row");
+        let mut cells: Vec<String> = row.iter().map(str::to_owned).collect();
+        let is = |variant: usize, part: &str| {
+            row[0] == exam.code(variant) && &row[3] == part && &row[2] == "1"
+        };
+        if is(0, "a") {
+            cells[6] = format!("{:.4} rad/s", exam.omega(0));
+        } else if is(1, "a") {
+            cells[7] = "1/3".to_owned();
+            cells[8] = "Well meant, <b>but</b> no.".to_owned();
+        }
+        filled.write_record(&cells).expect("it is in memory");
+    }
+    let mut filled = filled.into_inner().expect("it is in memory");
+    filled.extend_from_slice(b"*,2,c,,,,,2,Given to all\nZZZ,1,a,,,,,1,\nx,one,a,,,,,1,\n");
+    let overrides = put(&exam.folder, "overrides.csv", filled);
+    let manifest = text_of(&exam.folder.join("out/manifest.json"));
+    let form = text_of(&exam.folder.join("form.csv"));
+    let out = text_of(&exam.folder.join("marks"));
+    small(&[
+        "grade",
+        &manifest,
+        &form,
+        "--out",
+        &out,
+        "--overrides",
+        &overrides,
+    ])
+    .ends(1)
+    .complains("no part 1a of a sheet ZZZ was handed out")
+    .complains("question `one` is no number")
+    .says("2 unreadable")
+    .says("marks differ from the earlier run");
+    let results: Vec<Json> =
+        serde_json::from_str(&content(exam.folder.join("marks/results.json"))).expect("JSON");
+    let of = |variant: usize, question: u64, part: &str| {
+        let found = results.iter().find(|entry| {
+            entry["code"] == exam.code(variant)
+                && entry["question"] == question
+                && entry["part"] == part
+        });
+        found.expect("each part has its entry").clone()
+    };
+    assert_eq!(of(0, 1, "a")["verdict"], "right");
+    assert_eq!(of(0, 1, "a")["reasons"][0], "override");
+    assert_eq!(of(1, 1, "a")["verdict"], "partial");
+    assert_eq!(of(1, 1, "a")["points"], 1.0 / 3.0);
+    assert_eq!(of(2, 1, "a")["verdict"], "unreadable");
+    for variant in 0..3 {
+        assert_eq!(of(variant, 2, "c")["points"], 2.0);
+    }
+    let changes = content(exam.folder.join("marks/changes.csv"));
+    assert_eq!(changes.lines().count(), 1 + 2 + 3, "{changes}");
+    let page = content(
+        exam.folder
+            .join(format!("marks/feedback/{}.html", exam.code(1))),
+    );
+    assert!(page.contains("Well meant, &lt;b&gt;but&lt;/b&gt; no."));
+}
+
+#[test]
+fn an_interrupted_run_goes_on_and_ends_as_one_that_was_not() {
+    let mut exam = Exam::new("resume", "seed = 7\nvariants = 6");
+    for variant in 0..6 {
+        exam.answer(variant, "1a", format!("{:.4} rad/s", exam.omega(variant)));
+        exam.answer(variant, "1b", "3 Hz");
+    }
+    exam.grade("").0.ends(0);
+    let names = [
+        "marks.csv",
+        "details.csv",
+        "results.json",
+        "report.json",
+        "report.html",
+        "unreadable.csv",
+    ];
+    let before: Vec<String> = names
+        .iter()
+        .map(|name| content(exam.folder.join("marks").join(name)))
+        .collect();
+    assert!(!exam.folder.join("marks/.grading.jsonl").exists());
+    // A journal as it stands after two sheets and in the middle of the third: that of this input is believed.
+    let manifest = text_of(&exam.folder.join("out/manifest.json"));
+    let form = text_of(&exam.folder.join("form.csv"));
+    let out = exam.folder.join("again");
+    let journal = journal_of(&exam, &manifest, &form);
+    let mut lines: Vec<&str> = journal.lines().collect();
+    lines.truncate(4);
+    lines[3] = &lines[3][..40];
+    put(&out, ".grading.jsonl", lines.join("\n"));
+    small(&["grade", &manifest, &form, "--out", &text_of(&out)])
+        .ends(0)
+        .complains("2 sheets were marked before");
+    let after: Vec<String> = names.iter().map(|name| content(out.join(name))).collect();
+    assert_eq!(before, after);
+    // That of another input is not.
+    put(
+        &out,
+        ".grading.jsonl",
+        format!("another input\n{}", lines[1]),
+    );
+    let ran = small(&["grade", &manifest, &form, "--out", &text_of(&out)]).ends(0);
+    assert!(!ran.err.contains("were marked before"), "{}", ran.err);
+}
+
+/// The journal of a run, caught by a folder in the way of its last file.
+fn journal_of(exam: &Exam, manifest: &str, form: &str) -> String {
+    let out = exam.folder.join("caught");
+    put(&out, "report.json/in-the-way", "");
+    small(&["grade", manifest, form, "--out", &text_of(&out)]).ends(2);
+    content(out.join(".grading.jsonl"))
+}
+
+#[test]
+fn a_changed_item_is_refused_unless_asked_for_and_changed_marks_are_listed() {
+    let mut exam = Exam::new("revisions", "seed = 7\nvariants = 2");
+    for variant in 0..2 {
+        exam.answer(variant, "1a", format!("{:.4} rad/s", exam.omega(variant)));
+    }
+    exam.grade("").0.ends(0);
+    // The bank with another key in the first item: ω is half of what it was.
+    let bank = exam.folder.join("bank");
+    for (name, text) in [
+        ("bank.toml", include_str!("../../fixtures/bank/bank.toml")),
+        (
+            "free/_chapter.toml",
+            include_str!("../../fixtures/bank/free/_chapter.toml"),
+        ),
+        (
+            "free/damped-block.toml",
+            include_str!("../../fixtures/bank/free/damped-block.toml"),
+        ),
+        (
+            "friction/_chapter.toml",
+            include_str!("../../fixtures/bank/friction/_chapter.toml"),
+        ),
+        (
+            "friction/half-cycles.toml",
+            include_str!("../../fixtures/bank/friction/half-cycles.toml"),
+        ),
+    ] {
+        put(&bank, name, text);
+    }
+    let item = include_str!("../../fixtures/bank/free/spring-mass.toml");
+    assert!(item.contains("sqrt(k/m)"), "the key is there");
+    put(
+        &bank,
+        "free/spring-mass.toml",
+        item.replace("sqrt(k/m)", "sqrt(k/m)/2"),
+    );
+    let (manifest, form) = (
+        exam.folder.join("out/manifest.json"),
+        exam.folder.join("form.csv"),
+    );
+    let (manifest, form) = (text_of(&manifest), text_of(&form));
+    let (out, bank) = (text_of(&exam.folder.join("marks")), text_of(&bank));
+    let arguments = ["grade", &manifest, &form, "--out", &out, "--bank", &bank];
+    super::vibank(&arguments)
+        .ends(2)
+        .complains("items have changed")
+        .complains("free/spring-mass");
+    super::vibank(&[&arguments[..], &["--accept-revisions"]].concat())
+        .ends(0)
+        .complains("marked with changed items: free/spring-mass")
+        .says("2 marks differ");
+    let changes = content(exam.folder.join("marks/changes.csv"));
+    assert!(changes.contains("1,a,right,1,wrong,0"), "{changes}");
+}
+
+#[test]
+fn broken_rows_are_told_and_the_rest_is_marked() {
+    let exam = Exam::new("broken-rows", "seed = 7\nvariants = 2");
+    let manifest = text_of(&exam.folder.join("out/manifest.json"));
+    let answer = |variant: usize| {
+        format!(
+            "{},1,a,{:.4} rad/s\n",
+            exam.code(variant),
+            exam.omega(variant)
+        )
+    };
+    let form = format!(
+        "code,question,part,response\n{},1,b,\"3.1 Hz\n{}{}",
+        exam.code(0),
+        answer(0),
+        answer(1)
+    );
+    let form = put(&exam.folder, "open.csv", form);
+    let out = text_of(&exam.folder.join("marks"));
+    small(&["grade", &manifest, &form, "--out", &out])
+        .ends(1)
+        .complains("line 2: a quote is not closed")
+        .says("2 right");
+    let list = format!(
+        "[17, {{\"code\":\"{0}\",\"1a\":\"{1:.4} rad/s\",\"1b\":null}}, {{\"part\":\"a\"}}, \
+         {{\"code\":\"{0}\",\"question\":{{}},\"part\":\"a\"}}]",
+        exam.code(1),
+        exam.omega(1)
+    );
+    let form = put(&exam.folder, "list.json", list);
+    small(&["grade", &manifest, &form, "--out", &out])
+        .ends(1)
+        .complains("entry 1 is no object")
+        .complains("entry 3 has no `code`")
+        .complains("line 4: question `` is no number")
+        .says("1 right");
+    // A code with two characters swapped is told to be mistyped.
+    let mut code = exam.code(0).into_bytes();
+    code.swap(0, 1);
+    let code = String::from_utf8(code).expect("it is ASCII");
+    let form = put(
+        &exam.folder,
+        "typo.csv",
+        format!("code,question,part,response\n{code},1,a,5\n"),
+    );
+    small(&["grade", &manifest, &form, "--out", &out])
+        .ends(1)
+        .complains("mistyped");
+}
+
+#[test]
+fn the_report_counts_mistakes_and_alike_wrong_answers() {
+    let mut exam = Exam::new("report", "seed = 7\nvariants = 12");
+    for variant in 0..12 {
+        let omega = exam.omega(variant);
+        let factor = if variant < 5 { 1.0 } else { 1.25 };
+        exam.answer(variant, "1a", format!("{:.5} rad/s", factor * omega));
+        let twice = if variant < 8 { 2_f64.sqrt() } else { 1.0 };
+        exam.answer(variant, "1b", format!("{:.4} Hz", twice * omega / TAU));
+    }
+    exam.grade("").0.ends(0);
+    let report: Json =
+        serde_json::from_str(&content(exam.folder.join("marks/report.json"))).expect("JSON");
+    let parts = report["summary"]["parts"].as_array().expect("it has parts");
+    assert_eq!(parts[0]["places"][0], "1a");
+    assert_eq!(parts[0]["facility"], 5.0 / 12.0);
+    assert_eq!(
+        parts[0]["others"][0],
+        serde_json::json!({ "what": "1.25 × the key", "count": 7 })
+    );
+    assert_eq!(
+        parts[1]["mistakes"][0],
+        serde_json::json!({ "code": "mistake-1", "what": "There is one spring only.", "count": 8 })
+    );
+    assert_eq!(report["summary"]["sheets"], 12);
+    assert!(report["summary"]["reliability"].is_number());
+    let table = content(exam.folder.join("marks/report.csv"));
+    assert_eq!(table.lines().count(), 1 + 7, "{table}");
+}

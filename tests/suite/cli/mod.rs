@@ -3,6 +3,7 @@
 mod commands;
 mod grading;
 mod hostile;
+mod practice;
 mod reports;
 mod requests;
 mod sheets;

@@ -236,3 +236,27 @@ fn empty_lines_are_skipped_and_line_ends_of_any_kind_read() {
     assert_eq!(lines[0], lines[1]);
     fed(&["solve", "--jsonl", "--bank", BANK], Vec::new()).ends(0);
 }
+
+#[test]
+fn earlier_responses_go_on_in_a_later_part() {
+    let request = |earlier: serde_json::Value| json!({"id": "free/spring-mass", "part": "f_n", "response": "4.775 Hz", "earlier": earlier});
+    let replies = answers(
+        "mark",
+        &[
+            request(json!({"omega_n": "30 rad/s"})),
+            request(json!({})),
+            request(json!({"omega_n": 30})),
+            request(json!({"omega": "30 rad/s"})),
+        ],
+    );
+    assert_eq!(replies[0]["verdict"], "right", "{}", replies[0]);
+    assert_eq!(replies[0]["reasons"][0], "follow-through");
+    let said = replies[0]["feedback"][0].as_str().unwrap_or_default();
+    assert!(
+        said.contains("follow-through") && said.contains('ω'),
+        "{said}"
+    );
+    assert_eq!(replies[1]["verdict"], "wrong", "{}", replies[1]);
+    assert_eq!(replies[2]["error"]["code"], "json");
+    assert_eq!(replies[3]["error"]["code"], "unknown-answer");
+}

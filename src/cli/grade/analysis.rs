@@ -1,0 +1,180 @@
+//! The report of a run: what could not be read, and the item analysis, as a page, JSON and CSV.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use serde_json::json;
+use vibank::answer::Verdict;
+use vibank::bank::Catalogue;
+use vibank::output::{Analysed, Lost};
+use vibank::report::{Observation, PartSummary, Report};
+
+use super::Layout;
+use super::outcome::Outcome;
+use crate::cli::{Failure, files, record};
+
+/// What the report is made of.
+#[derive(Default)]
+pub(super) struct Analysis {
+    report: Report,
+    verdicts: BTreeMap<Verdict, u64>,
+    /// The first responses that could not be read.
+    lost: Vec<Lost>,
+    sheets: usize,
+}
+
+/// Unreadable responses that stand in the report; all are in `unreadable.csv`.
+const MOST_LOST: usize = 500;
+
+/// The columns of `report.csv`.
+const COLUMNS: [&str; 16] = [
+    "question",
+    "item",
+    "part",
+    "title",
+    "asked",
+    "right",
+    "partial",
+    "wrong",
+    "unreadable",
+    "missing",
+    "follow_through",
+    "facility",
+    "discrimination",
+    "commonest mistake",
+    "times",
+    "commonest other answer",
+];
+
+impl Analysis {
+    pub(super) fn add(&mut self, sheet: &Outcome) {
+        self.sheets += 1;
+        let reasons: Vec<Vec<&str>> = sheet
+            .parts
+            .iter()
+            .map(|part| part.reasons.iter().map(String::as_str).collect())
+            .collect();
+        let seen = sheet
+            .parts
+            .iter()
+            .zip(&reasons)
+            .map(|(part, reasons)| Observation {
+                item: &part.item,
+                part: &part.id,
+                question: part.question,
+                letter: &part.letter,
+                points: part.points.0.to_f64(),
+                max: part.max.0.to_f64(),
+                verdict: part.verdict,
+                reasons,
+                other: part.other.as_deref(),
+            });
+        self.report.add(&seen.collect::<Vec<_>>());
+        for part in &sheet.parts {
+            *self.verdicts.entry(part.verdict).or_default() += 1;
+            if part.verdict == Verdict::Unreadable && self.lost.len() < MOST_LOST {
+                self.lost.push(Lost {
+                    code: sheet.code.clone(),
+                    student: sheet.column("id").to_owned(),
+                    place: format!("{}{}", part.question, part.letter),
+                    response: part.response.chars().take(200).collect(),
+                    why: part.feedback.clone(),
+                });
+            }
+        }
+    }
+
+    pub(super) fn sheets(&self) -> usize {
+        self.sheets
+    }
+
+    pub(super) fn verdicts(&self) -> impl Iterator<Item = (Verdict, u64)> + '_ {
+        self.verdicts
+            .iter()
+            .map(|(verdict, count)| (*verdict, *count))
+    }
+
+    pub(super) fn count(&self, verdict: Verdict) -> u64 {
+        self.verdicts.get(&verdict).copied().unwrap_or(0)
+    }
+
+    /// What could not be read, a line each.
+    pub(super) fn unreadable(&self) -> impl Iterator<Item = String> + '_ {
+        self.lost.iter().map(|lost| {
+            let response: String = lost
+                .response
+                .chars()
+                .take(60)
+                .filter(|char| !char.is_control())
+                .collect();
+            format!("{} {}: `{response}`", lost.code, lost.place)
+        })
+    }
+
+    /// Writes `report.html`, `report.json` and `report.csv`.
+    pub(super) fn write(
+        &self,
+        out: &Path,
+        catalogue: &Catalogue,
+        layout: &Layout,
+        faults: &[String],
+    ) -> Result<(), Failure> {
+        let summary = self.report.summary(Some(catalogue));
+        let unreadable = self.count(Verdict::Unreadable);
+        let json = json!({
+            "unreadable": self.lost,
+            "rows_left_out": faults,
+            "summary": summary,
+        });
+        let text = serde_json::to_string_pretty(&json).expect("a report is plain data");
+        files::write(&out.join("report.json"), format!("{text}\n").as_bytes())?;
+        let mut table = record::line(&COLUMNS)?;
+        for part in &summary.parts {
+            table.extend(record::line(&row(part).each_ref().map(String::as_str))?);
+        }
+        files::write(&out.join("report.csv"), &table)?;
+        let analysed = Analysed {
+            summary: &summary,
+            lost: &self.lost,
+            unreadable,
+            faults,
+        };
+        let page = layout
+            .pages
+            .report(&analysed)
+            .map_err(|error| Failure::new(error.to_string()))?;
+        let begin = layout
+            .pages
+            .begin("item analysis")
+            .map_err(|error| Failure::new(error.to_string()))?;
+        files::write(
+            &out.join("report.html"),
+            format!("{begin}{page}{}", layout.end).as_bytes(),
+        )
+    }
+}
+
+fn row(part: &PartSummary) -> [String; 16] {
+    let share = |share: Option<f64>| share.map_or_else(String::new, |share| format!("{share:.3}"));
+    let mistake = part.mistakes.first();
+    [
+        part.places.join(" "),
+        part.item.clone(),
+        part.part.clone(),
+        part.title.clone(),
+        part.asked.to_string(),
+        part.right.to_string(),
+        part.partial.to_string(),
+        part.wrong.to_string(),
+        part.unreadable.to_string(),
+        part.missing.to_string(),
+        part.follow_through.to_string(),
+        share(part.facility),
+        share(part.discrimination),
+        mistake.map_or_else(String::new, |mistake| mistake.what.clone()),
+        mistake.map_or_else(String::new, |mistake| mistake.count.to_string()),
+        part.others.first().map_or_else(String::new, |other| {
+            format!("{} ({} times)", other.what, other.count)
+        }),
+    ]
+}

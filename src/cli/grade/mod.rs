@@ -1,0 +1,323 @@
+//! `vibank grade MANIFEST RESPONSES`
+
+mod analysis;
+mod census;
+mod changes;
+mod journal;
+mod manifest;
+mod marking;
+mod outcome;
+mod overrides;
+mod tables;
+
+use std::path::{Path, PathBuf};
+
+use rayon::prelude::*;
+use vibank::answer::Verdict;
+use vibank::grade::{Place, Responses};
+use vibank::output::{self, Pages, Run};
+use vibank::worksheet::VariantEntry;
+
+pub(crate) use self::manifest::{manifest, solution};
+
+use self::analysis::Analysis;
+use self::census::Census;
+use self::changes::Changes;
+use self::journal::Journal;
+use self::manifest::Sheets;
+use self::marking::Marker;
+use self::outcome::Outcome;
+use self::overrides::Overrides;
+use self::tables::Tables;
+use super::bank::BankArgument;
+use super::{Failure, files, progress, responses};
+
+/// Mark the responses to the sheets of a run: marks, reasons, a feedback page for each sheet, item analysis.
+///
+/// What could not be read costs nothing and comes first in the report; settle it in `unreadable.csv` and
+/// give that file with `--overrides`. A run that was interrupted goes on where it stopped.
+///
+/// Example: vibank grade midterm/manifest.json midterm/responses.csv --out midterm/marks
+#[derive(clap::Args)]
+pub(crate) struct Arguments {
+    /// The manifest of the run.
+    manifest: PathBuf,
+    /// The responses, as CSV or JSON.
+    responses: PathBuf,
+    /// The folder to write to; `marks` beside the manifest if left out.
+    #[arg(long, value_name = "FOLDER")]
+    out: Option<PathBuf>,
+    /// A CSV file that settles single marks: code, question, part, and response, points or feedback.
+    #[arg(long, value_name = "FILE")]
+    overrides: Option<PathBuf>,
+    /// Mark also with items whose text has changed since the sheets were made; changed marks are listed.
+    #[arg(long)]
+    accept_revisions: bool,
+    /// The `results.json` of an earlier run, to list changed marks; that in the output folder if left out.
+    #[arg(long, value_name = "FILE")]
+    compare: Option<PathBuf>,
+    /// Write no feedback pages.
+    #[arg(long)]
+    no_feedback: bool,
+    #[command(flatten)]
+    bank: BankArgument,
+}
+
+/// Sheets that are marked at once; memory holds no more.
+const CHUNK: usize = 256;
+
+pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
+    let catalogue = arguments.bank.catalogue()?;
+    let beside = arguments.manifest.parent().unwrap_or(Path::new("."));
+    let out = arguments
+        .out
+        .clone()
+        .unwrap_or_else(|| beside.join("marks"));
+    let census = Census::take(
+        &mut Sheets::open(&arguments.manifest)?,
+        &catalogue,
+        arguments.accept_revisions,
+    )?;
+    let (responses, mut faults) = responses::read(&arguments.responses)?;
+    let overrides = match &arguments.overrides {
+        Some(path) => {
+            let (overrides, wrong) = Overrides::read(path)?;
+            faults.extend(wrong);
+            overrides
+        }
+        None => Overrides::default(),
+    };
+    let earlier = arguments
+        .compare
+        .clone()
+        .unwrap_or_else(|| out.join("results.json"));
+    let sheets = Sheets::open(&arguments.manifest)?;
+    let mut job = Job {
+        journal: Journal::open(&out, &input(arguments, &catalogue.digest())?)?,
+        pages: pages(&sheets)?,
+        tables: Tables::begin(&out, census.columns)?,
+        changes: Changes::since(&earlier)?,
+        analysis: Analysis::default(),
+        arguments,
+        catalogue: &catalogue,
+        out: &out,
+        sheets,
+        responses,
+        overrides,
+    };
+    job.mark(census.sheets)?;
+    faults.extend(job.responses.unclaimed().iter().map(ToString::to_string));
+    faults.extend(job.overrides.unclaimed());
+    job.finish(&faults, &census.changed)
+}
+
+/// What the outcome depends on, in one line.
+fn input(arguments: &Arguments, bank: &str) -> Result<String, Failure> {
+    let digest = |path: &Path| files::digest_of(path);
+    let overrides = arguments.overrides.as_deref().map(digest).transpose()?;
+    Ok(format!(
+        "vibank {} {} {} {} {bank} {} {}",
+        env!("CARGO_PKG_VERSION"),
+        digest(&arguments.manifest)?,
+        digest(&arguments.responses)?,
+        overrides.as_deref().unwrap_or("-"),
+        arguments.accept_revisions,
+        arguments.no_feedback,
+    ))
+}
+
+/// What fills the pages, with what stands before and after each.
+struct Layout {
+    pages: Pages,
+    begin: String,
+    end: String,
+}
+
+fn pages(sheets: &Sheets) -> Result<Layout, Failure> {
+    let fail = |error: output::OutputError| Failure::new(error.to_string());
+    let writer = output::writer("html").expect("the format is in the list");
+    let head = &sheets.head;
+    let run = Run::plain(&head.title, &head.language, head.decimal);
+    let pages = Pages::new(writer, run, &[]).map_err(fail)?;
+    Ok(Layout {
+        begin: pages.begin("feedback").map_err(fail)?,
+        end: pages.end().map_err(fail)?,
+        pages,
+    })
+}
+
+/// One run.
+struct Job<'a> {
+    arguments: &'a Arguments,
+    catalogue: &'a vibank::bank::Catalogue,
+    out: &'a Path,
+    sheets: Sheets,
+    responses: Responses,
+    overrides: Overrides,
+    journal: Journal,
+    pages: Layout,
+    tables: Tables,
+    changes: Option<Changes>,
+    analysis: Analysis,
+}
+
+impl Job<'_> {
+    fn mark(&mut self, count: usize) -> Result<(), Failure> {
+        let bar = progress::bar(count as u64, "sheets");
+        if self.journal.done() > 0 {
+            eprintln!(
+                "{} sheets were marked before the interruption",
+                self.journal.done()
+            );
+        }
+        loop {
+            let chunk = self.sheets.chunk(CHUNK)?;
+            if chunk.is_empty() {
+                break;
+            }
+            let mut outcomes = Vec::with_capacity(chunk.len());
+            while outcomes.len() < chunk.len()
+                && let Some(outcome) = self.journal.next()
+            {
+                outcomes.push(outcome);
+            }
+            let fresh = self.chunk(&chunk[outcomes.len()..])?;
+            self.journal.note(&fresh)?;
+            outcomes.extend(fresh);
+            outcomes
+                .iter()
+                .try_for_each(|outcome| self.count(outcome))?;
+            bar.inc(chunk.len() as u64);
+        }
+        bar.finish_and_clear();
+        Ok(())
+    }
+
+    /// Marks sheets and writes their pages.
+    fn chunk(&self, variants: &[VariantEntry]) -> Result<Vec<Outcome>, Failure> {
+        let marker = Marker {
+            catalogue: self.catalogue,
+            decimal: self.sheets.head.decimal,
+            accepts_revisions: self.arguments.accept_revisions,
+            responses: &self.responses,
+            overrides: &self.overrides,
+        };
+        let marked = variants.par_iter().map(|variant| {
+            let (outcome, feedback) = marker.sheet(variant)?;
+            if !self.arguments.no_feedback {
+                let Layout { pages, begin, end } = &self.pages;
+                let page = pages
+                    .feedback(&feedback)
+                    .map_err(|error| Failure::new(error.to_string()))?;
+                let path = self
+                    .out
+                    .join("feedback")
+                    .join(format!("{}.html", variant.code));
+                files::write(&path, format!("{begin}{page}{end}").as_bytes())?;
+            }
+            Ok(outcome)
+        });
+        marked.collect()
+    }
+
+    fn count(&mut self, outcome: &Outcome) -> Result<(), Failure> {
+        self.tables.add(outcome)?;
+        self.analysis.add(outcome);
+        if let Some(changes) = &mut self.changes {
+            changes.add(outcome);
+        }
+        for part in &outcome.parts {
+            let place = Place {
+                code: outcome.code.clone(),
+                question: part.question,
+                part: part.letter.clone(),
+            };
+            self.responses.claim(&place);
+            self.overrides.claim(&place);
+        }
+        Ok(())
+    }
+
+    fn finish(self, faults: &[String], changed: &[String]) -> Result<super::Outcome, Failure> {
+        let has_earlier = self.changes.is_some();
+        let changes = self.changes.map_or(Ok(0), |changes| {
+            changes.finish(&self.out.join("changes.csv"))
+        })?;
+        self.analysis
+            .write(self.out, self.catalogue, &self.pages, faults)?;
+        self.tables.finish()?;
+        self.journal.finish();
+        told(&self.analysis, faults);
+        if !changed.is_empty() {
+            eprintln!("marked with changed items: {}", changed.join(", "));
+            if !has_earlier {
+                eprintln!(
+                    "there are no earlier marks to compare with; give them with `--compare results.json`"
+                );
+            }
+        }
+        if has_earlier {
+            println!("{changes} marks differ from the earlier run");
+        }
+        let file =
+            |name: &str, what: &str| println!("  {:<28} {what}", self.out.join(name).display());
+        let counts: Vec<String> = self
+            .analysis
+            .verdicts()
+            .map(|(verdict, count)| format!("{count} {}", verdict.name()))
+            .collect();
+        println!("{} sheets: {}", self.analysis.sheets(), counts.join(", "));
+        if self.analysis.count(Verdict::Unreadable) > 0 {
+            file(
+                "unreadable.csv",
+                "what could not be read; fill it in and give it with `--overrides`",
+            );
+        }
+        file(
+            "report.html",
+            "item analysis; report.json and report.csv for programs",
+        );
+        file("marks.csv", "one row a sheet");
+        file(
+            "details.csv",
+            "one row a part, with reading and reasons; results.json for programs",
+        );
+        if changes > 0 {
+            file("changes.csv", "marks that differ from the earlier run");
+        }
+        if !self.arguments.no_feedback {
+            file("feedback", "a page for each sheet");
+        }
+        Ok(if faults.is_empty() {
+            super::Outcome::Done
+        } else {
+            super::Outcome::Findings
+        })
+    }
+}
+
+/// What needs a teacher's eye, on standard error.
+fn told(analysis: &Analysis, faults: &[String]) {
+    let list = |title: &str, lines: &mut dyn Iterator<Item = String>, count: usize| {
+        const MOST: usize = 40;
+        if count == 0 {
+            return;
+        }
+        eprintln!("{title}");
+        lines.take(MOST).for_each(|line| eprintln!("  {line}"));
+        if count > MOST {
+            eprintln!("  and {} more", count - MOST);
+        }
+    };
+    let unreadable = analysis.count(Verdict::Unreadable) as usize;
+    list(
+        "could not be read, and cost nothing:",
+        &mut analysis.unreadable(),
+        unreadable,
+    );
+    list(
+        "rows that were left out:",
+        &mut faults.iter().cloned(),
+        faults.len(),
+    );
+}

@@ -1,0 +1,86 @@
+//! What came out for a sheet: enough for all tables, and for going on after an interruption.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+use vibank::answer::Verdict;
+use vibank::numerics::Rational;
+
+/// A sheet that was marked.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(super) struct Outcome {
+    pub(super) code: String,
+    pub(super) student: BTreeMap<String, String>,
+    pub(super) parts: Vec<PartOutcome>,
+}
+
+/// A part that was marked.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(super) struct PartOutcome {
+    pub(super) question: usize,
+    pub(super) letter: String,
+    pub(super) item: String,
+    pub(super) id: String,
+    pub(super) response: String,
+    /// LaTeX; empty if it was not read.
+    pub(super) reading: String,
+    pub(super) verdict: Verdict,
+    pub(super) credit: Fraction,
+    pub(super) points: Fraction,
+    pub(super) max: Fraction,
+    pub(super) reasons: Vec<String>,
+    pub(super) feedback: String,
+    /// Another wrong answer, apart from its data.
+    pub(super) other: Option<String>,
+}
+
+/// An exact fraction as two whole numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Fraction(pub(super) Rational);
+
+impl Outcome {
+    /// A column of the class list.
+    pub(super) fn column(&self, name: &str) -> &str {
+        self.student.get(name).map_or("", String::as_str)
+    }
+
+    pub(super) fn points(&self) -> Rational {
+        sum(self.parts.iter().map(|part| part.points.0))
+    }
+
+    pub(super) fn max(&self) -> Rational {
+        sum(self.parts.iter().map(|part| part.max.0))
+    }
+}
+
+/// A sum of points.
+pub(super) fn sum(points: impl Iterator<Item = Rational>) -> Rational {
+    points.fold(Rational::ZERO, |sum, points| {
+        sum.checked_add(points).unwrap_or(sum)
+    })
+}
+
+impl Serialize for Fraction {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.0.to_string())
+    }
+}
+
+impl<'de> Deserialize<'de> for Fraction {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        fraction(&text)
+            .map(Self)
+            .ok_or_else(|| serde::de::Error::custom("no fraction"))
+    }
+}
+
+/// Reads `5/3` or `1.5`.
+pub(super) fn fraction(text: &str) -> Option<Rational> {
+    match text.trim().split_once('/') {
+        Some((above, below)) => {
+            Rational::from_decimal(above.trim())?.checked_div(Rational::from_decimal(below.trim())?)
+        }
+        None => Rational::from_decimal(text.trim()),
+    }
+}

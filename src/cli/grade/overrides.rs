@@ -1,0 +1,152 @@
+//! Overrides: a file in which a teacher settles what could not be read, and changes any other mark.
+//!
+//! CSV with the columns `code`, `question`, `part`, and any of `response` (what to read instead), `points` and
+//! `feedback`; other columns are ignored. A code `*` stands for all sheets. The file `unreadable.csv` of a grading
+//! run is such a file, with the last three columns to be filled in.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use vibank::grade::Place;
+use vibank::numerics::Rational;
+use vibank::seed::Variant;
+
+use super::outcome::fraction;
+use crate::cli::{Failure, files};
+
+/// What a teacher decided about a part.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Override {
+    line: usize,
+    is_claimed: bool,
+    /// What is marked in place of what was handed in.
+    pub(super) response: Option<String>,
+    pub(super) points: Option<Rational>,
+    /// What the student is told.
+    pub(super) feedback: Option<String>,
+}
+
+/// The decisions of a file.
+#[derive(Debug, Default)]
+pub(super) struct Overrides(BTreeMap<Place, Override>);
+
+/// The code that stands for all sheets.
+const ALL: &str = "*";
+
+impl Overrides {
+    /// Reads a file; what is wrong with single lines is told, and the rest counts.
+    pub(super) fn read(path: &Path) -> Result<(Self, Vec<String>), Failure> {
+        let text = files::read(path)?;
+        let broken =
+            |error: csv::Error| Failure::new(format!("`{}` is no CSV: {error}", path.display()));
+        let mut reader = csv::ReaderBuilder::new()
+            .flexible(true)
+            .trim(csv::Trim::All)
+            .delimiter(crate::cli::responses::delimiter(text.as_bytes()))
+            .from_reader(text.as_bytes());
+        let names: Vec<String> = reader
+            .headers()
+            .map_err(broken)?
+            .iter()
+            .map(str::to_lowercase)
+            .collect();
+        let column = |name: &str| names.iter().position(|found| found == name);
+        let [Some(code), Some(question), Some(part)] = ["code", "question", "part"].map(column)
+        else {
+            return Err(
+                Failure::new(format!("`{}` settles nothing", path.display())).help(
+                    "the header needs `code`, `question`, `part`, and any of `response`, `points`, `feedback`",
+                ),
+            );
+        };
+        let [response, points, feedback] = ["response", "points", "feedback"].map(column);
+        let (mut overrides, mut faults) = (Self::default(), Vec::new());
+        for record in reader.records() {
+            let record = record.map_err(broken)?;
+            let line = record.position().map_or(0, csv::Position::line) as usize;
+            let field = |at: usize| record.get(at).unwrap_or_default();
+            let filled = |at: Option<usize>| at.map(field).filter(|text| !text.is_empty());
+            let decided = [response, points, feedback].map(filled);
+            if decided.iter().all(Option::is_none) {
+                continue;
+            }
+            let fault = match field(question).parse() {
+                Err(_) => Some(format!("question `{}` is no number", field(question))),
+                Ok(question) => {
+                    let place = Place {
+                        code: printed(field(code)),
+                        question,
+                        part: field(part).to_lowercase(),
+                    };
+                    overrides.add(place, line, decided).err()
+                }
+            };
+            faults.extend(fault.map(|fault| format!("overrides, line {line}: {fault}")));
+        }
+        Ok((overrides, faults))
+    }
+
+    fn add(&mut self, place: Place, line: usize, decided: [Option<&str>; 3]) -> Result<(), String> {
+        let [response, points, feedback] = decided;
+        let points = match points.map(|text| (text, fraction(&text.replace(',', ".")))) {
+            None => None,
+            Some((_, Some(points))) if points >= Rational::ZERO => Some(points),
+            Some((text, _)) => return Err(format!("`{text}` is no number of points")),
+        };
+        let decision = Override {
+            line,
+            is_claimed: false,
+            response: response.map(str::to_owned),
+            points,
+            feedback: feedback.map(str::to_owned),
+        };
+        match self.0.insert(place, decision) {
+            Some(earlier) => Err(format!(
+                "this part was already settled in line {}; the last one counts",
+                earlier.line
+            )),
+            None => Ok(()),
+        }
+    }
+
+    /// What was decided about a part: for its own sheet, else for all.
+    pub(super) fn find(&self, place: &Place) -> Option<&Override> {
+        self.0.get(place).or_else(|| {
+            self.0.get(&Place {
+                code: ALL.to_owned(),
+                ..place.clone()
+            })
+        })
+    }
+
+    /// Notes that a part was handed out.
+    pub(super) fn claim(&mut self, place: &Place) {
+        let all = Place {
+            code: ALL.to_owned(),
+            ..place.clone()
+        };
+        for place in [place, &all] {
+            if let Some(decision) = self.0.get_mut(place) {
+                decision.is_claimed = true;
+            }
+        }
+    }
+
+    /// The decisions about parts that were not handed out, each with its line.
+    pub(super) fn unclaimed(&self) -> Vec<String> {
+        let lost = self.0.iter().filter(|(_, decision)| !decision.is_claimed);
+        lost.map(|(place, decision)| {
+            format!(
+                "overrides, line {}: no part {}{} of a sheet {} was handed out",
+                decision.line, place.question, place.part, place.code
+            )
+        })
+        .collect()
+    }
+}
+
+/// A code as it is printed.
+fn printed(code: &str) -> String {
+    code.parse::<Variant>()
+        .map_or_else(|_| code.to_uppercase(), |variant| variant.to_string())
+}

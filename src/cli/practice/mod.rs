@@ -1,0 +1,140 @@
+//! `vibank practice [ITEM]`
+
+mod log;
+mod screen;
+mod session;
+
+use std::hash::{BuildHasher, RandomState};
+use std::io::IsTerminal;
+use std::path::PathBuf;
+
+use vibank::bank::{Catalogue, Template};
+use vibank::instance::Instance;
+use vibank::seed::{Seed, Streams};
+use vibank::solution::Solution;
+use vibank::suitability;
+
+use self::log::Log;
+use self::screen::Screen;
+use self::session::{End, Session};
+use super::bank::BankArgument;
+use super::filter::Filter;
+use super::{Failure, Outcome};
+
+/// Practise in the terminal: an exercise with numbers of its own, feedback on each answer, hints, worked solutions.
+///
+/// Type an answer as you would write it. `?` gives a hint, `!` shows the answer, `>` passes on, `quit` ends.
+/// Nothing is kept unless `--log` asks for it. Answers can also come from a pipe, one a line.
+///
+/// Example: vibank practice ch3 --level 1
+#[derive(clap::Args)]
+pub(crate) struct Arguments {
+    /// An item, a chapter, a topic, or a word of a title; all items if left out.
+    item: Option<String>,
+    #[command(flatten)]
+    filter: Filter,
+    /// Repeat the session of this seed.
+    #[arg(long)]
+    seed: Option<u64>,
+    /// Stop after so many exercises.
+    #[arg(long, value_name = "COUNT")]
+    count: Option<usize>,
+    /// Append what was answered, one JSON object a line.
+    #[arg(long, value_name = "FILE")]
+    log: Option<PathBuf>,
+    #[command(flatten)]
+    bank: BankArgument,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let catalogue = arguments.bank.catalogue()?;
+    let items = chosen(arguments, &catalogue)?;
+    let seed = arguments.seed.unwrap_or_else(any_seed);
+    let mut session = Session::begin(Screen::of_stdout(), Log::open(arguments.log.as_deref())?);
+    session.welcome(items.len(), seed);
+    let is_typed = std::io::stdin().is_terminal();
+    // From a pipe one round through the items is enough; who types goes on as long as they like.
+    let rounds = if is_typed { u64::MAX } else { 1 };
+    let streams = Streams::of(Seed::new(seed), "practice");
+    let (mut number, most) = (0_u64, arguments.count.unwrap_or(usize::MAX) as u64);
+    'rounds: for round in 0..rounds {
+        for at in streams
+            .named(&format!("round {round}"))
+            .permutation(items.len())
+        {
+            if number == most {
+                break 'rounds;
+            }
+            let solution = instance(items[at], seed, number)?;
+            if let End::Session = session.exercise(&solution)? {
+                break 'rounds;
+            }
+            number += 1;
+        }
+    }
+    session.finish();
+    Ok(Outcome::Done)
+}
+
+/// The items that are meant, in the order of the bank.
+fn chosen<'c>(
+    arguments: &Arguments,
+    catalogue: &'c Catalogue,
+) -> Result<Vec<&'c Template>, Failure> {
+    let wanted = arguments.item.as_deref().unwrap_or_default();
+    let all = catalogue
+        .items()
+        .iter()
+        .filter(|item| arguments.filter.wants(item));
+    let items: Vec<&Template> = match catalogue.find(wanted) {
+        Some(item) => vec![item],
+        None => all.filter(|item| is_meant(item, wanted)).collect(),
+    };
+    if !items.is_empty() {
+        return Ok(items);
+    }
+    let failure = Failure::new(format!("no item fits `{wanted}`"));
+    Err(match catalogue.nearest(wanted) {
+        Some(near) => failure.help(format!("did you mean `{near}`?")),
+        None => failure.help("`vibank list` shows all items, chapters and topics"),
+    })
+}
+
+/// Whether a word names the chapter or a topic of an item, or stands in its title or identity.
+fn is_meant(item: &Template, word: &str) -> bool {
+    let word = word.to_lowercase();
+    let about = &item.about;
+    item.id.chapter() == word
+        || about
+            .topics
+            .iter()
+            .any(|topic| topic.value.to_lowercase() == word)
+        || about.title.to_lowercase().contains(&word)
+        || !item.id.chapter().contains(&word) && item.id.as_str().contains(&word)
+}
+
+/// The first suitable instance for an exercise of a session.
+fn instance(template: &Template, seed: u64, number: u64) -> Result<Solution<'_>, Failure> {
+    const MOST_TRIES: u64 = 200;
+    let stream = Streams::of(Seed::new(seed), template.id.as_str());
+    let mut seeds = stream.named(&format!("exercise {number}"));
+    let parts: Vec<usize> = (0..template.parts.len()).collect();
+    let mut last = None;
+    for _ in 0..MOST_TRIES {
+        // Seeds that are short to type again in `vibank show --seed`.
+        let seed = Seed::new(seeds.below(1_000_000));
+        let instance =
+            Instance::draw(template, seed).map_err(|error| Failure::new(error.to_string()))?;
+        let solution = Solution::of(instance);
+        match suitability::judge(&solution, &parts) {
+            Ok(()) => return Ok(Solution::of(solution.instance().clone())),
+            Err(_) => last = Some(solution),
+        }
+    }
+    last.ok_or_else(|| Failure::new(format!("`{}` has no suitable data", template.id)))
+}
+
+/// A seed that is another one each time.
+fn any_seed() -> u64 {
+    RandomState::new().hash_one("vibank practice") % 1_000_000
+}

@@ -1,0 +1,108 @@
+//! What is printed: wrapped text, with colour on a terminal.
+
+use std::io::{IsTerminal, Write};
+
+/// How a line is set off on a terminal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Tone {
+    Plain,
+    Bold,
+    Faint,
+    Good,
+    Bad,
+    Unsure,
+}
+
+/// Where a session is printed.
+pub(super) struct Screen {
+    has_colour: bool,
+}
+
+/// Lines are no longer than this; what is longer is hard to read.
+const WIDTH: usize = 78;
+
+impl Screen {
+    /// Standard output, in colour if it is a terminal.
+    pub(super) fn of_stdout() -> Self {
+        #[expect(
+            clippy::disallowed_methods,
+            reason = "NO_COLOR is how a user asks for plain text: https://no-color.org"
+        )]
+        let is_plain = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+        Self {
+            has_colour: std::io::stdout().is_terminal() && !is_plain,
+        }
+    }
+
+    /// Prints a text, wrapped, each line moved in.
+    pub(super) fn say(&self, tone: Tone, indent: &str, text: &str) {
+        for line in wrapped(text, WIDTH - indent.len()) {
+            let line = format!("{indent}{line}");
+            println!("{}", self.toned(tone, line.trim_end()));
+        }
+    }
+
+    /// An empty line.
+    pub(super) fn gap() {
+        println!();
+    }
+
+    /// Asks for a line; what is asked stands before it.
+    pub(super) fn ask(&self, prompt: &str) {
+        let mut out = std::io::stdout().lock();
+        let _ = write!(out, "{}", self.toned(Tone::Bold, prompt));
+        let _ = out.flush();
+    }
+
+    fn toned(&self, tone: Tone, text: &str) -> String {
+        let code = match tone {
+            _ if !self.has_colour || text.is_empty() => return text.to_owned(),
+            Tone::Plain => return text.to_owned(),
+            Tone::Bold => 1,
+            Tone::Faint => 2,
+            Tone::Good => 32,
+            Tone::Bad => 31,
+            Tone::Unsure => 33,
+        };
+        format!("\u{1b}[{code}m{text}\u{1b}[0m")
+    }
+}
+
+/// The lines of a text, broken between words; lines that are moved in, such as formulas, stay whole.
+/// Control characters are left out, so that nothing that was typed can steer the terminal.
+fn wrapped(text: &str, width: usize) -> Vec<String> {
+    let mut lines = Vec::new();
+    for line in text.lines() {
+        let line: String = line.chars().filter(|char| !char.is_control()).collect();
+        if line.starts_with("  ") || line.chars().count() <= width {
+            lines.push(line);
+            continue;
+        }
+        let mut current = String::new();
+        for word in line.split(' ') {
+            let length = current.chars().count() + 1 + word.chars().count();
+            if !current.is_empty() && length > width {
+                lines.push(std::mem::take(&mut current));
+            }
+            if !current.is_empty() {
+                current.push(' ');
+            }
+            current.push_str(word);
+        }
+        lines.push(current);
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::wrapped;
+
+    #[test]
+    fn words_stay_whole_and_formulas_stay_on_their_line() {
+        assert_eq!(wrapped("one two three", 8), ["one two", "three"]);
+        assert_eq!(wrapped("    ω = √(k/m)", 8), ["    ω = √(k/m)"]);
+        assert_eq!(wrapped("a\n\nb", 8), ["a", "", "b"]);
+        assert_eq!(wrapped("unbreakable", 4), ["unbreakable"]);
+    }
+}

@@ -1,0 +1,269 @@
+//! A session: exercises part by part, answers, hints, solutions.
+
+use std::io::{BufRead, IsTerminal};
+
+use vibank::answer::{Marking, Verdict};
+use vibank::bank::{Part, Passage};
+use vibank::grade::{self, Grade};
+use vibank::scene::{Data, Scene, Shown};
+use vibank::solution::Solution;
+use vibank::worksheet::letter;
+
+use super::log::Log;
+use super::screen::{Screen, Tone};
+use crate::cli::Failure;
+
+/// A session and what came out so far.
+pub(super) struct Session {
+    screen: Screen,
+    log: Log,
+    is_typed: bool,
+    right: usize,
+    right_at_once: usize,
+    asked: usize,
+}
+
+/// Where to go on after a part or an exercise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum End {
+    Part,
+    Exercise,
+    Session,
+}
+
+/// What was typed.
+enum Typed {
+    Answer(String),
+    Hint,
+    Solution,
+    Pass,
+    PassExercise,
+    Help,
+    Nothing,
+    Quit,
+}
+
+/// How the student can go on; every answer is possible but these.
+const HELP: &str =
+    "?  hint      !  answer and solution      >  next part      >>  next exercise      quit";
+
+/// Longest line that is read.
+const LONGEST: usize = 8 << 10;
+
+impl Session {
+    pub(super) fn begin(screen: Screen, log: Log) -> Self {
+        Self {
+            screen,
+            log,
+            is_typed: std::io::stdin().is_terminal(),
+            right: 0,
+            right_at_once: 0,
+            asked: 0,
+        }
+    }
+
+    pub(super) fn welcome(&self, items: usize, seed: u64) {
+        let plural = if items == 1 { "" } else { "s" };
+        let words = format!(
+            "{items} exercise{plural} to choose from (session {seed}). Type your answer, or:"
+        );
+        self.screen.say(Tone::Faint, "", &words);
+        self.screen.say(Tone::Faint, "  ", HELP);
+    }
+
+    pub(super) fn finish(&self) {
+        if self.asked > 0 {
+            let words = format!(
+                "{} of {} parts right, {} of them at once.",
+                self.right, self.asked, self.right_at_once
+            );
+            Screen::gap();
+            self.screen.say(Tone::Bold, "", &words);
+        }
+    }
+
+    /// One exercise.
+    pub(super) fn exercise(&mut self, solution: &Solution<'_>) -> Result<End, Failure> {
+        let template = solution.template();
+        let scene = Scene::of(solution, Data::Both);
+        Screen::gap();
+        self.screen.say(Tone::Bold, "", &template.about.title);
+        self.screen
+            .say(Tone::Faint, "", &solution.instance().identity());
+        Screen::gap();
+        self.screen
+            .say(Tone::Plain, "", &text(&scene.passage(&template.statement)));
+        let mut answered: Vec<(usize, String)> = Vec::new();
+        let asked = (0..template.parts.len()).filter(|place| solution.asks(*place));
+        for (position, place) in asked.enumerate() {
+            self.question(&scene, position, place);
+            match self.part(&scene, position, place, &mut answered)? {
+                End::Part => {}
+                End::Exercise => return Ok(End::Exercise),
+                End::Session => return Ok(End::Session),
+            }
+        }
+        Ok(End::Exercise)
+    }
+
+    fn question(&self, scene: &Scene<'_, '_>, position: usize, place: usize) {
+        let solution = scene.solution();
+        let part = &solution.template().parts[place];
+        let options = part.answer.options();
+        let unit = part
+            .answer
+            .unit()
+            .map(|unit| format!("  [{}]", unit.text()));
+        let ask = text(&scene.passage(&part.ask));
+        Screen::gap();
+        let words = format!("{}) {ask}{}", letter(position), unit.unwrap_or_default());
+        self.screen.say(Tone::Plain, "", &words);
+        if options.is_empty() {
+            return;
+        }
+        for (at, option) in solution.order(place).into_iter().enumerate() {
+            let words = format!(
+                "{}  {}",
+                letter(at),
+                options[option].text.plain(&Vec::new())
+            );
+            self.screen.say(Tone::Plain, "   ", &words);
+        }
+    }
+
+    /// One part, until it is right or passed.
+    fn part(
+        &mut self,
+        scene: &Scene<'_, '_>,
+        position: usize,
+        place: usize,
+        answered: &mut Vec<(usize, String)>,
+    ) -> Result<End, Failure> {
+        let (solution, letter) = (scene.solution(), letter(position));
+        let part = &solution.template().parts[place];
+        let (mut hints, mut attempts) = (0, 0);
+        loop {
+            match self.read(&letter)? {
+                Typed::Nothing => {}
+                Typed::Help => self.screen.say(Tone::Faint, "   ", HELP),
+                Typed::Hint => hints = self.hint(scene, part, hints),
+                Typed::Pass => return Ok(End::Part),
+                Typed::PassExercise => return Ok(End::Exercise),
+                Typed::Quit => return Ok(End::Session),
+                Typed::Solution => {
+                    self.solution(scene, part, place);
+                    self.asked += usize::from(attempts == 0);
+                    return Ok(End::Part);
+                }
+                Typed::Answer(response) => {
+                    let earlier = answered.iter().map(|(place, own)| (*place, own.as_str()));
+                    let grade = Grade::mark(solution, earlier.chain([(place, response.as_str())]));
+                    let marking = grade.part(place).expect("the response was marked");
+                    self.log
+                        .note(solution.instance(), &part.id, &response, marking, hints)?;
+                    self.feedback(solution, place, marking);
+                    if marking.verdict == Verdict::Unreadable {
+                        continue;
+                    }
+                    self.asked += usize::from(attempts == 0);
+                    attempts += 1;
+                    answered.retain(|(own, _)| *own != place);
+                    answered.push((place, response));
+                    if marking.verdict == Verdict::Right {
+                        self.right += 1;
+                        self.right_at_once += usize::from(attempts == 1 && hints == 0);
+                        return Ok(End::Part);
+                    }
+                }
+            }
+        }
+    }
+
+    fn feedback(&self, solution: &Solution<'_>, place: usize, marking: &Marking) {
+        let (tone, sign) = match marking.verdict {
+            Verdict::Right => (Tone::Good, "✓"),
+            Verdict::Partial => (Tone::Unsure, "◐"),
+            Verdict::Wrong => (Tone::Bad, "✗"),
+            Verdict::Unreadable | Verdict::Missing => (Tone::Unsure, "?"),
+        };
+        if let Some(reading) = &marking.reading {
+            let words = format!("read as {}", reading.math.plain());
+            self.screen.say(Tone::Faint, "   ", &words);
+        }
+        self.screen
+            .say(tone, "   ", &format!("{sign} {}", marking.verdict.words()));
+        if !marking.feedback.is_empty() {
+            for remark in grade::remarks(solution, place, marking) {
+                self.screen.say(Tone::Plain, "     ", &remark.plain());
+            }
+        }
+    }
+
+    /// The next hint; how many were given.
+    fn hint(&self, scene: &Scene<'_, '_>, part: &Part, given: usize) -> usize {
+        match part.hints.get(given) {
+            Some(hint) => {
+                let count = part.hints.len();
+                let words = format!("hint {} of {count}: {}", given + 1, passage(scene, hint));
+                self.screen.say(Tone::Plain, "   ", &words);
+                given + 1
+            }
+            None => {
+                let words = "There are no more hints; `!` shows the answer.";
+                self.screen.say(Tone::Faint, "   ", words);
+                given
+            }
+        }
+    }
+
+    fn solution(&self, scene: &Scene<'_, '_>, part: &Part, place: usize) {
+        match scene.solution().marker(place) {
+            Ok(marker) => {
+                let words = format!("= {}", marker.key().math.plain());
+                self.screen.say(Tone::Bold, "   ", &words);
+            }
+            Err(absent) => self.screen.say(Tone::Plain, "   ", &absent.to_string()),
+        }
+        let worked = passage(scene, &part.solution);
+        self.screen.say(Tone::Plain, "   ", &worked);
+    }
+
+    fn read(&self, letter: &str) -> Result<Typed, Failure> {
+        self.screen.ask(&format!("{letter}> "));
+        let mut line = Vec::new();
+        let mut input = std::io::Read::take(std::io::stdin().lock(), LONGEST as u64);
+        let length = input
+            .read_until(b'\n', &mut line)
+            .map_err(|error| Failure::new(format!("cannot read standard input: {error}")))?;
+        let text = String::from_utf8_lossy(&line);
+        let text = text.trim();
+        if !self.is_typed {
+            // In a transcript the answer stands where it would have been typed.
+            println!("{}", text.replace(char::is_control, " "));
+        } else if length == 0 {
+            println!();
+        }
+        Ok(match text {
+            _ if length == 0 => Typed::Quit,
+            "" => Typed::Nothing,
+            "?" => Typed::Hint,
+            "!" => Typed::Solution,
+            ">" => Typed::Pass,
+            ">>" => Typed::PassExercise,
+            "help" => Typed::Help,
+            "quit" | "exit" | ":q" => Typed::Quit,
+            answer => Typed::Answer(answer.to_owned()),
+        })
+    }
+}
+
+fn passage(scene: &Scene<'_, '_>, passage: &Passage) -> String {
+    text(&scene.passage(passage))
+}
+
+fn text(shown: &[Shown<'_>]) -> String {
+    let pieces = shown
+        .iter()
+        .map(|piece| piece.document.plain(&piece.fillings).trim_end().to_owned());
+    pieces.collect::<Vec<_>>().join("\n\n")
+}

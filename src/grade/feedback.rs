@@ -1,0 +1,147 @@
+//! What a student is told, as a tree that any format can write.
+
+use serde::Serialize;
+
+use crate::answer::{self, Marking, Verdict};
+use crate::document::{Block, Document, Filling, Inline};
+use crate::math::Math;
+use crate::numerics::Rational;
+use crate::scene::{Data, Scene};
+use crate::solution::Solution;
+
+/// A text with what fills its holes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Remark {
+    /// The text.
+    pub document: Document,
+    /// What fills its holes, in order.
+    pub fillings: Vec<Filling>,
+}
+
+/// What a student is told about a sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Feedback {
+    /// Code of the sheet.
+    pub code: String,
+    /// Name; may be empty.
+    pub name: String,
+    /// Identity; may be empty.
+    pub student: String,
+    /// Points reached.
+    pub points: Rational,
+    /// Points of the sheet.
+    pub max: Rational,
+    /// By question.
+    pub questions: Vec<QuestionFeedback>,
+}
+
+/// What a student is told about a question.
+#[derive(Clone, Debug, PartialEq)]
+pub struct QuestionFeedback {
+    /// Its number.
+    pub number: usize,
+    /// Title of the item.
+    pub title: String,
+    /// Points reached.
+    pub points: Rational,
+    /// Points of the question.
+    pub max: Rational,
+    /// By part.
+    pub parts: Vec<PartFeedback>,
+}
+
+/// What a student is told about a part.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PartFeedback {
+    /// Its letter.
+    pub letter: String,
+    /// How the answer fared.
+    pub verdict: Verdict,
+    /// Points reached.
+    pub points: Rational,
+    /// Points of the part.
+    pub max: Rational,
+    /// What was handed in, as it is; empty if nothing.
+    pub response: String,
+    /// How it was read.
+    pub reading: Option<Math>,
+    /// What is said about it.
+    pub remarks: Vec<Remark>,
+}
+
+impl Remark {
+    /// A sentence of our own; what stands between back-ticks is code.
+    pub fn sentence(words: &str) -> Self {
+        Self::from(Document::sentence(words))
+    }
+
+    /// Some words of others, as they are.
+    pub fn words(words: &str) -> Self {
+        let content = vec![Inline::Text(words.to_owned())];
+        Document::of(vec![Block::Paragraph(content)], Vec::new()).into()
+    }
+
+    /// What somebody typed, as it is.
+    pub fn code(typed: &str) -> Self {
+        let content = vec![Inline::Code(typed.to_owned())];
+        Document::of(vec![Block::Paragraph(content)], Vec::new()).into()
+    }
+
+    /// As plain text.
+    pub fn plain(&self) -> String {
+        self.document.plain(&self.fillings)
+    }
+}
+
+impl From<Document> for Remark {
+    fn from(document: Document) -> Self {
+        Self {
+            document,
+            fillings: Vec::new(),
+        }
+    }
+}
+
+impl Serialize for Remark {
+    /// As plain text, for programs.
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.plain())
+    }
+}
+
+/// What is said about a response, with the texts of the item that its marking names: at least one remark.
+pub fn remarks(solution: &Solution<'_>, place: usize, marking: &Marking) -> Vec<Remark> {
+    let mistakes = &solution.template().parts[place].mistakes;
+    let scene = Scene::of(solution, Data::Both);
+    let mut remarks = Vec::new();
+    for feedback in &marking.feedback {
+        match feedback {
+            answer::Feedback::Mistake(number) => {
+                let shown = mistakes
+                    .get(*number)
+                    .map(|mistake| scene.passage(&mistake.feedback));
+                remarks.extend(shown.into_iter().flatten().map(|shown| Remark {
+                    document: shown.document.clone(),
+                    fillings: shown.fillings,
+                }));
+            }
+            answer::Feedback::Text(document) => remarks.push(document.clone().into()),
+            answer::Feedback::Words(words) => remarks.push(Remark::sentence(words)),
+        }
+    }
+    if remarks.is_empty() {
+        remarks.push(Remark::sentence(bare(marking.verdict)));
+    }
+    remarks
+}
+
+/// What is said where there is nothing more to say.
+fn bare(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Right => "Right.",
+        Verdict::Partial => "Partly right.",
+        Verdict::Wrong => "This is not the answer.",
+        Verdict::Unreadable => "This could not be read.",
+        Verdict::Missing => "There is no answer.",
+    }
+}

@@ -1,0 +1,308 @@
+//! What the answers to earlier parts stand for.
+
+use std::collections::BTreeMap;
+
+use super::{guard, oscillator, related};
+use crate::answer::{Marking, Reading, Reason, Verdict};
+use crate::expr::{
+    Equation, Expr, Field, Name, Precise, Program, Shape, Slots, Substitution, Value, Workspace,
+};
+use crate::math::Math;
+use crate::quantity::{Evaluation, Graph, NodeId};
+use crate::solution::Solution;
+
+/// An answer of a student's own, in place of the right one.
+#[derive(Clone, Debug)]
+pub(super) struct Own {
+    /// The quantity that it stands for.
+    pub(super) node: NodeId,
+    pub(super) name: Name,
+    pub(super) symbol: Math,
+    /// The kind of the part to which it was given.
+    pub(super) kind: &'static str,
+    pub(super) value: Value,
+    /// The same as a formula in the data, if it was one.
+    pub(super) formula: Option<Expr>,
+}
+
+/// What was answered to the earlier parts, by quantity.
+pub(super) struct Answers {
+    /// Right answers, with the right values.
+    right: BTreeMap<NodeId, Value>,
+    own: Vec<Own>,
+}
+
+impl Answers {
+    /// What the responses with these markings stand for; of several for one quantity the last one.
+    pub(super) fn given(solution: &Solution<'_>, earlier: &[(usize, Marking)]) -> Self {
+        let mut answers = Self {
+            right: BTreeMap::new(),
+            own: Vec::new(),
+        };
+        for (place, marking) in earlier {
+            let part = &solution.template().parts[*place];
+            let kind = part.answer.kind().name();
+            let Some(reading) = marking
+                .reading
+                .as_ref()
+                .filter(|_| has_dimension(solution, *place, marking))
+            else {
+                continue;
+            };
+            let is_right = marking.verdict == Verdict::Right
+                && !marking.reasons.contains(&Reason::FollowThrough);
+            if kind == "equation" {
+                if !is_right {
+                    answers.equation(solution, reading);
+                }
+                continue;
+            }
+            let [node] = part.answer.keys()[..] else {
+                continue;
+            };
+            // A shape may have any scale, so that its numbers stand for nothing.
+            if kind == "mode-shape" {
+                continue;
+            }
+            if is_right {
+                answers.add_right(solution, node);
+            } else {
+                answers.add_own(solution, node, kind, reading);
+            }
+        }
+        related::extend(solution, &mut answers);
+        answers
+    }
+
+    pub(super) fn own(&self) -> impl Iterator<Item = &Own> {
+        self.own.iter()
+    }
+
+    /// Whether a quantity was answered, or follows from what was.
+    pub(super) fn has(&self, node: NodeId) -> bool {
+        self.right.contains_key(&node) || self.last(node).is_some()
+    }
+
+    /// The last answer to a quantity that is not the right one.
+    pub(super) fn last(&self, node: NodeId) -> Option<&Own> {
+        self.own.iter().rev().find(|own| own.node == node)
+    }
+
+    /// The right formula of a quantity, in the data.
+    pub(super) fn right_formula(&self, solution: &Solution<'_>, node: NodeId) -> Option<Expr> {
+        let graph = &solution.template().graph;
+        in_data(graph.expr(node)?, graph)
+    }
+
+    /// Adds what follows for a quantity from an answer to another one.
+    pub(super) fn add_related(
+        &mut self,
+        solution: &Solution<'_>,
+        node: NodeId,
+        source: &Own,
+        value: Value,
+        formula: Option<Expr>,
+    ) {
+        let count = self.own.len();
+        let kind = if source.kind == "equation" {
+            "equation"
+        } else {
+            "related"
+        };
+        self.add(solution, node, kind, value, formula);
+        // It is told to go on from the answer that was given.
+        if let Some(own) = self.own.get_mut(count) {
+            own.symbol = source.symbol.clone();
+        }
+    }
+
+    /// The right values of the quantities that were answered rightly, and of some others.
+    pub(super) fn right_values(
+        &self,
+        solution: &Solution<'_>,
+        others: &[&Own],
+    ) -> Vec<(NodeId, Value)> {
+        let others = others.iter().filter_map(|own| {
+            Some((
+                own.node,
+                solution.evaluation().value(own.node).ok()?.clone(),
+            ))
+        });
+        others.chain(self.right.clone()).collect()
+    }
+
+    /// The student's own values of some quantities, and the right ones of those that were answered rightly.
+    pub(super) fn values(&self, own: &[&Own]) -> Vec<(NodeId, Value)> {
+        // The last answer to a quantity comes first, and the first value for a node stands.
+        let own = own.iter().rev().map(|own| (own.node, own.value.clone()));
+        own.chain(self.right.clone()).collect()
+    }
+
+    /// The student's own formulas of some quantities.
+    pub(super) fn formulas(own: &[&Own]) -> BTreeMap<Name, Expr> {
+        let formulas = own
+            .iter()
+            .filter_map(|own| Some((own.name.clone(), own.formula.clone()?)));
+        formulas.collect()
+    }
+
+    fn add_right(&mut self, solution: &Solution<'_>, node: NodeId) {
+        self.own.retain(|own| own.node != node);
+        if let Ok(value) = solution.evaluation().value(node) {
+            self.right.insert(node, value.clone());
+        }
+    }
+
+    fn add_own(
+        &mut self,
+        solution: &Solution<'_>,
+        node: NodeId,
+        kind: &'static str,
+        reading: &Reading,
+    ) {
+        let Ok(right) = solution.evaluation().value(node) else {
+            return;
+        };
+        let (formula, value) = if kind == "formula" {
+            let graph = &solution.template().graph;
+            let formula = Expr::read(&reading.text)
+                .ok()
+                .and_then(|typed| in_data(&typed, graph));
+            let value = formula
+                .as_ref()
+                .and_then(|formula| value(formula, node, solution.evaluation()));
+            (formula, value)
+        } else {
+            (None, as_written(right, &reading.si))
+        };
+        if let Some(value) = value {
+            self.add(solution, node, kind, value, formula);
+        }
+    }
+
+    /// All that follows from an equation of motion of one's own.
+    fn equation(&mut self, solution: &Solution<'_>, reading: &Reading) {
+        let Ok(equation) = Equation::read(&reading.text) else {
+            return;
+        };
+        for (node, formula) in oscillator::quantities(solution.template(), &equation) {
+            let formula = in_data(&formula, &solution.template().graph);
+            let value = formula
+                .as_ref()
+                .and_then(|formula| value(formula, node, solution.evaluation()));
+            if let Some(value) = value {
+                self.add(solution, node, "equation", value, formula);
+            }
+        }
+    }
+
+    fn add(
+        &mut self,
+        solution: &Solution<'_>,
+        node: NodeId,
+        kind: &'static str,
+        value: Value,
+        formula: Option<Expr>,
+    ) {
+        let Some(info) = solution
+            .template()
+            .info(node)
+            .filter(|info| info.parameter.is_none())
+        else {
+            return;
+        };
+        let Ok(right) = solution.evaluation().value(node) else {
+            return;
+        };
+        if guard::is_same(&value, right) {
+            self.right.insert(node, right.clone());
+        } else if guard::is_plausible(solution, node, &value, right) {
+            self.right.remove(&node);
+            self.own.push(Own {
+                node,
+                name: info.name.clone(),
+                symbol: info.symbol.clone(),
+                kind,
+                value,
+                formula,
+            });
+        }
+    }
+}
+
+/// Whether a response had the dimension that was asked.
+fn has_dimension(solution: &Solution<'_>, place: usize, marking: &Marking) -> bool {
+    let mistakes = &solution.template().parts[place].mistakes;
+    marking.reasons.iter().all(|reason| match reason {
+        Reason::Dimension => false,
+        Reason::Mistake(number) => mistakes
+            .get(*number)
+            .is_none_or(|mistake| mistake.unit.is_none()),
+        _ => true,
+    })
+}
+
+/// Numbers in the form of a value; those of an unordered list in the order of its own.
+fn as_written(right: &Value, si: &[f64]) -> Option<Value> {
+    let mut numbers = si.to_vec();
+    if matches!(
+        (right.form().field, right.shape()),
+        (Field::Real, Shape::Vector(_))
+    ) && si.len() == right.numbers().len()
+    {
+        let mut sorted = numbers.clone();
+        sorted.sort_by(f64::total_cmp);
+        let mut places: Vec<usize> = (0..si.len()).collect();
+        places.sort_by(|a, b| right.numbers()[*a].total_cmp(&right.numbers()[*b]));
+        places
+            .into_iter()
+            .zip(sorted)
+            .for_each(|(place, number)| numbers[place] = number);
+    }
+    let bounds = vec![0.0; numbers.len()];
+    Value::new(right.form(), numbers, bounds)
+}
+
+/// A formula in the data of the item alone.
+fn in_data(formula: &Expr, graph: &Graph) -> Option<Expr> {
+    const MOST_STEPS: usize = 20;
+    let mut formula = formula.clone();
+    for _ in 0..MOST_STEPS {
+        let quantities = formula.names().free.into_iter().filter_map(|variable| {
+            let expr = graph.expr(graph.find(&variable.name)?)?;
+            Some((variable.name, expr.clone()))
+        });
+        let put = quantities.collect::<Vec<_>>();
+        if put.is_empty() {
+            return Some(formula);
+        }
+        let put = put
+            .into_iter()
+            .fold(Substitution::new(), |put, (name, expr)| {
+                put.with(name, expr)
+            });
+        formula = put.apply(&formula).ok()?;
+    }
+    None
+}
+
+/// The number that a formula in the data is, if it has the dimension of a quantity.
+fn value(formula: &Expr, node: NodeId, evaluation: &Evaluation<'_>) -> Option<Value> {
+    let graph = evaluation.graph();
+    let kind = graph.kind(node)?;
+    formula.check(graph).ok().filter(|found| found.fits(kind))?;
+    let names: Vec<Name> = formula
+        .names()
+        .free
+        .into_iter()
+        .map(|variable| variable.name)
+        .collect();
+    let texts: Vec<&str> = names.iter().map(Name::as_str).collect();
+    let program = Program::compile(formula, &Slots(&texts)).ok()?;
+    let number = |name: &Name| Some(Precise::exact(evaluation.real(graph.find(name)?).ok()?));
+    let data = names.iter().map(number).collect::<Option<Vec<_>>>()?;
+    let value = program
+        .evaluate(&data[..], &mut Workspace::default())
+        .ok()?;
+    (value.form() == evaluation.value(node).ok()?.form()).then_some(value)
+}

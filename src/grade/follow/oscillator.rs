@@ -1,0 +1,90 @@
+//! What follows from a student's own equation of motion with one coordinate.
+
+use crate::bank::Template;
+use crate::expr::{Equation, Expr, Kind, Name, Substitution, Variable, differentiate};
+use crate::mechanics::{Quantity, Single};
+use crate::quantity::{Graph, NodeId};
+
+/// The coefficients of m x'' + c x' + k x = f(t).
+struct Coefficients {
+    mass: Expr,
+    damping: Expr,
+    stiffness: Expr,
+}
+
+/// The quantities of an item that are, by their formula or their second route, a number of a model of one
+/// coordinate, each as it follows from an equation of motion in this coordinate.
+pub(super) fn quantities(template: &Template, equation: &Equation) -> Vec<(NodeId, Expr)> {
+    let found = numbers(template).filter_map(|(node, coordinate, single)| {
+        let formula = Coefficients::of(equation, &coordinate)?.formula(single)?;
+        Some((node, formula))
+    });
+    found.collect()
+}
+
+/// The quantities of an item that are numbers of models of one coordinate, with the coordinate.
+pub(super) fn numbers(template: &Template) -> impl Iterator<Item = (NodeId, Name, Single)> + '_ {
+    template.quantities.iter().filter_map(|(node, info)| {
+        let mut routes = [Some(*node), info.verify].into_iter().flatten();
+        let (coordinate, single) = routes.find_map(|route| number(&template.graph, route))?;
+        Some((*node, coordinate, single))
+    })
+}
+
+/// The number of a model of one coordinate that a node is, and the coordinate.
+fn number(graph: &Graph, node: NodeId) -> Option<(Name, Single)> {
+    let Kind::Path(path) = graph.expr(node)?.kind() else {
+        return None;
+    };
+    match (graph.offered(path)?, graph.offered(path)?.0.coordinates()) {
+        ((_, Quantity::Single(single)), [coordinate]) => Some((coordinate.clone(), single)),
+        _ => None,
+    }
+}
+
+impl Coefficients {
+    /// The coefficients, if the equation is linear in the coordinate and they are constant.
+    fn of(equation: &Equation, coordinate: &Name) -> Option<Self> {
+        let difference = equation.difference();
+        let coefficient = |order| {
+            let slope = differentiate(&difference, Variable::of(coordinate, order)).ok()?;
+            let is_constant = !slope.reaches(|name| name == coordinate || name.as_str() == "t");
+            is_constant.then_some(slope)
+        };
+        let (mass, damping, stiffness) = (coefficient(2)?, coefficient(1)?, coefficient(0)?);
+        (!mass.is_zero()).then_some(Self {
+            mass,
+            damping,
+            stiffness,
+        })
+    }
+
+    /// A number of the oscillator in formulas.
+    fn formula(&self, single: Single) -> Option<Expr> {
+        let put = Substitution::new()
+            .with("m", self.mass.clone())
+            .with("c", self.damping.clone())
+            .with("k", self.stiffness.clone());
+        put.apply(&Expr::read(written(single)).ok()?).ok()
+    }
+}
+
+/// The formulas of the textbooks; the sign of an equation that was multiplied by −1 drops out of all but the first three.
+fn written(single: Single) -> &'static str {
+    match single {
+        Single::Mass => "m",
+        Single::Damping => "c",
+        Single::Stiffness => "k",
+        Single::NaturalAngularFrequency => "sqrt(k/m)",
+        Single::NaturalFrequency => "sqrt(k/m)/(2*pi)",
+        Single::Period => "2*pi/sqrt(k/m)",
+        Single::DecayRate => "c/(2*m)",
+        Single::DampingRatio => "c/m/(2*sqrt(k/m))",
+        Single::CriticalDamping => "2*m*sqrt(k/m)",
+        Single::DampedAngularFrequency => "sqrt(k/m - (c/(2*m))^2)",
+        Single::DampedPeriod => "2*pi/sqrt(k/m - (c/(2*m))^2)",
+        Single::LogarithmicDecrement => "c/(2*m)*2*pi/sqrt(k/m - (c/(2*m))^2)",
+        Single::QualityFactor => "m*sqrt(k/m)/c",
+        Single::ResonanceAngularFrequency => "sqrt(k/m - 2*(c/(2*m))^2)",
+    }
+}

@@ -1,0 +1,25 @@
+//! What a wrong answer is, said so that those of different variants can be told to be alike.
+
+use crate::answer::{KeyValue, Marking};
+use crate::solution::Solution;
+use crate::unit::Decimal;
+
+/// A wrong answer without its data: a number as a multiple of the key in three figures, all else as it was read.
+pub fn pattern(solution: &Solution<'_>, place: usize, marking: &Marking) -> Option<String> {
+    const LONGEST: usize = 80;
+    let reading = marking.reading.as_ref()?;
+    if let [number] = reading.si[..]
+        && let Ok(KeyValue::Numbers { si, .. }) =
+            solution.marker(place).map(|marker| marker.key().value)
+        && let [key] = si[..]
+        && key != 0.0
+    {
+        let ratio = Decimal::rounded(number / key, 3)?;
+        return Some(format!("{ratio} × the key"));
+    }
+    let text = reading.text.as_str();
+    Some(match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
+    })
+}

@@ -1,0 +1,61 @@
+//! Points: exact fractions, rounded where they are printed and nowhere else.
+
+use crate::answer::{Marking, Verdict};
+use crate::numerics::Rational;
+
+/// The points of a marking, of so many.
+pub fn of_marking(marking: &Marking, of: Rational) -> Rational {
+    match marking.verdict {
+        Verdict::Missing | Verdict::Unreadable => Rational::ZERO,
+        _ => marking
+            .credit
+            .share()
+            .checked_mul(of)
+            .unwrap_or(Rational::ZERO),
+    }
+}
+
+/// Points of a whole, shared out by weights; `None` where the weights have no sum.
+///
+/// ```
+/// use vibank::grade::shares;
+/// use vibank::numerics::Rational;
+///
+/// let one = Rational::ONE;
+/// let thirds = shares(Rational::new(5, 1).unwrap(), &[one, one, one]).unwrap();
+/// assert_eq!(thirds[0], Rational::new(5, 3).unwrap());
+/// ```
+pub fn shares(whole: Rational, weights: &[Rational]) -> Option<Vec<Rational>> {
+    let sum = weights
+        .iter()
+        .try_fold(Rational::ZERO, |sum, weight| sum.checked_add(*weight))?;
+    let share = |weight: &Rational| whole.checked_mul(*weight)?.checked_div(sum);
+    weights.iter().map(share).collect()
+}
+
+/// Points as a decimal of at most two places, halves rounded up.
+///
+/// ```
+/// use vibank::grade::rounded;
+/// use vibank::numerics::Rational;
+///
+/// let points = |a, b| rounded(Rational::new(a, b).unwrap());
+/// assert_eq!([points(5, 3), points(5, 2), points(4, 1), points(1, 200)], ["1.67", "2.5", "4", "0.01"]);
+/// ```
+pub fn rounded(points: Rational) -> String {
+    let (numerator, denominator) = (points.numerator(), points.denominator());
+    let hundredths = numerator
+        .checked_mul(200)
+        .and_then(|doubled| doubled.checked_add(denominator))
+        .map(|doubled| doubled.div_euclid(2 * denominator));
+    let Some(hundredths) = hundredths else {
+        return points.to_f64().to_string();
+    };
+    let sign = if hundredths < 0 { "-" } else { "" };
+    let (whole, rest) = (hundredths.abs() / 100, hundredths.abs() % 100);
+    let decimals = format!("{rest:02}");
+    match decimals.trim_end_matches('0') {
+        "" => format!("{sign}{whole}"),
+        decimals => format!("{sign}{whole}.{decimals}"),
+    }
+}

@@ -1,0 +1,237 @@
+//! The item analysis of a grading run as a page for teachers.
+
+use serde::Serialize;
+
+use super::layouts::OutputError;
+use super::pages::{Pages, Run};
+use crate::report::{Common, Distribution, PartSummary, Summary};
+
+/// A report with what has to be looked at first.
+#[derive(Clone, Copy, Debug)]
+pub struct Analysed<'a> {
+    /// The statistics.
+    pub summary: &'a Summary,
+    /// Responses that could not be read; perhaps not all of them.
+    pub lost: &'a [Lost],
+    /// How many responses could not be read.
+    pub unreadable: u64,
+    /// Rows that were left out, each with its line.
+    pub faults: &'a [String],
+}
+
+/// A response that could not be read.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Lost {
+    /// Code of the sheet.
+    pub code: String,
+    /// Identity of the student; may be empty.
+    pub student: String,
+    /// Question and part, `2b`.
+    pub place: String,
+    /// What was handed in.
+    pub response: String,
+    /// What was said about it.
+    pub why: String,
+}
+
+#[derive(Serialize)]
+struct Page<'a> {
+    run: &'a Run,
+    sheets: usize,
+    lost: &'a [Lost],
+    unreadable: u64,
+    more: u64,
+    faults: &'a [String],
+    facts: Vec<[String; 2]>,
+    bars: Vec<Bar>,
+    parts: Vec<PartView<'a>>,
+}
+
+/// A bar of the histogram, in the units of its picture.
+#[derive(Serialize)]
+struct Bar {
+    x: u32,
+    y: f64,
+    height: f64,
+    count: u64,
+    from: u32,
+}
+
+#[derive(Serialize)]
+struct PartView<'a> {
+    places: String,
+    item: &'a str,
+    part: &'a str,
+    title: &'a str,
+    asked: u64,
+    /// Widths of the pieces of the bar in percent: right, partial, wrong, unreadable, missing.
+    pieces: Vec<Piece>,
+    facility: String,
+    discrimination: String,
+    hint: &'static str,
+    follow_through: u64,
+    mistakes: Vec<Counted>,
+    others: &'a [Common],
+}
+
+#[derive(Serialize)]
+struct Piece {
+    verdict: &'static str,
+    x: f64,
+    width: f64,
+    count: u64,
+}
+
+#[derive(Serialize)]
+struct Counted {
+    what: String,
+    count: u64,
+}
+
+/// Height of the histogram, in the units of its picture.
+const HEIGHT: f64 = 60.0;
+
+impl Pages {
+    /// The page of an item analysis.
+    ///
+    /// # Errors
+    ///
+    /// [`OutputError::Page`].
+    pub fn report(&self, analysed: &Analysed<'_>) -> Result<String, OutputError> {
+        let summary = analysed.summary;
+        let page = Page {
+            run: &self.run,
+            sheets: summary.sheets,
+            lost: analysed.lost,
+            unreadable: analysed.unreadable,
+            more: analysed
+                .unreadable
+                .saturating_sub(analysed.lost.len() as u64),
+            faults: analysed.faults,
+            facts: facts(summary),
+            bars: summary.shares.as_ref().map_or(Vec::new(), bars),
+            parts: summary.parts.iter().map(part).collect(),
+        };
+        self.layouts.fill("report", &page)
+    }
+}
+
+/// Numbers about all sheets, each with its name.
+fn facts(summary: &Summary) -> Vec<[String; 2]> {
+    let mut facts = Vec::new();
+    let mut fact = |name: &str, value: String| facts.push([name.to_owned(), value]);
+    if let Some(shares) = &summary.shares {
+        fact("mean", percent(shares.mean));
+        if let Some(deviation) = shares.deviation {
+            fact("standard deviation", percent(deviation));
+        }
+        fact("median", percent(shares.median));
+        let quartiles = [shares.lower_quartile, shares.upper_quartile].map(percent);
+        fact("middle half", quartiles.join(" to "));
+        fact(
+            "range",
+            [shares.lowest, shares.highest].map(percent).join(" to "),
+        );
+    }
+    match summary.reliability {
+        Some(alpha) => fact("reliability (Cronbach’s α)", format!("{alpha:.2}")),
+        None => fact(
+            "reliability",
+            "needs the same parts on all sheets".to_owned(),
+        ),
+    }
+    if let Some(error) = summary.measurement_error {
+        fact("error of measurement", format!("{error:.1} points"));
+    }
+    facts
+}
+
+fn bars(shares: &Distribution) -> Vec<Bar> {
+    let most = shares.tenths.iter().copied().max().unwrap_or(1).max(1) as f64;
+    let bar = |(tenth, count): (usize, &u64)| {
+        let height = (HEIGHT * *count as f64 / most * 10.0).round() / 10.0;
+        Bar {
+            x: tenth as u32 * 20,
+            y: HEIGHT - height,
+            height,
+            count: *count,
+            from: tenth as u32 * 10,
+        }
+    };
+    shares.tenths.iter().enumerate().map(bar).collect()
+}
+
+fn part(part: &PartSummary) -> PartView<'_> {
+    let counts = [
+        ("right", part.right),
+        ("partial", part.partial),
+        ("wrong", part.wrong),
+        ("unreadable", part.unreadable),
+        ("missing", part.missing),
+    ];
+    let mut x = 0.0;
+    let pieces = counts
+        .into_iter()
+        .filter(|(_, count)| *count > 0)
+        .map(|(verdict, count)| {
+            let width = (count as f64 / part.asked as f64 * 1000.0).round() / 10.0;
+            let piece = Piece {
+                verdict,
+                x,
+                width,
+                count,
+            };
+            x += width;
+            piece
+        });
+    PartView {
+        places: part.places.join(", "),
+        item: &part.item,
+        part: &part.part,
+        title: &part.title,
+        asked: part.asked,
+        pieces: pieces.collect(),
+        facility: part.facility.map_or_else(|| "–".to_owned(), percent),
+        discrimination: part.discrimination.map_or_else(
+            || "–".to_owned(),
+            |value| format!("{value:.2}").replace('-', "−"),
+        ),
+        hint: hint(part),
+        follow_through: part.follow_through,
+        mistakes: part
+            .mistakes
+            .iter()
+            .map(|mistake| Counted {
+                what: mistake.what.clone(),
+                count: mistake.count,
+            })
+            .collect(),
+        others: &part.others,
+    }
+}
+
+/// What a teacher may want to look at; the bounds are the customary ones of classical test theory.
+fn hint(part: &PartSummary) -> &'static str {
+    const FEW: u64 = 10;
+    let (facility, discrimination) = (
+        part.facility.unwrap_or(0.5),
+        part.discrimination.unwrap_or(1.0),
+    );
+    if part.asked < FEW {
+        ""
+    } else if discrimination < 0.0 {
+        "strong students fared worse than weak ones: look at the text and the key"
+    } else if facility < 0.2 {
+        "very hard"
+    } else if facility > 0.9 {
+        "very easy"
+    } else if discrimination < 0.15 {
+        "hardly tells students apart"
+    } else {
+        ""
+    }
+}
+
+fn percent(share: f64) -> String {
+    format!("{:.0} %", share * 100.0)
+}

@@ -1,0 +1,101 @@
+//! What occurs most often, counted in bounded memory.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use crate::bank::{Part, Passage};
+
+/// Something that occurred so often.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Common {
+    /// What it was.
+    pub what: String,
+    /// How often.
+    pub count: u64,
+}
+
+/// A mistake that has a name.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Mistake {
+    /// The code of the reason.
+    pub code: String,
+    /// What it is.
+    pub what: String,
+    /// How often.
+    pub count: u64,
+}
+
+/// Counts; of things that first occur when the list is full nothing is kept.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Counts(BTreeMap<String, u64>);
+
+/// Different things that are counted.
+const MOST: usize = 1000;
+
+impl Counts {
+    pub(super) fn add(&mut self, what: &str) {
+        if let Some(count) = self.0.get_mut(what) {
+            *count += 1;
+        } else if self.0.len() < MOST {
+            self.0.insert(what.to_owned(), 1);
+        }
+    }
+
+    /// The commonest that occurred at least so often, at most so many; ties in the order of their names.
+    pub(super) fn commonest(&self, least: u64, most: usize) -> Vec<Common> {
+        let often = self.0.iter().filter(|(_, count)| **count >= least);
+        let mut all: Vec<Common> = often
+            .map(|(what, count)| Common {
+                what: what.clone(),
+                count: *count,
+            })
+            .collect();
+        all.sort_by(|a, b| b.count.cmp(&a.count).then_with(|| a.what.cmp(&b.what)));
+        all.truncate(most);
+        all
+    }
+}
+
+impl Mistake {
+    /// A mistake of a part: one that its item names, or a slip that marking names.
+    pub(super) fn of(common: Common, part: Option<&Part>) -> Self {
+        let number = common
+            .what
+            .strip_prefix("mistake-")
+            .and_then(|number| number.parse::<usize>().ok());
+        let named = number.and_then(|number| part?.mistakes.get(number.checked_sub(1)?));
+        let what = match named {
+            Some(mistake) => text(&mistake.feedback),
+            None => slip(&common.what).unwrap_or(&common.what).to_owned(),
+        };
+        Self {
+            code: common.what,
+            what,
+            count: common.count,
+        }
+    }
+}
+
+/// A text of an item in words; what depends on the data stays open.
+fn text(passage: &Passage) -> String {
+    let pieces = passage
+        .pieces
+        .iter()
+        .map(|piece| piece.document.plain(&Vec::new()));
+    pieces.collect::<Vec<_>>().join(" ").replace('□', "…")
+}
+
+/// A slip in words, by the code of its reason.
+fn slip(code: &str) -> Option<&'static str> {
+    Some(match code {
+        "dimension" => "wrong dimension",
+        "two-pi" => "a factor 2π between angular frequency and frequency",
+        "power-of-ten" => "a power of ten or a prefix",
+        "sign" => "the sign",
+        "near" => "near the key, but outside the tolerance",
+        "figures" => "significant figures",
+        "angle-unit" => "degrees and radians",
+        _ => return None,
+    })
+}

@@ -1,0 +1,198 @@
+//! Item analysis over many grades: how hard the parts were, how well they tell students apart, how reliable
+//! the sum is, and which mistakes were common.
+//!
+//! A [`Report`] takes one sheet after the other and keeps sums, so that its memory does not grow with the number
+//! of responses but for one number a sheet; [`Report::summary`] says what came out.
+//!
+//! *Facility* is the mean share of the points. *Discrimination* is the correlation of a part's share with that of
+//! the rest of the sheet (the part itself left out, or it would agree with itself). *Reliability* is Cronbach's
+//! alpha, which needs the same parts on every sheet.
+
+mod common;
+mod part;
+mod statistics;
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+pub use common::{Common, Mistake};
+pub use part::PartSummary;
+
+use self::part::Tally;
+use self::statistics::{Moments, alpha, quantile};
+use crate::answer::Verdict;
+use crate::bank::Catalogue;
+
+/// A marked response, as far as statistics need it.
+#[derive(Clone, Copy, Debug)]
+pub struct Observation<'a> {
+    /// The item.
+    pub item: &'a str,
+    /// The part of the item.
+    pub part: &'a str,
+    /// Number of the question.
+    pub question: usize,
+    /// Letter of the part.
+    pub letter: &'a str,
+    /// Points reached.
+    pub points: f64,
+    /// Points of the part.
+    pub max: f64,
+    /// How it fared.
+    pub verdict: Verdict,
+    /// Codes of the reasons, the main one first.
+    pub reasons: &'a [&'a str],
+    /// What was answered, in a form that does not depend on the data, if it is wrong in another way.
+    pub other: Option<&'a str>,
+}
+
+/// Statistics over sheets.
+#[derive(Clone, Debug, Default)]
+pub struct Report {
+    parts: BTreeMap<(String, String), Tally>,
+    /// Share of the points of each sheet.
+    shares: Vec<f64>,
+    points: Moments,
+    max: Moments,
+}
+
+/// What came out.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Summary {
+    /// How many sheets.
+    pub sheets: usize,
+    /// Points of a sheet, if all have the same.
+    pub max: Option<f64>,
+    /// The shares of the points that were reached.
+    pub shares: Option<Distribution>,
+    /// Cronbach's alpha; `null` unless all sheets ask the same parts and marks differ.
+    pub reliability: Option<f64>,
+    /// Standard error of measurement in points, from the reliability.
+    pub measurement_error: Option<f64>,
+    /// The parts, in the order of the sheets.
+    pub parts: Vec<PartSummary>,
+}
+
+/// How shares of points are distributed, each from 0 to 1.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Distribution {
+    /// Mean.
+    pub mean: f64,
+    /// Standard deviation; `null` for one sheet.
+    pub deviation: Option<f64>,
+    /// Lowest.
+    pub lowest: f64,
+    /// A quarter of the sheets lie below.
+    pub lower_quartile: f64,
+    /// Half of the sheets lie below.
+    pub median: f64,
+    /// Three quarters of the sheets lie below.
+    pub upper_quartile: f64,
+    /// Highest.
+    pub highest: f64,
+    /// Sheets in each tenth; the last one includes full marks.
+    pub tenths: [u64; 10],
+}
+
+impl Report {
+    /// Statistics over these sheets, each a list of its marked responses.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use vibank::answer::Verdict;
+    /// use vibank::report::{Observation, Report};
+    ///
+    /// let part = |part, points| Observation {
+    ///     item: "ch1/e1", part, question: 1, letter: part, points, max: 1.0,
+    ///     verdict: if points > 0.0 { Verdict::Right } else { Verdict::Wrong },
+    ///     reasons: &[], other: None,
+    /// };
+    /// let sheets = [
+    ///     vec![part("a", 1.0), part("b", 1.0)],
+    ///     vec![part("a", 1.0), part("b", 0.0)],
+    ///     vec![part("a", 0.0), part("b", 0.0)],
+    /// ];
+    /// let summary = Report::over(sheets.iter().map(Vec::as_slice)).summary(None);
+    /// let near = |a: Option<f64>, b: f64| (a.unwrap() - b).abs() < 1e-12;
+    /// assert!(near(summary.parts[0].facility, 2.0 / 3.0));
+    /// assert!(near(summary.parts[0].discrimination, 0.5));
+    /// assert_eq!(summary.shares.unwrap().median, 0.5);
+    /// ```
+    pub fn over<'a>(sheets: impl IntoIterator<Item = &'a [Observation<'a>]>) -> Self {
+        let mut report = Self::default();
+        sheets.into_iter().for_each(|sheet| report.add(sheet));
+        report
+    }
+
+    /// Adds a sheet.
+    pub fn add(&mut self, sheet: &[Observation<'_>]) {
+        let points: f64 = sheet.iter().map(|seen| seen.points).sum();
+        let max: f64 = sheet.iter().map(|seen| seen.max).sum();
+        for seen in sheet {
+            let rest = max - seen.max;
+            let rest = (rest > 0.0).then(|| (points - seen.points) / rest);
+            let key = (seen.item.to_owned(), seen.part.to_owned());
+            self.parts.entry(key).or_default().add(seen, rest);
+        }
+        self.points.add(points);
+        self.max.add(max);
+        if max > 0.0 {
+            self.shares.push(points / max);
+        }
+    }
+
+    /// What came out; titles of items and texts of mistakes are those of the bank.
+    pub fn summary(&self, catalogue: Option<&Catalogue>) -> Summary {
+        let template = |item: &str| catalogue.and_then(|catalogue| catalogue.find(item));
+        let mut parts: Vec<(&(String, String), &Tally)> = self.parts.iter().collect();
+        parts.sort_by_key(|(_, tally)| tally.first_place().map(|(a, b, c)| (a, b, c.to_owned())));
+        let reliability = self.reliability();
+        let has_one_max = self.max.variance().is_none_or(|variance| variance < 1e-18);
+        Summary {
+            sheets: self.points.count() as usize,
+            max: self.max.mean().filter(|_| has_one_max),
+            shares: self.distribution(),
+            reliability,
+            measurement_error: reliability
+                .and_then(|alpha| Some(self.points.deviation()? * (1.0 - alpha).max(0.0).sqrt())),
+            parts: parts
+                .into_iter()
+                .map(|((item, part), tally)| tally.summary(item, part, template(item)))
+                .collect(),
+        }
+    }
+
+    fn reliability(&self) -> Option<f64> {
+        let is_complete = self
+            .parts
+            .values()
+            .all(|part| part.asked() == self.points.count());
+        let variances: Option<Vec<f64>> = self.parts.values().map(Tally::variance).collect();
+        alpha(&variances.filter(|_| is_complete)?, self.points.variance()?)
+    }
+
+    fn distribution(&self) -> Option<Distribution> {
+        let mut sorted = self.shares.clone();
+        sorted.sort_by(f64::total_cmp);
+        let mut moments = Moments::default();
+        let mut tenths = [0; 10];
+        for share in &sorted {
+            moments.add(*share);
+            // 0.3 of the points lies in the fourth tenth, however it was rounded.
+            tenths[((share * 10.0 + 1e-9) as usize).min(9)] += 1;
+        }
+        let quantile = |share| quantile(&sorted, share);
+        Some(Distribution {
+            mean: moments.mean()?,
+            deviation: moments.deviation(),
+            lowest: quantile(0.0)?,
+            lower_quartile: quantile(0.25)?,
+            median: quantile(0.5)?,
+            upper_quartile: quantile(0.75)?,
+            highest: quantile(1.0)?,
+            tenths,
+        })
+    }
+}

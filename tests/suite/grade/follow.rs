@@ -1,0 +1,208 @@
+//! Follow-through on items of the bank: own earlier answers go on, and nothing is given away.
+
+use vibank::answer::{Marking, Reason, Verdict};
+use vibank::bank::{Catalogue, embedded};
+use vibank::grade::{Grade, remarks};
+use vibank::instance::Instance;
+use vibank::solution::Solution;
+
+/// Marks responses to parts of an item with the data of its source; the marking of the last one.
+fn last(item: &str, responses: &[(&str, &str)]) -> Marking {
+    let (catalogue, _) = Catalogue::load(embedded());
+    marked(&catalogue, item, responses)
+}
+
+fn marked(catalogue: &Catalogue, item: &str, responses: &[(&str, &str)]) -> Marking {
+    let template = catalogue.find(item).expect("the item is there");
+    let solution = Solution::of(Instance::of_source(template));
+    let place = |part: &str| {
+        let mut parts = template.parts.iter();
+        parts
+            .position(|own| own.id == part)
+            .expect("the part is there")
+    };
+    let all = responses
+        .iter()
+        .map(|(part, response)| (place(part), *response));
+    let grade = Grade::mark(&solution, all);
+    let (part, _) = responses.last().expect("there is a response");
+    grade.part(place(part)).expect("it was marked").clone()
+}
+
+/// The last response counts as a follow-through of the others, and not without them.
+#[track_caller]
+fn follows(item: &str, responses: &[(&str, &str)]) {
+    let marking = last(item, responses);
+    assert_eq!(marking.verdict, Verdict::Right, "{marking:?}");
+    assert_eq!(marking.reasons[0], Reason::FollowThrough, "{marking:?}");
+    let alone = last(item, &responses[responses.len() - 1..]);
+    assert_ne!(alone.verdict, Verdict::Right, "{alone:?}");
+}
+
+/// The last response is not right, whatever the others are.
+#[track_caller]
+fn stays_wrong(catalogue: &Catalogue, item: &str, responses: &[(&str, &str)]) {
+    let marking = marked(catalogue, item, responses);
+    assert_eq!(marking.verdict, Verdict::Wrong, "{marking:?}");
+}
+
+/// The springs taken in series as k1 and k2 alone: 2.4 N/m instead of 4 N/m.
+const SERIES: (&str, &str) = ("k_eq", "k1*k2/(k1 + k2)");
+
+#[test]
+fn values_follow_from_a_formula_of_ones_own() {
+    let item = "ch4/p3-base-excited-relative";
+    // √(2.4/2), 4/(2√4.8), 4/√(5.6² + 8²).
+    follows(item, &[SERIES, ("omega_n", "1.095 rad/s")]);
+    follows(item, &[SERIES, ("zeta", "0.913")]);
+    follows(item, &[SERIES, ("Z", "40.96 cm")]);
+    follows(
+        item,
+        &[
+            SERIES,
+            ("Z", "40.96 cm"),
+            ("z_ss", "0.4096*sin(2*t - atan2(8, -5.6))"),
+        ],
+    );
+}
+
+#[test]
+fn an_equation_and_a_formula_follow_from_a_formula() {
+    let item = "ch4/p3-base-excited-relative";
+    let equation = "m*z'' + b*z' + k1*k2/(k1 + k2)*z = m*U*Omega^2*sin(Omega*t)";
+    follows(item, &[SERIES, ("eom", equation)]);
+    let own = ("omega_n", "sqrt(15*k/(4*m))");
+    let right = ("zeta", "c/2*sqrt(3/(50*k*m))");
+    let formula = "sqrt(15*k/(4*m))*sqrt(1 - 3*c^2/(200*k*m))";
+    follows(
+        "ch2/p1-pinned-bar-block",
+        &[own, right, ("omega_d", formula)],
+    );
+}
+
+#[test]
+fn what_follows_from_a_wrong_equation_of_motion_counts() {
+    let item = "ch2/p1-pinned-bar-block";
+    // The spring under the block is taken at the end of the bar; times −6, as some would write it.
+    let eom = (
+        "eom",
+        "-5*m*l^2*theta'' - 3/2*c*l^2*theta' - 12*k*l^2*theta = 0",
+    );
+    follows(item, &[eom, ("omega_n", "sqrt(12*k/(5*m))")]);
+    follows(item, &[eom, ("omega_n_value", "20 rad/s")]);
+    follows(item, &[eom, ("zeta", "c/(8*sqrt(5*k*m/3))")]);
+    follows(
+        item,
+        &[
+            eom,
+            ("omega_n", "sqrt(12*k/(5*m))"),
+            ("omega_n_value", "20 rad/s"),
+        ],
+    );
+    // What the slip leaves alone is not a follow-through.
+    let marking = last(item, &[eom, ("c_eq", "c*l^2/4")]);
+    assert_eq!(
+        (marking.verdict, &marking.reasons[0]),
+        (Verdict::Right, &Reason::Matches)
+    );
+}
+
+#[test]
+fn numbers_follow_from_numbers_and_right_ones_stay() {
+    let item = "ch5/e6-coupled-pendulums-beats";
+    let (own, right) = (("omega_in", "3.5 rad/s"), ("omega_anti", "3.189 rad/s"));
+    follows(item, &[own, right, ("omega_mean", "3.345 rad/s")]);
+    let item = "ch3/p3-two-springs-coulomb";
+    // Half the band, (0.15/0.0098 − 1)/2 = 7.2: eight half-cycles instead of four.
+    follows(item, &[("delta", "9.81 mm"), ("n_half", "8")]);
+    follows(
+        item,
+        &[("delta", "9.81 mm"), ("n_half", "8"), ("t_stop", "2.513 s")],
+    );
+}
+
+#[test]
+fn numbers_of_an_oscillator_follow_from_each_other() {
+    // T = 2π/ω, though the item computes both from stiffness and mass.
+    let item = "ch3/p3-two-springs-coulomb";
+    follows(item, &[("omega", "7.07 rad/s"), ("T", "0.889 s")]);
+    stays_wrong(
+        &Catalogue::load(embedded()).0,
+        item,
+        &[("omega", "7.07 rad/s"), ("T", "0.141 s")],
+    );
+}
+
+#[test]
+fn the_feedback_names_the_answer_from_which_it_goes_on() {
+    let (catalogue, _) = Catalogue::load(embedded());
+    let template = catalogue
+        .find("ch4/p3-base-excited-relative")
+        .expect("the item is there");
+    let solution = Solution::of(Instance::of_source(template));
+    let place = |part: &str| {
+        template
+            .parts
+            .iter()
+            .position(|own| own.id == part)
+            .expect("the part is there")
+    };
+    let grade = Grade::mark(
+        &solution,
+        [(place("k_eq"), SERIES.1), (place("omega_n"), "1.095 rad/s")],
+    );
+    let marking = grade.part(place("omega_n")).expect("it was marked");
+    let said = remarks(&solution, place("omega_n"), marking)[0].plain();
+    assert!(
+        said.contains("follow-through") && said.contains('k'),
+        "{said}"
+    );
+}
+
+#[test]
+fn an_answer_of_another_size_or_dimension_does_not_stand_in() {
+    let (catalogue, _) = Catalogue::load(embedded());
+    let item = "ch4/p3-base-excited-relative";
+    stays_wrong(
+        &catalogue,
+        item,
+        &[("k_eq", "1000*k1"), ("omega_n", "38.73 rad/s")],
+    );
+    stays_wrong(
+        &catalogue,
+        item,
+        &[("k_eq", "k1*k2"), ("omega_n", "4.243 rad/s")],
+    );
+    stays_wrong(
+        &catalogue,
+        item,
+        &[("k_eq", "-k1"), ("omega_n", "1.2247 rad/s")],
+    );
+    stays_wrong(
+        &catalogue,
+        item,
+        &[("k_eq", "four"), ("omega_n", "1.095 rad/s")],
+    );
+}
+
+#[test]
+fn an_answer_that_makes_the_rest_trivial_does_not_stand_in() {
+    let item = "[item]\ntitle = 'A'\nsource = 'by hand'\n[parameters]\na = '2 m'\nb = '3'\n[quantities]\n\
+        q = { formula = 'a*b', unit = 'm' }\ny = { formula = 'a*ln(q/a)', unit = 'm' }\nz = { formula = 'sqrt(a*q)', unit = 'm' }\n\
+        [statement]\ntext = 'Lengths << a >>, << b >>.'\n\
+        [[part]]\nkey = 'q'\nask = 'q?'\n[[part]]\nkey = 'y'\nask = 'y?'\n[[part]]\nkey = 'z'\nask = 'z?'\n[[part]]\nid = 'again'\nkey = 'q'\nask = 'q?'\n";
+    let files = [
+        ("bank.toml", "format = 1\ntitle = 'T'"),
+        ("c/_chapter.toml", "title = 'C'"),
+        ("c/a.toml", item),
+    ];
+    let (catalogue, _) = Catalogue::load(files);
+    let fine = marked(&catalogue, "c/a", &[("q", "5 m"), ("z", "3.162 m")]);
+    assert_eq!(fine.reasons[0], Reason::FollowThrough);
+    // ln 1 = 0, √(a·a) = a, and the same answer again.
+    stays_wrong(&catalogue, "c/a", &[("q", "2 m"), ("y", "0 m")]);
+    stays_wrong(&catalogue, "c/a", &[("q", "2 m"), ("z", "2 m")]);
+    stays_wrong(&catalogue, "c/a", &[("q", "5 m"), ("again", "5 m")]);
+    // A negative length is no length.
+    stays_wrong(&catalogue, "c/a", &[("q", "-5 m"), ("z", "3.162 m")]);
+}

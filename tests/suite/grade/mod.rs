@@ -1,0 +1,3 @@
+//! Grading of whole instances.
+
+mod follow;
