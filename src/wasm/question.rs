@@ -3,7 +3,7 @@
 use serde_json::{Value as Json, json};
 
 use crate::bank::{Part, Template};
-use crate::document::{Block, Document, Inline};
+
 use crate::expr::Shape;
 use crate::scene::Shown;
 use crate::solution::Solution;
