@@ -89,7 +89,7 @@ impl Answers {
     }
 
     /// The right formula of a quantity, in the data.
-    pub(super) fn right_formula(&self, solution: &Solution<'_>, node: NodeId) -> Option<Expr> {
+    pub(super) fn right_formula(solution: &Solution<'_>, node: NodeId) -> Option<Expr> {
         let graph = &solution.template().graph;
         in_data(graph.expr(node)?, graph)
     }

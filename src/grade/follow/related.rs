@@ -104,7 +104,7 @@ fn follow(
             Some(own) => (own.value.as_real()?, own.formula.clone()),
             None => (
                 solution.evaluation().real(other.node).ok()?,
-                answers.right_formula(solution, other.node),
+                Answers::right_formula(solution, other.node),
             ),
         };
         put = put
