@@ -168,7 +168,9 @@ impl Path {
                     from,
                     to,
                 } => {
-                    let pieces = ((to - from).abs() / 0.26).ceil().max(1.0);
+                    // Chords that leave the circle by at most a hundredth of a unit.
+                    let chord = (0.28 / radius.max(0.05).sqrt()).max(0.06);
+                    let pieces = ((to - from).abs() / chord).ceil().max(1.0);
                     for piece in 1..=pieces as usize {
                         let angle = from + (to - from) * piece as f64 / pieces;
                         let next = centre + Point::at_angle(angle) * radius;
@@ -184,10 +186,30 @@ impl Path {
         }
     }
 
-    /// The box around it.
+    /// The box around it, with the control points of its curves.
     pub fn bounds(&self) -> Bounds {
         let mut bounds = Bounds::NOTHING;
-        self.for_each_segment(|a, b| bounds = bounds.with(a).with(b));
+        for step in &self.steps {
+            bounds = match *step {
+                Step::Move(to) | Step::Line(to) => bounds.with(to),
+                Step::Curve(first, second, to) => bounds.with(first).with(second).with(to),
+                Step::Close => bounds,
+                Step::Arc {
+                    centre,
+                    radius,
+                    from,
+                    to,
+                } => {
+                    let at = |angle: f64| centre + Point::at_angle(angle) * radius;
+                    let (low, high) = (from.min(to), from.max(to));
+                    let quarter = std::f64::consts::FRAC_PI_2;
+                    let (first, last) = ((low / quarter).ceil(), (high / quarter).floor());
+                    let ends = bounds.with(at(from)).with(at(to));
+                    let extremes = (first as i64..=last as i64).take(5);
+                    extremes.fold(ends, |bounds, turn| bounds.with(at(turn as f64 * quarter)))
+                }
+            };
+        }
         bounds
     }
 }

@@ -3,8 +3,8 @@
 //! Each label has a list of places, best first. Labels are settled in turn; each goes to the first place
 //! that is free, and where none is, to the one with the least in its way.
 
-use super::drawing::{Drawing, Spot, Wish};
-use super::{Bounds, Label};
+use super::Bounds;
+use super::drawing::{Drawing, Obstacle, Spot, Wish};
 
 /// Room between a label and a line.
 const GAP: f64 = 0.05;
@@ -23,32 +23,50 @@ impl Drawing {
     }
 
     fn best(&self, wish: &Wish) -> Option<Spot> {
-        let mut best: Option<(f64, Spot)> = None;
+        // Whatever is in the way ends the count, as long as a free place may follow.
+        const ANYTHING: f64 = 1e-9;
+        let first = wish.spots.first()?;
+        if self.cost(wish, first, &self.obstacles, ANYTHING) == 0.0 {
+            return Some(*first);
+        }
+        let near = self.near(wish);
+        let is_free = |spot: &&Spot| self.cost(wish, spot, &near, ANYTHING) == 0.0;
+        if let Some(free) = wish.spots.iter().find(is_free) {
+            return Some(*free);
+        }
+        let mut best = (f64::INFINITY, *first);
         for spot in &wish.spots {
-            let limit = best.map_or(f64::INFINITY, |(cost, _)| cost);
-            let cost = self.cost(&wish.label, wish.owner, spot, limit);
-            if cost < limit {
-                best = Some((cost, *spot));
-            }
-            if cost == 0.0 {
-                break;
+            let cost = self.cost(wish, spot, &near, best.0);
+            if cost < best.0 {
+                best = (cost, *spot);
             }
         }
-        best.map(|(_, spot)| spot)
+        Some(best.1)
+    }
+
+    /// The obstacles that any place of a label may meet.
+    fn near(&self, wish: &Wish) -> Vec<Obstacle> {
+        let boxes = wish
+            .spots
+            .iter()
+            .map(|spot| spot.anchor.bounds(&wish.label, spot.at));
+        let reach = boxes.fold(Bounds::NOTHING, Bounds::joined).grown(GAP);
+        let met = |obstacle: &&Obstacle| touches(reach, obstacle.bounds);
+        self.obstacles.iter().filter(met).copied().collect()
     }
 
     /// What is in the way of a label there; 0 if nothing. Counting stops at the limit.
-    fn cost(&self, label: &Label, owner: u32, spot: &Spot, limit: f64) -> f64 {
-        let bounds = spot.anchor.bounds(label, spot.at);
+    fn cost(&self, wish: &Wish, spot: &Spot, obstacles: &[Obstacle], limit: f64) -> f64 {
+        let bounds = spot.anchor.bounds(&wish.label, spot.at);
         let mut cost = 0.0;
         let near = bounds.grown(APART);
         for other in &self.labels {
             cost += 40.0 * near.overlap(other.bounds);
         }
-        for area in self.areas.iter().filter(|area| area.owner != owner) {
+        for area in self.areas.iter().filter(|area| area.owner != wish.owner) {
             cost += 2.0 * bounds.overlap(area.bounds);
         }
-        for obstacle in &self.obstacles {
+        for obstacle in obstacles {
             if cost >= limit {
                 break;
             }
@@ -72,7 +90,7 @@ fn touches(a: Bounds, b: Bounds) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figure::{Anchor, Path, Pen, Point, Weight};
+    use crate::figure::{Anchor, Label, Path, Pen, Point, Weight};
 
     #[test]
     fn a_label_goes_to_the_free_side() {
