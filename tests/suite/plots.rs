@@ -57,6 +57,30 @@ fn every_plot_is_drawn_with_all_it_has_in_its_frame() {
     assert!(faults.is_empty(), "\n{faults}");
 }
 
+#[test]
+fn a_plot_is_computed_where_it_is_shown_and_nowhere_else() {
+    let (catalogue, _) = Catalogue::load(embedded());
+    let template = catalogue
+        .find("ch3/e4-underdamped-response")
+        .expect("the item is there");
+    let solution = Solution::of(Instance::of_source(template));
+    let scene = Scene::of(&solution, Data::Both);
+    let plots = || {
+        let computed = solution.trace().computed.into_iter();
+        computed.filter(|label| label.starts_with("plots.")).count()
+    };
+    scene.passage(&template.statement);
+    for part in &template.parts {
+        scene.passage(&part.ask);
+    }
+    assert_eq!(plots(), 0);
+    scene.passage(&template.solution);
+    for part in &template.parts {
+        scene.passage(&part.solution);
+    }
+    assert!(plots() > 0);
+}
+
 /// What is wrong with a picture.
 fn sound(picture: &Picture) -> Result<(), String> {
     let drawing = &picture.drawing;
@@ -98,10 +122,111 @@ fn sound(picture: &Picture) -> Result<(), String> {
     if width > 170.0 || height > 120.0 {
         return Err(format!("{width} mm by {height} mm is too large"));
     }
-    if svg.len() > 20_000 {
+    if svg.len() > 40_000 {
         return Err(format!("{} bytes are too many", svg.len()));
     }
     Ok(())
+}
+
+/// The plots of the book's gallery: item, plot, and what it is an example of.
+const GALLERY: [(&str, &str, &str); 12] = [
+    (
+        "ch3/e4-underdamped-response",
+        "decay",
+        "Displacement with its envelope",
+    ),
+    (
+        "ch3/t2-pick-the-regime",
+        "regimes",
+        "The three regimes, one formula with three values of a parameter",
+    ),
+    (
+        "ch3/p3-two-springs-coulomb",
+        "decay",
+        "Coulomb decay with its straight envelope and the stick band",
+    ),
+    (
+        "ch4/e2-amplitude-resonance",
+        "resonance",
+        "Resonance curves for several dampings",
+    ),
+    ("ch4/e3-bandwidth-cutoff", "resonance", "Peak and cut-offs"),
+    ("ch4/e5-phase-behaviour", "phase", "Phase"),
+    (
+        "ch4/t4-vibration-absorber",
+        "response",
+        "An axis with a range of its own",
+    ),
+    ("ch4/t5-beats-near-resonance", "beats", "Beats"),
+    (
+        "ch5/p4-table-block-pulley-hanging-block",
+        "motion",
+        "The motion of two masses",
+    ),
+    ("ch5/p5-three-mass-two-wall-springs", "modes", "Mode shapes"),
+    ("ch2/t6-energy-of-free-motion", "plane", "A phase plane"),
+    (
+        "ch1/e9-pendulum-equilibrium-stability",
+        "energy",
+        "A potential with its equilibria",
+    ),
+];
+
+/// The gallery of the book: pictures beside the tables that they come from.
+///
+/// `UPDATE_BOOK=1 cargo test --test suite plots` writes it anew.
+#[test]
+fn the_gallery_is_fresh() {
+    let book = std::path::Path::new("book/src");
+    let mut files: Vec<(std::path::PathBuf, String)> = Vec::new();
+    let mut page = include_str!("../fixtures/plots.md").to_owned();
+    let (catalogue, _) = Catalogue::load(embedded());
+    for (item, plot, about) in GALLERY {
+        let template = catalogue.find(item).expect("the item is there");
+        let solution = Solution::of(Instance::of_source(template));
+        let picture = Scene::of(&solution, Data::Both)
+            .plot(plot)
+            .expect("it can be drawn");
+        let name = format!("{}-{plot}", item.replace('/', "-"));
+        let head = Head {
+            id: &name,
+            title: &picture.title,
+            description: &picture.description,
+        };
+        files.push((
+            book.join(format!("figures/{name}.svg")),
+            picture.drawing.svg(&head) + "\n",
+        ));
+        let begin = template
+            .source
+            .text
+            .find(&format!("[plots.{plot}]"))
+            .expect("it is declared");
+        let table = &template.source.text[begin..];
+        let end = table[1..].find("\n[").map_or(table.len(), |end| end + 1);
+        let _ = write!(
+            page,
+            "\n## {about}\n\n![{}](../figures/{name}.svg)\n\nFrom `{item}`:\n\n```toml\n{}\n```\n",
+            picture.title,
+            table[..end].trim_end()
+        );
+    }
+    files.push((book.join("reference/plots.md"), page));
+    let update = std::env::var_os("UPDATE_BOOK").is_some();
+    for (path, content) in files {
+        if update {
+            std::fs::create_dir_all(path.parent().expect("it lies in a folder"))
+                .expect("it can be made");
+            std::fs::write(&path, content).expect("it can be written");
+        } else {
+            let found = std::fs::read_to_string(&path).unwrap_or_default();
+            assert!(
+                found == content,
+                "{} is stale: UPDATE_BOOK=1 writes it anew",
+                path.display()
+            );
+        }
+    }
 }
 
 /// Writes a page with all plots into the folder that `VIBANK_PICTURES` names, to be looked at.

@@ -17,7 +17,7 @@ const NEAR: f64 = 0.13;
 /// The same for the dot of a mark.
 const AT_DOT: f64 = 0.21;
 /// Distances with a hairline to the point.
-const FAR: [f64; 4] = [0.5, 0.8, 1.2, 1.7];
+const FAR: [f64; 6] = [0.5, 0.8, 1.2, 1.7, 2.3, 3.0];
 /// Least distance of names at the right end.
 const LINE: f64 = 0.46;
 /// Distance that a name likes to have from other curves.
@@ -39,6 +39,8 @@ pub(super) struct Letterer {
     room: Room,
     /// The boxes of labels.
     boxes: Vec<Bounds>,
+    /// The hairlines from labels to what they name.
+    leaders: Vec<(Point, Point)>,
 }
 
 /// A place for a label, and how bad it is.
@@ -68,7 +70,12 @@ impl Letterer {
             }
         }
         room.count();
-        Self { lines, room, boxes }
+        Self {
+            lines,
+            room,
+            boxes,
+            leaders: Vec::new(),
+        }
     }
 
     /// Labels the marks.
@@ -81,7 +88,7 @@ impl Letterer {
             let near = directions()
                 .map(|(direction, cost)| Candidate::beside(at, direction, AT_DOT, cost));
             let far = FAR.iter().flat_map(|distance| {
-                directions().map(move |(direction, cost)| {
+                directions().chain(between()).map(move |(direction, cost)| {
                     Candidate::beside(at, direction, *distance, cost + 10.0 * distance).led(at)
                 })
             });
@@ -89,7 +96,7 @@ impl Letterer {
             self.put(
                 drawing,
                 label,
-                best.unwrap_or_else(|| Candidate::beside(at, Point::new(0.0, 1.0), AT_DOT, 0.0)),
+                &best.unwrap_or_else(|| Candidate::beside(at, Point::new(0.0, 1.0), AT_DOT, 0.0)),
             );
         }
     }
@@ -102,7 +109,7 @@ impl Letterer {
             if !named.is_at_end
                 && let Some(candidate) = self.at_curve(&label, named.curve)
             {
-                self.put(drawing, label, candidate);
+                self.put(drawing, label, &candidate);
                 continue;
             }
             if let Some(end) = self.end_of(named.curve) {
@@ -145,7 +152,8 @@ impl Letterer {
         let mut best: Option<Candidate> = None;
         for candidate in candidates {
             let is_better = best.as_ref().is_none_or(|best| candidate.cost < best.cost);
-            if is_better && self.is_free(candidate.bounds(label)) {
+            let is_free = || self.is_free(candidate.bounds(label)) && self.leads(&candidate, label);
+            if is_better && is_free() {
                 best = Some(candidate);
             }
         }
@@ -164,15 +172,29 @@ impl Letterer {
                 .boxes
                 .iter()
                 .any(|other| other.meets(bounds.grown(GAP)))
+            && !self
+                .leaders
+                .iter()
+                .any(|(from, to)| bounds.grown(GAP).chord(*from, *to).is_some())
     }
 
-    fn put(&mut self, drawing: &mut Drawing, label: Label, candidate: Candidate) {
-        let bounds = drawing.text(label, candidate.at, candidate.anchor);
-        if let Some(to) = candidate.leader {
-            let from = nearest(bounds.grown(0.03), to);
-            let end = to + (from - to).unit() * 0.1;
-            drawing.stroke(Path::line(from, end), Pen::new(Weight::Hair));
+    /// Whether no label stands between a label and what it names.
+    fn leads(&self, candidate: &Candidate, label: &Label) -> bool {
+        let Some((from, to)) = candidate.line(label) else {
+            return true;
+        };
+        !self
+            .boxes
+            .iter()
+            .any(|other| other.grown(GAP).chord(from, to).is_some())
+    }
+
+    fn put(&mut self, drawing: &mut Drawing, label: Label, candidate: &Candidate) {
+        if let Some((from, to)) = candidate.line(&label) {
+            drawing.stroke(Path::line(from, to), Pen::new(Weight::Hair));
+            self.leaders.push((from, to));
         }
+        let bounds = drawing.text(label, candidate.at, candidate.anchor);
         self.boxes.push(bounds);
     }
 
@@ -231,6 +253,13 @@ impl Candidate {
     fn bounds(&self, label: &Label) -> Bounds {
         self.anchor.bounds(label, self.at)
     }
+
+    /// The hairline from the label to what it names.
+    fn line(&self, label: &Label) -> Option<(Point, Point)> {
+        let to = self.leader?;
+        let from = nearest(self.bounds(label).grown(0.03), to);
+        Some((from, to + (from - to).unit() * 0.1))
+    }
 }
 
 /// Directions from a point, with what tells against them.
@@ -247,6 +276,14 @@ fn directions() -> impl Iterator<Item = (Point, f64)> + Clone {
         (-1.0, 0.0, 0.4),
     ];
     ALL.iter().map(|(x, y, cost)| (Point::new(*x, *y), *cost))
+}
+
+/// The directions halfway between those.
+fn between() -> impl Iterator<Item = (Point, f64)> + Clone {
+    (0..8).map(|eighth| {
+        let angle = (f64::from(eighth) + 0.5) * std::f64::consts::FRAC_PI_4;
+        (Point::at_angle(angle), 0.5)
+    })
 }
 
 /// Points of runs, no nearer than labels need.
