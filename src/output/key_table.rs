@@ -40,12 +40,24 @@ struct Line<'a> {
     part: &'a str,
     /// The answer that all variants of the panel have.
     same: &'a str,
+    /// Whether the answers are so wide that each takes a line of its own.
+    wide: bool,
     /// One for each variant.
-    cells: Vec<&'a str>,
+    cells: Vec<Cell<'a>>,
+}
+
+/// The answer of a variant.
+#[derive(Serialize)]
+struct Cell<'a> {
+    code: &'a str,
+    text: &'a str,
 }
 
 /// Letters that fit side by side on a page.
 const PANEL_WIDTH: usize = 84;
+
+/// Letters of an answer that stands beside those of other variants.
+const CELL_WIDTH: usize = 26;
 
 /// Variants side by side at most.
 const PANEL_LENGTH: usize = 6;
@@ -72,6 +84,7 @@ impl Block {
         let differing = self.differing();
         let width = |variant: &KeyRow| {
             let cells = differing.iter().map(|part| variant.widths[*part]);
+            let cells = cells.filter(|width| *width <= CELL_WIDTH);
             cells.max().unwrap_or(0).max(variant.code.len() + 2) + 3
         };
         let mut panels = Vec::new();
@@ -102,15 +115,19 @@ impl Block {
 impl<'a> Panel<'a> {
     fn of(variants: &'a [KeyRow]) -> Self {
         let line = |(place, part): (usize, &'a String)| {
-            let cells: Vec<&str> = variants
-                .iter()
-                .map(|row| row.cells[place].as_str())
-                .collect();
-            let is_same = cells.len() > 1 && cells.iter().all(|cell| *cell == cells[0]);
+            let first = &variants[0].cells[place];
+            let is_same =
+                variants.len() > 1 && variants.iter().all(|row| row.cells[place] == *first);
+            let is_wide = variants.iter().any(|row| row.widths[place] > CELL_WIDTH);
+            let cell = |row: &'a KeyRow| Cell {
+                code: &row.code,
+                text: &row.cells[place],
+            };
             Line {
                 part,
-                same: if is_same { cells[0] } else { "" },
-                cells,
+                same: if is_same { first } else { "" },
+                wide: variants.len() > 1 && is_wide,
+                cells: variants.iter().map(cell).collect(),
             }
         };
         Panel {
@@ -133,7 +150,7 @@ mod tests {
         }
     }
 
-    /// An answer that all variants have does not push them apart; wide ones that differ do.
+    /// A wide answer does not push variants apart: it takes a line of its own.
     #[test]
     fn variants_stand_side_by_side_as_far_as_they_fit() {
         let equation = "m x'' + c x' + k x = 0 ".repeat(8);
@@ -146,11 +163,18 @@ mod tests {
         assert_eq!(panels[0].codes, ["A", "B", "C"]);
         assert_eq!(panels[0].lines[0].same, equation);
         assert_eq!(panels[0].lines[1].same, "");
-        assert_eq!(panels[0].lines[1].cells, ["1 m", "2 m", "3 m"]);
+        let texts = panels[0].lines[1].cells.iter().map(|cell| cell.text);
+        assert_eq!(texts.collect::<Vec<_>>(), ["1 m", "2 m", "3 m"]);
 
         table.add(row("D", &["another", "4 m"]));
-        assert_eq!(table.panels().len(), 4);
+        let panels = table.panels();
+        assert_eq!(panels.len(), 1);
+        assert!(panels[0].lines[0].wide && !panels[0].lines[1].wide);
         table.add(row("E", &["of fewer parts"]));
-        assert_eq!(table.panels().len(), 5);
+        assert_eq!(table.panels().len(), 2);
+        for code in ["F", "G", "H", "I"] {
+            table.add(row(code, &["another", "5 m"]));
+        }
+        assert_eq!(table.panels().len(), 3);
     }
 }
