@@ -14,12 +14,15 @@ use crate::modes::uniform_chain;
 /// Arguments that differ from item to item.
 const ARGUMENTS: usize = 4096;
 
+/// The yardstick in nanoseconds on the processor for which limits are stated in microseconds.
+const REFERENCE: f64 = 13.0;
+
 /// A limit on the cost of a task.
 #[derive(Clone, Copy)]
 pub(crate) enum Limit {
     /// In yardsticks, with and without instructions for the fused multiply-add.
     Yards(f64, f64),
-    /// In microseconds.
+    /// In microseconds on a processor whose yardstick is [`REFERENCE`].
     Micros(f64),
 }
 
@@ -31,19 +34,14 @@ pub(crate) struct Cost {
 }
 
 impl Cost {
-    /// The cost in the unit of its limit, and the limit.
-    pub(crate) fn against_limit(&self, yardstick: f64) -> (f64, f64, &'static str) {
-        match self.limit {
-            Limit::Yards(with_fused, without) => {
-                let limit = if cfg!(target_feature = "fma") {
-                    with_fused
-                } else {
-                    without
-                };
-                (self.nanoseconds / yardstick, limit, "Y")
-            }
-            Limit::Micros(limit) => (self.nanoseconds / 1e3, limit, "µs"),
-        }
+    /// The cost and its limit in yardsticks.
+    pub(crate) fn against_limit(&self, yardstick: f64) -> (f64, f64) {
+        let limit = match self.limit {
+            Limit::Yards(with_fused, _) if cfg!(target_feature = "fma") => with_fused,
+            Limit::Yards(_, without) => without,
+            Limit::Micros(limit) => 1e3 * limit / REFERENCE,
+        };
+        (self.nanoseconds / yardstick, limit)
     }
 }
 

@@ -140,16 +140,13 @@ fn summarize(records: &[Record], yardstick: f64) {
 
 /// Prints the costs; says whether one is above its limit.
 fn tell_costs(costs: &[Cost], yardstick: f64) -> bool {
-    println!("\n{:<50} {:>10} {:>10}", "cost", "found", "limit");
+    println!("\n{:<50} {:>10} {:>10}", "cost in Y", "found", "limit");
     let mut missed = false;
     for cost in costs {
-        let (found, limit, unit) = cost.against_limit(yardstick);
+        let (found, limit) = cost.against_limit(yardstick);
         let verdict = if found > limit { "above" } else { "" };
         missed |= found > limit;
-        println!(
-            "{:<50} {found:>10.2} {limit:>10.1} {unit:<3} {verdict}",
-            cost.task
-        );
+        println!("{:<50} {found:>10.2} {limit:>10.1} {verdict}", cost.task);
     }
     missed
 }

@@ -154,10 +154,12 @@ impl Record {
         self.method.starts_with("vibank")
     }
 
-    /// Whether this method is surely faster and more accurate: by more than timing and rounding scatter.
+    /// Whether this method is surely faster and more accurate: by more than timing scatters, and by more than the rounding
+    /// of the result itself, 2⁻⁵³.
     fn beats(&self, other: &Self) -> bool {
         const SCATTER: f64 = 1.1;
-        self.timing.fast * SCATTER < other.timing.fast && self.error.scaled < other.error.scaled
+        let error = |record: &Self| record.error.scaled.max(f64::EPSILON / 2.0);
+        self.timing.fast * SCATTER < other.timing.fast && error(self) < error(other)
     }
 }
 
