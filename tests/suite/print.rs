@@ -1,9 +1,12 @@
 //! What is printed: PDF by Typst, and LaTeX.
 
+use vibank::answer::Verdict;
 use vibank::bank::{Catalogue, embedded};
 use vibank::document::{Document, Fill, Fills};
+use vibank::grade::{Feedback, PartFeedback, QuestionFeedback, Remark};
 use vibank::math::{Display, Math, TYPST_PRELUDE};
-use vibank::output::{self, Feedback, FeedbackPart, FeedbackQuestion, KeyTable, Kind, Pages, Run};
+use vibank::numerics::Rational;
+use vibank::output::{self, KeyTable, Kind, Pages, Run};
 use vibank::source::Source;
 use vibank::worksheet::{Blueprint, Plan, Sheet};
 
@@ -96,23 +99,27 @@ fn the_whole_bank_prints() {
 #[test]
 fn nothing_typed_is_read_as_markup() {
     let typed = "#panic(\"x\") $x$ \\ \" ] ) } // /* `#` *_* <a> @b \\input{x} 50 % & ~^";
-    let part = FeedbackPart {
+    let (points, max) = (Rational::ZERO, Rational::ONE);
+    let part = PartFeedback {
         letter: "a".to_owned(),
-        verdict: "wrong",
-        points: "0".to_owned(),
+        verdict: Verdict::Wrong,
+        points,
+        max,
         response: typed.to_owned(),
-        reading: String::new(),
-        feedback: Vec::new(),
+        reading: None,
+        remarks: vec![Remark::sentence("Not `5 m`.")],
     };
     let feedback = Feedback {
         code: "X".to_owned(),
         name: typed.to_owned(),
         student: typed.to_owned(),
-        total: "0".to_owned(),
-        questions: vec![FeedbackQuestion {
+        points,
+        max,
+        questions: vec![QuestionFeedback {
             number: 1,
             title: typed.to_owned(),
-            points: "0".to_owned(),
+            points,
+            max,
             parts: vec![part],
         }],
     };
