@@ -3,8 +3,9 @@
 use serde_json::{Value as Json, json};
 
 use crate::bank::{Part, Template};
-
+use crate::document::Document;
 use crate::expr::Shape;
+use crate::figure::Picture;
 use crate::scene::Shown;
 use crate::solution::Solution;
 use crate::worksheet::{PracticeQuestion, letter};
@@ -23,6 +24,18 @@ pub(super) fn html(shown: &[Shown<'_>]) -> String {
     for piece in shown {
         piece.document.write_html(&mut out, &piece.fillings);
     }
+    out
+}
+
+/// A figure with what is written under it.
+pub(super) fn figure(picture: &Picture, caption: &Document) -> String {
+    let mut out = format!("<figure>{}", picture.svg);
+    if !caption.is_empty() {
+        out.push_str("<figcaption>");
+        caption.write_html_line(&mut out, &Vec::new());
+        out.push_str("</figcaption>");
+    }
+    out.push_str("</figure>\n");
     out
 }
 

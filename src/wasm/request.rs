@@ -6,7 +6,7 @@ use serde::Deserialize;
 use serde_json::{Map, Value as Json, json};
 
 use super::Grader;
-use super::question::{asked, html, options, shape};
+use super::question::{asked, figure, html, options, shape};
 use crate::bank::{Passage, Template};
 use crate::grade::{self, Grade};
 use crate::math::Display;
@@ -132,9 +132,19 @@ impl Asked<'_> {
         let parts: Vec<Json> = parts.map(|(at, place)| self.part(at, *place)).collect();
         json!({
             "identity": self.solution.instance().identity(),
-            "statement": self.texts(&template.statement),
+            "statement": self.texts(&template.statement) + &self.figure(),
             "parts": parts,
         })
+    }
+
+    /// The figure after the statement, where the statement does not place it itself.
+    fn figure(&self) -> String {
+        let template = self.template();
+        if template.statement.places_figure() {
+            return String::new();
+        }
+        let picture = self.grader.scene(&self.solution).picture();
+        picture.map_or_else(String::new, |picture| figure(&picture, &template.caption))
     }
 
     fn part(&self, at: usize, place: usize) -> Json {
