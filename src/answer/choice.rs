@@ -224,16 +224,19 @@ impl Chosen {
     /// The place in the file of what was typed: an id, the words of an option, or a letter as printed.
     fn place(&self, typed: &str) -> Option<usize> {
         let word = normalized(typed.trim_matches(|sign: char| "()[].".contains(sign)));
-        let by_word = self.ids.iter().position(|id| normalized(id) == word);
-        by_word
+        let as_letter = || {
+            let mut letters = word.chars();
+            let letter = letters
+                .next()
+                .filter(|letter| letter.is_ascii_lowercase() && letters.next().is_none())?;
+            self.order.get((letter as u8 - b'a') as usize).copied()
+        };
+        // A letter is that of an option as printed, unless it is an id to the letter.
+        let exact = self.ids.iter().position(|id| id == typed.trim());
+        exact
+            .or_else(as_letter)
+            .or_else(|| self.ids.iter().position(|id| normalized(id) == word))
             .or_else(|| self.words.iter().position(|words| *words == word))
-            .or_else(|| {
-                let mut letters = word.chars();
-                let letter = letters
-                    .next()
-                    .filter(|letter| letter.is_ascii_lowercase() && letters.next().is_none())?;
-                self.order.get((letter as u8 - b'a') as usize).copied()
-            })
     }
 
     /// All that was typed, or what of it is no option.

@@ -51,7 +51,8 @@ fn a_compiled_item_shows_and_marks_as_its_file_does() {
     for template in catalogue.items() {
         let json = serde_json::to_string(&Compiled::of(template)).expect("it is plain data");
         let compiled: Compiled = serde_json::from_str(&json).expect("it was written so");
-        assert_eq!(compiled, Compiled::of(template), "{}", template.id);
+        let written = serde_json::to_string(&compiled).expect("it is plain data");
+        assert!(written == json, "{}", template.id);
         let again = compiled.template().expect("it was a template before");
         for index in 0..2 {
             let seed = Variant::of(Seed::new(9), index, 0, None).item(template.id.as_str(), None);

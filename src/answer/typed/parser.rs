@@ -322,9 +322,11 @@ impl<'a> Parser<'a> {
                 Self::binary(Operator::Divide, above, below)
             }),
             Item::Sign('|') => self.deeper(|parser| {
+                let outside = parser.bars;
                 parser.bars += 1;
                 let inner = parser.sum();
-                parser.bars -= 1;
+                // A bracket that is left open inside leaves its own count behind.
+                parser.bars = outside;
                 let inner = inner?;
                 if !parser.take('|') {
                     return Err(TypedError {

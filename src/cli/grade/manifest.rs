@@ -105,7 +105,10 @@ impl Sheets {
             .read_line(&mut line)
             .map_err(|error| fail(error.to_string()))?;
         match line.trim().trim_end_matches(',') {
-            end if end.starts_with(']') => Ok(None),
+            end if end.starts_with(']') => {
+                self.rest = Rest::All(Vec::new().into_iter());
+                Ok(None)
+            }
             "" => Err(fail(
                 "it ends before its end; make the sheets again".to_owned(),
             )),
