@@ -158,8 +158,10 @@ impl Laid {
         let whole = format!("{begin}{}{}", page.text, self.end);
         let bytes = self.pages.writer().bind(whole).map_err(unfilled)?;
         let inside = format!("{}/{}.{}", kind.folder(), sheet.variant, self.extension());
-        files::write(&out.join(&inside), &bytes)?;
-        files.insert(inside, files::digest(&bytes));
+        // Under a name that does not change, so that a run that goes on leaves no draft of the one that was killed.
+        let mut draft = Draft::go_on(&out.join(&inside), 0)?;
+        draft.write(&bytes)?;
+        files.insert(inside, draft.finish()?);
         let text = Vec::new();
         Ok(Leaf { text, files })
     }
