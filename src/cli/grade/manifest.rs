@@ -104,18 +104,17 @@ impl Sheets {
         file.take(LONGEST_LINE)
             .read_line(&mut line)
             .map_err(|error| fail(error.to_string()))?;
-        match line.trim().trim_end_matches(',') {
-            end if end.starts_with(']') => {
-                self.rest = Rest::All(Vec::new().into_iter());
-                Ok(None)
-            }
-            "" => Err(fail(
-                "it ends before its end; make the sheets again".to_owned(),
-            )),
-            entry => serde_json::from_str(entry)
-                .map(Some)
-                .map_err(|error| fail(error.to_string())),
+        let entry = line.trim().trim_end_matches(',');
+        if entry.is_empty() {
+            let why = "it ends before its end; make the sheets again";
+            return Err(fail(why.to_owned()));
         }
+        if entry.starts_with(']') {
+            self.rest = Rest::All(Vec::new().into_iter());
+            return Ok(None);
+        }
+        let entry = serde_json::from_str(entry).map_err(|error| fail(error.to_string()))?;
+        Ok(Some(entry))
     }
 }
 
