@@ -143,7 +143,11 @@ impl Answer for Formula {
                 of: Vec::new(),
             })
         };
-        let key = compile(&setup.expr, &context.standing)?;
+        let own = context.standing.get(&Name::new(graph.label(self.key)));
+        let key = match own {
+            Some(own) => compile(own, &none)?,
+            None => compile(&setup.expr, &context.standing)?,
+        };
         let points = Points::around(&setup.meaning, context.evaluation, &[&key]);
         let mut mistakes = Vec::new();
         for mistaken in &context.mistakes {

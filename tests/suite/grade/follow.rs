@@ -61,7 +61,7 @@ fn values_follow_from_a_formula_of_ones_own() {
         &[
             SERIES,
             ("Z", "40.96 cm"),
-            ("z_ss", "0.4096*sin(2*t - atan2(8, -5.6))"),
+            ("z_ss", "0.4096*sin(2*t - 2.1815)"),
         ],
     );
 }
@@ -125,12 +125,28 @@ fn numbers_follow_from_numbers_and_right_ones_stay() {
 #[test]
 #[ignore = "open: a formula that is answered by a number does not lend itself to what follows"]
 fn numbers_of_an_oscillator_follow_from_each_other() {
-    // T = 2π/ω, though the item computes both from stiffness and mass.
-    let item = "ch3/p3-two-springs-coulomb";
-    follows(item, &[("omega", "7.07 rad/s"), ("T", "0.889 s")]);
+    // The item computes both from stiffness and mass; the period goes on from the pulsation all the same.
+    let item = "[item]\ntitle = 'A'\nsource = 'by hand'\n[parameters]\nm = '2 kg'\nk = '200 N/m'\n\
+        [model]\ncoordinates = { x = { unit = 'm' } }\nkinetic = \"1/2*m*x'^2\"\npotential = '1/2*k*x^2'\n\
+        [quantities]\nomega = { formula = 'sqrt(k/m)', unit = 'rad/s', verify = 'model.natural_angular_frequency' }\n\
+        T = { formula = '2*pi*sqrt(m/k)', unit = 's', verify = 'model.period' }\n\
+        [statement]\ntext = 'A block << m >> on a spring << k >>.'\n\
+        [[part]]\nkey = 'omega'\nask = 'omega?'\n[[part]]\nkey = 'T'\nask = 'T?'\n";
+    let files = [
+        ("bank.toml", "format = 1\ntitle = 'T'"),
+        ("c/_chapter.toml", "title = 'C'"),
+        ("c/a.toml", item),
+    ];
+    let (catalogue, _) = Catalogue::load(files);
+    let marking = marked(
+        &catalogue,
+        "c/a",
+        &[("omega", "7.07 rad/s"), ("T", "0.889 s")],
+    );
+    assert_eq!(marking.reasons[0], Reason::FollowThrough, "{marking:?}");
     stays_wrong(
-        &Catalogue::load(embedded()).0,
-        item,
+        &catalogue,
+        "c/a",
         &[("omega", "7.07 rad/s"), ("T", "0.141 s")],
     );
 }
