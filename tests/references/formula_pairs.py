@@ -233,7 +233,7 @@ class Writer:
         if expr.is_Integer and expr >= 0:
             return str(expr)
         if expr.is_Float:
-            return str(expr)
+            return format(float(expr), ".10g")
         if expr.is_Pow:
             base, power = expr.as_base_exp()
             if power == sp.Rational(1, 2):
@@ -392,7 +392,7 @@ def main():
                 if made == most:
                     break
                 difference = largest_difference(key, other, draw)
-                if difference is None or other.has(sp.I):
+                if difference is None or other.has(sp.I) or not other.free_symbols:
                     continue
                 if relation == "=" and difference > mpmath.mpf("1e-50"):
                     continue

@@ -151,12 +151,16 @@ impl Match {
         (self.differing.len(), plain(self.scale)) < (other.differing.len(), plain(other.scale))
     }
 
+    /// Whether the equations are written without a factor between them.
+    pub(super) fn is_plain(&self) -> bool {
+        is_same(self.scale.abs(), 1.0)
+    }
+
     /// Whether enough agrees to tell what does not.
     pub(super) fn is_telling(&self) -> bool {
-        let is_plain = is_same(self.scale.abs(), 1.0);
         match self.differing.len() {
             0 | 1 => true,
-            2 => is_plain || self.agreeing >= 2,
+            2 => self.is_plain() || self.agreeing >= 2,
             _ => false,
         }
     }

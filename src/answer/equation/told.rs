@@ -128,21 +128,21 @@ impl Pair<'_> {
             } else if is_sign {
                 format!("The sign of the {name} is wrong.")
             } else {
-                self.coefficient(place, matched.reference, &name)
+                self.coefficient(place, matched, &name)
             });
         }
         Some(fault)
     }
 
     /// What is wrong with a coefficient, next to one that is right.
-    fn coefficient(&self, place: usize, reference: usize, name: &str) -> String {
+    fn coefficient(&self, place: usize, matched: &Match, name: &str) -> String {
         let (mut missed, mut surplus) = (Vec::new(), Vec::new());
         let mut is_number = true;
         for (at, input) in self.setup.meaning.inputs.iter().enumerate() {
             if input.is_moving || input.name.as_str() == "t" {
                 continue;
             }
-            let change = |of: (&Program, &Coefficients)| self.change(of, at, place, reference);
+            let change = |of: (&Program, &Coefficients)| self.change(of, at, place, matched);
             let (Some(own), Some(typed)) = (change(self.key), change(self.typed)) else {
                 continue;
             };
@@ -177,18 +177,26 @@ impl Pair<'_> {
         }
     }
 
-    /// By which factor a coefficient over another one changes with a datum.
+    /// By which factor a coefficient, over another one that is right, changes with a datum.
     fn change(
         &self,
         (program, before): (&Program, &Coefficients),
         at: usize,
         place: usize,
-        reference: usize,
+        matched: &Match,
     ) -> Option<f64> {
         let mut moved = self.point.to_vec();
         moved[at * ORDERS] = Precise::exact(1.25 * self.point[at * ORDERS].high());
         let after = Coefficients::of(program, self.terms, &moved)?;
-        let part = |of: &Coefficients| of.values[place] / of.values[reference];
+        let part = |of: &Coefficients| {
+            // Where the equations are written alike, the coefficient speaks for itself.
+            let one = if matched.is_plain() {
+                1.0
+            } else {
+                of.values[matched.reference]
+            };
+            of.values[place] / one
+        };
         Some(part(&after) / part(before)).filter(|change| change.is_finite())
     }
 

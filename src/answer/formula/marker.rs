@@ -193,12 +193,16 @@ impl Marker for Prepared {
                 "This formula cannot be compared; write it in a simpler form.",
             );
         };
-        let comparison = match trouble {
-            None => self.points.compare(&self.key, &typed),
-            Some(_) => Comparison::Undefined,
+        // Steps may go against the dimensions where the whole does not: `ln(x0) - ln(x1)`.
+        let is_of_dimension = trouble.is_none() || expr.check(&setup.meaning).is_err();
+        let comparison = if is_of_dimension {
+            self.points.compare(&self.key, &typed)
+        } else {
+            Comparison::Undefined
         };
         if comparison == Comparison::Same {
-            return Marking::read(reading, Credit::FULL, Reason::Matches, None);
+            let remark = trouble.map(|trouble| Feedback::Words(format!("Right, but: {trouble}")));
+            return Marking::read(reading, Credit::FULL, Reason::Matches, remark);
         }
         if let Some(mistake) = self.mistake(&typed) {
             let feedback = Some(Feedback::Mistake(mistake.number));
@@ -209,7 +213,7 @@ impl Marker for Prepared {
                 feedback,
             );
         }
-        if comparison == Comparison::Undecided {
+        if comparison == Comparison::Undecided && trouble.is_none() {
             return Marking::unreadable(
                 "All digits are lost when this is computed, so it cannot be compared; write it in a simpler form.",
             );

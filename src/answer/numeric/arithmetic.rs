@@ -35,7 +35,7 @@ pub(super) fn is_arithmetic(text: &str) -> bool {
     ]
     .iter()
     .any(|word| text.contains(word));
-    has_word || text.contains(|sign: char| "+*/·×⋅÷^()√π±∓-−–".contains(sign))
+    has_word || text.contains(|sign: char| "+*/·×⋅÷^()√π±∓-−–½¼¾²³⁴⁻".contains(sign))
 }
 
 impl Arithmetic {
@@ -143,7 +143,9 @@ fn places(text: &str) -> Vec<usize> {
     let mut before = ' ';
     for (at, char) in text.char_indices() {
         let is_letter = |char: char| char.is_alphabetic() || "°º%µΩ\\".contains(char);
-        let begins = is_letter(char) && !is_letter(before) || "/([".contains(char);
+        // `2π 1/s`.
+        let is_inverse = before == ' ' && text[at..].starts_with("1/");
+        let begins = is_letter(char) && !is_letter(before) || "/([".contains(char) || is_inverse;
         if begins && at > 0 {
             places.push(at);
         }

@@ -168,11 +168,15 @@ fn unwrapped(text: &str) -> &str {
 
 /// What stands behind the last equals sign.
 fn after_equals(response: &str) -> &str {
-    response
-        .rsplit(['=', '≈'])
-        .next()
-        .unwrap_or(response)
-        .trim()
+    let value = response.rsplit(['=', '≈']).next().unwrap_or(response);
+    let value = value.trim();
+    // The dollar signs around LaTeX; those before an equals sign leave one behind.
+    let inner = value.strip_prefix('$').unwrap_or(value);
+    let has_closing = inner.len() < value.len() || response.trim_start().starts_with('$');
+    match inner.strip_suffix('$') {
+        Some(inner) if has_closing => inner.trim(),
+        _ => value,
+    }
 }
 
 /// Cut at semicolons, at the words `and` and `or`, or at commas that cannot be decimal signs.
