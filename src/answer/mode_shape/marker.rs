@@ -240,7 +240,12 @@ impl Marker for Prepared {
         if self.setup.written == Written::Formula {
             return trials;
         }
-        trials.push(Trial::new(Nature::Right, shown(&self.keys)));
+        let scaled = |vector: &Vec<f64>| match self.setup.scale {
+            Scale::First => vector.iter().map(|value| value / vector[0]).collect(),
+            Scale::Any | Scale::Mass => vector.clone(),
+        };
+        let keys: Vec<Vec<f64>> = self.keys.iter().map(scaled).collect();
+        trials.push(Trial::new(Nature::Right, shown(&keys)));
         if self.setup.scale != Scale::Any {
             return trials;
         }
