@@ -56,8 +56,11 @@ pub(crate) struct Arguments {
     /// The `results.json` of an earlier run, to list changed marks; that in the output folder if left out.
     #[arg(long, value_name = "FILE")]
     compare: Option<PathBuf>,
+    /// The format of the feedback pages, as of sheets: html, md, pdf, tex.
+    #[arg(long, value_name = "FORMAT", default_value = "html")]
+    feedback: String,
     /// Write no feedback pages.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "feedback")]
     no_feedback: bool,
     #[command(flatten)]
     bank: BankArgument,
@@ -94,7 +97,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     let sheets = Sheets::open(&arguments.manifest)?;
     let mut job = Job {
         journal: Journal::open(&out, &input(arguments, &catalogue.digest())?)?,
-        pages: pages(&sheets)?,
+        pages: layout(&sheets, "html")?,
+        feedback: layout(&sheets, &arguments.feedback)?,
         tables: Tables::begin(&out, census.columns)?,
         changes: Changes::since(&earlier)?,
         analysis: Analysis::default(),
@@ -116,13 +120,14 @@ fn input(arguments: &Arguments, bank: &str) -> Result<String, Failure> {
     let digest = |path: &Path| files::digest_of(path);
     let overrides = arguments.overrides.as_deref().map(digest).transpose()?;
     Ok(format!(
-        "vibank {} {} {} {} {bank} {} {}",
+        "vibank {} {} {} {} {bank} {} {} {}",
         env!("CARGO_PKG_VERSION"),
         digest(&arguments.manifest)?,
         digest(&arguments.responses)?,
         overrides.as_deref().unwrap_or("-"),
         arguments.accept_revisions,
         arguments.no_feedback,
+        arguments.feedback,
     ))
 }
 
@@ -133,9 +138,9 @@ struct Layout {
     end: String,
 }
 
-fn pages(sheets: &Sheets) -> Result<Layout, Failure> {
+fn layout(sheets: &Sheets, format: &str) -> Result<Layout, Failure> {
     let fail = |error: output::OutputError| Failure::new(error.to_string());
-    let writer = output::writer("html").expect("the format is in the list");
+    let writer = output::writer(format).ok_or_else(|| unknown_format(format))?;
     let head = &sheets.head;
     let run = Run::plain(&head.title, &head.language, head.decimal);
     let pages = Pages::new(writer, run, &[]).map_err(fail)?;
@@ -144,6 +149,13 @@ fn pages(sheets: &Sheets) -> Result<Layout, Failure> {
         end: pages.end().map_err(fail)?,
         pages,
     })
+}
+
+fn unknown_format(name: &str) -> Failure {
+    let writers = output::WRITERS.iter().map(|writer| writer.name());
+    let known: Vec<&str> = writers.collect();
+    Failure::new(format!("`{name}` is no format of pages"))
+        .help(format!("the formats are {}", known.join(", ")))
 }
 
 /// One run.
@@ -156,6 +168,7 @@ struct Job<'a> {
     overrides: Overrides,
     journal: Journal,
     pages: Layout,
+    feedback: Layout,
     tables: Tables,
     changes: Option<Changes>,
     analysis: Analysis,
@@ -205,15 +218,14 @@ impl Job<'_> {
         let marked = variants.par_iter().map(|variant| {
             let (outcome, feedback) = marker.sheet(variant)?;
             if !self.arguments.no_feedback {
-                let Layout { pages, begin, end } = &self.pages;
-                let page = pages
+                let Layout { pages, begin, end } = &self.feedback;
+                let writer = pages.writer();
+                let file = pages
                     .feedback(&feedback)
+                    .and_then(|page| writer.bind(format!("{begin}{page}{end}")))
                     .map_err(|error| Failure::new(error.to_string()))?;
-                let path = self
-                    .out
-                    .join("feedback")
-                    .join(format!("{}.html", variant.code));
-                files::write(&path, format!("{begin}{page}{end}").as_bytes())?;
+                let name = format!("{}.{}", variant.code, writer.extension());
+                files::write(&self.out.join("feedback").join(name), &file)?;
             }
             Ok(outcome)
         });
