@@ -134,7 +134,7 @@ fn facts(summary: &Summary) -> Vec<[String; 2]> {
         );
     }
     match summary.reliability {
-        Some(alpha) => fact("reliability (Cronbach’s α)", format!("{alpha:.2}")),
+        Some(alpha) => fact("reliability (Cronbach’s α)", signed(alpha)),
         None => fact(
             "reliability",
             "needs the same parts on all sheets".to_owned(),
@@ -192,10 +192,7 @@ fn part(part: &PartSummary) -> PartView<'_> {
         asked: part.asked,
         pieces: pieces.collect(),
         facility: part.facility.map_or_else(|| "–".to_owned(), percent),
-        discrimination: part.discrimination.map_or_else(
-            || "–".to_owned(),
-            |value| format!("{value:.2}").replace('-', "−"),
-        ),
+        discrimination: part.discrimination.map_or_else(|| "–".to_owned(), signed),
         hint: hint(part),
         follow_through: part.follow_through,
         mistakes: part
@@ -230,6 +227,11 @@ fn hint(part: &PartSummary) -> &'static str {
     } else {
         ""
     }
+}
+
+/// A coefficient in two decimals.
+fn signed(value: f64) -> String {
+    format!("{value:.2}").replace('-', "−")
 }
 
 fn percent(share: f64) -> String {
