@@ -87,9 +87,20 @@ impl Remark {
         Document::of(vec![Block::Paragraph(content)], Vec::new()).into()
     }
 
-    /// As plain text.
+    /// As plain text; in a sentence of our own, code stands between back-ticks.
     pub fn plain(&self) -> String {
-        self.document.plain(&self.fillings)
+        let [Block::Paragraph(content)] = self.document.blocks() else {
+            return self.document.plain(&self.fillings);
+        };
+        let piece = |inline: &Inline| match inline {
+            Inline::Text(words) => Some(words.clone()),
+            Inline::Code(code) => Some(format!("`{code}`")),
+            _ => None,
+        };
+        match content.iter().map(piece).collect::<Option<String>>() {
+            Some(words) => words.replace(char::is_control, " "),
+            None => self.document.plain(&self.fillings),
+        }
     }
 }
 

@@ -208,7 +208,12 @@ fn marked(
         max: part.max,
         response: part.given.to_owned(),
         reading: marking.reading.as_ref().map(|reading| reading.math.clone()),
-        remarks,
+        // The page says the verdict itself.
+        remarks: if marking.feedback.is_empty() && part.decision.is_none() {
+            Vec::new()
+        } else {
+            remarks
+        },
     };
     (outcome, feedback)
 }

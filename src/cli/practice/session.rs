@@ -44,8 +44,7 @@ enum Typed {
 }
 
 /// How the student can go on; every answer is possible but these.
-const HELP: &str =
-    "?  hint      !  answer and solution      >  next part      >>  next exercise      quit";
+const HELP: &str = "?  hint    !  answer and solution    >  next part    >>  next exercise    quit";
 
 /// Longest line that is read.
 const LONGEST: usize = 8 << 10;
