@@ -223,7 +223,7 @@ class Page {
     element("stage").replaceChildren(this.stage.root);
     history.replaceState(null, "", `#${this.practice.questions[number].item}/${record.code}`);
     this.score();
-    this.reveal();
+    requestAnimationFrame(() => this.reveal());
     if (focus) this.stage.root.querySelector("h2").focus();
   }
 
