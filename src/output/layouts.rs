@@ -161,9 +161,33 @@ pub(super) fn base64(bytes: &[u8]) -> String {
     out
 }
 
+/// Base 85: five digits for four bytes, one more than bytes for the last ones. The digits are those from `(` on,
+/// with `}` in place of `<`, so that they may stand in a `script` element.
+pub(super) fn base85(bytes: &[u8]) -> String {
+    let mut out = String::with_capacity(bytes.len().div_ceil(4) * 5);
+    for chunk in bytes.chunks(4) {
+        let mut word = chunk
+            .iter()
+            .fold(0_u32, |word, byte| word << 8 | u32::from(*byte))
+            << (8 * (4 - chunk.len()));
+        let mut digits = [0_u8; 5];
+        for digit in digits.iter_mut().rev() {
+            *digit = (word % 85) as u8;
+            word /= 85;
+        }
+        for digit in &digits[..=chunk.len()] {
+            out.push(match b'(' + digit {
+                b'<' => '}',
+                letter => char::from(letter),
+            });
+        }
+    }
+    out
+}
+
 #[cfg(test)]
 mod tests {
-    use super::base64;
+    use super::{base64, base85};
 
     /// The test vectors of RFC 4648, section 10.
     #[test]
@@ -177,5 +201,14 @@ mod tests {
         ] {
             assert_eq!(base64(bytes.as_bytes()), text);
         }
+    }
+
+    /// The digits of Ascii85 (`9jqo^` for `Man `), which begin at `!`, seven places on.
+    #[test]
+    fn base85_is_ascii85_with_digits_that_are_safe_in_html() {
+        for (bytes, text) in [("", ""), ("Man ", "@qxve"), ("M", "@g")] {
+            assert_eq!(base85(bytes.as_bytes()), text);
+        }
+        assert!(!base85(&[0x38; 4000]).contains('<'));
     }
 }

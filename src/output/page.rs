@@ -6,7 +6,7 @@
 use sha2::{Digest, Sha256};
 use tera::{Context, Tera};
 
-use super::layouts::{self, OutputError, base64};
+use super::layouts::{self, OutputError, base64, base85};
 use crate::bank::Compiled;
 use crate::document::Filling;
 use crate::worksheet::Practice;
@@ -74,5 +74,5 @@ fn in_script(json: &str) -> String {
 }
 
 fn packed(bytes: &[u8]) -> String {
-    base64(&miniz_oxide::deflate::compress_to_vec(bytes, LEVEL))
+    base85(&miniz_oxide::deflate::compress_to_vec(bytes, LEVEL))
 }
