@@ -48,7 +48,6 @@ fn assert_none(faults: &[String], count: usize, least: usize) {
 }
 
 #[test]
-#[ignore = "open: 24 of 638 pairs of formulas come out otherwise"]
 fn formulas_are_told_apart() {
     let mut by_key: BTreeMap<&str, Vec<(&str, &str)>> = BTreeMap::new();
     for line in lines(FORMULAS) {
@@ -76,7 +75,6 @@ fn formulas_are_told_apart() {
 }
 
 #[test]
-#[ignore = "open: 8 of 428 numbers are read otherwise"]
 fn numbers_are_read_as_they_are_meant() {
     let mut by_unit: BTreeMap<&str, Vec<(&str, &str)>> = BTreeMap::new();
     for line in lines(NUMBERS) {
@@ -117,7 +115,6 @@ fn numbers_are_read_as_they_are_meant() {
 }
 
 #[test]
-#[ignore = "open: 5 of 273 equations are told otherwise"]
 fn equations_of_motion_are_told_apart() {
     let (bank, _) = Catalogue::load(embedded());
     let (mut faults, mut count) = (Vec::new(), 0);

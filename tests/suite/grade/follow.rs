@@ -81,7 +81,6 @@ fn an_equation_and_a_formula_follow_from_a_formula() {
 }
 
 #[test]
-#[ignore = "open: equations that are marked together do not lend themselves to what follows"]
 fn what_follows_from_a_wrong_equation_of_motion_counts() {
     let item = "ch2/p1-pinned-bar-block";
     // The spring under the block is taken at the end of the bar; times −6, as some would write it.
@@ -123,7 +122,6 @@ fn numbers_follow_from_numbers_and_right_ones_stay() {
 }
 
 #[test]
-#[ignore = "open: a formula that is answered by a number does not lend itself to what follows"]
 fn numbers_of_an_oscillator_follow_from_each_other() {
     // The item computes both from stiffness and mass; the period goes on from the pulsation all the same.
     let item = "[item]\ntitle = 'A'\nsource = 'by hand'\n[parameters]\nm = '2 kg'\nk = '200 N/m'\n\
