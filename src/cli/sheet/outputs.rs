@@ -433,8 +433,13 @@ impl Stream {
 fn unknown_format(name: &str) -> Failure {
     let writers = output::WRITERS.iter().map(|writer| writer.name());
     let known: Vec<&str> = writers.chain(["json"]).collect();
+    let printed = if cfg!(feature = "pdf") {
+        ""
+    } else {
+        "; pdf and tex need a program built with `--features pdf`"
+    };
     Failure::new(format!("`{name}` is no format"))
-        .help(format!("the formats are {}", known.join(", ")))
+        .help(format!("the formats are {}{printed}", known.join(", ")))
 }
 
 /// The layouts of one format in a folder of the user.
