@@ -17,11 +17,17 @@ impl Setter<'_> {
     pub(super) fn product(&self, expr: &Expr) -> Piece {
         let mut factors = Vec::new();
         flatten(expr, &mut factors);
-        match factors.as_slice() {
+        let is_negative = factors.first_mut().is_some_and(take_sign);
+        let product = match factors.as_slice() {
             [Part::Quotient(above, below)] => {
                 Piece::new(self.fraction(above, below), Hold::Fraction)
             }
             _ => Piece::new(self.side_by_side(&factors), Hold::Product),
+        };
+        if is_negative {
+            Piece::new(Math::row([Math::prefix("−"), product.math]), Hold::Sign)
+        } else {
+            product
         }
     }
 
@@ -144,6 +150,24 @@ fn flatten(expr: &Expr, parts: &mut Vec<Part>) {
             parts.push(Part::Quotient(above, below));
         }
         _ => parts.push(Part::Factor(expr.clone())),
+    }
+}
+
+/// Takes the sign of a numerator away, so that it stands before the bar.
+fn take_sign(part: &mut Part) -> bool {
+    let Part::Quotient(above, _) = part else {
+        return false;
+    };
+    match above.first_mut() {
+        Some(Part::Factor(first)) => match first.kind() {
+            Kind::Negate(inner) => {
+                *first = inner.clone();
+                true
+            }
+            _ => false,
+        },
+        Some(quotient) => take_sign(quotient),
+        None => false,
     }
 }
 
