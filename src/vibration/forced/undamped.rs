@@ -11,30 +11,38 @@ use super::super::state::State;
 use super::frequency_response::residual_stiffness;
 use crate::numerics::Dd;
 
+/// Half the difference of the frequencies, as a part of half their sum, below which 1/δ may be large.
+const NEAR: f64 = 0.0625;
+
 /// Half sum and half difference of the two angular frequencies.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Beat {
     carrier: Dd,
     detuning: Dd,
+    /// 1/(2 σ δ) where the two are far apart: one rounding instead of two quotients for each position.
+    apart: Option<f64>,
 }
 
 impl Beat {
     pub(super) fn of(scaled: &Scaled, frequency: f64) -> Self {
         let carrier = (scaled.natural_frequency() + frequency) * 0.5;
         let residual = residual_stiffness(scaled.mass, scaled.stiffness, frequency);
-        Self {
-            carrier,
-            detuning: residual / scaled.mass / (carrier * 4.0),
-        }
+        Self::new(carrier, residual / scaled.mass / (carrier * 4.0))
     }
 
     /// For a unit mass and a stiffness of thirty digits.
     pub(super) fn of_mode(stiffness: Dd, frequency: f64) -> Self {
         let carrier = (stiffness.sqrt() + frequency) * 0.5;
         let residual = stiffness - Dd::product(frequency, frequency);
+        Self::new(carrier, residual / (carrier * 4.0))
+    }
+
+    fn new(carrier: Dd, detuning: Dd) -> Self {
+        let is_far = detuning.hi().abs() > NEAR * carrier.hi();
         Self {
             carrier,
-            detuning: residual / (carrier * 4.0),
+            detuning,
+            apart: is_far.then(|| (Dd::from(0.5) / (carrier * detuning)).hi()),
         }
     }
 
@@ -42,6 +50,9 @@ impl Beat {
     pub(super) fn position(&self, t: f64) -> f64 {
         let (fast, _) = (self.carrier * t).sin_cos_to_f64();
         let (slow, _) = (self.detuning * t).sin_cos_to_f64();
+        if let Some(factor) = self.apart {
+            return factor * (fast * slow);
+        }
         0.5 * over(fast, self.carrier, t) * over(slow, self.detuning, t)
     }
 
