@@ -265,12 +265,19 @@ impl Marker for Prepared {
 
     fn key(&self) -> Key {
         let numbers = self.key.numbers();
-        let set = |number: &f64| match Decimal::rounded(*number, self.digits) {
+        let set = |number: f64| match Decimal::rounded(number, self.digits) {
             Some(decimal) => Quantity::new(decimal, Unit::ONE).math(self.mark),
             None => Math::text("out of range"),
         };
+        let shown = numbers.chunks(self.width().max(1)).flat_map(|vector| {
+            let one = match self.setup.scale {
+                Scale::Any => simple_scale(vector),
+                Scale::First | Scale::Mass => 1.0,
+            };
+            vector.iter().map(move |number| set(number / one))
+        });
         Key {
-            math: Self::typeset(&numbers.iter().map(set).collect::<Vec<_>>(), self.width()),
+            math: Self::typeset(&shown.collect::<Vec<_>>(), self.width()),
             accepted: None,
             value: KeyValue::Numbers {
                 form: self.key.form(),
@@ -305,6 +312,18 @@ impl Marker for Prepared {
         }
         let (reason, credit, words) = self.told(&typed, &fault);
         Marking::read(reading, credit, reason, words.map(Feedback::Words))
+    }
+}
+
+/// The component that is shown as one where any scale will do: the first, or the largest if the first is small.
+fn simple_scale(vector: &[f64]) -> f64 {
+    const SMALL: f64 = 0.05;
+    let largest = |a: f64, b: &f64| if b.abs() > a.abs() { *b } else { a };
+    let largest = vector.iter().fold(0.0, largest);
+    match vector.first() {
+        Some(first) if first.abs() > SMALL * largest.abs() => *first,
+        _ if largest == 0.0 => 1.0,
+        _ => largest,
     }
 }
 
