@@ -103,6 +103,12 @@ pub trait Answer: std::fmt::Debug + Send + Sync {
         Some(vec![declare.formula("mistake", &text)?])
     }
 
+    /// The key as it is printed, from a kind that has it without preparing what marks; such a kind knows
+    /// no distance of mistakes.
+    fn printed(&self, _context: &Context<'_>) -> Option<Result<Key, Absent>> {
+        None
+    }
+
     /// The key for these data, with what marking needs.
     ///
     /// # Errors

@@ -23,7 +23,7 @@ pub struct Solution<'t> {
     evaluation: Evaluation<'t>,
     markers: Vec<OnceCell<Result<Box<dyn Marker>, Absent>>>,
     /// The keys as they are printed, on several pages of one sheet.
-    printed: Vec<OnceCell<Key>>,
+    printed: Vec<OnceCell<Result<Key, Absent>>>,
     standing: BTreeMap<Name, Expr>,
     mark: DecimalMark,
     is_drawn: Cell<bool>,
@@ -115,14 +115,33 @@ impl<'t> Solution<'t> {
         prepared.as_ref().map(AsRef::as_ref).map_err(Clone::clone)
     }
 
-    /// The key of a part as it is printed.
+    /// The key of a part as it is printed; what marks is prepared only where the key needs it.
     ///
     /// # Errors
     ///
     /// As [`Self::marker`].
     pub fn key(&self, place: usize) -> Result<&Key, Absent> {
-        let marker = self.marker(place)?;
-        Ok(self.printed[place].get_or_init(|| marker.key()))
+        let printed = self.printed[place].get_or_init(|| {
+            let answer = &self.template().parts[place].answer;
+            match answer.printed(&self.context(place)) {
+                Some(printed) => printed,
+                None => self.marker(place).map(Marker::key),
+            }
+        });
+        printed.as_ref().map_err(Clone::clone)
+    }
+
+    /// The least distance of a named mistake of a part from its key, in tolerances; `None` without such a mistake.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::marker`].
+    pub fn clearance(&self, place: usize) -> Result<Option<f64>, Absent> {
+        let answer = &self.template().parts[place].answer;
+        match answer.printed(&self.context(place)) {
+            Some(printed) => printed.map(|_| None),
+            None => Ok(self.marker(place)?.clearance()),
+        }
     }
 
     /// The order in which the options of a part are printed, as places in the file.
@@ -157,19 +176,24 @@ impl<'t> Solution<'t> {
     }
 
     fn prepare(&self, place: usize) -> Result<Box<dyn Marker>, Absent> {
+        self.template().parts[place]
+            .answer
+            .prepare(&self.context(place))
+    }
+
+    fn context(&self, place: usize) -> Context<'_> {
         let part = &self.template().parts[place];
         let mistakes = part.mistakes.iter().enumerate();
         let mistakes = mistakes
             .filter_map(|(number, mistake)| self.mistaken(part, number, mistake))
             .collect();
-        let context = Context {
+        Context {
             evaluation: &self.evaluation,
             mistakes,
             standing: self.standing.clone(),
             order: self.order(place),
             mark: self.mark,
-        };
-        part.answer.prepare(&context)
+        }
     }
 
     /// What a mistake gives for these data, if it is one for them.

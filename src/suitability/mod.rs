@@ -39,15 +39,12 @@ pub const CLEARANCE: f64 = 3.0;
 pub fn judge(solution: &Solution<'_>, parts: &[usize]) -> Result<(), Unfit> {
     for place in parts.iter().filter(|place| solution.asks(**place)) {
         let part = || solution.template().parts[*place].id.clone();
-        let marker = solution.marker(*place);
-        let marker = marker.map_err(|absent| Unfit::NoKey {
+        let clearance = solution.clearance(*place);
+        let clearance = clearance.map_err(|absent| Unfit::NoKey {
             part: part(),
             reason: absent.to_string(),
         })?;
-        if let Some(tolerances) = marker
-            .clearance()
-            .filter(|clearance| *clearance < CLEARANCE)
-        {
+        if let Some(tolerances) = clearance.filter(|clearance| *clearance < CLEARANCE) {
             return Err(Unfit::NearMistake {
                 part: part(),
                 tolerances,

@@ -6,8 +6,7 @@ use super::points::Choice;
 use super::rows::Rows;
 use super::{Arc, Setup, told, written};
 use crate::answer::{
-    Beside, Credit, Equations, Feedback, Key, KeyValue, Marker, Marking, Nature, Reading, Reason,
-    Trial,
+    Beside, Credit, Equations, Feedback, Key, Marker, Marking, Nature, Reading, Reason, Trial,
 };
 use crate::expr::{Equation, Program};
 use crate::numerics::Rational;
@@ -157,17 +156,7 @@ impl Marker for Prepared {
     }
 
     fn key(&self) -> Key {
-        let setup = &self.setup;
-        let math = setup.typeset(&setup.key);
-        let latex = math.latex();
-        Key {
-            math,
-            accepted: None,
-            value: KeyValue::Formula {
-                text: written(&setup.key),
-                latex,
-            },
-        }
+        self.setup.printed()
     }
 
     fn mark(&self, response: &str) -> Marking {

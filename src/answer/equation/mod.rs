@@ -24,12 +24,14 @@ mod terms;
 mod told;
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use self::marker::Prepared;
 use super::meaning::{Meaning, Prefer, lexicon};
 use super::typed::Lexicon;
-use super::{Answer, AnswerError, AnswerKind, Context, Declare, Marker, Role, symbolic};
+use super::{
+    Answer, AnswerError, AnswerKind, Context, Declare, Key, KeyValue, Marker, Role, symbolic,
+};
 use crate::expr::{Equation, Expr, Name, Program};
 use crate::quantity::{Absent, NodeId};
 use crate::source::{Table, Text, Value};
@@ -49,6 +51,8 @@ struct Setup {
     unknowns: Vec<Name>,
     meaning: Meaning,
     lexicon: Lexicon,
+    /// As it is printed, once it was.
+    printed: OnceLock<Key>,
 }
 
 impl AnswerKind for Kind {
@@ -100,6 +104,7 @@ impl AnswerKind for Kind {
                 unknowns: names,
                 meaning,
                 lexicon,
+                printed: OnceLock::new(),
             }),
             mistakes: Vec::new(),
         }))
@@ -179,6 +184,10 @@ impl Answer for Asked {
         Some(Vec::new())
     }
 
+    fn printed(&self, _context: &Context<'_>) -> Option<Result<Key, Absent>> {
+        Some(Ok(self.setup.printed()))
+    }
+
     fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
         let setup = &self.setup;
         let graph = context.evaluation.graph();
@@ -215,6 +224,21 @@ impl Answer for Asked {
 }
 
 impl Setup {
+    /// The key as it is printed: the same for all data.
+    fn printed(&self) -> Key {
+        let print = || {
+            let math = self.typeset(&self.key);
+            let latex = math.latex();
+            let text = written(&self.key);
+            Key {
+                math,
+                accepted: None,
+                value: KeyValue::Formula { text, latex },
+            }
+        };
+        self.printed.get_or_init(print).clone()
+    }
+
     fn compile(
         &self,
         equations: &[Equation],

@@ -6,9 +6,7 @@ use std::sync::Arc;
 use super::{Setup, explained, in_words};
 use crate::answer::equality::{Comparable, Comparison, Points};
 use crate::answer::typed::{self, Manner, Trouble, Typed};
-use crate::answer::{
-    Credit, Feedback, Key, KeyValue, Marker, Marking, Nature, Reading, Reason, Trial,
-};
+use crate::answer::{Credit, Feedback, Key, Marker, Marking, Nature, Reading, Reason, Trial};
 use crate::expr::{Expr, Field};
 use crate::unit::{DecimalMark, Dimension};
 
@@ -152,16 +150,7 @@ impl Marker for Prepared {
     }
 
     fn key(&self) -> Key {
-        let math = self.setup.shown.typeset(&self.setup.lexicon);
-        let latex = math.latex();
-        Key {
-            math,
-            accepted: None,
-            value: KeyValue::Formula {
-                text: self.setup.shown.to_string(),
-                latex,
-            },
-        }
+        self.setup.printed()
     }
 
     fn mark(&self, response: &str) -> Marking {

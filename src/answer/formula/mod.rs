@@ -17,13 +17,13 @@
 mod marker;
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use self::marker::{Mistake, Prepared};
 use super::equality::{Comparable, Points};
 use super::meaning::{Meaning, Prefer, lexicon};
 use super::typed::Lexicon;
-use super::{Answer, AnswerError, AnswerKind, Context, Declare, Marker, symbolic};
+use super::{Answer, AnswerError, AnswerKind, Context, Declare, Key, KeyValue, Marker, symbolic};
 use crate::expr::{CheckError, Expr, Field, Joint, Name, Shape, Type};
 use crate::quantity::{Absent, NodeId};
 use crate::source::Table;
@@ -48,6 +48,25 @@ struct Setup {
     unit: Option<Unit>,
     meaning: Meaning,
     lexicon: Lexicon,
+    /// As it is printed, once it was.
+    printed: OnceLock<Key>,
+}
+
+impl Setup {
+    /// The key as it is printed: the same for all data.
+    fn printed(&self) -> Key {
+        let print = || {
+            let math = self.shown.typeset(&self.lexicon);
+            let latex = math.latex();
+            let text = self.shown.to_string();
+            Key {
+                math,
+                accepted: None,
+                value: KeyValue::Formula { text, latex },
+            }
+        };
+        self.printed.get_or_init(print).clone()
+    }
 }
 
 impl AnswerKind for Kind {
@@ -111,6 +130,7 @@ impl AnswerKind for Kind {
                 unit,
                 meaning,
                 lexicon,
+                printed: OnceLock::new(),
             };
             Box::new(Formula {
                 key,
@@ -131,6 +151,11 @@ impl Answer for Formula {
 
     fn keeps_mistakes(&self) -> bool {
         true
+    }
+
+    fn printed(&self, context: &Context<'_>) -> Option<Result<Key, Absent>> {
+        let exists = context.evaluation.exists_for(self.key);
+        Some(exists.map(|()| self.setup.printed()))
     }
 
     fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
