@@ -4,7 +4,7 @@ use super::{Failure, Outcome};
 
 /// Print a JSON schema, for editors that check and complete while a file is written.
 ///
-/// Example: vibank schema blueprint > blueprint.schema.json
+/// Example: vibank schema item > item.schema.json
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
     /// Of which files.
@@ -13,6 +13,8 @@ pub(crate) struct Arguments {
 
 #[derive(Clone, Copy, clap::ValueEnum)]
 enum Name {
+    /// Items of a bank.
+    Item,
     /// Blueprints of sheets.
     Blueprint,
 }
@@ -20,6 +22,7 @@ enum Name {
 impl Name {
     fn schema(self) -> &'static str {
         match self {
+            Self::Item => include_str!("../../templates/schema/item.json"),
             Self::Blueprint => include_str!("../../templates/schema/blueprint.json"),
         }
     }

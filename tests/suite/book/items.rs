@@ -20,7 +20,7 @@ pub(super) fn math(latex: &str) -> String {
     format!("<div>{}</div>", math.mathml(Display::Block))
 }
 
-fn find(id: &str) -> &'static Template {
+pub(super) fn find(id: &str) -> &'static Template {
     BANK.find(id)
         .unwrap_or_else(|| panic!("there is no item `{id}`"))
 }
@@ -33,7 +33,7 @@ fn texts(shown: &[Shown<'_>]) -> String {
 }
 
 /// HTML stays one block of Markdown while it has no empty line.
-fn block(html: &str) -> String {
+pub(super) fn block(html: &str) -> String {
     let lines = html
         .lines()
         .map(str::trim_end)
@@ -46,6 +46,11 @@ fn shown(solution: &Solution<'_>) -> String {
     let template = solution.template();
     let scene = Scene::of(solution, Data::Both);
     let mut out = texts(&scene.passage(&template.statement));
+    if !template.statement.places_figure()
+        && let Some(picture) = scene.picture()
+    {
+        let _ = writeln!(out, "<figure>\n{}\n</figure>", picture.svg);
+    }
     let mut worked = texts(&scene.passage(&template.solution));
     out.push_str("<ol type=\"a\">\n");
     let asked = (0..template.parts.len()).filter(|place| solution.asks(*place));

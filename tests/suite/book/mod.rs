@@ -1,12 +1,16 @@
 //! The generated parts of the book, held against the program.
 //!
 //! A part stands between `<!-- generated: DIRECTIVE -->` and `<!-- end -->`. The test makes each anew and
-//! compares; `UPDATE_BOOK=1 cargo test --test suite book` writes what has changed.
+//! compares; `UPDATE_BOOK=1 cargo test --test suite book` writes what has changed. On the pages of the course
+//! it also typesets what stands between dollar signs.
 
 mod authors;
 mod items;
 mod links;
+mod pictures;
 mod reference;
+mod schemas;
+mod snippets;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -53,7 +57,34 @@ fn anew(page: &Path, text: &str) -> String {
         out.push_str(END);
         rest = behind;
     }
-    out + rest
+    out.push_str(rest);
+    if has_formulas(page) {
+        typeset(&out)
+    } else {
+        out
+    }
+}
+
+/// Whether dollar signs on the page stand around formulas.
+fn has_formulas(page: &Path) -> bool {
+    page.starts_with("book/src/course") || page.ends_with("trust/tolerances.md")
+}
+
+/// Typesets the formulas in the lines that are neither made nor code.
+fn typeset(text: &str) -> String {
+    let (mut is_made, mut is_code) = (false, false);
+    let mut out = String::with_capacity(text.len());
+    for line in text.split_inclusive('\n') {
+        is_made |= line.starts_with(BEGIN.trim_start());
+        is_code ^= line.starts_with("```");
+        if is_made || is_code {
+            out.push_str(line);
+        } else {
+            out.push_str(&pictures::typeset(line));
+        }
+        is_made &= !line.starts_with(END);
+    }
+    out
 }
 
 /// What a directive stands for.
@@ -63,13 +94,16 @@ fn made(directive: &str) -> String {
         "math" => items::math(argument),
         "item" => items::worked(argument),
         "items" => items::chapter(argument),
+        "plot" => pictures::plot(argument),
+        "figure" => pictures::figure(argument),
+        "source" => pictures::source(argument),
+        "schema" => schemas::table(argument),
         "run" => reference::run(argument),
         "commands" => reference::commands(),
         "units" => reference::units(),
-        "functions" => reference::functions(),
         "codes" => reference::codes(),
-        "model-quantities" => reference::model_quantities(),
         "answer-kinds" => reference::answer_kinds(),
+        "elements" => reference::elements(),
         _ => panic!("there is no directive `{verb}`"),
     }
 }

@@ -1,7 +1,10 @@
 //! Reference tables made from the program's own lists.
 
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
-use std::process::Command;
+use std::fs;
+use std::io::Write as _;
+use std::process::{Command, Stdio};
 
 use vibank::answer::KINDS;
 use vibank::diagnostic::codes::PAGES;
@@ -9,14 +12,20 @@ use vibank::expr::Function;
 use vibank::mechanics::Model;
 use vibank::unit::Unit;
 
-/// What the program prints to standard output.
-fn printed(arguments: &[&str]) -> String {
-    let output = Command::new(env!("CARGO_BIN_EXE_vibank"))
+/// What the program prints to standard output, given these lines to read.
+fn printed(arguments: &[&str], typed: &str) -> String {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_vibank"))
         .args(arguments)
         .env("NO_COLOR", "1")
         .env("COLUMNS", "100")
-        .output()
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
         .unwrap();
+    // A command that reads nothing may have ended before it is told anything.
+    let _ = child.stdin.take().unwrap().write_all(typed.as_bytes());
+    let output = child.wait_with_output().unwrap();
     let text = String::from_utf8(output.stdout).unwrap();
     let lines = text.lines().map(str::trim_end);
     lines.collect::<Vec<_>>().join("\n")
@@ -26,15 +35,26 @@ fn console(text: &str) -> String {
     format!("```console\n{}\n```", text.trim_end())
 }
 
-/// A command with what it prints.
+/// A command with what it prints: `vibank list --topic "beats"`, and behind `<<<` what is typed,
+/// between bars.
 pub(super) fn run(command: &str) -> String {
-    let words: Vec<&str> = command.split_whitespace().skip(1).collect();
-    console(&format!("$ {command}\n{}", printed(&words)))
+    let (command, typed) = command.split_once(" <<< ").unwrap_or((command, ""));
+    let typed: String = typed.split(" | ").map(|line| format!("{line}\n")).collect();
+    // What stands between quotes is one word.
+    let pieces = command.split('"').enumerate();
+    let words: Vec<&str> = pieces
+        .flat_map(|(place, piece)| match place % 2 {
+            0 => piece.split_whitespace().collect(),
+            _ => vec![piece],
+        })
+        .skip(1)
+        .collect();
+    console(&format!("$ {command}\n{}", printed(&words, &typed)))
 }
 
 /// The help of each command.
 pub(super) fn commands() -> String {
-    let help = printed(&["--help"]);
+    let help = printed(&["--help"], "");
     let verbs = help
         .lines()
         .skip_while(|line| !line.starts_with("Commands:"))
@@ -49,7 +69,7 @@ pub(super) fn commands() -> String {
         let _ = writeln!(
             out,
             "## {verb}\n\n{}\n",
-            console(&printed(&[verb, "--help"]))
+            console(&printed(&[verb, "--help"], ""))
         );
     }
     out
@@ -77,22 +97,6 @@ pub(super) fn units() -> String {
     out
 }
 
-/// The functions of the formula language.
-pub(super) fn functions() -> String {
-    let mut out =
-        String::from("| function | arguments | of complex numbers |\n| --- | --- | --- |\n");
-    for function in Function::all() {
-        let arguments = match function.arity() {
-            (least, most) if least == most => least.to_string(),
-            (least, most) if most > 99 => format!("{least} or more"),
-            (least, most) => format!("{least} to {most}"),
-        };
-        let complex = if function.is_real_only() { "" } else { "yes" };
-        let _ = writeln!(out, "| `{}` | {arguments} | {complex} |", function.name());
-    }
-    out
-}
-
 /// The codes of findings with their pages.
 pub(super) fn codes() -> String {
     let mut out = String::new();
@@ -108,17 +112,82 @@ pub(super) fn codes() -> String {
     out
 }
 
-/// The quantities that a model offers.
-pub(super) fn model_quantities() -> String {
-    let names = Model::quantity_names().map(|name| format!("`{name}`"));
-    names.collect::<Vec<_>>().join(" ")
-}
-
-/// The kinds of answers.
+/// The kinds of answers: what their files say of themselves, which begins with their names.
 pub(super) fn answer_kinds() -> String {
-    let mut out = String::from("| kind | minutes if the item states none |\n| --- | --- |\n");
+    let mut out = String::new();
     for kind in KINDS {
-        let _ = writeln!(out, "| `{}` | {} |", kind.name(), kind.minutes());
+        let file = kind.name().replace('-', "_");
+        let source = fs::read_to_string(format!("src/answer/{file}.rs"))
+            .or_else(|_| fs::read_to_string(format!("src/answer/{file}/mod.rs")));
+        let source = source.unwrap_or_else(|_| panic!("`{file}` has a file"));
+        let lines = source.lines().map_while(|line| line.strip_prefix("//!"));
+        let lines: Vec<&str> = lines
+            .map(|line| line.strip_prefix(' ').unwrap_or(line))
+            .collect();
+        let text = lines.join("\n");
+        let (title, text) = text.split_once('\n').expect("a title and a text");
+        let title = title.trim_end_matches('.');
+        let minutes = kind.minutes();
+        let (text, example) = text.trim().split_once("```toml").expect("an example");
+        let _ = writeln!(
+            out,
+            "## {title}\n\n{}\n\nIt counts {minutes} minutes if the item states no time.\n\n```toml{example}\n",
+            text.trim_end()
+        );
     }
     out
+}
+
+/// The kinds of elements of figures, with what their first key holds and their own keys.
+pub(super) fn elements() -> String {
+    let mut out = String::from("| kind | its first key holds | own keys |\n| --- | --- | --- |\n");
+    for kind in vibank::figure::element::KINDS {
+        let name = kind.name();
+        let keys = kind.keys().iter().map(|key| format!("`{}`", key.name));
+        let _ = writeln!(
+            out,
+            "| [`{name}`](figure-elements.md#{name}) | {} | {} |",
+            kind.takes().describe(),
+            keys.collect::<Vec<_>>().join(" ")
+        );
+    }
+    out
+}
+
+/// The names in code that stand in the first column, or behind the first, of the table under a heading.
+fn listed(heading: &str) -> BTreeSet<String> {
+    let page = include_str!("../../../book/src/reference/item-file.md");
+    let (_, text) = page
+        .split_once(heading)
+        .unwrap_or_else(|| panic!("the page has `{heading}`"));
+    let rows = text
+        .lines()
+        .skip_while(|line| !line.starts_with('|'))
+        .take_while(|line| line.starts_with('|'));
+    let names = rows.flat_map(|row| {
+        let words = row.split('`').skip(1).step_by(2);
+        words.flat_map(|words| words.split_whitespace().map(str::to_owned).collect::<Vec<_>>())
+    });
+    let bare = names.map(|name| {
+        let end = name.find(['(', '*']).unwrap_or(name.len());
+        name[..end].to_owned()
+    });
+    bare.filter(|name| name.starts_with(|letter: char| letter.is_ascii_alphabetic()))
+        .collect()
+}
+
+#[test]
+fn the_table_of_models_has_all_quantities_and_no_other() {
+    let known: BTreeSet<String> = Model::quantity_names().map(str::to_owned).collect();
+    assert_eq!(listed("A model offers these quantities"), known);
+}
+
+#[test]
+fn the_table_of_functions_has_all_functions() {
+    let listed = listed("Functions by what they take");
+    let missing: Vec<&str> = Function::all()
+        .map(Function::name)
+        .filter(|name| !listed.contains(*name))
+        .collect();
+    assert!(missing.is_empty(), "{missing:?}");
 }
