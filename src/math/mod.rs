@@ -38,6 +38,7 @@ mod script;
 mod sign;
 mod spoken;
 mod symbol;
+mod terms;
 mod typst;
 
 pub(crate) use atom::Atom;

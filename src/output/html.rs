@@ -11,6 +11,9 @@ use crate::scene::Shown;
 /// The format.
 pub(super) struct Html;
 
+/// Letters of a formula that surely fit in a line.
+const LONG: usize = 48;
+
 impl Writer for Html {
     fn name(&self) -> &'static str {
         "html"
@@ -34,8 +37,14 @@ impl Writer for Html {
         out
     }
 
+    /// A long sum may go on in the next line, which browsers do not do by themselves.
     fn math(&self, math: &Math) -> String {
-        math.mathml(Display::Inline)
+        if math.plain().chars().count() < LONG {
+            return math.mathml(Display::Inline);
+        }
+        let terms = math.terms();
+        let terms = terms.iter().map(|term| term.mathml(Display::Inline));
+        terms.collect::<Vec<_>>().join("<wbr>")
     }
 
     fn texts(&self, shown: &[Shown<'_>]) -> String {

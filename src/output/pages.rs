@@ -370,8 +370,8 @@ impl Pages {
                     .push(format!("{}{}", question.number, letter(position)));
                 let (cell, width) = match question.solution.key(*place) {
                     Ok(key) => {
-                        let math = scene.key(*place).unwrap_or_else(|| key.math.clone());
-                        (self.writer.math(&math), math.plain().chars().count())
+                        let math = scene.key(*place).unwrap_or(&key.math);
+                        (self.writer.math(math), math.plain().chars().count())
                     }
                     Err(_) => (self.writer.words("–"), 1),
                 };

@@ -222,8 +222,8 @@ impl<'p> View<'p> {
             }
             Kind::Key | Kind::Solutions => match solution.key(place) {
                 Ok(key) => {
-                    let shown = scene.key(place).unwrap_or_else(|| key.math.clone());
-                    view.key = self.writer.math(&shown);
+                    let shown = scene.key(place).unwrap_or(&key.math);
+                    view.key = self.writer.math(shown);
                     let accepted = key.accepted.as_ref().filter(|_| self.kind == Kind::Key);
                     view.accepted = accepted
                         .map(|range| format!("accepted: {}", self.writer.math(range)))

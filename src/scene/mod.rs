@@ -87,9 +87,12 @@ impl<'s, 't> Scene<'s, 't> {
 
     /// How the key of a part is shown where its general form is not what one looks for: a function
     /// of time with the numbers of this instance. One that no line can hold is left to the solution.
-    pub fn key(&self, place: usize) -> Option<Math> {
-        let template = self.solution.template();
-        let answer = &template.parts.get(place)?.answer;
+    pub fn key(&self, place: usize) -> Option<&'s Math> {
+        self.solution.written(place, || self.write_key(place))
+    }
+
+    fn write_key(&self, place: usize) -> Option<Math> {
+        let answer = &self.solution.template().parts[place].answer;
         let keys = answer.keys();
         if answer.kind().name() != "function" || keys.len() != 1 {
             return None;

@@ -13,6 +13,7 @@ use crate::answer::{Context, Key, Marker, Mistaken};
 use crate::bank::{Mistake, MistakeAnswer, Part, Template};
 use crate::expr::{Expr, Name, Value};
 use crate::instance::Instance;
+use crate::math::Math;
 use crate::quantity::{Absent, Evaluation, NodeId, Trace};
 use crate::seed::Streams;
 use crate::unit::DecimalMark;
@@ -24,13 +25,15 @@ pub struct Solution<'t> {
     markers: Vec<OnceCell<Result<Box<dyn Marker>, Absent>>>,
     /// The keys as they are printed, on several pages of one sheet.
     printed: Vec<OnceCell<Result<Key, Absent>>>,
+    /// The keys that a scene writes in its own way.
+    written: Vec<OnceCell<Option<Math>>>,
     standing: BTreeMap<Name, Expr>,
     mark: DecimalMark,
     is_drawn: Cell<bool>,
 }
 
-/// A place for the marker of each part.
-fn unprepared(template: &Template) -> Vec<OnceCell<Result<Box<dyn Marker>, Absent>>> {
+/// An empty cell for each part.
+fn cells<T>(template: &Template) -> Vec<OnceCell<T>> {
     template.parts.iter().map(|_| OnceCell::new()).collect()
 }
 
@@ -43,12 +46,13 @@ impl<'t> Solution<'t> {
     /// The solution of an instance on a sheet with this decimal sign.
     pub fn with_mark(instance: Instance<'t>, mark: DecimalMark) -> Self {
         let evaluation = instance.evaluation();
-        let count = instance.template().parts.len();
+        let template = instance.template();
         Self {
-            markers: unprepared(instance.template()),
+            markers: cells(template),
+            printed: cells(template),
+            written: cells(template),
             instance,
             evaluation,
-            printed: std::iter::repeat_with(OnceCell::new).take(count).collect(),
             standing: BTreeMap::new(),
             mark,
             is_drawn: Cell::new(false),
@@ -60,10 +64,11 @@ impl<'t> Solution<'t> {
     #[must_use]
     pub fn following(&self, values: Vec<(NodeId, Value)>, formulas: BTreeMap<Name, Expr>) -> Self {
         Self {
-            markers: unprepared(self.template()),
+            markers: cells(self.template()),
+            printed: cells(self.template()),
+            written: cells(self.template()),
             instance: self.instance.clone(),
             evaluation: self.evaluation.replacing(values),
-            printed: self.printed.iter().map(|_| OnceCell::new()).collect(),
             standing: formulas,
             mark: self.mark,
             is_drawn: Cell::new(false),
@@ -129,6 +134,15 @@ impl<'t> Solution<'t> {
             }
         });
         printed.as_ref().map_err(Clone::clone)
+    }
+
+    /// The key of a part as a scene writes it, which it does once.
+    pub(crate) fn written(
+        &self,
+        place: usize,
+        write: impl FnOnce() -> Option<Math>,
+    ) -> Option<&Math> {
+        self.written[place].get_or_init(write).as_ref()
     }
 
     /// The least distance of a named mistake of a part from its key, in tolerances; `None` without such a mistake.

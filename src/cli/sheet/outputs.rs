@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use vibank::output::{self, KeyRow, KeyTable, Kind, Pages, Run};
 use vibank::worksheet::{Fairness, Plan, Sheet};
@@ -167,19 +167,25 @@ impl Laid {
     }
 
     /// Writes a figure that is a file of its own, once: its name says what is in it. Its digest is told.
+    ///
+    /// Nothing is held while it is drawn: what draws hands work to the same threads, and they may come here again.
     fn place(&self, name: &str, svg: &str, out: &Path) -> Result<String, Failure> {
-        let mut placed = self
-            .pictures
-            .lock()
-            .unwrap_or_else(std::sync::PoisonError::into_inner);
-        if let Some(digest) = placed.get(name) {
+        if let Some(digest) = self.placed().get(name) {
             return Ok(digest.clone());
         }
         let bytes = self.pages.writer().picture(svg).map_err(unfilled)?;
+        let mut placed = self.placed();
+        if let Some(digest) = placed.get(name) {
+            return Ok(digest.clone());
+        }
         files::write(&out.join(name), &bytes)?;
         let digest = files::digest(&bytes);
         placed.insert(name.to_owned(), digest.clone());
         Ok(digest)
+    }
+
+    fn placed(&self) -> MutexGuard<'_, BTreeMap<String, String>> {
+        self.pictures.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 

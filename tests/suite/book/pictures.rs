@@ -100,7 +100,12 @@ pub(super) fn typeset(line: &str) -> String {
     pieces.collect()
 }
 
-const SIGNS: [(&str, &str); 4] = [("&", "&amp;"), ("<", "&lt;"), (">", "&gt;"), ("\"", "&quot;")];
+const SIGNS: [(&str, &str); 4] = [
+    ("&", "&amp;"),
+    ("<", "&lt;"),
+    (">", "&gt;"),
+    ("\"", "&quot;"),
+];
 
 fn kept(latex: &str) -> String {
     let signs = SIGNS.iter();

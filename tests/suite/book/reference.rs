@@ -166,7 +166,12 @@ fn listed(heading: &str) -> BTreeSet<String> {
         .take_while(|line| line.starts_with('|'));
     let names = rows.flat_map(|row| {
         let words = row.split('`').skip(1).step_by(2);
-        words.flat_map(|words| words.split_whitespace().map(str::to_owned).collect::<Vec<_>>())
+        words.flat_map(|words| {
+            words
+                .split_whitespace()
+                .map(str::to_owned)
+                .collect::<Vec<_>>()
+        })
     });
     let bare = names.map(|name| {
         let end = name.find(['(', '*']).unwrap_or(name.len());

@@ -29,14 +29,19 @@ pub(super) fn table(argument: &str) -> String {
     let mut out = String::from("| key | value | meaning |\n| --- | --- | --- |\n");
     for (key, value) in table["properties"].as_object().expect("it has keys") {
         let is_required = required.contains(key.as_str());
-        let default = value.get("default").map(|value| format!(", {}", word(value)));
+        let default = value
+            .get("default")
+            .map(|value| format!(", {}", word(value)));
         let _ = writeln!(
             out,
             "| `{key}`{} | {}{} | {} |",
             if is_required { " **!**" } else { "" },
             described(value),
             default.unwrap_or_default(),
-            value["description"].as_str().unwrap_or_default().replace('|', "\\|")
+            value["description"]
+                .as_str()
+                .unwrap_or_default()
+                .replace('|', "\\|")
         );
     }
     out
@@ -202,23 +207,50 @@ expect = { w = "1 rad/s" }
 const PLACES: [(&str, &str); 22] = [
     ("top", ""),
     ("item", "/properties/item"),
-    ("parameter", "/properties/parameters/additionalProperties/anyOf/1"),
+    (
+        "parameter",
+        "/properties/parameters/additionalProperties/anyOf/1",
+    ),
     ("symbol", "/properties/symbols/additionalProperties/anyOf/1"),
-    ("coordinate", "/properties/model/properties/coordinates/additionalProperties"),
-    ("friction", "/properties/model/properties/friction/additionalProperties/anyOf/1"),
+    (
+        "coordinate",
+        "/properties/model/properties/coordinates/additionalProperties",
+    ),
+    (
+        "friction",
+        "/properties/model/properties/friction/additionalProperties/anyOf/1",
+    ),
     ("model", "/properties/model"),
     ("models", "/properties/models/additionalProperties"),
-    ("quantity", "/properties/quantities/additionalProperties/anyOf/1"),
+    (
+        "quantity",
+        "/properties/quantities/additionalProperties/anyOf/1",
+    ),
     ("statement", "/properties/statement"),
     ("solution", "/properties/solution"),
     ("figure", "/properties/figure"),
-    ("abscissa", "/properties/plots/additionalProperties/properties/x"),
-    ("ordinate", "/properties/plots/additionalProperties/properties/y"),
-    ("curve", "/properties/plots/additionalProperties/properties/curves/items"),
-    ("mark", "/properties/plots/additionalProperties/properties/marks/items"),
+    (
+        "abscissa",
+        "/properties/plots/additionalProperties/properties/x",
+    ),
+    (
+        "ordinate",
+        "/properties/plots/additionalProperties/properties/y",
+    ),
+    (
+        "curve",
+        "/properties/plots/additionalProperties/properties/curves/items",
+    ),
+    (
+        "mark",
+        "/properties/plots/additionalProperties/properties/marks/items",
+    ),
     ("curves", "/properties/plots/additionalProperties"),
     ("shapes", "/properties/plots/additionalProperties"),
-    ("mistake", "/properties/part/items/properties/mistakes/items"),
+    (
+        "mistake",
+        "/properties/part/items/properties/mistakes/items",
+    ),
     ("option", "/properties/part/items/properties/options/items"),
     ("check", "/properties/check/items"),
     ("numeric", "/properties/part/items"),
@@ -227,9 +259,14 @@ const PLACES: [(&str, &str); 22] = [
 /// The keys that the reader knows at a place of the specimen, as its finding lists them.
 fn read_at(place: &str) -> BTreeSet<String> {
     let pieces: Vec<&str> = SPECIMEN.split('@').collect();
-    assert!(pieces.iter().skip(1).step_by(2).any(|name| *name == place), "{place}");
+    assert!(
+        pieces.iter().skip(1).step_by(2).any(|name| *name == place),
+        "{place}"
+    );
     let marked = pieces.iter().enumerate().map(|(number, piece)| {
-        let is_within = pieces.get(number + 1).is_some_and(|next| next.starts_with(" }"));
+        let is_within = pieces
+            .get(number + 1)
+            .is_some_and(|next| next.starts_with(" }"));
         match (number % 2, *piece == place) {
             (0, _) => piece,
             (_, false) => "",
@@ -295,7 +332,9 @@ fn the_schema_says_which_kinds_of_answers_a_key_is_for() {
             continue;
         }
         let words = part["properties"][&key]["description"].as_str().unwrap();
-        let named = kinds.iter().filter(|kind| words.contains(&format!("`{kind}`")));
+        let named = kinds
+            .iter()
+            .filter(|kind| words.contains(&format!("`{kind}`")));
         assert_eq!(named.copied().collect::<BTreeSet<_>>(), knowing, "{key}");
     }
 }
@@ -346,24 +385,37 @@ fn fits(root: &Value, schema: &Value, value: &Value) -> Result<(), String> {
             }
         }
         for (key, field) in fields {
-            match (schema["properties"].get(key), &schema["additionalProperties"]) {
-                (Some(own), _) => fits(root, own, field).map_err(|fault| format!("{key}: {fault}"))?,
+            match (
+                schema["properties"].get(key),
+                &schema["additionalProperties"],
+            ) {
+                (Some(own), _) => {
+                    fits(root, own, field).map_err(|fault| format!("{key}: {fault}"))?
+                }
                 (None, Value::Bool(false)) => return Err(format!("`{key}` is unknown")),
-                (None, other) => fits(root, other, field).map_err(|fault| format!("{key}: {fault}"))?,
+                (None, other) => {
+                    fits(root, other, field).map_err(|fault| format!("{key}: {fault}"))?
+                }
             }
         }
     }
     if let (Some(items), Some(list)) = (schema.get("items"), value.as_array()) {
         list.iter().try_for_each(|item| fits(root, items, item))?;
         let count = list.len() as u64;
-        if schema["minItems"].as_u64().is_some_and(|least| count < least)
+        if schema["minItems"]
+            .as_u64()
+            .is_some_and(|least| count < least)
             || schema["maxItems"].as_u64().is_some_and(|most| count > most)
         {
             return Err(format!("{count} items"));
         }
     }
     if let Some(condition) = schema.get("if") {
-        let branch = if fits(root, condition, value).is_ok() { "then" } else { "else" };
+        let branch = if fits(root, condition, value).is_ok() {
+            "then"
+        } else {
+            "else"
+        };
         if let Some(branch) = schema.get(branch) {
             fits(root, branch, value)?;
         }
@@ -387,9 +439,18 @@ fn the_items_of_the_bank_fit_their_schema_and_broken_ones_do_not() {
         assert_eq!(fit(text), Ok(()), "{path}");
     }
     assert!(count > 100, "{count} items");
-    assert_eq!(fit(include_str!("../../../templates/new/item.toml")), Ok(()));
+    assert_eq!(
+        fit(include_str!("../../../templates/new/item.toml")),
+        Ok(())
+    );
     assert_eq!(fit(include_str!("../../fixtures/kinds/item.toml")), Ok(()));
-    for broken in ["unknown-key", "missing-key", "wrong-kind", "allow", "answer-kind"] {
+    for broken in [
+        "unknown-key",
+        "missing-key",
+        "wrong-kind",
+        "allow",
+        "answer-kind",
+    ] {
         let text = std::fs::read_to_string(format!("tests/fixtures/invalid/bank-{broken}.toml"));
         assert!(fit(&text.unwrap()).is_err(), "{broken}");
     }

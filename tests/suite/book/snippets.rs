@@ -85,7 +85,10 @@ fn workplace() -> &'static Path {
         put(place.join("examples/midterm.toml"), &midterm);
         put(place.join("midterm.toml"), &midterm);
         put(place.join("exam.key"), "sixteen bytes are the least\n");
-        put(place.join("class.csv"), "id,name,seat\n1042,Ada,A1\n1043,Émilie,A2\n");
+        put(
+            place.join("class.csv"),
+            "id,name,seat\n1042,Ada,A1\n1043,Émilie,A2\n",
+        );
         put(
             place.join("exam.toml"),
             &first_toml("book/src/teachers/first-exam.md").replace("= 30", "= 2"),
@@ -116,7 +119,10 @@ fn run(place: &Path, line: &str) -> Result<String, String> {
     let output = Command::new("sh")
         .args(["-c", &line.replace("cargo run --release -- ", "vibank ")])
         .current_dir(place)
-        .env("PATH", format!("{}:{path}", program.parent().unwrap().display()))
+        .env(
+            "PATH",
+            format!("{}:{path}", program.parent().unwrap().display()),
+        )
         .env("NO_COLOR", "1")
         .output()
         .map_err(|error| error.to_string())?;
@@ -130,12 +136,17 @@ fn run(place: &Path, line: &str) -> Result<String, String> {
 /// The codes of the midterm, in place of those that the book shows.
 fn with_codes_of_today(text: &str) -> String {
     let manifest = fs::read_to_string(workplace().join("midterm/manifest.json")).unwrap();
-    let mut fresh = manifest.split("\"code\":\"").skip(1).map(|rest| &rest[..11]);
+    let mut fresh = manifest
+        .split("\"code\":\"")
+        .skip(1)
+        .map(|rest| &rest[..11]);
     let is_code = |word: &str| {
         word.len() == 11
             && word.split('-').count() == 3
             && word.split('-').all(|piece| piece.len() == 3)
-            && word.bytes().all(|byte| byte == b'-' || byte.is_ascii_uppercase() || byte.is_ascii_digit())
+            && word
+                .bytes()
+                .all(|byte| byte == b'-' || byte.is_ascii_uppercase() || byte.is_ascii_digit())
     };
     let mut known: BTreeMap<&str, &str> = BTreeMap::new();
     for word in text.split(|letter: char| !(letter.is_ascii_alphanumeric() || letter == '-')) {
@@ -178,7 +189,10 @@ fn the_commands_of_the_book_run() {
         }
         for (command, shown) in commands(&block) {
             // The suite does not run itself.
-            if ["cargo test", ".ci/run"].iter().any(|own| command.trim_start().starts_with(own)) {
+            if ["cargo test", ".ci/run"]
+                .iter()
+                .any(|own| command.trim_start().starts_with(own))
+            {
                 continue;
             }
             match run(workplace(), &with_codes_of_today(&command)) {
@@ -313,7 +327,9 @@ fn the_items_of_the_book_load() {
         let several = ["model.general_motion", "mode-shape", "\"matrix\""];
         let mut base = SKELETON.to_owned();
         if several.iter().any(|word| example.contains(word)) {
-            base = base.replace("\n[model]", "\n[models.one]").replace("[models.two]", "[model]");
+            base = base
+                .replace("\n[model]", "\n[models.one]")
+                .replace("[models.two]", "[model]");
             base = base.replace("x = { formula = \"model.motion\", unit = \"m\" }\n", "");
         }
         for fault in errors_of(&completed(&base, example)) {
@@ -337,8 +353,16 @@ fn the_blueprints_of_the_book_are_made() {
             block.text.clone()
         } else {
             let question = "[[question]]\nitem = \"ch3/e5-log-decrement\"\n";
-            let extent = if block.text.contains("students") { "" } else { "variants = 2\n" };
-            let seed = if block.text.contains("secret") { "" } else { "seed = 1\n" };
+            let extent = if block.text.contains("students") {
+                ""
+            } else {
+                "variants = 2\n"
+            };
+            let seed = if block.text.contains("secret") {
+                ""
+            } else {
+                "seed = 1\n"
+            };
             format!("title = \"T\"\n{seed}{extent}{}{question}", block.text)
         };
         let name = format!("blueprint-{count}.toml");
@@ -360,9 +384,16 @@ fn the_forms_of_the_book_are_marked() {
         &form.unwrap_or_else(|| panic!("a form with {mark}")).text
     };
     let place = workplace();
-    put(place.join("filled.csv"), &with_codes_of_today(form("kind,unit,response")));
-    put(place.join("settled.csv"), &with_codes_of_today(form("response,points,feedback")));
-    let command = "vibank grade midterm/manifest.json filled.csv --overrides settled.csv --out marked";
+    put(
+        place.join("filled.csv"),
+        &with_codes_of_today(form("kind,unit,response")),
+    );
+    put(
+        place.join("settled.csv"),
+        &with_codes_of_today(form("response,points,feedback")),
+    );
+    let command =
+        "vibank grade midterm/manifest.json filled.csv --overrides settled.csv --out marked";
     run(place, command).unwrap();
     let details = fs::read_to_string(place.join("marked/details.csv")).unwrap();
     let verdicts = |verdict: &str| details.matches(&format!(",{verdict},")).count();
@@ -388,7 +419,10 @@ fn the_commands_of_the_workflows_run() {
             place.join("sheets/midterm.toml"),
             &format!("title = \"T\"\nseed = 1\nvariants = 3\n{questions}"),
         );
-        let lines = block.text.lines().map(|line| line.trim_start().trim_start_matches("- "));
+        let lines = block
+            .text
+            .lines()
+            .map(|line| line.trim_start().trim_start_matches("- "));
         let lines = lines.map(|line| line.strip_prefix("run: ").unwrap_or(line));
         for line in lines.filter(|line| line.starts_with("vibank ")) {
             for part in ["1", "2"] {
@@ -435,7 +469,10 @@ fn commands_within_the_text_are_those_of_the_program() {
     let mut faults = Vec::new();
     for page in pages() {
         let text = fs::read_to_string(&page).unwrap();
-        for code in text.lines().flat_map(|line| line.split('`').skip(1).step_by(2)) {
+        for code in text
+            .lines()
+            .flat_map(|line| line.split('`').skip(1).step_by(2))
+        {
             let Some(command) = code.strip_prefix("vibank ") else {
                 continue;
             };

@@ -132,6 +132,32 @@ fn the_same_input_gives_the_same_bytes_with_any_number_of_threads() {
     assert_eq!(split, made("split-again", &["--split", "--threads", "1"]));
 }
 
+/// What draws the figures of LaTeX works on the same threads as the sheets: neither waits for the other.
+#[cfg(feature = "pdf")]
+#[test]
+fn figures_of_latex_are_drawn_by_several_threads() {
+    let folder = folder("latex");
+    let plan = "title = 'T'\nseed = 1\nvariants = 8\nformats = ['tex']\nsolutions = false\n[[question]]\nitem = 'ch5/e5-coupled-pendulums-modes'\n";
+    let plan = put(&folder, "test.toml", plan);
+    let made = |name: &str, threads: &str| {
+        let out = folder.join(name);
+        vibank(&[
+            "sheet",
+            &plan,
+            "--out",
+            &text_of(&out),
+            "--threads",
+            threads,
+        ])
+        .ends(0);
+        files(&out)
+    };
+    let first = made("first", "2");
+    let figures = first.keys().filter(|name| name.starts_with("figures/"));
+    assert!(figures.count() > 1);
+    assert_eq!(first, made("second", "1"));
+}
+
 #[test]
 fn another_seed_gives_other_sheets() {
     let folder = folder("seeds");
