@@ -211,13 +211,27 @@ fn no_fills() -> Vec<crate::document::Filling> {
     Vec::new()
 }
 
-/// Words without regard to case and spacing.
+/// Words without regard to case, spacing and hyphens.
 fn normalized(text: &str) -> String {
-    text.split_whitespace()
-        .collect::<Vec<_>>()
-        .join(" ")
-        .trim_end_matches('.')
-        .to_lowercase()
+    let text = text.trim_end_matches(['.', '!', ',', ';']);
+    let is_word = |char: &char| !char.is_whitespace() && !"-‐‑_\"'“”".contains(*char);
+    text.to_lowercase().chars().filter(is_word).collect()
+}
+
+/// What stands behind words that say that an answer comes: `option b`, `answer: b`.
+fn announced(text: &str) -> &str {
+    const WORDS: &[&str] = &["the answer is", "answer is", "answer", "option", "choice"];
+    let text = text.trim();
+    let rest = WORDS.iter().find_map(|word| {
+        let rest = text
+            .get(..word.len())
+            .filter(|head| head.eq_ignore_ascii_case(word));
+        rest.map(|_| &text[word.len()..])
+    });
+    match rest {
+        Some(rest) if rest.starts_with([' ', ':', '=']) => rest.trim_start_matches([' ', ':', '=']),
+        _ => text,
+    }
 }
 
 impl Chosen {
@@ -231,6 +245,18 @@ impl Chosen {
                 .filter(|letter| letter.is_ascii_lowercase() && letters.next().is_none())?;
             self.order.get((letter as u8 - b'a') as usize).copied()
         };
+        // `a) overdamped`: letter and words have to agree.
+        let both = typed
+            .split_once([')', ':', '.'])
+            .or_else(|| typed.split_once(" - "));
+        if let Some((letter, words)) = both
+            && letter.trim_matches(['(', ' ']).len() == 1
+            && !words.trim().is_empty()
+        {
+            return self
+                .place(letter)
+                .filter(|place| self.place(words) == Some(*place));
+        }
         // A letter is that of an option as printed, unless it is an id to the letter.
         let exact = self.ids.iter().position(|id| id == typed.trim());
         exact
@@ -241,24 +267,44 @@ impl Chosen {
 
     /// All that was typed, or what of it is no option.
     fn places(&self, response: &str) -> Result<Vec<usize>, String> {
+        let response = announced(response);
+        if self.is_several && normalized(response) == "none" {
+            return Ok(Vec::new());
+        }
         if let Some(place) = self.place(response) {
             return Ok(vec![place]);
         }
         let separated = response
             .split([',', ';', '>', '\n'])
-            .flat_map(|piece| piece.split(" and "));
+            .flat_map(|piece| piece.split(" and "))
+            .flat_map(|piece| piece.split(" & "));
         let pieces: Vec<&str> = separated
             .map(str::trim)
             .filter(|piece| !piece.is_empty())
             .collect();
         let pieces = match pieces[..] {
             [one] if one.contains(' ') => one.split_whitespace().collect(),
+            // `acd`, where no option is called so.
+            [one] if self.are_letters(one) => one
+                .char_indices()
+                .map(|(at, letter)| &one[at..at + letter.len_utf8()])
+                .collect(),
             _ => pieces,
         };
         pieces
             .into_iter()
             .map(|piece| self.place(piece).ok_or_else(|| piece.to_owned()))
             .collect()
+    }
+
+    /// Whether a word is a run of printed letters, each once, where several are asked.
+    fn are_letters(&self, word: &str) -> bool {
+        let last = b'a' + (self.ids.len() - 1) as u8;
+        let mut letters = word.to_ascii_lowercase().into_bytes();
+        letters.sort_unstable();
+        (self.is_several || self.is_ranking)
+            && letters.iter().all(|letter| (b'a'..=last).contains(letter))
+            && letters.windows(2).all(|pair| pair[0] != pair[1])
     }
 
     fn letter(&self, place: usize) -> char {
@@ -289,10 +335,12 @@ impl Chosen {
     }
 
     fn mark_one(&self, places: &[usize]) -> Marking {
-        let [place] = places else {
+        let mut places = places.to_vec();
+        places.dedup();
+        let [place] = &places[..] else {
             return Marking::unreadable("One option is asked: type one letter.");
         };
-        let reading = self.reading(places);
+        let reading = self.reading(&places);
         if self.right[*place] {
             return Marking::read(reading, Credit::FULL, Reason::Matches, None);
         }

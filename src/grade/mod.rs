@@ -17,7 +17,7 @@ pub use pattern::pattern;
 pub use points::{of_marking, rounded, shares};
 pub use responses::{Place, Responses, Row, RowError};
 
-use crate::answer::Marking;
+use crate::answer::{Marking, plain};
 use crate::solution::Solution;
 
 /// Longest response that is read.
@@ -49,8 +49,12 @@ pub fn mark(solution: &Solution<'_>, place: usize, response: &str) -> Marking {
             "The answer is longer than {LONGEST_RESPONSE} bytes."
         ));
     }
+    let response = match plain(response) {
+        Ok(response) => response,
+        Err(help) => return Marking::unreadable(help),
+    };
     match solution.marker(place) {
-        Ok(marker) => marker.mark(response),
+        Ok(marker) => marker.mark(response.trim()),
         Err(absent) => Marking::unreadable(format!(
             "This part cannot be marked for these data: {absent}."
         )),

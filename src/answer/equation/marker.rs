@@ -8,7 +8,7 @@ use super::{Arc, Setup, told, written};
 use crate::answer::{
     Beside, Credit, Equations, Feedback, Key, Marker, Marking, Nature, Reading, Reason, Trial,
 };
-use crate::expr::{Equation, Program};
+use crate::expr::{Equation, Kind, Program};
 use crate::numerics::Rational;
 
 /// Other parts that are looked at; what they can say together grows with every one.
@@ -88,6 +88,26 @@ impl Prepared {
         errors.map(|errors| crate::answer::formula::explained(errors.first()))
     }
 
+    /// Whether no data stand in equations, though some stand in the key.
+    fn is_in_numbers(&self, equations: &[Equation]) -> bool {
+        let has_data = |equation: &Equation| {
+            let names = equation.difference().names();
+            names.free.iter().any(|variable| {
+                !self.setup.unknowns.contains(&variable.name) && variable.name.as_str() != "t"
+            })
+        };
+        let has_number = |equation: &Equation| {
+            let mut found = false;
+            equation.difference().walk(&mut |node| {
+                found |= matches!(node.kind(), Kind::Number(value) if *value != Rational::ZERO);
+            });
+            found
+        };
+        self.setup.key.iter().any(has_data)
+            && !equations.iter().any(has_data)
+            && equations.iter().any(has_number)
+    }
+
     /// The marking of equations that are not right.
     fn wrong(
         &self,
@@ -98,9 +118,21 @@ impl Prepared {
     ) -> Marking {
         let say = |words: String| Some(Feedback::Words(words));
         if !others.is_empty() && self.follows(typed, others) {
+            if matches!(
+                self.compare(typed, &self.key),
+                Rows::Same | Rows::Fewer { .. }
+            ) {
+                let words = "Right; the other equations belong to the other parts.".to_owned();
+                return Marking::read(reading, Credit::FULL, Reason::Matches, say(words));
+            }
             let words = "This follows from the equations of motion, but it is not the one that is asked here, and with \
                          the other answers it does not make up all of them.";
             return Marking::read(reading, Credit::NONE, Reason::Other, say(words.to_owned()));
+        }
+        if self.is_in_numbers(equations) {
+            return Marking::unreadable(
+                "Write the equation with the letters of the question, not with their values.",
+            );
         }
         if let Some(trouble) = self.trouble(equations) {
             return Marking::read(reading, Credit::NONE, Reason::Dimension, say(trouble));

@@ -6,7 +6,9 @@ use std::sync::Arc;
 use super::{Setup, explained, in_words};
 use crate::answer::equality::{Comparable, Comparison, Points};
 use crate::answer::typed::{self, Manner, Trouble, Typed};
-use crate::answer::{Credit, Feedback, Key, Marker, Marking, Nature, Reading, Reason, Trial};
+use crate::answer::{
+    Credit, Feedback, Key, Marker, Marking, Nature, Reading, Reason, Trial, Verdict,
+};
 use crate::expr::{Expr, Field};
 use crate::unit::{DecimalMark, Dimension};
 
@@ -67,6 +69,35 @@ impl Prepared {
             )
             .replace("in a pure number", "as a pure number"),
         )
+    }
+
+    /// The marking of a formula behind which a unit stands all the same, `sqrt(k/m) rad/s`.
+    fn mark_before_unit(&self, response: &str, has_names: bool) -> Option<Marking> {
+        let manner = self.manner(response);
+        let reads = |text: &str| {
+            let typed = typed::formula(text, &self.setup.lexicon, manner)
+                .ok()?
+                .value;
+            (!has_names || !typed.names().free.is_empty()).then_some(())
+        };
+        let (formula, unit) = typed::with_unit(response).find(|(text, _)| reads(text).is_some())?;
+        let unit_text = response[formula.len()..].trim();
+        if self
+            .setup
+            .kind
+            .dimension()
+            .is_some_and(|own| own != unit.dimension())
+        {
+            return Some(Marking::unreadable(format!(
+                "At `{unit_text}`: letters carry their units, and this one does not fit. Leave it out."
+            )));
+        }
+        let mut marking = self.mark(formula);
+        if has_names && marking.reading.is_some() {
+            let words = format!("Letters carry their units: leave out `{unit_text}`.");
+            marking.feedback.push(Feedback::Words(words));
+        }
+        Some(marking)
     }
 
     /// The named mistake that a formula is.
@@ -160,7 +191,10 @@ impl Marker for Prepared {
         let typed = match typed::formula(response, &setup.lexicon, self.manner(response)) {
             Ok(typed) => typed,
             Err(error) => {
-                let is_unknown = matches!(error.trouble, Trouble::Unknown { .. });
+                if let Some(marking) = self.mark_before_unit(response, has_names) {
+                    return marking;
+                }
+                let is_unknown = matches!(error.trouble, Trouble::Unknown { .. } | Trouble::Unit);
                 if is_unknown && has_names && self.is_number(response) {
                     return Marking::unreadable(NUMBER);
                 }
@@ -208,6 +242,10 @@ impl Marker for Prepared {
             );
         }
         if let Some(trouble) = trouble {
+            let before = self.mark_before_unit(response, has_names);
+            if let Some(marking) = before.filter(|marking| marking.verdict == Verdict::Right) {
+                return marking;
+            }
             let words = Some(Feedback::Words(trouble));
             return Marking::read(reading, Credit::NONE, Reason::Dimension, words);
         }

@@ -42,9 +42,10 @@ use super::trial::typed as typed_number;
 use super::typed::{self, Lexicon, Manner, Typed};
 use super::{
     Answer, AnswerError, AnswerKind, Context, Credit, Declare, Feedback, Key, KeyValue, Marker,
-    Marking, Nature, Reading, Reason, Tolerance, Trial, symbolic,
+    Marking, Nature, Reading, Reason, Tolerance, Trial, Verdict, symbolic,
 };
 use crate::expr::{Expr, Form, Name, Path, Precise, Type, Value as Number, Workspace};
+use crate::math::Math;
 use crate::quantity::{Absent, Evaluation, Function as Curve, NodeId};
 use crate::source::{Table, Text, Value};
 use crate::unit::{Dimension, Unit};
@@ -431,15 +432,113 @@ impl Marker for Prepared {
     }
 
     fn mark(&self, response: &str) -> Marking {
+        let response = without_condition(response);
+        let typed = typed::formula(response, &self.setup.lexicon, manner(response));
+        let first = match typed {
+            Ok(typed) => self.mark_typed(typed),
+            Err(error) => Marking::unreadable(error.sentence(response)),
+        };
+        if matches!(first.verdict, Verdict::Unreadable | Verdict::Wrong)
+            && !first
+                .reasons
+                .iter()
+                .any(|reason| matches!(reason, Reason::Mistake(_)))
+            && let Some(marking) = self.mark_with_unit(response)
+        {
+            return marking;
+        }
+        first
+    }
+}
+
+fn manner(response: &str) -> Manner {
+    Manner {
+        comma_is_decimal: !response.contains("atan2"),
+        has_imaginary_unit: false,
+    }
+}
+
+/// A function with the unit that stands behind its first number taken out, `0.5 m exp(-t)`.
+fn unit_in_front(text: &str) -> Option<(String, Unit)> {
+    let is_of_number = |char: char| char.is_ascii_digit() || ".,".contains(char);
+    let start = text.trim_start_matches('(');
+    let digits = start
+        .find(|char| !is_of_number(char))
+        .filter(|at| *at > 0)?;
+    let (number, rest) = start.split_at(digits);
+    let rest = rest.trim_start();
+    let end = rest.find([' ', '*', '·', ')', '('])?;
+    let unit = Unit::read(&rest[..end])
+        .ok()
+        .filter(|unit| !unit.is_one())?;
+    let is_bracketed = start.len() < text.len() && rest[end..].starts_with(')');
+    let rest = &rest[end + usize::from(is_bracketed)..];
+    Some((
+        format!("{number} {}", rest.trim_start_matches([' ', '*', '·'])),
+        unit,
+    ))
+}
+
+/// Without the times for which a function is meant to hold: `…, t >= 0` or `… for t > 0`.
+fn without_condition(response: &str) -> &str {
+    let is_condition = |text: &str| text.contains(['<', '>', '≤', '≥']);
+    let words = [",", ";", " for ", " if ", " when ", " where "].into_iter();
+    let bracket = response.trim_end().ends_with(')').then_some("(");
+    let cuts = words.chain(bracket).filter_map(|sign| response.rfind(sign));
+    let cut = cuts.filter(|at| is_condition(&response[*at..])).min();
+    cut.map_or(response, |at| response[..at].trim_end())
+}
+
+impl Prepared {
+    /// The marking of numbers with a unit, behind the function or behind its first number.
+    fn mark_with_unit(&self, response: &str) -> Option<Marking> {
         let setup = &self.setup;
-        let manner = Manner {
-            comma_is_decimal: !response.contains("atan2"),
-            has_imaginary_unit: false,
+        let own = setup.unit?;
+        let start = response.rfind('=').map_or(0, |at| at + 1);
+        let value = response[start..].trim();
+        let bare = |text: &str| {
+            let typed = typed::formula(text, &setup.lexicon, manner(text)).ok()?;
+            (!self.has_data(&typed.value)).then_some(typed)
         };
-        let Typed { value, other } = match typed::formula(response, &setup.lexicon, manner) {
-            Ok(typed) => typed,
-            Err(error) => return Marking::unreadable(error.sentence(response)),
+        let behind = typed::with_unit(value).find_map(|(text, unit)| Some((bare(text)?, unit)));
+        let (typed, unit) = behind.or_else(|| {
+            let (text, unit) = unit_in_front(value)?;
+            Some((bare(&text)?, unit))
+        })?;
+        if unit.dimension() != own.dimension() {
+            let words = format!("The unit does not fit; what is asked is in {}.", own.text());
+            return Some(Marking::unreadable(words));
+        }
+        let values = self.values_of(&typed.value)?;
+        let values: Vec<f64> = values.iter().map(|value| unit.to_si(*value)).collect();
+        let reading = Reading {
+            math: Math::row([
+                typed.value.typeset(&setup.lexicon),
+                Math::thin_space(),
+                unit.math(),
+            ]),
+            text: format!("({}) {}", typed.value, unit.text()),
+            si: Vec::new(),
         };
+        Some(self.judged(
+            reading,
+            &typed.value,
+            |key| self.is_near(&values, key),
+            &values,
+        ))
+    }
+
+    /// Whether letters of the question stand in a function.
+    fn has_data(&self, expr: &Expr) -> bool {
+        let names = expr.names();
+        names
+            .free
+            .iter()
+            .any(|variable| variable.name != self.setup.variable)
+    }
+
+    fn mark_typed(&self, Typed { value, other }: Typed<Expr>) -> Marking {
+        let setup = &self.setup;
         let trouble = self.dimension_trouble(&value);
         let expr = match other {
             Some(other) if trouble.is_some() && self.dimension_trouble(&other).is_none() => other,
@@ -466,16 +565,22 @@ impl Marker for Prepared {
                 .map(|value| unit.to_si(*value))
                 .collect::<Vec<_>>()
         });
-        let has_data = expr
-            .names()
-            .free
-            .iter()
-            .any(|variable| variable.name != setup.variable);
-        let shown = shown.filter(|_| !has_data);
+        let shown = shown.filter(|_| !self.has_data(&expr));
         let fits = |key: &[f64]| {
             self.is_near(&values, key)
                 || shown.as_ref().is_some_and(|shown| self.is_near(shown, key))
         };
+        self.judged(reading, &expr, fits, &values)
+    }
+
+    /// The marking of a function that was read, by whether it fits other values at the times.
+    fn judged(
+        &self,
+        reading: Reading,
+        expr: &Expr,
+        fits: impl Fn(&[f64]) -> bool,
+        values: &[f64],
+    ) -> Marking {
         if fits(&self.values) {
             return Marking::read(reading, Credit::FULL, Reason::Matches, None);
         }
@@ -484,9 +589,9 @@ impl Marker for Prepared {
             return Marking::read(reading, *credit, Reason::Mistake(*number), feedback);
         }
         let negated: Vec<f64> = self.values.iter().map(|value| -value).collect();
-        let (reason, words) = if self.dimension_trouble(&expr).is_some() {
+        let (reason, words) = if self.dimension_trouble(expr).is_some() {
             let found = self
-                .dimension_trouble(&expr)
+                .dimension_trouble(expr)
                 .map_or(String::new(), Dimension::describe);
             (
                 Reason::Dimension,
@@ -494,7 +599,7 @@ impl Marker for Prepared {
             )
         } else if fits(&negated) {
             (Reason::Sign, Some("The sign is wrong.".to_owned()))
-        } else if self.starts_right(&values) {
+        } else if self.starts_right(values) {
             (
                 Reason::Other,
                 Some(
@@ -507,9 +612,7 @@ impl Marker for Prepared {
         };
         Marking::read(reading, Credit::NONE, reason, words.map(Feedback::Words))
     }
-}
 
-impl Prepared {
     /// Whether the first samples are right.
     fn starts_right(&self, typed: &[f64]) -> bool {
         let first = 3;

@@ -35,6 +35,11 @@ impl Ends<'_> {
             return Err("This is too long to be read.".to_owned());
         }
         let text = normalized(response);
+        let pieces = cut(&text, Span::new(0, text.len()), &[',', ';']);
+        let is_relation = |piece: &Span| text[piece.range()].contains(['<', '>', '≤', '≥']);
+        if pieces.len() > 1 && pieces.iter().all(is_relation) {
+            return Err("Join the inequalities by `or`, or by `and`.".to_owned());
+        }
         let mut pieces = Vec::new();
         for part in text.split('∪') {
             let mut set: Option<Set> = None;
@@ -76,6 +81,10 @@ impl Ends<'_> {
                 is_open: "<>".contains(*char),
             })
             .collect();
+        if signs.len() == 1 && sides[0].is_empty() {
+            // `≥ 0.3` speaks of what is asked.
+            sides[0] = self.setup.variable.as_str();
+        }
         let Some(place) = sides.iter().position(|side| self.is_variable(side)) else {
             return Err(format!(
                 "`{}` does not stand in this inequality. {HELP}",
@@ -104,7 +113,7 @@ impl Ends<'_> {
             }
             piece.0[end] = own;
         }
-        Ok(Set::of(vec![piece]))
+        one(piece)
     }
 
     /// `[a, b)`, `]a; b]`, `x in [a, b]`; several with commas in between.
@@ -158,7 +167,7 @@ impl Ends<'_> {
                 is_open: is_open_high || !high.is_finite(),
             },
         ]);
-        Ok(Set::of(vec![piece]))
+        one(piece)
     }
 
     fn is_variable(&self, side: &str) -> bool {
@@ -229,18 +238,49 @@ impl Ends<'_> {
     }
 }
 
+/// The set of one interval; bounds in the wrong order are no interval.
+fn one(piece: Piece) -> Result<Set, String> {
+    let [low, high] = piece.0;
+    if low.value > high.value {
+        return Err(format!("The lower bound is above the upper one. {HELP}"));
+    }
+    Ok(Set::of(vec![piece]))
+}
+
 /// One spelling for signs and words that join.
 fn normalized(response: &str) -> String {
-    let mut text = format!(" {} ", response.trim());
+    let response = response.trim().trim_end_matches(['.', ',', ';']);
+    let inner = response
+        .strip_prefix('(')
+        .and_then(|text| text.strip_suffix(')'))
+        .filter(|inner| inner.contains(['<', '>', '≤', '≥']) && !inner.contains(['(', ')']));
+    let mut text = format!(" {} ", inner.unwrap_or(response));
     for (from, to) in [
+        ("\\left", ""),
+        ("\\right", ""),
         ("<=", "≤"),
         ("=<", "≤"),
         (">=", "≥"),
+        ("=>", "≥"),
+        ("\\leqslant", "≤"),
         ("\\leq", "≤"),
-        ("\\le ", "≤ "),
+        ("\\le", "≤"),
+        ("\\geqslant", "≥"),
         ("\\geq", "≥"),
-        ("\\ge ", "≥ "),
+        ("\\ge", "≥"),
+        ("\\lt", "<"),
+        ("\\gt", ">"),
         ("\\cup", "∪"),
+        ("\\cap", "∩"),
+        ("\\infty", "∞"),
+        ("||", " ∪ "),
+        ("&&", " ∩ "),
+        ("∨", " ∪ "),
+        ("∧", " ∩ "),
+        (" OR ", " ∪ "),
+        (" AND ", " ∩ "),
+        (" Or ", " ∪ "),
+        (" And ", " ∩ "),
         ("\\in ", " "),
         ("∈", " "),
         (" or ", " ∪ "),
@@ -250,18 +290,19 @@ fn normalized(response: &str) -> String {
         (" in ", " "),
         ("⩽", "≤"),
         ("⩾", "≥"),
-        ("\\infty", "∞"),
     ] {
         text = text.replace(from, to);
     }
     // A comma between two intervals or inequalities joins them as well.
-    for (from, to) in [
-        ("), (", ") ∪ ("),
-        ("], [", "] ∪ ["),
-        ("), [", ") ∪ ["),
-        ("], (", "] ∪ ("),
-    ] {
-        text = text.replace(from, to);
+    for close in [")", "]", "["] {
+        for open in ["(", "[", "]"] {
+            for join in [", ", ",", "; ", ";", "U", "u"] {
+                text = text.replace(
+                    &format!("{close}{join}{open}"),
+                    &format!("{close} ∪ {open}"),
+                );
+            }
+        }
     }
     text.trim().to_owned()
 }

@@ -58,6 +58,22 @@ impl Prepared {
         self.wrong(reading, named, &wrong)
     }
 
+    /// Marks entries in symbols behind which a unit stands all the same.
+    fn mark_with_unit(&self, reading: Reading, entries: &[Expr], tail: &str) -> Marking {
+        let unit = tail.trim();
+        let dimension = Unit::read(unit).ok().map(|unit| unit.dimension());
+        let is_own = |own: &Unit| Some(own.dimension()) == dimension;
+        if !self.setup.units.iter().any(is_own) {
+            return Marking::unreadable(format!(
+                "At `{unit}`: this is left over behind the matrix. Letters carry their units: leave it out."
+            ));
+        }
+        let mut marking = self.mark_formulas(reading, entries);
+        let words = format!("Letters carry their units: leave out `{unit}`.");
+        marking.feedback.push(Feedback::Words(words));
+        marking
+    }
+
     fn mark_numbers(&self, reading: Reading, numbers: &[f64]) -> Marking {
         let near = |place: usize, key: f64| {
             let slack = 4.0 * f64::EPSILON * key.abs() + self.value.bounds()[place];
@@ -230,19 +246,43 @@ impl Marker for Prepared {
     fn mark(&self, response: &str) -> Marking {
         let setup = &self.setup;
         let start = response.rfind('=').map_or(0, |at| at + 1);
-        let manner = Manner::default();
-        let Listed { rows, tail } =
-            match typed::list(response, start, response.len(), &setup.lexicon, manner) {
-                Ok(listed) => listed,
-                Err(error) => return Marking::unreadable(error.sentence(response)),
+        let response = &typed::rows_by_line(response);
+        let read = |response: &str| {
+            typed::list(
+                response,
+                start,
+                response.len(),
+                &setup.lexicon,
+                Manner::default(),
+            )
+        };
+        let fits = |listed: &Listed| {
+            listed.rows.len() == setup.rows
+                && listed.rows.iter().all(|row| row.len() == setup.columns)
+        };
+        let mut listed = read(response);
+        if !listed.as_ref().is_ok_and(fits) {
+            // Entries may be parted by spaces.
+            let spaced = read(&typed::spaced(response));
+            listed = if spaced.as_ref().is_ok_and(fits) {
+                spaced
+            } else {
+                listed
             };
-        let (height, width) = (rows.len(), rows.first().map_or(0, Vec::len));
-        if (height, width) != (setup.rows, setup.columns) {
-            return Marking::unreadable(format!(
-                "This has {height} rows of {width}; a matrix of {} by {} is asked, such as `[[a, b], [c, d]]`.",
-                setup.rows, setup.columns
-            ));
         }
+        let Listed { rows, tail } = match listed {
+            Ok(listed) if fits(&listed) => listed,
+            Ok(Listed { rows, .. }) => {
+                return Marking::unreadable(format!(
+                    "This has {} of {}; a matrix of {} by {} is asked, such as `[[a, b], [c, d]]`.",
+                    counted(rows.len(), "row"),
+                    rows.first().map_or(0, Vec::len),
+                    setup.rows,
+                    setup.columns
+                ));
+            }
+            Err(error) => return Marking::unreadable(error.sentence(response)),
+        };
         let entries = rows.concat();
         let tail = response.get(tail.range()).unwrap_or_default();
         let has_names = entries.iter().any(|entry| !entry.names().free.is_empty());
@@ -253,6 +293,7 @@ impl Marker for Prepared {
         };
         match (has_names, setup.written) {
             (true, Written::Number) => Marking::unreadable("Numbers are asked here, not formulas."),
+            (true, _) if !tail.trim().is_empty() => self.mark_with_unit(reading, &entries, tail),
             (true, _) => self.mark_formulas(reading, &entries),
             (false, Written::Formula) if self.is_symbolic() => {
                 Marking::unreadable("Formulas in symbols are asked here, not numbers.")
@@ -266,6 +307,12 @@ impl Marker for Prepared {
             },
         }
     }
+}
+
+/// A count with its noun.
+pub(in crate::answer) fn counted(count: usize, noun: &str) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {noun}{plural}")
 }
 
 impl Prepared {

@@ -18,6 +18,7 @@ mod marker;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+pub(super) use self::marker::counted;
 use self::marker::{Mistake, Prepared};
 use super::equality::{Comparable, Points};
 use super::meaning::{Meaning, Prefer, lexicon};
@@ -215,7 +216,12 @@ impl Answer for Matrix {
         let halves = halves.collect();
         let none = BTreeMap::new();
         let entries = symbolic::entries(&setup.expr, setup.shape());
-        let formulas = setup.compile(&entries, &context.standing).map(|formulas| {
+        let own = context.standing.get(&Name::new(graph.label(self.key)));
+        let formulas = match own {
+            Some(own) => setup.compile(&symbolic::entries(own, setup.shape()), &none),
+            None => setup.compile(&entries, &context.standing),
+        };
+        let formulas = formulas.map(|formulas| {
             let points = Points::around(
                 &setup.meaning,
                 evaluation,

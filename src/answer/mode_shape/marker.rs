@@ -6,9 +6,9 @@ use std::sync::Arc;
 use super::modes::Modes;
 use super::span::{are_independent, away, length, lies_in, vectors};
 use super::{Scale, Setup};
-use crate::answer::matrix::Written;
+use crate::answer::matrix::{Written, counted};
 use crate::answer::trial::typed as typed_number;
-use crate::answer::typed::{self, Manner};
+use crate::answer::typed::{self, Listed, Manner};
 use crate::answer::{
     Credit, Feedback, Key, KeyValue, Marker, Marking, Nature, Reading, Reason, Trial,
 };
@@ -175,6 +175,7 @@ impl Prepared {
     /// How a response is read, and its vectors in SI units.
     fn read(&self, response: &str) -> Result<(Reading, Vec<Vec<f64>>), String> {
         let setup = &self.setup;
+        let response = &components(response);
         let start = response.rfind('=').map_or(0, |at| at + 1);
         let manner = Manner {
             comma_is_decimal: response.contains(';')
@@ -182,15 +183,34 @@ impl Prepared {
                 && !response.contains('.'),
             has_imaginary_unit: false,
         };
-        let listed = typed::list(response, start, response.len(), &setup.lexicon, manner)
-            .map_err(|error| error.sentence(response))?;
+        let read =
+            |response: &str| typed::list(response, start, response.len(), &setup.lexicon, manner);
         let (width, count) = (self.width(), self.keys.len());
-        let entries = listed.rows.concat();
+        let fits =
+            |listed: &Listed| listed.rows.iter().map(Vec::len).sum::<usize>() == width * count;
+        let mut listed = read(response);
+        if !listed.as_ref().is_ok_and(fits) {
+            // Components may be parted by spaces.
+            let spaced = read(&typed::spaced(response));
+            listed = if spaced.as_ref().is_ok_and(fits) {
+                spaced
+            } else {
+                listed
+            };
+        }
+        let Listed { rows, tail } = listed.map_err(|error| error.sentence(response))?;
+        let entries = rows.concat();
         if entries.len() != width * count {
             return Err(format!(
-                "This has {} components; {} are asked, such as `(1, -0.5)` for two.",
-                entries.len(),
+                "This has {}; {} are asked, such as `(1, -0.5)` for two.",
+                counted(entries.len(), "component"),
                 width * count
+            ));
+        }
+        let tail = response[tail.range()].trim();
+        if !tail.is_empty() && Unit::read(tail).is_err() {
+            return Err(format!(
+                "At `{tail}`: this is left over behind the components."
             ));
         }
         let has_names = entries.iter().any(|entry| !entry.names().free.is_empty());
@@ -325,6 +345,18 @@ fn simple_scale(vector: &[f64]) -> f64 {
         _ if largest == 0.0 => 1.0,
         _ => largest,
     }
+}
+
+/// A ratio of components, `1 : -0.5` or `<1, -0.5>`, as a list; all places stay.
+fn components(response: &str) -> String {
+    let mut text = typed::rows_by_line(response);
+    if !text.contains([',', ';']) {
+        text = text.replace(':', ",");
+    }
+    let inner = text
+        .strip_prefix('<')
+        .and_then(|text| text.strip_suffix('>'));
+    inner.map_or(text.clone(), |inner| format!("({inner})"))
 }
 
 /// Whether shapes agree but for signs of components.

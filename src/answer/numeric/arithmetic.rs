@@ -12,9 +12,6 @@ use crate::unit::{DecimalMark, Unit};
 
 /// Longest text that is read, in bytes.
 pub(super) const LONGEST: usize = 200;
-/// Most places that are tried for the beginning of the unit.
-const MOST_PLACES: usize = 16;
-
 const HELP: &str =
     "Type one number and its unit, the unit last: `15.8 rad/s`, `1.6e-2 m`, `sqrt(2)/2 m`.";
 
@@ -70,9 +67,8 @@ impl Arithmetic {
             }
             Err(error) => error,
         };
-        for place in places(text).into_iter().rev() {
-            let (number, unit) = text.split_at(place);
-            let (Ok(typed), Ok(unit)) = (formula(number), Unit::read(unit.trim())) else {
+        for (number, unit) in typed::with_unit(text) {
+            let Ok(typed) = formula(number) else {
                 continue;
             };
             let unit = Some(unit);
@@ -83,18 +79,19 @@ impl Arithmetic {
             .checked(number);
         }
         Err(match error.trouble {
-            Trouble::Unknown { .. } | Trouble::NotAllowed(_) | Trouble::Sign => HELP.to_owned(),
+            Trouble::Unknown { .. } | Trouble::NotAllowed(_) | Trouble::Sign | Trouble::Unit => {
+                HELP.to_owned()
+            }
             _ => format!("{} {HELP}", error.sentence(text)),
         })
     }
 
     /// Refuses what might be meant otherwise; an angle in degrees is one in radians.
     fn checked(mut self, text: &str) -> Result<Self, String> {
-        let (mut bare, mut powers, mut has_infinity, mut has_degrees) = (0, 0, false, false);
+        let (mut bare, mut powers, mut has_infinity) = (0, 0, false);
         self.expr.walk(&mut |node| match node.kind() {
             Kind::Constant(Constant::E) => bare += 1,
             Kind::Constant(Constant::Infinity) => has_infinity = true,
-            Kind::Measure(..) => has_degrees = true,
             Kind::Binary(Operator::Power, base, _)
                 if *base.kind() == Kind::Constant(Constant::E) =>
             {
@@ -120,7 +117,7 @@ impl Arithmetic {
                 ));
             }
         }
-        if has_degrees {
+        if is_in_degrees(&self.expr) {
             match self.unit {
                 None => self.unit = Unit::parse("rad").ok(),
                 Some(_) => return Err(format!("There are two units. {HELP}")),
@@ -137,22 +134,15 @@ impl Arithmetic {
     }
 }
 
-/// Where a unit may begin: at a slash, and where letters or brackets begin.
-fn places(text: &str) -> Vec<usize> {
-    let mut places = Vec::new();
-    let mut before = ' ';
-    for (at, char) in text.char_indices() {
-        let is_letter = |char: char| char.is_alphabetic() || "°º%µΩ\\".contains(char);
-        // `2π 1/s`.
-        let is_inverse = before == ' ' && text[at..].starts_with("1/");
-        let begins = is_letter(char) && !is_letter(before) || "/([".contains(char) || is_inverse;
-        if begins && at > 0 {
-            places.push(at);
-        }
-        before = char;
+/// Whether a value is an angle in degrees; one that stands in a function or exponent leaves no unit.
+fn is_in_degrees(expr: &Expr) -> bool {
+    match expr.kind() {
+        Kind::Measure(..) => true,
+        Kind::Negate(inner) => is_in_degrees(inner),
+        Kind::Binary(Operator::Power, base, _) => is_in_degrees(base),
+        Kind::Binary(_, left, right) => is_in_degrees(left) || is_in_degrees(right),
+        _ => false,
     }
-    let surplus = places.len().saturating_sub(MOST_PLACES);
-    places.split_off(surplus)
 }
 
 /// A number with one comma that cuts it into up to three digits and exactly three.

@@ -51,16 +51,28 @@ impl Target {
 
 /// The complex number that a text is, before its unit; the unit, where one is written.
 fn number(text: &str, mark: DecimalMark) -> Result<(Complex, Option<Unit>, Expr), String> {
-    let polar = ["∠", " at ", "\\angle"]
+    let polar = ["∠", " at ", " cis ", "\\angle"]
         .iter()
         .find_map(|sign| text.split_once(sign));
     if let Some((modulus, angle)) = polar {
         return of_polar(modulus, angle, mark);
     }
-    let arithmetic = Arithmetic::read(text.trim(), mark, true).map_err(|_| HELP.to_owned())?;
+    let arithmetic = Arithmetic::read(text.trim(), mark, true)
+        .or_else(|error| Arithmetic::read(&once(text).ok_or(error)?, mark, true))
+        .map_err(|_| HELP.to_owned())?;
     let value = arithmetic.value().and_then(|value| value.as_complex());
     let value = value.ok_or_else(|| HELP.to_owned())?;
     Ok((value, arithmetic.unit, arithmetic.expr))
+}
+
+/// A text with its unit at the end alone, where it stands behind both parts, `3 ohm + 4i ohm`.
+fn once(text: &str) -> Option<String> {
+    let text = text.trim();
+    let start = text.rfind(|char: char| !char.is_alphabetic())?;
+    let unit = text[start..].trim_start_matches(|char: char| !char.is_alphabetic());
+    let before = &text[..text.len() - unit.len()];
+    let is_repeated = Unit::read(unit).is_ok() && before.contains(unit);
+    is_repeated.then(|| format!("({}) {unit}", before.replace(unit, "")))
 }
 
 /// The complex number and the unit that a text is, as a response would be read.
@@ -161,6 +173,25 @@ impl Numbers {
         count
     }
 
+    /// Where the numbers of a response stand.
+    fn places(&self, response: &str) -> Result<Vec<Span>, String> {
+        let start = response.rfind('=').map_or(0, |at| at + 1);
+        let all = Span::new(start, response.len());
+        let values = cut(response, Span::new(0, response.len()), &[',', ';']);
+        let are_named = values.len() > 1
+            && values
+                .iter()
+                .all(|place| response[place.range()].contains('='));
+        if are_named && !self.is_list {
+            return Err(format!("One complex number is asked. {HELP}"));
+        }
+        Ok(match (self.is_list, response.contains(';')) {
+            (false, _) => vec![all],
+            (true, true) => cut(response, all, &[';']),
+            (true, false) => cut(response, all, &[',']),
+        })
+    }
+
     fn printed(&self, value: Complex) -> Math {
         let (re, im) = (self.unit.of_si(value.re), self.unit.of_si(value.im));
         let set = |part: f64| match Decimal::rounded(part, self.digits) {
@@ -212,12 +243,9 @@ impl Marker for Numbers {
         if response.len() > LONGEST {
             return Marking::unreadable("This is too long to be read.");
         }
-        let start = response.rfind('=').map_or(0, |at| at + 1);
-        let all = Span::new(start, response.len());
-        let places = match (self.is_list, response.contains(';')) {
-            (false, _) => vec![all],
-            (true, true) => cut(response, all, &[';']),
-            (true, false) => cut(response, all, &[',']),
+        let places = match self.places(response) {
+            Ok(places) => places,
+            Err(help) => return Marking::unreadable(help),
         };
         let mut items = Vec::new();
         for place in places {

@@ -211,8 +211,24 @@ impl Numbers {
                 feedback,
             );
         }
+        if let Some(words) = self.miswritten(&quantity.unit) {
+            return Marking::unreadable(words);
+        }
         let words = Some(Feedback::Words(misfit(&quantity.unit, &self.unit)));
         Marking::read(reading, Credit::NONE, Reason::Dimension, words)
+    }
+
+    /// What is said of a unit that fits in small letters alone: `rad/S` for `rad/s`.
+    fn miswritten(&self, typed: &Unit) -> Option<String> {
+        let text = typed.text();
+        let small = Unit::read(&text.to_lowercase()).ok()?;
+        let fits = small.dimension() == self.unit.dimension() && !small.is_one();
+        fits.then(|| {
+            format!(
+                "Capitals matter in units: write `{}` for `{text}`.",
+                small.text()
+            )
+        })
     }
 
     fn mark_list(&self, items: &[Number]) -> Marking {

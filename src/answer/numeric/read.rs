@@ -1,9 +1,11 @@
 //! Numbers with units as people type them.
 
+use super::super::typed::{cut, first_bracket};
 use super::arithmetic::{Arithmetic, is_arithmetic};
 use crate::expr::{Expr, PlainNotation};
 use crate::math::Math;
-use crate::unit::{Decimal, DecimalMark, ErrorKind, Quantity};
+use crate::source::Span;
+use crate::unit::{Decimal, DecimalMark, ErrorKind, Quantity, Unit};
 
 /// A number with its unit as it was typed.
 #[derive(Clone, Debug)]
@@ -47,7 +49,10 @@ impl Number {
 ///
 /// A sentence that says what cannot be read and what to type instead.
 pub(super) fn number(response: &str, mark: DecimalMark) -> Result<Number, String> {
-    let value = after_equals(response);
+    let value = unenclosed(after_equals(response));
+    if has_two_signs(value) {
+        return Err(format!("`{value}` begins with two signs: give one number."));
+    }
     let error = match Quantity::read(value, mark) {
         Ok(quantity) => {
             return Ok(Number {
@@ -120,25 +125,29 @@ fn explained(value: &str, error: &crate::unit::Error) -> String {
     message
 }
 
-/// The items of a list; a unit at the end of the last one serves for all that have none.
+/// The items of a list; a unit at the end of the last one, or behind the bracket, serves for all that have none.
 pub(super) fn list(response: &str, mark: DecimalMark) -> Result<Vec<Number>, String> {
     const MOST_ITEMS: usize = 100;
     const LONGEST: usize = 2_000;
     if response.len() > LONGEST {
         return Err("This is too long to be read.".to_owned());
     }
-    let inner = after_equals(response)
-        .trim_matches(|sign: char| sign.is_whitespace() || "[]{}".contains(sign));
-    let inner = unwrapped(inner);
-    let pieces = separated(inner, mark);
+    let response = response.trim().replace('\n', "; ");
+    let (inner, unit) = unframed(after_equals(&response));
+    let mut pieces = separated(inner, mark);
+    if pieces.len() == 1 && response.matches('=').count() > 1 {
+        // `a = 1, b = 2`: each has an equals sign of its own.
+        pieces = separated(&response, mark);
+    }
     if pieces.len() > MOST_ITEMS {
         return Err(format!("A list has at most {MOST_ITEMS} numbers."));
     }
-    let mut items = pieces
-        .into_iter()
-        .map(|piece| number(piece, mark))
-        .collect::<Result<Vec<_>, _>>()?;
-    if let Some(unit) = items.last().map(|last| last.quantity.unit) {
+    let mut items = Vec::new();
+    for piece in pieces {
+        items.extend(both_signs(piece, mark)?);
+    }
+    let unit = unit.or_else(|| items.last().map(|last| last.quantity.unit));
+    if let Some(unit) = unit {
         items
             .iter_mut()
             .filter(|item| item.quantity.unit.is_one())
@@ -147,54 +156,126 @@ pub(super) fn list(response: &str, mark: DecimalMark) -> Result<Vec<Number>, Str
     Ok(items)
 }
 
-/// Without the round brackets around the whole list.
-fn unwrapped(text: &str) -> &str {
-    let inner = text
-        .strip_prefix('(')
-        .and_then(|text| text.strip_suffix(')'));
-    let is_one_pair = |inner: &&str| {
-        let mut depth = 0_i32;
-        inner.chars().all(|char| {
-            depth += match char {
-                '(' => 1,
-                ')' => -1,
-                _ => 0,
-            };
-            depth >= 0
-        })
+/// The number that an item of a list is, or the two that it is with `±`.
+fn both_signs(piece: &str, mark: DecimalMark) -> Result<Vec<Number>, String> {
+    let value = after_equals(piece);
+    if is_followed_by_name(piece, mark) {
+        return Err(format!(
+            "At `{piece}`: separate the numbers by semicolons, as in `5; 8.7`."
+        ));
+    }
+    let size = ["±", "+-", "+/-", "\\pm"]
+        .iter()
+        .find_map(|sign| value.strip_prefix(sign));
+    let Some(size) = size else {
+        return Ok(vec![number(piece, mark)?]);
     };
-    inner.filter(is_one_pair).unwrap_or(text)
+    let plus = number(size, mark)?;
+    let minus = Number {
+        quantity: Quantity::new(plus.quantity.value.negated(), plus.quantity.unit),
+        arithmetic: plus.arithmetic.clone().map(|expr| -expr),
+    };
+    Ok(vec![plus, minus])
 }
 
-/// What stands behind the last equals sign.
+/// Whether the next name stands behind a number without a separator, `a = 5 b = 8`.
+fn is_followed_by_name(piece: &str, mark: DecimalMark) -> bool {
+    let sides: Vec<&str> = piece.split('=').collect();
+    sides.len() > 2
+        && sides[1..sides.len() - 1].iter().any(|side| {
+            let parts = side.trim().rsplit_once(char::is_whitespace);
+            parts.is_some_and(|(number, name)| {
+                name.starts_with(char::is_alphabetic)
+                    && Quantity::read(number, mark).is_ok()
+                    && Quantity::read(side.trim(), mark).is_err()
+            })
+        })
+}
+
+/// Without the brackets around a whole list, and the unit that stands behind them.
+fn unframed(text: &str) -> (&str, Option<Unit>) {
+    let Some(close) = first_bracket(text) else {
+        return (text, None);
+    };
+    let (inner, behind) = (&text[1..close], text[close + 1..].trim());
+    let is_list = || separated(inner, DecimalMark::Point).len() > 1;
+    if behind.is_empty() {
+        (inner, None)
+    } else if behind.starts_with(char::is_alphabetic) && is_list() {
+        Unit::read(behind).map_or((text, None), |unit| (inner, Some(unit)))
+    } else {
+        (text, None)
+    }
+}
+
+/// Without brackets around the whole of a number and its unit.
+fn unenclosed(text: &str) -> &str {
+    match first_bracket(text) {
+        Some(close) if close + 1 == text.len() && text.starts_with(['(', '[', '{']) => {
+            text[1..close].trim()
+        }
+        _ => text,
+    }
+}
+
+/// Whether two signs stand before a number.
+fn has_two_signs(text: &str) -> bool {
+    let is_sign = |char: char| "+-−–±∓".contains(char);
+    let mut signs = text.chars().filter(|char| !char.is_whitespace());
+    signs.next().is_some_and(is_sign) && signs.next().is_some_and(is_sign)
+}
+
+/// What stands behind the last equals sign, or behind a name with a colon; the last that has a number in it.
 fn after_equals(response: &str) -> &str {
-    let value = response.rsplit(['=', '≈']).next().unwrap_or(response);
-    let value = value.trim();
-    // The dollar signs around LaTeX; those before an equals sign leave one behind.
-    let inner = value.strip_prefix('$').unwrap_or(value);
-    let has_closing = inner.len() < value.len() || response.trim_start().starts_with('$');
-    match inner.strip_suffix('$') {
-        Some(inner) if has_closing => inner.trim(),
+    let has_number = |side: &&str| {
+        side.contains(|char: char| char.is_ascii_digit() || "π∞½¼¾√".contains(char))
+            || side.contains("pi")
+    };
+    let sides = || response.rsplit(['=', '≈']).map(str::trim);
+    let value = sides().next().filter(has_number).or_else(|| {
+        sides().find(|side| has_number(side) && !side.starts_with(char::is_alphabetic))
+    });
+    let value = value.or_else(|| sides().next()).unwrap_or(response);
+    match value.split_once(':') {
+        Some((name, value)) if name.starts_with(char::is_alphabetic) => value.trim(),
         _ => value,
     }
 }
 
-/// Cut at semicolons, at the words `and` and `or`, or at commas that cannot be decimal signs.
+/// Cut at semicolons, at the words `and` and `or`, or at commas that cannot be decimal signs; none in brackets.
 fn separated(text: &str, mark: DecimalMark) -> Vec<&str> {
+    let all = Span::new(0, text.len());
     if text.contains(';') {
-        return kept(text.split(';'));
+        return kept(
+            cut(text, all, &[';'])
+                .into_iter()
+                .map(|place| &text[place.range()]),
+        );
     }
     let pieces = text
         .split(" and ")
         .flat_map(|piece| piece.split(" or "))
         .collect::<Vec<_>>();
     // Between spaced commas or words, a comma between digits is a decimal sign.
-    let comma = if mark == DecimalMark::Comma || text.contains(", ") || pieces.len() > 1 {
-        ", "
-    } else {
-        ","
-    };
-    kept(pieces.into_iter().flat_map(|piece| piece.split(comma)))
+    let needs_space = mark == DecimalMark::Comma || text.contains(", ") || pieces.len() > 1;
+    kept(
+        pieces
+            .into_iter()
+            .flat_map(|piece| at_commas(piece, needs_space)),
+    )
+}
+
+/// The pieces of a text between commas outside of brackets, or between those with a space behind.
+fn at_commas(text: &str, needs_space: bool) -> Vec<&str> {
+    let (mut pieces, mut start) = (Vec::new(), 0);
+    for place in cut(text, Span::new(0, text.len()), &[',']) {
+        let end = place.range().end;
+        if end == text.len() || !needs_space || text[end + 1..].starts_with(' ') {
+            pieces.push(&text[start..end]);
+            start = end + 1;
+        }
+    }
+    pieces
 }
 
 fn kept<'t>(pieces: impl Iterator<Item = &'t str>) -> Vec<&'t str> {

@@ -1,4 +1,4 @@
-//! Time derivatives as quotients of differentials, `dx/dt`, `\frac{d^2 x}{dt^2}`.
+//! Time derivatives as quotients of differentials, `dx/dt`, `\frac{d^2 x}{dt^2}`, and as functions, `diff(x, t, 2)`.
 
 use super::letters::{Letters, greek_word};
 
@@ -25,6 +25,45 @@ pub(super) fn leibniz(text: &str, at: usize) -> Option<(String, u8, usize)> {
     let goes_on = scanner.text[scanner.at..]
         .starts_with(|next: char| next.is_ascii_alphanumeric() || next == '_');
     (!goes_on || is_fraction).then_some((spelling, order, scanner.at))
+}
+
+/// Reads a derivative that is written as a function at a place, `diff(x, t, 2)`, `ddot(x1)`: spelling of the name,
+/// order, end.
+pub(super) fn called(text: &str, at: usize) -> Option<(String, u8, usize)> {
+    const LONGEST: usize = 80;
+    let rest = &text[at..];
+    let (name, inner) = rest.split_once('(')?;
+    let dots = match name {
+        "dot" => Some(1),
+        "ddot" => Some(2),
+        "diff" | "Diff" | "D" | "Derivative" => None,
+        _ => return None,
+    };
+    let close = closing(inner).filter(|close| *close < LONGEST)?;
+    let arguments: Vec<&str> = inner[..close].split(',').map(str::trim).collect();
+    let spelling = arguments[0].strip_suffix("(t)").unwrap_or(arguments[0]);
+    let spelling = Letters::spelling(spelling)?;
+    let order = match (dots, &arguments[1..]) {
+        (Some(order), []) => order,
+        (None, ["t"]) => 1,
+        (None, ["t", "t" | "2"] | ["(t", "2)"] | ["t$2"]) => 2,
+        _ => return None,
+    };
+    Some((spelling, order, at + name.len() + 1 + close + 1))
+}
+
+/// Where the bracket closes that stands open before a text.
+fn closing(text: &str) -> Option<usize> {
+    let mut depth = 0_i32;
+    let closes = |char: char| {
+        depth += match char {
+            '(' => 1,
+            ')' => -1,
+            _ => 0,
+        };
+        depth < 0
+    };
+    text.find(closes)
 }
 
 struct Differentials<'a> {

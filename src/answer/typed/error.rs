@@ -23,6 +23,11 @@ pub(in crate::answer) enum Trouble {
     /// A name of the item that the answer may not use.
     #[error("the answer may not contain this; give it in {0}")]
     NotAllowed(String),
+    /// A unit.
+    #[error(
+        "units do not belong into a formula: letters carry their own, and numbers are in SI units"
+    )]
+    Unit,
     /// A sign that is not understood.
     #[error("this sign is not understood here")]
     Sign,
@@ -83,11 +88,13 @@ impl TypedError {
         const LONGEST_QUOTE: usize = 40;
         let place = text.get(self.span.range()).unwrap_or_default().trim();
         let short: String = place.chars().take(LONGEST_QUOTE).collect();
+        let trouble = self.trouble.to_string();
+        let stop = if trouble.ends_with('?') { "" } else { "." };
         if short.is_empty() {
             let before: String = text.chars().rev().take(12).collect();
             let before: String = before.chars().rev().collect();
-            return format!("After `{}`: {}.", before.trim(), self.trouble);
+            return format!("After `{}`: {trouble}{stop}", before.trim());
         }
-        format!("At `{short}`: {}.", self.trouble)
+        format!("At `{short}`: {trouble}{stop}")
     }
 }

@@ -26,8 +26,11 @@ impl Lexer<'_> {
         }
         let sign = |char| Item::Sign(char);
         let item = match name.as_str() {
-            "left" | "right" | "big" | "Big" | "bigg" | "Bigg" | "displaystyle" | "quad"
-            | "qquad" | "mathit" | "limits" => return Ok(()),
+            "left" | "right" | "big" | "Big" | "bigg" | "Bigg" | "bigl" | "bigr" | "Bigl"
+            | "Bigr" | "displaystyle" | "quad" | "qquad" | "mathit" | "mathbf" | "boldsymbol"
+            | "limits" => {
+                return Ok(());
+            }
             "mathrm" | "operatorname" | "text" | "rm" => return self.word_in_braces(),
             "frac" | "dfrac" | "tfrac" => {
                 self.push(Item::Fraction, start);
@@ -78,6 +81,35 @@ impl Lexer<'_> {
             let value = Rational::new(i128::from(digit), 1).unwrap_or(Rational::ZERO);
             self.take(1, Item::Number(value));
         }
+    }
+
+    /// Primes as an exponent, `^{\prime\prime}` or `^{''}`; how many there are.
+    pub(super) fn raised_primes(&mut self) -> u8 {
+        let Some(rest) = self.rest().strip_prefix('^') else {
+            return 0;
+        };
+        let braced = rest.strip_prefix('{');
+        let (mut rest, mut primes) = (braced.unwrap_or(rest), 0_u8);
+        loop {
+            rest = rest.trim_start_matches(' ');
+            let next = rest
+                .strip_prefix("\\prime")
+                .or_else(|| rest.strip_prefix('\''));
+            let Some(next) = next.filter(|_| primes < 4) else {
+                break;
+            };
+            (rest, primes) = (next, primes + 1);
+        }
+        if primes > 0 && braced.is_some() {
+            let Some(closed) = rest.strip_prefix('}') else {
+                return 0;
+            };
+            rest = closed;
+        }
+        if primes > 0 {
+            self.at = self.text.len() - rest.len();
+        }
+        primes
     }
 
     /// A backslash before a sign.

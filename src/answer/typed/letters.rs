@@ -27,13 +27,14 @@ impl Letters {
     pub(super) fn push(&mut self, char: char, at: usize, _end: usize) -> bool {
         let plain = match char {
             '₀'..='₉' => char::from(b'0' + (u32::from(char) - u32::from('₀')) as u8),
-            _ => char,
+            _ => lowered(char).unwrap_or(char),
         };
         if !plain.is_ascii_alphanumeric() && greek(plain).is_none() && !is_letter(plain) {
             return false;
         }
         // Digits and subscripts belong to the letter before them.
-        if !plain.is_ascii_digit() || self.text.is_empty() {
+        let is_subscript = plain.is_ascii_digit() || plain != char;
+        if !is_subscript || self.text.is_empty() {
             self.cuts.push((self.text.len(), at));
         }
         match greek(plain) {
@@ -53,6 +54,31 @@ impl Letters {
     pub(super) fn join_from(&mut self, length: usize) {
         self.cuts.retain(|(own, _)| *own < length || *own == 0);
     }
+}
+
+/// The letter that stands as a subscript.
+pub(super) fn lowered(char: char) -> Option<char> {
+    const LOWERED: &[(char, char)] = &[
+        ('ₐ', 'a'),
+        ('ₑ', 'e'),
+        ('ₕ', 'h'),
+        ('ᵢ', 'i'),
+        ('ⱼ', 'j'),
+        ('ₖ', 'k'),
+        ('ₗ', 'l'),
+        ('ₘ', 'm'),
+        ('ₙ', 'n'),
+        ('ₒ', 'o'),
+        ('ₚ', 'p'),
+        ('ᵣ', 'r'),
+        ('ₛ', 's'),
+        ('ₜ', 't'),
+        ('ᵤ', 'u'),
+        ('ᵥ', 'v'),
+        ('ₓ', 'x'),
+    ];
+    let found = LOWERED.iter().find(|(sign, _)| *sign == char);
+    found.map(|(_, letter)| *letter)
 }
 
 /// Letters that are neither ASCII nor Greek, as in `ℓ`.

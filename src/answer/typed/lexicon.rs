@@ -104,6 +104,7 @@ impl Lexicon {
         let infinity = Sense::Leaf(Expr::constant(Constant::Infinity));
         lexicon.add("inf", infinity.clone(), 0);
         lexicon.add("infinity", infinity.clone(), 0);
+        lexicon.add("oo", infinity.clone(), 0);
         lexicon.add("infty", infinity, 0);
         let is_scalar = |function: &Function| {
             !matches!(
@@ -116,6 +117,12 @@ impl Lexicon {
         }
         for (name, function) in ALIASES {
             lexicon.add_function(name, *function);
+        }
+        for function in BARE.iter().filter(|function| function.name().len() > 2) {
+            let upper = function.name().to_uppercase();
+            let capital = format!("{}{}", &upper[..1], &function.name()[1..]);
+            lexicon.add_function(&upper, *function);
+            lexicon.add_function(&capital, *function);
         }
         lexicon
     }

@@ -1,7 +1,7 @@
 //! Lists, vectors and matrices as people type them: `(1, 0.618)`, `[1; -2]`, `[[3m, 0], [0, m]]`.
 
-use std::borrow::Cow;
-
+use super::frame::{Frame, frame};
+use super::layout::without_latex;
 use super::{DEEPEST, LONGEST, Lexicon, Manner, Trouble, TypedError, read};
 use crate::expr::Expr;
 use crate::source::Span;
@@ -29,12 +29,18 @@ pub(in crate::answer) fn list(
     if text.len() > LONGEST {
         return Err(TypedError::new(Trouble::TooLong, LONGEST, text.len()));
     }
-    let plain = without_environments(text);
+    let plain = without_latex(text);
     let text = plain.as_ref();
-    let (outer, factor, tail) = frame(text, from, to)?;
+    let Frame {
+        outer,
+        factor,
+        is_negative,
+        is_transposed,
+        tail,
+    } = frame(text, from, to)?;
     let factor = match factor {
         Some(span) => Some(entry(text, span, lexicon, manner)?),
-        None => None,
+        None => is_negative.then(|| -Expr::number(1)),
     };
     let has_rows = text[outer.range()]
         .trim_start()
@@ -77,25 +83,16 @@ pub(in crate::answer) fn list(
             span: outer,
         });
     }
+    if is_transposed {
+        rows = transposed(&rows);
+    }
     Ok(Listed { rows, tail })
 }
 
-/// The text with `\begin{pmatrix} a & b \\ c & d \end{pmatrix}` in brackets; all places stay.
-fn without_environments(text: &str) -> Cow<'_, str> {
-    if !text.contains("\\begin{") {
-        return Cow::Borrowed(text);
-    }
-    let mut plain = text.replace("\\\\", "; ").replace('&', ",");
-    for (command, bracket) in [("\\begin{", '['), ("\\end{", ']')] {
-        while let Some(start) = plain.find(command) {
-            let length = plain[start..]
-                .find('}')
-                .map_or(command.len(), |end| end + 1);
-            let padded = format!("{bracket}{}", " ".repeat(length - 1));
-            plain.replace_range(start..start + length, &padded);
-        }
-    }
-    Cow::Owned(plain)
+fn transposed(rows: &[Vec<Expr>]) -> Vec<Vec<Expr>> {
+    let width = rows.first().map_or(0, Vec::len);
+    let column = |at: usize| rows.iter().map(|row| row[at].clone()).collect();
+    (0..width).map(column).collect()
 }
 
 fn entry(text: &str, place: Span, lexicon: &Lexicon, manner: Manner) -> Result<Expr, TypedError> {
@@ -105,68 +102,6 @@ fn entry(text: &str, place: Span, lexicon: &Lexicon, manner: Manner) -> Result<E
         Ok(formula)
     })?;
     Ok(typed.value)
-}
-
-/// The inside of the outermost bracket, the factor before it and what follows it.
-fn frame(text: &str, from: usize, to: usize) -> Result<(Span, Option<Span>, Span), TypedError> {
-    let all = trimmed(text, Span::new(from, to));
-    let inner = &text[all.range()];
-    if let Some(close) = first_bracket(inner) {
-        let start = all.range().start;
-        let after = inner[close + 1..].trim_start();
-        if after.is_empty()
-            || after.starts_with(char::is_alphabetic)
-                && cut(after, Span::new(0, after.len()), &[',', ';']).len() == 1
-        {
-            let tail = Span::new(start + close + 1, all.range().end);
-            return Ok((Span::new(start + 1, start + close), None, tail));
-        }
-        if cut(inner, Span::new(0, inner.len()), &[',', ';']).len() > 1 {
-            return Ok((all, None, Span::new(to, to)));
-        }
-    }
-    let Some(close) = inner.rfind([']', ')', '}']) else {
-        return Ok((all, None, Span::new(to, to)));
-    };
-    let mut depth = 0_usize;
-    for (at, char) in inner[..=close].char_indices().rev() {
-        match char {
-            ']' | ')' | '}' => depth += 1,
-            '[' | '(' | '{' => depth = depth.saturating_sub(1),
-            _ => {}
-        }
-        if depth == 0 {
-            let start = all.range().start;
-            let before = inner[..at].trim().trim_end_matches(['*', '·', '⋅', '×']);
-            // Separators outside of the bracket: there is no bracket around all.
-            if before.contains([',', ';']) || inner[close + 1..].contains([',', ';']) {
-                return Ok((all, None, Span::new(to, to)));
-            }
-            let offset = inner.len() - inner.trim_start().len();
-            let factor = (!before.is_empty())
-                .then(|| Span::new(start + offset, start + offset + before.len()));
-            let tail = Span::new(start + close + 1, all.range().end);
-            return Ok((Span::new(start + at + 1, start + close), factor, tail));
-        }
-    }
-    let at = all.range().start + close;
-    Err(TypedError::new(Trouble::Bracket, at, at + 1))
-}
-
-/// Where the bracket closes with which a text begins.
-fn first_bracket(text: &str) -> Option<usize> {
-    let mut depth = 0_usize;
-    for (at, char) in text.char_indices() {
-        match char {
-            '[' | '(' | '{' => depth += 1,
-            ']' | ')' | '}' => depth = depth.saturating_sub(1),
-            _ => {}
-        }
-        if depth == 0 {
-            return (at > 0).then_some(at);
-        }
-    }
-    None
 }
 
 /// A row without its brackets.
@@ -182,7 +117,7 @@ fn unwrapped(text: &str, row: Span) -> Result<Span, TypedError> {
     })
 }
 
-fn trimmed(text: &str, span: Span) -> Span {
+pub(super) fn trimmed(text: &str, span: Span) -> Span {
     let inner = &text[span.range()];
     let start = span.range().start + inner.len() - inner.trim_start().len();
     Span::new(start, start + inner.trim().len())

@@ -13,16 +13,22 @@
 //! belong to the divisor: `1/(2m)c` is `c/(2m)`. A text that can be read in another way has an
 //! [`other`](Typed::other) reading, which a kind may take where only that one has the right dimension.
 
+mod behind;
 mod differential;
 mod error;
+mod frame;
 mod latex;
+mod layout;
 mod letters;
 mod lexicon;
 mod list;
 mod parser;
 mod token;
 
+pub(super) use behind::with_unit;
 pub(super) use error::{Trouble, TypedError};
+pub(super) use frame::first_bracket;
+pub(super) use layout::{rows_by_line, spaced};
 pub(super) use lexicon::Lexicon;
 pub(super) use list::{Listed, cut, list};
 
@@ -68,12 +74,22 @@ pub(super) fn formula(
     lexicon: &Lexicon,
     manner: Manner,
 ) -> Result<Typed<Expr>, TypedError> {
-    let start = text.rfind(['=', '≈']).map_or(0, |at| {
-        at + text[at..].chars().next().map_or(0, char::len_utf8)
-    });
+    let start = behind_equals(text);
     read(text, start, text.len(), lexicon, manner, |parser| {
         parser.whole_formula()
     })
+}
+
+/// Where what stands behind the last equals sign begins; those of `<=` and its like are none.
+fn behind_equals(text: &str) -> usize {
+    let is_alone = |at: usize| {
+        !text[..at].ends_with(['<', '>', '!']) && !text[at + 1..].starts_with(['<', '>'])
+    };
+    let last = text.char_indices().rev().find(|(at, char)| match char {
+        '=' => is_alone(*at),
+        char => *char == '≈',
+    });
+    last.map_or(0, |(at, char)| at + char.len_utf8())
 }
 
 /// The equation or comparison that a part of a text is; its places count in the whole text.

@@ -283,11 +283,38 @@ impl<'a> Parser<'a> {
         let mut exponent = self.power()?;
         // `e^iωt` has all of it in the exponent.
         let is_exponential = *base.kind() == Kind::Constant(Constant::E) && !is_closed;
-        while is_exponential && self.begins_factor() && !self.tokens[self.at].is_spaced {
+        while is_exponential && self.goes_on_in_exponent() {
             let factor = self.power()?;
             exponent = Self::binary(Operator::Multiply, exponent, factor)?;
         }
+        if !is_closed && is_number(&exponent) && self.is_fraction_of_numbers() {
+            // `a^1/2` is a/2, but where only the root has the right dimension it is the root.
+            self.is_open = true;
+            if self.slash == Slash::Other {
+                self.at += 1;
+                let divisor = self.primary()?;
+                exponent = Self::binary(Operator::Divide, exponent, divisor)?;
+            }
+        }
         Ok(exponent)
+    }
+
+    /// Whether a factor follows without a space, as in `e^iωt` and `e^i2t`.
+    fn goes_on_in_exponent(&self) -> bool {
+        let is_number = matches!(self.item(), Some(Item::Number(_)));
+        let begins = self.begins_factor() || is_number && self.is_after_imaginary_unit();
+        begins && !self.tokens[self.at].is_spaced
+    }
+
+    /// Whether a slash and a number follow without a space.
+    fn is_fraction_of_numbers(&self) -> bool {
+        let Some([slash, number]) = self.tokens.get(self.at..self.at + 2) else {
+            return false;
+        };
+        slash.item == Item::Sign('/')
+            && matches!(number.item, Item::Number(_))
+            && !slash.is_spaced
+            && !number.is_spaced
     }
 
     fn primary(&mut self) -> Result<Expr> {
@@ -313,6 +340,7 @@ impl<'a> Parser<'a> {
             Item::Function(function) => self.deeper(|parser| parser.function(*function, span)),
             Item::Root => self.deeper(|parser| {
                 let inner = parser.primary()?;
+                let inner = parser.quotient_under_root(inner)?;
                 Ok(Expr::new(Kind::Call(Function::Sqrt, vec![inner]), span))
             }),
             Item::Radical => self.deeper(|parser| parser.radical(span)),
@@ -444,12 +472,28 @@ impl<'a> Parser<'a> {
             }
             _ => {}
         }
-        let arguments = self.arguments(function)?;
+        let is_bare = !matches!(self.item(), Some(Item::Sign('(' | '[' | '{')));
+        let mut arguments = self.arguments(function)?;
+        if let (true, Function::Sqrt, [inner]) = (is_bare, function, &arguments[..]) {
+            arguments = vec![self.quotient_under_root(inner.clone())?];
+        }
         let call = Expr::new(Kind::Call(function, arguments), span);
         match exponent {
             Some(exponent) => Self::binary(Operator::Power, call, exponent),
             None => Ok(call),
         }
+    }
+
+    /// `√k/m` is √k over m, but where only the root of the quotient has the right dimension it is that.
+    fn quotient_under_root(&mut self, inner: Expr) -> Result<Expr> {
+        let is_tight = self.is_sign('/') && !self.tokens[self.at].is_spaced;
+        self.is_open |= is_tight;
+        if !is_tight || self.slash == Slash::Rule {
+            return Ok(inner);
+        }
+        self.at += 1;
+        let divisor = self.power()?;
+        Self::binary(Operator::Divide, inner, divisor)
     }
 
     /// `sin⁻¹` is the inverse function, not the reciprocal.

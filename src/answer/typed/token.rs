@@ -1,12 +1,13 @@
 //! From the signs of a response to tokens, its runs of letters split into words.
 
-use super::differential::leibniz;
+use super::differential::{called, leibniz};
 use super::letters::{Letters, combining, dotted, greek, greek_word};
 use super::lexicon::{INITIAL, Piece, Sense};
 use super::{Lexicon, Manner, Trouble, TypedError};
 use crate::expr::{Constant, Expr, Function};
 use crate::numerics::Rational;
 use crate::source::Span;
+use crate::unit::Unit;
 
 /// A piece of a response.
 #[derive(Clone, Debug, PartialEq)]
@@ -106,7 +107,7 @@ impl Lexer<'_> {
             self.is_spaced = true;
             return Ok(());
         }
-        if self.derivative_over_time() {
+        if self.derivative_over_time() || self.degrees() || self.end_of_sentence(char) {
             return Ok(());
         }
         match char {
@@ -169,6 +170,31 @@ impl Lexer<'_> {
         };
         self.take(width, item);
         Ok(())
+    }
+
+    /// `30 deg`; whether the word stands here behind a number.
+    fn degrees(&mut self) -> bool {
+        let is_behind_number =
+            matches!(self.tokens.last(), Some(token) if matches!(token.item, Item::Number(_)));
+        let Some(rest) = self.rest().strip_prefix("deg").filter(|_| is_behind_number) else {
+            return false;
+        };
+        let rest = rest.strip_prefix("rees").unwrap_or(rest);
+        let is_word = !rest.starts_with(|next: char| next.is_alphanumeric() || next == '_');
+        if is_word {
+            self.take(self.rest().len() - rest.len(), Item::Degree);
+        }
+        is_word
+    }
+
+    /// The point or comma behind the last sign; whether it stands here.
+    fn end_of_sentence(&mut self, char: char) -> bool {
+        let is_last = matches!(char, '.' | ',') && self.rest()[1..].trim().is_empty();
+        let ends = is_last && !self.tokens.is_empty();
+        if ends {
+            self.at = self.text.len();
+        }
+        ends
     }
 
     fn number(&mut self) -> Result<(), TypedError> {
@@ -258,7 +284,41 @@ impl Lexer<'_> {
             });
             self.at += char.len_utf8();
         }
-        primes
+        if primes == 0 {
+            self.raised_primes()
+        } else {
+            primes
+        }
+    }
+
+    /// `x1''` with its subscript last, `x''_1`, where only so it is a name.
+    fn late_subscript(&mut self, letters: &mut Letters, primes: u8) {
+        let is_known = |letters: &Letters| self.lexicon.split(letters, 0, primes, false).is_ok();
+        if is_known(letters) {
+            return;
+        }
+        let (start, mut whole) = (self.at, letters.clone());
+        self.subscripts(&mut whole);
+        if self.at > start && self.lexicon.split(&whole, 0, primes, false).is_ok() {
+            *letters = whole;
+        } else {
+            self.at = start;
+        }
+    }
+
+    /// Subscripts that stand behind dots or primes.
+    fn subscripts(&mut self, letters: &mut Letters) {
+        while let Some(char) = self
+            .peek()
+            .filter(|next| matches!(next, '_' | '0'..='9' | '₀'..='₉'))
+        {
+            if char == '_' {
+                self.subscript(letters);
+            } else {
+                letters.push(char, self.at, self.at);
+                self.at += char.len_utf8();
+            }
+        }
     }
 
     /// A run of letters, after a Greek letter that was written as a command.
@@ -311,20 +371,15 @@ impl Lexer<'_> {
         }
         if dots > 0 {
             // A subscript may stand behind the dot, as in ẋ₁.
-            while let Some(char) = self
-                .peek()
-                .filter(|next| matches!(next, '_' | '0'..='9' | '₀'..='₉'))
-            {
-                if char == '_' {
-                    self.subscript(&mut letters);
-                } else {
-                    letters.push(char, self.at, self.at);
-                    self.at += char.len_utf8();
-                }
-            }
+            self.subscripts(&mut letters);
         }
-        let end = self.at;
+        let mut end = self.at;
         let primes = if dots > 0 { dots } else { self.primes() };
+        if dots == 0 && primes > 0 {
+            let behind = self.at;
+            self.late_subscript(&mut letters, primes);
+            end = if self.at > behind { self.at } else { end };
+        }
         self.words(&letters, start, end, primes)
     }
 
@@ -441,12 +496,23 @@ impl Lexer<'_> {
         }
         let pieces = match self.lexicon.split(letters, end, primes, has_bracket) {
             Ok(pieces) => pieces,
+            Err(_) if self.is_unit(start, end) => {
+                return Err(TypedError::new(Trouble::Unit, start, end));
+            }
             Err(stuck) => {
                 let nearest = self.lexicon.nearest(&self.text[start..end]);
                 return Err(TypedError::new(Trouble::Unknown { nearest }, stuck, end));
             }
         };
         self.pieces(pieces, primes)
+    }
+
+    /// Whether a run of letters that are no names is a unit.
+    fn is_unit(&self, start: usize, end: usize) -> bool {
+        let run = &self.text[start..end];
+        // One letter is more likely a slip in a name, but for the second.
+        let is_word = run.len() > 1 && run.chars().all(char::is_alphabetic);
+        (is_word || run == "s") && Unit::read(run).is_ok()
     }
 
     fn pieces(&mut self, pieces: Vec<Piece>, primes: u8) -> Result<(), TypedError> {
@@ -488,7 +554,7 @@ impl Lexer<'_> {
 
     /// `dx/dt`, `d²x/dt²`, `\frac{d^2 x}{dt^2}`; whether one stands here.
     fn derivative_over_time(&mut self) -> bool {
-        if !self.rest().starts_with(['d', '\\']) {
+        if !self.rest().starts_with(['d', 'D', '\\']) {
             return false;
         }
         let Some((leaf, end)) = self.differential_quotient() else {
@@ -501,7 +567,8 @@ impl Lexer<'_> {
     }
 
     fn differential_quotient(&self) -> Option<(Expr, usize)> {
-        let (spelling, order, end) = leibniz(self.text, self.at)?;
+        let found = leibniz(self.text, self.at).or_else(|| called(self.text, self.at));
+        let (spelling, order, end) = found?;
         Some((self.lexicon.dotted(&spelling, order)?, end))
     }
 }

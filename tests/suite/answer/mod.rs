@@ -11,6 +11,7 @@ mod interval;
 mod matrix;
 mod mode_shape;
 mod trials;
+mod typed;
 mod typing;
 
 use vibank::bank::Catalogue;

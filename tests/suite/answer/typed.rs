@@ -1,0 +1,39 @@
+//! Answers as people type them, of every kind, and what they are marked as.
+
+use vibank::grade;
+use vibank::instance::Instance;
+use vibank::solution::Solution;
+
+const TYPED: &str = include_str!("../../corpora/typed.tsv");
+
+#[test]
+fn typed_answers_are_marked_as_they_were_meant() {
+    let catalogue = super::hostile::catalogue();
+    let solution = Solution::of(Instance::of_source(&catalogue.items()[0]));
+    let parts = &catalogue.items()[0].parts;
+    let (mut faults, mut count) = (Vec::new(), 0);
+    for line in TYPED.lines().filter(|line| !line.starts_with('#')) {
+        let fields: Vec<&str> = line.split('\t').collect();
+        let [part, verdict, response] = fields[..] else {
+            panic!("part, verdict, response: {line}");
+        };
+        let place = parts.iter().position(|own| own.id == part);
+        let place = place.expect("a part of the item");
+        // `\neq` is a command.
+        let response = response.replace("\\neq", "≠").replace("\\n", "\n");
+        let mut responses = vec![""; parts.len()];
+        responses[place] = &response;
+        let marking = grade::mark_among(&solution, place, &responses);
+        count += 1;
+        if marking.verdict.name() != verdict {
+            faults.push(format!(
+                "{part} `{response}`: {}, not {verdict}; {:?} {:?}",
+                marking.verdict.name(),
+                marking.reading.map(|reading| reading.text),
+                marking.feedback
+            ));
+        }
+    }
+    assert!(count >= 400, "{count} answers");
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
