@@ -33,8 +33,8 @@ pub(super) struct Coefficients {
 
 /// Coefficients that differ by more than this part are different.
 const DIFFERENT: f64 = 1e-9;
-/// A small motion, and how far a sine may be from its angle there.
-const SMALL: f64 = 1e-4;
+/// A small motion, at which a sine is its angle to less than [`DIFFERENT`]; how far it may be from it all the same.
+const SMALL: f64 = 1e-5;
 const NEARLY: f64 = 1e-6;
 
 /// The terms that equations in these unknowns can have.
@@ -91,6 +91,14 @@ impl Coefficients {
             Nature::Sign
         } else {
             Nature::Curved
+        }
+    }
+
+    /// Those of the same equation for small motions.
+    pub(super) fn linearized(&self) -> Self {
+        Self {
+            values: self.slopes.clone(),
+            slopes: self.slopes.clone(),
         }
     }
 

@@ -62,6 +62,7 @@ pub(super) fn told(
                 is_sign: false,
             }),
             None if matched.differing.is_empty() => continue,
+            None if own[nearest].is_linear() && !found[place].is_linear() => pair.besides_curves(),
             None => pair.fault(&matched),
         };
         let fault = fault?;
@@ -104,6 +105,27 @@ impl Pair<'_> {
             "It is right as it stands, but it has still to be linearized for small motions."
         } else {
             "This holds for small motions alone; the equation is asked without that approximation."
+        })
+    }
+
+    /// What is wrong with an equation for small motions, which has still to be linearized besides.
+    fn besides_curves(&self) -> Option<Fault> {
+        let flat = self.typed.1.linearized();
+        let pair = Pair {
+            typed: (self.typed.0, &flat),
+            ..*self
+        };
+        let matched = Match::of(&self.key.1.values, &flat.values)?;
+        let known = pair.fault(&matched);
+        let last = match &known {
+            Some(_) => "It has to be linearized for small motions as well.",
+            None => "It is not right yet, and it has to be linearized for small motions as well.",
+        };
+        let mut sentences = known.map_or(Vec::new(), |fault| fault.sentences);
+        sentences.push(last.to_owned());
+        Some(Fault {
+            sentences,
+            is_sign: false,
         })
     }
 
@@ -248,13 +270,12 @@ impl Pair<'_> {
 
     /// A name as it is typed: `k2` for k₂.
     fn symbol(&self, name: &Name) -> String {
+        let digit = |char: char| match char {
+            '₀'..='₉' => char::from(b'0' + (u32::from(char) - u32::from('₀')) as u8),
+            char => char,
+        };
         let plain = self.setup.lexicon.name(name).math.plain();
-        match plain.split_once('_') {
-            Some((letter, digits)) if digits.bytes().all(|digit| digit.is_ascii_digit()) => {
-                format!("{letter}{digits}")
-            }
-            _ => plain,
-        }
+        plain.chars().map(digit).collect()
     }
 }
 
