@@ -127,6 +127,11 @@ impl Graph {
         Some((model, model.quantity(rest(path)).ok()?))
     }
 
+    /// The quantities of models that formulas ask for, by path.
+    pub fn asked(&self) -> impl Iterator<Item = (&Path, NodeId)> {
+        self.paths.iter().map(|(path, node)| (path, *node))
+    }
+
     /// The node of the system of a path.
     pub(super) fn model_of(&self, path: &Path) -> Option<NodeId> {
         self.models.get(beginning(path).as_str()).copied()

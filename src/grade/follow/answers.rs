@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{guard, oscillator, related};
+use super::{guard, oscillator, related, shapes, system};
 use crate::answer::{Marking, Reading, Reason, Verdict};
 use crate::expr::{
     Equation, Expr, Field, Name, Precise, Program, Shape, Slots, Substitution, Value, Workspace,
@@ -39,6 +39,7 @@ impl Answers {
             right: BTreeMap::new(),
             own: Vec::new(),
         };
+        let (mut equations, mut are_right) = (Vec::new(), true);
         for (place, marking) in earlier {
             let part = &solution.template().parts[*place];
             let kind = part.answer.kind().name();
@@ -52,6 +53,8 @@ impl Answers {
             let is_right = marking.verdict == Verdict::Right
                 && !marking.reasons.contains(&Reason::FollowThrough);
             if kind == "equation" {
+                equations.extend(of_text(&reading.text));
+                are_right &= is_right;
                 if !is_right {
                     answers.equation(solution, reading);
                 }
@@ -60,16 +63,21 @@ impl Answers {
             let [node] = part.answer.keys()[..] else {
                 continue;
             };
-            // A shape may have any scale, so that its numbers stand for nothing.
-            if kind == "mode-shape" {
-                continue;
-            }
             if is_right {
                 answers.add_right(solution, node);
+            } else if kind == "mode-shape" {
+                if let Some(value) = shapes::value(solution, node, &reading.si) {
+                    answers.add(solution, node, kind, value, None);
+                }
             } else {
                 answers.add_own(solution, node, kind, reading);
             }
         }
+        if are_right {
+            equations.clear();
+        }
+        system::extend(solution, &mut answers, &equations);
+        shapes::extend(solution, &mut answers);
         related::extend(solution, &mut answers);
         answers
     }
@@ -103,15 +111,24 @@ impl Answers {
         value: Value,
         formula: Option<Expr>,
     ) {
+        self.add_following(solution, node, Some(source), value, formula);
+    }
+
+    /// Adds what follows for a quantity from an answer to another one, or from equations.
+    pub(super) fn add_following(
+        &mut self,
+        solution: &Solution<'_>,
+        node: NodeId,
+        source: Option<&Own>,
+        value: Value,
+        formula: Option<Expr>,
+    ) {
         let count = self.own.len();
-        let kind = if source.kind == "equation" {
-            "equation"
-        } else {
-            "related"
-        };
+        let source = source.filter(|source| source.kind != "equation");
+        let kind = source.map_or("equation", |_| "related");
         self.add(solution, node, kind, value, formula);
         // It is told to go on from the answer that was given.
-        if let Some(own) = self.own.get_mut(count) {
+        if let (Some(own), Some(source)) = (self.own.get_mut(count), source) {
             own.symbol = source.symbol.clone();
         }
     }
@@ -163,7 +180,7 @@ impl Answers {
         let Ok(right) = solution.evaluation().value(node) else {
             return;
         };
-        let (formula, value) = if kind == "formula" {
+        let (formula, value) = if kind == "formula" || reading.si.is_empty() {
             let graph = &solution.template().graph;
             let formula = Expr::read(&reading.text)
                 .ok()
@@ -263,8 +280,14 @@ fn as_written(right: &Value, si: &[f64]) -> Option<Value> {
     Value::new(right.form(), numbers, bounds)
 }
 
+/// The equations of a reading.
+fn of_text(text: &str) -> Vec<Equation> {
+    let read = |text: &str| Equation::read(text.trim()).ok();
+    text.split(';').filter_map(read).collect()
+}
+
 /// A formula in the data of the item alone.
-fn in_data(formula: &Expr, graph: &Graph) -> Option<Expr> {
+pub(super) fn in_data(formula: &Expr, graph: &Graph) -> Option<Expr> {
     const MOST_STEPS: usize = 20;
     let mut formula = formula.clone();
     for _ in 0..MOST_STEPS {
@@ -286,11 +309,22 @@ fn in_data(formula: &Expr, graph: &Graph) -> Option<Expr> {
     None
 }
 
-/// The number that a formula in the data is, if it has the dimension of a quantity.
+/// The value that a formula in the data has, if it has the dimension of a quantity.
 fn value(formula: &Expr, node: NodeId, evaluation: &Evaluation<'_>) -> Option<Value> {
     let graph = evaluation.graph();
     let kind = graph.kind(node)?;
     formula.check(graph).ok().filter(|found| found.fits(kind))?;
+    let value = computed(formula, evaluation)?;
+    (value.form() == evaluation.value(node).ok()?.form()).then_some(value)
+}
+
+/// The number that a formula in the data is.
+pub(super) fn number(formula: &Expr, evaluation: &Evaluation<'_>) -> Option<f64> {
+    computed(formula, evaluation)?.as_real()
+}
+
+fn computed(formula: &Expr, evaluation: &Evaluation<'_>) -> Option<Value> {
+    let graph = evaluation.graph();
     let names: Vec<Name> = formula
         .names()
         .free
@@ -301,8 +335,5 @@ fn value(formula: &Expr, node: NodeId, evaluation: &Evaluation<'_>) -> Option<Va
     let program = Program::compile(formula, &Slots(&texts)).ok()?;
     let number = |name: &Name| Some(Precise::exact(evaluation.real(graph.find(name)?).ok()?));
     let data = names.iter().map(number).collect::<Option<Vec<_>>>()?;
-    let value = program
-        .evaluate(&data[..], &mut Workspace::default())
-        .ok()?;
-    (value.form() == evaluation.value(node).ok()?.form()).then_some(value)
+    program.evaluate(&data[..], &mut Workspace::default()).ok()
 }

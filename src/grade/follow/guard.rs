@@ -1,9 +1,11 @@
 //! What keeps follow-through honest.
 
 use super::answers::Own;
+use super::matrices::Matrices;
 use crate::bank::Parameter;
-use crate::expr::Value;
+use crate::expr::{Shape, Value};
 use crate::instance::Instance;
+use crate::numerics::EigenPair;
 use crate::quantity::{Absent, NodeId};
 use crate::seed::Seed;
 use crate::solution::Solution;
@@ -33,6 +35,11 @@ pub(super) fn is_plausible(
     own: &Value,
     right: &Value,
 ) -> bool {
+    match right.shape() {
+        Shape::Matrix(rows, columns) if rows == columns => return is_matrix_like(own, right, rows),
+        Shape::Vector(_) if is_shape(solution, node) => return is_shape_like(own, right),
+        _ => {}
+    }
     let entries = 0..right.shape().len();
     let is_near = |entry: usize| {
         let (own, right) = (own.entry(entry).abs(), right.entry(entry).abs());
@@ -41,6 +48,80 @@ pub(super) fn is_plausible(
     let has_sign = |entry: usize| own.entry(entry).re * right.entry(entry).re >= 0.0;
     entries.clone().all(is_near)
         && (entries.into_iter().all(has_sign) || has_any_sign(solution, node))
+}
+
+/// Whether a shape is what a part asks for in this quantity.
+fn is_shape(solution: &Solution<'_>, node: NodeId) -> bool {
+    let mut parts = solution.template().parts.iter();
+    parts.any(|part| part.answer.kind().name() == "mode-shape" && part.answer.keys() == [node])
+}
+
+/// Whether a shape has the size of another, whatever its components are; which of them vanish is a slip like others.
+fn is_shape_like(own: &Value, right: &Value) -> bool {
+    let size = |value: &Value| -> f64 {
+        value
+            .numbers()
+            .iter()
+            .map(|number| number * number)
+            .sum::<f64>()
+            .sqrt()
+    };
+    has_size(size(own), size(right)) && own.numbers().iter().filter(|own| **own != 0.0).count() > 1
+}
+
+fn has_size(own: f64, right: f64) -> bool {
+    own.is_finite() && right > 0.0 && own >= right / PLAUSIBLE && own <= right * PLAUSIBLE
+}
+
+/// Whether a square matrix has a diagonal of the size and signs of another, entries beside it that are not out of
+/// all proportion, and couples each coordinate that the other couples.
+fn is_matrix_like(own: &Value, right: &Value, size: usize) -> bool {
+    let at = |value: &Value, row: usize, column: usize| value.numbers()[row * size + column];
+    let diagonal = (0..size).all(|place| {
+        let (own, right) = (at(own, place, place), at(right, place, place));
+        own * right > 0.0 && has_size(own.abs(), right.abs())
+    });
+    let is_bounded = |row: usize, column: usize| {
+        let scale = (at(right, row, row) * at(right, column, column))
+            .abs()
+            .sqrt();
+        at(own, row, column).abs() <= PLAUSIBLE * scale
+    };
+    let couples = |value: &Value, row: usize| {
+        (0..size).any(|column| column != row && at(value, row, column) != 0.0)
+    };
+    diagonal
+        && (0..size).all(|row| (0..size).all(|column| is_bounded(row, column)))
+        && (0..size).all(|row| couples(own, row) || !couples(right, row))
+}
+
+/// Whether own matrices ask as much as the right ones: coordinates stay coupled, frequencies have their sizes, and none
+/// of them vanishes that should not.
+pub(super) fn is_fair_system(
+    right: &Matrices,
+    own: &Matrices,
+    due: &[EigenPair],
+    found: &[EigenPair],
+) -> bool {
+    /// Parts of the largest eigenvalue below which one is zero.
+    const ZERO: f64 = 1e-9;
+    let size = right.size();
+    let couples = |of: &Matrices, row: usize| {
+        let (mass, stiffness) = (of.mass(), of.stiffness());
+        (0..size).any(|column| {
+            let place = row * size + column;
+            column != row && (mass[place] != 0.0 || stiffness[place] != 0.0)
+        })
+    };
+    let largest = due.last().map_or(0.0, |mode| mode.value);
+    let is_near = |(due, found): (&EigenPair, &EigenPair)| {
+        if due.value.abs() <= ZERO * largest {
+            return found.value.abs() <= ZERO * largest;
+        }
+        found.value > 0.0 && has_size(found.value.sqrt(), due.value.sqrt())
+    };
+    (0..size).all(|row| couples(own, row) || !couples(right, row))
+        && due.iter().zip(found).all(is_near)
 }
 
 /// Whether a quantity is negative for some data of the item and positive for others.

@@ -3,15 +3,20 @@
 //! What an earlier part asked for stands in the graph of the item; where a later key depends on it, the
 //! student's value (or formula) is put in its place and the key is computed anew. A response that is right
 //! for this key is counted, and told to be a follow-through. An equation of motion stands for all that
-//! follows from it, natural frequency, damping ratio and so on, and each of these for the others.
+//! follows from it, natural frequency, damping ratio and so on, and each of these for the others. Equations of several
+//! coordinates, and matrices, stand for the natural frequencies and shapes that they have ([`system`]), a shape for
+//! what is computed with it ([`shapes`]).
 //!
 //! An earlier answer stands in only if it has the dimension and the size of what was asked, and only as
 //! long as it does not make the later part easier than it is ([`guard`]).
 
 mod answers;
 mod guard;
+mod matrices;
 mod oscillator;
 mod related;
+mod shapes;
+mod system;
 
 use std::collections::BTreeMap;
 

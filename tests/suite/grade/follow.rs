@@ -1,15 +1,19 @@
 //! Follow-through on items of the bank: own earlier answers go on, and nothing is given away.
 
+use std::sync::LazyLock;
+
 use vibank::answer::{Marking, Reason, Verdict};
 use vibank::bank::{Catalogue, embedded};
 use vibank::grade::{Grade, remarks};
 use vibank::instance::Instance;
 use vibank::solution::Solution;
 
+/// The bank, loaded once.
+static BANK: LazyLock<Catalogue> = LazyLock::new(|| Catalogue::load(embedded()).0);
+
 /// Marks responses to parts of an item with the data of its source; the marking of the last one.
 fn last(item: &str, responses: &[(&str, &str)]) -> Marking {
-    let (catalogue, _) = Catalogue::load(embedded());
-    marked(&catalogue, item, responses)
+    marked(&BANK, item, responses)
 }
 
 fn marked(catalogue: &Catalogue, item: &str, responses: &[(&str, &str)]) -> Marking {
@@ -151,8 +155,7 @@ fn numbers_of_an_oscillator_follow_from_each_other() {
 
 #[test]
 fn the_feedback_names_the_answer_from_which_it_goes_on() {
-    let (catalogue, _) = Catalogue::load(embedded());
-    let template = catalogue
+    let template = BANK
         .find("ch4/p3-base-excited-relative")
         .expect("the item is there");
     let solution = Solution::of(Instance::of_source(template));
@@ -177,28 +180,19 @@ fn the_feedback_names_the_answer_from_which_it_goes_on() {
 
 #[test]
 fn an_answer_of_another_size_or_dimension_does_not_stand_in() {
-    let (catalogue, _) = Catalogue::load(embedded());
     let item = "ch4/p3-base-excited-relative";
     stays_wrong(
-        &catalogue,
+        &BANK,
         item,
         &[("k_eq", "1000*k1"), ("omega_n", "38.73 rad/s")],
     );
     stays_wrong(
-        &catalogue,
+        &BANK,
         item,
         &[("k_eq", "k1*k2"), ("omega_n", "4.243 rad/s")],
     );
-    stays_wrong(
-        &catalogue,
-        item,
-        &[("k_eq", "-k1"), ("omega_n", "1.2247 rad/s")],
-    );
-    stays_wrong(
-        &catalogue,
-        item,
-        &[("k_eq", "four"), ("omega_n", "1.095 rad/s")],
-    );
+    stays_wrong(&BANK, item, &[("k_eq", "-k1"), ("omega_n", "1.2247 rad/s")]);
+    stays_wrong(&BANK, item, &[("k_eq", "four"), ("omega_n", "1.095 rad/s")]);
 }
 
 #[test]
@@ -221,4 +215,121 @@ fn an_answer_that_makes_the_rest_trivial_does_not_stand_in() {
     stays_wrong(&catalogue, "c/a", &[("q", "5 m"), ("again", "5 m")]);
     // A negative length is no length.
     stays_wrong(&catalogue, "c/a", &[("q", "-5 m"), ("z", "3.162 m")]);
+}
+
+/// The lower spring of the table with the pulley does not act on the upper block: λ² − 16 λ + 32 = 0.
+const UNCOUPLED_SPRING: (&str, &str) = ("K", "[[2k, -k], [-k, k]]");
+
+#[test]
+fn frequencies_and_shapes_follow_from_a_matrix_of_ones_own() {
+    let item = "ch5/p4-table-block-pulley-hanging-block";
+    follows(
+        item,
+        &[UNCOUPLED_SPRING, ("pulsations", "1.531, 3.696 rad/s")],
+    );
+    follows(
+        item,
+        &[UNCOUPLED_SPRING, ("omega1", "sqrt((2 - sqrt(2))*k/(4*m))")],
+    );
+    follows(
+        item,
+        &[UNCOUPLED_SPRING, ("omega2", "sqrt((2 + sqrt(2))*k/(4*m))")],
+    );
+    // Stiffness 22.6 over 16; with unit modal mass.
+    follows(item, &[UNCOUPLED_SPRING, ("u1", "(0.3536, 0.5)")]);
+    let numbers = ("K", "[[32, -16], [-16, 16]] N/m");
+    follows(item, &[numbers, ("pulsations", "1.531, 3.696 rad/s")]);
+    let item = "ch5/t4-modal-initial-conditions";
+    let stiffness = ("K", "[[100, -50], [-50, 50]]");
+    follows(item, &[stiffness, ("pulsations", "3.311; 10.68 rad/s")]);
+    // Three coordinates: the double spring taken once.
+    let item = "ch5/p3-three-mass-chain-double-spring";
+    let stiffness = (
+        "K",
+        "[[k1 + k2, -k2, 0], [-k2, k2 + k3, -k3], [0, -k3, k3]]",
+    );
+    follows(
+        item,
+        &[stiffness, ("pulsations", "3.694, 9.721, 17.61 rad/s")],
+    );
+    follows(item, &[stiffness, ("u1", "(1, 1.576, 2.118)")]);
+}
+
+#[test]
+fn all_that_equations_of_several_coordinates_have_follows_from_them() {
+    let item = "ch5/p4-table-block-pulley-hanging-block";
+    let right = ("eom2", "2 m x2'' = k (x1 - x2)");
+    for wrong in [
+        "4 m x1'' + 2 k x1 - k x2 = 0",
+        "x1'' = -k/(2m) x1 + k/(4m) x2",
+        "k x2 - 2 k x1 - 4 m x1'' = 0",
+    ] {
+        let own = ("eom1", wrong);
+        follows(item, &[own, right, UNCOUPLED_SPRING]);
+        follows(item, &[own, right, ("pulsations", "1.531, 3.696 rad/s")]);
+        follows(
+            item,
+            &[own, right, ("omega1", "sqrt((2 - sqrt(2))*k/(4*m))")],
+        );
+        follows(item, &[own, right, ("u1", "(0.3536, 0.5)")]);
+        // An equation that was not answered is the right one.
+        follows(item, &[own, ("pulsations", "1.531, 3.696 rad/s")]);
+    }
+    let item = "ch5/e1-elastic-coupling";
+    let own = ("eom1", "m1 x1'' + alpha1 x1' + k1 x1 - kc x2 = 0");
+    follows(item, &[own, ("Omega1", "sqrt(k1/m1)")]);
+    follows(item, &[own, ("pulsations", "8.313, 11.22 rad/s")]);
+    let marking = last(item, &[own, ("Omega2", "sqrt((k2 + kc)/m2)")]);
+    assert_eq!(marking.reasons[0], Reason::Matches);
+}
+
+#[test]
+fn what_is_computed_with_a_shape_follows_from_it_in_any_scale() {
+    let item = "ch5/t4-modal-initial-conditions";
+    // (1, 2) has the modal mass 1 + 2·4 = 9.
+    for shape in ["(1, 2)", "(0.3333, 0.6667)", "(-0.5, -1)"] {
+        follows(item, &[("u1", shape), ("B1", "0.0333 m kg^(1/2)")]);
+    }
+}
+
+#[test]
+fn a_system_that_is_easier_than_the_right_one_does_not_stand_in() {
+    let item = "ch5/p4-table-block-pulley-hanging-block";
+    // Without coupling each frequency is that of one block: √(48/4), √(16/2).
+    let apart = ("K", "[[3k, 0], [0, k]]");
+    stays_wrong(&BANK, item, &[apart, ("pulsations", "2.828, 3.464 rad/s")]);
+    let own = ("eom1", "4 m x1'' + 3 k x1 = 0");
+    stays_wrong(&BANK, item, &[own, ("pulsations", "2.828, 3.464 rad/s")]);
+    // A stiffness of another size, and one with which the system runs away.
+    let stiff = ("K", "[[3000k, -k], [-k, k]]");
+    stays_wrong(&BANK, item, &[stiff, ("pulsations", "2.828, 109.5 rad/s")]);
+    let unstable = ("K", "[[k, -2k], [-2k, k]]");
+    stays_wrong(&BANK, item, &[unstable, ("pulsations", "0, 4.182 rad/s")]);
+}
+
+#[test]
+fn the_feedback_names_the_matrix_or_the_equation() {
+    let template = BANK
+        .find("ch5/p4-table-block-pulley-hanging-block")
+        .expect("the item is there");
+    let solution = Solution::of(Instance::of_source(template));
+    let place = |part: &str| {
+        let mut parts = template.parts.iter();
+        parts
+            .position(|own| own.id == part)
+            .expect("the part is there")
+    };
+    let said = |part: &str, response: &str| {
+        let all = [
+            (place(part), response),
+            (place("pulsations"), "1.531, 3.696 rad/s"),
+        ];
+        let grade = Grade::mark(&solution, all);
+        let marking = grade.part(place("pulsations")).expect("it was marked");
+        remarks(&solution, place("pulsations"), marking)[0].plain()
+    };
+    let of_matrix = said(UNCOUPLED_SPRING.0, UNCOUPLED_SPRING.1);
+    assert!(of_matrix.ends_with("your own K."), "{of_matrix}");
+    let of_equation = said("eom1", "4 m x1'' + 2 k x1 - k x2 = 0");
+    assert!(of_equation.ends_with("your own equation."), "{of_equation}");
 }
