@@ -9,6 +9,8 @@ use super::{Failure, Outcome, lines, solve};
 /// Mark one response, or those of a script.
 ///
 /// Example: vibank mark ch2/e8-springs-parallel-series k_par "500 N/m" --set "k1=200 N/m" --set "k2=300 N/m"
+///
+/// Example: vibank mark ch4/p3-base-excited-relative omega_n "1.095 rad/s" --earlier "k_eq=k1*k2/(k1 + k2)"
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
     /// The item.
@@ -23,6 +25,12 @@ pub(crate) struct Arguments {
     /// A value for a parameter, such as m=2kg.
     #[arg(long = "set", value_name = "NAME=VALUE")]
     set: Vec<String>,
+    /// What was answered to an earlier part: a wrong answer is followed through.
+    ///
+    /// What follows rightly from a wrong earlier answer is right. May be given for each part; equations of motion
+    /// that are asked one by one are marked together.
+    #[arg(long, value_name = "PART=RESPONSE")]
+    earlier: Vec<String>,
     /// Draw what is not set from this seed.
     #[arg(long)]
     seed: Option<u64>,
@@ -30,7 +38,7 @@ pub(crate) struct Arguments {
     #[arg(long)]
     json: bool,
     /// Read requests from standard input, one JSON object a line.
-    #[arg(long, conflicts_with_all = ["item", "part", "response", "set", "seed"])]
+    #[arg(long, conflicts_with_all = ["item", "part", "response", "set", "earlier", "seed"])]
     jsonl: bool,
     #[command(flatten)]
     bank: BankArgument,
@@ -46,6 +54,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         "part": arguments.part,
         "response": arguments.response,
         "set": solve::settings(&arguments.set)?,
+        "earlier": earlier(&arguments.earlier)?,
         "seed": arguments.seed,
     });
     let reply = request::answer(&catalogue, &line.to_string());
@@ -73,4 +82,20 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     } else {
         Outcome::Findings
     })
+}
+
+/// Answers to earlier parts, by part.
+fn earlier(given: &[String]) -> Result<Json, Failure> {
+    let pair = |text: &String| {
+        let (part, response) = text.split_once('=').ok_or_else(|| {
+            Failure::new(format!("`{text}` is no answer to a part"))
+                .help("write the part, an equals sign and the answer, as in `k_eq=4 N/m`")
+        })?;
+        Ok((part.trim().to_owned(), Json::from(response.trim())))
+    };
+    given
+        .iter()
+        .map(pair)
+        .collect::<Result<_, _>>()
+        .map(Json::Object)
 }

@@ -2,6 +2,7 @@
 //!
 //! ```json
 //! {"id":"ch2/e8-springs-parallel-series","set":{"k1":"200 N/m"},"part":"k_par","response":"500 N/m"}
+//! {"id":"ch4/p3-base-excited-relative","part":"omega_n","response":"1.095 rad/s","earlier":{"k_eq":"k1*k2/(k1 + k2)"}}
 //! ```
 
 use serde::Deserialize;
@@ -28,7 +29,7 @@ pub struct Request {
     pub part: String,
     /// What was answered.
     pub response: String,
-    /// Responses to earlier parts, by part.
+    /// Responses to other parts, by part: earlier ones for follow-through, equations that are asked beside this one.
     #[serde(default)]
     pub earlier: Map<String, Json>,
     /// Any value, returned.
@@ -75,9 +76,11 @@ fn marked(catalogue: &Catalogue, request: &Request) -> Result<Map<String, Json>,
             )
         })?;
         let earlier = self::place(template, part)?;
-        if earlier < place {
-            responses.push((earlier, response));
+        if earlier == place {
+            let message = format!("`{part}` is the part that is marked, not an earlier one");
+            return Err(Refusal::new("json", message));
         }
+        responses.push((earlier, response));
     }
     let solution = Solution::of(instance(template, request.seed, &request.set)?);
     let grade = Grade::mark(&solution, responses);
