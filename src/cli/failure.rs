@@ -28,6 +28,14 @@ impl Failure {
         }
     }
 
+    /// A format that nothing is written in; beside those of pages there may be others.
+    pub(crate) fn unknown_format(name: &str, others: &[&str]) -> Self {
+        let pages = vibank::output::WRITERS.iter().map(|writer| writer.name());
+        let known: Vec<&str> = pages.chain(others.iter().copied()).collect();
+        Self::new(format!("`{name}` is no format here"))
+            .help(format!("the formats are {}", known.join(", ")))
+    }
+
     /// The way out, an imperative.
     #[must_use]
     pub(crate) fn help(mut self, help: impl Into<String>) -> Self {

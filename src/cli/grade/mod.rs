@@ -140,7 +140,7 @@ struct Layout {
 
 fn layout(sheets: &Sheets, format: &str) -> Result<Layout, Failure> {
     let fail = |error: output::OutputError| Failure::new(error.to_string());
-    let writer = output::writer(format).ok_or_else(|| unknown_format(format))?;
+    let writer = output::writer(format).ok_or_else(|| Failure::unknown_format(format, &[]))?;
     let head = &sheets.head;
     let run = Run::plain(&head.title, &head.language, head.decimal);
     let pages = Pages::new(writer, run, &[]).map_err(fail)?;
@@ -149,13 +149,6 @@ fn layout(sheets: &Sheets, format: &str) -> Result<Layout, Failure> {
         end: pages.end().map_err(fail)?,
         pages,
     })
-}
-
-fn unknown_format(name: &str) -> Failure {
-    let writers = output::WRITERS.iter().map(|writer| writer.name());
-    let known: Vec<&str> = writers.collect();
-    Failure::new(format!("`{name}` is no format of pages"))
-        .help(format!("the formats are {}", known.join(", ")))
 }
 
 /// One run.

@@ -114,7 +114,8 @@ impl Laid {
         layouts: Option<&Path>,
         is_split: bool,
     ) -> Result<Self, Failure> {
-        let writer = output::writer(name).ok_or_else(|| unknown_format(name))?;
+        let writer =
+            output::writer(name).ok_or_else(|| Failure::unknown_format(name, &["json"]))?;
         let own = own_layouts(layouts, writer.name())?;
         let blueprint = plan.blueprint;
         let run = Run::of(blueprint, writer).with_formulas(&plan.formulas, writer);
@@ -434,18 +435,6 @@ impl Stream {
             what: TABLE,
         })
     }
-}
-
-fn unknown_format(name: &str) -> Failure {
-    let writers = output::WRITERS.iter().map(|writer| writer.name());
-    let known: Vec<&str> = writers.chain(["json"]).collect();
-    let printed = if cfg!(feature = "pdf") {
-        ""
-    } else {
-        "; pdf and tex need a program built with `--features pdf`"
-    };
-    Failure::new(format!("`{name}` is no format"))
-        .help(format!("the formats are {}{printed}", known.join(", ")))
 }
 
 /// The layouts of one format in a folder of the user.
