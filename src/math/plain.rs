@@ -4,7 +4,7 @@ use super::script::Bearer;
 use super::{Accent, Class, Empty, Holes, Math, TableKind};
 
 impl Math {
-    /// As a line of Unicode text: `ω_n = √(k/m)`.
+    /// As a line of Unicode text: `ωₙ = √(k/m)`, `ω_d` where there is no such letter.
     pub fn plain(&self) -> String {
         let mut out = String::new();
         self.write_plain(&mut out, &Empty);
@@ -208,7 +208,9 @@ impl Writer<'_> {
             self.push("_");
             let start = self.out.len();
             self.math(sub);
-            self.group(start, true);
+            if is_large || !self.lower(start) {
+                self.group(start, true);
+            }
         }
         if let Some(sup) = bearer.sup {
             self.ends_loosely = false;
@@ -269,6 +271,21 @@ impl Writer<'_> {
         }
         self.out.insert(start, '(');
         self.out.push(')');
+    }
+
+    /// Turns what was written since the sign of a subscript into subscript characters, if they exist.
+    fn lower(&mut self, start: usize) -> bool {
+        /// A longer word reads better in full size.
+        const LONGEST: usize = 3;
+        let lowered: Option<String> = self.out[start..].chars().map(subscript).collect();
+        match lowered {
+            Some(lowered) if (1..=LONGEST).contains(&lowered.chars().count()) => {
+                self.out.truncate(start - 1);
+                self.out.push_str(&lowered);
+                true
+            }
+            _ => false,
+        }
     }
 
     /// Turns what was written since a place into superscript characters, if they exist.
@@ -380,6 +397,16 @@ fn composed(letter: char, mark: char) -> Option<char> {
     let (_, letters, characters) = COMPOSED.iter().find(|(own, ..)| *own == mark)?;
     let place = letters.chars().position(|own| own == letter)?;
     characters.chars().nth(place)
+}
+
+/// The lowered form of a digit or letter.
+fn subscript(char: char) -> Option<char> {
+    const LETTERS: &str = "aehijklmnoprstuvx";
+    const LOWERED: &str = "ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ";
+    if let Some(digit) = char.to_digit(10) {
+        return char::from_u32('₀' as u32 + digit);
+    }
+    LOWERED.chars().nth(LETTERS.find(char)?)
 }
 
 /// The raised form of a character.

@@ -4,22 +4,22 @@ use vibank::document::read_math;
 
 /// LaTeX with its plain text.
 pub(crate) const FORMULAS: &[(&str, &str)] = &[
-    (r"\omega_n = \sqrt{\frac{k}{m}}", "ω_n = √(k/m)"),
+    (r"\omega_n = \sqrt{\frac{k}{m}}", "ωₙ = √(k/m)"),
     (
         r"m\ddot x + c\dot x + k x = F_0\sin\Omega t",
-        "mẍ + cẋ + kx = F_0 sin Ωt",
+        "mẍ + cẋ + kx = F₀ sin Ωt",
     ),
     (
         r"x(t) = A e^{-\zeta\omega_n t}\cos(\omega_d t - \varphi)",
-        "x(t) = Ae^(−ζω_n t) cos(ω_d t − φ)",
+        "x(t) = Ae^(−ζωₙ t) cos(ω_d t − φ)",
     ),
     (
         r"\omega_d = \omega_n\sqrt{1 - \zeta^2}",
-        "ω_d = ω_n √(1 − ζ²)",
+        "ω_d = ωₙ √(1 − ζ²)",
     ),
     (
         r"\delta = \ln\frac{x_1}{x_2} = \frac{2\pi\zeta}{\sqrt{1-\zeta^2}}",
-        "δ = ln x_1/x_2 = (2πζ)/√(1 − ζ²)",
+        "δ = ln x₁/x₂ = (2πζ)/√(1 − ζ²)",
     ),
     (
         r"\frac{1}{2}m\dot{x}^2 + \frac12 k x^2 = E",
@@ -34,15 +34,15 @@ pub(crate) const FORMULAS: &[(&str, &str)] = &[
         r"\theta'' + \frac{g}{\ell}\sin\theta = 0",
         "θ′′ + g/ℓ sin θ = 0",
     ),
-    (r"x_1''(t)^2", "x_1′′(t)²"),
-    (r"\ddot\theta_1, \dddot{x}", "θ̈_1, x⃛"),
+    (r"x_1''(t)^2", "x₁′′(t)²"),
+    (r"\ddot\theta_1, \dddot{x}", "θ̈₁, x⃛"),
     (
         r"M\ddot{\mathbf{x}} + K\mathbf{x} = \mathbf 0",
         "Mẍ + Kx = 0",
     ),
     (
         r"\begin{bmatrix} m_1 & 0 \\ 0 & m_2 \end{bmatrix}",
-        "[[m_1, 0], [0, m_2]]",
+        "[[m₁, 0], [0, m₂]]",
     ),
     (r"\begin{pmatrix} 1 \\ -0.618 \end{pmatrix}", "[1, −0.618]"),
     (r"\det\left(K - \omega^2 M\right) = 0", "det(K − ω²M) = 0"),
@@ -52,21 +52,21 @@ pub(crate) const FORMULAS: &[(&str, &str)] = &[
     ),
     (
         r"F(t) = \begin{cases} F_0 & 0 \le t < t_1 \\ 0 & \text{else} \end{cases}",
-        "F(t) = {F_0, 0 ≤ t < t_1; 0, else",
+        "F(t) = {F₀, 0 ≤ t < t₁; 0, else",
     ),
     (
         r"\begin{aligned} m\ddot x &= -kx - c\dot x \\ &= -k\left(x + \frac{c}{k}\dot x\right) \end{aligned}",
         "mẍ = −kx − cẋ; = −k(x + c/k ẋ)",
     ),
-    (r"\sum_{i=1}^{n} m_i \dot x_i^2", "∑_(i = 1)^n m_i ẋ_i²"),
+    (r"\sum_{i=1}^{n} m_i \dot x_i^2", "∑_(i = 1)^n mᵢ ẋᵢ²"),
     (r"\int_0^T F(t)\,\mathrm{d}t", "∫_0^T F(t) dt"),
     (
         r"\frac{\mathrm d}{\mathrm dt}\frac{\partial L}{\partial \dot q_i} - \frac{\partial L}{\partial q_i} = Q_i",
-        "d/(dt) (∂L)/(∂q̇_i) − (∂L)/(∂q_i) = Q_i",
+        "d/(dt) (∂L)/(∂q̇ᵢ) − (∂L)/(∂qᵢ) = Qᵢ",
     ),
     (
         r"X = \frac{F_0/k}{\sqrt{(1-r^2)^2 + (2\zeta r)^2}}",
-        "X = (F_0/k)/√((1 − r²)² + (2ζr)²)",
+        "X = (F₀/k)/√((1 − r²)² + (2ζr)²)",
     ),
     (
         r"\phi = \arctan\frac{2\zeta r}{1 - r^2}",
@@ -82,11 +82,11 @@ pub(crate) const FORMULAS: &[(&str, &str)] = &[
     (r"\qty{2}{kg}", "2 kg"),
     (r"\mu_\mathrm{crit} < 0.35", "μ_crit < 0.35"),
     (r"\operatorname{sgn}(\dot x)", "sgn(ẋ)"),
-    (r"\left|\frac{x_1}{x_0}\right| \le 1", "|x_1/x_0| ≤ 1"),
+    (r"\left|\frac{x_1}{x_0}\right| \le 1", "|x₁/x₀| ≤ 1"),
     (r"\lvert x\rvert > \delta", "|x| > δ"),
     (
         r"x_{1,2} = -\zeta\omega_n \pm i\omega_d",
-        "x_(1, 2) = −ζω_n ± iω_d",
+        "x_(1, 2) = −ζωₙ ± iω_d",
     ),
     (r"\lim_{t\to\infty} x(t) = 0", "lim_(t → ∞) x(t) = 0"),
     (
@@ -113,9 +113,9 @@ pub(crate) const FORMULAS: &[(&str, &str)] = &[
         r"\underbrace{m\ddot x}_{\text{inertia}} + kx = 0",
         "(mẍ)_inertia + kx = 0",
     ),
-    (r"k_\text{eq} = k_1 + k_2", "k_eq = k_1 + k_2"),
+    (r"k_\text{eq} = k_1 + k_2", "k_eq = k₁ + k₂"),
     (r"\alpha = 30^\circ", "α = 30°"),
-    (r"30\degree < \theta_0^\circ", "30° < θ_0°"),
+    (r"30\degree < \theta_0^\circ", "30° < θ₀°"),
     (
         r"\begin{cases} 1 & x > 0 \\ [-1, 1] & x = 0 \end{cases}",
         "{1, x > 0; [−1, 1], x = 0",
@@ -130,8 +130,8 @@ pub(crate) const FORMULAS: &[(&str, &str)] = &[
         "L{f} = ∫_0^∞ fe^(−st) dt ∈ C",
     ),
     (r"x \xrightarrow{t \to \infty} 0", "x →^(t → ∞) 0"),
-    (r"r = \Omega/\omega_n \ne 1", "r = Ω/ω_n ≠ 1"),
-    (r"\sum\limits_{r} \phi_r q_r", "∑_r ϕ_r q_r"),
+    (r"r = \Omega/\omega_n \ne 1", "r = Ω/ωₙ ≠ 1"),
+    (r"\sum\limits_{r} \phi_r q_r", "∑_r ϕᵣ qᵣ"),
     (
         r"a \ll b \Rightarrow \varepsilon \propto \frac ab",
         "a ≪ b ⇒ ε ∝ a/b",
@@ -141,7 +141,7 @@ pub(crate) const FORMULAS: &[(&str, &str)] = &[
     (r"\frac{\partial^2 w}{\partial x^2}", "(∂²w)/(∂x²)"),
     (
         r"w(x,t) = \sum_{n=1}^\infty W_n(x)\,q_n(t)",
-        "w(x, t) = ∑_(n = 1)^∞ W_n(x) q_n(t)",
+        "w(x, t) = ∑_(n = 1)^∞ Wₙ(x) qₙ(t)",
     ),
 ];
 
