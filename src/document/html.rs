@@ -149,9 +149,36 @@ impl Writer<'_> {
     }
 
     fn inlines(&mut self, content: &[Inline]) {
-        for inline in content {
-            self.inline(inline);
+        let mut tied = 0;
+        for (place, inline) in content.iter().enumerate() {
+            let from = self.out.len();
+            match inline {
+                Inline::Text(words) => escape(self.out, &words[tied..]),
+                other => self.inline(other),
+            }
+            tied = 0;
+            if self.out[from..].ends_with("</math>") {
+                tied = self.tie(from, content.get(place + 1));
+            }
         }
+    }
+
+    /// Keeps a formula that begins at `from` on one line with the bracket before it and with what
+    /// follows up to the next space: browsers break lines there. Tells how much of the next text is
+    /// written with it.
+    fn tie(&mut self, from: usize, next: Option<&Inline>) -> usize {
+        let after = match next {
+            Some(Inline::Text(words)) => words.split(char::is_whitespace).next().unwrap_or(""),
+            _ => "",
+        };
+        let bracket = usize::from(self.out[..from].ends_with(['(', '[']));
+        if after.is_empty() && bracket == 0 {
+            return 0;
+        }
+        self.out.insert_str(from - bracket, "<span class=\"tie\">");
+        escape(self.out, after);
+        self.out.push_str("</span>");
+        after.len()
     }
 
     fn inline(&mut self, inline: &Inline) {

@@ -23,6 +23,7 @@ pub enum Display {
 /// A page names the embedded font `Vibank Math`; others may come after it.
 pub const STYLE: &str = "\
 math{font-family:\"Vibank Math\",\"New Computer Modern Math\",\"Latin Modern Math\",\"STIX Two Math\",\"Cambria Math\",math}\
+.tie{white-space:nowrap}\
 math .acc{math-depth:inherit}\
 math .vec{math-depth:add(1)}\
 math .bar{border-top:.05em solid;padding-top:.15em}\

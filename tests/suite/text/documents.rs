@@ -127,6 +127,20 @@ mass | 2.0 kg"
 }
 
 #[test]
+fn a_formula_stays_on_the_line_of_its_punctuation() {
+    let text = "Over ($r$), in the $x$-direction, $y$ and $z$.";
+    let html = read(text).html(&Vec::<Filling>::new());
+    assert!(html.contains("Over <span class=\"tie\">(<math"), "{html}");
+    for after in ["),", "-direction,", "."] {
+        assert!(html.contains(&format!("</math>{after}</span>")), "{html}");
+    }
+    assert!(
+        html.contains(" <math alttext=\"y\"><mi>y</mi></math> and "),
+        "{html}"
+    );
+}
+
+#[test]
 fn markdown_reads_back_as_the_same_text() {
     for text in [
         "One *two* **three** `four` $x^2$.\n\n- a\n- b\n\n> q\n\n---\n\n```\ncode\n```",
