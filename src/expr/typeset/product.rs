@@ -22,13 +22,25 @@ impl Setter<'_> {
             [Part::Quotient(above, below)] => {
                 Piece::new(self.fraction(above, below), Hold::Fraction)
             }
-            _ => Piece::new(self.side_by_side(&factors), Hold::Product),
+            _ => {
+                let hold = if self.begins_with_sign(&factors) {
+                    Hold::Sign
+                } else {
+                    Hold::Product
+                };
+                Piece::new(self.side_by_side(&factors), hold)
+            }
         };
         if is_negative {
             Piece::new(Math::row([Math::prefix("−"), product.math]), Hold::Sign)
         } else {
             product
         }
+    }
+
+    /// Whether a sign stands in front, as where a negative number is put in for the first factor.
+    fn begins_with_sign(&self, factors: &[Part]) -> bool {
+        matches!(factors.first(), Some(Part::Factor(first)) if self.piece(first).hold == Hold::Sign)
     }
 
     fn fraction(&self, above: &[Part], below: &[Part]) -> Math {
@@ -200,4 +212,39 @@ fn hoisted(above: &[Part], below: &[Part]) -> (Vec<Part>, Vec<Part>) {
         upper.chain(rest).cloned().collect(),
         lower.iter().chain(below).cloned().collect(),
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::expr::{Expr, Name, Notation, Symbol, SymbolKind};
+    use crate::math::{self, Math};
+
+    /// Puts −2 in for `n`.
+    struct Substituted;
+
+    impl Notation for Substituted {
+        fn name(&self, name: &Name) -> Symbol {
+            match name.as_str() {
+                "n" => Symbol {
+                    math: Math::row([Math::prefix("−"), Math::number("2")]),
+                    kind: SymbolKind::Negative,
+                },
+                other => Symbol::letter(math::symbol(other)),
+            }
+        }
+    }
+
+    #[test]
+    fn two_signs_never_meet() {
+        let [n, x, y] = ["n", "x", "y"].map(Expr::name);
+        for (formula, expected) in [
+            (y.clone() - n.clone() * x.clone(), "y - (-2x)"),
+            (n.clone() * x.clone() - y.clone(), "-2x - y"),
+            (y.clone() - x.clone() * n.clone(), "y - x(-2)"),
+            (y - n / x, "y - (-2)/x"),
+        ] {
+            let plain = formula.typeset(&Substituted).plain();
+            assert_eq!(plain.replace('−', "-"), expected);
+        }
+    }
 }
