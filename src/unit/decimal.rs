@@ -139,14 +139,15 @@ impl Decimal {
     }
 
     /// A computed number with this many significant figures, correctly rounded, ready to be printed:
-    /// trailing zeros are kept, and a power of ten is used where figures would not show or zeros be many.
+    /// trailing zeros are kept, a power of ten is used where figures would not show or zeros be many,
+    /// and zero is 0.
     /// Nothing for what is not finite or below 10⁻³⁰⁰ or above 10³⁰⁰.
     ///
     /// # Examples
     ///
     /// ```
     /// use vibank::unit::Decimal;
-    /// for (value, text) in [(15.0, "15.0"), (0.00123456, "0.00123"), (1234.5, "1.23e3"), (0.0, "0.00")] {
+    /// for (value, text) in [(15.0, "15.0"), (0.00123456, "0.00123"), (1234.5, "1.23e3"), (0.0, "0")] {
     ///     assert_eq!(Decimal::rounded(value, 3).unwrap().to_string(), text);
     /// }
     /// ```

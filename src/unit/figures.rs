@@ -8,8 +8,11 @@ use super::number::strict;
 
 /// The decimal nearest to a number with this many significant figures (1 to 30), ties to even.
 ///
-/// Exact: the digits are those of the number's full decimal expansion.
+/// Exact: the digits are those of the number's full decimal expansion. Zero has no figures and is 0.
 pub(super) fn rounded(value: f64, figures: u32) -> Option<Decimal> {
+    if value == 0.0 {
+        return Some(Decimal::ZERO);
+    }
     let figures = figures.clamp(1, 30);
     let decimal = of_exponential(&format!("{value:.*e}", figures as usize - 1))?;
     // Zeros that say nothing are avoided from 1000 on.
