@@ -47,6 +47,19 @@ impl Prepared {
         self.keys.first().map_or(0, Vec::len)
     }
 
+    /// The vectors of the key in the scale that is asked for.
+    fn scaled(&self) -> Vec<Vec<f64>> {
+        let scaled = |vector: &Vec<f64>| {
+            let one = match self.setup.scale {
+                Scale::First => vector[0],
+                Scale::Any => simple_scale(vector),
+                Scale::Mass => 1.0,
+            };
+            vector.iter().map(|value| value / one).collect()
+        };
+        self.keys.iter().map(scaled).collect()
+    }
+
     /// The shapes that are right for the vector at this place.
     fn space(&self, place: usize) -> Vec<Vec<f64>> {
         match (&self.modes, self.numbers.get(place)) {
@@ -260,12 +273,7 @@ impl Marker for Prepared {
         if self.setup.written == Written::Formula {
             return trials;
         }
-        let scaled = |vector: &Vec<f64>| match self.setup.scale {
-            Scale::First => vector.iter().map(|value| value / vector[0]).collect(),
-            Scale::Any | Scale::Mass => vector.clone(),
-        };
-        let keys: Vec<Vec<f64>> = self.keys.iter().map(scaled).collect();
-        trials.push(Trial::new(Nature::Right, shown(&keys)));
+        trials.push(Trial::new(Nature::Right, shown(&self.scaled())));
         if self.setup.scale != Scale::Any {
             return trials;
         }
@@ -284,24 +292,17 @@ impl Marker for Prepared {
     }
 
     fn key(&self) -> Key {
-        let numbers = self.key.numbers();
         let set = |number: f64| match Decimal::rounded(number, self.digits) {
             Some(decimal) => Quantity::new(decimal, Unit::ONE).math(self.mark),
             None => Math::text("out of range"),
         };
-        let shown = numbers.chunks(self.width().max(1)).flat_map(|vector| {
-            let one = match self.setup.scale {
-                Scale::Any => simple_scale(vector),
-                Scale::First | Scale::Mass => 1.0,
-            };
-            vector.iter().map(move |number| set(number / one))
-        });
+        let shown: Vec<Math> = self.scaled().into_iter().flatten().map(set).collect();
         Key {
-            math: Self::typeset(&shown.collect::<Vec<_>>(), self.width()),
+            math: Self::typeset(&shown, self.width()),
             accepted: None,
             value: KeyValue::Numbers {
                 form: self.key.form(),
-                si: numbers.to_vec(),
+                si: self.key.numbers().to_vec(),
             },
         }
     }

@@ -1,6 +1,8 @@
 //! Mode shapes up to scale and sign, subspaces, normalization.
 
 use super::check;
+use vibank::instance::Instance;
+use vibank::solution::Solution;
 
 const DATA: &str = r#"
 [parameters]
@@ -48,6 +50,18 @@ fn scale_counts_where_it_is_asked() {
             ("(1, 1)", "wrong near"),
         ],
     );
+}
+
+#[test]
+fn the_key_has_the_scale_that_is_asked() {
+    let item = format!(
+        "{DATA}[[part]]\nkind = \"mode-shape\"\nkey = \"w\"\nmode = 1\nnormalization = \"first\"\nask = \"Find it.\"\n"
+    );
+    check(&item, &[("(1, 1)", "right"), ("(0.5, 0.5)", "wrong near")]);
+    let catalogue = super::catalogue(&item);
+    let solution = Solution::of(Instance::of_source(&catalogue.items()[0]));
+    let key = solution.marker(0).expect("the key exists").key();
+    assert_eq!(key.math.plain().matches("1.00").count(), 2);
 }
 
 #[test]
