@@ -136,7 +136,7 @@ fn asked(solution: &Solution<'_>) -> Vec<usize> {
 
 fn show(arguments: &Arguments, solution: &Solution<'_>, data: Data, parts: &[usize]) {
     let template = solution.template();
-    let scene = Scene::of(solution, data);
+    let scene = Scene::of(solution, data).in_words();
     println!(
         "{}  ({})\n",
         template.about.title,

@@ -14,11 +14,11 @@ impl Scene<'_, '_> {
     pub(super) fn filling(&self, target: &Target, form: Form) -> Filling {
         match target {
             Target::Node(node) => self.node(*node, form),
-            Target::Figure => Filling::Figure(
-                self.picture()
-                    .map(|picture| picture.svg)
-                    .unwrap_or_default(),
-            ),
+            Target::Figure => match self.picture() {
+                Some(picture) if self.is_drawn => Filling::Figure(picture.svg),
+                Some(picture) => Filling::words(format!("(Figure: {})", picture.alt)),
+                None => Filling::Figure(String::new()),
+            },
             Target::Plot(name) => self.drawn_plot(name),
             Target::Model(path) => Filling::Math(self.offered(path)),
             Target::Nothing => Filling::words("?"),

@@ -34,6 +34,7 @@ pub enum Data {
 pub struct Scene<'s, 't> {
     solution: &'s Solution<'t>,
     data: Data,
+    is_drawn: bool,
 }
 
 /// A text that is shown, with what fills its holes.
@@ -50,7 +51,20 @@ const LONGEST_KEY: usize = 120;
 impl<'s, 't> Scene<'s, 't> {
     /// A scene of a solution.
     pub fn of(solution: &'s Solution<'t>, data: Data) -> Self {
-        Self { solution, data }
+        Self {
+            solution,
+            data,
+            is_drawn: true,
+        }
+    }
+
+    /// The same with figures and plots told in words, for terminals.
+    #[must_use]
+    pub fn in_words(self) -> Self {
+        Self {
+            is_drawn: false,
+            ..self
+        }
     }
 
     /// The solution that it shows.

@@ -45,6 +45,9 @@ impl Scene<'_, '_> {
     pub(super) fn drawn_plot(&self, name: &str) -> Filling {
         let id = self.plot_id(name);
         match self.plot(name) {
+            Ok(picture) if !self.is_drawn => {
+                Filling::words(format!("(Plot: {})", picture.description))
+            }
             Ok(picture) => {
                 let head = Head {
                     id: &id,

@@ -84,7 +84,7 @@ impl Session {
     /// One exercise.
     pub(super) fn exercise(&mut self, solution: &Solution<'_>) -> Result<End, Failure> {
         let template = solution.template();
-        let scene = Scene::of(solution, Data::Both);
+        let scene = Scene::of(solution, Data::Both).in_words();
         Screen::gap();
         self.screen.say(Tone::Bold, "", &template.about.title);
         self.screen

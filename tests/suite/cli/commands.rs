@@ -58,6 +58,13 @@ fn items_are_listed_and_filtered() {
 }
 
 #[test]
+fn the_terminal_tells_plots_in_words() {
+    let ran = vibank(&["show", "ch3/e4-underdamped-response", "--solution"]).ends(0);
+    let ran = ran.says("(Plot: x against t");
+    assert!(!ran.out.contains("<svg"), "{}", ran.out);
+}
+
+#[test]
 fn an_item_is_shown_with_the_data_of_its_source() {
     let ran = small(&["show", "free/spring-mass"]).ends(0);
     let ran = ran
