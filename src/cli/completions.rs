@@ -7,7 +7,7 @@ use super::{Failure, Outcome};
 
 /// Print the completions of a shell, or the manual page.
 ///
-/// Example: vibank completions bash > /etc/bash_completion.d/vibank
+/// Example: vibank completions bash > vibank.bash
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
     /// The shell.

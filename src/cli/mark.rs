@@ -8,7 +8,7 @@ use super::{Failure, Outcome, lines, solve};
 
 /// Mark one response, or those of a script.
 ///
-/// Example: vibank mark ch2/e8-springs-parallel-series k_par "500 N/m" --set "k1=200 N/m" --set "k2=300 N/m"
+/// Example: vibank mark ch2/e8-springs-parallel-series k_par "k2 + k1"
 ///
 /// Example: vibank mark ch4/p3-base-excited-relative omega_n "1.095 rad/s" --earlier "k_eq=k1*k2/(k1 + k2)"
 #[derive(clap::Args)]

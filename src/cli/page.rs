@@ -12,7 +12,7 @@ use super::{Failure, Outcome, files};
 
 /// Write a page on which students practise and check themselves: one file, which works without a network.
 ///
-/// Examples: vibank page --chapter ch3 --out damping.html, vibank page examples/midterm.toml
+/// Example: vibank page --chapter ch3 --out damping.html
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
     /// A blueprint whose questions are practised; else the items that pass the filter.
