@@ -291,8 +291,8 @@ fn completed(item: &str, piece: &str) -> String {
 fn errors_of(item: &str) -> Vec<String> {
     let files = embedded()
         .into_iter()
-        .chain([("ch2/of-the-book.toml", item)]);
-    let (_, findings) = Catalogue::load(files);
+        .filter(|(path, _)| ["bank.toml", "ch2/_chapter.toml"].contains(path));
+    let (_, findings) = Catalogue::load(files.chain([("ch2/of-the-book.toml", item)]));
     let errors = findings
         .iter()
         .filter(|finding| finding.severity == Severity::Error);
