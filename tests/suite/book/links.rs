@@ -25,7 +25,11 @@ fn targets(text: &str) -> Vec<String> {
         let words: String = line.split('`').step_by(2).collect();
         for (begin, end) in ends {
             let pieces = words.split(begin).skip(1);
-            found.extend(pieces.filter_map(|piece| piece.split(end).next()).map(str::to_owned));
+            found.extend(
+                pieces
+                    .filter_map(|piece| piece.split(end).next())
+                    .map(str::to_owned),
+            );
         }
     }
     found
@@ -46,7 +50,11 @@ fn anchors(text: &str) -> BTreeSet<String> {
             *before += 1;
         }
         let identities = line.split("id=\"").skip(1);
-        found.extend(identities.filter_map(|rest| rest.split('"').next()).map(str::to_owned));
+        found.extend(
+            identities
+                .filter_map(|rest| rest.split('"').next())
+                .map(str::to_owned),
+        );
     }
     found
 }
@@ -102,7 +110,10 @@ fn links_lead_somewhere() {
                 broken.push(format!("{}: {target}", page.display()));
             }
         }
-        for line in text.lines().filter_map(|line| line.strip_prefix("{{#include ")) {
+        for line in text
+            .lines()
+            .filter_map(|line| line.strip_prefix("{{#include "))
+        {
             let path = folder.join(line.trim_end_matches('}'));
             if !path.exists() {
                 broken.push(format!("{}: {line}", page.display()));

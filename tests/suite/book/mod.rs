@@ -10,6 +10,7 @@ mod links;
 mod pictures;
 mod reference;
 mod schemas;
+#[cfg(unix)]
 mod snippets;
 
 use std::fs;
