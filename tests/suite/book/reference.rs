@@ -49,7 +49,13 @@ pub(super) fn run(command: &str) -> String {
         })
         .skip(1)
         .collect();
-    console(&format!("$ {command}\n{}", printed(&words, &typed)))
+    let replies = printed(&words, &typed);
+    // A session shows what is typed by itself.
+    if command.ends_with("--jsonl") {
+        console(&format!("$ {command} << END\n{typed}END\n{replies}"))
+    } else {
+        console(&format!("$ {command}\n{replies}"))
+    }
 }
 
 /// The help of each command.
