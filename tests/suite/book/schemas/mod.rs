@@ -41,7 +41,7 @@ pub(super) fn table(argument: &str) -> String {
         let _ = writeln!(
             out,
             "| `{key}`{} | {}{} | {} |",
-            if is_required { " **!**" } else { "" },
+            if is_required { "\u{a0}**!**" } else { "" },
             described(value),
             default.unwrap_or_default(),
             value["description"]
