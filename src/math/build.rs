@@ -76,6 +76,17 @@ impl Math {
         Self::operator(sign, Class::Punctuation)
     }
 
+    /// A complex number, without its real part where that is zero.
+    pub fn complex(real: Option<Math>, is_negative: bool, imaginary: Math) -> Self {
+        let sign = if is_negative { "−" } else { "+" };
+        let sign = match &real {
+            Some(_) => Some(Self::binary(sign)),
+            None => is_negative.then(|| Self::prefix(sign)),
+        };
+        let pieces = [real, sign, Some(imaginary), Some(Self::upright("i"))];
+        Self::row(pieces.into_iter().flatten())
+    }
+
     /// A thin space, as between a number and its unit.
     pub fn thin_space() -> Self {
         Self::Space(3)

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::pages::{Kind, Run};
 use super::{Writer, is_line};
-use crate::answer::KeyValue;
+use crate::answer::{Choosing, KeyValue};
 use crate::bank::Passage;
 use crate::document::{Document, Filling};
 use crate::numerics::Rational;
@@ -54,6 +54,8 @@ struct PartView {
     ask: String,
     hints: Vec<String>,
     options: Vec<OptionView>,
+    /// Whether the options are put in order; then the key holds their letters.
+    ranked: bool,
     lead: String,
     unit: String,
     key: String,
@@ -211,6 +213,7 @@ impl<'p> View<'p> {
             view.hints = part.hints.iter().map(texts).collect();
         }
         view.options = self.options(scene, place);
+        view.ranked = part.answer.choosing() == Some(Choosing::Ranking);
         match self.kind {
             Kind::Sheet => {
                 view.lead = self.lead(scene, place);
@@ -250,12 +253,16 @@ impl<'p> View<'p> {
         if options.is_empty() {
             return Vec::new();
         }
+        let is_ranked =
+            solution.template().parts[place].answer.choosing() == Some(Choosing::Ranking);
         let right = match self.kind {
-            Kind::Sheet => Vec::new(),
-            Kind::Key | Kind::Solutions => match solution.key(place).map(|key| &key.value) {
-                Ok(KeyValue::Options { ids, .. }) => ids.clone(),
-                _ => Vec::new(),
-            },
+            Kind::Key | Kind::Solutions if !is_ranked => {
+                match solution.key(place).map(|key| &key.value) {
+                    Ok(KeyValue::Options { ids, .. }) => ids.clone(),
+                    _ => Vec::new(),
+                }
+            }
+            Kind::Sheet | Kind::Key | Kind::Solutions => Vec::new(),
         };
         let option = |(position, at): (usize, usize)| {
             let option = &options[at];

@@ -203,17 +203,14 @@ impl Scene<'_, '_> {
             && entry.re.abs() < 1e6;
         if value.form().field == Field::Complex {
             let (re, im) = (real(entry.re), real(entry.im));
-            let sign = if im.is_negative() { "−" } else { "+" };
-            let body = Math::row([
-                re.math(mark),
-                Math::binary(sign),
-                im.abs().math(mark),
-                Math::letter('i'),
-            ]);
-            return match shown.filter(|unit| !unit.is_one()) {
-                Some(unit) => Math::row([body.in_parentheses(), Math::thin_space(), unit.math()]),
-                None => body,
+            let is_sum = entry.re != 0.0 || entry.im == 0.0;
+            let real = is_sum.then(|| re.math(mark));
+            let body = Math::complex(real, im.is_negative(), im.abs().math(mark));
+            let Some(unit) = shown.filter(|unit| !unit.is_one()) else {
+                return body;
             };
+            let body = if is_sum { body.in_parentheses() } else { body };
+            return Math::row([body, Math::thin_space(), unit.math()]);
         }
         let number = if is_whole {
             Decimal::shortest(entry.re).unwrap_or(Decimal::ZERO)

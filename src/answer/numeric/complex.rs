@@ -198,17 +198,17 @@ impl Numbers {
             Some(decimal) => Quantity::new(decimal, Unit::ONE).math(self.mark),
             None => Math::text("out of range"),
         };
-        let sign = if im < 0.0 { "−" } else { "+" };
-        let sum = Math::row([
-            set(re),
-            Math::binary(sign),
-            set(im.abs()),
-            Math::upright("i"),
-        ]);
+        let is_sum = re != 0.0 || im == 0.0;
+        let number = Math::complex(is_sum.then(|| set(re)), im < 0.0, set(im.abs()));
         if self.unit.is_one() {
-            return sum;
+            return number;
         }
-        Math::row([sum.fenced("(", ")"), Math::thin_space(), self.unit.math()])
+        let number = if is_sum {
+            number.fenced("(", ")")
+        } else {
+            number
+        };
+        Math::row([number, Math::thin_space(), self.unit.math()])
     }
 }
 
