@@ -44,7 +44,7 @@ enum Typed {
 }
 
 /// How the student can go on; every answer is possible but these.
-const HELP: &str = "?  hint    !  answer and solution    >  next part    >>  next exercise    quit";
+const HELP: &str = "? hint   ! answer and solution   > next part   >> next exercise   quit";
 
 /// Longest line that is read.
 const LONGEST: usize = 8 << 10;
@@ -245,9 +245,9 @@ impl Session {
         Ok(match text {
             _ if length == 0 => Typed::Quit,
             "" => Typed::Nothing,
-            "?" => Typed::Hint,
-            "!" => Typed::Solution,
-            ">" => Typed::Pass,
+            "?" | "hint" => Typed::Hint,
+            "!" | "solution" => Typed::Solution,
+            ">" | "next" | "skip" => Typed::Pass,
             ">>" => Typed::PassExercise,
             "help" => Typed::Help,
             "quit" | "exit" | ":q" => Typed::Quit,
