@@ -211,11 +211,25 @@ fn no_fills() -> Vec<crate::document::Filling> {
     Vec::new()
 }
 
-/// Words without regard to case, spacing and hyphens.
+/// Words without regard to case and spacing.
 fn normalized(text: &str) -> String {
-    let text = text.trim_end_matches(['.', '!', ',', ';']);
-    let is_word = |char: &char| !char.is_whitespace() && !"-‐‑_\"'“”".contains(*char);
-    text.to_lowercase().chars().filter(is_word).collect()
+    text.split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ")
+        .trim_matches(['"', '\'', '“', '”'])
+        .trim_end_matches(['.', '!', ',', ';'])
+        .to_lowercase()
+}
+
+/// Words as one, `under-damped` and `under damped`; a formula keeps its signs.
+fn joined(text: &str) -> Option<String> {
+    const SHORTEST: usize = 4;
+    let is_gap = |char: char| " -‐‑_".contains(char);
+    let is_of_words = text
+        .chars()
+        .all(|char| char.is_alphabetic() || is_gap(char));
+    let word: String = text.chars().filter(|char| !is_gap(*char)).collect();
+    (is_of_words && word.chars().count() >= SHORTEST).then_some(word)
 }
 
 /// What stands behind words that say that an answer comes: `option b`, `answer: b`.
@@ -263,6 +277,11 @@ impl Chosen {
             .or_else(as_letter)
             .or_else(|| self.ids.iter().position(|id| normalized(id) == word))
             .or_else(|| self.words.iter().position(|words| *words == word))
+            .or_else(|| {
+                let word = joined(&word)?;
+                let is_it = |words: &String| joined(words).as_ref() == Some(&word);
+                self.words.iter().position(is_it)
+            })
     }
 
     /// All that was typed, or what of it is no option.

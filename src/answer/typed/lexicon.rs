@@ -16,6 +16,8 @@ pub(in crate::answer) struct Lexicon {
     symbols: BTreeMap<Name, Math>,
     moving: Vec<Name>,
     allowed: Vec<String>,
+    /// Spellings with a letter that looks like the right one.
+    latin: Vec<String>,
 }
 
 #[derive(Debug)]
@@ -118,9 +120,14 @@ impl Lexicon {
         for (name, function) in ALIASES {
             lexicon.add_function(name, *function);
         }
-        for function in BARE.iter().filter(|function| function.name().len() > 2) {
-            let upper = function.name().to_uppercase();
-            let capital = format!("{}{}", &upper[..1], &function.name()[1..]);
+        // `Asin(2t)` is an amplitude before a sine.
+        let is_capital = |name: &&str| name.len() > 2 && !name.starts_with('a');
+        for function in BARE {
+            let Some(name) = Some(function.name()).filter(is_capital) else {
+                continue;
+            };
+            let upper = name.to_uppercase();
+            let capital = format!("{}{}", &upper[..1], &name[1..]);
             lexicon.add_function(&upper, *function);
             lexicon.add_function(&capital, *function);
         }
@@ -159,7 +166,10 @@ impl Lexicon {
         let printed = Letters::spelling(&math.plain());
         let usual = Letters::spelling(&symbol(name.as_str()).plain());
         let lambda = (name.as_str() == "lam").then(|| "lambda".to_owned());
-        for spelling in [printed, usual, lambda].into_iter().flatten() {
+        // The letter that looks like it, `w0` for ω₀.
+        let latin = own.strip_prefix("omega").map(|rest| format!("w{rest}"));
+        self.latin.extend(latin.clone());
+        for spelling in [printed, usual, lambda, latin].into_iter().flatten() {
             if spelling != own && !self.is_taken(&spelling) {
                 self.replace(&spelling, sense.clone());
                 if is_moving {
@@ -171,7 +181,12 @@ impl Lexicon {
 
     /// Adds a name of the item that the answer may not use, so that it can be said.
     pub(in crate::answer) fn forbid(&mut self, name: &Name) {
-        if let Some(own) = Letters::spelling(name.as_str()).filter(|own| !self.knows(own)) {
+        let Some(own) = Letters::spelling(name.as_str()) else {
+            return;
+        };
+        if self.latin.contains(&own) {
+            self.replace(&own, Sense::NotAllowed);
+        } else if !self.knows(&own) {
             self.add(&own, Sense::NotAllowed, 0);
         }
     }

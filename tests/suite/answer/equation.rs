@@ -258,6 +258,15 @@ fn linearization_is_told() {
                 "θ'' + g/l sin θ = 0",
                 "wrong other: has still to be linearized",
             ),
+            // What is wrong besides comes first.
+            (
+                "θ'' - g/l sin θ = 0",
+                "wrong other: The sign of the stiffness term (in θ) is wrong. It has to be linearized",
+            ),
+            (
+                "2 θ'' + g/l sin θ = 0",
+                "wrong other: It has to be linearized for small motions as well",
+            ),
         ],
     );
 }
