@@ -1,12 +1,14 @@
 //! Any text as a response to a part of every kind: marked without a panic and without delay.
 //!
-//!     cargo +nightly fuzz run response fuzz/corpus/response
+//! ```sh
+//! cargo +nightly fuzz run response -- -max_len=400 -max_total_time=600
+//! ```
 
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
 use vibank::bank::Catalogue;
-use vibank::grade::mark_among;
+use vibank::grade::Grade;
 use vibank::instance::Instance;
 use vibank::solution::Solution;
 
@@ -30,9 +32,8 @@ thread_local! {
 
 fuzz_target!(|text: &str| {
     SOLUTION.with(|solution| {
-        let responses = vec![text; solution.template().parts.len()];
-        for place in 0..responses.len() {
-            mark_among(solution, place, &responses);
-        }
+        let places = 0..solution.template().parts.len();
+        // Among each other, and as follow-through of those before.
+        Grade::mark(solution, places.map(|place| (place, text)));
     });
 });
