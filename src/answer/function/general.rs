@@ -204,7 +204,8 @@ impl Setup {
         let mut has_decimals = false;
         for expr in typed {
             expr.walk(&mut |node| {
-                has_decimals |= matches!(node.kind(), crate::expr::Kind::Number(value) if value.denominator() >= 10);
+                has_decimals |=
+                    matches!(node.kind(), crate::expr::Kind::Number(value) if !value.is_integer());
             });
         }
         let all = |exprs: Vec<Expr>, replaced| -> Option<Vec<Program>> {

@@ -57,6 +57,24 @@ ask = "Find it."
 "#;
 
 #[test]
+fn a_general_solution_may_have_short_decimals() {
+    let item = TWO.replace("1 kg", "0.6 kg").replace("4 N/m", "323 N/m");
+    check(
+        &item,
+        &[
+            (
+                "x1 = A cos(23.2t) + B sin(23.2t) + C cos(40.2t) + D sin(40.2t); x2 = A cos(23.2t) + B sin(23.2t) - C cos(40.2t) - D sin(40.2t)",
+                "right",
+            ),
+            (
+                "x1 = A cos(24.5t) + B sin(24.5t) + C cos(40.2t) + D sin(40.2t); x2 = A cos(24.5t) + B sin(24.5t) - C cos(40.2t) - D sin(40.2t)",
+                "wrong",
+            ),
+        ],
+    );
+}
+
+#[test]
 fn a_general_solution_has_to_meet_any_initial_state() {
     check(
         TWO,
