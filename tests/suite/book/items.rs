@@ -59,16 +59,18 @@ fn shown(solution: &Solution<'_>) -> String {
         let _ = writeln!(out, "<li>{}", texts(&scene.passage(&part.ask)));
         let options = part.answer.options();
         if !options.is_empty() {
-            out.push_str("<ul>\n");
+            out.push_str("<ol type=\"a\">\n");
             for option in solution.order(place) {
                 let _ = writeln!(out, "<li>{}</li>", options[option].text.html(&Vec::new()));
             }
-            out.push_str("</ul>\n");
+            out.push_str("</ol>\n");
         }
         out.push_str("</li>\n");
         let key = solution
             .marker(place)
-            .map(|marker| marker.key().math.mathml(Display::Inline));
+            .map(|marker| marker.key().math.mathml(Display::Inline))
+            // A line of its own has room for fractions of full size.
+            .map(|math| math.replacen("<math", "<math displaystyle=\"true\"", 1));
         let _ = writeln!(
             worked,
             "<p><strong>{})</strong> {}</p>\n{}",
