@@ -190,7 +190,7 @@ fn figures_are_vectors_with_words() {
     let picture = writer.picture(SVG).expect("it is an SVG");
     assert!(picture.starts_with(b"%PDF-1."));
     assert_eq!(writer.picture(SVG).expect("it is an SVG"), picture);
-    assert_eq!(count(&picture, "/Image"), 0, "it is no bitmap");
+    assert_eq!(count(&picture, "/Subtype /Image"), 0, "it is no bitmap");
 }
 
 #[test]

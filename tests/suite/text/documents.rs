@@ -110,8 +110,8 @@ A block of mass $m = 2.0\\,\\mathrm{kg}$ hangs on a *spring*; $x$ is **measured*
 A block of mass m = 2.0 kg hangs on a spring; x is measured from rest.
 
 1. Its law is
-       mẍ + kx = F_0 sin Ωt
-   with ω_n² = k/m.
+       mẍ + kx = F₀ sin Ωt
+   with ωₙ² = k/m.
 2. See the notes (https://example.org/a?b=1&c=2).
 
 <svg></svg>
