@@ -208,12 +208,14 @@ fn unframed(text: &str) -> (&str, Option<Unit>) {
     }
 }
 
-/// Without brackets around the whole of a number and its unit.
+/// Without brackets or dollars around the whole of a number and its unit.
 fn unenclosed(text: &str) -> &str {
+    let inner = text
+        .strip_prefix('$')
+        .and_then(|text| text.strip_suffix('$'));
+    let text = inner.map_or(text, str::trim);
     match first_bracket(text) {
-        Some(close) if close + 1 == text.len() && text.starts_with(['(', '[', '{']) => {
-            text[1..close].trim()
-        }
+        Some(close) if close + 1 == text.len() && text.starts_with('(') => text[1..close].trim(),
         _ => text,
     }
 }
