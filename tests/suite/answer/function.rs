@@ -67,7 +67,7 @@ fn a_general_solution_may_have_short_decimals() {
                 "right",
             ),
             (
-                "x1 = A cos(24.5t) + B sin(24.5t) + C cos(40.2t) + D sin(40.2t); x2 = A cos(24.5t) + B sin(24.5t) - C cos(40.2t) - D sin(40.2t)",
+                "x1 = A cos(25.5t) + B sin(25.5t) + C cos(40.2t) + D sin(40.2t); x2 = A cos(25.5t) + B sin(25.5t) - C cos(40.2t) - D sin(40.2t)",
                 "wrong",
             ),
         ],
