@@ -10,7 +10,7 @@
 //! - [`ExactNumber`], [`sign_of_sum`]: numbers as they were written, compared without rounding.
 //! - [`Complex`]: complex numbers.
 //! - [`agm`], [`carlson_rf`], [`JacobiFunctions`]: elliptic integrals and functions.
-//! - [`mod@pencil`]: eigenvalues of small matrices that need not be symmetric.
+//! - `pencil`: eigenvalues of small matrices that need not be symmetric.
 //! - [`bracketed_root`], [`integral`]: a zero in an interval, the area under a curve, with their error bounds.
 //!
 //! Absent on purpose: instructions chosen at run time.
