@@ -16,7 +16,7 @@
 //!     Math::root(Math::fraction(symbol("k"), symbol("m"))),
 //! ]);
 //! assert_eq!(law.latex(), r"\omega_n = \sqrt{\frac{k}{m}}");
-//! assert_eq!(law.plain(), "ω_n = √(k/m)");
+//! assert_eq!(law.plain(), "ωₙ = √(k/m)");
 //! assert_eq!(law.spoken(), "omega sub n equals the square root of k over m end root");
 //! ```
 #![cfg_attr(

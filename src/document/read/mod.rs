@@ -41,7 +41,7 @@ impl Document {
     /// let demand: Vec<_> = reading.document.placeholders().iter().map(|p| &p.path).collect();
     /// assert_eq!(demand, ["m", "omega_n"]);
     /// let fills = vec![Filling::Math(Math::number("2.0")), Filling::Math(Math::number("3.0"))];
-    /// assert_eq!(reading.document.plain(&fills), "A block of mass 2.0 with ω_n = 3.0.");
+    /// assert_eq!(reading.document.plain(&fills), "A block of mass 2.0 with ωₙ = 3.0.");
     /// ```
     pub fn read(text: &str) -> Reading {
         text::read(text)
