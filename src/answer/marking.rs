@@ -110,6 +110,18 @@ pub struct Key {
     pub value: KeyValue,
 }
 
+impl Key {
+    /// A key that is a formula, as it is written and typeset.
+    pub(super) fn formula(text: String, math: Math) -> Self {
+        let latex = math.latex();
+        Self {
+            math,
+            accepted: None,
+            value: KeyValue::Formula { text, latex },
+        }
+    }
+}
+
 /// A key as programs get it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum KeyValue {

@@ -29,9 +29,7 @@ use std::sync::{Arc, OnceLock};
 use self::marker::Prepared;
 use super::meaning::{Meaning, Prefer, lexicon};
 use super::typed::Lexicon;
-use super::{
-    Answer, AnswerError, AnswerKind, Context, Declare, Key, KeyValue, Marker, Role, symbolic,
-};
+use super::{Answer, AnswerError, AnswerKind, Context, Declare, Key, Marker, Role, symbolic};
 use crate::expr::{Equation, Expr, Name, Program};
 use crate::quantity::{Absent, NodeId};
 use crate::source::{Table, Text, Value};
@@ -226,16 +224,7 @@ impl Answer for Asked {
 impl Setup {
     /// The key as it is printed: the same for all data.
     fn printed(&self) -> Key {
-        let print = || {
-            let math = self.typeset(&self.key);
-            let latex = math.latex();
-            let text = written(&self.key);
-            Key {
-                math,
-                accepted: None,
-                value: KeyValue::Formula { text, latex },
-            }
-        };
+        let print = || Key::formula(written(&self.key), self.typeset(&self.key));
         self.printed.get_or_init(print).clone()
     }
 

@@ -23,7 +23,7 @@ use self::marker::{Mistake, Prepared};
 use super::equality::{Comparable, Points};
 use super::meaning::{Meaning, Prefer, lexicon};
 use super::typed::Lexicon;
-use super::{Answer, AnswerError, AnswerKind, Context, Declare, Key, KeyValue, Marker, symbolic};
+use super::{Answer, AnswerError, AnswerKind, Context, Declare, Key, Marker, symbolic};
 use crate::expr::{CheckError, Expr, Field, Joint, Name, Shape, Type};
 use crate::quantity::{Absent, NodeId};
 use crate::source::Table;
@@ -55,16 +55,7 @@ struct Setup {
 impl Setup {
     /// The key as it is printed: the same for all data.
     fn printed(&self) -> Key {
-        let print = || {
-            let math = self.shown.typeset(&self.lexicon);
-            let latex = math.latex();
-            let text = self.shown.to_string();
-            Key {
-                math,
-                accepted: None,
-                value: KeyValue::Formula { text, latex },
-            }
-        };
+        let print = || Key::formula(self.shown.to_string(), self.shown.typeset(&self.lexicon));
         self.printed.get_or_init(print).clone()
     }
 }

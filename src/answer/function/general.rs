@@ -11,8 +11,8 @@ use super::super::equality::Draws;
 use super::super::meaning::{Meaning, ORDERS, Prefer, lexicon};
 use super::super::typed::{self, Lexicon, Manner, cut};
 use super::super::{
-    Answer, AnswerKind, Context, Credit, Declare, Feedback, Key, KeyValue, Marker, Marking, Nature,
-    Reading, Reason, Role, Trial,
+    Answer, AnswerKind, Context, Credit, Declare, Feedback, Key, Marker, Marking, Nature, Reading,
+    Reason, Role, Trial,
 };
 use super::Kind;
 use crate::expr::{Equation, Expr, Name, Precise, Program, Workspace};
@@ -441,16 +441,7 @@ impl Marker for Prepared {
             row.push(math);
             texts.push(text);
         }
-        let math = Math::row(row);
-        let latex = math.latex();
-        Key {
-            math,
-            accepted: None,
-            value: KeyValue::Formula {
-                text: texts.join("; "),
-                latex,
-            },
-        }
+        Key::formula(texts.join("; "), Math::row(row))
     }
 
     fn mark(&self, response: &str) -> Marking {

@@ -35,14 +35,14 @@
 mod general;
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::meaning::{Meaning, ORDERS, Prefer, lexicon};
 use super::trial::typed as typed_number;
 use super::typed::{self, Lexicon, Manner, Typed};
 use super::{
-    Answer, AnswerError, AnswerKind, Context, Credit, Declare, Feedback, Key, KeyValue, Marker,
-    Marking, Nature, Reading, Reason, Tolerance, Trial, Verdict, symbolic,
+    Answer, AnswerError, AnswerKind, Context, Credit, Declare, Feedback, Key, Marker, Marking,
+    Nature, Reading, Reason, Tolerance, Trial, Verdict, symbolic,
 };
 use crate::expr::{Expr, Form, Name, Path, Precise, Type, Value as Number, Workspace};
 use crate::math::Math;
@@ -82,6 +82,16 @@ struct Setup {
     variable: Name,
     meaning: Meaning,
     lexicon: Lexicon,
+    /// As it is printed, once it was.
+    printed: OnceLock<Key>,
+}
+
+impl Setup {
+    /// The key as it is printed: the same for all data.
+    fn printed(&self) -> Key {
+        let print = || Key::formula(self.shown.to_string(), self.shown.typeset(&self.lexicon));
+        self.printed.get_or_init(print).clone()
+    }
 }
 
 struct Prepared {
@@ -162,6 +172,7 @@ impl AnswerKind for Kind {
                 variable,
                 meaning,
                 lexicon,
+                printed: OnceLock::new(),
             }),
         }))
     }
@@ -228,16 +239,15 @@ impl Answer for Motion {
         true
     }
 
+    fn printed(&self, context: &Context<'_>) -> Option<Result<Key, Absent>> {
+        let times = self.span.ends(context.evaluation).map(times);
+        let first = times.and_then(|times| samples(context.evaluation, self.key, &times[..1]));
+        Some(first.map(|_| self.setup.printed()))
+    }
+
     fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
         let evaluation = context.evaluation;
-        let [from, to] = self.span.ends(evaluation)?;
-        let times: Vec<Precise> = (0..SAMPLES)
-            .map(|place| {
-                // Away from the ends, and not in step with any period.
-                let share = (place as f64 + 0.371) / SAMPLES as f64;
-                Precise::exact(from + (to - from) * share)
-            })
-            .collect();
+        let times = times(self.span.ends(evaluation)?);
         let values = samples(evaluation, self.key, &times)?;
         let largest = values
             .iter()
@@ -275,6 +285,15 @@ impl Answer for Motion {
             data: self.setup.meaning.data(evaluation),
         }))
     }
+}
+
+/// Times within a span: away from its ends, and not in step with any period.
+fn times([from, to]: [f64; 2]) -> Vec<Precise> {
+    let time = |place: usize| {
+        let share = (place as f64 + 0.371) / SAMPLES as f64;
+        Precise::exact(from + (to - from) * share)
+    };
+    (0..SAMPLES).map(time).collect()
 }
 
 /// The values of a node at these times.
@@ -419,16 +438,7 @@ impl Marker for Prepared {
     }
 
     fn key(&self) -> Key {
-        let math = self.setup.shown.typeset(&self.setup.lexicon);
-        let latex = math.latex();
-        Key {
-            math,
-            accepted: None,
-            value: KeyValue::Formula {
-                text: self.setup.shown.to_string(),
-                latex,
-            },
-        }
+        self.setup.printed()
     }
 
     fn mark(&self, response: &str) -> Marking {
