@@ -247,29 +247,11 @@ impl Marker for Prepared {
         let setup = &self.setup;
         let start = response.rfind('=').map_or(0, |at| at + 1);
         let response = &typed::rows_by_line(response);
-        let read = |response: &str| {
-            typed::list(
-                response,
-                start,
-                response.len(),
-                &setup.lexicon,
-                Manner::default(),
-            )
-        };
         let fits = |listed: &Listed| {
             listed.rows.len() == setup.rows
                 && listed.rows.iter().all(|row| row.len() == setup.columns)
         };
-        let mut listed = read(response);
-        if !listed.as_ref().is_ok_and(fits) {
-            // Entries may be parted by spaces.
-            let spaced = read(&typed::spaced(response));
-            listed = if spaced.as_ref().is_ok_and(fits) {
-                spaced
-            } else {
-                listed
-            };
-        }
+        let listed = typed::list_of_size(response, start, &setup.lexicon, Manner::default(), fits);
         let Listed { rows, tail } = match listed {
             Ok(listed) if fits(&listed) => listed,
             Ok(Listed { rows, .. }) => {

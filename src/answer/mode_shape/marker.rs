@@ -196,21 +196,10 @@ impl Prepared {
                 && !response.contains('.'),
             has_imaginary_unit: false,
         };
-        let read =
-            |response: &str| typed::list(response, start, response.len(), &setup.lexicon, manner);
         let (width, count) = (self.width(), self.keys.len());
         let fits =
             |listed: &Listed| listed.rows.iter().map(Vec::len).sum::<usize>() == width * count;
-        let mut listed = read(response);
-        if !listed.as_ref().is_ok_and(fits) {
-            // Components may be parted by spaces.
-            let spaced = read(&typed::spaced(response));
-            listed = if spaced.as_ref().is_ok_and(fits) {
-                spaced
-            } else {
-                listed
-            };
-        }
+        let listed = typed::list_of_size(response, start, &setup.lexicon, manner, fits);
         let Listed { rows, tail } = listed.map_err(|error| error.sentence(response))?;
         let entries = rows.concat();
         if entries.len() != width * count {

@@ -74,7 +74,7 @@ pub(in crate::answer) fn rows_by_line(text: &str) -> String {
 
 /// The same list with a comma for each space that parts entries, as in `[1 -2; 0 3]`; all places stay.
 /// A space parts two values, and a value from a sign that stands at the next one.
-pub(in crate::answer) fn spaced(text: &str) -> String {
+pub(super) fn spaced(text: &str) -> String {
     let mut depth: Vec<char> = Vec::new();
     let mut plain = String::with_capacity(text.len());
     let chars: Vec<char> = text.chars().collect();

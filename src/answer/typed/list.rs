@@ -1,7 +1,7 @@
 //! Lists, vectors and matrices as people type them: `(1, 0.618)`, `[1; -2]`, `[[3m, 0], [0, m]]`.
 
 use super::frame::{Frame, frame};
-use super::layout::without_latex;
+use super::layout::{spaced, without_latex};
 use super::{DEEPEST, LONGEST, Lexicon, Manner, Trouble, TypedError, read};
 use crate::expr::Expr;
 use crate::source::Span;
@@ -19,7 +19,7 @@ pub(in crate::answer) struct Listed {
 }
 
 /// The entries of a list in `text[from..to]`, by rows; a list without rows is one row.
-pub(in crate::answer) fn list(
+fn list(
     text: &str,
     from: usize,
     to: usize,
@@ -87,6 +87,27 @@ pub(in crate::answer) fn list(
         rows = transposed(&rows);
     }
     Ok(Listed { rows, tail })
+}
+
+/// A list of the size that is asked, whose entries may also be parted by spaces; of another size it is as it was typed.
+pub(in crate::answer) fn list_of_size(
+    text: &str,
+    from: usize,
+    lexicon: &Lexicon,
+    manner: Manner,
+    fits: impl Fn(&Listed) -> bool,
+) -> Result<Listed, TypedError> {
+    let read = |text: &str| list(text, from, text.len(), lexicon, manner);
+    let typed = read(text);
+    if typed.as_ref().is_ok_and(&fits) {
+        return typed;
+    }
+    let spaced = read(&spaced(text));
+    if spaced.as_ref().is_ok_and(&fits) {
+        spaced
+    } else {
+        typed
+    }
 }
 
 fn transposed(rows: &[Vec<Expr>]) -> Vec<Vec<Expr>> {

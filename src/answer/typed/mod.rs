@@ -28,9 +28,9 @@ mod token;
 pub(super) use behind::with_unit;
 pub(super) use error::{Trouble, TypedError};
 pub(super) use frame::first_bracket;
-pub(super) use layout::{rows_by_line, spaced};
+pub(super) use layout::rows_by_line;
 pub(super) use lexicon::Lexicon;
-pub(super) use list::{Listed, cut, list};
+pub(super) use list::{Listed, cut, list_of_size};
 
 use self::parser::{Parser, Slash};
 use self::token::tokens;

@@ -153,25 +153,29 @@ fn numbers_of_an_oscillator_follow_from_each_other() {
     );
 }
 
-#[test]
-fn the_feedback_names_the_answer_from_which_it_goes_on() {
-    let template = BANK
-        .find("ch4/p3-base-excited-relative")
-        .expect("the item is there");
+/// The first remark on an answer to an item of the bank that goes on from an earlier one.
+fn said(item: &str, earlier: (&str, &str), later: (&str, &str)) -> String {
+    let template = BANK.find(item).expect("the item is there");
     let solution = Solution::of(Instance::of_source(template));
     let place = |part: &str| {
-        template
-            .parts
-            .iter()
+        let mut parts = template.parts.iter();
+        parts
             .position(|own| own.id == part)
             .expect("the part is there")
     };
-    let grade = Grade::mark(
-        &solution,
-        [(place("k_eq"), SERIES.1), (place("omega_n"), "1.095 rad/s")],
+    let responses = [earlier, later].map(|(part, response)| (place(part), response));
+    let grade = Grade::mark(&solution, responses);
+    let marking = grade.part(place(later.0)).expect("it was marked");
+    remarks(&solution, place(later.0), marking)[0].plain()
+}
+
+#[test]
+fn the_feedback_names_the_answer_from_which_it_goes_on() {
+    let said = said(
+        "ch4/p3-base-excited-relative",
+        SERIES,
+        ("omega_n", "1.095 rad/s"),
     );
-    let marking = grade.part(place("omega_n")).expect("it was marked");
-    let said = remarks(&solution, place("omega_n"), marking)[0].plain();
     assert!(
         said.contains("follow-through") && said.contains('k'),
         "{said}"
@@ -309,27 +313,15 @@ fn a_system_that_is_easier_than_the_right_one_does_not_stand_in() {
 
 #[test]
 fn the_feedback_names_the_matrix_or_the_equation() {
-    let template = BANK
-        .find("ch5/p4-table-block-pulley-hanging-block")
-        .expect("the item is there");
-    let solution = Solution::of(Instance::of_source(template));
-    let place = |part: &str| {
-        let mut parts = template.parts.iter();
-        parts
-            .position(|own| own.id == part)
-            .expect("the part is there")
+    let said = |earlier| {
+        said(
+            "ch5/p4-table-block-pulley-hanging-block",
+            earlier,
+            ("pulsations", "1.531, 3.696 rad/s"),
+        )
     };
-    let said = |part: &str, response: &str| {
-        let all = [
-            (place(part), response),
-            (place("pulsations"), "1.531, 3.696 rad/s"),
-        ];
-        let grade = Grade::mark(&solution, all);
-        let marking = grade.part(place("pulsations")).expect("it was marked");
-        remarks(&solution, place("pulsations"), marking)[0].plain()
-    };
-    let of_matrix = said(UNCOUPLED_SPRING.0, UNCOUPLED_SPRING.1);
+    let of_matrix = said(UNCOUPLED_SPRING);
     assert!(of_matrix.ends_with("your own K."), "{of_matrix}");
-    let of_equation = said("eom1", "4 m x1'' + 2 k x1 - k x2 = 0");
+    let of_equation = said(("eom1", "4 m x1'' + 2 k x1 - k x2 = 0"));
     assert!(of_equation.ends_with("your own equation."), "{of_equation}");
 }

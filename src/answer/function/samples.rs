@@ -1,0 +1,77 @@
+//! Values of a function at the times of a span, and how far rounding in the steps moves them.
+
+use crate::expr::{Precise, Value};
+use crate::quantity::{Absent, Evaluation, Function, NodeId};
+
+/// The values of a node at these times.
+pub(super) fn samples(
+    evaluation: &Evaluation<'_>,
+    node: NodeId,
+    times: &[Precise],
+) -> Result<Vec<f64>, Absent> {
+    let function = evaluation.function(node)?;
+    times.iter().map(|time| sample(&function, *time)).collect()
+}
+
+fn sample(function: &Function<'_, '_>, time: Precise) -> Result<f64, Absent> {
+    let is_constant = function.variables().next().is_none();
+    let value: Value = if is_constant {
+        function.at(&[])?
+    } else {
+        function.at(&[time])?
+    };
+    Ok(value.as_real().unwrap_or(f64::NAN))
+}
+
+/// How far rounding in the steps moves the function, time by time.
+pub(super) fn derived(
+    evaluation: &Evaluation<'_>,
+    key: NodeId,
+    times: &[Precise],
+    values: &[f64],
+    largest: f64,
+    digits: u32,
+) -> Vec<f64> {
+    const STEP: f64 = 1e-6;
+    let mut spread = vec![largest; values.len()];
+    let mut add = |moved: &[f64]| {
+        for ((sum, moved), value) in spread.iter_mut().zip(moved).zip(values) {
+            let part = (moved - value).abs() / STEP;
+            *sum += if part.is_finite() {
+                part.min(10.0 * largest)
+            } else {
+                0.0
+            };
+        }
+    };
+    let graph = evaluation.graph();
+    for step in graph
+        .steps(key)
+        .into_iter()
+        .filter(|step| graph.variables(*step).is_empty())
+    {
+        let scaled = evaluation.value(step).ok().and_then(|value| {
+            let numbers = value
+                .numbers()
+                .iter()
+                .map(|number| number * (1.0 + STEP))
+                .collect();
+            Value::new(value.form(), numbers, value.bounds().to_vec())
+        });
+        let moved = scaled
+            .and_then(|moved| samples(&evaluation.replacing(vec![(step, moved)]), key, times).ok());
+        if let Some(moved) = moved {
+            add(&moved);
+        }
+    }
+    // A frequency that stands in the formula without a name is rounded all the same.
+    let later: Vec<Precise> = times
+        .iter()
+        .map(|time| Precise::exact(time.high() * (1.0 + STEP)))
+        .collect();
+    if let Ok(moved) = samples(evaluation, key, &later) {
+        add(&moved);
+    }
+    let share = 0.005 * crate::numerics::powi(10.0, 3 - digits as i32);
+    spread.into_iter().map(|sum| share * sum).collect()
+}
