@@ -1,4 +1,4 @@
-//! Writing an item as HTML: its question, its key, its worked solution.
+//! Choosing an item's instance, and writing it: its question, its key, its worked solution.
 
 use divan::{Bencher, black_box};
 use vibank::bank::{Catalogue, embedded};
@@ -17,24 +17,48 @@ const ITEMS: [&str; 4] = [
     "ch5/e5-coupled-pendulums-modes",
 ];
 
-/// Draws and writes a sheet of one item.
+/// A sheet of one item.
+fn blueprint(item: &str) -> Blueprint {
+    let text = format!("title = \"T\"\nseed = 1\nvariants = 1\n[[question]]\nitem = \"{item}\"\n");
+    Blueprint::read(&Source::new("bench.toml", text)).expect("it is sound")
+}
+
+/// A drawn variant.
+fn draw<'a>(plan: &Plan<'a>, index: u64) -> Sheet<'a> {
+    let variant = plan.variant(black_box(index), 0);
+    Sheet::draw(plan, variant, None).expect("the item can be drawn")
+}
+
+/// Writes sheets of one item that are drawn.
 fn page(bencher: Bencher, item: &str, kind: Kind, format: &str) {
     let (catalogue, _) = Catalogue::load(embedded());
-    if catalogue.find(item).is_none() {
-        return;
-    }
-    let text = format!("title = \"T\"\nseed = 1\nvariants = 1\n[[question]]\nitem = \"{item}\"\n");
-    let blueprint = Blueprint::read(&Source::new("bench.toml", text)).expect("it is sound");
+    let blueprint = blueprint(item);
     let plan = Plan::of(&blueprint, &catalogue, None).expect("the item is there");
     let writer = output::writer(format).expect("the format is there");
     let pages =
         Pages::new(writer, Run::of(&blueprint, writer), &[]).expect("the layouts are sound");
     let mut index = 0;
+    bencher
+        .with_inputs(|| {
+            index += 1;
+            draw(&plan, index)
+        })
+        .bench_local_values(|sheet| {
+            let page = pages.page(kind, &sheet).expect("the sheet can be written");
+            (page.text.len(), sheet)
+        });
+}
+
+/// Draws sheets of one item, with the choice of draws on which no slip gives the right answer.
+#[divan::bench(args = ITEMS)]
+fn choice(bencher: Bencher, item: &str) {
+    let (catalogue, _) = Catalogue::load(embedded());
+    let blueprint = blueprint(item);
+    let plan = Plan::of(&blueprint, &catalogue, None).expect("the item is there");
+    let mut index = 0;
     bencher.bench_local(|| {
         index += 1;
-        let variant = plan.variant(black_box(index), 0);
-        let sheet = Sheet::draw(&plan, variant, None).ok()?;
-        pages.page(kind, &sheet).ok().map(|page| page.text.len())
+        draw(&plan, index)
     });
 }
 

@@ -1,7 +1,6 @@
 //! The figures of the bank, and the elements of the book's gallery.
 
 use std::fmt::Write as _;
-use std::path::Path;
 
 use vibank::bank::{Catalogue, Template, embedded};
 use vibank::figure::{Bounds, Drawing, Fill, LETTER_SIZE};
@@ -9,6 +8,8 @@ use vibank::instance::Instance;
 use vibank::scene::{Data, Scene};
 use vibank::seed::Seed;
 use vibank::solution::Solution;
+
+use crate::generated;
 
 /// Draws of each item.
 const DRAWS: u64 = 25;
@@ -179,12 +180,12 @@ fn the_gallery_of_the_book_is_fresh() {
             "\n## `{name}`\n\n{text}\n\n![{alt}](figures/{name}.svg)\n"
         )
         .expect("a string takes all");
-        fresh(
+        generated::compare(
             &format!("book/src/reference/figures/{name}.svg"),
             &format!("{svg}\n"),
         );
     }
-    fresh("book/src/reference/figure-elements.md", &page);
+    generated::compare("book/src/reference/figure-elements.md", &page);
 }
 
 /// An item with a figure.
@@ -220,21 +221,6 @@ fn drawn(item: &str) -> (String, String) {
     assert!(faults.is_empty(), "{item}\n{faults:?}");
     let picture = figure.picture(&scene, "example").expect("it can be drawn");
     (picture.svg, picture.alt)
-}
-
-/// Compares a generated file; with `VIBANK_WRITE_BOOK` set it is written.
-fn fresh(path: &str, text: &str) {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
-    if std::env::var_os("VIBANK_WRITE_BOOK").is_some() {
-        std::fs::create_dir_all(file.parent().expect("it stands in a folder"))
-            .expect("it can be made");
-        std::fs::write(&file, text).expect("it can be written");
-    }
-    let written = std::fs::read_to_string(&file).unwrap_or_default();
-    assert!(
-        written == text,
-        "{path} is stale: run the test with VIBANK_WRITE_BOOK=1"
-    );
 }
 
 /// Every file of an element is one of the list.

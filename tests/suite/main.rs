@@ -18,6 +18,7 @@ mod cli;
 mod compiled;
 #[cfg(feature = "render")]
 mod figures;
+mod generated;
 #[cfg(feature = "render")]
 mod grade;
 mod layers;

@@ -10,6 +10,8 @@ use vibank::scene::{Data, Scene};
 use vibank::seed::Seed;
 use vibank::solution::Solution;
 
+use crate::generated;
+
 /// Draws of each plot.
 const SEEDS: u64 = 12;
 
@@ -173,8 +175,6 @@ const GALLERY: [(&str, &str, &str); 12] = [
 ];
 
 /// The gallery of the book: pictures beside the tables that they come from.
-///
-/// `UPDATE_BOOK=1 cargo test --test suite plots` writes it anew.
 #[test]
 fn the_gallery_is_fresh() {
     let book = std::path::Path::new("book/src");
@@ -212,20 +212,8 @@ fn the_gallery_is_fresh() {
         );
     }
     files.push((book.join("reference/plots.md"), page));
-    let update = std::env::var_os("UPDATE_BOOK").is_some();
     for (path, content) in files {
-        if update {
-            std::fs::create_dir_all(path.parent().expect("it lies in a folder"))
-                .expect("it can be made");
-            std::fs::write(&path, content).expect("it can be written");
-        } else {
-            let found = std::fs::read_to_string(&path).unwrap_or_default();
-            assert!(
-                found == content,
-                "{} is stale: UPDATE_BOOK=1 writes it anew",
-                path.display()
-            );
-        }
+        generated::compare(path, &content);
     }
 }
 

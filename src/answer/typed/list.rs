@@ -19,7 +19,7 @@ pub(in crate::answer) struct Listed {
 }
 
 /// The entries of a list in `text[from..to]`, by rows; a list without rows is one row.
-fn list(
+pub(super) fn list(
     text: &str,
     from: usize,
     to: usize,

@@ -215,7 +215,7 @@ fn lists_are_read_by_rows() {
         ("(1, (1 + sqrt(5))/2)", "[[1, (1 + sqrt(5))/2]]", ""),
         ("((1, 2), (3, 4))", "[[1, 2], [3, 4]]", ""),
     ] {
-        let listed = list(text, 0, text.len(), &lexicon(), manner).unwrap();
+        let listed = list::list(text, 0, text.len(), &lexicon(), manner).unwrap();
         let rows: Vec<String> = listed
             .rows
             .iter()
@@ -239,14 +239,14 @@ proptest! {
     #[test]
     fn any_text_is_read_or_refused(text in any::<String>()) {
         let _ = formula(&text, &lexicon(), MANNER).map_err(|error| error.sentence(&text));
-        let _ = list(&text, 0, text.len(), &lexicon(), MANNER).map_err(|error| error.sentence(&text));
+        let _ = list::list(&text, 0, text.len(), &lexicon(), MANNER).map_err(|error| error.sentence(&text));
         let _ = chain(&text, 0, text.len(), &lexicon(), MANNER).map_err(|error| error.sentence(&text));
     }
 
     #[test]
     fn any_text_of_formula_signs_is_read_or_refused(text in "[mgkxθω_{}()\\[\\]|/^*+\\-'²√ 0-9.,;=<edt\\\\]{0,60}|(\\\\frac|\\\\sqrt|\\\\dot|\\\\omega|_|\\{|\\}|x|2|sin| ){0,30}") {
         let _ = formula(&text, &lexicon(), MANNER).map_err(|error| error.sentence(&text));
-        let _ = list(&text, 0, text.len(), &lexicon(), MANNER).map_err(|error| error.sentence(&text));
+        let _ = list::list(&text, 0, text.len(), &lexicon(), MANNER).map_err(|error| error.sentence(&text));
         let _ = chain(&text, 0, text.len(), &lexicon(), MANNER).map_err(|error| error.sentence(&text));
     }
 }

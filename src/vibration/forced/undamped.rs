@@ -5,59 +5,96 @@
 //! x = (F/m) sin σt/σ sin δt/(2 δ)
 //! v = (F/m) (cos σt sin δt/δ + sin σt/σ cos δt)/2
 //! ```
+//!
+//! Far from resonance and once the motion has begun nothing cancels in the difference of the cosines, which then takes
+//! fewer roundings:
+//!
+//! ```text
+//! x = (F/m) (cos Ωt - cos ω0 t)/(4 σ δ)
+//! ```
 
 use super::super::oscillator::Scaled;
 use super::super::state::State;
 use super::frequency_response::residual_stiffness;
 use crate::numerics::Dd;
 
-/// Half the difference of the frequencies, as a part of half their sum, below which 1/δ may be large.
-const NEAR: f64 = 0.0625;
+/// Half the difference of the frequencies, as a part of half their sum, from which on they are far apart.
+const FAR: f64 = 0.0625;
 
 /// Half sum and half difference of the two angular frequencies.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Beat {
     carrier: Dd,
     detuning: Dd,
-    /// 1/(2 σ δ) where the two are far apart: one rounding instead of two quotients for each position.
-    apart: Option<f64>,
+    /// Where the frequencies are far apart.
+    apart: Option<Apart>,
+}
+
+/// Two frequencies that are far apart.
+#[derive(Clone, Copy, Debug)]
+struct Apart {
+    natural: Dd,
+    frequency: f64,
+    /// 1/(ω0² - Ω²).
+    factor: f64,
 }
 
 impl Beat {
     pub(super) fn of(scaled: &Scaled, frequency: f64) -> Self {
-        let carrier = (scaled.natural_frequency() + frequency) * 0.5;
-        let residual = residual_stiffness(scaled.mass, scaled.stiffness, frequency);
-        Self::new(carrier, residual / scaled.mass / (carrier * 4.0))
+        let residual = residual_stiffness(scaled.mass, scaled.stiffness, frequency) / scaled.mass;
+        Self::new(scaled.natural_frequency(), frequency, residual)
     }
 
     /// For a unit mass and a stiffness of thirty digits.
     pub(super) fn of_mode(stiffness: Dd, frequency: f64) -> Self {
-        let carrier = (stiffness.sqrt() + frequency) * 0.5;
         let residual = stiffness - Dd::product(frequency, frequency);
-        Self::new(carrier, residual / (carrier * 4.0))
+        Self::new(stiffness.sqrt(), frequency, residual)
     }
 
-    fn new(carrier: Dd, detuning: Dd) -> Self {
-        let is_far = detuning.hi().abs() > NEAR * carrier.hi();
+    /// From both frequencies and ω0² - Ω².
+    fn new(natural: Dd, frequency: f64, residual: Dd) -> Self {
+        let carrier = (natural + frequency) * 0.5;
+        let detuning = residual / (carrier * 4.0);
+        let is_far = detuning.hi().abs() > FAR * carrier.hi();
         Self {
             carrier,
             detuning,
-            apart: is_far.then(|| (Dd::from(0.5) / (carrier * detuning)).hi()),
+            apart: is_far.then(|| Apart {
+                natural,
+                frequency,
+                factor: (Dd::ONE / residual).hi(),
+            }),
         }
+    }
+
+    /// The two frequencies where they are far apart and the motion has begun.
+    fn apart(&self, t: f64) -> Option<&Apart> {
+        self.apart.as_ref().filter(|_| self.carrier.hi() * t > 1.0)
     }
 
     /// Position under a unit force on a unit mass.
     pub(super) fn position(&self, t: f64) -> f64 {
+        if let Some(apart) = self.apart(t) {
+            let (_, forced) = Dd::product(apart.frequency, t).sin_cos_to_f64();
+            let (_, free) = (apart.natural * t).sin_cos_to_f64();
+            return apart.factor * (forced - free);
+        }
         let (fast, _) = (self.carrier * t).sin_cos_to_f64();
         let (slow, _) = (self.detuning * t).sin_cos_to_f64();
-        if let Some(factor) = self.apart {
-            return factor * (fast * slow);
-        }
         0.5 * over(fast, self.carrier, t) * over(slow, self.detuning, t)
     }
 
     /// State under a unit force on a unit mass.
     pub(super) fn state(&self, t: f64) -> State {
+        if let Some(apart) = self.apart(t) {
+            let (forced_sine, forced) = Dd::product(apart.frequency, t).sin_cos_to_f64();
+            let (free_sine, free) = (apart.natural * t).sin_cos_to_f64();
+            return State {
+                position: apart.factor * (forced - free),
+                velocity: apart.factor
+                    * (apart.natural.hi() * free_sine - apart.frequency * forced_sine),
+            };
+        }
         let (fast, fast_cosine) = (self.carrier * t).sin_cos_to_f64();
         let (slow, slow_cosine) = (self.detuning * t).sin_cos_to_f64();
         let (fast, slow) = (over(fast, self.carrier, t), over(slow, self.detuning, t));

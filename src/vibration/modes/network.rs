@@ -3,6 +3,7 @@
 use super::solve::{Solution, completed};
 use super::system::Link;
 use super::{Pair, factor};
+use crate::numerics::Dd;
 use crate::numerics::jacobi::dot;
 
 pub(super) fn solve(masses: &[f64], springs: &[Link]) -> Solution {
@@ -183,15 +184,21 @@ pub(super) fn are_spread(rates: &[f64]) -> bool {
     softest.is_some_and(|softest| softest * WIDEST < stiffest * rates.len() as f64)
 }
 
+/// Frequencies of so few masses come from sums of thirty digits: their error may be three units, and rounded sums take all of
+/// that.
+const FEW: usize = 4;
+
 /// Replaces frequencies by Rayleigh quotients `Σ k e² / Σ m φ²`: sums of positive terms, whose error is that of the shape
 /// squared.
 fn take_rayleigh_quotients(masses: &[f64], springs: &[Link], solution: &mut Solution) {
+    /// Squares of extreme frequencies leave the range of numbers, and the quotient with them.
+    const AGREEMENT: f64 = 1e-12;
     let Solution { rates, vectors } = solution;
+    let size = masses.len();
     let stiffest = rates.last().copied().unwrap_or_default();
-    if !is_sparse_and_in_range(masses, springs, stiffest) {
+    if size > FEW && !is_sparse_and_in_range(masses, springs, stiffest) {
         return;
     }
-    let size = masses.len();
     let root = |m: &f64| factor::root_of_ratio(*m, masses[0]);
     let roots: Vec<f64> = masses.iter().map(root).collect();
     let mut shape = vec![0.0; size];
@@ -199,18 +206,44 @@ fn take_rayleigh_quotients(masses: &[f64], springs: &[Link], solution: &mut Solu
         if *rate * WIDEST < stiffest * size as f64 {
             continue;
         }
-        let (mut potential, mut kinetic) = (0.0, 0.0);
-        for (i, component) in shape.iter_mut().enumerate() {
-            *component = weighted[i] / roots[i];
-            kinetic += masses[i] * *component * *component;
+        for (component, (y, root)) in shape.iter_mut().zip(weighted.iter().zip(&roots)) {
+            *component = y / root;
         }
-        for spring in springs {
-            let elongation = spring.elongation(&shape);
-            potential += spring.coefficient * elongation * elongation;
+        let quotient = if size <= FEW {
+            exact_rayleigh_rate(masses, springs, &shape)
+        } else {
+            rayleigh_rate(masses, springs, &shape)
+        };
+        if (quotient - *rate).abs() <= AGREEMENT * *rate {
+            *rate = quotient;
         }
-        *rate = (potential / kinetic).sqrt();
     }
     sort(size, solution);
+}
+
+fn rayleigh_rate(masses: &[f64], springs: &[Link], shape: &[f64]) -> f64 {
+    let kinetic: f64 = masses.iter().zip(shape).map(|(m, x)| m * x * x).sum();
+    let potential: f64 = springs
+        .iter()
+        .map(|spring| {
+            let elongation = spring.elongation(shape);
+            spring.coefficient * elongation * elongation
+        })
+        .sum();
+    (potential / kinetic).sqrt()
+}
+
+/// The same rounded once.
+fn exact_rayleigh_rate(masses: &[f64], springs: &[Link], shape: &[f64]) -> f64 {
+    let kinetic = masses
+        .iter()
+        .zip(shape)
+        .fold(Dd::ZERO, |sum, (m, x)| sum + Dd::product(*x, *x) * *m);
+    let potential = springs.iter().fold(Dd::ZERO, |sum, spring| {
+        let [first, second] = spring.displacements(shape);
+        sum + Dd::sum(first, -second).square() * spring.coefficient
+    });
+    (potential / kinetic).sqrt().hi()
 }
 
 /// Whether sums over the springs of all modes cost little beside the rotations, and none of them leaves the range of numbers.

@@ -39,21 +39,18 @@ pub(super) fn modes(system: System) -> Result<Modes, ModesError> {
 }
 
 impl Modes {
-    /// Takes refined modes for small systems where plain ones would lose digits: frequencies of networks of so few masses
-    /// that the rounding of a shape is as much as n units, those of a network too far apart for plain Rayleigh quotients, and
-    /// all of matrices whose frequencies are spread or whose motion grows.
+    /// Takes refined modes for small systems where plain ones would lose digits: frequencies of networks too far apart for
+    /// plain Rayleigh quotients, and all of matrices whose frequencies are spread or whose motion grows.
     ///
     /// Larger systems may lose more, and refining them takes longer.
     fn refine_spread(&mut self) {
         const SMALL: usize = 16;
-        const FEW: usize = 4;
         const SPREAD: f64 = 30.0;
         if self.count() > SMALL {
             return;
         }
         let is_network = matches!(&self.system.stiffness, Stiffness::Springs(springs) if are_attractive(springs));
-        let is_refined = || self.count() <= FEW || network::are_spread(&self.rates);
-        if is_network && self.count() > 2 && is_refined() {
+        if is_network && self.count() > 2 && network::are_spread(&self.rates) {
             self.take_rates(&self.refined());
         }
         let magnitudes = || {

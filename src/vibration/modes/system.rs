@@ -83,8 +83,15 @@ impl Link {
     /// Relative displacement of the ends.
     #[inline]
     pub(crate) fn elongation<T: Component>(&self, shape: &[T]) -> T {
-        let at = |node: usize| node.checked_sub(1).map_or(T::default(), |i| shape[i]);
-        at(self.ends[0]) - at(self.ends[1])
+        let [first, second] = self.displacements(shape);
+        first - second
+    }
+
+    /// Displacements of the ends; that of the ground is zero.
+    #[inline]
+    pub(crate) fn displacements<T: Component>(&self, shape: &[T]) -> [T; 2] {
+        self.ends
+            .map(|node| node.checked_sub(1).map_or(T::default(), |i| shape[i]))
     }
 
     /// Adds the element to a symmetric matrix.

@@ -1,7 +1,7 @@
 //! The generated parts of the book, held against the program.
 //!
 //! A part stands between `<!-- generated: DIRECTIVE -->` and `<!-- end -->`. The test makes each anew and
-//! compares; `UPDATE_BOOK=1 cargo test --test suite book` writes what has changed. On the pages of the course
+//! compares; `UPDATE_BOOK=1 cargo test --test suite` writes what has changed. On the pages of the course
 //! it also typesets what stands between dollar signs.
 
 mod authors;
@@ -15,6 +15,8 @@ mod snippets;
 
 use std::fs;
 use std::path::{Path, PathBuf};
+
+use crate::generated;
 
 const BEGIN: &str = "\n<!-- generated: ";
 const END: &str = "<!-- end -->";
@@ -111,21 +113,8 @@ fn made(directive: &str) -> String {
 
 #[test]
 fn generated_parts_are_fresh() {
-    let update = std::env::var_os("UPDATE_BOOK").is_some();
-    let mut stale = Vec::new();
     for page in pages() {
         let text = fs::read_to_string(&page).unwrap();
-        let fresh = anew(&page, &text);
-        if fresh != text {
-            if update {
-                fs::write(&page, fresh).unwrap();
-            } else {
-                stale.push(page);
-            }
-        }
+        generated::compare(&page, &anew(&page, &text));
     }
-    assert!(
-        stale.is_empty(),
-        "stale: {stale:?}; `UPDATE_BOOK=1 cargo test --test suite book` writes them anew"
-    );
 }

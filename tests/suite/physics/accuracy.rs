@@ -4,9 +4,8 @@ use std::fmt::Write;
 
 use super::reference::{Accuracy, Row};
 use super::{friction, linearisation, modal, modes, oscillator, pendulum};
+use crate::generated;
 use crate::numerics::double;
-
-const PAGE: &str = include_str!("../../../book/src/trust/accuracy.md");
 
 /// Where the table stands in the page.
 const MARKS: [&str; 2] = ["<!-- accuracy: begin -->\n", "<!-- accuracy: end -->"];
@@ -110,10 +109,5 @@ fn every_target_is_met() {
         })
         .collect();
     assert!(missed.is_empty(), "{}", missed.join("\n"));
-    let [_, rest] = PAGE.split_once(MARKS[0]).map(<[&str; 2]>::from).unwrap();
-    let committed = rest.split_once(MARKS[1]).unwrap().0;
-    assert!(
-        committed == table,
-        "the table in `book/src/trust/accuracy.md` is not the current one, which is\n{table}"
-    );
+    generated::compare_between("book/src/trust/accuracy.md", MARKS, &table);
 }
