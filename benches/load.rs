@@ -10,7 +10,7 @@ fn main() {
 /// The bank that comes with the program; the report is per item.
 #[divan::bench(sample_count = 20)]
 fn whole_bank(bencher: Bencher) {
-    let items = Catalogue::load(embedded()).0.items().len();
+    let items = Catalogue::load(embedded()).0.items().count();
     bencher
         .counter(divan::counter::ItemsCount::new(items))
         .bench(|| Catalogue::load(black_box(embedded())));
@@ -33,5 +33,5 @@ fn one_small_item() -> usize {
             include_str!("../tests/fixtures/bank/free/spring-mass.toml"),
         ),
     ]));
-    catalogue.items().len()
+    catalogue.items().count()
 }

@@ -2,7 +2,7 @@
 
 use vibank::numerics::ExactNumber;
 use vibank::vibration::modal::{Damping, ModalResponse};
-use vibank::vibration::modes::{Link, Modes, Pair};
+use vibank::vibration::modes::{Link, Modes, Pair, System, natural_angular_frequencies};
 use vibank::vibration::{
     DryFriction, ForcedResponse, FreeResponse, FrequencyResponse, FrictionOscillator,
     HarmonicForce, Oscillator, Pendulum, State,
@@ -205,13 +205,21 @@ fn modes(costs: &mut Vec<Cost>) {
         ("modes: chain of 3, with shapes", 3, 1.0),
         ("modes: chain of 10, with shapes", 10, 30.0),
         ("modes: chain of 50, with shapes", 50, 1500.0),
-        ("modes: chain of 200, with shapes", 200, 3000.0),
+        ("modes: chain of 200, with shapes", 200, 25_000.0),
     ] {
         let (masses, springs) = uniform_chain(size);
         add(costs, task, Limit::Micros(limit), |_| {
             Modes::of_network(&masses, &springs)
         });
     }
+    let (masses, springs) = uniform_chain(200);
+    let chain = System::of_network(&masses, &springs).expect("the chain is sound");
+    add(
+        costs,
+        "modes: chain of 200, frequencies",
+        Limit::Micros(3000.0),
+        |_| natural_angular_frequencies(&chain),
+    );
     for (task, size, limit) in [
         ("modes: dense network of 10, with shapes", 10, 30.0),
         ("modes: dense network of 50, with shapes", 50, 1500.0),

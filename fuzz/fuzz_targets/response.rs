@@ -23,7 +23,7 @@ thread_local! {
             ),
         ]);
         let catalogue: &'static Catalogue = Box::leak(Box::new(catalogue));
-        let item = catalogue.items().first();
+        let item = catalogue.items().next();
         Solution::of(Instance::of_source(
             item.unwrap_or_else(|| panic!("{findings:?}")),
         ))

@@ -337,8 +337,6 @@ pub(super) fn lexicon(
     }
     for own in known.iter().filter(|own| !names.contains(&own.name)) {
         lexicon.forbid(&own.name);
-    }
-    for own in &known {
         lexicon.set_symbol(&own.name, own.symbol.clone());
     }
     (lexicon, names)

@@ -1,39 +1,107 @@
-//! The catalogue: all items of a bank that can be used.
+//! The catalogue: all items of a bank.
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use sha2::{Digest, Sha256};
 
-use super::Template;
 use super::folder::{BankFile, Chapter};
-use crate::source::nearest;
+use super::{ItemId, Revision, Template};
+use crate::diagnostic::Finding;
+use crate::source::{Source, nearest};
 
-/// All items of a bank that can be used.
+/// All items of a bank; a file is read when somebody asks for its item.
 #[derive(Debug, Default)]
 pub struct Catalogue {
     /// What the bank says of itself.
     pub bank: BankFile,
     /// Its chapters by number.
     pub chapters: Vec<Chapter>,
-    pub(super) items: Vec<Template>,
+    pub(super) entries: Vec<Entry>,
     pub(super) by_id: BTreeMap<Arc<str>, usize>,
 }
 
+/// The file of an item, and what came of reading it.
+#[derive(Debug)]
+pub(super) struct Entry {
+    pub(super) id: ItemId,
+    pub(super) revision: Revision,
+    pub(super) source: Source,
+    reading: OnceLock<Reading>,
+}
+
+#[derive(Debug, Default)]
+pub(super) struct Reading {
+    /// None where something is wrong with it.
+    pub(super) template: Option<Template>,
+    pub(super) findings: Vec<Finding>,
+}
+
+#[cfg(feature = "render")]
+impl Entry {
+    pub(super) fn new(id: ItemId, source: &Source) -> Self {
+        Self {
+            id,
+            revision: Revision::of(&source.text),
+            source: source.clone(),
+            reading: OnceLock::new(),
+        }
+    }
+}
+
 impl Catalogue {
-    /// The items, by chapter and name.
-    pub fn items(&self) -> &[Template] {
-        &self.items
+    /// The identities of all items, also of those that cannot be used, by chapter and name.
+    pub fn ids(&self) -> impl ExactSizeIterator<Item = &ItemId> {
+        self.entries.iter().map(|entry| &entry.id)
+    }
+
+    /// The items that can be used, by chapter and name.
+    pub fn items(&self) -> impl Iterator<Item = &Template> {
+        self.entries
+            .iter()
+            .filter_map(|entry| self.reading(entry).template.as_ref())
     }
 
     /// The item of this identity.
+    ///
+    /// ```
+    /// # #[cfg(feature = "render")] {
+    /// use vibank::bank::{Catalogue, embedded};
+    ///
+    /// // No other item is read.
+    /// let (catalogue, _) = Catalogue::open(embedded());
+    /// let item = catalogue.find("ch3/e5-log-decrement").unwrap();
+    /// assert!(item.part("delta").is_some());
+    /// # }
+    /// ```
     pub fn find(&self, id: &str) -> Option<&Template> {
-        self.by_id.get(id).map(|at| &self.items[*at])
+        let entry = &self.entries[*self.by_id.get(id)?];
+        self.reading(entry).template.as_ref()
+    }
+
+    /// What is wrong with the files of all items.
+    #[cfg(feature = "render")]
+    pub(super) fn item_findings(&self) -> Vec<Finding> {
+        let findings = self
+            .entries
+            .iter()
+            .flat_map(|entry| &self.reading(entry).findings);
+        findings.cloned().collect()
+    }
+
+    fn reading<'c>(&'c self, entry: &'c Entry) -> &'c Reading {
+        entry.reading.get_or_init(|| self.read(entry))
+    }
+
+    /// Without the readers of texts no catalogue has an entry.
+    #[cfg(not(feature = "render"))]
+    fn read(&self, _: &Entry) -> Reading {
+        Reading::default()
     }
 
     /// The identity that is nearest to a mistyped one; the slug alone is enough.
     pub fn nearest(&self, id: &str) -> Option<&str> {
-        let ids = || self.items.iter().map(|item| item.id.as_str());
+        let ids = || self.ids().map(ItemId::as_str);
         let by_slug = ids().find(|known| {
             known
                 .split_once('/')
@@ -45,8 +113,8 @@ impl Catalogue {
     /// A digest over the identities and revisions of all items.
     pub fn digest(&self) -> String {
         let mut hash = Sha256::new();
-        for item in &self.items {
-            hash.update(format!("{} {}\n", item.id, item.revision));
+        for entry in &self.entries {
+            hash.update(format!("{} {}\n", entry.id, entry.revision));
         }
         hash.finalize()
             .iter()

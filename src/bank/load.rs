@@ -1,8 +1,8 @@
-//! Loading a bank from the texts of its files.
+//! A bank from the texts of its files.
 
-use super::catalogue::Catalogue;
+use super::catalogue::{Catalogue, Entry, Reading};
 use super::folder::{BankFile, Chapter};
-use super::{ItemId, Revision, read};
+use super::{ItemId, read};
 use crate::diagnostic::{Code, Diagnose, Finding, Label, Severity};
 use crate::source::{Problems, Source, toml};
 
@@ -25,8 +25,16 @@ enum FolderError {
 }
 
 impl Catalogue {
-    /// Reads the files of a bank, each with its path inside the bank; what is wrong is told, the rest serves.
+    /// Opens a bank and reads all its items; what is wrong is told, the rest serves.
     pub fn load<'f>(files: impl IntoIterator<Item = (&'f str, &'f str)>) -> (Self, Vec<Finding>) {
+        let (catalogue, mut findings) = Self::open(files);
+        findings.append(&mut catalogue.findings());
+        Finding::sort(&mut findings);
+        (catalogue, findings)
+    }
+
+    /// Takes the files of a bank, each with its path inside the bank, and reads those that are no items.
+    pub fn open<'f>(files: impl IntoIterator<Item = (&'f str, &'f str)>) -> (Self, Vec<Finding>) {
         let mut sources: Vec<Source> = files
             .into_iter()
             .map(|(path, text)| Source::new(path, text))
@@ -53,6 +61,29 @@ impl Catalogue {
         (catalogue, findings)
     }
 
+    /// What is wrong with the items, all of which are read for it.
+    pub fn findings(&self) -> Vec<Finding> {
+        let mut findings = self.item_findings();
+        for item in self.items() {
+            for after in item
+                .about
+                .after
+                .iter()
+                .filter(|after| self.find(&after.value).is_none())
+            {
+                let error = FolderError::After {
+                    item: item.id.to_string(),
+                    after: after.value.clone(),
+                    nearest: self.nearest(&after.value).map(str::to_owned),
+                    span: after.span,
+                };
+                findings.push(Finding::of(&error, &item.source));
+            }
+        }
+        Finding::sort(&mut findings);
+        findings
+    }
+
     fn add(&mut self, source: &Source, findings: &mut Vec<Finding>) {
         if let Some(folder) = source.path.strip_suffix("/_chapter.toml") {
             let (chapter, mut found) = Chapter::read(folder, source);
@@ -60,19 +91,7 @@ impl Catalogue {
             self.chapters.push(chapter);
         } else if &*source.path != "bank.toml" {
             match ItemId::of_path(&source.path) {
-                Some(id) => {
-                    let problems = Problems::default();
-                    let item = read::Item {
-                        id,
-                        revision: Revision::of(&source.text),
-                        source,
-                        tree: &toml::read(source, &problems),
-                        topics: Some(&self.bank.topics),
-                    };
-                    let (template, mut found) = read::item(item, &problems, &mut read::Parsers);
-                    findings.append(&mut found);
-                    self.items.extend(template);
-                }
+                Some(id) => self.entries.push(Entry::new(id, source)),
                 None => findings.push(Finding::of(
                     &FolderError::Path(source.path.to_string()),
                     source,
@@ -81,7 +100,20 @@ impl Catalogue {
         }
     }
 
-    /// Sorts items by chapter and name, and looks up what they build on.
+    pub(super) fn read(&self, entry: &Entry) -> Reading {
+        let problems = Problems::default();
+        let item = read::Item {
+            id: entry.id.clone(),
+            revision: entry.revision,
+            source: &entry.source,
+            tree: &toml::read(&entry.source, &problems),
+            topics: Some(&self.bank.topics),
+        };
+        let (template, findings) = read::item(item, &problems, &mut read::Parsers);
+        Reading { template, findings }
+    }
+
+    /// Sorts items by chapter and name.
     fn arrange(&mut self, findings: &mut Vec<Finding>) {
         self.chapters.sort_by(|a, b| {
             a.number
@@ -93,35 +125,21 @@ impl Catalogue {
                 .iter()
                 .position(|chapter| chapter.folder == id.chapter())
         };
-        self.items
-            .sort_by_cached_key(|item| (place(&item.id), natural(item.id.as_str())));
+        self.entries
+            .sort_by_cached_key(|entry| (place(&entry.id), natural(entry.id.as_str())));
         self.by_id = self
-            .items
+            .entries
             .iter()
             .enumerate()
-            .map(|(at, item)| (item.id.as_str().into(), at))
+            .map(|(at, entry)| (entry.id.as_str().into(), at))
             .collect();
-        for item in &self.items {
-            if place(&item.id).is_none() {
-                let error = FolderError::NoChapterFile(item.id.chapter().to_owned());
-                findings.push(Finding::of(&error, &item.source));
-            }
-            for after in item
-                .about
-                .after
-                .iter()
-                .filter(|after| !self.by_id.contains_key(after.value.as_str()))
-            {
-                let nearest = self.nearest(&after.value).map(str::to_owned);
-                let (item_id, id) = (item.id.to_string(), after.value.clone());
-                let error = FolderError::After {
-                    item: item_id,
-                    after: id,
-                    nearest,
-                    span: after.span,
-                };
-                findings.push(Finding::of(&error, &item.source));
-            }
+        for entry in self
+            .entries
+            .iter()
+            .filter(|entry| place(&entry.id).is_none())
+        {
+            let error = FolderError::NoChapterFile(entry.id.chapter().to_owned());
+            findings.push(Finding::of(&error, &entry.source));
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Templates and the catalogue that holds them; loading from text.
 //!
 //! A bank is a folder of files: `bank.toml`, `<chapter>/_chapter.toml` and `<chapter>/<slug>.toml`.
-//! Loading gives a catalogue of what can be used and the findings about the rest: a broken item
-//! never hides the others.
+//! Opening one gives a catalogue of what can be used; an item is read when it is asked for, or all are, with
+//! the findings about what cannot be used: a broken item never hides the others.
 
 mod about;
 mod catalogue;

@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use vibank::bank::{Catalogue, embedded};
+use rayon::prelude::*;
+use vibank::bank::{Catalogue, ItemId, embedded};
 use vibank::diagnostic::{Finding, Severity};
 use vibank::source::{Problem, Source, Span};
 
@@ -28,6 +29,14 @@ impl BankArgument {
         &self,
         further: &[(String, String)],
     ) -> Result<(Catalogue, Vec<Finding>), Failure> {
+        let (catalogue, mut findings) = self.open(further)?;
+        read_all(&catalogue);
+        findings.append(&mut catalogue.findings());
+        Finding::sort(&mut findings);
+        Ok((catalogue, findings))
+    }
+
+    fn open(&self, further: &[(String, String)]) -> Result<(Catalogue, Vec<Finding>), Failure> {
         let mut found = Found::default();
         if let Some(folder) = &self.bank {
             found.collect(folder, "")?;
@@ -56,14 +65,17 @@ impl BankArgument {
             .iter()
             .map(|(path, text)| (path.as_str(), text.as_str()));
         let texts = known.into_iter().chain(chapters).chain(further);
-        let (catalogue, mut findings) = Catalogue::load(texts);
+        let (catalogue, mut findings) = Catalogue::open(texts);
         findings.append(&mut found.unreadable);
-        Finding::sort(&mut findings);
         Ok((catalogue, findings))
     }
 
-    /// The catalogue; errors are told in one line, since they hide items.
+    /// The catalogue, its items to be read when they are asked for. Those of a folder are read at once: errors in them are
+    /// told in one line, since they hide items.
     pub(crate) fn catalogue(&self) -> Result<Catalogue, Failure> {
+        if self.bank.is_none() {
+            return Ok(self.open(&[])?.0);
+        }
         let (catalogue, findings) = self.load()?;
         let broken = findings
             .iter()
@@ -74,6 +86,14 @@ impl BankArgument {
         }
         Ok(catalogue)
     }
+}
+
+/// Reads all items, on all cores.
+pub(crate) fn read_all(catalogue: &Catalogue) {
+    let ids: Vec<&ItemId> = catalogue.ids().collect();
+    ids.par_iter().for_each(|id| {
+        catalogue.find(id.as_str());
+    });
 }
 
 /// Stands in for the chapter of a file that is looked at by itself.

@@ -51,7 +51,7 @@ impl Arguments {
         let is_known = |item: &&String| {
             let path = inside(item);
             let path = path.trim_end_matches(".toml");
-            let items = catalogue.items().iter().map(|item| &*item.source.path);
+            let items = catalogue.items().map(|item| &*item.source.path);
             let broken = findings.iter().map(|finding| &*finding.source.path);
             items.chain(broken).any(|known| known.contains(path))
         };
@@ -89,7 +89,6 @@ type Looked = (Vec<Finding>, Option<Survey>);
 fn look_over(catalogue: &Catalogue, arguments: &Arguments) -> Vec<Looked> {
     let wanted: Vec<_> = catalogue
         .items()
-        .iter()
         .filter(|item| arguments.wants(&item.source.path))
         .collect();
     let progress = progress::bar(wanted.len() as u64, "items");
@@ -141,7 +140,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let (errors, warnings) = (count(Severity::Error), count(Severity::Warning));
     eprintln!(
         "{}, {}, {}",
-        counted(catalogue.items().len(), "item"),
+        counted(catalogue.items().count(), "item"),
         counted(errors, "error"),
         counted(warnings, "warning")
     );

@@ -3,7 +3,7 @@
 use serde_json::json;
 use vibank::bank::Template;
 
-use super::bank::BankArgument;
+use super::bank::{self, BankArgument};
 use super::filter::Filter;
 use super::{Failure, Format, Outcome};
 
@@ -23,9 +23,9 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let catalogue = arguments.bank.catalogue()?;
+    bank::read_all(&catalogue);
     let items: Vec<&Template> = catalogue
         .items()
-        .iter()
         .filter(|item| arguments.filter.wants(item))
         .collect();
     if let Format::Json = arguments.format {

@@ -72,9 +72,9 @@ fn planned(
 }
 
 fn filtered(filter: &Filter, catalogue: &Catalogue) -> Result<Offered, Failure> {
+    bank::read_all(catalogue);
     let items: Vec<&Template> = catalogue
         .items()
-        .iter()
         .filter(|item| filter.wants(item))
         .collect();
     if items.is_empty() {

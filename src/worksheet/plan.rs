@@ -258,7 +258,7 @@ impl<'c> Planner<'c> {
                         .any(|part| part.answer.kind().name() == kind.value)
                 })
         };
-        self.catalogue.items().iter().filter(fits).collect()
+        self.catalogue.items().filter(fits).collect()
     }
 
     /// Parts and data of a question have to be those of its item.

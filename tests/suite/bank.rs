@@ -23,7 +23,7 @@ const PROVED: u64 = 20;
 /// What `faults` finds in each item, on all cores, in the order of the bank.
 fn over_all(faults: impl Fn(&Template) -> Vec<String> + Sync) -> Vec<String> {
     let (catalogue, _) = Catalogue::load(embedded());
-    let items = catalogue.items();
+    let items: Vec<_> = catalogue.items().collect();
     let next = AtomicUsize::new(0);
     let work = || {
         let mut found = Vec::new();

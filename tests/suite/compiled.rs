@@ -65,7 +65,8 @@ fn a_compiled_item_shows_and_marks_as_its_file_does() {
 #[test]
 fn what_is_no_compiled_item_is_refused() {
     let catalogue = super::small_bank();
-    let json = serde_json::to_string(&Compiled::of(&catalogue.items()[0])).expect("plain data");
+    let json = serde_json::to_string(&Compiled::of(catalogue.items().next().unwrap()))
+        .expect("plain data");
     let broken = json.replace("\"texts\":[", "\"texts\":[],\"others\":[");
     let compiled: Compiled = serde_json::from_str(&broken).expect("it has the form");
     let error = compiled.template().expect_err("its texts are gone");

@@ -130,7 +130,7 @@ fn the_module_answers_as_the_library_does() {
         return;
     }
     let (catalogue, _) = Catalogue::load(embedded());
-    let all: Vec<&Template> = catalogue.items().iter().collect();
+    let all: Vec<&Template> = catalogue.items().collect();
     let (practice, items) = Practice::of_items(&catalogue, &all, "All");
     let lines = practice.lines(&items);
     let native = Grader::of(&lines).expect("it was written so");
@@ -179,7 +179,7 @@ fn the_module_answers_as_the_library_does() {
 #[test]
 fn a_request_that_makes_no_sense_gets_an_error() {
     let catalogue = super::small_bank();
-    let all: Vec<&Template> = catalogue.items().iter().collect();
+    let all: Vec<&Template> = catalogue.items().collect();
     let (practice, items) = Practice::of_items(&catalogue, &all, "Small");
     let grader = Grader::of(&practice.lines(&items)).expect("it was written so");
     for request in [
@@ -201,7 +201,7 @@ fn a_request_that_makes_no_sense_gets_an_error() {
 #[test]
 fn a_hostile_response_stays_text() {
     let catalogue = super::small_bank();
-    let all: Vec<&Template> = catalogue.items().iter().collect();
+    let all: Vec<&Template> = catalogue.items().collect();
     let (practice, items) = Practice::of_items(&catalogue, &all, "Small");
     let grader = Grader::of(&practice.lines(&items)).expect("it was written so");
     let long = "(".repeat(3900);
@@ -233,7 +233,7 @@ fn a_hostile_response_stays_text() {
 #[test]
 fn the_page_is_one_file_that_fetches_nothing() {
     let catalogue = super::small_bank();
-    let all: Vec<&Template> = catalogue.items().iter().collect();
+    let all: Vec<&Template> = catalogue.items().collect();
     let title = "Practice </script><script>alert(1)</script>";
     let (practice, items) = Practice::of_items(&catalogue, &all, title);
     let page = vibank::output::practice(&practice, &items).expect("it can be filled");

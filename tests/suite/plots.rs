@@ -17,10 +17,7 @@ const SEEDS: u64 = 12;
 
 /// All items with plots.
 fn items(catalogue: &Catalogue) -> impl Iterator<Item = &Template> {
-    catalogue
-        .items()
-        .iter()
-        .filter(|item| !item.plots.is_empty())
+    catalogue.items().filter(|item| !item.plots.is_empty())
 }
 
 /// Calls `visit` with each plot of the bank for the data of its source and for several draws.

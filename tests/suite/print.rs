@@ -85,7 +85,6 @@ fn the_chapter_prints(chapter: &str) {
     let (catalogue, _) = Catalogue::load(embedded());
     let items: Vec<&str> = catalogue
         .items()
-        .iter()
         .map(|template| template.id.as_str())
         .filter(|id| id.starts_with(chapter))
         .collect();

@@ -1,8 +1,8 @@
 //! LaTeX commands in responses.
 
 use super::letters::{Letters, greek_word};
-use super::lexicon::INITIAL;
 use super::token::{Item, Lexer};
+use super::words::INITIAL;
 use super::{Trouble, TypedError};
 use crate::expr::{Constant, Expr, Function};
 use crate::numerics::Rational;

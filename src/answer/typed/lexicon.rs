@@ -1,204 +1,71 @@
-//! The words of a response: the names that it may use, functions and constants; runs of letters split into them.
+//! What names a response may use, with their symbols; what people type for them is made out when one is read.
 
 use std::collections::BTreeMap;
+use std::sync::{Arc, OnceLock};
 
-use super::letters::{Letters, combining, dotted};
-use crate::expr::{Constant, Expr, Function, Kind, Name, Notation, Symbol};
+use super::letters::Letters;
+use super::words::{Piece, Words};
+use crate::expr::{Expr, Name, Notation, Symbol};
 use crate::math::{Math, symbol};
 use crate::source::nearest;
 
-/// The words that a response may use.
+/// The names that a response may use.
 #[derive(Debug, Default)]
 pub(in crate::answer) struct Lexicon {
-    words: Vec<Word>,
-    /// Words by first letter.
-    by_letter: BTreeMap<u8, Vec<usize>>,
-    symbols: BTreeMap<Name, Math>,
+    entries: Vec<Entry>,
+    symbols: BTreeMap<Name, Arc<Math>>,
     moving: Vec<Name>,
-    allowed: Vec<String>,
-    /// Spellings with a letter that looks like the right one.
-    latin: Vec<String>,
+    /// Only a response asks for them.
+    words: OnceLock<Words>,
 }
 
+/// A name of the item.
 #[derive(Debug)]
-struct Word {
-    spelling: String,
-    sense: Sense,
-    /// The number of primes with which it is written.
-    primes: u8,
+pub(super) enum Entry {
+    /// It may be used; with its symbol, and whether it moves with time.
+    Allowed(Name, Arc<Math>, bool),
+    /// It may not.
+    Forbidden(Name),
 }
-
-/// Added to the primes of a name that is written as an initial value, `x(0)`.
-pub(super) const INITIAL: u8 = 100;
-
-/// What a word means.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Sense {
-    /// A name, or a time derivative of it.
-    Leaf(Expr),
-    /// A function.
-    Function(Function),
-    /// The imaginary unit, if there is one.
-    Imaginary,
-    /// `log`.
-    Logarithm,
-    /// A name of the item that is not allowed.
-    NotAllowed,
-}
-
-/// A word within a run of letters.
-pub(super) struct Piece {
-    pub(super) sense: Sense,
-    /// Places in the source.
-    pub(super) start: usize,
-    pub(super) end: usize,
-    /// Whether it is spelled with the primes that follow.
-    pub(super) takes_primes: bool,
-}
-
-/// The functions that people type under other names than files do.
-const ALIASES: &[(&str, Function)] = &[
-    ("arcsin", Function::Asin),
-    ("arccos", Function::Acos),
-    ("arctan", Function::Atan),
-    ("arctg", Function::Atan),
-    ("tg", Function::Tan),
-    ("arsinh", Function::Asinh),
-    ("arcosh", Function::Acosh),
-    ("artanh", Function::Atanh),
-    ("sgn", Function::Sign),
-    ("signum", Function::Sign),
-    ("Re", Function::Re),
-    ("Im", Function::Im),
-];
-
-/// Functions that can stand within a run of letters, without a bracket after them.
-const BARE: &[Function] = &[
-    Function::Sin,
-    Function::Cos,
-    Function::Tan,
-    Function::Asin,
-    Function::Acos,
-    Function::Atan,
-    Function::Sinh,
-    Function::Cosh,
-    Function::Tanh,
-    Function::Asinh,
-    Function::Acosh,
-    Function::Atanh,
-    Function::Exp,
-    Function::Ln,
-    Function::Log10,
-    Function::Sqrt,
-    Function::Sign,
-];
 
 impl Lexicon {
     /// Functions and constants alone.
     pub(in crate::answer) fn new() -> Self {
-        let mut lexicon = Self::default();
-        for (constant, spelling) in [(Constant::Pi, "pi"), (Constant::E, "e")] {
-            lexicon.add(spelling, Sense::Leaf(Expr::constant(constant)), 0);
-        }
-        lexicon.add("i", Sense::Imaginary, 0);
-        lexicon.add("j", Sense::Imaginary, 0);
-        lexicon.add("log", Sense::Logarithm, 0);
-        let infinity = Sense::Leaf(Expr::constant(Constant::Infinity));
-        lexicon.add("inf", infinity.clone(), 0);
-        lexicon.add("infinity", infinity.clone(), 0);
-        lexicon.add("oo", infinity.clone(), 0);
-        lexicon.add("infty", infinity, 0);
-        let is_scalar = |function: &Function| {
-            !matches!(
-                function,
-                Function::Transpose | Function::Det | Function::Dot | Function::Norm
-            )
-        };
-        for function in Function::all().filter(is_scalar) {
-            lexicon.add_function(function.name(), function);
-        }
-        for (name, function) in ALIASES {
-            lexicon.add_function(name, *function);
-        }
-        // `Asin(2t)` is an amplitude before a sine.
-        let is_capital = |name: &&str| name.len() > 2 && !name.starts_with('a');
-        for function in BARE {
-            let Some(name) = Some(function.name()).filter(is_capital) else {
-                continue;
-            };
-            let upper = name.to_uppercase();
-            let capital = format!("{}{}", &upper[..1], &name[1..]);
-            lexicon.add_function(&upper, *function);
-            lexicon.add_function(&capital, *function);
-        }
-        lexicon
+        Self::default()
     }
 
     /// Adds a name with its symbol; one that moves with time may be primed.
     pub(in crate::answer) fn allow(&mut self, name: &Name, math: &Math, is_moving: bool) {
-        self.symbols.insert(name.clone(), math.clone());
-        self.allowed.push(math.plain());
-        let sense = Sense::Leaf(Expr::name(name.clone()));
-        let own = Letters::spelling(name.as_str()).unwrap_or_default();
-        self.replace(&own, sense.clone());
+        let math = Arc::new(math.clone());
+        self.symbols.insert(name.clone(), Arc::clone(&math));
         if is_moving {
             self.moving.push(name.clone());
-            self.add_dotted(&own, name);
         }
-        if let Some(base) = name.as_str().strip_suffix("dot") {
-            let (base, primes) = match base.strip_suffix('d') {
-                Some(shorter) => (shorter, 2),
-                None => (base, 1),
-            };
-            if let Some(base) = Letters::spelling(base.trim_end_matches('_')) {
-                self.add(&base, sense.clone(), primes);
-            }
-        }
-        let plain = math.plain();
-        if let Some(value) = plain.strip_suffix("(0)") {
-            let (base, order) = undotted(value)
-                .unwrap_or_else(|| (Letters::spelling(value).unwrap_or_default(), 0));
-            self.add(&base, sense.clone(), order + INITIAL);
-        }
-        if let Some((base, order)) = undotted(&plain) {
-            self.add(&base, sense.clone(), order);
-        }
-        let printed = Letters::spelling(&math.plain());
-        let usual = Letters::spelling(&symbol(name.as_str()).plain());
-        let lambda = (name.as_str() == "lam").then(|| "lambda".to_owned());
-        // The letter that looks like it, `w0` for ω₀.
-        let latin = own.strip_prefix("omega").map(|rest| format!("w{rest}"));
-        self.latin.extend(latin.clone());
-        for spelling in [printed, usual, lambda, latin].into_iter().flatten() {
-            if spelling != own && !self.is_taken(&spelling) {
-                self.replace(&spelling, sense.clone());
-                if is_moving {
-                    self.add_dotted(&spelling, name);
-                }
-            }
-        }
+        self.add(Entry::Allowed(name.clone(), math, is_moving));
     }
 
     /// Adds a name of the item that the answer may not use, so that it can be said.
     pub(in crate::answer) fn forbid(&mut self, name: &Name) {
-        let Some(own) = Letters::spelling(name.as_str()) else {
-            return;
-        };
-        if self.latin.contains(&own) {
-            self.replace(&own, Sense::NotAllowed);
-        } else if !self.knows(&own) {
-            self.add(&own, Sense::NotAllowed, 0);
-        }
+        self.add(Entry::Forbidden(name.clone()));
+    }
+
+    fn add(&mut self, entry: Entry) {
+        self.entries.push(entry);
+        self.words.take();
+    }
+
+    fn words(&self) -> &Words {
+        self.words.get_or_init(|| Words::of(&self.entries))
     }
 
     /// Another symbol for a name that is there.
     pub(in crate::answer) fn set_symbol(&mut self, name: &Name, math: Math) {
-        self.symbols.insert(name.clone(), math);
+        self.symbols.insert(name.clone(), Arc::new(math));
     }
 
     /// The names that may be used, for a message.
     pub(super) fn allowed(&self) -> String {
-        self.allowed.join(", ")
+        self.words().allowed().join(", ")
     }
 
     /// Whether a name moves with time.
@@ -208,17 +75,9 @@ impl Lexicon {
 
     /// The moving name of this spelling.
     pub(super) fn moving(&self, spelling: &str) -> Option<&Name> {
-        let word = self
-            .words
-            .iter()
-            .find(|word| word.spelling == spelling && word.primes == 0)?;
-        let Sense::Leaf(leaf) = &word.sense else {
-            return None;
-        };
-        match leaf.kind() {
-            Kind::Name(name) if self.is_moving(name) => Some(name),
-            _ => None,
-        }
+        self.words()
+            .name(spelling)
+            .filter(|name| self.is_moving(name))
     }
 
     /// The derivative of this order of the name of this spelling, as dots over it would have it.
@@ -231,11 +90,7 @@ impl Lexicon {
 
     /// The name that is spelled with so many primes.
     pub(super) fn dotted_word(&self, spelling: &str, primes: u8) -> Option<Expr> {
-        let own = |word: &&Word| word.spelling == spelling && word.primes == primes;
-        match &self.words.iter().find(own)?.sense {
-            Sense::Leaf(leaf) => Some(leaf.clone()),
-            _ => None,
-        }
+        self.words().dotted_word(spelling, primes)
     }
 
     /// The known word that is nearest to a spelling, if it is a name.
@@ -252,170 +107,13 @@ impl Lexicon {
         primes: u8,
         has_bracket: bool,
     ) -> Result<Vec<Piece>, usize> {
-        let text = &letters.text;
-        let places: Vec<(usize, usize)> = letters
-            .cuts
-            .iter()
-            .copied()
-            .chain([(text.len(), end)])
-            .collect();
-        // For each place the least cost of what comes before, and the word that ends there.
-        let mut best: Vec<Option<(u32, usize, usize)>> = vec![None; places.len()];
-        best[0] = Some((0, 0, 0));
-        let mut furthest = 0;
-        for (from, (at, _)) in places.iter().enumerate() {
-            let Some((cost, ..)) = best[from] else {
-                continue;
-            };
-            furthest = from;
-            let Some(first) = text.as_bytes().get(*at) else {
-                continue;
-            };
-            for &word in self.by_letter.get(first).map_or(&[][..], Vec::as_slice) {
-                let Word {
-                    spelling,
-                    sense,
-                    primes: own,
-                } = &self.words[word];
-                if !text[*at..].starts_with(spelling.as_str()) {
-                    continue;
-                }
-                let Ok(to) = places.binary_search_by_key(&(at + spelling.len()), |place| place.0)
-                else {
-                    continue;
-                };
-                let is_last = to + 1 == places.len();
-                let is_bare = match sense {
-                    Sense::Function(function) => BARE.contains(function) || is_last && has_bracket,
-                    _ => true,
-                };
-                if !is_bare || *own > 0 && !(is_last && *own == primes) {
-                    continue;
-                }
-                // A name that is spelled with its primes goes before the derivative of another.
-                let cost = cost + price(sense) - u32::from(*own > 0);
-                if best[to].is_none_or(|(old, ..)| cost < old) {
-                    best[to] = Some((cost, from, word));
-                }
-            }
-        }
-        let last = places.len() - 1;
-        if best[last].is_none() {
-            return Err(places[furthest].1);
-        }
-        let (mut pieces, mut to) = (Vec::new(), last);
-        while to > 0 {
-            let Some((_, from, word)) = best[to] else {
-                break;
-            };
-            pieces.push(Piece {
-                sense: self.words[word].sense.clone(),
-                start: places[from].1,
-                end: places[to].1,
-                takes_primes: self.words[word].primes > 0,
-            });
-            to = from;
-        }
-        pieces.reverse();
-        Ok(pieces)
-    }
-
-    fn knows(&self, spelling: &str) -> bool {
-        self.words
-            .iter()
-            .any(|word| word.spelling == spelling && word.primes == 0)
-    }
-
-    /// Whether a spelling is that of a name or function; the item may have `e` and `i` for its own.
-    fn is_taken(&self, spelling: &str) -> bool {
-        let own = |word: &&Word| word.spelling == spelling && word.primes == 0;
-        self.words
-            .iter()
-            .find(own)
-            .is_some_and(|word| match &word.sense {
-                Sense::Leaf(leaf) => *leaf.kind() != Kind::Constant(Constant::E),
-                Sense::Imaginary => false,
-                _ => true,
-            })
-    }
-
-    fn add(&mut self, spelling: &str, sense: Sense, primes: u8) {
-        let Some(&first) = spelling.as_bytes().first() else {
-            return;
-        };
-        self.by_letter
-            .entry(first)
-            .or_default()
-            .push(self.words.len());
-        self.words.push(Word {
-            spelling: spelling.to_owned(),
-            sense,
-            primes,
-        });
-    }
-
-    /// Adds a word in place of others of its spelling: the item's own names go before constants.
-    fn replace(&mut self, spelling: &str, sense: Sense) {
-        let found = self
-            .words
-            .iter_mut()
-            .find(|word| word.spelling == spelling && word.primes == 0);
-        match found {
-            Some(word) => word.sense = sense,
-            None => self.add(spelling, sense, 0),
-        }
-    }
-
-    fn add_function(&mut self, name: &str, function: Function) {
-        let spelling = name.replace('_', "");
-        self.add(&spelling, Sense::Function(function), 0);
-    }
-
-    /// `xdot`, `xddot`, and with a subscript `xdot1`.
-    fn add_dotted(&mut self, spelling: &str, name: &Name) {
-        let stem = spelling.trim_end_matches(|last: char| last.is_ascii_digit());
-        let digits = &spelling[stem.len()..];
-        for (word, order) in [("dot", 1), ("ddot", 2)] {
-            let sense = Sense::Leaf(Expr::name(name.clone()).prime(order));
-            self.add(&format!("{spelling}{word}"), sense.clone(), 0);
-            if !digits.is_empty() {
-                self.add(&format!("{stem}{word}{digits}"), sense, 0);
-            }
-        }
-    }
-}
-
-/// The spelling of a symbol with dots over its letter, and how many.
-fn undotted(symbol: &str) -> Option<(String, u8)> {
-    let (mut plain, mut order) = (String::new(), 0);
-    for char in symbol.chars() {
-        if let Some(dots) = combining(char) {
-            order = dots;
-            continue;
-        }
-        let (char, dots) = dotted(char).unwrap_or((char, 0));
-        order = order.max(dots);
-        plain.push(char);
-    }
-    (order > 0).then_some((Letters::spelling(&plain)?, order))
-}
-
-/// What a word costs in a split; the least sum wins.
-fn price(sense: &Sense) -> u32 {
-    match sense {
-        Sense::Leaf(leaf) if *leaf.kind() == Kind::Constant(Constant::E) => 3,
-        Sense::Imaginary | Sense::NotAllowed => 3,
-        _ => 2,
+        self.words().split(letters, end, primes, has_bracket)
     }
 }
 
 impl Notation for Lexicon {
     fn name(&self, name: &Name) -> Symbol {
-        Symbol::letter(
-            self.symbols
-                .get(name)
-                .cloned()
-                .unwrap_or_else(|| symbol(name.as_str())),
-        )
+        let own = self.symbols.get(name);
+        Symbol::letter(own.map_or_else(|| symbol(name.as_str()), |own| Math::clone(own)))
     }
 }

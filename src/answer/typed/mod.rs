@@ -24,6 +24,7 @@ mod lexicon;
 mod list;
 mod parser;
 mod token;
+mod words;
 
 pub(super) use behind::with_unit;
 pub(super) use error::{Trouble, TypedError};

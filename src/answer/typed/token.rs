@@ -2,7 +2,7 @@
 
 use super::differential::{called, leibniz};
 use super::letters::{Letters, combining, dotted, greek, greek_word};
-use super::lexicon::{INITIAL, Piece, Sense};
+use super::words::{INITIAL, Piece, Sense};
 use super::{Lexicon, Manner, Trouble, TypedError};
 use crate::expr::{Constant, Expr, Function};
 use crate::numerics::Rational;

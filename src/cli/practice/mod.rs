@@ -17,7 +17,7 @@ use vibank::suitability;
 use self::log::Log;
 use self::screen::Screen;
 use self::session::{End, Session};
-use super::bank::BankArgument;
+use super::bank::{self, BankArgument};
 use super::filter::Filter;
 use super::{Failure, Outcome};
 
@@ -82,14 +82,14 @@ fn chosen<'c>(
     catalogue: &'c Catalogue,
 ) -> Result<Vec<&'c Template>, Failure> {
     let wanted = arguments.item.as_deref().unwrap_or_default();
-    let all = catalogue
+    if let Some(item) = catalogue.find(wanted) {
+        return Ok(vec![item]);
+    }
+    bank::read_all(catalogue);
+    let items: Vec<&Template> = catalogue
         .items()
-        .iter()
-        .filter(|item| arguments.filter.wants(item));
-    let items: Vec<&Template> = match catalogue.find(wanted) {
-        Some(item) => vec![item],
-        None => all.filter(|item| is_meant(item, wanted)).collect(),
-    };
+        .filter(|item| arguments.filter.wants(item) && is_meant(item, wanted))
+        .collect();
     if !items.is_empty() {
         return Ok(items);
     }

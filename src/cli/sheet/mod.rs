@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use serde_json::json;
 use vibank::seed::Secret;
 use vibank::source::Source;
-use vibank::worksheet::{Audience, Blueprint, Fairness, Plan, Student};
+use vibank::worksheet::{Audience, Blueprint, Choice, Fairness, Plan, Student};
 
 pub(crate) use self::ledger::Mark;
 pub(crate) use self::shard::Shard;
@@ -70,6 +70,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Err(findings) => return bank::refuse(&findings),
     };
     let catalogue = arguments.bank.catalogue()?;
+    let mut choices = blueprint.questions.iter().map(|question| &question.choice);
+    if choices.any(|choice| matches!(choice, Choice::Pick { .. })) {
+        bank::read_all(&catalogue);
+    }
     let folder = path.parent().unwrap_or(Path::new("."));
     let plan = match Plan::of(&blueprint, &catalogue, secret(&blueprint)?) {
         Ok(plan) => plan,

@@ -35,8 +35,8 @@ pub(super) struct Beat {
 struct Apart {
     natural: Dd,
     frequency: f64,
-    /// 1/(ω0² - Ω²).
-    factor: f64,
+    /// ω0² - Ω².
+    distance: f64,
 }
 
 impl Beat {
@@ -62,7 +62,7 @@ impl Beat {
             apart: is_far.then(|| Apart {
                 natural,
                 frequency,
-                factor: (Dd::ONE / residual).hi(),
+                distance: residual.hi(),
             }),
         }
     }
@@ -77,7 +77,7 @@ impl Beat {
         if let Some(apart) = self.apart(t) {
             let (_, forced) = Dd::product(apart.frequency, t).sin_cos_to_f64();
             let (_, free) = (apart.natural * t).sin_cos_to_f64();
-            return apart.factor * (forced - free);
+            return (forced - free) / apart.distance;
         }
         let (fast, _) = (self.carrier * t).sin_cos_to_f64();
         let (slow, _) = (self.detuning * t).sin_cos_to_f64();
@@ -90,9 +90,9 @@ impl Beat {
             let (forced_sine, forced) = Dd::product(apart.frequency, t).sin_cos_to_f64();
             let (free_sine, free) = (apart.natural * t).sin_cos_to_f64();
             return State {
-                position: apart.factor * (forced - free),
-                velocity: apart.factor
-                    * (apart.natural.hi() * free_sine - apart.frequency * forced_sine),
+                position: (forced - free) / apart.distance,
+                velocity: (apart.natural.hi() * free_sine - apart.frequency * forced_sine)
+                    / apart.distance,
             };
         }
         let (fast, fast_cosine) = (self.carrier * t).sin_cos_to_f64();

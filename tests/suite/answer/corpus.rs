@@ -58,7 +58,7 @@ fn formulas_are_told_apart() {
         let catalogue = super::catalogue(&format!(
             "{SYMBOLS}\n[[part]]\nid = \"p\"\nkind = \"formula\"\nask = \"Find it.\"\nkey = \"{key}\"\n"
         ));
-        let solution = Solution::of(Instance::of_source(&catalogue.items()[0]));
+        let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));
         let marker = solution.marker(0).expect("the key exists");
         for (relation, response) in pairs {
             let is_equal = relation == "=";
@@ -85,7 +85,7 @@ fn numbers_are_read_as_they_are_meant() {
         let catalogue = super::catalogue(&format!(
             "[parameters]\np = \"1 {unit}\"\n[quantities]\nq = {{ formula = \"2*p\", unit = \"{unit}\" }}\n[[part]]\nkey = \"q\"\nask = \"Find it.\"\n"
         ));
-        let solution = Solution::of(Instance::of_source(&catalogue.items()[0]));
+        let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));
         let marker = solution.marker(0).expect("the key exists");
         for (response, due) in typed {
             count += 1;

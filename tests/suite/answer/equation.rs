@@ -136,7 +136,7 @@ fn several_equations_count_by_their_row_space() {
 /// Verdicts of the responses to the equation parts of an item, marked together.
 fn together(item: &str, responses: &[&str]) -> Vec<&'static str> {
     let catalogue = super::catalogue(item);
-    let solution = Solution::of(Instance::of_source(&catalogue.items()[0]));
+    let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));
     (0..responses.len())
         .map(|place| {
             vibank::grade::mark_among(&solution, place, responses)

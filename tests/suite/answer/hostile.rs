@@ -33,7 +33,7 @@ fn verdicts(solution: &Solution<'_>, text: &str) -> Vec<Verdict> {
 thread_local! {
     static SOLUTION: RefCell<Solution<'static>> = {
         let catalogue: &'static Catalogue = Box::leak(Box::new(catalogue()));
-        RefCell::new(Solution::of(Instance::of_source(&catalogue.items()[0])))
+        RefCell::new(Solution::of(Instance::of_source(catalogue.items().next().unwrap())))
     };
 }
 
@@ -66,7 +66,7 @@ const WORDS: &[&str] = &[
 #[test]
 fn what_repeats_without_end_is_answered() {
     let catalogue = catalogue();
-    let solution = Solution::of(Instance::of_source(&catalogue.items()[0]));
+    let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));
     let most = LONGEST_RESPONSE;
     for word in [
         "(",
@@ -137,7 +137,7 @@ fn what_repeats_without_end_is_answered() {
 #[test]
 fn too_long_a_text_is_refused() {
     let catalogue = catalogue();
-    let solution = Solution::of(Instance::of_source(&catalogue.items()[0]));
+    let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));
     for text in ["1+".repeat(LONGEST_RESPONSE), " 9".repeat(10 << 20)] {
         for verdict in verdicts(&solution, &text) {
             assert_eq!(verdict, Verdict::Unreadable);
@@ -148,7 +148,7 @@ fn too_long_a_text_is_refused() {
 #[test]
 fn every_kind_is_there() {
     let catalogue = catalogue();
-    let parts = &catalogue.items()[0].parts;
+    let parts = &catalogue.items().next().unwrap().parts;
     for kind in vibank::answer::KINDS {
         let is_there = parts
             .iter()

@@ -28,7 +28,7 @@ fn catalogue(item: &str) -> Catalogue {
         ("ch1/_chapter.toml", "title = \"Test\"\n"),
         ("ch1/test.toml", text.as_str()),
     ]);
-    assert!(!catalogue.items().is_empty(), "{findings:#?}");
+    assert!(catalogue.items().next().is_some(), "{findings:#?}");
     catalogue
 }
 
@@ -36,7 +36,7 @@ fn catalogue(item: &str) -> Catalogue {
 /// and behind a colon what the feedback has to contain; each may be left out.
 fn check(item: &str, responses: &[(&str, &str)]) {
     let catalogue = catalogue(item);
-    let solution = Solution::of(Instance::of_source(&catalogue.items()[0]));
+    let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));
     let marker = solution.marker(0).expect("the key exists");
     let mut wrong = Vec::new();
     for (response, expected) in responses {

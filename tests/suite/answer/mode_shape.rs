@@ -59,7 +59,7 @@ fn the_key_has_the_scale_that_is_asked() {
     );
     check(&item, &[("(1, 1)", "right"), ("(0.5, 0.5)", "wrong near")]);
     let catalogue = super::catalogue(&item);
-    let solution = Solution::of(Instance::of_source(&catalogue.items()[0]));
+    let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));
     let key = solution.marker(0).expect("the key exists").key();
     assert_eq!(key.math.plain().matches("1.00").count(), 2);
 }

@@ -9,8 +9,8 @@ const TYPED: &str = include_str!("../../corpora/typed.tsv");
 #[test]
 fn typed_answers_are_marked_as_they_were_meant() {
     let catalogue = super::hostile::catalogue();
-    let solution = Solution::of(Instance::of_source(&catalogue.items()[0]));
-    let parts = &catalogue.items()[0].parts;
+    let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));
+    let parts = &catalogue.items().next().unwrap().parts;
     let (mut faults, mut count) = (Vec::new(), 0);
     for line in TYPED.lines().filter(|line| !line.starts_with('#')) {
         let fields: Vec<&str> = line.split('\t').collect();

@@ -8,8 +8,8 @@ const PAGE: &str = include_str!("../../../book/src/students/typing.md");
 #[test]
 fn the_examples_of_the_book_are_marked_as_it_says() {
     let catalogue = super::hostile::catalogue();
-    let solution = Solution::of(Instance::of_source(&catalogue.items()[0]));
-    let parts = &catalogue.items()[0].parts;
+    let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));
+    let parts = &catalogue.items().next().unwrap().parts;
     let (mut faults, mut count) = (Vec::new(), 0);
     let mut asked: Option<(usize, &str)> = None;
     for line in PAGE.lines() {

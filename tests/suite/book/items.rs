@@ -108,7 +108,6 @@ pub(super) fn chapter(chapter: &str) -> String {
     let inside = format!("{chapter}/");
     let items = BANK
         .items()
-        .iter()
         .filter(|item| item.id.as_str().starts_with(&inside));
     for template in items {
         let about = &template.about;
