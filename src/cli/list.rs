@@ -33,6 +33,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         println!("{}", serde_json::Value::Array(entries));
         return Ok(Outcome::Done);
     }
+    let widest = items.iter().map(|item| item.id.as_str().len()).max();
+    let width = widest.unwrap_or_default();
     let mut chapter = "";
     for item in &items {
         if item.id.chapter() != chapter {
@@ -49,7 +51,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         }
         let stars = "*".repeat(usize::from(item.about.level));
         println!(
-            "  {:<44} {stars:<3}  {:>3} min  {}",
+            "  {:<width$} {stars:<3}  {:>3} min  {}",
             item.id.as_str(),
             item.minutes(),
             item.about.title

@@ -175,8 +175,9 @@ fn show(arguments: &Arguments, solution: &Solution<'_>, data: Data, parts: &[usi
                 .for_each(|hint| println!("   hint: {}", text(&scene.passage(hint))));
         }
         if arguments.key || arguments.solution {
-            match solution.marker(place) {
-                Ok(marker) => println!("   = {}", marker.key().math.plain()),
+            match scene.key(place) {
+                Ok(Some(key)) => println!("   = {}", key.plain()),
+                Ok(None) => println!("   = see the worked solution"),
                 Err(absent) => println!("   – {absent}"),
             }
         }

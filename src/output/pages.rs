@@ -8,7 +8,7 @@ use super::Writer;
 use super::fairness::FairnessView;
 use super::key_table::{KeyRow, KeyTable, Panel};
 use super::layouts::{Layouts, OutputError, font};
-use super::view::{SheetView, View};
+use super::view::{IN_THE_SOLUTION, SheetView, View};
 use crate::bank::Chapter;
 use crate::document::{Block, Document, Inline};
 use crate::numerics::Rational;
@@ -368,11 +368,9 @@ impl Pages {
             for (position, place) in question.parts.iter().enumerate() {
                 row.parts
                     .push(format!("{}{}", question.number, letter(position)));
-                let (cell, width) = match question.solution.key(*place) {
-                    Ok(key) => {
-                        let math = scene.key(*place).unwrap_or(&key.math);
-                        (self.writer.math(math), math.plain().chars().count())
-                    }
+                let (cell, width) = match scene.key(*place) {
+                    Ok(Some(key)) => (self.writer.math(key), key.plain().chars().count()),
+                    Ok(None) => (self.writer.words(IN_THE_SOLUTION), IN_THE_SOLUTION.len()),
                     Err(_) => (self.writer.words("–"), 1),
                 };
                 row.cells.push(cell);

@@ -12,6 +12,7 @@ use crate::bank::Passage;
 use crate::document::{Document, Filling};
 use crate::numerics::Rational;
 use crate::scene::Scene;
+use crate::solution::Solution;
 use crate::worksheet::{Sheet, SheetQuestion, letter};
 
 #[derive(Serialize)]
@@ -70,6 +71,9 @@ struct OptionView {
     text: String,
     right: bool,
 }
+
+/// Stands for a key that no line can hold.
+pub(super) const IN_THE_SOLUTION: &str = "see the worked solution";
 
 /// Writes the pieces of sheets, and gathers the figures that the notation cannot hold.
 pub(super) struct View<'p> {
@@ -223,15 +227,13 @@ impl<'p> View<'p> {
                     .map(|unit| self.writer.math(&unit.math()))
                     .unwrap_or_default();
             }
-            Kind::Key | Kind::Solutions => match solution.key(place) {
-                Ok(key) => {
-                    let shown = scene.key(place).unwrap_or(&key.math);
-                    view.key = self.writer.math(shown);
-                    let accepted = key.accepted.as_ref().filter(|_| self.kind == Kind::Key);
-                    view.accepted = accepted
-                        .map(|range| format!("accepted: {}", self.writer.math(range)))
-                        .unwrap_or_default();
+            Kind::Key | Kind::Solutions => match scene.key(place) {
+                Ok(Some(key)) => {
+                    view.key = self.writer.math(key);
+                    view.accepted = self.accepted(solution, place);
                 }
+                Ok(None) if self.kind == Kind::Solutions => {}
+                Ok(None) => view.absent = self.placed(IN_THE_SOLUTION),
                 Err(absent) => view.absent = self.placed(&absent.to_string()),
             },
         }
@@ -239,6 +241,14 @@ impl<'p> View<'p> {
             view.solution = texts(&part.solution);
         }
         view
+    }
+
+    /// The range that is accepted, on a key.
+    fn accepted(&self, solution: &Solution<'_>, place: usize) -> String {
+        let key = solution.key(place).ok().filter(|_| self.kind == Kind::Key);
+        key.and_then(|key| key.accepted.as_ref())
+            .map(|range| format!("accepted: {}", self.writer.math(range)))
+            .unwrap_or_default()
     }
 
     /// The symbol of the quantity that is asked, and an equals sign.

@@ -15,6 +15,7 @@ pub use plot::Undrawn;
 use crate::bank::{Passage, Piece};
 use crate::document::{Document, Filling};
 use crate::math::Math;
+use crate::quantity::Absent;
 use crate::solution::Solution;
 
 /// How the data of an instance are shown in its statement.
@@ -99,22 +100,27 @@ impl<'s, 't> Scene<'s, 't> {
         Some(Math::row([info.symbol.clone(), Math::relation("=")]))
     }
 
-    /// How the key of a part is shown where its general form is not what one looks for: a function
-    /// of time with the numbers of this instance. One that no line can hold is left to the solution.
-    pub fn key(&self, place: usize) -> Option<&'s Math> {
-        self.solution.written(place, || self.write_key(place))
+    /// The key of a part as it is printed: a function of time with the numbers of this instance, all else in its general
+    /// form. None where no line can hold it, so that it is left to the solution.
+    ///
+    /// # Errors
+    ///
+    /// As [`Solution::key`].
+    pub fn key(&self, place: usize) -> Result<Option<&'s Math>, Absent> {
+        let general = &self.solution.key(place)?.math;
+        let own = self.solution.written(place, || self.concrete(place));
+        let is_too_long = own.is_some_and(|own| own.plain().chars().count() > LONGEST_KEY);
+        Ok((!is_too_long).then(|| own.unwrap_or(general)))
     }
 
-    fn write_key(&self, place: usize) -> Option<Math> {
+    /// The key of a part for which its general form is not what one looks for.
+    fn concrete(&self, place: usize) -> Option<Math> {
         let answer = &self.solution.template().parts[place].answer;
         let keys = answer.keys();
         if answer.kind().name() != "function" || keys.len() != 1 {
             return None;
         }
         let math = concrete::function(self.solution, keys[0])?;
-        if math.plain().chars().count() > LONGEST_KEY {
-            return Some(Math::text("see the worked solution"));
-        }
         Some(match answer.unit().filter(|unit| !unit.is_one()) {
             Some(unit) => Math::row([
                 math,

@@ -216,11 +216,12 @@ impl Session {
     }
 
     fn solution(&self, scene: &Scene<'_, '_>, part: &Part, place: usize) {
-        match scene.solution().marker(place) {
-            Ok(marker) => {
-                let words = format!("= {}", marker.key().math.plain());
+        match scene.key(place) {
+            Ok(Some(key)) => {
+                let words = format!("= {}", key.plain());
                 self.screen.say(Tone::Bold, "   ", &words);
             }
+            Ok(None) => {}
             Err(absent) => self.screen.say(Tone::Plain, "   ", &absent.to_string()),
         }
         let worked = passage(scene, &part.solution);

@@ -29,7 +29,7 @@ use super::{Failure, Format, Outcome, class_list, files};
 
 /// Make the sheets of a blueprint, with keys, worked solutions, a response form and a manifest.
 ///
-/// A run that was interrupted is gone on with, and what is there already and would come out the same is left
+/// A run that was interrupted continues where it stopped; what is there already and would come out the same is left
 /// as it is.
 ///
 /// Example: vibank sheet examples/midterm.toml --out midterm

@@ -4,6 +4,7 @@
 //! time, so the same text gives the same bytes.
 
 use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use typst::diag::{FileError, FileResult, SourceDiagnostic};
 use typst::foundations::{Bytes, Datetime, Duration, Smart};
@@ -35,9 +36,18 @@ fn pdf(text: String, choose: impl FnOnce(&mut PdfOptions)) -> Result<Vec<u8>, St
     let desk = Desk::with(text);
     let document = typst::compile::<PagedDocument>(&desk).output;
     let bytes = document.and_then(|document| typst_pdf::pdf(&document, &options));
-    // What is kept for the next text grows without end and gains nothing.
-    comemo::evict(0);
+    forget_now_and_then();
     bytes.map_err(|errors| desk.explain(&errors))
+}
+
+/// Clears what Typst keeps for later texts, which grows without end and gains nothing. Not after each text: other threads,
+/// in the middle of theirs, would lose it too.
+fn forget_now_and_then() {
+    const TEXTS: usize = 8;
+    static DONE: AtomicUsize = AtomicUsize::new(0);
+    if DONE.fetch_add(1, Ordering::Relaxed) % TEXTS == TEXTS - 1 {
+        comemo::evict(0);
+    }
 }
 
 /// What does not change from text to text.

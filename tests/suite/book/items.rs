@@ -66,9 +66,12 @@ fn shown(solution: &Solution<'_>) -> String {
             out.push_str("</ol>\n");
         }
         out.push_str("</li>\n");
-        let key = solution
-            .marker(place)
-            .map(|marker| marker.key().math.mathml(Display::Inline))
+        let key = scene
+            .key(place)
+            .map(|key| {
+                key.map(|key| key.mathml(Display::Inline))
+                    .unwrap_or_default()
+            })
             // A line of its own has room for fractions of full size.
             .map(|math| math.replacen("<math", "<math displaystyle=\"true\"", 1));
         let _ = writeln!(

@@ -118,3 +118,10 @@ fn generated_parts_are_fresh() {
         generated::compare(&page, &anew(&page, &text));
     }
 }
+
+#[test]
+fn formulas_look_like_those_of_the_sheets() {
+    let rules = vibank::math::MATHML_STYLE.replace('}', "}\n");
+    let marks = ["/* math: begin */\n", "/* math: end */"];
+    generated::compare_between("book/theme/vibank.css", marks, &rules);
+}

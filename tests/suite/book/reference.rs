@@ -133,11 +133,14 @@ pub(super) fn answer_kinds() -> String {
         let text = lines.join("\n");
         let (title, text) = text.split_once('\n').expect("a title and a text");
         let title = title.trim_end_matches('.');
-        let minutes = kind.minutes();
+        let minutes = match kind.minutes() {
+            1 => "1 minute".to_owned(),
+            more => format!("{more} minutes"),
+        };
         let (text, example) = text.trim().split_once("```toml").expect("an example");
         let _ = writeln!(
             out,
-            "## {title}\n\n{}\n\nIt counts {minutes} minutes if the item states no time.\n\n```toml{example}\n",
+            "## {title}\n\n{}\n\nIt counts {minutes} if the item states no time.\n\n```toml{example}\n",
             text.trim_end()
         );
     }
