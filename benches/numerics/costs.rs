@@ -1,5 +1,6 @@
 //! What each task may cost, in units of the yardstick or of time, and what it costs.
 
+use vibank::mechanics::Model;
 use vibank::numerics::ExactNumber;
 use vibank::vibration::modal::{Damping, ModalResponse};
 use vibank::vibration::modes::{Link, Modes, Pair, System, natural_angular_frequencies};
@@ -8,6 +9,7 @@ use vibank::vibration::{
     HarmonicForce, Oscillator, Pendulum, State,
 };
 
+use crate::linearisation;
 use crate::measure::time;
 use crate::modes::uniform_chain;
 
@@ -30,18 +32,18 @@ pub(crate) enum Limit {
 pub(crate) struct Cost {
     pub(crate) task: &'static str,
     limit: Limit,
-    nanoseconds: f64,
+    yards: f64,
 }
 
 impl Cost {
     /// The cost and its limit in yardsticks.
-    pub(crate) fn against_limit(&self, yardstick: f64) -> (f64, f64) {
+    pub(crate) fn against_limit(&self) -> (f64, f64) {
         let limit = match self.limit {
             Limit::Yards(with_fused, _) if cfg!(target_feature = "fma") => with_fused,
             Limit::Yards(_, without) => without,
             Limit::Micros(limit) => 1e3 * limit / REFERENCE,
         };
-        (self.nanoseconds / yardstick, limit)
+        (self.yards, limit)
     }
 }
 
@@ -67,6 +69,7 @@ pub(crate) fn measure() -> Vec<Cost> {
     friction(&mut costs);
     modes(&mut costs);
     pendulum(&mut costs);
+    mechanics(&mut costs);
     costs
 }
 
@@ -75,7 +78,7 @@ fn add<T>(costs: &mut Vec<Cost>, task: &'static str, limit: Limit, item: impl Fn
     costs.push(Cost {
         task,
         limit,
-        nanoseconds: time(item).fast,
+        yards: time(item).yards,
     });
 }
 
@@ -111,7 +114,7 @@ fn free(costs: &mut Vec<Cost>) {
     costs.push(Cost {
         task: "free: sample on a uniform grid of 1000",
         limit: Limit::Yards(0.3, 0.3),
-        nanoseconds: grid.fast / 1000.0,
+        yards: grid.yards / 1000.0,
     });
 }
 
@@ -286,4 +289,30 @@ fn pendulum(costs: &mut Vec<Cost>) {
         add(costs, angle, sample, |i| motion.angle(30.0 * share(i)));
         add(costs, state, sample, |i| motion.state(30.0 * share(i)));
     }
+}
+
+fn mechanics(costs: &mut Vec<Cost>) {
+    let cart = linearisation::cart();
+    add(
+        costs,
+        "energies: equations of three coordinates",
+        Limit::Micros(2000.0),
+        |_| Model::derive(cart.clone()).is_ok(),
+    );
+    let model = linearisation::model();
+    let hanging = linearisation::numbers(&model, 0.0);
+    let at_rest = hanging.equilibrium().is_ok();
+    assert!(at_rest, "the double pendulum has a position at rest");
+    add(
+        costs,
+        "energies: M, C, K of two coordinates",
+        Limit::Micros(5.0),
+        |_| hanging.linearization().is_ok(),
+    );
+    add(
+        costs,
+        "energies: the same from the data",
+        Limit::Micros(20.0),
+        |_| linearisation::numbers(&model, 0.0).linearization().is_ok(),
+    );
 }

@@ -9,8 +9,36 @@ use vibank::numerics::{cos, powi};
 use crate::record::Record;
 use crate::reference::Case;
 
-fn model() -> Arc<Model> {
-    let read = |formula| Expr::read(formula).expect("the formula can be read");
+fn read(formula: &str) -> Expr {
+    Expr::read(formula).expect("the formula can be read")
+}
+
+/// Two pendulums on a cart that a spring and a damper hold: three coordinates, as many as any system of the bank has.
+pub(crate) fn cart() -> Definition {
+    Definition {
+        coordinates: vec![
+            Coordinate::length("x"),
+            Coordinate::angle("p"),
+            Coordinate::angle("q"),
+        ],
+        kinetic: read(
+            "1/2*M*x'^2 + 1/2*m*(x'^2 + 2*l*x'*p'*cos(p) + l^2*p'^2) + 1/2*m*(x'^2 + 2*l*x'*q'*cos(q) + l^2*q'^2)",
+        ),
+        potential: read("1/2*k*x^2 - m*g*l*cos(p) - m*g*l*cos(q) + 1/2*kc*l^2*(sin(q) - sin(p))^2"),
+        dissipation: read("1/2*c*x'^2"),
+        ..Definition::default()
+    }
+}
+
+/// The double pendulum with numbers in it.
+pub(crate) fn numbers(model: &Arc<Model>, prestretch: f64) -> Numbers {
+    Numbers::of(Arc::clone(model), |name| {
+        let is_prestretch = name.as_str() == "s";
+        Ok(Precise::exact(if is_prestretch { prestretch } else { 1.0 }))
+    })
+}
+
+pub(crate) fn model() -> Arc<Model> {
     let definition = Definition {
         coordinates: vec![Coordinate::angle("p"), Coordinate::angle("q")],
         kinetic: read("J*(p'^2 + 1/2*q'^2 + p'*q'*cos(p - q))"),
@@ -39,12 +67,7 @@ pub(crate) fn of_a_double_pendulum(records: &mut Vec<Record>) {
     let model = model();
     for case in Case::of("linearisation") {
         let prestretch = case.number("s");
-        let numbers = || {
-            Numbers::of(Arc::clone(&model), |name| {
-                let is_prestretch = name.as_str() == "s";
-                Ok(Precise::exact(if is_prestretch { prestretch } else { 1.0 }))
-            })
-        };
+        let numbers = || numbers(&model, prestretch);
         let rest = numbers();
         let place = match rest.equilibrium() {
             Ok([p, q]) => [*p, *q],

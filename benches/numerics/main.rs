@@ -78,10 +78,8 @@ fn main() -> std::io::Result<ExitCode> {
     let after = measure::yardstick();
     write(&folder, &records)?;
     println!("yardstick Y: {before:.1} ns before, {middle:.1} ns between, {after:.1} ns after");
-    // Costs are measured between the first two.
-    let yardstick = f64::midpoint(before, middle);
-    summarize(&records, yardstick);
-    let missed = tell_costs(&costs, yardstick);
+    summarize(&records);
+    let missed = tell_costs(&costs);
     let beaten = tell_better(&records);
     Ok(if is_gate && (missed || beaten) {
         ExitCode::FAILURE
@@ -117,7 +115,7 @@ fn write(folder: &Path, records: &[Record]) -> std::io::Result<()> {
     Ok(())
 }
 
-fn summarize(records: &[Record], yardstick: f64) {
+fn summarize(records: &[Record]) {
     println!(
         "\n{:<30} {:<28} {:<34} {:>6} {:>12} {:>10} {:>9}",
         "task", "case", "method", "tol", "ns", "Y", "error"
@@ -132,18 +130,18 @@ fn summarize(records: &[Record], yardstick: f64) {
             record.case,
             record.method,
             record.timing.fast,
-            record.timing.fast / yardstick,
+            record.timing.yards,
             record.error.scaled
         );
     }
 }
 
 /// Prints the costs; says whether one is above its limit.
-fn tell_costs(costs: &[Cost], yardstick: f64) -> bool {
+fn tell_costs(costs: &[Cost]) -> bool {
     println!("\n{:<50} {:>10} {:>10}", "cost in Y", "found", "limit");
     let mut missed = false;
     for cost in costs {
-        let (found, limit) = cost.against_limit(yardstick);
+        let (found, limit) = cost.against_limit();
         let verdict = if found > limit { "above" } else { "" };
         missed |= found > limit;
         println!("{:<50} {found:>10.2} {limit:>10.1} {verdict}", cost.task);

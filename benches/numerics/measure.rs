@@ -5,12 +5,15 @@ use std::time::Instant;
 
 use vibank::numerics::{exp, sin_cos};
 
-/// Time of one item in nanoseconds, over many batches.
+/// Time of one item, over many batches.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Timing {
-    /// Of the second fastest batch.
+    /// In yardsticks: the median over the batches, each beside a batch of the yardstick, so that a processor that changes
+    /// its clock, or has others to serve, changes both.
+    pub(crate) yards: f64,
+    /// In nanoseconds, of the second fastest batch.
     pub(crate) fast: f64,
-    /// Of the median batch.
+    /// In nanoseconds, of the median batch.
     pub(crate) median: f64,
     /// Items in a batch.
     pub(crate) items: usize,
@@ -21,6 +24,7 @@ impl Timing {
     pub(crate) fn over(self, parts: usize) -> Self {
         let count = parts as f64;
         Self {
+            yards: self.yards / count,
             fast: self.fast / count,
             median: self.median / count,
             items: self.items * parts,
@@ -40,6 +44,9 @@ const ITEMS: usize = 4096;
 /// Duration of a batch of slow items in nanoseconds.
 const BATCH: f64 = 5e5;
 
+/// Items in the batch of yardsticks beside each.
+const YARDS: usize = 1024;
+
 /// Duration of all batches in nanoseconds.
 const LONGEST: f64 = 1.5e8;
 
@@ -49,15 +56,18 @@ pub(crate) fn time<T>(mut operation: impl FnMut(usize) -> T) -> Timing {
     while items < ITEMS && batch(&mut operation, items) * (items as f64) < BATCH {
         items *= 2;
     }
-    let mut times = Vec::with_capacity(BATCHES);
+    let (mut times, mut yards) = (Vec::with_capacity(BATCHES), Vec::with_capacity(BATCHES));
     let mut spent = 0.0;
     while times.len() < FEWEST || times.len() < BATCHES && spent < LONGEST {
         let each = batch(&mut operation, items);
         spent += each * items as f64;
         times.push(each);
+        yards.push(each / batch(&mut yard, YARDS));
     }
     times.sort_by(f64::total_cmp);
+    yards.sort_by(f64::total_cmp);
     Timing {
+        yards: yards[yards.len() / 2],
         fast: times[1],
         median: times[times.len() / 2],
         items,
@@ -74,12 +84,14 @@ fn batch<T>(operation: &mut impl FnMut(usize) -> T, items: usize) -> f64 {
     start.elapsed().as_nanos() as f64 / items as f64
 }
 
-/// The yardstick: one exponential and one pair of sine and cosine, in nanoseconds.
+/// The yardstick: one exponential and one pair of sine and cosine.
+fn yard(item: usize) -> f64 {
+    let argument = 0.1 + (item % 4096) as f64 * 1.5e-3;
+    let (sine, cosine) = sin_cos(argument);
+    exp(-argument) + sine + cosine
+}
+
+/// The yardstick in nanoseconds.
 pub(crate) fn yardstick() -> f64 {
-    let argument = |item: usize| 0.1 + (item % 4096) as f64 * 1.5e-3;
-    time(|item| {
-        let (sine, cosine) = sin_cos(argument(item));
-        exp(-argument(item)) + sine + cosine
-    })
-    .fast
+    time(yard).fast
 }

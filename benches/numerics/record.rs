@@ -159,7 +159,7 @@ impl Record {
     fn beats(&self, other: &Self) -> bool {
         const SCATTER: f64 = 1.1;
         let error = |record: &Self| record.error.scaled.max(f64::EPSILON / 2.0);
-        self.timing.fast * SCATTER < other.timing.fast && error(self) < error(other)
+        self.timing.yards * SCATTER < other.timing.yards && error(self) < error(other)
     }
 }
 

@@ -11,10 +11,10 @@ use crate::bank::Compiled;
 use crate::document::Filling;
 use crate::worksheet::Practice;
 
-/// The grader, built from these sources by `src/wasm/build.sh`.
-const GRADER: &[u8] = include_bytes!("../wasm/grader.wasm");
+/// The grader, built from these sources and deflated by `src/wasm/build.sh`.
+const GRADER: &[u8] = include_bytes!("../wasm/grader.deflate");
 
-/// How hard the contents of the page are deflated: the most that miniz does.
+/// How hard the items are deflated: the most that miniz does.
 const LEVEL: u8 = 10;
 
 /// The page of a practice with its items.
@@ -54,8 +54,10 @@ pub fn practice(practice: &Practice, items: &[Compiled]) -> Result<String, Outpu
     context.insert("font", &layouts::font());
     context.insert("script", script);
     context.insert("script_digest", &base64(&Sha256::digest(script)));
-    context.insert("items", &packed(practice.lines(items).as_bytes()));
-    context.insert("grader", &packed(GRADER));
+    let items = practice.lines(items);
+    let items = miniz_oxide::deflate::compress_to_vec(items.as_bytes(), LEVEL);
+    context.insert("items", &base85(&items));
+    context.insert("grader", &base85(GRADER));
     tera.render("page.html", &context)
         .map_err(|error| fail(error.to_string()))
 }
@@ -71,8 +73,4 @@ fn texts(language: &str) -> &'static str {
 /// JSON as it may stand in a `script` element.
 fn in_script(json: &str) -> String {
     json.replace('<', "\\u003c")
-}
-
-fn packed(bytes: &[u8]) -> String {
-    base85(&miniz_oxide::deflate::compress_to_vec(bytes, LEVEL))
 }

@@ -157,13 +157,13 @@ impl<'p, 'c> Chooser<'p, 'c> {
     /// # Errors
     ///
     /// [`SheetError`].
-    pub fn propose(&self, index: u64, from: u64) -> Result<(Candidate, Sheet<'c>), SheetError> {
+    pub fn propose(&self, index: u64, from: u64) -> Result<Candidate, SheetError> {
         let mut last = None;
         for attempt in from..MOST_TRIES {
             let variant = self.plan.variant(index, attempt);
             let sheet = Sheet::draw(self.plan, variant, None)?;
             match self.judge(index, attempt, &sheet) {
-                Ok(candidate) => return Ok((candidate, sheet)),
+                Ok(candidate) => return Ok(candidate),
                 Err(objection) => last = Some(objection),
             }
         }

@@ -1,4 +1,7 @@
 //! Making the sheets: chosen in order, written by all cores, kept in order.
+//!
+//! A sheet is written when it is taken, never before: what repeats an earlier one leaves no trace. While a chunk of sheets
+//! is written, the one before is kept and the one after is proposed.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -16,7 +19,7 @@ use super::outputs::{Finished, Format, Outputs, Written, write_fairness};
 use crate::cli::record::{self, Record};
 use crate::cli::{Failure, progress};
 
-/// Sheets that are made at once; memory holds no more than twice as many.
+/// Sheets that are made at once; memory holds no more than three times as many.
 const CHUNK: usize = 64;
 
 /// What making a sheet needs to know.
@@ -48,13 +51,6 @@ pub(super) struct Made {
     pub(super) shown: Vec<(String, &'static str)>,
 }
 
-/// A candidate with what it gives if it is taken.
-struct Draft {
-    candidate: Candidate,
-    /// Nothing where the sheet is another run's or an earlier one's.
-    page: Option<Page>,
-}
-
 struct Page {
     entry: VariantEntry,
     is_kept: bool,
@@ -82,19 +78,19 @@ impl Job<'_, '_> {
             shown: Vec::new(),
         };
         bar.inc(mark.done as u64);
-        let mut drafts = self.propose(&chooser, chunk(0, first, share.end), first, &bar)?;
-        let mut done = 0;
-        while !drafts.is_empty() {
-            let settled = self.settle(&mut chooser, drafts, first)?;
-            done += settled.len();
-            let pages: Vec<Page> = settled.into_iter().flatten().collect();
-            let next = chunk(done, first, share.end);
-            let (kept, proposed) = rayon::join(
-                || store.keep(pages, done.saturating_sub(share.start), &mut made),
-                || self.propose(&chooser, next, first, &bar),
+        let mut candidates = propose(&chooser, chunk(0, first, share.end))?;
+        let (mut taken, mut written, mut pages) = (0, 0, Vec::new());
+        while !(candidates.is_empty() && pages.is_empty()) {
+            let own = settle(&mut chooser, candidates)?;
+            taken += own.len();
+            let next = chunk(taken, first, share.end);
+            let (kept, (own, proposed)) = rayon::join(
+                || store.keep(pages, written, &mut made),
+                || rayon::join(|| self.pages(own, first, &bar), || propose(&chooser, next)),
             );
             kept?;
-            drafts = proposed?;
+            (pages, candidates) = (own?, proposed?);
+            written = taken.saturating_sub(share.start);
         }
         bar.finish_and_clear();
         made.rejected = chooser.rejected();
@@ -106,58 +102,27 @@ impl Job<'_, '_> {
         Ok(made)
     }
 
-    /// Looks for a suitable seed for each of some places, and writes those from `first` on.
-    fn propose(
+    /// Writes the sheets of some candidates, but those before the place `first`, which are another run's or an earlier
+    /// one's.
+    fn pages(
         &self,
-        chooser: &Chooser<'_, '_>,
-        places: Range<usize>,
+        candidates: Vec<Candidate>,
         first: usize,
         bar: &ProgressBar,
-    ) -> Result<Vec<Draft>, Failure> {
-        let propose = |place: usize| {
-            let draft = self.draft(chooser, place as u64, 0, first)?;
-            bar.inc(u64::from(draft.page.is_some()));
-            Ok(draft)
+    ) -> Result<Vec<Page>, Failure> {
+        let is_own = |candidate: &Candidate| candidate.index() as usize >= first;
+        let write = |candidate: Candidate| {
+            let student = self.students.get(candidate.index() as usize).cloned();
+            let sheet = Sheet::draw(self.plan, candidate.variant(), student);
+            let page = self.page(&sheet.map_err(|error| refuse(&error))?)?;
+            bar.inc(1);
+            Ok(page)
         };
-        places.into_par_iter().map(propose).collect()
-    }
-
-    /// Takes the candidates in order; one that repeats another of them gives way to the next attempt.
-    fn settle(
-        &self,
-        chooser: &mut Chooser<'_, '_>,
-        drafts: Vec<Draft>,
-        first: usize,
-    ) -> Result<Vec<Option<Page>>, Failure> {
-        let mut pages = Vec::with_capacity(drafts.len());
-        for mut draft in drafts {
-            while !chooser.take(&draft.candidate) {
-                let (index, from) = (draft.candidate.index(), draft.candidate.next_attempt());
-                draft = self.draft(chooser, index, from, first)?;
-            }
-            pages.push(draft.page);
-        }
-        Ok(pages)
-    }
-
-    fn draft(
-        &self,
-        chooser: &Chooser<'_, '_>,
-        index: u64,
-        from: u64,
-        first: usize,
-    ) -> Result<Draft, Failure> {
-        let (candidate, mut sheet) = chooser
-            .propose(index, from)
-            .map_err(|error| refuse(&error))?;
-        let place = index as usize;
-        let page = if place < first {
-            None
-        } else {
-            sheet.student = self.students.get(place).cloned();
-            Some(self.page(&sheet)?)
-        };
-        Ok(Draft { candidate, page })
+        candidates
+            .into_par_iter()
+            .filter(is_own)
+            .map(write)
+            .collect()
     }
 
     fn page(&self, sheet: &Sheet<'_>) -> Result<Page, Failure> {
@@ -178,6 +143,31 @@ impl Job<'_, '_> {
             written,
         })
     }
+}
+
+/// Looks for a suitable seed for each of some places.
+fn propose(chooser: &Chooser<'_, '_>, places: Range<usize>) -> Result<Vec<Candidate>, Failure> {
+    let propose = |place: usize| candidate(chooser, place as u64, 0);
+    places.into_par_iter().map(propose).collect()
+}
+
+/// Takes candidates in order; one that repeats another of them gives way to the next attempt.
+fn settle(
+    chooser: &mut Chooser<'_, '_>,
+    candidates: Vec<Candidate>,
+) -> Result<Vec<Candidate>, Failure> {
+    let mut taken = Vec::with_capacity(candidates.len());
+    for mut own in candidates {
+        while !chooser.take(&own) {
+            own = candidate(chooser, own.index(), own.next_attempt())?;
+        }
+        taken.push(own);
+    }
+    Ok(taken)
+}
+
+fn candidate(chooser: &Chooser<'_, '_>, index: u64, from: u64) -> Result<Candidate, Failure> {
+    chooser.propose(index, from).map_err(|error| refuse(&error))
 }
 
 /// The next places from `done` on: whole chunks from `first`, so that a run that goes on has the same ones.

@@ -509,6 +509,12 @@ fn neighbours_share_no_data_and_no_answer() {
         page.contains("47 pairs of students sit beside each other"),
         "{page}"
     );
+    // A draw that was passed over leaves no file.
+    let split = text_of(&folder.join("split"));
+    small(&["sheet", &plan, "--out", &split, "--split"]).ends(0);
+    for kind in ["sheets", "keys", "solutions"] {
+        assert_eq!(files(&folder.join("split").join(kind)).len(), 18);
+    }
 }
 
 #[test]
