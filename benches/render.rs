@@ -1,4 +1,4 @@
-//! Choosing an item's instance, and writing it: its question, its key, its worked solution.
+//! Drawing a sheet of one item, and writing it: its question, its key, its worked solution.
 
 use divan::{Bencher, black_box};
 use vibank::bank::{Catalogue, embedded};
@@ -49,9 +49,9 @@ fn page(bencher: Bencher, item: &str, kind: Kind, format: &str) {
         });
 }
 
-/// Draws sheets of one item, with the choice of draws on which no slip gives the right answer.
+/// Draws sheets of one item.
 #[divan::bench(args = ITEMS)]
-fn choice(bencher: Bencher, item: &str) {
+fn drawn(bencher: Bencher, item: &str) {
     let (catalogue, _) = Catalogue::load(embedded());
     let blueprint = blueprint(item);
     let plan = Plan::of(&blueprint, &catalogue, None).expect("the item is there");
