@@ -175,7 +175,9 @@ impl Corpus {
 pub(crate) fn formulas(records: &mut Vec<Record>) {
     for corpus in CORPORA {
         let catalogue = catalogue(corpus.key);
-        let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));
+        let solution = Solution::of(Instance::of_source(
+            catalogue.items().next().expect("the item loads"),
+        ));
         let marker = solution.marker(0).expect("the key exists");
         records.push(corpus.measure("vibank", |response| {
             marker.mark(response).verdict == Verdict::Right

@@ -6,6 +6,8 @@ use std::sync::{Arc, OnceLock};
 use sha2::{Digest, Sha256};
 
 use super::folder::{BankFile, Chapter};
+#[cfg(feature = "render")]
+use super::load::read;
 use super::{ItemId, Revision, Template};
 use crate::diagnostic::Finding;
 use crate::source::{Source, nearest};
@@ -90,13 +92,7 @@ impl Catalogue {
     }
 
     fn reading<'c>(&'c self, entry: &'c Entry) -> &'c Reading {
-        entry.reading.get_or_init(|| self.read(entry))
-    }
-
-    /// Without the readers of texts no catalogue has an entry.
-    #[cfg(not(feature = "render"))]
-    fn read(&self, _: &Entry) -> Reading {
-        Reading::default()
+        entry.reading.get_or_init(|| read(entry, &self.bank))
     }
 
     /// The identity that is nearest to a mistyped one; the slug alone is enough.
@@ -122,4 +118,10 @@ impl Catalogue {
             .map(|byte| format!("{byte:02x}"))
             .collect()
     }
+}
+
+/// Without the readers of texts no catalogue has an entry.
+#[cfg(not(feature = "render"))]
+fn read(_: &Entry, _: &BankFile) -> Reading {
+    Reading::default()
 }

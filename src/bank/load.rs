@@ -100,19 +100,6 @@ impl Catalogue {
         }
     }
 
-    pub(super) fn read(&self, entry: &Entry) -> Reading {
-        let problems = Problems::default();
-        let item = read::Item {
-            id: entry.id.clone(),
-            revision: entry.revision,
-            source: &entry.source,
-            tree: &toml::read(&entry.source, &problems),
-            topics: Some(&self.bank.topics),
-        };
-        let (template, findings) = read::item(item, &problems, &mut read::Parsers);
-        Reading { template, findings }
-    }
-
     /// Sorts items by chapter and name.
     fn arrange(&mut self, findings: &mut Vec<Finding>) {
         self.chapters.sort_by(|a, b| {
@@ -142,6 +129,20 @@ impl Catalogue {
             findings.push(Finding::of(&error, &entry.source));
         }
     }
+}
+
+/// Reads the file of an item.
+pub(super) fn read(entry: &Entry, bank: &BankFile) -> Reading {
+    let problems = Problems::default();
+    let item = read::Item {
+        id: entry.id.clone(),
+        revision: entry.revision,
+        source: &entry.source,
+        tree: &toml::read(&entry.source, &problems),
+        topics: Some(&bank.topics),
+    };
+    let (template, findings) = read::item(item, &problems, &mut read::Parsers);
+    Reading { template, findings }
 }
 
 /// A key under which `p10` comes after `p9`.

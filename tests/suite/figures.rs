@@ -181,7 +181,7 @@ fn the_gallery_of_the_book_is_fresh() {
         )
         .expect("a string takes all");
         generated::compare(
-            &format!("book/src/reference/figures/{name}.svg"),
+            format!("book/src/reference/figures/{name}.svg"),
             &format!("{svg}\n"),
         );
     }
