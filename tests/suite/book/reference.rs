@@ -91,12 +91,15 @@ pub(super) fn units() -> String {
             let texts = texts.iter().map(|text| format!("`{text}`"));
             texts.collect::<Vec<_>>().join(" ")
         };
+        // The plural of some is the singular.
+        let mut words = unit.words.to_vec();
+        words.dedup();
         let _ = writeln!(
             out,
             "| {} | {} | {} | {} |",
             unit.printed,
             code(unit.symbols),
-            unit.words.join(", "),
+            words.join(", "),
             if unit.takes_prefixes { "yes" } else { "" }
         );
     }
