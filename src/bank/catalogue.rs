@@ -73,7 +73,7 @@ impl Catalogue {
     /// // No other item is read.
     /// let (catalogue, _) = Catalogue::open(embedded());
     /// let item = catalogue.find("ch3/e5-log-decrement").unwrap();
-    /// assert!(item.part("delta").is_some());
+    /// assert!(item.part("T_p").is_some());
     /// # }
     /// ```
     pub fn find(&self, id: &str) -> Option<&Template> {
