@@ -35,6 +35,7 @@ mod mark;
 mod new;
 mod page;
 mod practice;
+mod press;
 mod progress;
 mod record;
 mod report;
@@ -82,6 +83,7 @@ enum Command {
     Page(page::Arguments),
     Schema(schema::Arguments),
     Completions(completions::Arguments),
+    Print(press::Arguments),
 }
 
 /// How results are printed.
@@ -118,6 +120,7 @@ pub(crate) fn run() -> ExitCode {
         Command::New(arguments) => new::run(&arguments),
         Command::Page(arguments) => page::run(&arguments),
         Command::Schema(arguments) => schema::run(&arguments),
+        Command::Print(arguments) => press::run(&arguments),
     };
     match outcome {
         Ok(outcome) => outcome.into(),

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 use vibank::answer::Verdict;
-use vibank::grade::{Place, Responses};
+use vibank::grade::{Feedback, Place, Responses};
 use vibank::output::{self, Pages, Run};
 use vibank::worksheet::VariantEntry;
 
@@ -30,6 +30,7 @@ use self::outcome::Outcome;
 use self::overrides::Overrides;
 use self::tables::Tables;
 use super::bank::BankArgument;
+use super::press::Press;
 use super::{Failure, files, progress, responses};
 
 /// Mark the responses to the sheets of a run: marks, reasons, a feedback page for each sheet, item analysis.
@@ -134,6 +135,7 @@ fn input(arguments: &Arguments, bank: &str) -> Result<String, Failure> {
 /// What fills the pages, with what stands before and after each.
 struct Layout {
     pages: Pages,
+    press: Press,
     begin: String,
     end: String,
 }
@@ -147,8 +149,18 @@ fn layout(sheets: &Sheets, format: &str) -> Result<Layout, Failure> {
     Ok(Layout {
         begin: pages.begin("feedback").map_err(fail)?,
         end: pages.end().map_err(fail)?,
+        press: Press::of(writer),
         pages,
     })
+}
+
+impl Layout {
+    /// The file with the feedback on a sheet.
+    fn file(&self, feedback: &Feedback) -> Result<Vec<u8>, Failure> {
+        let page = self.pages.feedback(feedback);
+        let page = page.map_err(|error| Failure::new(error.to_string()))?;
+        self.press.bind(format!("{}{page}{}", self.begin, self.end))
+    }
 }
 
 /// One run.
@@ -211,13 +223,10 @@ impl Job<'_> {
         let marked = variants.par_iter().map(|variant| {
             let (outcome, feedback) = marker.sheet(variant)?;
             if !self.arguments.no_feedback {
-                let Layout { pages, begin, end } = &self.feedback;
-                let writer = pages.writer();
-                let file = pages
-                    .feedback(&feedback)
-                    .and_then(|page| writer.bind(format!("{begin}{page}{end}")))
-                    .map_err(|error| Failure::new(error.to_string()))?;
-                let name = format!("{}.{}", variant.code, writer.extension());
+                let layout = &self.feedback;
+                let file = layout.file(&feedback)?;
+                let extension = layout.pages.writer().extension();
+                let name = format!("{}.{extension}", variant.code);
                 files::write(&self.out.join("feedback").join(name), &file)?;
             }
             Ok(outcome)

@@ -11,6 +11,7 @@ use super::ledger::Mark;
 use super::shard::Shard;
 use crate::cli::Failure;
 use crate::cli::files::{self, Draft};
+use crate::cli::press::Press;
 
 /// How sheets are written in one format.
 pub(crate) enum Format {
@@ -23,6 +24,7 @@ pub(crate) enum Format {
 /// A format with page layouts.
 pub(crate) struct Laid {
     pages: Pages,
+    press: Press,
     /// What is made, with what stands before its first page.
     kinds: Vec<(Kind, String)>,
     /// What stands before the table with the answers of all variants, if it is made.
@@ -132,6 +134,7 @@ impl Laid {
             end: pages.end().map_err(unfilled)?,
             is_split: is_split || writer.is_bound(),
             pictures: Mutex::default(),
+            press: Press::of(writer),
             pages,
         })
     }
@@ -157,7 +160,7 @@ impl Laid {
             return Ok(Leaf { text, files });
         }
         let whole = format!("{begin}{}{}", page.text, self.end);
-        let bytes = self.pages.writer().bind(whole).map_err(unfilled)?;
+        let bytes = self.press.bind(whole)?;
         let inside = format!("{}/{}.{}", kind.folder(), sheet.variant, self.extension());
         // Under a name that does not change, so that a run that goes on leaves no draft of the one that was killed.
         let mut draft = Draft::go_on(&out.join(&inside), 0)?;
@@ -427,7 +430,7 @@ impl Stream {
     fn bind(mut self, laid: &Laid) -> Result<Finished, Failure> {
         self.draft.write(laid.end.as_bytes())?;
         let text = self.draft.take()?;
-        let bytes = laid.pages.writer().bind(text).map_err(unfilled)?;
+        let bytes = laid.press.bind(text)?;
         files::write(&self.path, &bytes)?;
         Ok(Finished {
             name: self.name,

@@ -160,6 +160,65 @@ fn figures_of_latex_are_drawn_by_several_threads() {
     assert_eq!(first, made("second", "1"));
 }
 
+/// Pages are printed by processes of their own, as many as there are threads.
+#[cfg(feature = "pdf")]
+#[test]
+fn pages_are_printed_the_same_by_any_number_of_processes() {
+    let folder = folder("print");
+    let plan = "title = 'T'\nseed = 1\nvariants = 3\nformats = ['pdf']\nsolutions = false\n[[question]]\nitem = 'ch1/e7-rolling-disk-ke'\n";
+    let plan = put(&folder, "test.toml", plan);
+    let made = |name: &str, threads: &str| {
+        let out = text_of(&folder.join(name));
+        vibank(&["sheet", &plan, "--out", &out, "--threads", threads]).ends(0);
+        let digests = content(folder.join(name).join("manifest.json"));
+        assert!(
+            fs::read(folder.join(name).join("key-table.pdf"))
+                .expect("it is there")
+                .starts_with(b"%PDF")
+        );
+        digests
+    };
+    assert_eq!(made("first", "2"), made("second", "1"));
+}
+
+#[cfg(feature = "pdf")]
+#[test]
+fn a_page_that_cannot_be_printed_is_told() {
+    let folder = folder("unprinted");
+    let plan = "title = 'T'\nseed = 1\nvariants = 1\nformats = ['pdf']\n[[question]]\nitem = 'ch1/e7-rolling-disk-ke'\n";
+    let plan = put(&folder, "test.toml", plan);
+    let layouts = folder.join("layouts");
+    fs::create_dir_all(layouts.join("pdf")).expect("it can be made");
+    fs::write(layouts.join("pdf/end.typ"), "#nothing-of-this-name").expect("it can be written");
+    let ran = vibank(&[
+        "sheet",
+        &plan,
+        "--out",
+        &text_of(&folder.join("out")),
+        "--layouts",
+        &text_of(&layouts),
+    ])
+    .ends(2);
+    assert!(
+        ran.err.contains("cannot be printed: unknown variable"),
+        "{}",
+        ran.err
+    );
+}
+
+#[cfg(feature = "pdf")]
+#[test]
+fn what_prints_bears_any_bytes() {
+    let mut cut = u64::MAX.to_le_bytes().to_vec();
+    cut.extend(b"cut");
+    let mut no_words = 2u64.to_le_bytes().to_vec();
+    no_words.extend(b"\xff\xfe");
+    for input in [Vec::new(), b"ab".to_vec(), cut] {
+        assert_eq!(super::fed(&["print", "pdf"], input).ends(0).out, "");
+    }
+    super::fed(&["print", "nothing"], no_words).ends(2);
+}
+
 #[test]
 fn another_seed_gives_other_sheets() {
     let folder = folder("seeds");
