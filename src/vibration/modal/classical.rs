@@ -62,17 +62,33 @@ impl Classical {
     }
 
     /// Displacements at uniform times, one sample after the other.
+    ///
+    /// One coordinate is summed up for all times before the next, so that the sums run along memory.
     pub(super) fn grid(&self, start: f64, step: f64, displacements: &mut [f64]) {
         let size = self.motions.len();
-        displacements.fill(0.0);
-        let mut positions = vec![0.0; displacements.len() / size];
-        for (shape, motion) in self.shapes.column_iter().zip(&self.motions) {
-            motion.positions(start, step, &mut positions);
-            for (sample, position) in displacements.chunks_exact_mut(size).zip(&positions) {
-                sample
-                    .iter_mut()
-                    .zip(&shape)
-                    .for_each(|(x, component)| *x += component * position);
+        let samples = displacements.len() / size;
+        if samples == 0 {
+            return;
+        }
+        let mut positions = vec![0.0; size * samples];
+        for (motion, positions) in self.motions.iter().zip(positions.chunks_exact_mut(samples)) {
+            motion.positions(start, step, positions);
+        }
+        let mut sums = vec![0.0; samples];
+        for i in 0..size {
+            sums.fill(0.0);
+            for (component, positions) in self
+                .shapes
+                .row(i)
+                .iter()
+                .zip(positions.chunks_exact(samples))
+            {
+                for (sum, position) in sums.iter_mut().zip(positions) {
+                    *sum += component * position;
+                }
+            }
+            for (sample, sum) in displacements.chunks_exact_mut(size).zip(&sums) {
+                sample[i] = *sum;
             }
         }
     }

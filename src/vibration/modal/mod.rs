@@ -19,7 +19,7 @@ pub use steady::HarmonicResponse;
 
 use nalgebra::DMatrix;
 
-use super::modes::{Modes, ModesError, Refined, System, inertia_product};
+use super::modes::{Modes, ModesError, Refined, inner, momenta};
 use super::state::State;
 use crate::numerics::Dd;
 use classical::Classical;
@@ -58,9 +58,8 @@ enum Motion {
     Viscous(Box<Viscous>),
 }
 
-/// Modes and initial values.
+/// Modes and initial values, these times the mass matrix.
 struct Initial<'a> {
-    system: &'a System,
     modes: &'a Refined,
     displacements: Vec<Dd>,
     velocities: Vec<Dd>,
@@ -73,18 +72,20 @@ impl<'a> Initial<'a> {
         displacements: &[f64],
         velocities: &[f64],
     ) -> Self {
+        let weighted = |vector: &[f64]| {
+            let vector: Vec<Dd> = vector.iter().copied().map(Dd::from).collect();
+            momenta(modes.system(), &vector)
+        };
         Self {
-            system: modes.system(),
             modes: refined,
-            displacements: displacements.iter().copied().map(Dd::from).collect(),
-            velocities: velocities.iter().copied().map(Dd::from).collect(),
+            displacements: weighted(displacements),
+            velocities: weighted(velocities),
         }
     }
 
     /// `q_r = φ_rᵀ M x` and its velocity.
     fn modal_state(&self, mode: usize) -> State {
-        let part =
-            |vector: &[Dd]| inertia_product(self.system, self.modes.shape(mode), vector).hi();
+        let part = |vector: &[Dd]| inner(self.modes.shape(mode), vector).hi();
         State {
             position: part(&self.displacements),
             velocity: part(&self.velocities),

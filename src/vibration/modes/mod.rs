@@ -29,7 +29,7 @@ mod system;
 pub use error::ModesError;
 pub use pair::Pair;
 pub use refined::Refined;
-pub(crate) use refined::{inertia_product, inner};
+pub(crate) use refined::{inner, momenta};
 pub use solve::natural_angular_frequencies;
 pub use system::{Link, MAX_DEGREES_OF_FREEDOM, MAX_ELEMENTS, System};
 pub(crate) use system::{assembled, check_symmetric};

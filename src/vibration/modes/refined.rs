@@ -299,7 +299,7 @@ impl Basis<'_> {
         let mut found: Vec<(Dd, Vec<Dd>)> = (0..size)
             .map(|mode| {
                 let shape = column(&self.shapes, mode);
-                let inertia = inertia_product(self.system, shape, shape);
+                let inertia = inner(shape, &momenta(self.system, shape));
                 let rounded: Vec<f64> = shape.iter().map(|x| x.hi()).collect();
                 let reversed = is_reversed(&modes.root.weighted(&rounded));
                 let length = if reversed {
@@ -348,11 +348,8 @@ fn column(matrix: &DMatrix<Dd>, j: usize) -> &[Dd] {
 
 /// `Uᵀ M U`.
 fn inertia_products(system: &System, shapes: &DMatrix<Dd>, mixed: &DMatrix<bool>) -> DMatrix<Dd> {
-    products(shapes, mixed, |momentum, shape| match &system.inertia {
-        Inertia::Masses(masses) => {
-            momentum.extend(shape.iter().zip(masses).map(|(x, m)| *x * *m));
-        }
-        Inertia::Matrix(mass) => momentum.extend(image(mass, shape)),
+    products(shapes, mixed, |momentum, shape| {
+        momentum.extend(momenta(system, shape));
     })
 }
 
@@ -427,14 +424,15 @@ fn image(matrix: &DMatrix<f64>, vector: &[Dd]) -> Vec<Dd> {
         .collect()
 }
 
-/// `xᵀ M y`.
-pub(crate) fn inertia_product(system: &System, x: &[Dd], y: &[Dd]) -> Dd {
+/// `M v`.
+pub(crate) fn momenta(system: &System, velocities: &[Dd]) -> Vec<Dd> {
     match &system.inertia {
-        Inertia::Masses(masses) => masses
+        Inertia::Masses(masses) => velocities
             .iter()
-            .zip(x.iter().zip(y))
-            .fold(Dd::ZERO, |sum, (m, (x, y))| sum + *x * *y * *m),
-        Inertia::Matrix(mass) => inner(x, &image(mass, y)),
+            .zip(masses)
+            .map(|(v, m)| *v * *m)
+            .collect(),
+        Inertia::Matrix(mass) => image(mass, velocities),
     }
 }
 
