@@ -56,8 +56,14 @@ pub fn two_prod(a: f64, b: f64) -> (f64, f64) {
     if is_exact(product, error) {
         (product, error)
     } else {
-        (product, a.mul_add(b, -product))
+        (product, fused_error(a, b, product))
     }
+}
+
+/// The error by the fused multiply-add, which is a call here.
+#[cold]
+fn fused_error(a: f64, b: f64, product: f64) -> f64 {
+    a.mul_add(b, -product)
 }
 
 /// Whether a product of halves stayed within the exponent range: its parts do not fall below the smallest number, and
@@ -65,7 +71,7 @@ pub fn two_prod(a: f64, b: f64) -> (f64, f64) {
 #[inline]
 fn is_exact(product: f64, error: f64) -> bool {
     const SMALLEST: f64 = 1e-290;
-    product.abs() > SMALLEST && error.abs() < product.abs()
+    product.abs() - error.abs() > SMALLEST
 }
 
 /// Dekker's product of halves. The added zero turns a negative zero into the positive one of the fused form.
@@ -73,7 +79,8 @@ fn is_exact(product: f64, error: f64) -> bool {
 fn product_error(a: f64, b: f64, product: f64) -> f64 {
     let (a_high, a_low) = halves(a);
     let (b_high, b_low) = halves(b);
-    a_low * b_low - (((product - a_high * b_high) - a_low * b_high) - a_high * b_low) + 0.0
+    let rest = ((product - a_high * b_high) - a_low * b_high) - a_high * b_low;
+    (a_low * b_low + 0.0) - rest
 }
 
 /// Veltkamp's split into two numbers of 26 bits.

@@ -97,6 +97,13 @@ impl Dd {
         Self::of(fast_two_sum(hi, lo))
     }
 
+    /// The same where the caller looks after results that are not finite.
+    #[inline]
+    fn fast_sum(hi: f64, lo: f64) -> Self {
+        let (hi, lo) = fast_two_sum(hi, lo);
+        Self { hi, lo }
+    }
+
     /// The nearest `f64`.
     #[inline]
     pub const fn hi(self) -> f64 {
