@@ -193,14 +193,17 @@ impl FrequencyResponse {
     /// number/√(R² + I²), rounded once.
     fn over_modulus(&self, number: f64) -> f64 {
         const ORDINARY: std::ops::Range<f64> = 1e-140..1e140;
-        let square = self.residual.square() + self.loss.square();
-        if !(ORDINARY.contains(&square.hi()) && number.is_finite()) {
+        let (residual, residual_rest) = square(self.residual);
+        let (loss, loss_rest) = square(self.loss);
+        let (square, rest) = two_sum(residual, loss);
+        if !(ORDINARY.contains(&square) && number.is_finite()) {
             return (Dd::from(number) / self.modulus()).hi();
         }
-        let root = square.hi().sqrt();
+        let root = square.sqrt();
         let reciprocal = 1.0 / root;
         let (product, error) = two_prod(root, root);
-        let beyond = 0.5 * reciprocal * ((square.hi() - product) - error + square.lo());
+        let rest = rest + (residual_rest + loss_rest);
+        let beyond = 0.5 * reciprocal * ((square - product) - error + rest);
         let quotient = number * reciprocal;
         let (back, error) = two_prod(quotient, root);
         quotient + reciprocal * ((number - back) - error - quotient * beyond)
@@ -212,6 +215,12 @@ impl FrequencyResponse {
         let gain = self.over_modulus(1.0);
         Complex::new(gain * cosine, -gain * sine)
     }
+}
+
+/// The square of a number as a rounded one and what that leaves.
+fn square(x: Dd) -> (f64, f64) {
+    let (square, error) = two_prod(x.hi(), x.hi());
+    (square, error + 2.0 * x.hi() * x.lo())
 }
 
 /// Exponent of a number's leading bit; zero for zero and for what is no number.
