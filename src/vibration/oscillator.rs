@@ -93,6 +93,7 @@ impl Oscillator {
     /// # Errors
     ///
     /// Mass and stiffness must be positive, the damping coefficient not negative, all of them finite.
+    #[inline]
     pub fn new(mass: f64, damping: f64, stiffness: f64) -> Result<Self, OscillatorError> {
         let is_positive = |x: f64| x > 0.0 && x.is_finite();
         if !is_positive(mass) {
@@ -165,6 +166,7 @@ impl Oscillator {
     }
 
     /// Regime of the free motion, by the exact sign of c² - 4 m k.
+    #[inline]
     pub fn regime(&self) -> Regime {
         self.scaled.regime(self.scaled.discriminant())
     }
@@ -244,11 +246,13 @@ pub(crate) struct Scaled {
 }
 
 /// Exponent of the power of two next to the natural frequency.
+#[inline]
 fn natural_exponent(mass: f64, stiffness: f64) -> i32 {
     (binary_exponent(stiffness) - binary_exponent(mass)).div_euclid(2)
 }
 
 impl Scaled {
+    #[inline]
     fn of(mass: f64, damping: f64, stiffness: f64, rate_exponent: i32) -> Self {
         let mass_exponent = binary_exponent(mass);
         Self {
@@ -296,6 +300,7 @@ impl Scaled {
     /// c² - 4 m k with its exact sign.
     ///
     /// Beyond a damping ratio of 1e30 the second term is below the last digit of the first, whose square may overflow.
+    #[inline]
     pub(crate) fn discriminant(&self) -> Dd {
         const CANCELLED: f64 = 1e-3;
         let square = if self.damping < LARGE_DAMPING {
@@ -318,6 +323,7 @@ impl Scaled {
     }
 
     /// √|c² - 4 m k| from the discriminant.
+    #[inline]
     pub(crate) fn root_of(&self, discriminant: Dd) -> Dd {
         if self.damping < LARGE_DAMPING {
             discriminant.abs().sqrt()

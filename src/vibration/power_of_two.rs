@@ -10,6 +10,7 @@ pub(crate) struct PowerOfTwo {
 
 impl PowerOfTwo {
     /// The factor 2^n.
+    #[inline]
     pub(crate) fn new(exponent: i32) -> Self {
         let first = exponent.clamp(-1022, 1023);
         let second = (exponent - first).clamp(-1022, 1023);

@@ -22,6 +22,7 @@ pub(super) struct Critical {
 }
 
 impl Critical {
+    #[inline]
     pub(super) fn of(scaled: &Scaled, initial: State) -> Self {
         let State { position, velocity } = initial;
         let growth = -scaled.decay_rate();

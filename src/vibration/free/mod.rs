@@ -70,6 +70,7 @@ const LONGEST: f64 = 1e300;
 
 impl FreeResponse {
     /// The motion of an oscillator from an initial state in m and m/s.
+    #[inline]
     pub fn of(oscillator: &Oscillator, initial: State) -> Self {
         let scaled = oscillator.scaled();
         let (units, state) = Units::of(initial, scaled.rate_exponent);
@@ -153,6 +154,7 @@ impl FreeResponse {
 
 impl Units {
     /// The units for rates near 2^rate_exponent in 1/s, and the initial state in them.
+    #[inline]
     fn of(initial: State, rate_exponent: i32) -> (Self, State) {
         let position_exponent = binary_exponent(initial.position);
         let velocity_exponent = binary_exponent(initial.velocity).saturating_sub(rate_exponent);

@@ -25,6 +25,7 @@ pub(super) struct Oscillating {
 }
 
 impl Oscillating {
+    #[inline]
     pub(super) fn of(scaled: &Scaled, root: Dd, initial: State) -> Self {
         let Scaled {
             mass,

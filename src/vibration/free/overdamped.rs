@@ -27,6 +27,7 @@ pub(super) struct Overdamped {
 }
 
 impl Overdamped {
+    #[inline]
     pub(super) fn of(scaled: &Scaled, root: Dd, initial: State) -> Self {
         let (slow, fast) = scaled.real_roots(root);
         Self {
