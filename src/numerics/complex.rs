@@ -103,18 +103,18 @@ impl Complex {
         Self::from_polar(exp(self.re), self.im)
     }
 
-    /// e^z - 1 without cancellation at small z.
+    /// e^z - 1 without cancellation at small z, to a few units in the last place of its modulus.
     ///
     /// ```text
     /// e^(x+iy) - 1 = expm1(x) cos y - 2 sin²(y/2) + i e^x sin y
     /// ```
     #[must_use]
     pub fn expm1(self) -> Self {
-        let (sine, cosine) = sin_cos(self.im);
-        let half = sin(0.5 * self.im);
+        let (sine, cosine) = sin_cos(0.5 * self.im);
+        let (growth, versine) = (expm1(self.re), 2.0 * sine * sine);
         Self::new(
-            sum_of_products(expm1(self.re), cosine, -2.0 * half, half),
-            exp(self.re) * sine,
+            growth - growth * versine - versine,
+            (growth + 1.0) * (2.0 * sine * cosine),
         )
     }
 

@@ -48,15 +48,22 @@ pub fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
 /// ```
 #[inline]
 pub fn two_prod(a: f64, b: f64) -> (f64, f64) {
-    let product = a * b;
-    if HAS_FUSED {
-        return (product, a.mul_add(b, -product));
-    }
-    let error = product_error(a, b, product);
-    if is_exact(product, error) {
+    let (product, error) = ordinary_product(a, b);
+    if HAS_FUSED || is_exact(product, error) {
         (product, error)
     } else {
         (product, fused_error(a, b, product))
+    }
+}
+
+/// The same for factors and products well inside the exponent range.
+#[inline]
+pub(super) fn ordinary_product(a: f64, b: f64) -> (f64, f64) {
+    let product = a * b;
+    if HAS_FUSED {
+        (product, a.mul_add(b, -product))
+    } else {
+        (product, product_error(a, b, product))
     }
 }
 

@@ -3,7 +3,7 @@
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use super::Dd;
-use crate::numerics::exact::{fast_two_sum, two_prod, two_sum};
+use crate::numerics::exact::{fast_two_sum, ordinary_product, two_prod, two_sum};
 
 /// The result, or the plain operation on the leading parts where that is not finite.
 #[inline]
@@ -91,7 +91,7 @@ impl Dd {
     /// u² of the term. Nothing is guarded against numbers out of range.
     #[inline]
     pub(super) fn times_plus(self, factor: Self, term: Self) -> Self {
-        let (product, error) = two_prod(self.hi, factor.hi);
+        let (product, error) = ordinary_product(self.hi, factor.hi);
         let cross = self.hi * factor.lo + self.lo * factor.hi;
         let (hi, rest) = fast_two_sum(term.hi, product);
         Self {
@@ -104,12 +104,11 @@ impl Dd {
 impl Mul<f64> for Dd {
     type Output = Self;
 
-    /// `DWTimesFP1`, relative error 1.5 u².
+    /// `DWTimesFP2`, relative error 3 u².
     #[inline]
     fn mul(self, other: f64) -> Self {
         let (high, error) = two_prod(self.hi, other);
-        let (high, correction) = fast_two_sum(high, self.lo * other);
-        let product = Self::fast_sum(high, correction + error);
+        let product = Self::fast_sum(high, error + self.lo * other);
         let raise = || raised(self, |raised| raised * other);
         ranged(product, || self.hi * other, raise)
     }

@@ -5,7 +5,14 @@ use super::constants::{
     EXPM1_OF_32NDS, EXPM1_OF_32NDS_CENTRE, INVERSE_FACTORIALS, LN_2_PARTS, LN_2_REST,
 };
 use crate::numerics::elementary::{exp, ln_1p};
-use crate::numerics::exact::two_prod;
+use crate::numerics::exact::two_sum;
+
+/// The integer next to a number below 2^51: the sum rounds to its unit.
+#[inline]
+fn nearest_integer(x: f64) -> f64 {
+    const UNIT_ONE: f64 = 6_755_399_441_055_744.0; // 3/2 2^52
+    (x + UNIT_ONE) - UNIT_ONE
+}
 
 /// Beyond this magnitude the exponential leaves the range of `f64`.
 const EXPONENT_LIMIT: f64 = 750.0;
@@ -126,39 +133,49 @@ impl Dd {
         (self.hi.abs() >= EXPONENT_LIMIT || self.is_nan()).then(|| Self::from(exp(self.hi)))
     }
 
-    /// The nearest n to x/ln 2, and x - n ln 2. The subtrahends that count are exact.
+    /// The nearest n to x/ln 2, and x - n ln 2. The products that count are exact, and so is the first difference.
     fn halvings(self) -> (i32, Self) {
-        let n = (self.hi / Self::LN_2.hi).round_ties_even();
+        let n = nearest_integer(self.hi * std::f64::consts::LOG2_E);
         if n == 0.0 {
             return (0, self);
         }
-        let (first, _) = two_prod(n, LN_2_PARTS[0]);
-        let (second, _) = two_prod(n, LN_2_PARTS[1]);
-        (n as i32, self - first - second - LN_2_REST * n)
+        let (high, low) = two_sum(self.hi - n * LN_2_PARTS[0], self.lo);
+        let (high, error) = two_sum(high, -n * LN_2_PARTS[1]);
+        let rest = Self::sum(high, error + (low - n * LN_2_REST.hi));
+        (n as i32, rest)
     }
 
     /// e^x - 1 for |x| <= 0.35: from that of the nearest 32nd, which is tabulated, and of what is left.
     fn small_expm1(self) -> Self {
-        let nearest = (self.hi * 32.0).round_ties_even();
+        let nearest = nearest_integer(self.hi * 32.0);
         let rest = (self - nearest / 32.0).tiny_expm1();
-        if nearest == 0.0 {
-            return rest;
-        }
-        let tabulated = EXPM1_OF_32NDS[(nearest + EXPM1_OF_32NDS_CENTRE) as usize];
-        tabulated + (rest + tabulated * rest)
+        let sum = if nearest == 0.0 {
+            rest
+        } else {
+            let tabulated = EXPM1_OF_32NDS[(nearest + EXPM1_OF_32NDS_CENTRE) as usize];
+            rest.times_plus(tabulated + 1.0, tabulated)
+        };
+        Self::normalized(sum.hi, sum.lo)
     }
 
-    /// Taylor series of e^x - 1 for |x| <= 1/64. Terms below u of the sum are formed in `f64`.
+    /// Taylor series of e^x - 1 for |x| <= 1/64. Terms below u of the sum are formed in `f64`, even and odd ones side by side.
     fn tiny_expm1(self) -> Self {
-        const LAST: usize = 14;
+        const LAST: usize = 13;
         const FIRST_SHORT: usize = 8;
-        let tail = (FIRST_SHORT..=LAST)
+        let square = self.square();
+        let every_other = |last: usize| {
+            (FIRST_SHORT..=last)
+                .rev()
+                .step_by(2)
+                .fold(0.0, |sum, n| sum * square.hi + INVERSE_FACTORIALS[n].hi)
+        };
+        let tail = every_other(LAST - 1) + self.hi * every_other(LAST);
+        let last = FIRST_SHORT - 1;
+        let start = INVERSE_FACTORIALS[last] + tail * self.hi;
+        let sum = (2..last)
             .rev()
-            .fold(0.0, |sum, n| sum * self.hi + INVERSE_FACTORIALS[n].hi);
-        let sum = (2..FIRST_SHORT).rev().fold(Self::from(tail), |sum, n| {
-            sum.times_plus(self, INVERSE_FACTORIALS[n])
-        });
-        self + self.square() * sum
+            .fold(start, |sum, n| sum.times_plus(self, INVERSE_FACTORIALS[n]));
+        sum.times_plus(square, self)
     }
 
     /// ln(1 + x) for |x| < 0.75: one Newton step of third order from the value in `f64`.

@@ -28,6 +28,11 @@ impl Node {
         Complex::new((self.re - other.re).hi(), (self.im - other.im).hi())
     }
 
+    /// Whether the numbers are the conjugates of each other.
+    fn mirrors(self, other: Self) -> bool {
+        self.re == other.re && self.im == -other.im
+    }
+
     fn value(self) -> Complex {
         Complex::new(self.re.hi(), self.im.hi())
     }
@@ -61,8 +66,9 @@ pub(super) struct Nodes {
     points: [Node; 3],
     /// Distances of first and second, second and third, first and third node.
     distances: [Complex; 3],
-    /// The largest distance.
-    extent: f64,
+    /// Their reciprocals and lengths.
+    reciprocals: [Complex; 3],
+    lengths: [f64; 3],
     /// The index of the node next to zero.
     smallest: usize,
 }
@@ -155,14 +161,15 @@ impl Nodes {
         Self {
             points: nodes,
             distances,
-            extent: distances[2].abs(),
+            reciprocals: distances.map(Complex::recip),
+            lengths: distances.map(Complex::abs),
             smallest,
         }
     }
 
     /// exp[r1, r2, iΩ; t].
     pub(super) fn position(&self, t: f64) -> Complex {
-        if self.extent * t < ALL_CLOSE {
+        if self.lengths[2] * t < ALL_CLOSE {
             self.series(t)
         } else {
             self.quotient(&self.exponentials(t), t)
@@ -172,7 +179,7 @@ impl Nodes {
     /// exp[r1, r2, iΩ; t] and its derivative, by way of the node next to zero: z exp[z, a, b; t] + exp[a, b; t].
     pub(super) fn differences(&self, t: f64) -> Differences {
         let powers = self.exponentials(t);
-        let position = if self.extent * t < ALL_CLOSE {
+        let position = if self.lengths[2] * t < ALL_CLOSE {
             self.series(t)
         } else {
             self.quotient(&powers, t)
@@ -188,25 +195,41 @@ impl Nodes {
         }
     }
 
+    /// e^(zt) at the nodes, of which a pair may be conjugate.
     fn exponentials(&self, t: f64) -> [Complex; 3] {
-        self.points.map(|node| node.exp(t))
+        let [first, second, third] = self.points;
+        let power = first.exp(t);
+        if third.mirrors(first) {
+            return [power, second.exp(t), power.conjugate()];
+        }
+        let next = if second.mirrors(first) {
+            power.conjugate()
+        } else {
+            second.exp(t)
+        };
+        let last = if third.mirrors(second) {
+            next.conjugate()
+        } else {
+            third.exp(t)
+        };
+        [power, next, last]
     }
 
     fn quotient(&self, powers: &[Complex; 3], t: f64) -> Complex {
-        (self.pair(1, 2, 1, powers, t) - self.pair(0, 1, 0, powers, t)) / self.distances[2]
+        (self.pair(1, 2, 1, powers, t) - self.pair(0, 1, 0, powers, t)) * self.reciprocals[2]
     }
 
     /// exp[a, b; t] of two nodes, whose distance b - a is at `gap`.
     fn pair(&self, a: usize, b: usize, gap: usize, powers: &[Complex; 3], t: f64) -> Complex {
-        let distance = self.distances[gap];
-        if distance.abs() * t >= CLOSE {
-            (powers[b] - powers[a]) / distance
+        let (distance, reciprocal) = (self.distances[gap], self.reciprocals[gap]);
+        if self.lengths[gap] * t >= CLOSE {
+            (powers[b] - powers[a]) * reciprocal
         } else if distance == Complex::ZERO {
             powers[a] * t
         } else if distance.re <= 0.0 {
-            powers[a] * (distance * t).expm1() / distance
+            powers[a] * (distance * t).expm1() * reciprocal
         } else {
-            powers[b] * (-distance * t).expm1() / -distance
+            powers[b] * (-distance * t).expm1() * -reciprocal
         }
     }
 
@@ -254,7 +277,7 @@ mod tests {
     #[test]
     fn series_and_quotient_agree_where_they_meet() {
         let nodes = Nodes::ordered([node(-0.1, 0.7), node(-0.1, -0.7), node(0.0, 0.5)]);
-        let t = 1.5 / nodes.extent;
+        let t = 1.5 / nodes.lengths[2];
         let quotient = nodes.quotient(&nodes.exponentials(t), t);
         assert!((nodes.series(t) - quotient).abs() < 2e-15 * quotient.abs());
     }
