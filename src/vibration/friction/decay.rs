@@ -64,14 +64,14 @@ impl Decay {
     /// The distance after a number of half-cycles.
     ///
     /// ```text
-    /// U - 2 a j   or   U + U (q^j - 1) - a (1 + q) (1 - q^j)/(1 - q)
+    /// U - 2 a j   or   U - (U (1 - q) + a (1 + q)) (1 - q^j)/(1 - q)
     /// ```
     pub(super) fn after(&self, reach: Dd, steps: f64) -> Dd {
         match self.viscous {
             None => reach - self.slip * (2.0 * steps),
             Some(viscous) => {
                 let lost = -(-viscous.theta * steps).expm1();
-                reach - reach * lost - self.slip * (2.0 - viscous.lost) * (lost / viscous.lost)
+                reach - self.loss(viscous, reach) * (lost / viscous.lost)
             }
         }
     }
@@ -80,8 +80,13 @@ impl Decay {
     pub(super) fn next(&self, reach: Dd) -> Dd {
         match self.viscous {
             None => reach - self.slip * 2.0,
-            Some(viscous) => reach - reach * viscous.lost - self.slip * (2.0 - viscous.lost),
+            Some(viscous) => reach - self.loss(viscous, reach),
         }
+    }
+
+    /// By how much the distance shrinks in a half-cycle, `U (1 - q) + a (1 + q)`.
+    fn loss(&self, viscous: Viscous, reach: Dd) -> Dd {
+        reach * viscous.lost + self.slip * (2.0 - viscous.lost)
     }
 
     /// The length of a number of half-cycles, `sum (U_j + U_(j+1))`, from the first distance and the last.

@@ -173,6 +173,7 @@ impl FrictionOscillator {
     ///
     /// Mass and stiffness must be positive, the damping coefficient and friction not negative, static friction not below
     /// kinetic friction, and the damping ratio below 1e150.
+    #[inline]
     pub fn new(
         mass: ExactNumber,
         damping: ExactNumber,
@@ -229,6 +230,7 @@ impl FrictionOscillator {
     /// # Errors
     ///
     /// [`FrictionError::TooManySlides`] or [`FrictionError::OutOfRange`] for a motion beyond numbers.
+    #[inline]
     pub fn motion(
         &self,
         position: ExactNumber,

@@ -79,6 +79,7 @@ const SURELY_NEAREST: f64 = 1e14;
 const MOST_MISSING: f64 = 16.0;
 
 impl FrictionMotion {
+    #[inline]
     pub(super) fn of(
         friction: &FrictionOscillator,
         position: ExactNumber,

@@ -38,7 +38,7 @@ impl Scale {
 
     /// The regime by the exact sign of `c^2 - 4 m k`, and the root of its magnitude.
     fn regime_and_root(&self, [mass, damping, stiffness]: [ExactNumber; 3]) -> (Regime, Dd) {
-        let product = self.mass * self.stiffness * 4.0;
+        let product = (self.mass * self.stiffness).scale(2);
         if damping.is_zero() {
             return (Regime::Undamped, product.sqrt());
         }
@@ -100,15 +100,19 @@ pub(super) fn is_decided(difference: Dd, size: f64) -> bool {
 pub(super) fn ratio(factors: &[ExactNumber], divisor: ExactNumber) -> Dd {
     const ORDINARY: std::ops::Range<f64> = 1e-60..1e60;
     let is_ordinary = |number: &ExactNumber| ORDINARY.contains(&number.to_f64().abs());
-    let product = |numbers: &mut dyn Iterator<Item = Dd>| {
-        numbers.fold(Dd::ONE, |product, factor| product * factor)
-    };
     if factors.iter().all(is_ordinary) && is_ordinary(&divisor) {
-        return product(&mut factors.iter().map(|factor| factor.to_dd())) / divisor.to_dd();
+        return product(factors, |factor| factor.to_dd()) / divisor.to_dd();
     }
     let exponent = |number: &ExactNumber| binary_exponent(number.to_f64()).clamp(-1100, 1100);
     let mantissa = |number: &ExactNumber| number.to_dd().scale(-exponent(number));
     let total: i32 = factors.iter().map(exponent).sum();
-    (product(&mut factors.iter().map(mantissa)) / mantissa(&divisor))
-        .scale(total - exponent(&divisor))
+    (product(factors, mantissa) / mantissa(&divisor)).scale(total - exponent(&divisor))
+}
+
+/// The product of a part of each number.
+fn product(numbers: &[ExactNumber], part: impl Fn(&ExactNumber) -> Dd) -> Dd {
+    let parts = numbers.iter().map(part);
+    parts
+        .reduce(|product, part| product * part)
+        .unwrap_or(Dd::ONE)
 }
