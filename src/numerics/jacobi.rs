@@ -51,7 +51,7 @@ impl ScaledColumns {
     pub(crate) fn left_singular(mut self) -> LeftSingular {
         self.orthogonalize();
         let lengths: Vec<f64> = self.squared_lengths().iter().map(|a| a.sqrt()).collect();
-        let order = ascending(self.scales.iter().zip(&lengths).map(|(s, l)| s * l));
+        let order = ascending(lengths.len(), |j| self.scales[j] * lengths[j]);
         let mut vectors = Vec::with_capacity(self.entries.len());
         for &j in &order {
             vectors.extend(self.column(j).iter().map(|x| x / lengths[j]));
@@ -83,12 +83,7 @@ impl ScaledColumns {
     fn sweep(&mut self, tolerance_squared: f64) -> bool {
         let mut squares = self.squared_lengths();
         self.balance(&mut squares);
-        let mut order = ascending(
-            self.scales
-                .iter()
-                .zip(&squares)
-                .map(|(s, a)| -(s * a.sqrt())),
-        );
+        let mut order = ascending(squares.len(), |j| -(self.scales[j] * squares[j].sqrt()));
         let mut rotated = false;
         for p in 0..order.len() {
             for q in p + 1..order.len() {
@@ -211,11 +206,10 @@ impl Rotation {
     }
 }
 
-/// The positions of `keys` in ascending order, equal ones as they came.
-fn ascending(keys: impl Iterator<Item = f64>) -> Vec<usize> {
-    let keys: Vec<f64> = keys.collect();
-    let mut order: Vec<usize> = (0..keys.len()).collect();
-    order.sort_by(|&i, &j| keys[i].total_cmp(&keys[j]));
+/// The positions up to a count in ascending order of their keys, equal ones as they came.
+fn ascending(count: usize, key: impl Fn(usize) -> f64) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..count).collect();
+    order.sort_by(|&i, &j| key(i).total_cmp(&key(j)));
     order
 }
 

@@ -1,5 +1,6 @@
 //! The four operations, between double-double numbers and with `f64` on either side.
 
+use std::iter::Sum;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use super::Dd;
@@ -221,6 +222,18 @@ impl Div<Dd> for f64 {
     }
 }
 
+impl Sum for Dd {
+    /// The roundings of the leading parts are added up beside them, error about n u² of the largest partial sum.
+    #[inline]
+    fn sum<I: Iterator<Item = Self>>(terms: I) -> Self {
+        let (rounded, rest) = terms.fold((0.0, 0.0), |(rounded, rest), term| {
+            let (rounded, error) = two_sum(rounded, term.hi);
+            (rounded, rest + (error + term.lo))
+        });
+        Self::sum(rounded, rest)
+    }
+}
+
 impl<T> AddAssign<T> for Dd
 where
     Dd: Add<T, Output = Dd>,
@@ -295,6 +308,16 @@ mod tests {
             assert_eq!((Dd::from(a) * b).hi(), a * b);
             assert_eq!((Dd::from(a) * Dd::from(b)).hi(), a * b);
         }
+    }
+
+    #[test]
+    fn long_sums_keep_what_cancels() {
+        let third = Dd::ONE / 3.0;
+        let terms = [1e16, 1.0, -1e16, 1e-20];
+        let sum: Dd = terms.iter().map(|term| third * *term).sum();
+        assert!((sum - third - third * 1e-20).abs().hi() < 1e-15);
+        let exact: Dd = terms.iter().copied().map(Dd::from).sum();
+        assert_eq!(exact, Dd::sum(1.0, 1e-20));
     }
 
     #[test]

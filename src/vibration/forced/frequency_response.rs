@@ -43,6 +43,7 @@ pub struct FrequencyResponse {
 
 impl FrequencyResponse {
     /// The response at an angular frequency in rad/s; its sign does not count.
+    #[inline]
     pub fn at(oscillator: &Oscillator, angular_frequency: f64) -> Self {
         let scaled = Scaled::driven(oscillator, angular_frequency);
         let frequency = scaled.scaled_rate(angular_frequency.abs());
@@ -76,6 +77,7 @@ impl FrequencyResponse {
     }
 
     /// Amplitude X in m of the displacement under a force of this amplitude in N.
+    #[inline]
     pub fn amplitude(&self, force: f64) -> f64 {
         self.ratio(force, 1.0, -self.stiffness_exponent())
     }
@@ -176,11 +178,13 @@ impl FrequencyResponse {
     }
 
     /// Exponent of the unit of stiffness.
+    #[inline]
     fn stiffness_exponent(&self) -> i32 {
         self.scaled.mass_exponent + 2 * self.scaled.rate_exponent
     }
 
     /// number * factor/√(R² + I²) * 2^exponent.
+    #[inline]
     fn ratio(&self, number: f64, factor: f64, exponent: i32) -> f64 {
         if number == 0.0 {
             return 0.0;
@@ -218,12 +222,14 @@ impl FrequencyResponse {
 }
 
 /// The square of a number as a rounded one and what that leaves.
+#[inline]
 fn square(x: Dd) -> (f64, f64) {
     let (square, error) = two_prod(x.hi(), x.hi());
     (square, error + 2.0 * x.hi() * x.lo())
 }
 
 /// Exponent of a number's leading bit; zero for zero and for what is no number.
+#[inline]
 fn finite_exponent(x: f64) -> i32 {
     match binary_exponent(x) {
         i32::MIN | i32::MAX => 0,
@@ -232,6 +238,7 @@ fn finite_exponent(x: f64) -> i32 {
 }
 
 /// k - m Ω² to the last digits of a double-double: where it is a small difference, the product is kept in four parts.
+#[inline]
 pub(super) fn residual_stiffness(mass: f64, stiffness: f64, frequency: f64) -> Dd {
     const CANCELLED: f64 = 1e-3;
     let square = Dd::product(frequency, frequency);

@@ -310,7 +310,7 @@ impl FrictionMotion {
 
     /// The side of the turning point after a number of half-cycles.
     pub(super) fn side_after(&self, half_cycles: f64) -> f64 {
-        if half_cycles % 2.0 == 0.0 {
+        if (half_cycles as u64).is_multiple_of(2) {
             self.side
         } else {
             -self.side

@@ -63,32 +63,28 @@ impl Classical {
 
     /// Displacements at uniform times, one sample after the other.
     ///
-    /// One coordinate is summed up for all times before the next, so that the sums run along memory.
+    /// Sums for a few times side by side stay in registers while the modes are added.
     pub(super) fn grid(&self, start: f64, step: f64, displacements: &mut [f64]) {
+        const LANES: usize = 16;
         let size = self.motions.len();
         let samples = displacements.len() / size;
-        if samples == 0 {
-            return;
+        let stride = samples.next_multiple_of(LANES);
+        let mut positions = vec![0.0; size * stride];
+        for (mode, motion) in self.motions.iter().enumerate() {
+            motion.positions(start, step, &mut positions[mode * stride..][..samples]);
         }
-        let mut positions = vec![0.0; size * samples];
-        for (motion, positions) in self.motions.iter().zip(positions.chunks_exact_mut(samples)) {
-            motion.positions(start, step, positions);
-        }
-        let mut sums = vec![0.0; samples];
-        for i in 0..size {
-            sums.fill(0.0);
-            for (component, positions) in self
-                .shapes
-                .row(i)
-                .iter()
-                .zip(positions.chunks_exact(samples))
-            {
-                for (sum, position) in sums.iter_mut().zip(positions) {
-                    *sum += component * position;
+        for (block, displacements) in displacements.chunks_mut(LANES * size).enumerate() {
+            for i in 0..size {
+                let mut sums = [0.0; LANES];
+                for (mode, component) in self.shapes.row(i).iter().enumerate() {
+                    let positions = &positions[mode * stride + block * LANES..][..LANES];
+                    for (sum, position) in sums.iter_mut().zip(positions) {
+                        *sum += component * position;
+                    }
                 }
-            }
-            for (sample, sum) in displacements.chunks_exact_mut(size).zip(&sums) {
-                sample[i] = *sum;
+                for (sample, sum) in displacements.chunks_exact_mut(size).zip(sums) {
+                    sample[i] = sum;
+                }
             }
         }
     }

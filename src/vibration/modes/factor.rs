@@ -96,15 +96,18 @@ impl<'a> Elimination<'a> {
         entries.resize(start + size, 0.0);
         let column = &mut entries[start..];
         column[pivot.node] = 1.0;
-        let row = self.couplings[pivot.node * size..][..size].to_vec();
+        let row_of = |node: usize| node * size..(node + 1) * size;
         for &j in &self.left {
+            let [row, target] = self
+                .couplings
+                .get_disjoint_mut([row_of(pivot.node), row_of(j)])
+                .expect("the rows of two nodes do not overlap");
             let share = row[j] / pivot.diagonal;
             if share == 0.0 {
                 continue;
             }
             column[j] = -share * root_of_ratio(self.masses[pivot.node], self.masses[j]);
             self.ground[j] += share * self.ground[pivot.node];
-            let target = &mut self.couplings[j * size..][..size];
             for &i in &self.left {
                 target[i] += share * row[i];
             }

@@ -41,7 +41,7 @@ fn factored<T: Real>(
     }
     let floor = rounding_floor(system, &weighted);
     let solution = match factor::of_matrix(weighted.clone(), &floor) {
-        Some(factor) => completed(size, factor.left_singular(), Vec::new()),
+        Some(factor) => completed(size, factor.left_singular(), Vec::new),
         None => indefinite(weighted.map(Real::rounded)),
     };
     Ok((root, solution))

@@ -11,8 +11,7 @@ pub(super) fn solve(masses: &[f64], springs: &[Link]) -> Solution {
         return solution;
     }
     let elastic = factor::of_network(masses, springs).left_singular();
-    let rigid = rigid_motions(masses, springs);
-    let mut solution = completed(masses.len(), elastic, rigid);
+    let mut solution = completed(masses.len(), elastic, || rigid_motions(masses, springs));
     remove_stiff_motions(masses, springs, &mut solution);
     take_rayleigh_quotients(masses, springs, &mut solution);
     solution
@@ -235,14 +234,13 @@ fn rayleigh_rate(masses: &[f64], springs: &[Link], shape: &[f64]) -> f64 {
 
 /// The same rounded once.
 fn exact_rayleigh_rate(masses: &[f64], springs: &[Link], shape: &[f64]) -> f64 {
-    let kinetic = masses
-        .iter()
-        .zip(shape)
-        .fold(Dd::ZERO, |sum, (m, x)| sum + Dd::product(*x, *x) * *m);
-    let potential = springs.iter().fold(Dd::ZERO, |sum, spring| {
+    let inertia = masses.iter().zip(shape);
+    let kinetic: Dd = inertia.map(|(m, x)| Dd::product(*x, *x) * *m).sum();
+    let energies = springs.iter().map(|spring| {
         let [first, second] = spring.displacements(shape);
-        sum + Dd::sum(first, -second).square() * spring.coefficient
+        Dd::sum(first, -second).square() * spring.coefficient
     });
+    let potential: Dd = energies.sum();
     (potential / kinetic).sqrt().hi()
 }
 

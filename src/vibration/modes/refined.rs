@@ -302,13 +302,10 @@ impl Basis<'_> {
                 let inertia = inner(shape, &momenta(self.system, shape));
                 let rounded: Vec<f64> = shape.iter().map(|x| x.hi()).collect();
                 let reversed = is_reversed(&modes.root.weighted(&rounded));
-                let length = if reversed {
-                    -inertia.sqrt()
-                } else {
-                    inertia.sqrt()
-                };
+                let length = inertia.sqrt();
+                let factor = if reversed { -length } else { length }.recip();
                 let eigenvalue = self.eigenvalue(modes, mode, inertia);
-                (eigenvalue, shape.iter().map(|x| *x / length).collect())
+                (eigenvalue, shape.iter().map(|x| *x * factor).collect())
             })
             .collect();
         found.sort_by(|(a, _), (b, _)| a.partial_cmp(b).unwrap_or(Ordering::Equal));
@@ -329,7 +326,7 @@ impl Basis<'_> {
             return Dd::ZERO;
         }
         let shape = column(&self.shapes, mode);
-        let quotient = stiffness_product(self.system, shape, shape) / inertia;
+        let quotient = twice_potential_energy(self.system, shape) / inertia;
         let plain = Dd::product(modes.rates[mode], modes.rates[mode].abs());
         let is_kept = (quotient - plain).abs() <= plain.abs() * AGREEMENT;
         let is_network =
@@ -414,13 +411,17 @@ fn products(
 
 /// `x·y`.
 pub(crate) fn inner(x: &[Dd], y: &[Dd]) -> Dd {
-    x.iter().zip(y).fold(Dd::ZERO, |sum, (x, y)| sum + *x * *y)
+    x.iter().zip(y).map(|(x, y)| *x * *y).sum()
 }
 
 /// Matrix times vector.
 fn image(matrix: &DMatrix<f64>, vector: &[Dd]) -> Vec<Dd> {
     (0..matrix.nrows())
-        .map(|i| (0..matrix.ncols()).fold(Dd::ZERO, |sum, j| sum + vector[j] * matrix[(i, j)]))
+        .map(|i| {
+            (0..matrix.ncols())
+                .map(|j| vector[j] * matrix[(i, j)])
+                .sum()
+        })
         .collect()
 }
 
@@ -436,19 +437,18 @@ pub(crate) fn momenta(system: &System, velocities: &[Dd]) -> Vec<Dd> {
     }
 }
 
-/// `xᵀ K y`.
-fn stiffness_product(system: &System, x: &[Dd], y: &[Dd]) -> Dd {
+/// `xᵀ K x`, from elongations where there are springs.
+fn twice_potential_energy(system: &System, x: &[Dd]) -> Dd {
     match &system.stiffness {
-        Stiffness::Springs(springs) => springs.iter().fold(Dd::ZERO, |sum, spring| {
-            sum + spring.elongation(x) * spring.elongation(y) * spring.coefficient
-        }),
+        Stiffness::Springs(springs) => springs
+            .iter()
+            .map(|spring| spring.elongation(x).square() * spring.coefficient)
+            .sum(),
         Stiffness::Squares { stiffnesses, rows } => {
-            let elongations = image(rows, x).into_iter().zip(image(rows, y));
-            stiffnesses
-                .iter()
-                .zip(elongations)
-                .fold(Dd::ZERO, |sum, (k, (x, y))| sum + x * y * *k)
+            let elongations = image(rows, x);
+            let pairs = stiffnesses.iter().zip(elongations);
+            pairs.map(|(k, x)| x.square() * *k).sum()
         }
-        Stiffness::Matrix(stiffness) => inner(x, &image(stiffness, y)),
+        Stiffness::Matrix(stiffness) => inner(x, &image(stiffness, x)),
     }
 }

@@ -167,17 +167,30 @@ fn springs_of(stiffnesses: &[f64], rows: &DMatrix<f64>) -> Option<Vec<Link>> {
 }
 
 /// Puts rigid motions before the elastic ones: those given, or else whatever is orthogonal to the elastic ones.
-pub(super) fn completed(size: usize, elastic: LeftSingular, rigid: Vec<Vec<f64>>) -> Solution {
-    let missing = size - elastic.values.len();
-    let mut vectors = if rigid.len() == missing {
-        rigid.concat()
-    } else {
-        complement(size, &elastic.vectors)
-    };
-    vectors.extend(elastic.vectors);
-    let mut rates = vec![0.0; missing];
-    rates.extend(elastic.values);
-    Solution { rates, vectors }
+pub(super) fn completed(
+    size: usize,
+    elastic: LeftSingular,
+    rigid: impl FnOnce() -> Vec<Vec<f64>>,
+) -> Solution {
+    let LeftSingular {
+        mut values,
+        mut vectors,
+    } = elastic;
+    let missing = size - values.len();
+    if missing > 0 {
+        let rigid = rigid();
+        let first = if rigid.len() == missing {
+            rigid.concat()
+        } else {
+            complement(size, &vectors)
+        };
+        vectors.splice(0..0, first);
+        values.splice(0..0, std::iter::repeat_n(0.0, missing));
+    }
+    Solution {
+        rates: values,
+        vectors,
+    }
 }
 
 /// Unit vectors that complete orthonormal ones to a basis, by repeated Gram-Schmidt steps on the coordinate axes.
