@@ -19,7 +19,7 @@ pub use steady::HarmonicResponse;
 
 use nalgebra::DMatrix;
 
-use super::modes::{Modes, ModesError, Refined, inner, momenta};
+use super::modes::{Modes, ModesError, Refined, momenta};
 use super::state::State;
 use crate::numerics::Dd;
 use classical::Classical;
@@ -83,9 +83,13 @@ impl<'a> Initial<'a> {
         }
     }
 
-    /// `q_r = φ_rᵀ M x` and its velocity.
+    /// `q_r = φ_rᵀ M x` and its velocity; most coordinates start from rest.
     fn modal_state(&self, mode: usize) -> State {
-        let part = |vector: &[Dd]| inner(self.modes.shape(mode), vector).hi();
+        let part = |vector: &[Dd]| {
+            let pairs = self.modes.shape(mode).iter().zip(vector);
+            let moved = pairs.filter(|(_, y)| y.hi() != 0.0);
+            moved.map(|(x, y)| *x * *y).sum::<Dd>().hi()
+        };
         State {
             position: part(&self.displacements),
             velocity: part(&self.velocities),
