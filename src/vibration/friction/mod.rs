@@ -50,6 +50,8 @@ use crate::numerics::{Dd, ExactNumber, sign_of_sum};
 pub struct DryFriction {
     kinetic: Factors,
     fixed: Factors,
+    /// Whether it holds as it slides.
+    is_single: bool,
 }
 
 /// A force as a product, so that nothing is rounded.
@@ -132,6 +134,7 @@ impl DryFriction {
         Self {
             kinetic: [kinetic, one, one],
             fixed: [fixed, one, one],
+            is_single: kinetic == fixed,
         }
     }
 
@@ -145,20 +148,17 @@ impl DryFriction {
         Self {
             kinetic: [kinetic, mass, gravity],
             fixed: [fixed, mass, gravity],
+            is_single: kinetic == fixed,
         }
     }
 
     fn check(&self) -> Result<(), FrictionError> {
-        let negated = ties::negated(self.kinetic);
-        if self
-            .kinetic
-            .iter()
-            .map(|factor| factor.signum())
-            .product::<i32>()
-            < 0
-        {
+        let signs = self.kinetic.iter().map(|factor| factor.signum());
+        if signs.product::<i32>() < 0 {
             Err(FrictionError::NegativeFriction)
-        } else if self.fixed != self.kinetic && sign_of_sum(&[&self.fixed, &negated]).is_lt() {
+        } else if !self.is_single
+            && sign_of_sum(&[&self.fixed, &ties::negated(self.kinetic)]).is_lt()
+        {
             Err(FrictionError::StaticBelowKinetic)
         } else {
             Ok(())
@@ -184,7 +184,7 @@ impl FrictionOscillator {
         friction.check()?;
         let scale = Scale::of(mass, damping, stiffness);
         let slip = ratio(&friction.kinetic, stiffness);
-        let hold = if friction.fixed == friction.kinetic {
+        let hold = if friction.is_single {
             slip
         } else {
             ratio(&friction.fixed, stiffness)
