@@ -38,12 +38,19 @@ impl Rational {
         if denominator == 0 || numerator == i128::MIN || denominator == i128::MIN {
             return None;
         }
+        let sign = denominator.signum();
+        let (numerator, denominator) = (sign * numerator, sign * denominator);
         let divisor =
             greatest_common_divisor(numerator.unsigned_abs(), denominator.unsigned_abs()) as i128;
-        let sign = denominator.signum();
+        if divisor == 1 {
+            return Some(Self {
+                numerator,
+                denominator,
+            });
+        }
         Some(Self {
-            numerator: sign * numerator / divisor,
-            denominator: sign * denominator / divisor,
+            numerator: numerator / divisor,
+            denominator: denominator / divisor,
         })
     }
 
@@ -55,11 +62,15 @@ impl Rational {
         };
         let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
         let unsigned = whole.strip_prefix(['-', '+']).unwrap_or(whole);
-        let digits = format!("{unsigned}{fraction}");
-        if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
+        let digits = || unsigned.bytes().chain(fraction.bytes());
+        if digits().next().is_none() || !digits().all(|byte| byte.is_ascii_digit()) {
             return None;
         }
-        let magnitude: i128 = digits.parse().ok()?;
+        let magnitude = digits().try_fold(0_i128, |magnitude, digit| {
+            magnitude
+                .checked_mul(10)?
+                .checked_add(i128::from(digit - b'0'))
+        })?;
         let signed = if whole.starts_with('-') {
             -magnitude
         } else {
@@ -113,6 +124,9 @@ impl Rational {
 
     /// The sum.
     pub fn checked_add(self, other: Self) -> Option<Self> {
+        if self.is_integer() && other.is_integer() {
+            return Self::new(self.numerator.checked_add(other.numerator)?, 1);
+        }
         let left = self.numerator.checked_mul(other.denominator)?;
         let right = other.numerator.checked_mul(self.denominator)?;
         Self::new(
@@ -187,8 +201,15 @@ fn split(value: i128) -> (f64, f64) {
 }
 
 fn greatest_common_divisor(mut a: u128, mut b: u128) -> u128 {
+    if a == 1 || b == 1 {
+        return 1;
+    }
     while b != 0 {
-        (a, b) = (b, a % b);
+        // Numbers of 64 bits, as nearly all are, divide many times quicker.
+        (a, b) = match (u64::try_from(a), u64::try_from(b)) {
+            (Ok(short), Ok(divisor)) => (b, u128::from(short % divisor)),
+            _ => (b, a % b),
+        };
     }
     a.max(1)
 }
@@ -222,6 +243,9 @@ impl PartialOrd for Rational {
 impl Ord for Rational {
     /// Exact: by whole parts first, then by the reciprocals of what is left.
     fn cmp(&self, other: &Self) -> Ordering {
+        if self.denominator == other.denominator {
+            return self.numerator.cmp(&other.numerator);
+        }
         let whole = |r: &Self| r.numerator.div_euclid(r.denominator);
         let rest = |r: &Self| (r.numerator.rem_euclid(r.denominator), r.denominator);
         whole(self)
