@@ -2,7 +2,7 @@
 
 use super::equilibrium::Balance;
 use super::programs::Compiled;
-use crate::expr::{Name, Normal, Order, SymbolicError};
+use crate::expr::{Name, SymbolicError};
 
 /// All harmonics that drive a model: which equation each acts on, and its numbers.
 #[derive(Clone, Debug)]
@@ -23,7 +23,6 @@ impl Driving {
     /// The terms of the balance that depend on time; nothing if one is no harmonic.
     pub(super) fn of(balance: &Balance) -> Result<Option<Self>, SymbolicError> {
         let (mut terms, mut numbers) = (Vec::new(), Vec::new());
-        let plain = |formula: &Normal| formula.to_expr(&Order::new());
         for (equation, driving) in balance.driving.iter().enumerate() {
             let Some((_, harmonics)) = driving.negated().harmonics(&Name::new("t"))? else {
                 return Ok(None);
@@ -33,12 +32,12 @@ impl Driving {
                     equation,
                     is_sine: harmonic.is_sine,
                 });
-                numbers.extend([&harmonic.factor, &harmonic.frequency, &harmonic.phase].map(plain));
+                numbers.extend([harmonic.factor, harmonic.frequency, harmonic.phase]);
             }
         }
         Ok(Some(Self {
             terms,
-            numbers: Compiled::list(numbers),
+            numbers: Compiled::sums(numbers),
         }))
     }
 }

@@ -53,9 +53,8 @@ impl Balance {
             is_autonomous: true,
         };
         for residual in residuals {
-            let at_rest = at_rest(&residual.to_expr(&Order::new()), &moving)?;
-            let (driving, restoring) = Normal::of(&at_rest)?.split_by(&time);
-            balance.is_autonomous &= !moving.iter().any(|name| driving.mentions(name));
+            let (driving, restoring) = at_rest(residual, &moving)?.split_by(&time);
+            balance.is_autonomous &= !driving.mentions_any(&moving);
             balance.driving.push(driving);
             balance.restoring.push(restoring);
         }
@@ -100,8 +99,12 @@ impl Balance {
             put.with(name.clone(), Expr::number(0))
         });
         for restoring in &self.restoring {
-            let expr = restoring.to_expr(&Order::new());
-            match Normal::of(&zero.apply(&expr)?) {
+            let is_coordinate = |own: &Variable| own.order == 0 && coordinates.contains(&own.name);
+            let at_zero = match restoring.where_zero(&is_coordinate) {
+                Some(left) => Ok(left),
+                None => Normal::of(&zero.apply(&restoring.to_expr(&Order::new()))?),
+            };
+            match at_zero {
                 Ok(left) if left.is_zero() => {}
                 Ok(_) | Err(SymbolicError::Undefined) => return Ok(false),
                 Err(error) => return Err(error),
@@ -118,13 +121,13 @@ impl Balance {
             let (mut row, mut rest) = (Vec::new(), restoring.clone());
             for name in coordinates {
                 let (slope, others) = rest.linear_in(&Variable::of(name, 0))?;
-                if moving.iter().any(|name| slope.mentions(name)) {
+                if slope.mentions_any(&moving) {
                     return None;
                 }
                 row.push(slope);
                 rest = others;
             }
-            if moving.iter().any(|name| rest.mentions(name)) {
+            if rest.mentions_any(&moving) {
                 return None;
             }
             matrix.push(row);
@@ -144,14 +147,22 @@ fn stated(definition: &Definition, kinematics: &Kinematics) -> Result<Vec<Expr>,
     Ok(stated)
 }
 
-/// The formula with all derivatives of these names set to zero.
-pub(super) fn at_rest(expr: &Expr, moving: &BTreeSet<Name>) -> Result<Expr, SymbolicError> {
+/// The sum with all derivatives of these names set to zero.
+pub(super) fn at_rest(sum: &Normal, moving: &BTreeSet<Name>) -> Result<Normal, SymbolicError> {
+    let is_rate = |own: &Variable| own.order > 0 && moving.contains(&own.name);
+    match sum.where_zero(&is_rate) {
+        Some(at_rest) => Ok(at_rest),
+        None => Normal::of(&without_rates(&sum.to_expr(&Order::new()), moving)?),
+    }
+}
+
+fn without_rates(expr: &Expr, moving: &BTreeSet<Name>) -> Result<Expr, SymbolicError> {
     match expr.kind() {
         Kind::Prime(inner, _) => match inner.kind() {
             Kind::Name(name) if moving.contains(name) => Ok(Expr::number(0)),
             _ => Ok(expr.clone()),
         },
-        _ => expr.try_map_children(&mut |child| at_rest(child, moving)),
+        _ => expr.try_map_children(&mut |child| without_rates(child, moving)),
     }
 }
 

@@ -1,13 +1,14 @@
 //! The formulas of a model that are evaluated, each compiled when it is first asked for.
 
 use std::collections::BTreeSet;
+use std::sync::OnceLock;
 
 use super::Lack;
 use super::definition::{Friction, Initial};
 use super::driving::Driving;
 use super::equilibrium::{Balance, Equilibrium};
 use super::lagrange::Energies;
-use super::linear::{Linear, Matrix};
+use super::linear::Linear;
 use super::programs::{Compiled, Slots};
 use super::squares::squares;
 use crate::expr::{
@@ -20,17 +21,16 @@ pub(super) struct Evaluation {
     pub(super) slots: Slots,
     /// The energies as they are written.
     pub(super) written: Written,
-    /// The forces at rest as functions of the position, and their derivatives.
+    /// The forces at rest as functions of the position, and their derivatives where the position is sought.
     pub(super) restoring: Compiled,
-    pub(super) slopes: Compiled,
+    pub(super) slopes: Option<Compiled>,
     /// The position at rest, where it has a formula.
     pub(super) position: Option<Compiled>,
     /// Position and velocity at the start, by coordinate.
     pub(super) start: Compiled,
     /// Kinetic and largest static friction of the only coordinate.
     pub(super) sticking: Option<Compiled>,
-    /// Factor and row of each square of V, one after the other.
-    pub(super) squares: Option<Compiled>,
+    squares: OnceLock<Option<Compiled>>,
     /// Whether the equation is `I θ'' + A sin θ = 0`.
     pub(super) is_pendulum: bool,
     tangent: Option<Tangent>,
@@ -50,7 +50,13 @@ pub(super) struct Given<'a> {
 impl Evaluation {
     pub(super) fn of(given: &Given<'_>, linear: Option<&Linear>) -> Result<Self, SymbolicError> {
         let names = &given.energies.coordinates;
-        let slopes = Linear::slopes(&given.balance.restoring, names)?;
+        let slopes = match given.equilibrium {
+            Equilibrium::Sought => {
+                let slopes = Linear::slopes(&given.balance.restoring, names)?;
+                Some(Compiled::matrix(&slopes))
+            }
+            _ => None,
+        };
         let position = given.equilibrium.formula();
         let start = given
             .initial
@@ -59,16 +65,22 @@ impl Evaluation {
         Ok(Self {
             slots: slots(given),
             written: Written::of(given.energies),
-            restoring: Compiled::list(given.balance.restoring.iter().map(plain)),
-            slopes: Compiled::new(plain_matrix(&slopes)),
+            restoring: Compiled::sums(given.balance.restoring.clone()),
+            slopes,
             position: position.map(|own| Compiled::list(own.iter().cloned())),
             start: Compiled::list(start.cloned()),
             sticking: compiled_friction(given.friction),
-            squares: compiled_squares(given.energies),
+            squares: OnceLock::new(),
             is_pendulum: is_pendulum(given.residuals, names)?,
             tangent: linear.map(Tangent::of),
             driving: Driving::of(given.balance)?,
         })
+    }
+
+    /// Factor and row of each square of V, one after the other, if it is a sum of squares.
+    pub(super) fn squares(&self, energies: &Energies) -> Option<&Compiled> {
+        let squares = self.squares.get_or_init(|| compiled_squares(energies));
+        squares.as_ref()
     }
 
     pub(super) fn tangent(&self) -> Result<&Tangent, Lack> {
@@ -115,23 +127,12 @@ impl Written {
 
 impl Tangent {
     fn of(linear: &Linear) -> Self {
-        let compiled = |matrix: &Matrix| Compiled::new(plain_matrix(matrix));
         Self {
-            mass: compiled(&linear.mass),
-            damping: compiled(&linear.damping),
-            stiffness: compiled(&linear.stiffness),
+            mass: Compiled::matrix(&linear.mass),
+            damping: Compiled::matrix(&linear.damping),
+            stiffness: Compiled::matrix(&linear.stiffness),
         }
     }
-}
-
-/// A formula for evaluation, in no particular order.
-fn plain(formula: &Normal) -> Expr {
-    formula.to_expr(&Order::new())
-}
-
-fn plain_matrix(matrix: &Matrix) -> Expr {
-    let row = |row: &Vec<Normal>| Expr::array(row.iter().map(plain).collect::<Vec<_>>());
-    Expr::array(matrix.iter().map(row).collect::<Vec<_>>())
 }
 
 /// Factor and row of each square of V as one list, if V is a sum of squares.
@@ -169,10 +170,14 @@ fn is_pendulum(residuals: &[Normal], names: &[Name]) -> Result<bool, SymbolicErr
     if inertia.mentions(name) || inertia.mentions(&time) || restoring.mentions(&time) {
         return Ok(false);
     }
+    if restoring.powers_of(&Variable::of(name, 0)).is_some() {
+        // A polynomial is no sine.
+        return Ok(false);
+    }
     let quarter_turn = Expr::constant(Constant::Pi) / Expr::number(2);
     let top = Substitution::new().with(name.clone(), quarter_turn);
     let sine = Expr::call(Function::Sin, [Expr::name(name.clone())]);
-    let moment = Normal::of(&top.apply(&plain(&restoring))?)?;
+    let moment = Normal::of(&top.apply(&restoring.to_expr(&Order::new()))?)?;
     if moment.is_zero() || moment.mentions(name) {
         return Ok(false);
     }

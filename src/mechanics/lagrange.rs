@@ -5,9 +5,7 @@ use std::collections::BTreeSet;
 use super::definition::Definition;
 use super::error::{Key, ModelError};
 use super::kinematics::Kinematics;
-use crate::expr::{
-    Expr, Kind, Name, Normal, SymbolicError, Variable, differentiate, time_derivative,
-};
+use crate::expr::{Expr, Kind, Name, Normal, SymbolicError, Variable};
 
 /// Energies, dissipation and forces in terms of coordinates, velocities and time.
 #[derive(Clone, Debug)]
@@ -20,15 +18,23 @@ pub(super) struct Energies {
     pub(super) forces: Vec<Expr>,
 }
 
+/// The energies and the dissipation as sums of products.
+pub(super) struct Sums {
+    pub(super) kinetic: Normal,
+    pub(super) potential: Normal,
+    pub(super) dissipation: Normal,
+}
+
 impl Energies {
-    /// Puts the kinematics in and checks what depends on which derivatives.
+    /// Puts the kinematics in and checks what depends on which derivatives; the kinetic energy is looked at
+    /// term by term and comes as a sum too.
     ///
     /// What is wrong is added to `errors`; without it the energies can be differentiated.
     pub(super) fn of(
         definition: &Definition,
         kinematics: &Kinematics,
         errors: &mut Vec<ModelError>,
-    ) -> Option<Self> {
+    ) -> Option<(Self, Normal)> {
         let before = errors.len();
         let mut put_in = |key, formula| match kinematics.apply(key, formula) {
             Ok(put_in) => put_in,
@@ -52,8 +58,11 @@ impl Energies {
             return None;
         }
         errors.extend(energies.check_derivatives(definition).err());
-        errors.extend(energies.check_kinetic(definition).err());
-        (errors.len() == before).then_some(energies)
+        let kinetic = energies
+            .checked_kinetic(definition)
+            .map_err(|error| errors.push(error));
+        let kinetic = kinetic.ok().filter(|_| errors.len() == before)?;
+        Some((energies, kinetic))
     }
 
     fn check_derivatives(&self, definition: &Definition) -> Result<(), ModelError> {
@@ -77,7 +86,7 @@ impl Energies {
     }
 
     /// T is a polynomial of the second degree in the velocities, and each of them occurs squared.
-    fn check_kinetic(&self, definition: &Definition) -> Result<(), ModelError> {
+    fn checked_kinetic(&self, definition: &Definition) -> Result<Normal, ModelError> {
         let span = definition.kinetic.span();
         let kinetic = Normal::of(&self.kinetic);
         let kinetic = kinetic.map_err(ModelError::symbolic(Key::Kinetic, span))?;
@@ -105,21 +114,37 @@ impl Energies {
                 });
             }
         }
-        Ok(())
+        Ok(kinetic)
+    }
+
+    /// All as sums of products; the kinetic energy is known as one.
+    pub(super) fn sums(&self, kinetic: Normal) -> Result<Sums, SymbolicError> {
+        Ok(Sums {
+            kinetic,
+            potential: Normal::of(&self.potential)?,
+            dissipation: Normal::of(&self.dissipation)?,
+        })
     }
 
     /// The left side of `d/dt ∂T/∂q' − ∂T/∂q + ∂V/∂q + ∂D/∂q' − Q = 0` for each coordinate.
-    pub(super) fn residuals(&self) -> Result<Vec<Normal>, SymbolicError> {
+    pub(super) fn residuals(&self, sums: &Sums) -> Result<Vec<Normal>, SymbolicError> {
         let moving: BTreeSet<_> = self.coordinates.iter().cloned().collect();
         let residual = |(name, force): (&Name, &Expr)| {
-            let velocity = || Variable::of(name, 1);
-            let momentum = Normal::of(&differentiate(&self.kinetic, velocity())?)?;
-            let momentum = momentum.to_expr(&crate::expr::Order::new());
-            let inertia =
-                time_derivative(&momentum, &moving)? - differentiate(&self.kinetic, name)?;
-            let stiffness = differentiate(&self.potential, name)?;
-            let damping = differentiate(&self.dissipation, velocity())?;
-            Normal::of(&(inertia + stiffness + damping - force.clone()))
+            let (position, velocity) = (Variable::of(name, 0), Variable::of(name, 1));
+            let momentum = sums.kinetic.derivative_of(&self.kinetic, &velocity)?;
+            let kinetic = sums.kinetic.derivative_of(&self.kinetic, &position)?;
+            let potential = sums.potential.derivative_of(&self.potential, &position)?;
+            let dissipation = sums
+                .dissipation
+                .derivative_of(&self.dissipation, &velocity)?;
+            let terms = [
+                kinetic.negated(),
+                potential,
+                dissipation,
+                Normal::of(force)?.negated(),
+            ];
+            let inertia = momentum.time_derivative(&moving)?;
+            terms.iter().try_fold(inertia, |sum, term| sum.plus(term))
         };
         self.coordinates
             .iter()

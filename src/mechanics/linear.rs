@@ -2,10 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use super::equilibrium::Balance;
-use crate::expr::{
-    Expr, Name, Normal, Order, Substitution, SymbolicError, Variable, differentiate,
-};
+use super::equilibrium::{Balance, at_rest};
+use crate::expr::{Expr, Name, Normal, Order, Substitution, SymbolicError, Variable};
 
 /// `M q'' + C q' + K q = f(t)` about a position at rest, as formulas.
 #[derive(Clone, Debug)]
@@ -21,8 +19,42 @@ pub(super) struct Linear {
 pub(super) type Matrix = Vec<Vec<Normal>>;
 
 impl Linear {
+    /// The coefficients of equations that are linear as they stand; nothing if one is not, or if a coefficient
+    /// changes with time.
+    pub(super) fn exact(residuals: &[Normal], coordinates: &[Name]) -> Option<Self> {
+        let mut linear = Self {
+            mass: Vec::new(),
+            damping: Vec::new(),
+            stiffness: Vec::new(),
+            driving: Vec::new(),
+        };
+        let moving: BTreeSet<_> = coordinates.iter().cloned().collect();
+        let time = BTreeSet::from([Name::new("t")]);
+        for residual in residuals {
+            let mut rest = residual.clone();
+            let matrices = [&mut linear.mass, &mut linear.damping, &mut linear.stiffness];
+            for (matrix, order) in matrices.into_iter().zip([2, 1, 0]) {
+                let mut row = Vec::new();
+                for name in coordinates {
+                    let (slope, others) = rest.linear_in(&Variable::of(name, order))?;
+                    if slope.mentions_any(&moving) || slope.mentions_any(&time) {
+                        return None;
+                    }
+                    row.push(slope);
+                    rest = others;
+                }
+                matrix.push(row);
+            }
+            if rest.mentions_any(&moving) {
+                return None;
+            }
+            linear.driving.push(rest.negated());
+        }
+        Some(linear)
+    }
+
     /// The linear parts of the residuals about `position`; nothing where time stands beside a coordinate.
-    pub(super) fn of(
+    pub(super) fn about(
         residuals: &[Normal],
         balance: &Balance,
         coordinates: &[Name],
@@ -53,27 +85,6 @@ impl Linear {
             stiffness,
             driving,
         }))
-    }
-
-    /// The whole equations, where they are linear: `varying` are their derivatives anywhere.
-    pub(super) fn whole(
-        residuals: &[Normal],
-        varying: &Self,
-        coordinates: &[Name],
-    ) -> Result<Option<Self>, SymbolicError> {
-        let mut whole = varying.clone();
-        whole.driving.clear();
-        let moving: BTreeSet<_> = coordinates.iter().cloned().collect();
-        for (row, residual) in residuals.iter().enumerate() {
-            let driving = varying.left(row, coordinates)?.plus(&residual.negated())?;
-            let entries = [&varying.mass, &varying.damping, &varying.stiffness];
-            let moves = |part: &Normal| !part.split_by(&moving).0.is_zero();
-            if moves(&driving) || entries.iter().flat_map(|own| &own[row]).any(moves) {
-                return Ok(None);
-            }
-            whole.driving.push(driving);
-        }
-        Ok(Some(whole))
     }
 
     /// The derivatives of forces at rest by the coordinates, as functions of the position.
@@ -126,15 +137,17 @@ impl Place {
         coordinates: &[Name],
         order: u8,
     ) -> Result<Matrix, SymbolicError> {
-        let slope = |residual: &Expr, name: &Name| {
-            let slope = differentiate(residual, Variable::of(name, order))?;
-            let at_rest = super::equilibrium::at_rest(&slope, &self.moving)?;
-            Normal::of(&self.position.apply(&at_rest)?)
+        let slope = |residual: &Normal, name: &Name| {
+            let slope = residual.derivative(&Variable::of(name, order))?;
+            let at_rest = at_rest(&slope, &self.moving)?;
+            if !at_rest.mentions_any(&self.moving) {
+                return Ok(at_rest);
+            }
+            Normal::of(&self.position.apply(&at_rest.to_expr(&Order::new()))?)
         };
         let row = |residual: &Normal| {
-            let residual = residual.to_expr(&Order::new());
             let names = coordinates.iter();
-            names.map(|name| slope(&residual, name)).collect()
+            names.map(|name| slope(residual, name)).collect()
         };
         residuals.iter().map(row).collect()
     }

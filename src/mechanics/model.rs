@@ -11,6 +11,7 @@ use super::kinematics::Kinematics;
 use super::lagrange::{Energies, position};
 use super::linear::{Linear, Matrix};
 use super::order::textbook;
+use super::programs::Compiled;
 use super::{Lack, dimensions};
 use crate::expr::{Equation, Expr, Name, Normal, Order, Variable};
 
@@ -66,40 +67,48 @@ impl Model {
         let energies = Energies::of(&definition, &kinematics, &mut errors);
         let friction = friction(&definition, &kinematics).map_err(|error| errors.push(error));
         let initial = initial(&definition, &kinematics).map_err(|error| errors.push(error));
-        let (Some(energies), Ok(friction), Ok(initial), true) =
+        let (Some((energies, kinetic)), Ok(friction), Ok(initial), true) =
             (energies, friction, initial, errors.is_empty())
         else {
             return Err(errors);
         };
-        Self::assemble(definition, &kinematics, energies, friction, initial)
-            .map_err(|error| vec![error])
+        Self::assemble(
+            definition,
+            &kinematics,
+            energies,
+            kinetic,
+            friction,
+            initial,
+        )
+        .map_err(|error| vec![error])
     }
 
     fn assemble(
         definition: Definition,
         kinematics: &Kinematics,
         energies: Energies,
+        kinetic: Normal,
         friction: Vec<Option<Friction>>,
         initial: Vec<Initial>,
     ) -> Result<Self, ModelError> {
         let names = &energies.coordinates;
         let symbolic = ModelError::symbolic(Key::Kinetic, definition.kinetic.span());
-        let residuals = energies.residuals().map_err(&symbolic)?;
+        let sums = energies.sums(kinetic).map_err(&symbolic)?;
+        let residuals = energies.residuals(&sums).map_err(&symbolic)?;
         let balance = Balance::of(&residuals, names).map_err(&symbolic)?;
-        check_bounded(&definition, &energies)?;
+        check_bounded(&definition, &sums.potential, names)?;
         let equilibrium = balance.equilibrium(&definition, kinematics, names)?;
         let about = |position: &[Expr]| {
-            Linear::of(&residuals, &balance, names, position).map_err(&symbolic)
+            Linear::about(&residuals, &balance, names, position).map_err(&symbolic)
         };
-        // With the coordinates themselves put in, the coefficients stay functions of the position.
-        let anywhere: Vec<_> = names.iter().cloned().map(Expr::name).collect();
-        let varying = about(&anywhere)?;
-        let whole = varying
-            .as_ref()
-            .map(|varying| Linear::whole(&residuals, varying, names).map_err(&symbolic));
-        let linear = match whole.transpose()?.flatten() {
-            Some(whole) => Some(whole),
-            None => equilibrium.formula().map(about).transpose()?.flatten(),
+        let (linear, varying) = match (Linear::exact(&residuals, names), equilibrium.formula()) {
+            (Some(exact), _) => (Some(exact), None),
+            (None, Some(position)) => (about(position)?, None),
+            // With the coordinates themselves put in, the coefficients stay functions of the position.
+            (None, None) => {
+                let anywhere: Vec<_> = names.iter().cloned().map(Expr::name).collect();
+                (None, about(&anywhere)?)
+            }
         };
         let given = Given {
             energies: &energies,
@@ -222,6 +231,11 @@ impl Model {
         formula.to_expr(&self.order)
     }
 
+    /// The squares of which V is the sum, if it is one.
+    pub(super) fn squares(&self) -> Option<&Compiled> {
+        self.evaluation.squares(&self.energies)
+    }
+
     pub(super) fn linear(&self) -> Option<&Linear> {
         self.linear.as_ref()
     }
@@ -274,11 +288,13 @@ fn initial(definition: &Definition, kinematics: &Kinematics) -> Result<Vec<Initi
 
 /// A potential energy that is a polynomial whose highest even power has only negative coefficients falls
 /// without bound for all positive data: most likely a slipped sign.
-fn check_bounded(definition: &Definition, energies: &Energies) -> Result<(), ModelError> {
+fn check_bounded(
+    definition: &Definition,
+    potential: &Normal,
+    coordinates: &[Name],
+) -> Result<(), ModelError> {
     let span = definition.potential.span();
-    let potential = Normal::of(&energies.potential);
-    let potential = potential.map_err(ModelError::symbolic(Key::Potential, span))?;
-    for name in &energies.coordinates {
+    for name in coordinates {
         let powers = potential
             .powers_of(&Variable::of(name, 0))
             .unwrap_or_default();

@@ -3,16 +3,40 @@
 use std::sync::OnceLock;
 
 use super::Lack;
+use super::linear::Matrix;
 use crate::expr::{
-    Approx, Binder, Binding, Expr, Form, Inputs, Name, Precise, Program, Scalar, Undefined, Value,
-    Variable, Workspace,
+    Approx, Binder, Binding, Expr, Form, Inputs, Name, Normal, Order, Precise, Program, Scalar,
+    Undefined, Value, Variable, Workspace,
 };
 
 /// A formula and its program.
 #[derive(Clone, Debug)]
 pub(super) struct Compiled {
-    formula: Expr,
+    formula: Formula,
     program: OnceLock<Result<Ready, Lack>>,
+}
+
+/// What is to be compiled; sums are written as formulas only then.
+#[derive(Clone, Debug)]
+enum Formula {
+    Written(Expr),
+    List(Vec<Normal>),
+    Rows(Matrix),
+}
+
+impl Formula {
+    fn written(&self) -> Expr {
+        let order = Order::new();
+        let list = |sums: &[Normal]| {
+            let entries = sums.iter().map(|sum| sum.to_expr(&order));
+            Expr::array(entries.collect::<Vec<_>>())
+        };
+        match self {
+            Self::Written(formula) => formula.clone(),
+            Self::List(sums) => list(sums),
+            Self::Rows(rows) => Expr::array(rows.iter().map(|row| list(row)).collect::<Vec<_>>()),
+        }
+    }
 }
 
 /// A program and the slots that it reads, ascending.
@@ -38,6 +62,20 @@ impl Ready {
 
 impl Compiled {
     pub(super) fn new(formula: Expr) -> Self {
+        Self::of(Formula::Written(formula))
+    }
+
+    /// Sums of products as a list.
+    pub(super) fn sums(sums: Vec<Normal>) -> Self {
+        Self::of(Formula::List(sums))
+    }
+
+    /// Sums of products by rows.
+    pub(super) fn matrix(matrix: &Matrix) -> Self {
+        Self::of(Formula::Rows(matrix.clone()))
+    }
+
+    fn of(formula: Formula) -> Self {
         Self {
             formula,
             program: OnceLock::new(),
@@ -51,7 +89,7 @@ impl Compiled {
 
     pub(super) fn ready(&self, names: &Slots) -> Result<&Ready, Lack> {
         let compile = || {
-            let program = Program::compile(&self.formula, names)?;
+            let program = Program::compile(&self.formula.written(), names)?;
             let slots = program.slots();
             Ok(Ready { program, slots })
         };

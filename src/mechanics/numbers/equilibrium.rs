@@ -201,7 +201,8 @@ impl Place {
     fn of(numbers: &Numbers, position: DVector<f64>) -> Result<Self, Lack> {
         let at: Vec<_> = position.iter().copied().map(Precise::exact).collect();
         let forces = numbers.value(&numbers.model.evaluation.restoring, &at)?;
-        let slopes = numbers.value(&numbers.model.evaluation.slopes, &at)?;
+        let slopes = numbers.model.evaluation.slopes.as_ref();
+        let slopes = numbers.value(slopes.ok_or(Lack::NoEquilibrium)?, &at)?;
         let size = at.len();
         Ok(Self {
             position,

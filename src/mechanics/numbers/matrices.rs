@@ -90,7 +90,7 @@ impl Numbers {
 
     /// The stiffnesses and rows of the squares of V, if it is written so and none is negative.
     fn squares(&self) -> Result<Option<Squares>, Lack> {
-        let Some(squares) = &self.model.evaluation.squares else {
+        let Some(squares) = self.model.squares() else {
             return Ok(None);
         };
         let size = self.model.degrees_of_freedom();

@@ -9,6 +9,7 @@
 //! [`Normal`] tells whether two formulas are equal, takes them apart by coordinates, divides common
 //! factors out, and writes them back as a textbook orders them ([`Order`]).
 
+mod calculus;
 mod harmonic;
 mod power;
 mod read;
@@ -73,8 +74,12 @@ impl Normal {
     /// of derivatives that stand in the formula.
     pub fn of(expr: &Expr) -> Result<Self, SymbolicError> {
         let work = &mut Work::new();
-        let read = read::polynomial(expr, work)?;
-        let cancelled = read.cancelled(work)?;
+        Self::finished(read::polynomial(expr, work)?, work)
+    }
+
+    /// What cancels is cancelled, and angles are combined.
+    fn finished(sum: Polynomial, work: &mut Work) -> Result<Self, SymbolicError> {
+        let cancelled = sum.cancelled(work)?;
         Ok(Self(cancelled.with_angles_combined(work)?))
     }
 
@@ -227,9 +232,12 @@ impl Normal {
 
     /// Whether a name stands in it, also primed.
     pub fn mentions(&self, name: &Name) -> bool {
-        let names = BTreeSet::from([name.clone()]);
-        let mut monomials = self.0.0.keys();
-        monomials.any(|monomial| monomial.0.iter().any(|(atom, _)| atom.mentions(&names)))
+        self.mentions_any(&BTreeSet::from([name.clone()]))
+    }
+
+    /// Whether one of these names stands in it, also primed.
+    pub fn mentions_any(&self, names: &BTreeSet<Name>) -> bool {
+        self.0.mentions(names)
     }
 
     /// The factor common to all terms and what is left: the number that leaves whole coefficients

@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::sync::Arc;
 
 use super::{SymbolicError, Work};
@@ -233,35 +234,48 @@ impl Polynomial {
         monomial: Monomial,
         coefficient: Rational,
     ) -> Result<(), SymbolicError> {
-        let old = self.0.get(&monomial).copied().unwrap_or(Rational::ZERO);
-        let sum = fits(old.checked_add(coefficient))?;
-        if sum.is_zero() {
-            self.0.remove(&monomial);
-        } else {
-            self.0.insert(monomial, sum);
+        match self.0.entry(monomial) {
+            Entry::Vacant(free) if !coefficient.is_zero() => {
+                free.insert(coefficient);
+            }
+            Entry::Vacant(_) => {}
+            Entry::Occupied(mut taken) => {
+                let sum = fits(taken.get().checked_add(coefficient))?;
+                if sum.is_zero() {
+                    taken.remove();
+                } else {
+                    taken.insert(sum);
+                }
+            }
         }
         Ok(())
     }
 
     pub(super) fn plus(mut self, other: Self) -> Result<Self, SymbolicError> {
+        if self.is_zero() {
+            return Ok(other);
+        }
         for (monomial, coefficient) in other.0 {
             self.insert(monomial, coefficient)?;
         }
         Ok(self)
     }
 
-    pub(super) fn negated(self) -> Self {
-        let terms = self.0.into_iter();
-        Self(terms.map(|(monomial, own)| (monomial, -own)).collect())
+    pub(super) fn negated(mut self) -> Self {
+        for own in self.0.values_mut() {
+            *own = -*own;
+        }
+        self
     }
 
-    pub(super) fn scaled(self, factor: Rational) -> Result<Self, SymbolicError> {
+    pub(super) fn scaled(mut self, factor: Rational) -> Result<Self, SymbolicError> {
         if factor.is_zero() {
             return Ok(Self::default());
         }
-        let terms = self.0.into_iter();
-        let terms = terms.map(|(monomial, own)| Ok((monomial, fits(own.checked_mul(factor))?)));
-        Ok(Self(terms.collect::<Result<_, SymbolicError>>()?))
+        for own in self.0.values_mut() {
+            *own = fits(own.checked_mul(factor))?;
+        }
+        Ok(self)
     }
 
     pub(super) fn times(&self, other: &Self, work: &mut Work) -> Result<Self, SymbolicError> {
@@ -322,6 +336,15 @@ pub(super) fn settle(
     sum: &mut Polynomial,
     work: &mut Work,
 ) -> Result<(), SymbolicError> {
+    let is_settled = |(atom, _): &(Atom, Rational)| {
+        !matches!(
+            atom,
+            Atom::Base(_) | Atom::Constant(Constant::ImaginaryUnit)
+        )
+    };
+    if monomial.0.iter().all(is_settled) {
+        return sum.insert(monomial, coefficient);
+    }
     let mut factors: Vec<(Arc<Polynomial>, u32)> = Vec::new();
     let mut kept = Vec::with_capacity(monomial.0.len());
     for (atom, exponent) in monomial.0.drain(..) {

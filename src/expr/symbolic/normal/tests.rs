@@ -218,3 +218,45 @@ fn what_has_no_normal_form_is_refused() {
         Err(SymbolicError::Undefined)
     );
 }
+
+#[test]
+fn derivatives_term_by_term_are_those_of_the_formula() {
+    let moving = BTreeSet::from(["x", "phi"].map(Name::new));
+    for text in [
+        "1/2*m*x'^2 + 1/2*(I/r^2)*x'^2 - m*g*x + x^-2 + a",
+        "m*l*x'*phi'*cos(phi - x) + 1/2*m*l^2*phi'^2",
+        "k*x^2/(a + b) + x/(x + l) + sqrt(x^2 + h^2)",
+        "F*sin(Omega*t)*x + t^2*x' + e^(c*x) + max(x, a)*phi",
+        "x''*phi^3*x + 7",
+    ] {
+        let expr = Expr::read(text).unwrap();
+        let sum = normal(&expr);
+        for name in &moving {
+            for variable in (0..=2).map(|order| Variable::of(name, order)) {
+                let by_formula = normal(&differentiate(&expr, variable.clone()).unwrap());
+                let by_terms = sum.derivative(&variable).unwrap();
+                assert!(by_terms.is_equal(&by_formula).unwrap(), "{text}");
+            }
+        }
+        let by_formula = normal(&time_derivative(&expr, &moving).unwrap());
+        let by_terms = sum.time_derivative(&moving).unwrap();
+        assert!(by_terms.is_equal(&by_formula).unwrap(), "{text}");
+    }
+}
+
+#[test]
+fn terms_with_a_variable_that_is_zero_vanish() {
+    let at_zero = |text: &str| {
+        let sum = normal(&Expr::read(text).unwrap());
+        let zero = sum.where_zero(&|own| own.order > 0);
+        zero.map(|own| own.to_expr(&Order::new()).to_string())
+    };
+    assert_eq!(
+        at_zero("m*x'' + c*x'*y + k*x - F").as_deref(),
+        Some("k*x - F")
+    );
+    assert_eq!(at_zero("sin(x)*x'^2").as_deref(), Some("0"));
+    for hidden in ["sin(x')", "k/x'", "1/(a + x')", "abs(x'')*x"] {
+        assert_eq!(at_zero(hidden), None, "{hidden}");
+    }
+}
