@@ -16,6 +16,9 @@ pub(super) fn formula(graph: &Graph, node: NodeId) -> Expr {
 
 /// A formula with those of models in place of their paths, where they have one.
 pub(super) fn without_paths(graph: &Graph, expr: &Expr) -> Expr {
+    if !expr.has_paths() {
+        return expr.clone();
+    }
     let mut put = Substitution::new();
     for path in expr.names().paths {
         let offered = graph.offered(&path);

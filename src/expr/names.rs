@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::{Expr, Kind, Name, Path, Variable};
 
-/// The names that a formula uses, free of what its operators bind.
+/// The names that a formula uses, free of what its operators bind: each once, sorted.
 ///
 /// # Examples
 ///
@@ -23,21 +23,18 @@ use super::{Expr, Kind, Name, Path, Variable};
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Names {
     /// Names, and time derivatives of names, that get their value from outside.
-    pub free: BTreeSet<Variable>,
+    pub free: Vec<Variable>,
     /// Quantities of models.
-    pub paths: BTreeSet<Path>,
+    pub paths: Vec<Path>,
     /// Names that `at`, `root` and `integral` bind and by which `diff` derives. A quantity that depends on one of
     /// them matters as a formula, not by its value alone.
-    pub bound: BTreeSet<Name>,
+    pub bound: Vec<Name>,
 }
 
 impl Names {
     /// Whether a name, or a time derivative of it, is free.
     pub fn uses(&self, name: &Name) -> bool {
-        self.free
-            .range(Variable::of(name, 0)..=Variable::of(name, u8::MAX))
-            .next()
-            .is_some()
+        self.free.iter().any(|variable| variable.name == *name)
     }
 
     /// Whether a time derivative is taken: then what is primed matters as a function of time.
@@ -49,12 +46,19 @@ impl Names {
 impl Expr {
     /// The names that the formula uses.
     pub fn names(&self) -> Names {
-        let mut collector = Collector {
-            names: Names::default(),
-            local: Vec::new(),
-        };
+        let mut collector = Collector::default();
         collector.visit(self, 0);
-        collector.names
+        let mut free = collector.free;
+        free.sort_unstable();
+        free.dedup();
+        Names {
+            free: free
+                .into_iter()
+                .map(|(name, order)| Variable::of(name, order))
+                .collect(),
+            paths: collector.paths.into_iter().cloned().collect(),
+            bound: collector.bound.into_iter().cloned().collect(),
+        }
     }
 
     /// Whether the formula has a free name, or a time derivative of it, for which `is_wanted` holds.
@@ -97,22 +101,26 @@ impl Expr {
 }
 
 /// Gathers names from a formula. Its recursion is as deep as the formula, which is bounded.
-struct Collector {
-    names: Names,
+#[derive(Default)]
+struct Collector<'e> {
+    /// Names with the order of the derivative, as often as they stand.
+    free: Vec<(&'e Name, u8)>,
+    paths: BTreeSet<&'e Path>,
+    bound: BTreeSet<&'e Name>,
     /// Names bound around the place.
-    local: Vec<Name>,
+    local: Vec<&'e Name>,
 }
 
-impl Collector {
-    fn visit(&mut self, expr: &Expr, order: u8) {
+impl<'e> Collector<'e> {
+    fn visit(&mut self, expr: &'e Expr, order: u8) {
         match expr.kind() {
             Kind::Name(name) => {
-                if !self.local.contains(name) {
-                    self.names.free.insert(Variable::of(name, order));
+                if !self.local.contains(&name) {
+                    self.free.push((name, order));
                 }
             }
             Kind::Path(path) => {
-                self.names.paths.insert(path.clone());
+                self.paths.insert(path);
             }
             Kind::Prime(inner, more) => self.visit(inner, order.saturating_add(*more)),
             Kind::At(inner, values) => {
@@ -127,19 +135,17 @@ impl Collector {
                 self.within([name], inner);
             }
             Kind::Diff(inner, names) => {
-                self.names.bound.extend(names.iter().cloned());
+                self.bound.extend(names);
                 self.visit(inner, 0);
             }
             kind => kind.for_each_child(&mut |child| self.visit(child, order)),
         }
     }
 
-    fn within<'a>(&mut self, names: impl IntoIterator<Item = &'a Name>, inner: &Expr) {
+    fn within(&mut self, names: impl IntoIterator<Item = &'e Name>, inner: &'e Expr) {
         let outside = self.local.len();
-        self.local.extend(names.into_iter().cloned());
-        self.names
-            .bound
-            .extend(self.local[outside..].iter().cloned());
+        self.local.extend(names);
+        self.bound.extend(&self.local[outside..]);
         self.visit(inner, 0);
         self.local.truncate(outside);
     }

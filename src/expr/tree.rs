@@ -24,6 +24,7 @@ struct Node {
     size: u32,
     /// Length of the longest path to a leaf.
     depth: u32,
+    has_paths: bool,
 }
 
 /// What a node of a formula is.
@@ -128,15 +129,18 @@ impl Expr {
     /// A node that stands at `span` in its text.
     pub fn new(kind: Kind, span: Span) -> Self {
         let (mut size, mut depth) = (1_u32, 0_u32);
+        let mut has_paths = matches!(kind, Kind::Path(_));
         kind.for_each_child(&mut |child| {
             size = size.saturating_add(child.0.size);
             depth = depth.max(child.0.depth);
+            has_paths |= child.0.has_paths;
         });
         Self(Arc::new(Node {
             kind,
             span,
             size,
             depth: depth.saturating_add(1),
+            has_paths,
         }))
     }
 
@@ -165,9 +169,19 @@ impl Expr {
         self.0.depth
     }
 
+    /// Whether a quantity of a model stands in it.
+    pub fn has_paths(&self) -> bool {
+        self.0.has_paths
+    }
+
     /// Whether two handles share one node.
     pub fn is_same(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
+    }
+
+    /// Whether more than one handle leads to this node.
+    pub(super) fn is_shared(&self) -> bool {
+        Arc::strong_count(&self.0) > 1
     }
 
     /// A number that no other living node has.
@@ -176,13 +190,13 @@ impl Expr {
     }
 
     /// Calls `visit` with each node, parents first.
-    pub fn walk(&self, visit: &mut impl FnMut(&Expr)) {
-        let mut open = vec![self.clone()];
+    pub fn walk<'e>(&'e self, visit: &mut impl FnMut(&'e Expr)) {
+        let mut open = Vec::with_capacity(self.depth() as usize + 1);
+        open.push(self);
         while let Some(expr) = open.pop() {
-            visit(&expr);
+            visit(expr);
             let first = open.len();
-            expr.kind()
-                .for_each_child(&mut |child| open.push(child.clone()));
+            expr.kind().for_each_child(&mut |child| open.push(child));
             open[first..].reverse();
         }
     }
@@ -190,7 +204,7 @@ impl Expr {
 
 impl Kind {
     /// Calls `visit` with each operand, in the order written.
-    pub fn for_each_child(&self, visit: &mut dyn FnMut(&Expr)) {
+    pub fn for_each_child<'e>(&'e self, visit: &mut dyn FnMut(&'e Expr)) {
         match self {
             Self::Number(_)
             | Self::Measure(..)

@@ -154,9 +154,9 @@ impl<'g> Evaluation<'g> {
     pub fn function(&self, id: NodeId) -> Result<Function<'_, 'g>, Absent> {
         let node = self.graph.node(id);
         self.exists(node)?;
-        let computation = node
-            .computation
-            .as_ref()
+        let computation = self
+            .graph
+            .computation(id)
             .ok_or_else(|| self.undefined(id, Undefined::NotReal))?;
         Ok(Function {
             evaluation: self,
@@ -228,9 +228,9 @@ impl<'g> Evaluation<'g> {
                 lack: Box::new(lack),
             });
         }
-        let computation = node
-            .computation
-            .as_ref()
+        let computation = self
+            .graph
+            .computation(id)
             .ok_or_else(|| self.undefined(id, Undefined::NotReal))?;
         if !computation.variables.is_empty() {
             let of = computation
@@ -308,9 +308,9 @@ impl<'g> Evaluation<'g> {
                 .map(|(number, bound)| Approx::new(Dd::from(*number), *bound))
                 .collect());
         }
-        let computation = node
-            .computation
-            .as_ref()
+        let computation = self
+            .graph
+            .computation(id)
             .ok_or_else(|| self.undefined(id, Undefined::NotReal))?;
         let inputs = Given {
             evaluation: self,

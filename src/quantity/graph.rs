@@ -1,11 +1,12 @@
 //! The names of an item, what each stands for, and in which order they can be computed.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::OnceLock;
 
 use super::error::GraphError;
-use super::link::{Linked, Linker, Order};
 use super::model::{Offered, System};
-use crate::expr::{CompileError, Expr, Kind, Name, Path, Program, Type};
+use super::settle::Uses;
+use crate::expr::{Expr, Kind, Name, Path, Program, Type};
 use crate::unit::Dimension;
 
 /// A thing of an item that has a value.
@@ -42,9 +43,13 @@ pub(super) struct Node {
     pub(super) kind: Option<Type>,
     /// The condition without which it does not exist.
     pub(super) when: Option<NodeId>,
-    /// All names on which it depends, through others too.
-    pub(super) reach: BTreeSet<Name>,
-    pub(super) computation: Option<Computation>,
+    /// What it takes, once it is settled.
+    pub(super) uses: Option<Uses>,
+    /// All names on which it depends, through others too, and its own.
+    pub(super) reach: OnceLock<BTreeSet<Name>>,
+    /// Whether its translation cannot fail, and waits until its value is asked for.
+    pub(super) is_plain: bool,
+    pub(super) computation: OnceLock<Option<Computation>>,
 }
 
 #[derive(Debug)]
@@ -195,19 +200,6 @@ impl Graph {
         result
     }
 
-    /// Checks all quantities, in an order in which each comes after those that it needs.
-    pub fn resolve(&mut self) -> Vec<(NodeId, GraphError)> {
-        let mut order = Order::of(self);
-        for id in self.ids() {
-            order.visit(id);
-        }
-        let (sorted, mut errors) = order.finish();
-        for id in sorted {
-            errors.extend(self.settle(id).into_iter().map(|error| (id, error)));
-        }
-        errors
-    }
-
     /// The node of a name, if it is a parameter or quantity.
     pub fn find(&self, name: &Name) -> Option<NodeId> {
         match self.names.get(name) {
@@ -248,24 +240,30 @@ impl Graph {
 
     /// The free names of which a node is a function.
     pub fn variables(&self, id: NodeId) -> Vec<Name> {
-        let computation = self.node(id).computation.as_ref();
-        computation.map_or(Vec::new(), |computation| {
-            computation
-                .variables
-                .iter()
-                .map(|(_, name)| name.clone())
-                .collect()
-        })
+        let variables = self.slots_of_variables(id).iter();
+        variables.map(|(_, name)| name.clone()).collect()
+    }
+
+    /// Whether a node is a function of free names.
+    pub(super) fn is_function(&self, id: NodeId) -> bool {
+        !self.slots_of_variables(id).is_empty()
+    }
+
+    fn slots_of_variables(&self, id: NodeId) -> &[(u32, Name)] {
+        let computation = self.node(id).computation.get();
+        computation
+            .and_then(Option::as_ref)
+            .map_or(&[], |computation| &computation.variables)
     }
 
     /// Whether a node depends on a name, through others too.
     pub fn depends(&self, id: NodeId, name: &Name) -> bool {
-        self.node(id).reach.contains(name)
+        self.reach(id).contains(name)
     }
 
     /// The quantities on which a node depends, itself left out.
     pub fn steps(&self, id: NodeId) -> Vec<NodeId> {
-        let names = self.node(id).reach.iter();
+        let names = self.reach(id).iter();
         let nodes = names
             .filter_map(|name| self.find(name))
             .filter(|step| *step != id);
@@ -282,9 +280,7 @@ impl Graph {
         if let Some(Entry::Node(_)) = self.names.get(name) {
             return Err(GraphError::Taken { name: name.clone() });
         }
-        let mut node = Node::new(name.as_str().into(), role, kind);
-        node.reach.insert(name.clone());
-        let id = self.push(node);
+        let id = self.push(Node::new(name.as_str().into(), role, kind));
         self.names.insert(name.clone(), Entry::Node(id));
         Ok(id)
     }
@@ -292,83 +288,6 @@ impl Graph {
     pub(super) fn push(&mut self, node: Node) -> NodeId {
         self.nodes.push(node);
         NodeId(self.nodes.len() as u32 - 1)
-    }
-
-    /// Checks and compiles a node whose dependencies are settled.
-    fn settle(&mut self, id: NodeId) -> Vec<GraphError> {
-        if let Role::Model(_) = self.node(id).role {
-            return self.derive(id);
-        }
-        let Some(expr) = self.node(id).expr().cloned() else {
-            return Vec::new();
-        };
-        let missing = self.offer_all(&expr);
-        if !missing.is_empty() {
-            return missing;
-        }
-        let found = match expr.check(&*self) {
-            Ok(found) => found,
-            Err(errors) => return errors.into_iter().map(GraphError::Check).collect(),
-        };
-        let mut errors = Vec::new();
-        // What is assumed of a quantity serves those who use it only while its own formula has no type.
-        let node = self.node(id);
-        let declared = node
-            .kind
-            .as_ref()
-            .filter(|_| matches!(node.role, Role::Formula(_)));
-        match declared.filter(|declared| !found.fits(declared)) {
-            Some(declared) => {
-                let (what, declared) = (format!("`{}`", node.label), describe(declared));
-                errors.push(GraphError::Declared {
-                    what,
-                    declared,
-                    found: describe(&found),
-                });
-            }
-            None => self.nodes[id.index()].kind = Some(found),
-        }
-        let reach = self.reach_of(&expr);
-        self.nodes[id.index()].reach.extend(reach);
-        match self.link(&expr) {
-            Ok(computation) => self.nodes[id.index()].computation = Some(computation),
-            Err(error) => errors.push(GraphError::Compile(error)),
-        }
-        errors
-    }
-
-    /// All names on which a formula depends, through others too.
-    fn reach_of(&self, expr: &Expr) -> BTreeSet<Name> {
-        let mut reach = BTreeSet::new();
-        for variable in expr.names().free {
-            if let Some(id) = self.find(&variable.name) {
-                reach.extend(self.node(id).reach.iter().cloned());
-            }
-            reach.insert(variable.name);
-        }
-        for path in expr.names().paths {
-            if let Some(id) = self.paths.get(&path) {
-                reach.extend(self.node(*id).reach.iter().cloned());
-            }
-        }
-        reach
-    }
-
-    fn link(&self, expr: &Expr) -> Result<Computation, CompileError> {
-        let linker = Linker::of(self);
-        let program = Program::compile(expr, &linker)?;
-        let Linked {
-            inputs,
-            variables,
-            motions,
-            ..
-        } = linker.finish();
-        Ok(Computation {
-            program,
-            inputs,
-            variables,
-            motions,
-        })
     }
 }
 
@@ -385,8 +304,10 @@ impl Node {
             role,
             kind,
             when: None,
-            reach: BTreeSet::new(),
-            computation: None,
+            uses: None,
+            reach: OnceLock::new(),
+            is_plain: false,
+            computation: OnceLock::new(),
         }
     }
 
@@ -395,15 +316,5 @@ impl Node {
             Role::Parameter(_) | Role::Model(_) | Role::Offered(_) => None,
             Role::Quantity(expr) | Role::Formula(expr) => Some(expr),
         }
-    }
-}
-
-/// A type in words, for a message.
-fn describe(kind: &Type) -> String {
-    match kind.dimension() {
-        Some(dimension) if !dimension.is_pure() => {
-            format!("{} in {}", kind.form(), dimension.describe())
-        }
-        _ => kind.form().to_string(),
     }
 }

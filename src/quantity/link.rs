@@ -186,11 +186,8 @@ impl Binder for Linker<'_> {
             Entry::Free(kind) => Some(self.variable(&variable.name, kind.form())),
             Entry::Node(id) => {
                 let node = self.graph.node(*id);
-                let is_function = node
-                    .computation
-                    .as_ref()
-                    .is_some_and(|computation| !computation.variables.is_empty());
-                let is_open = is_function || local.iter().any(|name| node.reach.contains(name));
+                let is_open = self.graph.is_function(*id)
+                    || local.iter().any(|name| self.graph.depends(*id, name));
                 match node.expr() {
                     Some(expr) if is_open => Some(Binding::Formula(expr.clone())),
                     _ => Some(self.input(*id, node.kind.as_ref()?.form())),

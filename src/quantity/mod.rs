@@ -13,6 +13,7 @@ mod evaluate;
 mod graph;
 mod link;
 mod model;
+mod settle;
 mod trace;
 
 pub use error::GraphError;

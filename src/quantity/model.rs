@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::error::GraphError;
 use super::graph::{Graph, Node, NodeId, Role};
-use crate::expr::{CheckError, Expr, Kind, Name, Path, Substitution, Type};
+use crate::expr::{CheckError, Expr, Kind, Name, Names, Path, Substitution, Type};
 use crate::mechanics::{Definition, Model, Nature, Quantity};
 use crate::source::nearest;
 
@@ -29,27 +29,26 @@ pub(super) struct Offered {
 impl System {
     /// The names that it takes from the item.
     pub(super) fn needs(&self) -> BTreeSet<Name> {
-        let own: BTreeSet<&Name> = self.own_names().collect();
-        let formulas = formulas(&self.definition);
-        let free = formulas.flat_map(|formula| {
-            formula
-                .names()
-                .free
-                .into_iter()
-                .map(|variable| variable.name)
-        });
-        free.filter(|name| !own.contains(name) && name.as_str() != "t")
-            .collect()
+        needs(&self.definition)
     }
+}
 
-    fn own_names(&self) -> impl Iterator<Item = &Name> {
-        let coordinates = self
-            .definition
-            .coordinates
-            .iter()
-            .map(|coordinate| &coordinate.name);
-        coordinates.chain(self.definition.kinematics.iter().map(|(name, _)| name))
-    }
+/// The names that a definition takes from the item.
+fn needs(definition: &Definition) -> BTreeSet<Name> {
+    let own: BTreeSet<&Name> = own_names(definition).collect();
+    let names = formulas(definition).map(Expr::names);
+    let free = names.flat_map(|names| names.free.into_iter().map(|variable| variable.name));
+    free.filter(|name| !own.contains(name) && name.as_str() != "t")
+        .collect()
+}
+
+/// The names that a definition brings along.
+fn own_names(definition: &Definition) -> impl Iterator<Item = &Name> {
+    let coordinates = definition
+        .coordinates
+        .iter()
+        .map(|coordinate| &coordinate.name);
+    coordinates.chain(definition.kinematics.iter().map(|(name, _)| name))
 }
 
 /// All formulas of a definition.
@@ -144,13 +143,19 @@ impl Graph {
         }
     }
 
+    /// Whether a node is a number of a model, no formula or function of time.
+    pub(super) fn is_offered_number(&self, id: NodeId) -> bool {
+        let role = &self.node(id).role;
+        matches!(role, Role::Offered(offered) if matches!(offered.nature, Nature::Number(_)))
+    }
+
     /// Derives a system whose names are settled.
     pub(super) fn derive(&mut self, id: NodeId) -> Vec<GraphError> {
         let Some(system) = self.system(id) else {
             return Vec::new();
         };
-        let unknown: Vec<GraphError> = system
-            .needs()
+        let needed = system.needs();
+        let unknown: Vec<GraphError> = needed
             .iter()
             .filter_map(|name| self.unknown(system, name))
             .collect();
@@ -158,28 +163,21 @@ impl Graph {
             return unknown;
         }
         let mut definition = system.definition.clone();
-        if let Err(error) = self.put_functions_into(&mut definition) {
-            return vec![GraphError::Compile(error.into())];
-        }
-        let needs = System {
-            definition,
-            model: None,
+        let names = match self.put_functions_into(&mut definition, needed) {
+            Ok(names) => names,
+            Err(error) => return vec![GraphError::Compile(error.into())],
         };
-        let names = needs.needs();
-        let mut definition = needs.definition;
-        let mut reach = BTreeSet::new();
-        for name in names {
-            if let Some(node) = self.find(&name) {
-                reach.extend(self.node(node).reach.iter().cloned());
+        for name in &names {
+            if let Some(node) = self.find(name) {
                 if let Some(dimension) = self.kind(node).and_then(Type::dimension) {
-                    definition.dimensions.insert(name, dimension);
+                    definition.dimensions.insert(name.clone(), dimension);
                 }
             }
         }
         match Model::derive(definition) {
             Err(errors) => errors.into_iter().map(GraphError::Model).collect(),
             Ok(model) => {
-                self.nodes[id.index()].reach = reach;
+                self.set_uses(id, names.into_iter().collect(), Vec::new());
                 if let Role::Model(system) = &mut self.nodes[id.index()].role {
                     system.model = Some(Arc::new(model));
                 }
@@ -205,7 +203,7 @@ impl Graph {
             .names
             .keys()
             .map(Name::as_str)
-            .chain(system.own_names().map(Name::as_str))
+            .chain(own_names(&system.definition).map(Name::as_str))
             .collect();
         let nearest = nearest(name.as_str(), known).map(str::to_owned);
         Some(GraphError::Check(CheckError::UnknownName {
@@ -215,40 +213,35 @@ impl Graph {
         }))
     }
 
-    /// Puts quantities that are functions of time or of a coordinate into the formulas of a system.
+    /// Puts quantities that are functions of time or of a coordinate into the formulas of a system that needs these
+    /// names; the names that it needs then.
     fn put_functions_into(
         &self,
         definition: &mut Definition,
-    ) -> Result<(), crate::expr::SymbolicError> {
+        mut needed: BTreeSet<Name>,
+    ) -> Result<BTreeSet<Name>, crate::expr::SymbolicError> {
         const DEEPEST: usize = 10;
         for _ in 0..DEEPEST {
-            let needs = System {
-                definition: definition.clone(),
-                model: None,
-            }
-            .needs();
             let mut substitution = Substitution::new();
             let mut any = false;
-            for name in needs {
-                let Some(id) = self
-                    .find(&name)
-                    .filter(|id| !self.variables(*id).is_empty())
-                else {
+            for name in &needed {
+                let Some(id) = self.find(name).filter(|id| self.is_function(*id)) else {
                     continue;
                 };
                 if let Some(expr) = self.expr(id) {
-                    substitution = substitution.with(name, expr.clone());
+                    substitution = substitution.with(name.clone(), expr.clone());
                     any = true;
                 }
             }
             if !any {
-                return Ok(());
+                break;
             }
             for formula in formulas_mut(definition) {
                 *formula = substitution.apply(formula)?;
             }
+            needed = needs(definition);
         }
-        Ok(())
+        Ok(needed)
     }
 
     /// The node of a formula that is a list of a model and nothing else. How long it is depends on the
@@ -268,11 +261,11 @@ impl Graph {
     }
 
     /// Makes nodes for all quantities of models that a formula asks for.
-    pub(super) fn offer_all(&mut self, expr: &Expr) -> Vec<GraphError> {
+    pub(super) fn offer_all(&mut self, expr: &Expr, names: &Names) -> Vec<GraphError> {
         let mut errors = Vec::new();
-        for path in expr.names().paths {
-            if let Err(error) = self.offer(&path) {
-                let span = place(expr, &path);
+        for path in &names.paths {
+            if let Err(error) = self.offer(path) {
+                let span = place(expr, path);
                 errors.extend(error.map(|error| error.at(span)));
             }
         }
@@ -311,7 +304,7 @@ impl Graph {
             Nature::Motion(dimension) => Some(Type::real(*dimension)),
             _ => None,
         };
-        let mut node = Node::new(
+        let node = Node::new(
             path.to_string().into(),
             Role::Offered(Offered {
                 system,
@@ -321,8 +314,8 @@ impl Graph {
             }),
             kind,
         );
-        node.reach.clone_from(&self.node(system).reach);
         let id = self.push(node);
+        self.set_uses(id, Vec::new(), vec![system]);
         self.paths.insert(path.clone(), id);
         Ok(id)
     }

@@ -30,7 +30,11 @@ impl Array {
     }
 
     pub(super) fn scalar(entry: Entry) -> Self {
-        Self::new(Shape::Scalar, vec![entry])
+        Self {
+            shape: Shape::Scalar,
+            entries: Rc::new([entry]),
+            is_boolean: false,
+        }
     }
 
     pub(super) fn boolean(register: u32) -> Self {

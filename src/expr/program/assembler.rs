@@ -1,7 +1,6 @@
 //! Puts the steps of a program together, each computation once.
 
-use std::collections::HashMap;
-
+use super::hash::Table;
 use super::instruction::{Instruction, Register, RegisterPair, Step, Target};
 use super::{CompileError, Entry};
 use crate::expr::{Function, Precise};
@@ -21,8 +20,8 @@ pub(super) struct Assembler {
     pub(super) constants: Vec<Precise>,
     pub(super) registers: u32,
     /// The indices of the constants, by their bits.
-    indices: HashMap<[u64; 3], u32>,
-    known: HashMap<Step, Register>,
+    indices: Table<[u64; 3], u32>,
+    known: Table<Step, Register>,
     /// The known steps, in the order in which they became known.
     learned: Vec<Step>,
     /// Where the step at hand was written.
@@ -33,6 +32,17 @@ pub(super) struct Assembler {
 pub(super) struct Scope(usize);
 
 impl Assembler {
+    /// Room for about so many steps; more are taken as they come.
+    pub(super) fn with_room(steps: usize) -> Self {
+        Self {
+            code: Vec::with_capacity(steps),
+            spans: Vec::with_capacity(steps),
+            known: Table::with_capacity_and_hasher(steps, Default::default()),
+            learned: Vec::with_capacity(steps),
+            ..Self::default()
+        }
+    }
+
     /// Says where the steps that follow were written; what is derived keeps the place around it.
     pub(super) fn place(&mut self, span: Span) -> Span {
         let before = self.span;

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use super::array::Array;
 use super::assembler::Assembler;
+use super::hash::Table;
 use super::instruction::{Search, Step};
 use super::{Binder, Binding, CompileError, Entry, Program};
 use crate::expr::{
@@ -16,6 +17,9 @@ use crate::source::Span;
 /// Most formulas inside one another, names put in included.
 const MOST_DEPTH: u32 = 400;
 
+/// Most steps for which there is room from the start.
+const MOST_ROOM: u32 = 64;
+
 type Result<T> = std::result::Result<T, CompileError>;
 
 /// The state of a translation.
@@ -26,8 +30,8 @@ pub(super) struct Compiler<'a> {
     locals: Vec<Local>,
     /// The names alone, as binders are told them.
     pub(super) local_names: Vec<Name>,
-    /// What nodes have become, by node and innermost local.
-    known: HashMap<(usize, usize), Array>,
+    /// What nodes to which several ways lead have become, by node and innermost local.
+    known: Table<(usize, usize), Array>,
     learned: Vec<(usize, usize)>,
     /// Numbers of the scopes of locals that were opened.
     scopes: usize,
@@ -48,10 +52,10 @@ struct Local {
 pub(super) fn compile(expr: &Expr, binder: &dyn Binder) -> Result<Program> {
     let mut compiler = Compiler {
         binder,
-        assembler: Assembler::default(),
+        assembler: Assembler::with_room(expr.size().min(MOST_ROOM) as usize),
         locals: Vec::new(),
         local_names: Vec::new(),
-        known: HashMap::new(),
+        known: Table::default(),
         learned: Vec::new(),
         scopes: 0,
         depth: 0,
@@ -87,8 +91,9 @@ pub(super) fn compile(expr: &Expr, binder: &dyn Binder) -> Result<Program> {
 impl Compiler<'_> {
     /// What a formula becomes; each node once.
     fn array(&mut self, expr: &Expr) -> Result<Array> {
+        let is_shared = expr.is_shared();
         let key = (expr.address(), self.scope());
-        if let Some(known) = self.known.get(&key) {
+        if is_shared && let Some(known) = self.known.get(&key) {
             return Ok(known.clone());
         }
         self.depth += 1;
@@ -99,9 +104,11 @@ impl Compiler<'_> {
         let value = self.node(expr)?;
         self.assembler.return_to(around);
         self.depth -= 1;
-        self.kept.push(expr.clone());
-        self.known.insert(key, value.clone());
-        self.learned.push(key);
+        if is_shared {
+            self.kept.push(expr.clone());
+            self.known.insert(key, value.clone());
+            self.learned.push(key);
+        }
         Ok(value)
     }
 
@@ -213,6 +220,11 @@ impl Compiler<'_> {
     }
 
     fn input(&mut self, slot: u32, form: Form) -> Result<Array> {
+        if form == Form::REAL {
+            return Ok(Array::scalar(Entry::real(
+                self.assembler.compute(Step::Input(slot))?,
+            )));
+        }
         let mut slots = slot..slot + form.width() as u32;
         let mut entries = Vec::with_capacity(form.shape.len());
         while let Some(slot) = slots.next() {

@@ -12,6 +12,7 @@ mod derive;
 mod entry;
 mod error;
 mod evaluate;
+mod hash;
 mod instruction;
 mod integral;
 mod machine;
