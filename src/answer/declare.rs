@@ -1,6 +1,7 @@
 //! What a kind asks of the item that is being read, and gets of an instance.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use crate::diagnostic::Diagnose;
 use crate::document::Document;
@@ -57,9 +58,9 @@ pub struct Known {
     /// The name.
     pub name: Name,
     /// Its symbol.
-    pub symbol: Math,
+    pub symbol: Arc<Math>,
     /// What it is, in words.
-    pub title: Option<String>,
+    pub title: Option<Arc<str>>,
     /// What it stands for.
     pub kind: Type,
     /// What it is.

@@ -1,6 +1,7 @@
 //! What the names of an answer stand for: data, free symbols, and formulas in these.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use super::typed::Lexicon;
 use super::{Declare, Known, Role};
@@ -23,7 +24,7 @@ pub(super) struct Meaning {
 pub(super) struct Input {
     pub(super) name: Name,
     /// What it is, in words.
-    pub(super) title: Option<String>,
+    pub(super) title: Option<Arc<str>>,
     kind: Type,
     /// Where its value for an instance is to be had.
     node: Option<NodeId>,
@@ -98,7 +99,7 @@ impl Meaning {
             Role::Coordinate => self.inputs.push(input(None, true, true)),
             Role::Quantity { node, .. } => {
                 let formula = super::symbolic::formula(declare.graph(), node);
-                if formula.names().paths.is_empty() {
+                if !formula.has_paths() {
                     self.formulas
                         .insert(own.name.clone(), (formula, own.kind.clone()));
                 } else if own.kind.form() == Form::REAL {
@@ -331,13 +332,13 @@ pub(super) fn lexicon(
                 Role::Quantity { node, .. } => declare.graph().depends(node, &Name::new("t")),
                 _ => false,
             };
-            lexicon.allow(&own.name, &own.symbol, is_moving);
+            lexicon.allow(&own.name, Arc::clone(&own.symbol), is_moving);
             names.push(own.name.clone());
         }
     }
     for own in known.iter().filter(|own| !names.contains(&own.name)) {
         lexicon.forbid(&own.name);
-        lexicon.set_symbol(&own.name, own.symbol.clone());
+        lexicon.set_symbol(&own.name, Arc::clone(&own.symbol));
     }
     (lexicon, names)
 }

@@ -65,14 +65,10 @@ impl Revision {
     /// ```
     pub fn of(text: &str) -> Self {
         let mut hash = Sha256::new();
-        for piece in text.split_inclusive("\r\n") {
-            match piece.strip_suffix("\r\n") {
-                Some(line) => {
-                    hash.update(line);
-                    hash.update("\n");
-                }
-                None => hash.update(piece),
-            }
+        if text.contains('\r') {
+            hash.update(text.replace("\r\n", "\n"));
+        } else {
+            hash.update(text);
         }
         let digest = hash.finalize();
         Self([digest[0], digest[1], digest[2], digest[3]])

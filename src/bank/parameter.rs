@@ -1,5 +1,7 @@
 //! The data of an item: what can be drawn, and what a value may be.
 
+use std::sync::Arc;
+
 use crate::diagnostic::{Code, Diagnose, Label};
 use crate::expr::Name;
 use crate::math::Math;
@@ -12,9 +14,9 @@ pub struct Parameter {
     /// Its name in formulas.
     pub name: Name,
     /// What it is, in words.
-    pub title: Option<String>,
+    pub title: Option<Arc<str>>,
     /// Its symbol.
-    pub symbol: Math,
+    pub symbol: Arc<Math>,
     /// The value of the source, used when nothing is drawn or set.
     pub value: Quantity,
     /// The unit in which values are given.
@@ -172,8 +174,8 @@ impl Parameter {
     /// A parameter from its texts; each error names the text it is about.
     pub(crate) fn of(
         name: &Name,
-        title: Option<String>,
-        symbol: Math,
+        title: Option<Arc<str>>,
+        symbol: Arc<Math>,
         texts: &Texts<'_>,
     ) -> Result<Self, (Field, ParameterError)> {
         let of = |field| move |error| (field, ParameterError::Quantity(error));

@@ -1,6 +1,7 @@
 //! A template: an item as it was read, from which instances are drawn.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use super::plot::Plot;
 use super::{About, ItemId, Parameter, Passage, Revision};
@@ -34,7 +35,7 @@ pub struct Template {
     /// What is known of named nodes beyond their value.
     pub quantities: BTreeMap<NodeId, QuantityInfo>,
     /// Symbols of coordinates and other free names, where the item states them.
-    pub symbols: BTreeMap<Name, Math>,
+    pub symbols: BTreeMap<Name, Arc<Math>>,
     /// Plots, by name.
     pub plots: Vec<Plot>,
     /// What is given.
@@ -68,9 +69,9 @@ pub struct QuantityInfo {
     /// Its name in formulas.
     pub name: Name,
     /// What it is, in words.
-    pub title: Option<String>,
+    pub title: Option<Arc<str>>,
     /// Its symbol.
-    pub symbol: Math,
+    pub symbol: Arc<Math>,
     /// Its units; an abbreviation has none.
     pub units: Option<Units>,
     /// Significant figures in which it is printed.

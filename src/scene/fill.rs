@@ -60,9 +60,9 @@ impl Scene<'_, '_> {
         };
         let math = match form {
             Form::Name => {
-                return Filling::words(info.title.clone().unwrap_or_else(|| info.name.to_string()));
+                return Filling::words(info.title.as_deref().unwrap_or(info.name.as_str()));
             }
-            Form::Symbol => info.symbol.clone(),
+            Form::Symbol => Math::clone(&info.symbol),
             Form::Value => self.value(node, info),
             Form::Number => self.number(node, info),
             Form::Unit => unit(info).map_or_else(nothing, |unit| unit.math()),
@@ -70,7 +70,11 @@ impl Scene<'_, '_> {
             Form::Formula => self.formula(node),
             Form::Substituted => self.substituted(node),
             Form::Equation => {
-                let formula = [info.symbol.clone(), Math::relation("="), self.formula(node)];
+                let formula = [
+                    Math::clone(&info.symbol),
+                    Math::relation("="),
+                    self.formula(node),
+                ];
                 Math::row(
                     formula
                         .into_iter()
@@ -84,9 +88,9 @@ impl Scene<'_, '_> {
     fn given(&self, node: NodeId, info: &QuantityInfo) -> Math {
         match self.data {
             Data::Numbers => self.value(node, info),
-            Data::Symbols => info.symbol.clone(),
+            Data::Symbols => Math::clone(&info.symbol),
             Data::Both => Math::row([
-                info.symbol.clone(),
+                Math::clone(&info.symbol),
                 Math::relation("="),
                 self.value(node, info),
             ]),

@@ -97,7 +97,7 @@ impl<'s, 't> Scene<'s, 't> {
             return None;
         };
         let info = template.info(key)?;
-        Some(Math::row([info.symbol.clone(), Math::relation("=")]))
+        Some(Math::row([Math::clone(&info.symbol), Math::relation("=")]))
     }
 
     /// The key of a part as it is printed: a function of time with the numbers of this instance, all else in its general
@@ -140,7 +140,12 @@ impl<'s, 't> Scene<'s, 't> {
             .iter()
             .zip(self.solution.instance().values());
         pairs
-            .map(|(parameter, value)| (parameter.symbol.clone(), value.math(self.solution.mark())))
+            .map(|(parameter, value)| {
+                (
+                    Math::clone(&parameter.symbol),
+                    value.math(self.solution.mark()),
+                )
+            })
             .collect()
     }
 

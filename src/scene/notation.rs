@@ -20,9 +20,9 @@ impl Notation for Symbols<'_, '_> {
             .find(name)
             .and_then(|node| template.info(node));
         Symbol::letter(
-            info.map(|info| info.symbol.clone())
-                .or_else(|| template.symbols.get(name).cloned())
-                .unwrap_or_else(|| symbol(name.as_str())),
+            info.map(|info| &info.symbol)
+                .or_else(|| template.symbols.get(name))
+                .map_or_else(|| symbol(name.as_str()), |own| own.as_ref().clone()),
         )
     }
 }

@@ -92,10 +92,10 @@ impl AnswerKind for Kind {
         }
         let (mut lexicon, _) = lexicon(declare, &listed, None);
         for own in known.iter().filter(|own| names.contains(&own.name)) {
-            lexicon.allow(&own.name, &own.symbol, true);
+            lexicon.allow(&own.name, Arc::clone(&own.symbol), true);
         }
         let time = Name::new("t");
-        lexicon.allow(&time, &crate::math::symbol("t"), false);
+        lexicon.allow(&time, crate::math::symbol("t"), false);
         Some(Box::new(Asked {
             setup: Arc::new(Setup {
                 key,

@@ -106,7 +106,7 @@ impl AnswerKind for Kind {
         let uses_time = declare.graph().depends(key, &Name::new("t"));
         if uses_time || listed.iter().any(|name| name.value == "t") {
             let time = Name::new("t");
-            lexicon.allow(&time, &crate::math::symbol("t"), false);
+            lexicon.allow(&time, crate::math::symbol("t"), false);
             names.push(time);
         }
         let meaning = Meaning::of(declare, Prefer::Quantities);

@@ -81,18 +81,21 @@ pub(super) fn read(
         for name in numbered.map(Name::new) {
             if !known.iter().any(|own| own.name == name) {
                 meaning.add_free(&name);
-                lexicon.allow(&name, &crate::math::symbol(name.as_str()), false);
+                lexicon.allow(&name, crate::math::symbol(name.as_str()), false);
                 constants.push(name);
             }
         }
     }
-    lexicon.allow(&Name::new("t"), &crate::math::symbol("t"), false);
+    lexicon.allow(&Name::new("t"), crate::math::symbol("t"), false);
     let frequencies = declare.formula("frequencies", &of("natural_angular_frequencies"));
     let shapes = declare.formula("shapes", &of("mode_shapes"));
     Some(Box::new(General(Arc::new(Setup {
         equations,
         coordinates: coordinates.iter().map(|own| own.name.clone()).collect(),
-        symbols: coordinates.iter().map(|own| own.symbol.clone()).collect(),
+        symbols: coordinates
+            .iter()
+            .map(|own| Math::clone(&own.symbol))
+            .collect(),
         constants,
         frequencies,
         shapes,

@@ -139,7 +139,7 @@ impl AnswerKind for Kind {
         let own = Name::new(text.value.as_str());
         let named = declare.graph().find(&own).map(|_| own);
         let (mut lexicon, mut names) = lexicon(declare, &listed, named.as_ref());
-        lexicon.allow(&variable, &crate::math::symbol(variable.as_str()), false);
+        lexicon.allow(&variable, crate::math::symbol(variable.as_str()), false);
         names.push(variable.clone());
         let meaning = Meaning::of(declare, Prefer::Quantities);
         let shown = meaning.expanded(&symbolic::formula(declare.graph(), key), &names);

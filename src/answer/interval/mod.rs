@@ -60,7 +60,7 @@ struct Declared {
 #[derive(Debug)]
 struct Setup {
     variable: Name,
-    symbol: Math,
+    symbol: Arc<Math>,
     unit: Unit,
     written: Written,
     meaning: Meaning,
@@ -121,7 +121,7 @@ impl AnswerKind for Kind {
             None => Tolerance::default(),
         };
         let (mut lexicon, _) = lexicon(declare, &[], None);
-        lexicon.allow(&known.name, &known.symbol, false);
+        lexicon.allow(&known.name, Arc::clone(&known.symbol), false);
         let setup = Setup {
             variable: known.name,
             symbol: known.symbol,

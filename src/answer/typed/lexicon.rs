@@ -35,8 +35,13 @@ impl Lexicon {
     }
 
     /// Adds a name with its symbol; one that moves with time may be primed.
-    pub(in crate::answer) fn allow(&mut self, name: &Name, math: &Math, is_moving: bool) {
-        let math = Arc::new(math.clone());
+    pub(in crate::answer) fn allow(
+        &mut self,
+        name: &Name,
+        math: impl Into<Arc<Math>>,
+        is_moving: bool,
+    ) {
+        let math = math.into();
         self.symbols.insert(name.clone(), Arc::clone(&math));
         if is_moving {
             self.moving.push(name.clone());
@@ -59,8 +64,8 @@ impl Lexicon {
     }
 
     /// Another symbol for a name that is there.
-    pub(in crate::answer) fn set_symbol(&mut self, name: &Name, math: Math) {
-        self.symbols.insert(name.clone(), Arc::new(math));
+    pub(in crate::answer) fn set_symbol(&mut self, name: &Name, math: Arc<Math>) {
+        self.symbols.insert(name.clone(), math);
     }
 
     /// The names that may be used, for a message.

@@ -10,12 +10,12 @@ fn lexicon() -> Lexicon {
         "m", "g", "l", "k", "c", "zeta", "omega_n", "omega", "t", "k1", "k2", "m1", "F0", "Omega",
         "mu", "phi", "r",
     ] {
-        lexicon.allow(&Name::from(name), &symbol(name), false);
+        lexicon.allow(&Name::from(name), symbol(name), false);
     }
     for name in ["x", "theta", "x1", "x2"] {
-        lexicon.allow(&Name::from(name), &symbol(name), true);
+        lexicon.allow(&Name::from(name), symbol(name), true);
     }
-    lexicon.allow(&Name::from("Lh"), &Math::letter('L'), false);
+    lexicon.allow(&Name::from("Lh"), Math::letter('L'), false);
     lexicon.forbid(&Name::from("secret"));
     lexicon
 }

@@ -28,9 +28,9 @@ impl Notation for Names<'_> {
         let free = || self.free.iter().find(|known| known.name == *name);
         Symbol::letter(
             quantity
-                .map(|info| info.symbol.clone())
-                .or_else(|| free().map(|known| known.symbol.clone()))
-                .unwrap_or_else(|| symbol(name.as_str())),
+                .map(|info| &info.symbol)
+                .or_else(|| free().map(|known| &known.symbol))
+                .map_or_else(|| symbol(name.as_str()), |own| Math::clone(own)),
         )
     }
 }

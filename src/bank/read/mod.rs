@@ -14,6 +14,7 @@ mod quantities;
 mod texts;
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 pub use error::ItemError;
 #[cfg(feature = "render")]
@@ -255,16 +256,16 @@ impl<'s> Reader<'s> {
     }
 
     /// The symbol of a name: what the item says, else what follows from the name.
-    fn symbol(&mut self, name: &str, text: Option<&Text>) -> Math {
+    fn symbol(&mut self, name: &str, text: Option<&Text>) -> Arc<Math> {
         let Some(text) = text else {
-            return symbol(name);
+            return Arc::new(symbol(name));
         };
         let mut errors = Vec::new();
         let math = self.texts.math(text, &mut errors);
         for error in &errors {
             self.find(error.as_ref(), text);
         }
-        math.unwrap_or_else(|| symbol(name))
+        Arc::new(math.unwrap_or_else(|| symbol(name)))
     }
 
     /// A name that formulas can use.

@@ -234,17 +234,13 @@ fn is_name(key: &str) -> bool {
 
 impl Declare for Reader<'_> {
     fn formula(&mut self, label: &str, text: &Text) -> Option<NodeId> {
-        let name = Expr::read(&text.value)
-            .ok()
-            .and_then(|expr| match expr.kind() {
-                Kind::Name(name) => self.graph.find(name),
-                _ => None,
-            });
+        let expr = Reader::expr(self, text)?;
+        let named = match expr.kind() {
+            Kind::Name(name) => self.graph.find(name),
+            _ => None,
+        };
         // A key that names a quantity is that quantity, so that it is computed once and can be replaced.
-        name.or_else(|| {
-            let label = format!("{label} of {}", self.part);
-            Reader::formula(self, &label, text)
-        })
+        named.or_else(|| Declare::expr(self, label, expr, text))
     }
 
     fn condition(&mut self, label: &str, text: &Text) -> Option<NodeId> {

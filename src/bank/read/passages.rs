@@ -1,5 +1,7 @@
 //! Texts: read, and their placeholders looked up.
 
+use std::sync::Arc;
+
 use super::{ItemError, Reader};
 use crate::bank::passage::{Passage, Piece, Target};
 use crate::bank::template::{QuantityInfo, Units};
@@ -163,7 +165,7 @@ impl<'s> Reader<'s> {
         let info = QuantityInfo {
             name: Name::new(path),
             title: None,
-            symbol: crate::math::symbol(path.rsplit('.').next().unwrap_or(path)),
+            symbol: Arc::new(crate::math::symbol(path.rsplit('.').next().unwrap_or(path))),
             units: Some(Units::One(unit.unwrap_or(Unit::ONE))),
             digits: self.digits,
             verify: None,

@@ -215,9 +215,12 @@ impl<'s> Reader<'s> {
             .find(name)
             .and_then(|node| self.quantities.get(&node));
         let free = self.free.iter().find(|known| known.name == *name);
-        info.map(|info| info.symbol.clone())
-            .or_else(|| free.map(|known| known.symbol.clone()))
-            .unwrap_or_else(|| crate::math::symbol(name.as_str()))
+        info.map(|info| &info.symbol)
+            .or_else(|| free.map(|known| &known.symbol))
+            .map_or_else(
+                || crate::math::symbol(name.as_str()),
+                |own| Math::clone(own),
+            )
     }
 
     /// The distance of ticks; a share of π gives labels that are shares of π.
@@ -480,7 +483,7 @@ impl<'s> Reader<'s> {
         let known = self.free.iter().find(|known| known.name == *name);
         known.map_or_else(
             || crate::math::symbol(name.as_str()),
-            |known| known.symbol.clone(),
+            |known| Math::clone(&known.symbol),
         )
     }
 

@@ -1,5 +1,7 @@
 //! Data, symbols, coordinates and quantities: the names of an item.
 
+use std::sync::Arc;
+
 use super::{ItemError, Reader};
 use crate::answer::{Known, Role};
 use crate::bank::parameter::{Field, Parameter, Texts};
@@ -74,7 +76,7 @@ impl<'s> Reader<'s> {
         };
         let Some(value) = value else { return };
         let symbol = self.symbol(name.as_str(), symbol.as_ref());
-        let title = title.map(|text| text.value);
+        let title: Option<Arc<str>> = title.map(|text| text.value.into());
         let texts = Texts {
             value: &value.value,
             range: range.as_ref().map(|text| text.value.as_str()),
@@ -101,7 +103,7 @@ impl<'s> Reader<'s> {
                 let info = QuantityInfo {
                     name: parameter.name.clone(),
                     title: parameter.title.clone(),
-                    symbol: parameter.symbol.clone(),
+                    symbol: Arc::clone(&parameter.symbol),
                     units: Some(Units::One(parameter.unit)),
                     digits: self.digits,
                     verify: None,
@@ -243,7 +245,7 @@ impl<'s> Reader<'s> {
         if let Data::Text(_) | Data::Number { .. } = entry.value.data {
             let formula = table.as_formula(&entry.key, &entry.value)?;
             let expr = self.expr(&formula)?;
-            let symbol = crate::math::symbol(name.as_str());
+            let symbol = Arc::new(crate::math::symbol(name.as_str()));
             return self.take_quantity(
                 name, expr, None, formula, None, None, None, symbol, None, entry.span,
             );
@@ -283,7 +285,7 @@ impl<'s> Reader<'s> {
             formula,
             verify,
             condition,
-            title.map(|text| text.value),
+            title.map(|text| text.value.into()),
             symbol,
             digits,
             entry.span,
@@ -302,8 +304,8 @@ impl<'s> Reader<'s> {
         formula: Text,
         verify: Option<Text>,
         when: Option<(crate::expr::Expr, Text)>,
-        title: Option<String>,
-        symbol: crate::math::Math,
+        title: Option<Arc<str>>,
+        symbol: Arc<crate::math::Math>,
         digits: Option<u8>,
         span: Span,
     ) -> Option<Declared> {

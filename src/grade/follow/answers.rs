@@ -238,7 +238,7 @@ impl Answers {
             self.own.push(Own {
                 node,
                 name: info.name.clone(),
-                symbol: info.symbol.clone(),
+                symbol: Math::clone(&info.symbol),
                 kind,
                 value,
                 formula,
