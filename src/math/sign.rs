@@ -201,6 +201,9 @@ pub(crate) const GREEK: &[(&str, char)] = &[
 
 /// The name of the command of a Greek letter.
 pub(crate) fn greek_name(letter: char) -> Option<&'static str> {
+    if letter.is_ascii() {
+        return None;
+    }
     let letter = if letter == '\u{b5}' { 'μ' } else { letter };
     GREEK
         .iter()

@@ -41,6 +41,9 @@ impl Problems {
     }
 }
 
+/// About how many keys are asked for that are not there.
+const USUAL_OTHERS: usize = 8;
+
 impl<'s> Table<'s> {
     /// The table `value`, called `name` in messages; `None`, and a problem, where it is no table.
     pub fn of(
@@ -60,7 +63,7 @@ impl<'s> Table<'s> {
             name,
             span: value.span,
             entries,
-            asked: RefCell::default(),
+            asked: RefCell::new(Vec::with_capacity(entries.len() + USUAL_OTHERS)),
         })
     }
 
@@ -270,19 +273,17 @@ impl<'s> Table<'s> {
 
     /// Notes every key that was not asked for so far.
     pub fn finish_ref(&self) {
-        let mut known = self.asked.borrow().clone();
-        known.sort_unstable();
-        known.dedup();
-        for entry in self
-            .entries
-            .iter()
-            .filter(|entry| !known.contains(&entry.key.as_str()))
-        {
+        let asked = self.asked.borrow();
+        let is_asked = |entry: &&Entry| asked.contains(&entry.key.as_str());
+        for entry in self.entries.iter().filter(|entry| !is_asked(entry)) {
+            let mut known = asked.clone();
+            known.sort_unstable();
+            known.dedup();
             let (table, key) = (self.name.clone(), entry.key.clone());
             self.problems.add(Problem::Unknown {
                 table,
                 key,
-                known: known.clone(),
+                known,
                 span: entry.span,
             });
         }

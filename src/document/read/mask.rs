@@ -35,6 +35,11 @@ pub(super) fn is_private(char: char) -> bool {
     ('\u{E000}'..='\u{F8FF}').contains(&char)
 }
 
+/// Whether a byte is a character that stands for itself.
+fn is_plain(byte: u8) -> bool {
+    matches!(byte, b' '..=b'~' | b'\n' | b'\r' | b'\t') && !matches!(byte, b'\\' | b'<')
+}
+
 impl Masked {
     /// Masks the placeholders of a text.
     pub(super) fn of(text: &str) -> Self {
@@ -46,7 +51,13 @@ impl Masked {
         };
         let mut at = 0;
         while at < text.len() {
-            at = masked.step(text, at);
+            let plain = text[at..].bytes().position(|byte| !is_plain(byte));
+            let end = plain.map_or(text.len(), |length| at + length);
+            masked.text.push_str(&text[at..end]);
+            at = end;
+            if at < text.len() {
+                at = masked.step(text, at);
+            }
         }
         masked
     }

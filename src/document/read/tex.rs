@@ -189,8 +189,12 @@ impl<'a> Fold<'a> {
 
     /// One element where a command or script takes it.
     fn argument(&mut self) -> Option<Math> {
-        let element = self.element()?;
-        Some(tidy(vec![element], Atom::Edge, None))
+        Some(match self.element()? {
+            several @ (Math::Row(_) | Math::Operator { .. }) => {
+                tidy(vec![several], Atom::Edge, None)
+            }
+            single => single,
+        })
     }
 
     fn content(&self, content: &Content<'_>) -> Math {

@@ -443,20 +443,29 @@ fn is_inline(event: &Event<'_>) -> bool {
 
 /// Appends words, joined to those before, their holes beside them.
 fn words(text: &str, content: &mut Vec<Inline>) {
-    for char in text.chars() {
-        if let Some(hole) = hole(char) {
-            content.push(Inline::Hole(hole));
-            continue;
-        }
-        if !matches!(content.last(), Some(Inline::Text(_))) {
-            content.push(Inline::Text(String::new()));
-        }
-        if let Some(Inline::Text(words)) = content.last_mut() {
-            match char {
-                LITERAL => words.push_str("<<"),
-                char => words.push(char),
+    let mut rest = text;
+    while !rest.is_empty() {
+        let end = rest.find(is_private).unwrap_or(rest.len());
+        join(&rest[..end], content);
+        rest = &rest[end..];
+        let mut masked = rest.chars();
+        if let Some(char) = masked.next() {
+            rest = masked.as_str();
+            match hole(char) {
+                Some(hole) => content.push(Inline::Hole(hole)),
+                None if char == LITERAL => join("<<", content),
+                None => join(char.encode_utf8(&mut [0; 4]), content),
             }
         }
+    }
+}
+
+/// Appends words without holes.
+fn join(words: &str, content: &mut Vec<Inline>) {
+    match content.last_mut() {
+        _ if words.is_empty() => {}
+        Some(Inline::Text(before)) => before.push_str(words),
+        _ => content.push(Inline::Text(words.to_owned())),
     }
 }
 

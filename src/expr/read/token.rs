@@ -29,15 +29,9 @@ pub(super) enum TokenKind {
     End,
 }
 
-/// The operators, brackets and separators; of two that fit, the first is taken.
-const SIGNS: &[&str] = &[
-    "**", "==", "!=", "<=", ">=", "<", ">", "=", "+", "-", "*", "/", "^", "(", ")", "[", "]", ",",
-    "'", ".",
-];
-
 /// Splits a text into words, the end last.
 pub(super) fn tokens(text: &str) -> Result<Vec<Token<'_>>, ReadError> {
-    let mut tokens = Vec::with_capacity(text.len() / 2 + 1);
+    let mut tokens = Vec::with_capacity(text.len() / 2 + 2);
     let mut at = 0;
     while let Some(character) = text[at..].chars().next() {
         if character.is_ascii_whitespace() {
@@ -111,15 +105,20 @@ fn word_length(text: &str) -> usize {
         .count()
 }
 
+/// Length of the operator, bracket or separator at `at`; of two that fit, the longer one is taken.
 fn sign_length(text: &str, at: usize, character: char) -> Result<usize, ReadError> {
-    SIGNS
-        .iter()
-        .find(|sign| text[at..].starts_with(**sign))
-        .map(|sign| sign.len())
-        .ok_or_else(|| ReadError::UnknownCharacter {
+    match (character, text.as_bytes().get(at + 1)) {
+        ('*', Some(b'*')) | ('=' | '!' | '<' | '>', Some(b'=')) => Ok(2),
+        (
+            '<' | '>' | '=' | '+' | '-' | '*' | '/' | '^' | '(' | ')' | '[' | ']' | ',' | '\''
+            | '.',
+            _,
+        ) => Ok(1),
+        _ => Err(ReadError::UnknownCharacter {
             character,
             span: Span::new(at, at + character.len_utf8()),
-        })
+        }),
+    }
 }
 
 impl Token<'_> {
