@@ -3,8 +3,8 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::elementary::{
-    atan2, binary_exponent, cosh, exp, expm1, hypot, ln, ln_1p, scale_by_power_of_two, sin,
-    sin_cos, sinh,
+    atan2, binary_exponent, cosh, exp, expm1, hypot, ln, ln_1p, scale_by_power_of_two, sin_cos,
+    sinh,
 };
 use super::exact::{diff_of_products, sum_of_products};
 
