@@ -3,6 +3,11 @@
 use divan::{Bencher, black_box};
 use vibank::bank::{Catalogue, embedded};
 
+/// That of the program: much of loading is small pieces.
+#[cfg(feature = "cli")]
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 fn main() {
     divan::main();
 }
