@@ -168,10 +168,9 @@ impl Graph {
             Err(error) => return vec![GraphError::Compile(error.into())],
         };
         for name in &names {
-            if let Some(node) = self.find(name) {
-                if let Some(dimension) = self.kind(node).and_then(Type::dimension) {
-                    definition.dimensions.insert(name.clone(), dimension);
-                }
+            let kind = self.find(name).and_then(|node| self.kind(node));
+            if let Some(dimension) = kind.and_then(Type::dimension) {
+                definition.dimensions.insert(name.clone(), dimension);
             }
         }
         match Model::derive(definition) {
