@@ -36,6 +36,8 @@ pub(super) struct Compiler<'a> {
     /// Numbers of the scopes of locals that were opened.
     scopes: usize,
     depth: u32,
+    /// Formulas inside one another while names are put in, across the derivatives among them.
+    pub(super) expanding: u32,
     /// Keeps the nodes alive that `known` speaks of.
     kept: Vec<Expr>,
     /// Names made up for what derivatives hold constant or leave to the binder.
@@ -59,6 +61,7 @@ pub(super) fn compile(expr: &Expr, binder: &dyn Binder) -> Result<Program> {
         learned: Vec::new(),
         scopes: 0,
         depth: 0,
+        expanding: 0,
         kept: Vec::new(),
         aliases: HashMap::new(),
     };

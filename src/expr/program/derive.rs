@@ -76,7 +76,6 @@ impl Compiler<'_> {
             compiler: self,
             by,
             bound: Vec::new(),
-            depth: 0,
         }
         .of(expr)
     }
@@ -88,17 +87,16 @@ struct Expansion<'a, 'b> {
     by: &'a Name,
     /// Names bound by operators inside the formula.
     bound: Vec<Name>,
-    depth: u32,
 }
 
 impl Expansion<'_, '_> {
     fn of(&mut self, expr: &Expr) -> Result<Expr> {
-        self.depth += 1;
-        if self.depth > MOST_DEPTH {
+        self.compiler.expanding += 1;
+        if self.compiler.expanding > MOST_DEPTH {
             return Err(CompileError::TooDeep);
         }
         let result = self.node(expr)?;
-        self.depth -= 1;
+        self.compiler.expanding -= 1;
         if result.size() > MOST_NODES {
             return Err(CompileError::Symbolic(SymbolicError::TooLarge));
         }
@@ -203,13 +201,15 @@ mod tests {
     /// Parameters a and w, the coordinate q with its velocity, formulas for the rest.
     struct Item;
 
-    const FORMULAS: [(&str, &str); 6] = [
+    const FORMULAS: [(&str, &str); 8] = [
         ("V", "1/2*a*q^2 + b*q"),
         ("b", "a*w"),
         ("x", "b*cos(w*t)"),
         ("z", "2*x"),
         ("loop", "1 + pool"),
         ("pool", "2*loop"),
+        ("swing", "1 + swing'"),
+        ("turn", "diff(turn, t)"),
     ];
 
     impl Binder for Item {
@@ -321,7 +321,16 @@ mod tests {
             |formula: &str| Program::compile(&Expr::read(formula).unwrap(), &Item).unwrap_err();
         assert_eq!(compile("loop"), CompileError::TooDeep);
         assert_eq!(compile("diff(loop, q)"), CompileError::TooDeep);
-        assert_eq!(compile("loop'"), CompileError::TooDeep);
+        for formula in [
+            "loop'",
+            "swing",
+            "swing'",
+            "diff(swing, q)",
+            "turn",
+            "turn'",
+        ] {
+            assert_eq!(compile(formula), CompileError::TooDeep, "{formula}");
+        }
         assert!(matches!(
             compile("nothing + 1"),
             CompileError::UnknownName { .. }

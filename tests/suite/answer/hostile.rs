@@ -64,6 +64,21 @@ const WORDS: &[&str] = &[
 ];
 
 #[test]
+fn functions_told_by_their_own_rates_are_answered() {
+    let catalogue = catalogue();
+    let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));
+    for text in [
+        "x1 = x1'; x2 = x2'",
+        "x1 = x2'; x2 = x1'",
+        "x1 = A*x2 + x1''; x2 = dx1/dt",
+        "x1', x2",
+    ] {
+        let verdicts = verdicts(&solution, text);
+        assert!(!verdicts.contains(&Verdict::Right), "{text}: {verdicts:?}");
+    }
+}
+
+#[test]
 fn what_repeats_without_end_is_answered() {
     let catalogue = catalogue();
     let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));
