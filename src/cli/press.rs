@@ -6,7 +6,7 @@
 
 use std::io::{self, Read, Write};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use vibank::output::{self, Writer};
 
@@ -68,7 +68,9 @@ impl Press {
             let file = self.writer.bind(text);
             return file.map_err(|error| Failure::new(error.to_string()));
         };
-        let file = printer.print(&text)?;
+        let file = printer
+            .print(&text)
+            .map_err(|error| Failure::new(format!("a page cannot be printed: {error}")))?;
         if printer.done < TEXTS {
             self.idle().push(printer);
         }
@@ -84,7 +86,7 @@ impl Press {
         }
     }
 
-    fn idle(&self) -> std::sync::MutexGuard<'_, Vec<Printer>> {
+    fn idle(&self) -> MutexGuard<'_, Vec<Printer>> {
         self.idle.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
@@ -117,14 +119,9 @@ impl Printer {
         })
     }
 
-    /// The file of a text, or the message that it cannot be printed.
-    fn print(&mut self, text: &str) -> Result<Result<Vec<u8>, String>, Failure> {
+    /// The file of a text, or the message that it cannot be printed; an error where the process is lost.
+    fn print(&mut self, text: &str) -> io::Result<Result<Vec<u8>, String>> {
         self.done += 1;
-        self.exchange(text)
-            .map_err(|error| Failure::new(format!("a page cannot be printed: {error}")))
-    }
-
-    fn exchange(&mut self, text: &str) -> io::Result<Result<Vec<u8>, String>> {
         let texts = self.texts.as_mut().ok_or(io::ErrorKind::BrokenPipe)?;
         send(texts, text.as_bytes())?;
         let mut is_file = [0];

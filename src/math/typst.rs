@@ -9,13 +9,19 @@ use std::fmt::Write;
 use super::script::Bearer;
 use super::{Accent, Class, Display, Empty, Holes, Math, Size, Style, TableKind};
 
-/// What a Typst file defines before the formulas that are written here: `m`, `sm` and `dm` set a formula
-/// in a line, one so short that no line ends in it, and one on its own, with its words for who cannot see
-/// it; the others are the classes of
-/// signs, which TeX and Typst do not give to the same signs.
-pub const PRELUDE: &str = r#"#let m(words, formula) = math.equation(alt: words, formula.body)
+/// What a Typst file defines before the formulas that are written here: `m`, `sm`, `dm` and `lm` set a
+/// formula in a line, one so short that no line ends in it, one on its own, and one on its own that is
+/// made smaller where its place is too narrow, each with its words for who cannot see it; `fit` makes
+/// anything smaller; the others are the classes of signs, which TeX and Typst do not give to the same
+/// signs.
+pub const PRELUDE: &str = r#"#let fit(body) = layout(room => {
+  let wide = measure(body).width
+  if wide > room.width { scale(room.width / wide * 100%, reflow: true, box(width: wide, body)) } else { body }
+})
+#let m(words, formula) = math.equation(alt: words, formula.body)
 #let sm(words, formula) = box(m(words, formula))
 #let dm(words, formula) = math.equation(block: true, alt: words, formula.body)
+#let lm(words, formula) = fit(dm(words, formula))
 #let bin = math.class.with("binary")
 #let rel = math.class.with("relation")
 #let ord = math.class.with("normal")
@@ -30,6 +36,9 @@ pub const PRELUDE: &str = r#"#let m(words, formula) = math.equation(alt: words, 
 
 /// Bytes of a formula in which no line ends, about those of `x₀ = −0.17 m`.
 const SHORT: usize = 80;
+
+/// Bytes of a formula that may be wider than a page; to measure one takes as long as to set it.
+const LONG: usize = 200;
 
 impl Math {
     /// As Typst markup that sets the formula, for a file that begins with [`PRELUDE`].
@@ -50,7 +59,8 @@ impl Math {
         out.push_str(match display {
             Display::Inline if body.len() <= SHORT => "#sm(",
             Display::Inline => "#m(",
-            Display::Block => "#dm(",
+            Display::Block if body.len() <= LONG => "#dm(",
+            Display::Block => "#lm(",
         });
         let mut words = String::new();
         self.write_spoken(&mut words, holes);

@@ -12,26 +12,31 @@ use crate::math::{Math, symbol};
 use crate::quantity::{Graph, NodeId};
 use crate::source::Table;
 
-/// The names of an item as its figure sees them.
-struct Names<'a> {
+/// The names of an item as its figure and its plots see them.
+pub(super) struct Names<'a> {
     graph: &'a Graph,
     quantities: &'a BTreeMap<NodeId, QuantityInfo>,
     free: &'a [Known],
 }
 
-impl Notation for Names<'_> {
-    fn name(&self, name: &Name) -> Symbol {
+impl Names<'_> {
+    /// The symbol of a quantity, or else of a free variable.
+    pub(super) fn symbol(&self, name: &Name) -> Math {
         let quantity = self
             .graph
             .find(name)
             .and_then(|node| self.quantities.get(&node));
         let free = || self.free.iter().find(|known| known.name == *name);
-        Symbol::letter(
-            quantity
-                .map(|info| &info.symbol)
-                .or_else(|| free().map(|known| &known.symbol))
-                .map_or_else(|| symbol(name.as_str()), |own| Math::clone(own)),
-        )
+        quantity
+            .map(|info| &info.symbol)
+            .or_else(|| free().map(|known| &known.symbol))
+            .map_or_else(|| symbol(name.as_str()), |own| own.as_ref().clone())
+    }
+}
+
+impl Notation for Names<'_> {
+    fn name(&self, name: &Name) -> Symbol {
+        Symbol::letter(self.symbol(name))
     }
 }
 
@@ -55,14 +60,17 @@ impl<'s> Reader<'s> {
         let caption = caption
             .map(|text| self.plain_text(&text))
             .unwrap_or_default();
-        let names = Names {
-            graph: &self.graph,
-            quantities: &self.quantities,
-            free: &self.free,
-        };
-        let (figure, mut findings) = Figure::read(&table, &names);
+        let (figure, mut findings) = Figure::read(&table, &self.names());
         self.findings.append(&mut findings);
         table.finish();
         (Some(figure), caption)
+    }
+
+    pub(super) fn names(&self) -> Names<'_> {
+        Names {
+            graph: &self.graph,
+            quantities: &self.quantities,
+            free: &self.free,
+        }
     }
 }

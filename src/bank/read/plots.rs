@@ -123,7 +123,7 @@ impl<'s> Reader<'s> {
         };
         let label = match &label {
             Some(label) => self.plot_label(label),
-            None => self.symbol_of(&name),
+            None => self.names().symbol(&name),
         };
         let ticks = ticks.and_then(|text| self.ticks(plot, &text, &unit));
         let kind = Type::real(unit.dimension());
@@ -207,20 +207,6 @@ impl<'s> Reader<'s> {
         declared
             .filter(|unit| dimension.is_none_or(|dimension| unit.dimension() == dimension))
             .unwrap_or_else(|| coherent(dimension))
-    }
-
-    fn symbol_of(&self, name: &Name) -> Math {
-        let info = self
-            .graph
-            .find(name)
-            .and_then(|node| self.quantities.get(&node));
-        let free = self.free.iter().find(|known| known.name == *name);
-        info.map(|info| &info.symbol)
-            .or_else(|| free.map(|known| &known.symbol))
-            .map_or_else(
-                || crate::math::symbol(name.as_str()),
-                |own| Math::clone(own),
-            )
     }
 
     /// The distance of ticks; a share of π gives labels that are shares of π.

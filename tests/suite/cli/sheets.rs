@@ -27,6 +27,14 @@ fn files(folder: &Path) -> BTreeMap<String, String> {
     found
 }
 
+/// A plan of one question without solutions, in a folder.
+fn drill(folder: &Path, format: &str, variants: usize, item: &str) -> String {
+    let plan = format!(
+        "title = 'T'\nseed = 1\nvariants = {variants}\nformats = ['{format}']\nsolutions = false\n[[question]]\nitem = '{item}'\n"
+    );
+    put(folder, "test.toml", plan)
+}
+
 #[test]
 fn a_run_writes_sheets_keys_solutions_form_and_manifest() {
     let folder = folder("sheet");
@@ -137,8 +145,7 @@ fn the_same_input_gives_the_same_bytes_with_any_number_of_threads() {
 #[test]
 fn figures_of_latex_are_drawn_by_several_threads() {
     let folder = folder("latex");
-    let plan = "title = 'T'\nseed = 1\nvariants = 8\nformats = ['tex']\nsolutions = false\n[[question]]\nitem = 'ch5/e5-coupled-pendulums-modes'\n";
-    let plan = put(&folder, "test.toml", plan);
+    let plan = drill(&folder, "tex", 8, "ch5/e5-coupled-pendulums-modes");
     let made = |name: &str, threads: &str| {
         let out = folder.join(name);
         vibank(&[
@@ -165,8 +172,7 @@ fn figures_of_latex_are_drawn_by_several_threads() {
 #[test]
 fn pages_are_printed_the_same_by_any_number_of_processes() {
     let folder = folder("print");
-    let plan = "title = 'T'\nseed = 1\nvariants = 3\nformats = ['pdf']\nsolutions = false\n[[question]]\nitem = 'ch1/e7-rolling-disk-ke'\n";
-    let plan = put(&folder, "test.toml", plan);
+    let plan = drill(&folder, "pdf", 3, "ch1/e7-rolling-disk-ke");
     let made = |name: &str, threads: &str| {
         let out = text_of(&folder.join(name));
         vibank(&["sheet", &plan, "--out", &out, "--threads", threads]).ends(0);
@@ -185,38 +191,28 @@ fn pages_are_printed_the_same_by_any_number_of_processes() {
 #[test]
 fn a_page_that_cannot_be_printed_is_told() {
     let folder = folder("unprinted");
-    let plan = "title = 'T'\nseed = 1\nvariants = 1\nformats = ['pdf']\n[[question]]\nitem = 'ch1/e7-rolling-disk-ke'\n";
-    let plan = put(&folder, "test.toml", plan);
+    let plan = drill(&folder, "pdf", 1, "ch1/e7-rolling-disk-ke");
     let layouts = folder.join("layouts");
     fs::create_dir_all(layouts.join("pdf")).expect("it can be made");
     fs::write(layouts.join("pdf/end.typ"), "#nothing-of-this-name").expect("it can be written");
-    let ran = vibank(&[
-        "sheet",
-        &plan,
-        "--out",
-        &text_of(&folder.join("out")),
-        "--layouts",
-        &text_of(&layouts),
-    ])
-    .ends(2);
-    assert!(
-        ran.err.contains("cannot be printed: unknown variable"),
-        "{}",
-        ran.err
-    );
+    let (out, layouts) = (text_of(&folder.join("out")), text_of(&layouts));
+    vibank(&["sheet", &plan, "--out", &out, "--layouts", &layouts])
+        .ends(2)
+        .complains("cannot be printed: unknown variable");
 }
 
 #[cfg(feature = "pdf")]
 #[test]
 fn what_prints_bears_any_bytes() {
-    let mut cut = u64::MAX.to_le_bytes().to_vec();
-    cut.extend(b"cut");
-    let mut no_words = 2u64.to_le_bytes().to_vec();
-    no_words.extend(b"\xff\xfe");
+    let sent = |length: u64, bytes: &[u8]| [&length.to_le_bytes(), bytes].concat();
+    let cut = sent(u64::MAX, b"cut");
     for input in [Vec::new(), b"ab".to_vec(), cut] {
         assert_eq!(super::fed(&["print", "pdf"], input).ends(0).out, "");
     }
-    super::fed(&["print", "nothing"], no_words).ends(2);
+    super::fed(&["print", "pdf"], sent(3, b"\xff#\xfe"))
+        .ends(0)
+        .says("is not valid in code");
+    super::fed(&["print", "nothing"], Vec::new()).ends(2);
 }
 
 #[test]
