@@ -10,7 +10,7 @@ const LONGEST: usize = 5 << 20;
 /// Answers each line of standard input on standard output; empty lines are skipped.
 pub(crate) fn answer(mut reply: impl FnMut(&str) -> String) -> Result<Outcome, Failure> {
     let fail = |error: io::Error| Failure::new(format!("cannot read standard input: {error}"));
-    let mut input = io::stdin().lock();
+    let mut input = io::BufReader::new(io::stdin().lock());
     let mut output = io::BufWriter::new(io::stdout().lock());
     let mut line = Vec::new();
     loop {
@@ -23,8 +23,9 @@ pub(crate) fn answer(mut reply: impl FnMut(&str) -> String) -> Result<Outcome, F
         if text.trim().is_empty() {
             continue;
         }
+        // Who sends one request and waits for its reply gets it; those that wait together are answered together.
         let written = writeln!(output, "{}", reply(text)).and_then(|()| {
-            if input.fill_buf()?.is_empty() {
+            if input.buffer().is_empty() {
                 output.flush()
             } else {
                 Ok(())

@@ -11,7 +11,7 @@ use serde_json::{Map, Value as Json, json};
 use super::{Grade, remarks};
 use crate::bank::{Catalogue, Template};
 use crate::solution::Solution;
-use crate::solution::request::{LONGEST_LINE, Refusal, find, instance};
+use crate::solution::request::{Refusal, find, instance, read};
 
 /// A response to be marked.
 #[derive(Clone, Debug, Deserialize)]
@@ -39,28 +39,17 @@ pub struct Request {
 
 /// Answers one line; the reply has no line break.
 pub fn answer(catalogue: &Catalogue, line: &str) -> String {
-    let request = if line.len() > LONGEST_LINE {
-        Err(Refusal::new(
-            "limit",
-            format!("the line has more than {LONGEST_LINE} bytes"),
-        ))
-    } else {
-        serde_json::from_str::<Request>(line)
-            .map_err(|error| Refusal::new("json", error.to_string()))
-    };
-    let reply = match request {
-        Ok(request) => {
-            let mut reply = match marked(catalogue, &request) {
-                Ok(reply) => reply,
-                Err(refusal) => Map::from_iter([("error".to_owned(), json!(refusal))]),
-            };
+    let reply = read(line).map_or_else(
+        |refused| refused,
+        |request: Request| {
+            let mut reply = marked(catalogue, &request)
+                .unwrap_or_else(|refusal| Map::from_iter([("error".to_owned(), json!(refusal))]));
             if let Some(tag) = request.tag {
                 reply.insert("tag".to_owned(), tag);
             }
             reply
-        }
-        Err(refusal) => Map::from_iter([("error".to_owned(), json!(refusal))]),
-    };
+        },
+    );
     Json::Object(reply).to_string()
 }
 

@@ -4,6 +4,7 @@
 //! {"id":"ch2/e8-springs-parallel-series","set":{"k1":"200 N/m"},"want":["k_par"]}
 //! ```
 
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value as Json, json};
 
@@ -64,36 +65,34 @@ impl Refusal {
 
 /// Answers one line; the reply has no line break.
 pub fn answer(catalogue: &Catalogue, line: &str) -> String {
-    let reply = match read(line) {
-        Ok(request) => reply(catalogue, &request),
-        Err(refusal) => {
-            // Identity and tag go back with the refusal where they could be read.
-            let parts: Json = serde_json::from_str(line.get(..LONGEST_LINE).unwrap_or(line))
-                .unwrap_or(Json::Null);
-            let mut reply = Map::new();
-            for key in ["id", "tag"] {
-                if let Some(value) = parts
-                    .get(key)
-                    .filter(|value| !value.is_object() && !value.is_array())
-                {
-                    reply.insert(key.to_owned(), value.clone());
-                }
-            }
-            reply.insert("error".to_owned(), json!(refusal));
-            reply
-        }
-    };
+    let reply = read(line).map_or_else(|refused| refused, |request| reply(catalogue, &request));
     Json::Object(reply).to_string()
 }
 
-fn read(line: &str) -> Result<Request, Refusal> {
-    if line.len() > LONGEST_LINE {
-        return Err(Refusal::new(
-            "limit",
-            format!("the line has more than {LONGEST_LINE} bytes"),
-        ));
-    }
-    serde_json::from_str(line).map_err(|error| Refusal::new("json", error.to_string()))
+/// The request in a line, or the reply that refuses it, with identity and tag where they could be read.
+pub(crate) fn read<T: DeserializeOwned>(line: &str) -> Result<T, Map<String, Json>> {
+    let (refusal, parts) = if line.len() > LONGEST_LINE {
+        let message = format!("the line has more than {LONGEST_LINE} bytes");
+        (Refusal::new("limit", message), Json::Null)
+    } else {
+        let error = match serde_json::from_str(line) {
+            Ok(request) => return Ok(request),
+            Err(error) => error.to_string(),
+        };
+        let parts = serde_json::from_str(line).unwrap_or(Json::Null);
+        let message = match parts {
+            Json::Null | Json::Object(_) => error.replace(" at line 1 column ", " at column "),
+            _ => "a request is one JSON object".to_owned(),
+        };
+        (Refusal::new("json", message), parts)
+    };
+    let is_plain = |value: &&Json| !value.is_object() && !value.is_array();
+    let known = ["id", "tag"].into_iter().filter_map(|key| {
+        let value = parts.get(key).filter(is_plain)?;
+        Some((key.to_owned(), value.clone()))
+    });
+    let error = ("error".to_owned(), json!(refusal));
+    Err(known.chain([error]).collect())
 }
 
 /// Answers one request.

@@ -260,3 +260,55 @@ fn earlier_responses_go_on_in_a_later_part() {
     assert_eq!(replies[2]["error"]["code"], "json");
     assert_eq!(replies[3]["error"]["code"], "unknown-answer");
 }
+
+#[test]
+fn who_waits_for_a_reply_gets_it() {
+    use std::io::{BufRead, BufReader, Write};
+    use std::process::{Command, Stdio};
+    for command in ["mark", "solve"] {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_vibank"))
+            .args([command, "--jsonl", "--bank", BANK])
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .expect("the program starts");
+        let mut stdin = child.stdin.take().expect("it has a standard input");
+        let mut replies = BufReader::new(child.stdout.take().expect("it has a standard output"));
+        for tag in 0..3 {
+            writeln!(
+                stdin,
+                "{}",
+                json!({"id": "free/nothing", "part": "a", "response": "1", "tag": tag})
+            )
+            .expect("it reads");
+            let mut reply = String::new();
+            replies.read_line(&mut reply).expect("it replies");
+            assert!(
+                reply.contains("error") && reply.contains(&format!("\"tag\":{tag}")),
+                "{reply}"
+            );
+        }
+        drop(stdin);
+        child.wait().expect("it ends");
+    }
+}
+
+#[test]
+fn what_is_no_request_is_told_in_plain_words() {
+    let replies = answers(
+        "mark",
+        &[
+            json!([1, 2]),
+            json!({"tag": 7, "id": 3}),
+            json!({"id": "a", "part": "b", "answer": "c"}),
+        ],
+    );
+    let message = |at: usize| replies[at]["error"]["message"].as_str().unwrap_or_default();
+    assert_eq!(message(0), "a request is one JSON object");
+    assert_eq!(replies[1]["tag"], 7);
+    assert!(
+        message(2).contains("`answer`") && !message(2).contains("line"),
+        "{}",
+        message(2)
+    );
+}
