@@ -98,7 +98,9 @@ impl Responses {
     /// Adds a row; [`Self::settle`] has to follow the last one.
     pub fn add(&mut self, row: &Row<'_>) -> Option<RowError> {
         let line = row.line;
-        let Ok(question) = row.question.trim().parse::<usize>() else {
+        // Some spreadsheets write whole numbers with a decimal.
+        let number = row.question.trim();
+        let Ok(question) = number.strip_suffix(".0").unwrap_or(number).parse() else {
             let found = row.question.to_owned();
             return Some(RowError::Question { line, found });
         };

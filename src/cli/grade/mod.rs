@@ -112,7 +112,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     };
     job.mark(census.sheets)?;
     faults.extend(job.responses.unclaimed().iter().map(ToString::to_string));
-    faults.extend(job.overrides.unclaimed());
+    faults.extend(job.overrides.doubts());
     job.finish(&faults, &census.changed)
 }
 
@@ -247,7 +247,7 @@ impl Job<'_> {
                 part: part.letter.clone(),
             };
             self.responses.claim(&place);
-            self.overrides.claim(&place);
+            self.overrides.claim(&place, part.max.0);
         }
         Ok(())
     }

@@ -7,11 +7,12 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use vibank::grade::Place;
+use vibank::grade::{Place, rounded};
 use vibank::numerics::Rational;
 use vibank::seed::Variant;
 
 use super::outcome::fraction;
+use crate::cli::responses::{self, Lines};
 use crate::cli::{Failure, files};
 
 /// What a teacher decided about a part.
@@ -19,6 +20,8 @@ use crate::cli::{Failure, files};
 pub(super) struct Override {
     line: usize,
     is_claimed: bool,
+    /// The points of the part, where more were given.
+    exceeded: Option<Rational>,
     /// What is marked in place of what was handed in.
     pub(super) response: Option<String>,
     pub(super) points: Option<Rational>,
@@ -42,7 +45,7 @@ impl Overrides {
         let mut reader = csv::ReaderBuilder::new()
             .flexible(true)
             .trim(csv::Trim::All)
-            .delimiter(crate::cli::responses::delimiter(text.as_bytes()))
+            .delimiter(responses::delimiter(text.as_bytes()))
             .from_reader(text.as_bytes());
         let names: Vec<String> = reader
             .headers()
@@ -61,9 +64,11 @@ impl Overrides {
         };
         let [response, points, feedback] = ["response", "points", "feedback"].map(column);
         let (mut overrides, mut faults) = (Self::default(), Vec::new());
+        let mut lines = Lines::of(text.as_bytes());
         for record in reader.records() {
             let record = record.map_err(broken)?;
-            let line = record.position().map_or(0, csv::Position::line) as usize;
+            let byte = record.position().map_or(0, csv::Position::byte);
+            let (_, line) = lines.of_row(byte as usize);
             let field = |at: usize| record.get(at).unwrap_or_default();
             let filled = |at: Option<usize>| at.map(field).filter(|text| !text.is_empty());
             let decided = [response, points, feedback].map(filled);
@@ -96,6 +101,7 @@ impl Overrides {
         let decision = Override {
             line,
             is_claimed: false,
+            exceeded: None,
             response: response.map(str::to_owned),
             points,
             feedback: feedback.map(str::to_owned),
@@ -119,8 +125,8 @@ impl Overrides {
         })
     }
 
-    /// Notes that a part was handed out.
-    pub(super) fn claim(&mut self, place: &Place) {
+    /// Notes that a part of so many points was handed out.
+    pub(super) fn claim(&mut self, place: &Place, most: Rational) {
         let all = Place {
             code: ALL.to_owned(),
             ..place.clone()
@@ -128,20 +134,45 @@ impl Overrides {
         for place in [place, &all] {
             if let Some(decision) = self.0.get_mut(place) {
                 decision.is_claimed = true;
+                if decision.points.is_some_and(|points| points > most) {
+                    decision.exceeded = Some(most);
+                }
             }
         }
     }
 
-    /// The decisions about parts that were not handed out, each with its line.
-    pub(super) fn unclaimed(&self) -> Vec<String> {
-        let lost = self.0.iter().filter(|(_, decision)| !decision.is_claimed);
-        lost.map(|(place, decision)| {
-            format!(
-                "overrides, line {}: no part {}{} of a sheet {} was handed out",
-                decision.line, place.question, place.part, place.code
-            )
-        })
-        .collect()
+    /// What looks like a slip, by line: a decision about a part that was not handed out, or more points than it has.
+    pub(super) fn doubts(&self) -> Vec<String> {
+        let mut doubts: Vec<(usize, String)> = self
+            .0
+            .iter()
+            .filter_map(|(place, decision)| Some((decision.line, decision.doubt(place)?)))
+            .collect();
+        doubts.sort();
+        let told = doubts.into_iter();
+        told.map(|(line, doubt)| format!("overrides, line {line}: {doubt}"))
+            .collect()
+    }
+}
+
+impl Override {
+    fn doubt(&self, place: &Place) -> Option<String> {
+        let Place {
+            code,
+            question,
+            part,
+        } = place;
+        if !self.is_claimed {
+            return Some(format!(
+                "no part {question}{part} of a sheet {code} was handed out"
+            ));
+        }
+        let (points, most) = (self.points?, self.exceeded?);
+        Some(format!(
+            "{} points were given for part {question}{part}, which has {}; they count as given",
+            rounded(points),
+            rounded(most)
+        ))
     }
 }
 

@@ -2,6 +2,10 @@
 //!
 //! A row that cannot be read is told with its line; the others count.
 
+mod table;
+
+pub(crate) use table::{Lines, delimiter};
+
 use std::path::Path;
 
 use serde_json::{Map, Value as Json};
@@ -95,112 +99,6 @@ impl Reading {
             }
         }
     }
-
-    fn csv(&mut self, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-        let delimiter = delimiter(bytes);
-        let mut header = csv::ReaderBuilder::new()
-            .delimiter(delimiter)
-            .flexible(true)
-            .from_reader(bytes);
-        let broken =
-            |error: csv::Error| Failure::new(format!("`{}` is no CSV: {error}", path.display()));
-        let names: Vec<String> = header
-            .byte_headers()
-            .map_err(broken)?
-            .iter()
-            .map(|name| String::from_utf8_lossy(name).trim().to_lowercase())
-            .collect();
-        let layout = Layout::of(&names).ok_or_else(|| {
-            Failure::new(format!("`{}` has no columns of responses", path.display()))
-                .help("the header needs `code`, `question`, `part`, `response`, or `code` and one column a part (`1a`, `1b`)")
-        })?;
-        let start = header.position().byte() as usize;
-        let mut at = Place {
-            byte: start,
-            line: 1 + lines(&bytes[..start]),
-        };
-        while at.byte < bytes.len() {
-            at = self
-                .rows(&bytes[at.byte..], at, delimiter, &layout)
-                .map_err(broken)?;
-        }
-        Ok(())
-    }
-
-    /// Reads rows up to the end, or up to behind a line whose quote is not closed.
-    fn rows(
-        &mut self,
-        bytes: &[u8],
-        from: Place,
-        delimiter: u8,
-        layout: &Layout,
-    ) -> Result<Place, csv::Error> {
-        let mut reader = csv::ReaderBuilder::new()
-            .delimiter(delimiter)
-            .flexible(true)
-            .has_headers(false)
-            .from_reader(bytes);
-        let mut record = csv::ByteRecord::new();
-        while reader.read_byte_record(&mut record)? {
-            let start = record
-                .position()
-                .cloned()
-                .unwrap_or_else(csv::Position::new);
-            let (begin, line) = (start.byte() as usize, from.line + start.line() as usize - 1);
-            let end = reader.position().byte() as usize;
-            if is_open(&bytes[begin..end], end == bytes.len()) {
-                self.faults.push(format!(
-                    "line {line}: a quote is not closed; this line was left out"
-                ));
-                let length = bytes[begin..].iter().position(|byte| *byte == b'\n');
-                return Ok(Place {
-                    byte: from.byte + length.map_or(bytes.len(), |length| begin + length + 1),
-                    line: line + 1,
-                });
-            }
-            self.record(line, &record, layout);
-        }
-        Ok(Place {
-            byte: from.byte + bytes.len(),
-            line: from.line,
-        })
-    }
-
-    fn record(&mut self, line: usize, record: &csv::ByteRecord, layout: &Layout) {
-        match record
-            .iter()
-            .map(std::str::from_utf8)
-            .collect::<Result<Vec<_>, _>>()
-        {
-            Ok(fields) => layout.rows(line, &fields, &mut |row| self.add(row)),
-            Err(_) => {
-                let fault = format!("line {line}: not UTF-8; save the file as UTF-8");
-                self.faults.push(fault);
-            }
-        }
-    }
-}
-
-/// Where reading goes on.
-#[derive(Clone, Copy)]
-struct Place {
-    byte: usize,
-    line: usize,
-}
-
-fn lines(bytes: &[u8]) -> usize {
-    count(bytes, b'\n')
-}
-
-fn count(bytes: &[u8], sign: u8) -> usize {
-    bytes.iter().filter(|byte| **byte == sign).count()
-}
-
-/// Whether a row has a quote that was not closed: it runs on and on, or to the end of the file.
-fn is_open(row: &[u8], is_last: bool) -> bool {
-    const MOST_LINES: usize = 60;
-    let is_odd = || count(row, b'"') % 2 == 1;
-    lines(row) > MOST_LINES || is_last && lines(row) > 1 && is_odd()
 }
 
 /// A text, or a number as it is written.
@@ -211,18 +109,6 @@ fn written(value: &Json) -> Option<String> {
         Json::Null => Some(String::new()),
         _ => None,
     }
-}
-
-/// Spreadsheets write semicolons where the comma is the decimal sign.
-pub(crate) fn delimiter(bytes: &[u8]) -> u8 {
-    let header = bytes
-        .split(|byte| *byte == b'\n')
-        .next()
-        .unwrap_or_default();
-    [b',', b';', b'\t']
-        .into_iter()
-        .max_by_key(|sign| (count(header, *sign), *sign == b','))
-        .unwrap_or(b',')
 }
 
 /// Where in a line the answers stand.
@@ -246,6 +132,13 @@ impl Layout {
         };
         let parts: Vec<_> = names.iter().enumerate().filter_map(part).collect();
         (!parts.is_empty()).then_some(Self::Sheets(places[0]?, parts))
+    }
+
+    /// The column of codes.
+    fn code(&self) -> usize {
+        match self {
+            Self::Parts([code, ..]) | Self::Sheets(code, _) => *code,
+        }
     }
 
     fn rows(&self, line: usize, fields: &[&str], take: &mut dyn FnMut(&Row<'_>)) {

@@ -514,6 +514,100 @@ fn a_changed_item_is_refused_unless_asked_for_and_changed_marks_are_listed() {
 }
 
 #[test]
+fn tables_are_read_as_spreadsheets_and_hands_leave_them() {
+    let exam = Exam::new("spreadsheets", "seed = 7\nvariants = 3");
+    let manifest = text_of(&exam.folder.join("out/manifest.json"));
+    let out = text_of(&exam.folder.join("marks"));
+    let grade = |name: &str, form: Vec<u8>| {
+        let path = exam.folder.join(name);
+        std::fs::write(&path, form).expect("it can be written");
+        small(&["grade", &manifest, &text_of(&path), "--out", &out])
+    };
+    let row = |variant: usize| {
+        format!(
+            "{};1;a;{:.4} rad/s",
+            exam.code(variant),
+            exam.omega(variant)
+        )
+    };
+    // Ends of lines, empty lines and empty rows are no rows, and are counted.
+    let head = "code;question;part;response";
+    let form = format!(
+        "sep=;\r\n{head}\r\n\r\n;;;\r\n{};x;a;1\r\n{}\r\n",
+        exam.code(1),
+        row(0)
+    );
+    grade("crlf.csv", form.into_bytes())
+        .ends(1)
+        .complains("line 5: question `x` is no number")
+        .says("1 right");
+    // A quote that is closed by that of another row.
+    let form = format!(
+        "{head}\n{};1;b;\"3.1 Hz\n{}\n{};1;b;\"3.1 Hz\"\n{}\n",
+        exam.code(0),
+        row(0),
+        exam.code(1),
+        row(2)
+    );
+    grade("quotes.csv", form.into_bytes())
+        .ends(1)
+        .complains("line 2: a quote is not closed")
+        .says("2 right");
+    // An answer of several lines is one.
+    let form = format!("{head}\n{};1;b;\"3.1\nHz\"\n{}\n", exam.code(0), row(1));
+    grade("lines.csv", form.into_bytes()).ends(0);
+    // A comma that cuts an answer in two.
+    let form = format!(
+        "code,question,part,response,\n{},1,a,3,14,\n{}\n",
+        exam.code(0),
+        row(1).replace(';', ",")
+    );
+    grade("cells.csv", form.into_bytes()).ends(0);
+    let form = format!(
+        "code,question,part,response\n{},1,a,3,14\n{},,\n",
+        exam.code(0),
+        row(1).replace(';', ",")
+    );
+    grade("more.csv", form.into_bytes())
+        .ends(1)
+        .complains("line 2: more cells than the header has")
+        .says("1 right");
+    let wide: Vec<u8> = head.encode_utf16().flat_map(u16::to_le_bytes).collect();
+    grade("wide.csv", [vec![0xff, 0xfe], wide].concat())
+        .ends(2)
+        .complains("is UTF-16");
+}
+
+#[test]
+fn more_points_than_a_part_has_are_told() {
+    let exam = Exam::new("many-points", "seed = 7\nvariants = 1");
+    let manifest = text_of(&exam.folder.join("out/manifest.json"));
+    let form = put(
+        &exam.folder,
+        "form.csv",
+        format!("code,question,part,response\n{},1,a,2\n", exam.code(0)),
+    );
+    let settled = put(
+        &exam.folder,
+        "settled.csv",
+        "code,question,part,points\r\n*,1,a,90\r\n*,9,a,1\r\n",
+    );
+    let out = text_of(&exam.folder.join("marks"));
+    small(&[
+        "grade",
+        &manifest,
+        &form,
+        "--out",
+        &out,
+        "--overrides",
+        &settled,
+    ])
+    .ends(1)
+    .complains("overrides, line 2: 90 points were given for part 1a")
+    .complains("overrides, line 3: no part 9a");
+}
+
+#[test]
 fn broken_rows_are_told_and_the_rest_is_marked() {
     let exam = Exam::new("broken-rows", "seed = 7\nvariants = 2");
     let manifest = text_of(&exam.folder.join("out/manifest.json"));
