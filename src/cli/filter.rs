@@ -1,6 +1,11 @@
 //! Which items of the bank are meant.
 
-use vibank::bank::Template;
+use std::collections::BTreeSet;
+
+use vibank::bank::{Catalogue, Template};
+use vibank::source::nearest;
+
+use super::Failure;
 
 /// Items by chapter, topic, level and kind of answer.
 #[derive(clap::Args)]
@@ -30,22 +35,55 @@ impl Filter {
 
     /// Whether an item passes.
     pub(crate) fn wants(&self, item: &Template) -> bool {
-        fn fits<'a>(wanted: Option<&String>, found: impl IntoIterator<Item = &'a str>) -> bool {
-            wanted.is_none_or(|wanted| {
-                found
-                    .into_iter()
-                    .any(|found| found.eq_ignore_ascii_case(wanted))
-            })
-        }
-        fits(self.chapter.as_ref(), [item.id.chapter()])
-            && fits(
-                self.topic.as_ref(),
-                item.about.topics.iter().map(|topic| topic.value.as_str()),
-            )
+        let is_wanted = |(_, wanted, found): (&str, Option<&String>, Vec<&str>)| {
+            wanted.is_none_or(|wanted| has(&found, wanted))
+        };
+        self.marks(item).into_iter().all(is_wanted)
             && self.level.is_none_or(|level| level == item.about.level)
-            && fits(
-                self.kind.as_ref(),
-                item.parts.iter().map(|part| part.answer.kind().name()),
-            )
     }
+
+    /// Why no item passes.
+    pub(crate) fn refusal(&self, catalogue: &Catalogue) -> Failure {
+        self.unknown(catalogue).unwrap_or_else(|| {
+            Failure::new("no item fits all of this")
+                .help("`vibank list` shows all items, chapters and topics")
+        })
+    }
+
+    /// A wanted word that fits no item of the bank, with what would.
+    pub(crate) fn unknown(&self, catalogue: &Catalogue) -> Option<Failure> {
+        let all: Vec<_> = catalogue.items().map(|item| self.marks(item)).collect();
+        (0..all.first()?.len()).find_map(|at| {
+            let (name, wanted, _) = all[0][at];
+            let wanted = wanted?;
+            let found: BTreeSet<&str> = all.iter().flat_map(|marks| marks[at].2.clone()).collect();
+            let known: Vec<&str> = found.into_iter().collect();
+            if has(&known, wanted) {
+                return None;
+            }
+            let help = match nearest(wanted, known.iter().copied()) {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => format!("the bank has {}", known.join(", ")),
+            };
+            Some(Failure::new(format!("no item has the {name} `{wanted}`")).help(help))
+        })
+    }
+
+    /// What is wanted of the chapter, the topics and the kinds of an item, beside what it has.
+    fn marks<'a>(
+        &'a self,
+        item: &'a Template,
+    ) -> [(&'static str, Option<&'a String>, Vec<&'a str>); 3] {
+        let topics = item.about.topics.iter().map(|topic| topic.value.as_str());
+        let kinds = item.parts.iter().map(|part| part.answer.kind().name());
+        [
+            ("chapter", self.chapter.as_ref(), vec![item.id.chapter()]),
+            ("topic", self.topic.as_ref(), topics.collect()),
+            ("kind", self.kind.as_ref(), kinds.collect()),
+        ]
+    }
+}
+
+fn has(found: &[&str], wanted: &str) -> bool {
+    found.iter().any(|found| found.eq_ignore_ascii_case(wanted))
 }

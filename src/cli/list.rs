@@ -58,7 +58,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         );
     }
     if items.is_empty() {
-        eprintln!("no item fits");
+        if let Some(failure) = arguments.filter.unknown(&catalogue) {
+            return Err(failure);
+        }
+        eprintln!("no item fits all of this");
     }
     Ok(Outcome::Done)
 }

@@ -78,8 +78,7 @@ fn filtered(filter: &Filter, catalogue: &Catalogue) -> Result<Offered, Failure> 
         .filter(|item| filter.wants(item))
         .collect();
     if items.is_empty() {
-        return Err(Failure::new("no item passes this filter")
-            .help("`vibank list` shows chapters, topics, levels and kinds"));
+        return Err(filter.refusal(catalogue));
     }
     Ok(Practice::of_items(catalogue, &items, &catalogue.bank.title))
 }

@@ -93,6 +93,10 @@ fn chosen<'c>(
     if !items.is_empty() {
         return Ok(items);
     }
+    let filter = &arguments.filter;
+    if wanted.is_empty() || filter.unknown(catalogue).is_some() {
+        return Err(filter.refusal(catalogue));
+    }
     let failure = Failure::new(format!("no item fits `{wanted}`"));
     Err(match catalogue.nearest(wanted) {
         Some(near) => failure.help(format!("did you mean `{near}`?")),

@@ -52,9 +52,15 @@ fn items_are_listed_and_filtered() {
     assert_eq!(list[0]["parts"][1]["kind"], "numeric");
     let by_kind = small(&["list", "--kind", "choice"]).ends(0);
     assert!(by_kind.out.contains("damped-block") && !by_kind.out.contains("half-cycles"));
-    small(&["list", "--topic", "acoustics"])
+    small(&["list", "--kind", "choice", "--level", "3"])
         .ends(0)
-        .complains("no item fits");
+        .complains("no item fits all of this");
+    small(&["list", "--topic", "acoustics"])
+        .ends(2)
+        .complains("no item has the topic `acoustics`");
+    small(&["list", "--kind", "choise"])
+        .ends(2)
+        .complains("did you mean `choice`?");
 }
 
 #[test]
