@@ -507,7 +507,7 @@ function options(part) {
   });
   const root = make("fieldset", {}, legend);
   const inputs = asked.options.map((option, at) => {
-    const input = make("input", { type, name, value: option.id, id: `${name}-${at}` });
+    const input = make("input", { type, name, value: option.letter, id: `${name}-${at}` });
     const label = make("label", { htmlFor: input.id, innerHTML: option.text });
     input.addEventListener("change", () => part.changed());
     root.append(make("div", { className: "option" }, input, label));
@@ -515,8 +515,8 @@ function options(part) {
   });
   const chosen = () => inputs.filter((input) => input.checked).map((input) => input.value);
   const fill = (response) => {
-    const ids = response.split(", ");
-    inputs.forEach((input) => (input.checked = ids.includes(input.value)));
+    const letters = response.split(", ");
+    inputs.forEach((input) => (input.checked = letters.includes(input.value)));
   };
   return { root, isChoice: true, value: () => chosen().join(", "), fill };
 }

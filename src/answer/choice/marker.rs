@@ -1,0 +1,178 @@
+//! Marks what was chosen.
+
+use super::super::{
+    Credit, Feedback, Key, KeyValue, Marker, Marking, Nature, Reading, Reason, Trial,
+};
+use crate::document::Document;
+use crate::math::Math;
+use crate::numerics::Rational;
+
+/// A prepared key; places are those of the file.
+pub(super) struct Chosen {
+    pub(super) ids: Vec<String>,
+    pub(super) words: Vec<String>,
+    pub(super) feedback: Vec<Option<Document>>,
+    pub(super) right: Vec<bool>,
+    pub(super) order: Vec<usize>,
+    pub(super) is_several: bool,
+    pub(super) is_ranking: bool,
+}
+
+impl Chosen {
+    fn letter(&self, place: usize) -> char {
+        let position = self
+            .order
+            .iter()
+            .position(|own| *own == place)
+            .unwrap_or(place);
+        (b'a' + position as u8) as char
+    }
+
+    fn reading(&self, places: &[usize]) -> Reading {
+        let ids: Vec<&str> = places
+            .iter()
+            .map(|place| self.ids[*place].as_str())
+            .collect();
+        let text = ids.join(", ");
+        Reading {
+            math: Math::text(text.clone()),
+            text,
+            si: Vec::new(),
+        }
+    }
+
+    fn feedback(&self, place: usize) -> Option<Feedback> {
+        let text = self.feedback[place].as_ref()?;
+        Some(Feedback::Text(text.clone()))
+    }
+
+    fn mark_one(&self, places: &[usize]) -> Marking {
+        let mut places = places.to_vec();
+        places.dedup();
+        let [place] = &places[..] else {
+            return Marking::unreadable("One option is asked: type one letter.");
+        };
+        let reading = self.reading(&places);
+        if self.right[*place] {
+            return Marking::read(reading, Credit::FULL, Reason::Matches, None);
+        }
+        Marking::read(reading, Credit::NONE, Reason::Other, self.feedback(*place))
+    }
+
+    fn mark_several(&self, places: &[usize]) -> Marking {
+        let agree = (0..self.right.len())
+            .filter(|place| self.right[*place] == places.contains(place))
+            .count();
+        let differ = self.right.len() - agree;
+        let share = Rational::new(
+            agree.saturating_sub(differ) as i128,
+            self.right.len() as i128,
+        );
+        let credit = share.and_then(Credit::new).unwrap_or(Credit::NONE);
+        let mut marking = Marking::read(self.reading(places), credit, Reason::Other, None);
+        if credit == Credit::FULL {
+            marking.reasons = vec![Reason::Matches];
+        }
+        let wrong = places.iter().filter(|place| !self.right[**place]);
+        marking
+            .feedback
+            .extend(wrong.filter_map(|place| self.feedback(*place)));
+        marking
+    }
+
+    /// The pairs of neighbours in the right order count.
+    fn mark_ranking(&self, places: &[usize]) -> Marking {
+        let mut seen = places.to_vec();
+        seen.sort_unstable();
+        seen.dedup();
+        if seen.len() != self.ids.len() || places.len() != self.ids.len() {
+            return Marking::unreadable(format!(
+                "Give all {} letters, each once, in order.",
+                self.ids.len()
+            ));
+        }
+        let ordered = places.windows(2).filter(|pair| pair[0] < pair[1]).count();
+        let all = places.len() - 1;
+        let credit = Rational::new(ordered as i128, all as i128)
+            .and_then(Credit::new)
+            .unwrap_or(Credit::NONE);
+        let reason = if ordered == all {
+            Reason::Matches
+        } else {
+            Reason::Other
+        };
+        Marking::read(self.reading(places), credit, reason, None)
+    }
+}
+
+impl Marker for Chosen {
+    fn trials(&self) -> Vec<Trial> {
+        let all: Vec<usize> = (0..self.ids.len()).collect();
+        let letters = |places: &[usize]| {
+            let letters = places.iter().map(|place| self.letter(*place).to_string());
+            letters.collect::<Vec<_>>().join(", ")
+        };
+        let (right, wrong): (Vec<usize>, Vec<usize>) =
+            all.iter().copied().partition(|place| self.right[*place]);
+        let (right, wrong) = match (self.is_ranking, self.is_several) {
+            (true, _) => (all.clone(), all.iter().rev().copied().collect()),
+            (false, true) => (right, wrong),
+            (false, false) => (
+                right.into_iter().take(1).collect(),
+                wrong.into_iter().take(1).collect(),
+            ),
+        };
+        let mut trials = vec![Trial::new(Nature::Unreadable, "zz9")];
+        if !right.is_empty() {
+            trials.push(Trial::new(Nature::Right, letters(&right)));
+            let loud = letters(&right).to_uppercase().replace(',', ";");
+            trials.push(Trial::new(Nature::Borderline, loud));
+        }
+        if !wrong.is_empty() {
+            trials.push(Trial::new(Nature::Wrong, letters(&wrong)));
+        }
+        trials
+    }
+
+    fn key(&self) -> Key {
+        let places: Vec<usize> = if self.is_ranking {
+            (0..self.ids.len()).collect()
+        } else {
+            (0..self.ids.len())
+                .filter(|place| self.right[*place])
+                .collect()
+        };
+        let letters: Vec<String> = places
+            .iter()
+            .map(|place| self.letter(*place).to_string())
+            .collect();
+        let ids = places
+            .iter()
+            .map(|place| self.ids[*place].clone())
+            .collect();
+        let is_list = self.is_several || self.is_ranking;
+        Key {
+            math: Math::text(letters.join(", ")),
+            accepted: None,
+            value: KeyValue::Options { ids, is_list },
+        }
+    }
+
+    fn mark(&self, response: &str) -> Marking {
+        let places = match self.places(response) {
+            Ok(places) => places,
+            Err(unknown) => {
+                let last = self.letter(self.order[self.order.len() - 1]);
+                let shown: String = unknown.chars().take(40).collect();
+                return Marking::unreadable(format!(
+                    "`{shown}` is none of the options: type a letter from a to {last}."
+                ));
+            }
+        };
+        match (self.is_ranking, self.is_several) {
+            (true, _) => self.mark_ranking(&places),
+            (false, true) => self.mark_several(&places),
+            (false, false) => self.mark_one(&places),
+        }
+    }
+}

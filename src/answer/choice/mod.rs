@@ -1,0 +1,201 @@
+//! `choice`: one or several of the listed answers.
+//!
+//! The student types the letter that is printed, `b`, the word, `overdamped`, or its beginning where no
+//! other option begins so; several are joined by commas, `a, c`. A letter is always the printed one, also
+//! where an option has it as its `id`. Options are shuffled by the seed unless `shuffle = false`.
+//! With `several`, each option that is rightly chosen or rightly left out counts, less one for each
+//! that is wrong; with `ranking`, the options in the right order are asked.
+//!
+//! ```toml
+//! [[part]]
+//! kind    = "choice"
+//! id      = "regime"
+//! ask     = "The motion is"
+//! options = [
+//!   { id = "underdamped", text = "underdamped", right = "zeta < 1" },
+//!   { id = "overdamped", text = "overdamped", right = "zeta > 1", feedback = "Compare $c^2$ with $4mk$." },
+//! ]
+//! ```
+
+mod marker;
+mod read;
+
+use self::marker::Chosen;
+use super::{Answer, AnswerError, AnswerKind, Choosable, Choosing, Context, Declare, Marker};
+use crate::document::Document;
+use crate::quantity::{Absent, NodeId};
+use crate::source::{Data, Table, Text, Value};
+
+/// The kind.
+pub(super) struct Kind;
+
+#[derive(Debug)]
+struct Choice {
+    options: Vec<Choosable>,
+    rights: Vec<Right>,
+    feedback: Vec<Option<Document>>,
+    is_several: bool,
+    is_ranking: bool,
+    shuffles: bool,
+}
+
+/// Whether an option is right.
+#[derive(Debug)]
+enum Right {
+    Always(bool),
+    If(NodeId),
+}
+
+impl AnswerKind for Kind {
+    fn name(&self) -> &'static str {
+        "choice"
+    }
+
+    fn minutes(&self) -> u32 {
+        1
+    }
+
+    fn read(&self, part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+        part.required("options");
+        let is_several = part.boolean("several").unwrap_or(false);
+        let is_ranking = part.boolean("ranking").unwrap_or(false);
+        let shuffles = part.boolean("shuffle").unwrap_or(true);
+        let (mut options, mut rights, mut feedback) =
+            (Vec::<Choosable>::new(), Vec::new(), Vec::new());
+        for table in part.tables("options") {
+            let id = table.required_text("id");
+            let text = table.required_text("text").map(|text| declare.text(&text));
+            rights.push(right(&table, declare)?);
+            feedback.push(table.text("feedback").map(|text| declare.text(&text)));
+            table.finish();
+            let (id, text) = (id?, text?);
+            if options.iter().any(|option| option.id == id.value) {
+                declare.find(&AnswerError::OptionTwice(id.value.clone()), &id);
+                return None;
+            }
+            options.push(Choosable { id: id.value, text });
+        }
+        let place = Text {
+            value: String::new(),
+            span: part.span(),
+        };
+        if !(2..=26).contains(&options.len()) {
+            declare.find(
+                &AnswerError::Options("a choice has from 2 to 26 options"),
+                &place,
+            );
+            return None;
+        }
+        let has_right = rights
+            .iter()
+            .any(|right| !matches!(right, Right::Always(false)));
+        if !has_right && !is_ranking && !is_several {
+            declare.find(&AnswerError::Options("no option is right"), &place);
+            return None;
+        }
+        Some(Box::new(Choice {
+            options,
+            rights,
+            feedback,
+            is_several,
+            is_ranking,
+            shuffles,
+        }))
+    }
+}
+
+fn right(table: &Table<'_>, declare: &mut dyn Declare) -> Option<Right> {
+    match table.value("right") {
+        None => Some(Right::Always(false)),
+        Some(Value {
+            data: Data::Boolean(right),
+            ..
+        }) => Some(Right::Always(*right)),
+        Some(value) => {
+            let text = table.as_formula("right", value)?;
+            declare.condition("option", &text).map(Right::If)
+        }
+    }
+}
+
+impl Answer for Choice {
+    fn kind(&self) -> &'static dyn AnswerKind {
+        &Kind
+    }
+
+    fn keys(&self) -> Vec<NodeId> {
+        let condition = |right: &Right| match right {
+            Right::If(node) => Some(*node),
+            Right::Always(_) => None,
+        };
+        self.rights.iter().filter_map(condition).collect()
+    }
+
+    fn options(&self) -> &[Choosable] {
+        &self.options
+    }
+
+    fn choosing(&self) -> Option<Choosing> {
+        Some(match (self.is_ranking, self.is_several) {
+            (true, _) => Choosing::Ranking,
+            (false, true) => Choosing::Several,
+            (false, false) => Choosing::One,
+        })
+    }
+
+    fn shuffles(&self) -> bool {
+        self.shuffles
+    }
+
+    fn read_mistake(
+        &mut self,
+        _number: usize,
+        answer: &Value,
+        part: &Table<'_>,
+        declare: &mut dyn Declare,
+    ) -> Option<Vec<NodeId>> {
+        // A wrong option bears its feedback itself; nothing is computed for it.
+        let text = part.as_text("answer", answer)?;
+        declare.find(&AnswerError::NoOption(text.value.clone()), &text);
+        None
+    }
+
+    fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
+        let is_right = |right: &Right| match right {
+            Right::Always(right) => Ok(*right),
+            Right::If(node) => context.evaluation.holds(*node),
+        };
+        let right = self
+            .rights
+            .iter()
+            .map(is_right)
+            .collect::<Result<Vec<_>, _>>()?;
+        let words = self
+            .options
+            .iter()
+            .map(|option| read::normalized(&option.text.plain(&no_fills())))
+            .collect();
+        let order = if context.order.len() == self.options.len() {
+            context.order.clone()
+        } else {
+            (0..self.options.len()).collect()
+        };
+        Ok(Box::new(Chosen {
+            ids: self
+                .options
+                .iter()
+                .map(|option| option.id.clone())
+                .collect(),
+            words,
+            feedback: self.feedback.clone(),
+            right,
+            order,
+            is_several: self.is_several,
+            is_ranking: self.is_ranking,
+        }))
+    }
+}
+
+fn no_fills() -> Vec<crate::document::Filling> {
+    Vec::new()
+}

@@ -1,0 +1,138 @@
+//! Reads what was chosen: letters as printed, words of options.
+
+use super::marker::Chosen;
+
+/// Words without regard to case and spacing.
+pub(super) fn normalized(text: &str) -> String {
+    text.split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ")
+        .trim_matches(['"', '\'', '“', '”'])
+        .trim_end_matches(['.', '!', ',', ';'])
+        .to_lowercase()
+}
+
+/// Letters of the shortest words that stand for an option in another form than its own.
+const SHORTEST: usize = 4;
+
+/// Words as one, `under-damped` and `under damped`; a formula keeps its signs.
+fn joined(text: &str) -> Option<String> {
+    let is_gap = |char: char| " -‐‑_".contains(char);
+    let is_of_words = text
+        .chars()
+        .all(|char| char.is_alphabetic() || is_gap(char));
+    let word: String = text.chars().filter(|char| !is_gap(*char)).collect();
+    (is_of_words && word.chars().count() >= SHORTEST).then_some(word)
+}
+
+/// What stands behind words that say that an answer comes: `option b`, `answer: b`.
+fn announced(text: &str) -> &str {
+    const WORDS: &[&str] = &["the answer is", "answer is", "answer", "option", "choice"];
+    let text = text.trim();
+    let rest = WORDS.iter().find_map(|word| {
+        let rest = text
+            .get(..word.len())
+            .filter(|head| head.eq_ignore_ascii_case(word));
+        rest.map(|_| &text[word.len()..])
+    });
+    match rest {
+        Some(rest) if rest.starts_with([' ', ':', '=']) => rest.trim_start_matches([' ', ':', '=']),
+        _ => text,
+    }
+}
+
+impl Chosen {
+    /// The place in the file of what was typed: a letter as printed, the words of an option, or an id.
+    fn place(&self, typed: &str) -> Option<usize> {
+        // `a) overdamped`: letter and words have to agree.
+        let both = typed
+            .split_once([')', ':', '.'])
+            .or_else(|| typed.split_once(" - "));
+        if let Some((letter, words)) = both
+            && letter.trim_matches(['(', ' ']).len() == 1
+            && !words.trim().is_empty()
+        {
+            return self
+                .place(letter)
+                .filter(|place| self.place(words) == Some(*place));
+        }
+        let whole = normalized(typed);
+        let bare = normalized(typed.trim_matches(|sign: char| "()[].".contains(sign)));
+        self.of_letter(&bare)
+            .or_else(|| self.of_words(&whole))
+            .or_else(|| self.of_words(&bare))
+            .or_else(|| self.of_first_words(&bare))
+    }
+
+    /// The option that bears a letter.
+    fn of_letter(&self, word: &str) -> Option<usize> {
+        let [letter @ b'a'..=b'z'] = word.as_bytes() else {
+            return None;
+        };
+        self.order.get(usize::from(letter - b'a')).copied()
+    }
+
+    /// The option that reads so, however it is spaced, or that is called so in the file.
+    fn of_words(&self, words: &str) -> Option<usize> {
+        let place = |is_it: &dyn Fn(&String) -> bool| self.words.iter().position(is_it);
+        place(&|own| own == words)
+            .or_else(|| self.ids.iter().position(|id| normalized(id) == words))
+            .or_else(|| {
+                let word = joined(words)?;
+                place(&|own| joined(own).as_ref() == Some(&word))
+            })
+    }
+
+    /// The only option that begins with these words.
+    fn of_first_words(&self, words: &str) -> Option<usize> {
+        let begins = |own: &String| {
+            let rest = own.strip_prefix(words);
+            rest.is_some_and(|rest| !rest.starts_with(char::is_alphanumeric))
+        };
+        let mut found = (0..self.words.len()).filter(|place| begins(&self.words[*place]));
+        let first = found.next().filter(|_| words.chars().count() >= SHORTEST)?;
+        found.next().is_none().then_some(first)
+    }
+
+    /// All that was typed, or what of it is no option.
+    pub(super) fn places(&self, response: &str) -> Result<Vec<usize>, String> {
+        let response = announced(response);
+        if self.is_several && normalized(response) == "none" {
+            return Ok(Vec::new());
+        }
+        if let Some(place) = self.place(response) {
+            return Ok(vec![place]);
+        }
+        let separated = response
+            .split([',', ';', '>', '\n'])
+            .flat_map(|piece| piece.split(" and "))
+            .flat_map(|piece| piece.split(" & "));
+        let pieces: Vec<&str> = separated
+            .map(str::trim)
+            .filter(|piece| !piece.is_empty())
+            .collect();
+        let pieces = match pieces[..] {
+            [one] if one.contains(' ') => one.split_whitespace().collect(),
+            // `acd`, where no option is called so.
+            [one] if self.are_letters(one) => one
+                .char_indices()
+                .map(|(at, letter)| &one[at..at + letter.len_utf8()])
+                .collect(),
+            _ => pieces,
+        };
+        pieces
+            .into_iter()
+            .map(|piece| self.place(piece).ok_or_else(|| piece.to_owned()))
+            .collect()
+    }
+
+    /// Whether a word is a run of printed letters, each once, where several are asked.
+    fn are_letters(&self, word: &str) -> bool {
+        let last = b'a' + (self.ids.len() - 1) as u8;
+        let mut letters = word.to_ascii_lowercase().into_bytes();
+        letters.sort_unstable();
+        (self.is_several || self.is_ranking)
+            && letters.iter().all(|letter| (b'a'..=last).contains(letter))
+            && letters.windows(2).all(|pair| pair[0] != pair[1])
+    }
+}
