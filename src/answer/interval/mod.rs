@@ -1,7 +1,7 @@
 //! `interval`: the values of a quantity for which something holds, as one interval or several.
 //!
-//! The student types `mu < 0.35`, `0.15 <= x0 <= 0.45`, `[a, b)`, `]a, b]`, or several of these joined by
-//! `or` or `∪`; ends are numbers with units or formulas. `within` cuts key and response before they are
+//! The student types `mu < 0.35`, `0.15 <= x0 <= 0.45`, `|x| <= a`, `[a, b)`, `]a, b]`, or several of
+//! these joined by `or` or `∪`; ends are numbers with units or formulas. `within` cuts key and response before they are
 //! compared, so that a bound that goes without saying may be left out. Whether the ends belong to the
 //! interval counts, unless `ends = "either"`.
 //!
@@ -15,12 +15,15 @@
 //! ask      = "For which values of $\\mu$ does the block stay?"
 //! ```
 
+mod bound;
 mod read;
 mod set;
+mod spelling;
+mod subject;
 
 use std::sync::Arc;
 
-use self::read::Ends;
+use self::read::{Ends, Refusal};
 use self::set::{End, Piece, Set};
 use super::matrix::Written;
 use super::meaning::{Meaning, Prefer, lexicon};
@@ -28,7 +31,7 @@ use super::trial::other_unit;
 use super::typed::Lexicon;
 use super::{
     Answer, AnswerError, AnswerKind, Context, Credit, Declare, Feedback, Key, KeyValue, Marker,
-    Marking, Nature, Reading, Reason, Role, Tolerance, Trial, numeric,
+    Marking, Nature, Reading, Reason, Role, Tolerance, Trial,
 };
 use crate::expr::{Constant, Expr, Kind as Node, Name, Precise, Type};
 use crate::math::Math;
@@ -113,7 +116,10 @@ impl AnswerKind for Kind {
         };
         let unit = match known.role {
             Role::Parameter { node, .. } | Role::Quantity { node, .. } => declare.unit_of(node),
-            _ => None,
+            Role::Symbol | Role::Coordinate => known
+                .kind
+                .dimension()
+                .and_then(|dimension| Unit::parse(&dimension.describe()).ok()),
         };
         let unit = unit.unwrap_or(Unit::ONE);
         let tolerance = match tolerance {
@@ -424,7 +430,16 @@ impl Marker for Prepared {
         };
         let typed = match ends.read(response) {
             Ok(set) => set.cut(self.within.as_ref()),
-            Err(words) => return Marking::unreadable(words),
+            Err(Refusal::Unread(words)) => return Marking::unreadable(words),
+            Err(Refusal::Dimension(words)) => {
+                let reading = Reading {
+                    math: Math::text(response),
+                    text: response.to_owned(),
+                    si: Vec::new(),
+                };
+                let words = Some(Feedback::Words(words));
+                return Marking::read(reading, Credit::NONE, Reason::Dimension, words);
+            }
         };
         let (math, text) = self.typeset(&typed);
         let reading = Reading {
@@ -455,15 +470,6 @@ impl Marker for Prepared {
             words.map(|words| Feedback::Words(words.to_owned())),
         )
     }
-}
-
-/// The quantity that a side of an inequality is.
-fn quantity(text: &str, unit: &Unit, mark: DecimalMark) -> Option<f64> {
-    let quantity = numeric::quantity(text, mark).ok()?;
-    if quantity.unit.is_one() {
-        return Some(Quantity::new(quantity.value, *unit).si());
-    }
-    quantity.si_for(unit).ok()
 }
 
 /// The type of what is compared.

@@ -57,7 +57,40 @@ fn two_pieces() {
             ("x0 < 0.05 or x0 > 0.5 and x0 <= 0.75", "right"),
             ("x0 <= 0.05 or 0.5 < x0 <= 0.75", "wrong near"),
             ("x0 < 0.05", "wrong"),
-            ("0.5 < x0 <= 0.75 kg", "unreadable"),
+            ("0.5 < x0 <= 0.75 kg", "wrong dimension: is in m"),
+            ("0 <= x0 < 5 or 50 < x0 <= 75 cm", "right"),
+            ("[0, 5) or (50, 75] cm", "right"),
+            (
+                "0 <= x0 < 5 and 50 < x0 <= 75 cm",
+                "unreadable: Join ranges by `or`",
+            ),
+            (
+                "everything but [0, 0.05) or (0.5, 0.75]",
+                "unreadable: may stand before",
+            ),
+        ],
+    );
+}
+
+/// A symmetric range, and what lies outside it.
+#[test]
+fn distances() {
+    let part = "[[part]]\nkind = \"interval\"\nid = \"r\"\nvariable = \"x\"\n";
+    let symbol = "[symbols]\nx = \"m\"\n";
+    // From 5 cm to 25 cm on both sides of x0 = 3 cm.
+    let item = format!(
+        "{DATA}{symbol}{part}key = [\"[x0 - d, x0 - d/5)\", \"(x0 + d/5, x0 + d]\"]\nask = \"When?\"\n"
+    );
+    check(
+        &item,
+        &[
+            ("-0.22 <= x < -0.02 or 0.08 < x <= 0.28", "right"),
+            ("0.05 < |x - x0| <= 0.25", "right"),
+            ("5 < |x0 - x| <= 25 cm", "right"),
+            ("|x - x0| > 0.05 and |x0 - x| ≤ 0.25", "right"),
+            ("0.1 < 2*|x - x0| <= 0.5", "unreadable: Solve for"),
+            ("|x - x0| > 0.05", "wrong"),
+            ("0.05 < |x + x0| <= 0.25", "wrong"),
         ],
     );
 }

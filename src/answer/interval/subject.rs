@@ -1,0 +1,68 @@
+//! What an inequality bounds: the variable, or a distance such as `|x - a|`.
+
+use super::read::Ends;
+use super::set::{End, Piece, Set};
+use crate::expr::{Expr, Function, Kind, Substitution};
+use crate::numerics::Rational;
+
+/// What an inequality bounds.
+pub(super) enum Subject {
+    /// The variable.
+    Variable,
+    /// Its distance from a place, times a slope.
+    Distance { centre: f64, slope: f64 },
+}
+
+impl Subject {
+    /// The values of the variable for which it lies in a piece.
+    pub(super) fn where_it_is_in(&self, piece: Piece) -> Set {
+        let Self::Distance { centre, slope } = self else {
+            return Set::of(vec![piece]);
+        };
+        let [low, high] = piece.0;
+        let moved = |end: End, side: f64| End {
+            value: centre + side * end.value / slope,
+            ..end
+        };
+        let above = Piece([moved(low, 1.0), moved(high, 1.0)]);
+        let below = Piece([moved(high, -1.0), moved(low, -1.0)]);
+        // A distance is never negative.
+        if low.value < 0.0 {
+            return Set::of(vec![Piece([below.0[0], above.0[1]])]);
+        }
+        Set::of(vec![below, above])
+    }
+}
+
+impl Ends<'_> {
+    /// What a side speaks of, if it is the variable or a distance on its axis.
+    pub(super) fn subject(&self, side: &str) -> Option<Subject> {
+        let expr = self.formula(side).ok()?;
+        match expr.kind() {
+            Kind::Name(name) if *name == self.setup.variable => Some(Subject::Variable),
+            Kind::Call(Function::Abs, arguments) => self.distance(arguments.first()?),
+            _ => None,
+        }
+    }
+
+    /// The place where a linear expression in the variable vanishes, and its slope.
+    fn distance(&self, inner: &Expr) -> Option<Subject> {
+        const ROUNDING: f64 = 1e-9;
+        let variable = &self.setup.variable;
+        let at = |place: i32| {
+            let unit = Box::new(self.setup.unit.coherent());
+            let place = Expr::derived(Kind::Measure(Rational::from(place), unit));
+            let put = Substitution::new().with(variable.as_str(), place);
+            self.value(&put.apply(inner).ok()?)
+        };
+        if !inner.names().uses(variable) {
+            return None;
+        }
+        let (start, slope) = (at(0)?, at(1)? - at(0)?);
+        let is_linear = (at(2)? - at(1)? - slope).abs() <= ROUNDING * slope.abs();
+        (is_linear && slope != 0.0).then_some(Subject::Distance {
+            centre: -start / slope,
+            slope: slope.abs(),
+        })
+    }
+}
