@@ -185,10 +185,12 @@ fn is_work(
     found: f64,
     own: &[&Own],
 ) -> bool {
-    let is_key = own.iter().any(|own| own.node == key);
-    is_key
-        || !is_at_hand(right, other, key, due, found, own)
-            && still_depends(right, other, key, due, found, own)
+    // The value of one's own formula is work, unless the formula is a datum.
+    if own.iter().any(|own| own.node == key) {
+        return !is_at_hand(right, other, key, due, found, &[]);
+    }
+    !is_at_hand(right, other, key, due, found, own)
+        && still_depends(right, other, key, due, found, own)
 }
 
 /// Whether the key is a datum or one of the answers, where the right key is not.

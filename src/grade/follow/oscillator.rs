@@ -1,8 +1,9 @@
 //! What follows from a student's own equation of motion with one coordinate.
 
+use super::answers::in_data;
 use crate::bank::Template;
 use crate::expr::{Equation, Expr, Kind, Name, Substitution, Variable, differentiate};
-use crate::mechanics::{Quantity, Single};
+use crate::mechanics::{Model, Quantity, Single};
 use crate::quantity::{Graph, NodeId};
 
 /// The coefficients of m x'' + c x' + k x = f(t).
@@ -33,13 +34,35 @@ pub(super) fn numbers(template: &Template) -> impl Iterator<Item = (NodeId, Name
 
 /// The number of a model of one coordinate that a node is, and the coordinate.
 fn number(graph: &Graph, node: NodeId) -> Option<(Name, Single)> {
-    let Kind::Path(path) = graph.expr(node)?.kind() else {
-        return None;
-    };
-    match (graph.offered(path)?, graph.offered(path)?.0.coordinates()) {
+    match (offered(graph, node)?, offered(graph, node)?.0.coordinates()) {
         ((_, Quantity::Single(single)), [coordinate]) => Some((coordinate.clone(), single)),
         _ => None,
     }
+}
+
+/// The quantity of a model that a node is.
+fn offered(graph: &Graph, node: NodeId) -> Option<(&Model, Quantity)> {
+    let Kind::Path(path) = graph.expr(node)?.kind() else {
+        return None;
+    };
+    let (model, quantity) = graph.offered(path)?;
+    Some((model, quantity))
+}
+
+/// A number of the model of one coordinate by its right equation of motion, in the data.
+pub(super) fn right(template: &Template, coordinate: &Name, single: Single) -> Option<Expr> {
+    let graph = &template.graph;
+    let mut nodes = template
+        .quantities
+        .iter()
+        .flat_map(|(node, info)| [Some(*node), info.verify].into_iter().flatten());
+    let equation = nodes.find_map(|node| {
+        let (model, _) = offered(graph, node)?;
+        let is_it = model.coordinates() == std::slice::from_ref(coordinate);
+        model.equation(0).filter(|_| is_it)
+    })?;
+    let formula = Coefficients::of(&equation, coordinate)?.formula(single)?;
+    in_data(&formula, graph)
 }
 
 impl Coefficients {

@@ -2,14 +2,14 @@
 //!
 //! Items have closed forms for each, so that the graph of quantities does not show it; the model behind both does.
 
-use super::answers::{Answers, Own};
+use super::answers::{self, Answers, Own};
 use super::oscillator;
 use crate::expr::{Expr, Name, Precise, Program, Slots, Substitution, Value, Workspace};
 use crate::mechanics::Single;
 use crate::quantity::NodeId;
 use crate::solution::Solution;
 
-/// How the textbooks get a number of an oscillator from others, by [`letter`]; tried in order.
+/// How the textbooks get a number of an oscillator from others, by [`LETTERS`]; tried in order.
 const RULES: &[(Single, &str)] = &[
     (Single::NaturalAngularFrequency, "sqrt(k/m)"),
     (Single::NaturalAngularFrequency, "2*pi*f"),
@@ -35,24 +35,20 @@ const RULES: &[(Single, &str)] = &[
     (Single::QualityFactor, "1/(2*z)"),
 ];
 
-fn letter(single: Single) -> &'static str {
-    match single {
-        Single::Mass => "m",
-        Single::Damping => "c",
-        Single::Stiffness => "k",
-        Single::NaturalAngularFrequency => "w",
-        Single::NaturalFrequency => "f",
-        Single::Period => "T",
-        Single::DecayRate => "a",
-        Single::DampingRatio => "z",
-        Single::CriticalDamping => "C",
-        Single::DampedAngularFrequency => "d",
-        Single::DampedPeriod => "P",
-        Single::LogarithmicDecrement => "D",
-        Single::QualityFactor => "Q",
-        Single::ResonanceAngularFrequency => "r",
-    }
-}
+/// The letters of the rules.
+const LETTERS: &[(&str, Single)] = &[
+    ("m", Single::Mass),
+    ("c", Single::Damping),
+    ("k", Single::Stiffness),
+    ("w", Single::NaturalAngularFrequency),
+    ("f", Single::NaturalFrequency),
+    ("T", Single::Period),
+    ("a", Single::DecayRate),
+    ("z", Single::DampingRatio),
+    ("d", Single::DampedAngularFrequency),
+    ("P", Single::DampedPeriod),
+    ("Q", Single::QualityFactor),
+];
 
 /// A number of an oscillator that the item has a quantity for.
 struct Known {
@@ -90,40 +86,40 @@ fn follow(
     target: &Known,
     rule: &str,
 ) -> Option<()> {
+    const ROUNDING: f64 = 1e-9;
     let rule = Expr::read(rule).ok()?;
-    let mut values = Vec::new();
-    let mut put = Some(Substitution::new());
-    let mut source: Option<Own> = None;
-    for variable in rule.names().free {
-        let mut others = known.iter();
-        let other = others.find(|own| {
-            own.coordinate == target.coordinate && letter(own.single) == variable.name.as_str()
-        })?;
-        let own = answers.last(other.node);
-        let (number, formula) = match own {
-            Some(own) => (own.value.as_real()?, own.formula.clone()),
-            None => (
-                solution.evaluation().real(other.node).ok()?,
-                Answers::right_formula(solution, other.node),
-            ),
-        };
-        put = put
-            .zip(formula)
-            .map(|(put, formula)| put.with(variable.name.clone(), formula));
-        source = source.or_else(|| own.cloned());
-        values.push((variable.name, number));
-    }
-    let source = source?;
-    let names: Vec<&str> = values.iter().map(|(name, _)| name.as_str()).collect();
-    let data: Vec<Precise> = values
-        .iter()
-        .map(|(_, number)| Precise::exact(*number))
+    let names: Vec<Name> = rule
+        .names()
+        .free
+        .into_iter()
+        .map(|free| free.name)
         .collect();
-    let program = Program::compile(&rule, &Slots(&names)).ok()?;
-    let number = program
-        .evaluate(&data[..], &mut Workspace::default())
-        .ok()?
-        .as_real()?;
+    let taken = names
+        .iter()
+        .map(|name| Taken::of(solution, answers, known, target, name))
+        .collect::<Option<Vec<_>>>()?;
+    let source = taken.iter().find_map(|taken| taken.own.clone())?;
+    let texts: Vec<&str> = names.iter().map(Name::as_str).collect();
+    let program = Program::compile(&rule, &Slots(&texts)).ok()?;
+    let value = |number: fn(&Taken) -> f64| {
+        let data: Vec<Precise> = taken.iter().map(number).map(Precise::exact).collect();
+        program
+            .evaluate(&data[..], &mut Workspace::default())
+            .ok()?
+            .as_real()
+    };
+    // With the right numbers the rule has to give the right one.
+    let right = solution.evaluation().real(target.node).ok()?;
+    if (value(|taken| taken.right)? - right).abs() > ROUNDING * right.abs() {
+        return None;
+    }
+    let number = value(|taken| taken.number)?;
+    let put = names
+        .iter()
+        .zip(&taken)
+        .try_fold(Substitution::new(), |put, (name, taken)| {
+            Some(put.with(name.as_str(), taken.formula.clone()?))
+        });
     let formula = put.and_then(|put| put.apply(&rule).ok());
     answers.add_related(
         solution,
@@ -133,4 +129,54 @@ fn follow(
         formula,
     );
     Some(())
+}
+
+/// What a rule takes for a letter: the student's own answer, or the right number of the item or of its model.
+struct Taken {
+    number: f64,
+    right: f64,
+    formula: Option<Expr>,
+    own: Option<Own>,
+}
+
+impl Taken {
+    fn of(
+        solution: &Solution<'_>,
+        answers: &Answers,
+        known: &[Known],
+        target: &Known,
+        name: &Name,
+    ) -> Option<Self> {
+        let evaluation = solution.evaluation();
+        let (_, single) = LETTERS
+            .iter()
+            .find(|(letter, _)| *letter == name.as_str())?;
+        let is_it = |own: &&Known| own.coordinate == target.coordinate && own.single == *single;
+        let Some(quantity) = known.iter().find(is_it) else {
+            let formula = oscillator::right(solution.template(), &target.coordinate, *single)?;
+            let number = answers::number(&formula, evaluation)?;
+            return Some(Self {
+                number,
+                right: number,
+                formula: Some(formula),
+                own: None,
+            });
+        };
+        let right = evaluation.real(quantity.node).ok()?;
+        let own = answers.last(quantity.node).cloned();
+        Some(match &own {
+            Some(answer) => Self {
+                number: answer.value.as_real()?,
+                right,
+                formula: answer.formula.clone(),
+                own,
+            },
+            None => Self {
+                number: right,
+                right,
+                formula: Answers::right_formula(solution, quantity.node),
+                own,
+            },
+        })
+    }
 }

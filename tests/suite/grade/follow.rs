@@ -153,6 +153,52 @@ fn numbers_of_an_oscillator_follow_from_each_other() {
     );
 }
 
+/// The items compute these from the springs and the mass; the model behind both shows how they hang together.
+#[test]
+fn numbers_follow_from_a_stiffness_or_a_damping_of_ones_own() {
+    let item = "ch2/p6-series-springs-damper";
+    let own = ("k_eq", "k1 + k2");
+    follows(item, &[own, ("omega_n", "sqrt((k1 + k2)/m)")]);
+    follows(item, &[own, ("zeta", "b/(2*sqrt((k1 + k2)*m))")]);
+    let item = "ch4/e8-transient-plus-steady";
+    let own = ("lam", "alpha/m");
+    follows(item, &[own, ("omega_d", "sqrt(k/m - alpha^2/m^2)")]);
+}
+
+#[test]
+fn the_steady_motion_follows_from_what_it_is_made_of() {
+    let item = "ch4/e1-forced-steady-state";
+    // m = 0.5 kg, k = 50 N/m, Ω = 8 rad/s, F0/m = 6 N/kg; two springs taken for one: 200 - 64 beside 2.4·8 = 19.2.
+    let eom = ("eom", "m*x'' + alpha*x' + 2*k*x = F0*cos(Omega*t)");
+    follows(item, &[eom, ("x0_value", "43.68 mm")]);
+    follows(item, &[eom, ("phi_value", "-0.1403 rad")]);
+    follows(
+        item,
+        &[("x0_value", "0.2 m"), ("x_ss", "0.2*cos(8*t - 0.48996)")],
+    );
+    follows(
+        "ch4/p1-rolling-disk-hub-moment",
+        &[("X", "0.45 m"), ("x_ss", "-0.45*sin(4*t - 0.197396)")],
+    );
+}
+
+#[test]
+fn a_datum_in_place_of_a_formula_gives_nothing() {
+    for (item, own, value) in [
+        ("ch2/e3-amplitude-phase", ("C", "x0"), "C_value"),
+        ("ch4/t1-rotating-unbalance", ("X", "ecc"), "X_value"),
+    ] {
+        let template = BANK.find(item).expect("the item is there");
+        let solution = Solution::of(Instance::of_source(template));
+        let node = template
+            .graph
+            .find(&vibank::expr::Name::new(own.1))
+            .expect("it has the datum");
+        let datum = solution.evaluation().real(node).expect("it has a value");
+        stays_wrong(&BANK, item, &[own, (value, &format!("{datum} m"))]);
+    }
+}
+
 /// The first remark on an answer to an item of the bank that goes on from an earlier one.
 fn said(item: &str, earlier: (&str, &str), later: (&str, &str)) -> String {
     let template = BANK.find(item).expect("the item is there");
