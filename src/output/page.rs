@@ -6,7 +6,7 @@
 use sha2::{Digest, Sha256};
 use tera::{Context, Tera};
 
-use super::layouts::{self, OutputError, base64, base85};
+use super::layouts::{self, OutputError, base64, base91};
 use crate::bank::Compiled;
 use crate::document::Filling;
 use crate::worksheet::Practice;
@@ -51,13 +51,13 @@ pub fn practice(practice: &Practice, items: &[Compiled]) -> Result<String, Outpu
     context.insert("texts", &words);
     context.insert("texts_json", &in_script(texts));
     context.insert("style", &style);
-    context.insert("font", &layouts::font());
+    context.insert("font", &base91(layouts::font_file()));
     context.insert("script", script);
     context.insert("script_digest", &base64(&Sha256::digest(script)));
     let items = practice.lines(items);
     let items = miniz_oxide::deflate::compress_to_vec(items.as_bytes(), LEVEL);
-    context.insert("items", &base85(&items));
-    context.insert("grader", &base85(GRADER));
+    context.insert("items", &base91(&items));
+    context.insert("grader", &base91(GRADER));
     tera.render("page.html", &context)
         .map_err(|error| fail(error.to_string()))
 }

@@ -21,25 +21,36 @@ function make(tag, properties = {}, ...children) {
 
 // ── What the page carries ──────────────────────────────────────────────────────────────────────
 
-/** The bytes of base 85: digits from `(` on, `}` in place of `<`; the last group may be short. */
-function decoded(text) {
-  const bytes = new Uint8Array(Math.floor((text.length * 4) / 5));
-  for (let [from, to] = [0, 0]; from < text.length; from += 5, to += 4) {
-    let word = 0;
-    for (let at = from; at < from + 5; at += 1) {
-      const code = at < text.length ? text.charCodeAt(at) : 124;
-      word = word * 85 + (code === 125 ? 20 : code - 40);
+/** What each digit of base 91 is worth, by its code: printed ASCII without `&`, `<` and `>`. */
+const DIGITS = new Uint8Array(127);
+Array.from({ length: 94 }, (_, at) => at + 33)
+  .filter((code) => ![38, 60, 62].includes(code))
+  .forEach((code, worth) => (DIGITS[code] = worth));
+
+/** The bytes that an element carries in base 91: two digits are 13 bits, a last one is what they lack. */
+function carried(id) {
+  const holder = element(id);
+  const codes = new TextEncoder().encode(holder.textContent);
+  holder.remove();
+  const size = Math.floor((13 * (codes.length >> 1) + 7 * (codes.length & 1)) / 8);
+  const bytes = new Uint8Array(size);
+  let [to, bits, count] = [0, 0, 0];
+  for (let at = 0; at < codes.length; at += 2) {
+    const high = at + 1 < codes.length ? DIGITS[codes[at + 1]] : 0;
+    bits |= (DIGITS[codes[at]] + 91 * high) << count;
+    count += 13;
+    while (count >= 8 && to < size) {
+      bytes[to] = bits;
+      to += 1;
+      bits >>>= 8;
+      count -= 8;
     }
-    for (let byte = 0; byte < 4; byte += 1) bytes[to + byte] = word >>> (24 - 8 * byte);
   }
   return bytes;
 }
 
 async function unpacked(id) {
-  const holder = element(id);
-  const bytes = decoded(holder.textContent);
-  holder.remove();
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
+  const stream = new Blob([carried(id)]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
@@ -584,6 +595,7 @@ async function begin() {
     return;
   }
   const code = unpacked("grader").then((bytes) => WebAssembly.compile(bytes));
+  document.fonts.add(new FontFace("Vibank Math", carried("font")));
   const items = await unpacked("items");
   const first = new TextDecoder().decode(items.subarray(0, items.indexOf(10)));
   const practice = JSON.parse(first);

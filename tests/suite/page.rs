@@ -239,8 +239,8 @@ fn the_page_is_one_file_that_fetches_nothing() {
     let page = vibank::output::practice(&practice, &items).expect("it can be filled");
     assert_eq!(
         page.matches("<script").count(),
-        4,
-        "texts, items, grader, program"
+        5,
+        "texts, font, items, grader, program"
     );
     assert!(!page.contains("alert(1)</script>"), "the title stays text");
     for fetching in [" src=", "http://", "https://", "@import", "fetch("] {
