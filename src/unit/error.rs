@@ -88,6 +88,9 @@ pub enum ErrorKind {
     /// A product after a slash, which may belong above or below it.
     #[error("a product after a slash may belong above or below it")]
     ProductAfterSlash,
+    /// A number where a unit was expected.
+    #[error("a number does not belong into a unit")]
+    NumberWithinUnit,
     /// A factor was expected.
     #[error("a unit is missing")]
     UnitMissing,
@@ -145,8 +148,14 @@ impl Error {
                 let (decimal, thousand) = (found.replace(',', "."), found.replace(',', ""));
                 return Some(format!("write `{decimal}` or `{thousand}`"));
             }
-            ErrorKind::SecondSlash | ErrorKind::ProductAfterSlash => {
+            ErrorKind::SecondSlash => {
+                "put the whole divisor in parentheses, `N/(m s)` or `N/(m/s)`"
+            }
+            ErrorKind::ProductAfterSlash => {
                 "put the divisor in parentheses, `N/(m s)`, or before the slash, `N s/m`"
+            }
+            ErrorKind::NumberWithinUnit => {
+                "type one number, and its unit behind it, as in `15.8 rad/s`"
             }
             ErrorKind::NotAnExponent => {
                 "write a small whole number or fraction, `m^2` or `kg^(-1/2)`"

@@ -92,6 +92,18 @@ impl Builder {
         Ok(())
     }
 
+    /// Whether two factors are of one unit with one power.
+    pub(super) fn are_equal(&self, first: usize, second: usize) -> bool {
+        let known = &self.factors[..self.length];
+        known.get(first).is_some() && known.get(first) == known.get(second)
+    }
+
+    /// Whether the last factor is a sign such as `°`, behind which no power stands.
+    pub(super) fn ends_with_sign(&self) -> bool {
+        let last = self.factors[..self.length].last();
+        last.is_some_and(|last| ["°", "′", "″", "%"].contains(&last.row().print))
+    }
+
     /// The factors from the place `start` on.
     pub(super) fn since(&mut self, start: usize) -> &mut [Factor] {
         &mut self.factors[start..self.length]

@@ -79,8 +79,23 @@ fn is_kilogram(found: Found) -> bool {
     found.prefix == 3 && ROWS[usize::from(found.row)].symbols[0] == "g"
 }
 
+/// Runs that some take for one unit and some for another.
+const AMBIGUOUS: [(&str, &str, &str); 3] = [
+    ("Grad", "deg", "gon"),
+    ("grad", "deg", "gon"),
+    ("kmh", "km/h", "km h"),
+];
+
 /// What a run of letters means: a symbol, a word, or several symbols.
 pub(super) fn units(name: &str, span: Range<usize>) -> Result<Joined, Error> {
+    if let Some((found, one, other)) = AMBIGUOUS.into_iter().find(|(found, ..)| *found == name) {
+        let kind = ErrorKind::AmbiguousUnit {
+            found: found.to_owned(),
+            one: one.to_owned(),
+            other: other.to_owned(),
+        };
+        return Err(Error::new(kind, span));
+    }
     let single = symbol(name)
         .or_else(|| word(name))
         .or_else(|| capital_kilo(name));

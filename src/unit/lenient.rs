@@ -8,7 +8,8 @@
 //! ```
 //!
 //! A slash divides by the one item after it. What follows such an item without another slash might belong above or
-//! below, so it is refused with both readings named.
+//! below, and `N/m/s` might be N/(m/s), so both are refused with the readings named; only `m/s/s` is clear.
+//! A power without a sign, `s-2`, is small and stands behind letters: in `180°-10°` and `10 mm-5 mm` a minus is a minus.
 
 use super::error::{Error, ErrorKind};
 use super::factor::{Builder, Factor};
@@ -24,6 +25,10 @@ const DEEPEST: usize = 8;
 /// Reads the unit after a number, which may be joined to it by a sign of multiplication.
 pub(super) fn after_number(text: &str) -> Result<Unit, Error> {
     let unspaced = text.trim_start();
+    if unspaced.trim_end() == "1" {
+        let at = text.len() - unspaced.len();
+        return Err(Error::new(ErrorKind::NumberWithinUnit, at..at + 1));
+    }
     match TIMES_SIGNS
         .into_iter()
         .find_map(|sign| unspaced.strip_prefix(sign))
@@ -45,7 +50,7 @@ pub(super) fn unit(text: &str) -> Result<Unit, Error> {
         depth: 0,
     };
     reader.space();
-    if !reader.scanner.is_at_end() {
+    if text.trim() != "1" && !reader.scanner.is_at_end() {
         reader.product()?;
         match reader.scanner.peek() {
             None => {}
@@ -72,37 +77,44 @@ enum Between {
     Slash,
 }
 
-impl Reader<'_> {
+impl<'a> Reader<'a> {
     fn product(&mut self) -> Result<(), Error> {
         self.space();
-        let mut divided = false;
+        let mut divisor = None;
         if self.slash() {
-            divided = true;
-            self.divisor()?;
+            divisor = Some(self.divisor()?);
         } else {
             self.item()?;
         }
         loop {
-            match self.between() {
-                Some(Between::Slash) => {
-                    divided = true;
-                    self.divisor()?;
+            let place = self.scanner;
+            match (self.between(), divisor) {
+                (Some(Between::Slash), None) => divisor = Some(self.divisor()?),
+                (Some(Between::Slash), Some(first)) => {
+                    let second = self.divisor()?;
+                    if !self.builder.are_equal(first, second) {
+                        return Err(place.error(ErrorKind::SecondSlash));
+                    }
                 }
-                Some(Between::Product) if divided => {
-                    return Err(self.scanner.error(ErrorKind::ProductAfterSlash));
+                (Some(Between::Product), Some(_)) => {
+                    // What is no unit is told first: a remark, or another number.
+                    let place = self.scanner;
+                    self.item()?;
+                    return Err(place.error(ErrorKind::ProductAfterSlash));
                 }
-                Some(Between::Product) => self.item()?,
-                None => return Ok(()),
+                (Some(Between::Product), None) => self.item()?,
+                (None, _) => return Ok(()),
             }
         }
     }
 
-    fn divisor(&mut self) -> Result<(), Error> {
+    /// Reads what a slash divides by; returns its first factor's place.
+    fn divisor(&mut self) -> Result<usize, Error> {
         let start = self.builder.len();
         self.space();
         self.item()?;
         self.builder.divide(start);
-        Ok(())
+        Ok(start)
     }
 
     /// Moves to the next item, if there is one.
@@ -168,15 +180,38 @@ impl Reader<'_> {
             self.nested(close)?;
             return self.power(start);
         }
-        if self.scanner.takes_one() {
+        if self.numerator() {
             return Ok(());
         }
         let multiplied = self.square_or_cubic();
-        self.letters()?;
+        let name = self.letters()?;
         if let Some(power) = multiplied {
             self.raise(self.builder.len() - 1, power)?;
         }
-        self.power(self.builder.len() - 1)
+        let behind = self.scanner;
+        self.power(self.builder.len() - 1)?;
+        // `3 m-2 m` is a difference.
+        let is_less = behind.rest().starts_with(['-', '−']) && behind.at() < self.scanner.at();
+        if is_less && self.scanner.rest().trim_start().starts_with(name) {
+            return Err(behind.error(ErrorKind::Unexpected { found: '-' }));
+        }
+        Ok(())
+    }
+
+    /// Moves past a `1` above a slash.
+    fn numerator(&mut self) -> bool {
+        let mut ahead = self.scanner;
+        let is_one = ahead.takes_one();
+        let mut behind = Self {
+            scanner: ahead,
+            ..*self
+        };
+        behind.space();
+        let is_above = is_one && behind.slash();
+        if is_above {
+            self.scanner = ahead;
+        }
+        is_above
     }
 
     /// Moves past an opening bracket, and returns the closing one.
@@ -235,7 +270,8 @@ impl Reader<'_> {
         Some(Rational::integer(power))
     }
 
-    fn letters(&mut self) -> Result<(), Error> {
+    /// Reads the units that a run of letters is; returns the run.
+    fn letters(&mut self) -> Result<&'a str, Error> {
         let start = self.scanner.at();
         let name = match self.scanner.peek() {
             Some('\\' | '^') => self.sign(),
@@ -243,7 +279,15 @@ impl Reader<'_> {
             _ => self.scanner.run(is_letter),
         };
         if name.is_empty() {
-            return Err(self.scanner.error(ErrorKind::UnitMissing));
+            let is_digit = self
+                .scanner
+                .peek()
+                .is_some_and(|next| next.is_ascii_digit());
+            return Err(self.scanner.error(if is_digit {
+                ErrorKind::NumberWithinUnit
+            } else {
+                ErrorKind::UnitMissing
+            }));
         }
         let span = start..self.scanner.at();
         for found in joined::units(name, span.clone())?.iter() {
@@ -251,7 +295,7 @@ impl Reader<'_> {
                 .push(Factor::new(found, Rational::ONE))
                 .map_err(|kind| Error::new(kind, span.clone()))?;
         }
-        Ok(())
+        Ok(name)
     }
 
     /// The unit of a sign in LaTeX; nothing if there is none.
@@ -282,8 +326,9 @@ impl Reader<'_> {
                 .and_then(|power| halved(&mut ahead, power))
         } else if let Some(power) = ahead.superscript() {
             Some(power)
-        } else if begins_exponent(ahead.rest()) {
-            ahead.exponent(true)
+        } else if begins_exponent(ahead.rest()) && !self.builder.ends_with_sign() {
+            let few = |power: &Rational| power.abs().is_integer() && power.abs().numerator() <= 4;
+            ahead.exponent(true).filter(few)
         } else {
             ahead.space();
             match ahead.peek() {
@@ -354,7 +399,7 @@ mod tests {
     use super::*;
 
     /// What is typed, and what files would have; the catalogue of notations that students use.
-    const READINGS: [(&str, &str); 99] = [
+    const READINGS: [(&str, &str); 101] = [
         ("", "1"),
         ("1", "1"),
         ("N·m/rad", "N m/rad"),
@@ -440,6 +485,8 @@ mod tests {
         ("m/s²", "m/s^2"),
         ("m s-2", "m s^-2"),
         ("m/s/s", "m/(s s)"),
+        ("N m rad-1", "N m rad^-1"),
+        ("1/s/s", "1/(s s)"),
         ("metres per second squared", "m/s^2"),
         ("m·s^{-2}", "m s^-2"),
         ("\\mathrm{m/s^2}", "m/s^2"),
@@ -488,7 +535,20 @@ mod tests {
             ("m^0", "^0", "not an exponent"),
             ("m^9999", "^9999", "not an exponent"),
             ("N + m", "+", "`+` does not belong here"),
-            ("m^2/2", "2", "a unit is missing"),
+            ("m^2/2", "2", "a number does not belong into a unit"),
+            ("N/m/s", "/", "a second slash"),
+            ("N m/rad/s", "/", "a second slash"),
+            ("m 1", "1", "a number does not belong into a unit"),
+            ("°-10°", "1", "a number does not belong into a unit"),
+            ("mm-5 mm", "-5", "not an exponent"),
+            ("m-2 m", "-", "`-` does not belong here"),
+            (
+                "rad/s (1.238 Hz)",
+                "1",
+                "a number does not belong into a unit",
+            ),
+            ("rad/s or", "or", "`or` is not a known unit"),
+            ("N/m * 2", "2", "a number does not belong into a unit"),
         ] {
             let error = unit(typed).unwrap_err();
             assert_eq!(

@@ -21,7 +21,15 @@ fn nearest(name: &str) -> Option<String> {
     if let Some(found) = word(name) {
         return Some(spelled(found));
     }
-    if PREFIXES.iter().any(|prefix| prefix.symbols.contains(&name)) {
+    let known = FOREIGN.iter().find(|(names, _)| {
+        let is_it = |own: &str| own.eq_ignore_ascii_case(name);
+        names.split(' ').any(is_it)
+    });
+    if let Some((_, meant)) = known {
+        return Some((*meant).to_owned());
+    }
+    // One letter is near to everything.
+    if name.chars().count() == 1 {
         return None;
     }
     if let Some(same) = all().find(|&found| is_symbol_but_for_case(name, found)) {
@@ -45,6 +53,23 @@ fn nearest(name: &str) -> Option<String> {
         .map(|(_, found)| spelled(found))
 }
 
+/// Names of other places and trades, with the unit to give the value in.
+const FOREIGN: [(&str, &str); 13] = [
+    ("in inch inches mil mils thou", "mm"),
+    ("ft foot feet yd yard yards", "m"),
+    ("lb lbs lbm pound pounds slug slugs oz", "kg"),
+    ("lbf ozf kip kips kp dyn dyne", "N"),
+    ("psi ksi atm", "Pa"),
+    ("mph kph kmph", "km/h"),
+    ("cps", "Hz"),
+    ("cpm", "rpm"),
+    ("tr tours umdrehungen u ups", "rev"),
+    ("rd", "rad"),
+    ("micron microns", "um"),
+    ("hp ps cv", "W"),
+    ("cal kcal erg", "J"),
+];
+
 /// The longest name that is compared.
 const LONGEST: usize = 24;
 
@@ -67,8 +92,9 @@ fn is_symbol_but_for_case(name: &str, found: Found) -> bool {
     let Some((start, end)) = name.split_at_checked(head.len()) else {
         return false;
     };
-    // A capital K is a slip for a kilo; other prefixes mean something else in the other case.
-    (start == head || start == "K" && head == "k")
+    // A capital K is a slip for a kilo; other prefixes mean something else in the other case, and in `MM` either is one.
+    let is_shouted = start.starts_with(char::is_uppercase) && end.len() == 1;
+    (start == head && !is_shouted || start == "K" && head == "k")
         && end.eq_ignore_ascii_case(ROWS[usize::from(found.row)].symbols[0])
 }
 
@@ -114,10 +140,12 @@ mod tests {
             ("radd", "rad"),
             ("kilogrm", "kg"),
             ("secnds", "s"),
+            ("inches", "mm"),
+            ("tr", "rev"),
         ] {
             assert_eq!(nearest(name).as_deref(), Some(meant), "{name}");
         }
-        for name in ["q", "k", "NM", "mph"] {
+        for name in ["q", "k", "NM", "MM", "f", "D"] {
             assert_eq!(nearest(name), None, "{name}");
         }
         assert_eq!(nearest("furlong"), None);

@@ -178,14 +178,12 @@ pub(super) fn lenient(text: &str, mark: DecimalMark) -> Result<(Decimal, usize),
     ))
 }
 
-/// The digits at the beginning of a text, with points, commas and spaces between groups of three.
+/// The digits at the beginning of a text, with points, commas, spaces and apostrophes between groups of three.
 fn body(text: &str) -> &str {
     let digits = |from: usize| text[from..].bytes().take_while(u8::is_ascii_digit).count();
     let next = |at: usize| text[at..].chars().next();
     let mut end = digits(0);
-    while let Some(space) =
-        next(end).filter(|char| [' ', '\u{a0}', '\u{2009}', '\u{202f}'].contains(char))
-    {
+    while let Some(space) = next(end).filter(|char| GROUP_SIGNS.contains(char)) {
         let group = end + space.len_utf8();
         if digits(0) == 0 || digits(0) > 3 || digits(group) != 3 {
             break;
@@ -204,6 +202,9 @@ fn body(text: &str) -> &str {
     }
     &text[..end]
 }
+
+/// What people put between groups of three digits, beside points and commas.
+const GROUP_SIGNS: [char; 6] = [' ', '\u{a0}', '\u{2009}', '\u{202f}', '\'', '’'];
 
 /// Where the decimal point or comma stands in a number.
 fn decimal_point(body: &str, mark: DecimalMark) -> Result<Option<usize>, ErrorKind> {
@@ -247,6 +248,13 @@ fn grouped(whole: &str, separator: char) -> bool {
 /// A power of ten after a number: `e-4`, `×10^-4`, `·10⁻⁴`, `\times 10^{-4}`.
 fn power_of_ten(scanner: &mut Scanner<'_>) -> Option<i32> {
     let mut ahead = *scanner;
+    let mut spaced = ahead;
+    spaced.space();
+    // `77.8 e-1`, but the letter of `5 e` or `2 e^3` is another one.
+    let marked = spaced.rest().strip_prefix(['e', 'E']);
+    if marked.is_some_and(is_exponent) {
+        ahead = spaced;
+    }
     let power = if ahead.takes('e') || ahead.takes('E') {
         let power = ahead.plain_exponent().filter(|power| power.is_integer())?;
         power.numerator()
@@ -265,8 +273,14 @@ fn power_of_ten(scanner: &mut Scanner<'_>) -> Option<i32> {
     Some(power)
 }
 
+/// Whether a whole number stands at the beginning of a text.
+fn is_exponent(text: &str) -> bool {
+    let unsigned = text.strip_prefix(['-', '−', '–', '+']).unwrap_or(text);
+    unsigned.starts_with(|char: char| char.is_ascii_digit())
+}
+
 /// What people put before a power of ten.
-const TIMES_SIGNS: [&str; 7] = ["×", "*", "·", "⋅", "x", "\\times", "\\cdot"];
+const TIMES_SIGNS: [&str; 8] = ["×", "*", "·", "⋅", "x", "X", "\\times", "\\cdot"];
 
 /// What stands after the `10` of a power of ten.
 fn exponent_of_ten(scanner: &mut Scanner<'_>) -> Option<i32> {
@@ -319,6 +333,11 @@ mod tests {
             ("3x10^4", 3e4, ""),
             ("3 \\times 10^{-4} m", 3e-4, " m"),
             ("3 \\cdot 10^{4}", 3e4, ""),
+            ("77.8 e-1 m", 7.78, " m"),
+            ("7.78X10^1", 77.8, ""),
+            ("5e–3 m", 0.005, " m"),
+            ("1'250 m", 1250.0, " m"),
+            ("5 e m", 5.0, " e m"),
             ("10^-4 m", 1e-4, " m"),
             ("10⁻⁴", 1e-4, ""),
             ("10 m", 10.0, " m"),

@@ -130,7 +130,7 @@ impl<'a> Scanner<'a> {
     }
 
     fn number(&mut self, lenient: bool) -> Option<Rational> {
-        let negative = self.takes('-') || lenient && self.takes('−');
+        let negative = self.takes('-') || lenient && (self.takes('−') || self.takes('–'));
         if !negative && lenient {
             self.takes('+');
         }
