@@ -131,6 +131,9 @@ impl Marker for Whole {
             si: vec![number],
         };
         let say = |words: &str| Some(Feedback::Words(words.to_owned()));
+        if quantity.unit.text() == "rev" {
+            return Marking::unreadable("Type the number alone, without what it counts.");
+        }
         if !quantity.unit.is_one() {
             let words = say("A count has no unit.");
             return Marking::read(reading, Credit::NONE, Reason::Dimension, words);

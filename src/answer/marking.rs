@@ -6,6 +6,7 @@ use crate::document::Document;
 use crate::expr::Form;
 use crate::math::Math;
 use crate::numerics::Rational;
+use crate::unit::Unit;
 
 /// How a response fared.
 #[derive(
@@ -286,5 +287,12 @@ impl Marking {
             reasons: vec![reason],
             feedback: feedback.into_iter().collect(),
         }
+    }
+
+    /// Says in which unit numbers without one were taken.
+    pub(super) fn say_taken(&mut self, unit: &Unit) {
+        let words = format!("Taken in {}.", unit.text());
+        self.reasons.push(Reason::NoUnit);
+        self.feedback.push(Feedback::Words(words));
     }
 }

@@ -50,6 +50,17 @@ same("1", D(1).exp(), "exp(1)", "e^1")
 same("1", D(-1).exp(), "exp(-1)", "e^-1", "e^(-1)", "1/exp(1)")
 same("1", "0.25", "1/4", "25 %", "25%", "0,25", "0.25", "2.5e-1", "(1/2)^2", "0.5²")
 same("1", "8", "2^3", "2**3", "2³", "8")
+# Degrees behind arithmetic hold for all of it, but for what has π or its own sign.
+same("rad", D("198.7") * PI / 180, "198.7°", "397.4/2 deg", "397.4/2°", "180 + 18.7 deg", "-180+378.7°", "360 - 161.3 deg", "180° + 18.7°", "(397.4/2) deg", "2*99.35°", "φ = 180° + 18.7°", "π + 18.7°")
+same("rad", D("-161.3") * PI / 180, "18.7° - 180°", "18.7 - 180 deg", "-161.3 degrees")
+# Chains of equal sides, names, marks behind a number.
+same("m", "2.52", "x = sqrt(6.3504) = 2.52 m", "x = sqrt(k/m) = 2.52 m", "x = a*b ≈ 2.52 m", "2.52 m = x", "x = 252 cm = 2.52 m", "x(0.5 s) = 2.52 m", "x_{max}: 2.52 m", "x := 2.52", "x \\approx 2.52 m", "maximum displacement = 2.52", "|x| = 2.52 m", "2.52.")
+same("1", "0.25", "0.25 [-]", "0.25 (-)", "ζ = 0.25 [-]")
+# Sums of quantities, products and powers of ten in other signs.
+same("m", "0.162", "400 mm - 238 mm", "0.1 m + 62 mm", "(400-238) mm", "400 - 238 mm", "162·10^-3 m", "16.2 e-2 m", "162X10^-3 m", "162e–3 m", "2x81 mm", "hypot(0, 162) mm")
+same("m", "1250", "1'250 m", "1’250", "1.25 e3")
+same("m/s^2", "5", "5 m/s/s", "5 m/s²", "5 m s-2")
+same("rad", PI / 3, "Pi/3", "PI/3", "π⁄3")
 # Units by dimension.
 same("rad/s", "10", "10 rad/s", "10 s^-1", "10 1/s", "10/s", "10 s⁻¹", "10", "10 rad s^-1", "10 rad·s⁻¹", "10 rads/s", "10 radians per second", "10 Rad/s", "10 rad/sec", "0.01 rad/ms", "ω = 10 rad/s", "omega_n = 10 rad/s", "10 \\frac{rad}{s}", "600 rad/min")
 same("rad/s", 2 * PI * D("1.5915"), "1.5915 Hz", "1,5915 Hz", "1.5915 hz", "1591.5 mHz", "0.0015915 kHz")
@@ -76,7 +87,7 @@ same("N", "9.81", "9.81 N", "9.81 kg m/s^2", "0.00981 kN", "2 * 4.905 N")
 # Another dimension.
 for asked, responses in {
     "rad/s": ["10 s", "10 m", "10 rad", "10 m/s", "10 1/s^2", "10 N", "5 kg"],
-    "m": ["5 J", "5 m^2", "5 s", "5 N", "5 rad/s", "5 1/m", "5 kg m", "1/2 s"],
+    "m": ["5 J", "5 N + 3 N", "5 m^2", "5 s", "5 N", "5 rad/s", "5 1/m", "5 kg m", "1/2 s"],
     "N s/m": ["100 N/m", "100 N s", "100 kg", "100 N m"],
     "N m": ["5 N", "5 N/m", "5 kg m", "5 W"],
     "1": ["5 m", "0.1 s", "3 Hz", "2 kg"],
@@ -84,10 +95,22 @@ for asked, responses in {
 }.items():
     for response in responses:
         row(asked, response, "dimension")
+# Two meanings of one run of letters, slash or sign.
+for asked, responses in {
+    "m/s": ["2.5 ms^-1", "2.5 ms-1", "2.5 ms⁻¹", "9 kmh"],
+    "m/s^2": ["5 ms^-2", "5 ms⁻²"],
+    "rad/s": ["10 rads^-1", "ω <= 10", "ω ≥ 10", "ω != 10", "ω not = 10", "ω = 9; ω = 10", "ω = 9, ω = 10", "99 rad/s = 10 rad/s", "ω² = 10", "sqrt(ω) = 10", "2ω = 20", "-ω = -10", "ω/2 = 5", "ω = 9 k = 10", "sin ω = 10", "10 = 2ω", "π:3", "10 rad/s (1.59 Hz)", "10 rad/s or 1.59 Hz", "10 rad/s approx", "10(1) rad/s"],
+    "N s/m": ["6 N/m/s"],
+    "rad": ["180°-10°", "18.7°-180°", "180° + 10", "60 Grad", "66.67 grad", "60°30'", "60° 0′", "60°0'0\""],
+    "m": ["162·10-3 m", "5.0×10−3", "162.10^-3 m", "25.2*10-3 m", "25.2x10-3 m", "1.25×103 m", "1.25 10^3 m", "0.29 (2/7)", "0.(285714)", "7.78(1)", "100 1", "10 mm-5 mm", "3 m-2 m", "5 inch", "2*3 m * 4"],
+    "1": ["2 cycles", "2 periods", "3 degrees of freedom"],
+}.items():
+    for response in responses:
+        row(asked, response, "unreadable")
 # Not to be read, or only by guessing.
 for response in [
     "", "m", "x", "twelve", "1,234", "1,250 m", "12,500", "1.2.3", "1,2,3", "1 2", "5 m 3", "5 mm 3 cm", "5 ± 0.1", "5 +/- 0.1 m", "4-5 m", "19-21", "2e", "2e m", "5e- m", "5 furlong", "5 N/m s", "5 J/kg·K",
-    "5 kgs", "5 m)", "(5 m", "5 m^x", "5 m^0", "--", "1/0", "1/0 m", "sqrt(-1) m", "5 i", "3 - 4i", "inf", "∞ m", "NaN", "1e999", "10^400 m", "5 m?", "about 5", "5 m or 6 m", "5; 6", "[5]", "3 1/2 m", "2**", "sqrt() m", "5 N + 3 N",
+    "5 kgs", "5 m)", "(5 m", "5 m^x", "5 m^0", "--", "1/0", "1/0 m", "sqrt(-1) m", "5 i", "3 - 4i", "inf", "∞ m", "NaN", "1e999", "10^400 m", "5 m?", "about 5", "5 m or 6 m", "5; 6", "[5]", "3 1/2 m", "2**", "sqrt() m",
     "m 5", "5 m/", "5 per", "x = ", "=", "ln(0)", "pi pi pi m n", "5..6", "1 .. 2 m",
 ]:
     row("m", response, "unreadable")

@@ -6,7 +6,8 @@
 
 use std::sync::LazyLock;
 
-use super::super::typed::{self, Lexicon, Manner, Trouble};
+use super::super::typed::{self, Lexicon, Manner, Trouble, Typed, TypedError};
+use super::doubt::{short, trailing_number};
 use crate::expr::{Constant, Expr, Kind, Operator, Precise, Program, Slots, Value, Workspace};
 use crate::unit::{DecimalMark, Unit};
 
@@ -32,7 +33,7 @@ pub(super) fn is_arithmetic(text: &str) -> bool {
     ]
     .iter()
     .any(|word| text.contains(word));
-    has_word || text.contains(|sign: char| "+*/·×⋅÷^()√π±∓-−–½¼¾²³⁴⁻".contains(sign))
+    has_word || text.contains(|sign: char| "+*/⁄·×⋅÷xX^()√π±∓-−–½¼¾²³⁴⁻".contains(sign))
 }
 
 impl Arithmetic {
@@ -45,19 +46,17 @@ impl Arithmetic {
         if text.len() > LONGEST {
             return Err("This is too long to be read.".to_owned());
         }
-        if let Some(number) = ambiguous_comma(text).filter(|_| mark == DecimalMark::Point) {
-            return Err(format!(
-                "The comma in `{number}` may separate decimals or thousands: write `{}` or `{}`.",
-                number.replace(',', "."),
-                number.replace(',', "")
-            ));
-        }
+        let plain = plain(text);
+        let text = plain.as_str();
         let manner = Manner {
-            comma_is_decimal: true,
+            comma_is_decimal: mark == DecimalMark::Comma || !has_arguments(text),
             has_imaginary_unit: is_complex,
         };
         let formula = |text: &str| typed::formula(text, &NUMBERS, manner);
-        let error = match formula(text) {
+        if let Some(angle) = Self::in_degrees(text, formula) {
+            return angle.checked(text);
+        }
+        let mut error = match formula(text) {
             Ok(typed) => {
                 return Self {
                     expr: typed.value,
@@ -68,21 +67,53 @@ impl Arithmetic {
             Err(error) => error,
         };
         for (number, unit) in typed::with_unit(text) {
-            let Ok(typed) = formula(number) else {
-                continue;
-            };
-            let unit = Some(unit);
-            return Self {
-                expr: typed.value,
-                unit,
+            match formula(number) {
+                Ok(typed) => {
+                    return Self {
+                        expr: typed.value,
+                        unit: Some(unit),
+                    }
+                    .checked(number);
+                }
+                // What sticks at the unit sticks before it.
+                Err(before) if error.span.range().start >= number.len() => error = before,
+                Err(_) => {}
             }
-            .checked(number);
         }
+        let place = short(text.get(error.span.range()).unwrap_or_default());
         Err(match error.trouble {
-            Trouble::Unknown { .. } | Trouble::NotAllowed(_) | Trouble::Sign | Trouble::Unit => {
-                HELP.to_owned()
+            Trouble::Unknown { .. } | Trouble::NotAllowed(_) if !place.is_empty() => {
+                format!("At `{place}`: a number is asked, without letters. {HELP}")
             }
+            Trouble::Unit => {
+                format!("At `{place}`: the unit stands last, behind the whole number. {HELP}")
+            }
+            Trouble::Unknown { .. } | Trouble::NotAllowed(_) => HELP.to_owned(),
             _ => format!("{} {HELP}", error.sentence(text)),
+        })
+    }
+
+    /// Arithmetic with degrees as its last sign, `397.4/2°` and `-180 + 18.7 deg`; where another number has
+    /// its own, or π tells that it is in radians, the sign belongs to the last number alone.
+    fn in_degrees(
+        text: &str,
+        formula: impl Fn(&str) -> Result<Typed<Expr>, TypedError>,
+    ) -> Option<Self> {
+        const SIGNS: [&str; 6] = ["°", "degrees", "degree", "deg", "^\\circ", "^{\\circ}"];
+        let number = SIGNS
+            .iter()
+            .find_map(|sign| text.trim().strip_suffix(sign))?;
+        let expr = formula(number).ok()?.value;
+        let mut is_bare = true;
+        expr.walk(&mut |node| {
+            is_bare &= !matches!(
+                node.kind(),
+                Kind::Measure(..) | Kind::Constant(Constant::Pi)
+            );
+        });
+        is_bare.then(|| Self {
+            expr,
+            unit: Unit::parse("deg").ok(),
         })
     }
 
@@ -109,13 +140,20 @@ impl Arithmetic {
             return Err(HELP.to_owned());
         }
         if let Kind::Binary(Operator::Subtract, a, b) = self.expr.kind() {
-            let is_plain = a.as_number().is_some() && b.as_number().is_some();
-            if is_plain && !text.trim().contains(' ') {
+            let is_plain = |side: &Expr| {
+                side.as_number().is_some() || matches!(side.kind(), Kind::Measure(..))
+            };
+            let text = text.trim();
+            if is_plain(a) && is_plain(b) && !text.contains([' ', '(']) {
                 return Err(format!(
-                    "`{}` may be a range or a difference: give one number.",
-                    text.trim()
+                    "`{text}` may be a range or a difference: give one number, or spaces around the minus."
                 ));
             }
+        }
+        if mixes_degrees(&self.expr) {
+            return Err(
+                "One of these angles has a sign of degrees, another one has none.".to_owned(),
+            );
         }
         if is_in_degrees(&self.expr) {
             match self.unit {
@@ -134,6 +172,50 @@ impl Arithmetic {
     }
 }
 
+/// Whether an angle in degrees is added to a number without a unit; with π it is one in radians.
+fn mixes_degrees(expr: &Expr) -> bool {
+    let mut is_mixed = false;
+    expr.walk(&mut |node| {
+        if let Kind::Binary(Operator::Add | Operator::Subtract, left, right) = node.kind() {
+            let is_bare = |side: &Expr| !is_in_degrees(side) && !has_pi(side);
+            is_mixed |=
+                is_in_degrees(left) && is_bare(right) || is_bare(left) && is_in_degrees(right);
+        }
+    });
+    is_mixed
+}
+
+fn has_pi(expr: &Expr) -> bool {
+    let mut is_there = false;
+    expr.walk(&mut |node| is_there |= *node.kind() == Kind::Constant(Constant::Pi));
+    is_there
+}
+
+/// With small letters for π, and `×` for the letter between two numbers.
+fn plain(text: &str) -> String {
+    let text = text.replace("Pi", "pi").replace("PI", "pi");
+    let is_digit = |char: char| char.is_ascii_digit();
+    let crossed = text.char_indices().map(|(at, char)| {
+        let is_between = || {
+            !matches!(trailing_number(text[..at].trim_end()), "" | "0")
+                && text[at + 1..].trim_start().starts_with(is_digit)
+        };
+        if matches!(char, 'x' | 'X') && is_between() {
+            '×'
+        } else {
+            char
+        }
+    });
+    crossed.collect()
+}
+
+/// Whether a text calls a function of several numbers.
+fn has_arguments(text: &str) -> bool {
+    ["atan2", "hypot", "min", "max"]
+        .iter()
+        .any(|name| text.contains(&format!("{name}(")))
+}
+
 /// Whether a value is an angle in degrees; one that stands in a function or exponent leaves no unit.
 fn is_in_degrees(expr: &Expr) -> bool {
     match expr.kind() {
@@ -143,17 +225,4 @@ fn is_in_degrees(expr: &Expr) -> bool {
         Kind::Binary(_, left, right) => is_in_degrees(left) || is_in_degrees(right),
         _ => false,
     }
-}
-
-/// A number with one comma that cuts it into up to three digits and exactly three.
-fn ambiguous_comma(text: &str) -> Option<&str> {
-    let is_of_number = |char: char| char.is_ascii_digit() || char == ',' || char == '.';
-    text.split(|char| !is_of_number(char)).find(|number| {
-        number.split_once(',').is_some_and(|(whole, rest)| {
-            (1..=3).contains(&whole.len())
-                && !whole.starts_with('0')
-                && rest.len() == 3
-                && !number.contains('.')
-        })
-    })
 }

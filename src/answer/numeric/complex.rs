@@ -5,10 +5,10 @@ use super::super::{
     Credit, Feedback, Key, KeyValue, Marker, Marking, Mistaken, Reading, Reason, Trial,
 };
 use super::arithmetic::{Arithmetic, LONGEST};
-use super::read;
+use super::{doubt, read};
 use crate::expr::{Expr, Form, Kind};
 use crate::math::Math;
-use crate::numerics::Complex;
+use crate::numerics::{Complex, powi};
 use crate::source::Span;
 use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
 
@@ -40,6 +40,8 @@ struct Typed {
     value: Complex,
     math: Math,
     text: String,
+    /// Whether it has no unit where one is due.
+    is_bare: bool,
 }
 
 impl Target {
@@ -47,6 +49,15 @@ impl Target {
         let slack = self.bound + 4.0 * f64::EPSILON * self.value.abs();
         (typed - self.value).abs() <= self.half + slack
     }
+}
+
+/// Whether a number fits but for a power of ten.
+fn is_off_by_ten(target: &Target, typed: Complex) -> bool {
+    let fits = |power| {
+        let factor = powi(10.0, power);
+        target.accepts(Complex::new(typed.re * factor, typed.im * factor))
+    };
+    (1..=9).any(|power| fits(power) || fits(-power))
 }
 
 /// The complex number that a text is, before its unit; the unit, where one is written.
@@ -57,6 +68,13 @@ fn number(text: &str, mark: DecimalMark) -> Result<(Complex, Option<Unit>, Expr)
     if let Some((modulus, angle)) = polar {
         return of_polar(modulus, angle, mark);
     }
+    if let Some(question) = doubt::question(text, mark) {
+        return Err(question);
+    }
+    // `4iΩ`, `4*I`.
+    let spaced = text.replace("iΩ", "i Ω").replace("jΩ", "j Ω");
+    let text = spaced.replace("*I", "*i");
+    let text = text.as_str();
     let arithmetic = Arithmetic::read(text.trim(), mark, true)
         .or_else(|error| Arithmetic::read(&once(text).ok_or(error)?, mark, true))
         .map_err(|_| HELP.to_owned())?;
@@ -94,6 +112,12 @@ fn of_polar(
     };
     let modulus = read::quantity(&format!("{} {}", modulus.trim(), behind.trim()), mark)?;
     let angle = read::quantity(angle, mark)?;
+    if angle.unit.is_one() && angle.value.to_f64().abs() > std::f64::consts::TAU {
+        return Err(format!(
+            "The angle `{}` has no unit: is it in degrees? Type `{}°`.",
+            angle.value, angle.value
+        ));
+    }
     let radian = Unit::parse("rad").unwrap_or(Unit::ONE);
     let radians = angle
         .si_for(&radian)
@@ -145,7 +169,13 @@ impl Numbers {
             )));
         }
         let value = Complex::new(unit.to_si(value.re), unit.to_si(value.im));
-        Ok(Typed { value, math, text })
+        let is_bare = stated.is_none() && !self.unit.is_one() && value != Complex::new(0.0, 0.0);
+        Ok(Typed {
+            value,
+            math,
+            text,
+            is_bare,
+        })
     }
 
     fn accepted(&self, keys: &[Target], typed: &[Complex]) -> usize {
@@ -276,7 +306,11 @@ impl Marker for Numbers {
         };
         let found = self.accepted(&self.targets, &values);
         if found == self.targets.len() && values.len() == found {
-            return Marking::read(reading, Credit::FULL, Reason::Matches, None);
+            let mut marking = Marking::read(reading, Credit::FULL, Reason::Matches, None);
+            if items.iter().any(|item| item.is_bare) {
+                marking.say_taken(&self.unit);
+            }
+            return marking;
         }
         for mistaken in &self.mistakes {
             let Some(value) = mistaken.values.first() else {
@@ -321,6 +355,10 @@ impl Marker for Numbers {
             ([target], [value]) if target.accepts(-*value) => {
                 (Reason::Sign, Some("The sign is wrong."))
             }
+            ([target], [value]) if is_off_by_ten(target, *value) => (
+                Reason::PowerOfTen,
+                Some("The digits fit, the power of ten does not: check the prefixes."),
+            ),
             ([target], [value]) if (value.abs() - target.value.abs()).abs() <= target.half => (
                 Reason::Other,
                 Some("The magnitude fits, the angle does not."),

@@ -3,6 +3,7 @@
 use super::super::{
     Credit, Feedback, Key, KeyValue, Marker, Marking, Mistaken, Reading, Reason, Trial,
 };
+use super::list::list;
 use super::read::{self, Number};
 use super::slip::mixes_energy_and_moment;
 use super::target::{Target, Typed, pair};
@@ -98,14 +99,17 @@ impl Numbers {
         let Ok(typed) = self.si(quantity) else {
             return self.wrong_dimension(number);
         };
+        if let Some(words) = self.absurd(typed).or_else(|| self.counts(&quantity.unit)) {
+            return Marking::unreadable(words);
+        }
         let reading = Self::reading(std::slice::from_ref(number), &[typed.hi()], self.mark);
         if target.accepts(typed, self.modulo) {
             return self.right(reading, number);
         }
-        if let Some(marking) = self.mistake(&reading, &[typed]) {
+        if let Some(marking) = self.mistake(&reading, std::slice::from_ref(number), &[typed]) {
             return marking;
         }
-        let (reason, words) = self.slip(target, typed, quantity);
+        let (reason, words) = self.slip(&[typed], &quantity.unit);
         Marking::read(reading, Credit::NONE, reason, words.map(Feedback::Words))
     }
 
@@ -118,6 +122,25 @@ impl Numbers {
         };
         let (high, low) = taken.conversion(&self.unit)?.apply_pair(&taken.value);
         Ok(Dd::sum(high, low))
+    }
+
+    /// What is said of cycles or turns where a pure number is asked: whether they count or measure angles is open.
+    fn counts(&self, typed: &Unit) -> Option<String> {
+        let is_turn = self.unit.is_one() && typed.text() == "rev";
+        is_turn.then(|| "A number alone is asked: leave out what it counts.".to_owned())
+    }
+
+    /// What is said of an angle that nobody means: so many turns that what is left of it tells nothing.
+    fn absurd(&self, typed: Typed) -> Option<String> {
+        const MOST_TURNS: f64 = 100.0;
+        let period = self.modulo?;
+        let turn = Quantity::new(Decimal::rounded(self.unit.of_si(period), 4)?, self.unit);
+        (typed.hi().abs() > MOST_TURNS * period).then(|| {
+            format!(
+                "This is more than {MOST_TURNS} times {}: give the value within one turn.",
+                turn.text(self.mark)
+            )
+        })
     }
 
     fn right(&self, reading: Reading, number: &Number) -> Marking {
@@ -141,23 +164,28 @@ impl Numbers {
             marking.feedback.push(Feedback::Words(words));
         }
         if quantity.unit.is_one() && !self.unit.is_one() {
-            marking.reasons.push(Reason::NoUnit);
-            marking
-                .feedback
-                .push(Feedback::Words(format!("Taken in {}.", self.unit.text())));
+            marking.say_taken(&self.unit);
         } else if mixes_energy_and_moment(&quantity.unit, &self.unit) {
-            let words = "The joule is kept for energies: write a moment in N m.";
-            marking.feedback.push(Feedback::Words(words.to_owned()));
+            let asked = self.unit.text();
+            let words = format!("The joule is kept for energies: write this in {asked}.");
+            marking.feedback.push(Feedback::Words(words));
         }
         marking
     }
 
-    /// The named mistake that a response equals, if any.
-    fn mistake(&self, reading: &Reading, typed: &[Typed]) -> Option<Marking> {
-        let found = self
-            .mistakes
-            .iter()
-            .find(|mistake| mistake.unit.is_none() && self.equals(mistake, typed))?;
+    /// The named mistake that a response equals, if any; one in another unit is told by its numbers alone.
+    fn mistake(&self, reading: &Reading, items: &[Number], typed: &[Typed]) -> Option<Marking> {
+        let is_it = |mistake: &&Mistake| match mistake.unit {
+            None => self.equals(mistake, typed),
+            Some(unit) => {
+                let of = |item: &Number| Dd::from(Quantity::new(item.quantity.value, unit).si());
+                let numbers: Vec<Typed> = items.iter().map(of).collect();
+                let is_plain =
+                    |item: &Number| item.quantity.unit.is_one() || item.quantity.unit == self.unit;
+                items.iter().all(is_plain) && self.equals(mistake, &numbers)
+            }
+        };
+        let found = self.mistakes.iter().find(is_it)?;
         let feedback = Some(Feedback::Mistake(found.number));
         Some(Marking::read(
             reading.clone(),
@@ -218,17 +246,27 @@ impl Numbers {
         Marking::read(reading, Credit::NONE, Reason::Dimension, words)
     }
 
-    /// What is said of a unit that fits in small letters alone: `rad/S` for `rad/s`.
+    /// What is said of a unit that fits if it is written with small letters, with a space or not at all:
+    /// `rad/S` for `rad/s`, `ms⁻¹` for `m·s⁻¹`, cycles of a count.
     fn miswritten(&self, typed: &Unit) -> Option<String> {
         let text = typed.text();
-        let small = Unit::read(&text.to_lowercase()).ok()?;
-        let fits = small.dimension() == self.unit.dimension() && !small.is_one();
-        fits.then(|| {
-            format!(
-                "Capitals matter in units: write `{}` for `{text}`.",
-                small.text()
-            )
-        })
+        let fits = |text: &str| {
+            let unit = Unit::read(text).ok()?;
+            (unit.dimension() == self.unit.dimension() && !unit.is_one()).then_some(unit)
+        };
+        if let Some(small) = fits(&text.to_lowercase()) {
+            let small = small.text();
+            return Some(format!(
+                "Capitals matter in units: write `{small}` for `{text}`."
+            ));
+        }
+        let spaced = [("ms", "m·s"), ("rad⁻", "rad·s⁻")]
+            .iter()
+            .find_map(|(run, meant)| fits(&text.replace(run, meant)))?;
+        let spaced = spaced.to_string();
+        Some(format!(
+            "This is read as `{text}`: write `{spaced}` with a space."
+        ))
     }
 
     fn mark_list(&self, items: &[Number]) -> Marking {
@@ -239,28 +277,53 @@ impl Numbers {
                 Err(_) => return self.wrong_dimension(item),
             }
         }
+        if let Some(words) = typed.iter().find_map(|value| self.absurd(*value)) {
+            return Marking::unreadable(words);
+        }
         let numbers: Vec<f64> = typed.iter().map(|value| value.hi()).collect();
         let reading = Self::reading(items, &numbers, self.mark);
         let matched = pair(&self.targets, &typed, self.modulo, self.is_ordered);
         let (expected, given) = (self.targets.len(), typed.len());
+        let is_bare = |item: &Number| item.quantity.unit.is_one() && !item.quantity.value.is_zero();
         if matched == expected && given == expected {
-            return Marking::read(reading, Credit::FULL, Reason::Matches, None);
+            let mut marking = Marking::read(reading, Credit::FULL, Reason::Matches, None);
+            if !self.unit.is_one() && items.iter().any(is_bare) {
+                marking.say_taken(&self.unit);
+            }
+            return marking;
         }
-        if let Some(marking) = self.mistake(&reading, &typed) {
+        if let Some(marking) = self.mistake(&reading, items, &typed) {
             return marking;
         }
         let surplus = given.saturating_sub(expected);
         let share = Rational::new(matched.saturating_sub(surplus) as i128, expected as i128);
         let credit = share.and_then(Credit::new).unwrap_or(Credit::NONE);
-        let words = format!(
-            "{matched} of {expected} values are right{}.",
-            if surplus > 0 {
-                ", and there are too many"
+        let unit = items.last().map_or(Unit::ONE, |last| last.quantity.unit);
+        let (reason, slip) = self.slip(&typed, &unit);
+        let words = slip.unwrap_or_else(|| self.counted(&typed, matched));
+        Marking::read(reading, credit, reason, Some(Feedback::Words(words)))
+    }
+
+    /// How many numbers of a list are right.
+    fn counted(&self, typed: &[Typed], matched: usize) -> String {
+        let (expected, given) = (self.targets.len(), typed.len());
+        let in_any_order = pair(&self.targets, typed, self.modulo, false);
+        if in_any_order > matched {
+            return if in_any_order == expected && given == expected {
+                "The values are right, their order is not.".to_owned()
             } else {
-                ""
-            }
-        );
-        Marking::read(reading, credit, Reason::Other, Some(Feedback::Words(words)))
+                format!(
+                    "{}, but in another order.",
+                    are_right(in_any_order, expected)
+                )
+            };
+        }
+        let surplus = given.saturating_sub(expected);
+        let are_right = are_right(matched, expected);
+        match surplus {
+            0 => format!("{are_right}."),
+            _ => format!("{are_right}, but {given} are given."),
+        }
     }
 
     /// How numbers with units were read.
@@ -323,7 +386,7 @@ impl Marker for Numbers {
 
     fn mark(&self, response: &str) -> Marking {
         if self.is_list {
-            return match read::list(response, self.mark) {
+            return match list(response, self.targets.len(), self.mark) {
                 Ok(items) => self.mark_list(&items),
                 Err(help) => Marking::unreadable(help),
             };
@@ -347,6 +410,12 @@ impl Marker for Numbers {
     fn half_widths(&self) -> Vec<f64> {
         self.targets.iter().map(|target| target.half).collect()
     }
+}
+
+/// `1 of 2 values is right`.
+fn are_right(count: usize, of: usize) -> String {
+    let verb = if count == 1 { "is" } else { "are" };
+    format!("{count} of {of} values {verb} right")
 }
 
 /// Values side by side with commas.

@@ -18,8 +18,11 @@
 
 mod arithmetic;
 mod complex;
+mod doubt;
+mod list;
 mod marker;
 mod read;
+mod sides;
 mod slip;
 mod target;
 mod trial;

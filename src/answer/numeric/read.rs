@@ -1,10 +1,11 @@
 //! Numbers with units as people type them.
 
-use super::super::typed::{cut, first_bracket};
+use super::super::typed::first_bracket;
 use super::arithmetic::{Arithmetic, is_arithmetic};
+use super::doubt::{question, short};
+use super::sides::{self, Sides};
 use crate::expr::{Expr, PlainNotation};
 use crate::math::Math;
-use crate::source::Span;
 use crate::unit::{Decimal, DecimalMark, ErrorKind, Quantity, Unit};
 
 /// A number with its unit as it was typed.
@@ -43,15 +44,30 @@ impl Number {
     }
 }
 
-/// The number that a response is, after a symbol and an equals sign that may stand before it.
+/// The number that a response is, beside its name and what it is said to equal.
 ///
 /// # Errors
 ///
 /// A sentence that says what cannot be read and what to type instead.
 pub(super) fn number(response: &str, mark: DecimalMark) -> Result<Number, String> {
-    let value = unenclosed(after_equals(response));
+    if sides::is_alone(response) {
+        return alone(response, mark);
+    }
+    let response = sides::plain(response);
+    let sides = Sides::of(&response)?;
+    let number = alone(sides.value(), mark)?;
+    sides.check(&number, mark, |side| alone(side, mark).ok())?;
+    Ok(number)
+}
+
+/// The number that a text is.
+fn alone(text: &str, mark: DecimalMark) -> Result<Number, String> {
+    let value = unenclosed(unmarked(text));
     if has_two_signs(value) {
-        return Err(format!("`{value}` begins with two signs: give one number."));
+        return Err(format!(
+            "`{}` begins with two signs: give one number.",
+            short(value)
+        ));
     }
     let error = match Quantity::read(value, mark) {
         Ok(quantity) => {
@@ -62,19 +78,26 @@ pub(super) fn number(response: &str, mark: DecimalMark) -> Result<Number, String
         }
         Err(error) => error,
     };
+    if let Some(question) = question(value, mark) {
+        return Err(question);
+    }
     let is_plain = matches!(
         error.kind,
         ErrorKind::AmbiguousComma { .. } | ErrorKind::TooLong { .. } | ErrorKind::OutOfRange
     );
-    if !is_plain && is_arithmetic(value) {
-        match computed(value, mark) {
-            Ok(number) => return Ok(number),
-            // A decimal with a unit that cannot be read is told by its unit.
-            Err(words) if !is_number_then_unit(value, mark) => return Err(words),
-            Err(_) => {}
-        }
+    if is_plain || !is_arithmetic(value) {
+        return Err(explained(value, &error));
     }
-    Err(explained(value, &error))
+    computed(value, mark).or_else(|words| {
+        summed(value, mark).ok_or_else(|| {
+            // A decimal with a unit that cannot be read is told by its unit.
+            if is_number_then_unit(value, mark) {
+                explained(value, &error)
+            } else {
+                words
+            }
+        })
+    })
 }
 
 /// The quantity that a response is.
@@ -91,8 +114,8 @@ fn computed(text: &str, mark: DecimalMark) -> Result<Number, String> {
     let arithmetic = Arithmetic::read(text, mark, false)?;
     let value = arithmetic.value().and_then(|value| value.as_real());
     let decimal = value.and_then(Decimal::shortest);
-    let decimal = decimal.ok_or_else(|| format!("`{}` has no value.", text.trim()))?;
-    let unit = arithmetic.unit.unwrap_or(crate::unit::Unit::ONE);
+    let decimal = decimal.ok_or_else(|| format!("`{}` has no value.", short(text)))?;
+    let unit = arithmetic.unit.unwrap_or(Unit::ONE);
     Ok(Number {
         quantity: Quantity::new(decimal, unit),
         arithmetic: Some(arithmetic.expr),
@@ -112,9 +135,12 @@ fn explained(value: &str, error: &crate::unit::Error) -> String {
         .get(error.span.clone())
         .filter(|place| !place.is_empty() && *place != value);
     let mut message = match place {
-        Some(place) => format!("At `{place}`: {error}."),
+        Some(place) => format!("At `{}`: {error}.", short(place)),
         None => format!("{}.", capital(&error.to_string())),
     };
+    if let Some(counted) = counted(value) {
+        return format!("Type the number alone, without `{counted}`.");
+    }
     if let Some(help) = error.help() {
         message.push(' ');
         message.push_str(&capital(&help));
@@ -125,87 +151,30 @@ fn explained(value: &str, error: &crate::unit::Error) -> String {
     message
 }
 
-/// The items of a list; a unit at the end of the last one, or behind the bracket, serves for all that have none.
-pub(super) fn list(response: &str, mark: DecimalMark) -> Result<Vec<Number>, String> {
-    const MOST_ITEMS: usize = 100;
-    const LONGEST: usize = 2_000;
-    if response.len() > LONGEST {
-        return Err("This is too long to be read.".to_owned());
+/// The sum of several numbers that have their own units, `50 N/m + 25 N/m`, in the unit of the first.
+fn summed(text: &str, mark: DecimalMark) -> Option<Number> {
+    let is_spaced = |at: usize| text[..at].ends_with(' ');
+    let mut terms = Vec::new();
+    let (mut start, mut is_less) = (0, false);
+    for (at, char) in text.char_indices().chain([(text.len(), '+')]) {
+        if "+-−–".contains(char) && (at == text.len() || at > 0 && is_spaced(at)) {
+            let term = Quantity::read(text[start..at].trim_end(), mark).ok()?;
+            terms.push((is_less, term));
+            (start, is_less) = (at + char.len_utf8(), char != '+');
+        }
     }
-    let response = response.trim().replace('\n', "; ");
-    let (inner, unit) = unframed(after_equals(&response));
-    let mut pieces = separated(inner, mark);
-    if pieces.len() == 1 && response.matches('=').count() > 1 {
-        // `a = 1, b = 2`: each has an equals sign of its own.
-        pieces = separated(&response, mark);
+    let unit = terms.first()?.1.unit;
+    let mut sum = 0.0;
+    for (is_less, term) in &terms {
+        let has_unit = !unit.is_one() && !term.unit.is_one();
+        let value = unit.of_si(term.si_for(&unit).ok().filter(|_| has_unit)?);
+        sum += if *is_less { -value } else { value };
     }
-    if pieces.len() > MOST_ITEMS {
-        return Err(format!("A list has at most {MOST_ITEMS} numbers."));
-    }
-    let mut items = Vec::new();
-    for piece in pieces {
-        items.extend(both_signs(piece, mark)?);
-    }
-    let unit = unit.or_else(|| items.last().map(|last| last.quantity.unit));
-    if let Some(unit) = unit {
-        items
-            .iter_mut()
-            .filter(|item| item.quantity.unit.is_one())
-            .for_each(|item| item.quantity.unit = unit);
-    }
-    Ok(items)
-}
-
-/// The number that an item of a list is, or the two that it is with `±`.
-fn both_signs(piece: &str, mark: DecimalMark) -> Result<Vec<Number>, String> {
-    let value = after_equals(piece);
-    if is_followed_by_name(piece, mark) {
-        return Err(format!(
-            "At `{piece}`: separate the numbers by semicolons, as in `5; 8.7`."
-        ));
-    }
-    let size = ["±", "+-", "+/-", "\\pm"]
-        .iter()
-        .find_map(|sign| value.strip_prefix(sign));
-    let Some(size) = size else {
-        return Ok(vec![number(piece, mark)?]);
-    };
-    let plus = number(size, mark)?;
-    let minus = Number {
-        quantity: Quantity::new(plus.quantity.value.negated(), plus.quantity.unit),
-        arithmetic: plus.arithmetic.clone().map(|expr| -expr),
-    };
-    Ok(vec![plus, minus])
-}
-
-/// Whether the next name stands behind a number without a separator, `a = 5 b = 8`.
-fn is_followed_by_name(piece: &str, mark: DecimalMark) -> bool {
-    let sides: Vec<&str> = piece.split('=').collect();
-    sides.len() > 2
-        && sides[1..sides.len() - 1].iter().any(|side| {
-            let parts = side.trim().rsplit_once(char::is_whitespace);
-            parts.is_some_and(|(number, name)| {
-                name.starts_with(char::is_alphabetic)
-                    && Quantity::read(number, mark).is_ok()
-                    && Quantity::read(side.trim(), mark).is_err()
-            })
-        })
-}
-
-/// Without the brackets around a whole list, and the unit that stands behind them.
-fn unframed(text: &str) -> (&str, Option<Unit>) {
-    let Some(close) = first_bracket(text) else {
-        return (text, None);
-    };
-    let (inner, behind) = (&text[1..close], text[close + 1..].trim());
-    let is_list = || separated(inner, DecimalMark::Point).len() > 1;
-    if behind.is_empty() {
-        (inner, None)
-    } else if behind.starts_with(char::is_alphabetic) && is_list() {
-        Unit::read(behind).map_or((text, None), |unit| (inner, Some(unit)))
-    } else {
-        (text, None)
-    }
+    let quantity = Quantity::new(Decimal::shortest(sum)?, unit);
+    (terms.len() > 1).then_some(Number {
+        quantity,
+        arithmetic: None,
+    })
 }
 
 /// Without brackets or dollars around the whole of a number and its unit.
@@ -227,62 +196,43 @@ fn has_two_signs(text: &str) -> bool {
     signs.next().is_some_and(is_sign) && signs.next().is_some_and(is_sign)
 }
 
-/// What stands behind the last equals sign, or behind a name with a colon; the last that has a number in it.
-fn after_equals(response: &str) -> &str {
-    let has_number = |side: &&str| {
-        side.contains(|char: char| char.is_ascii_digit() || "π∞½¼¾√".contains(char))
-            || side.contains("pi")
+/// Without marks behind a number: the end of a sentence, and the sign of a number that has no unit.
+fn unmarked(text: &str) -> &str {
+    let text = text.trim();
+    let text = match text.strip_suffix('.') {
+        Some(rest) if rest.contains('.') => rest,
+        _ => text,
     };
-    let sides = || response.rsplit(['=', '≈']).map(str::trim);
-    let value = sides().next().filter(has_number).or_else(|| {
-        sides().find(|side| has_number(side) && !side.starts_with(char::is_alphabetic))
-    });
-    let value = value.or_else(|| sides().next()).unwrap_or(response);
-    match value.split_once(':') {
-        Some((name, value)) if name.starts_with(char::is_alphabetic) => value.trim(),
-        _ => value,
-    }
+    ["[-]", "(-)", "[–]", "[1]"]
+        .iter()
+        .find_map(|sign| text.strip_suffix(sign))
+        .map_or(text, str::trim_end)
 }
 
-/// Cut at semicolons, at the words `and` and `or`, or at commas that cannot be decimal signs; none in brackets.
-fn separated(text: &str, mark: DecimalMark) -> Vec<&str> {
-    let all = Span::new(0, text.len());
-    if text.contains(';') {
-        return kept(
-            cut(text, all, &[';'])
-                .into_iter()
-                .map(|place| &text[place.range()]),
-        );
-    }
-    let pieces = text
-        .split(" and ")
-        .flat_map(|piece| piece.split(" or "))
-        .collect::<Vec<_>>();
-    // Between spaced commas or words, a comma between digits is a decimal sign.
-    let needs_space = mark == DecimalMark::Comma || text.contains(", ") || pieces.len() > 1;
-    kept(
-        pieces
-            .into_iter()
-            .flat_map(|piece| at_commas(piece, needs_space)),
-    )
-}
-
-/// The pieces of a text between commas outside of brackets, or between those with a space behind.
-fn at_commas(text: &str, needs_space: bool) -> Vec<&str> {
-    let (mut pieces, mut start) = (Vec::new(), 0);
-    for place in cut(text, Span::new(0, text.len()), &[',']) {
-        let end = place.range().end;
-        if end == text.len() || !needs_space || text[end + 1..].starts_with(' ') {
-            pieces.push(&text[start..end]);
-            start = end + 1;
-        }
-    }
-    pieces
-}
-
-fn kept<'t>(pieces: impl Iterator<Item = &'t str>) -> Vec<&'t str> {
-    let pieces = pieces.map(str::trim);
-    pieces.filter(|piece| !piece.is_empty()).collect()
+/// The word for what is counted, behind a number: `2 periods`.
+fn counted(value: &str) -> Option<&str> {
+    const WORDS: [&str; 16] = [
+        "period",
+        "periods",
+        "oscillation",
+        "oscillations",
+        "vibrations",
+        "swings",
+        "times",
+        "dof",
+        "dofs",
+        "degree of freedom",
+        "degrees of freedom",
+        "half-cycles",
+        "half cycles",
+        "modes",
+        "coordinates",
+        "positions",
+    ];
+    let word = value.trim_start_matches(|char: char| !char.is_alphabetic());
+    WORDS
+        .contains(&word.to_lowercase().as_str())
+        .then_some(word)
 }
 
 fn capital(sentence: &str) -> String {

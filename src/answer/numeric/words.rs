@@ -41,9 +41,25 @@ fn measured(dimension: Dimension) -> Option<&'static str> {
     MEASURED.iter().find(own).map(|(_, words)| *words)
 }
 
+/// What a unit is that of, where its form tells more than its dimension.
+fn special(unit: &Unit) -> Option<&'static str> {
+    let text = unit.text();
+    if unit.dimension() != Dimension::ENERGY {
+        return None;
+    }
+    match (
+        text.contains("/rad") || text.contains("/°"),
+        text.ends_with('J'),
+    ) {
+        (true, _) => Some("a torsional stiffness"),
+        (false, true) => Some("an energy"),
+        (false, false) => None,
+    }
+}
+
 /// What is said where a unit of another dimension was typed.
 pub(super) fn misfit(typed: &Unit, asked: &Unit) -> String {
-    let of = |unit: &Unit| match measured(unit.dimension()) {
+    let of = |unit: &Unit| match special(unit).or_else(|| measured(unit.dimension())) {
         Some(words) => format!("{words}, "),
         None if unit.dimension().is_pure() => "an angle or a pure number, ".to_owned(),
         None => String::new(),
@@ -55,6 +71,12 @@ pub(super) fn misfit(typed: &Unit, asked: &Unit) -> String {
     } else {
         format!(": `{}` measures {found}", typed.text())
     };
+    if typed.text() == "g" && measured(asked.dimension()) == Some("an acceleration") {
+        return format!(
+            "`g` is the gram: write `g0` for the acceleration of free fall, or {}.",
+            asked.text()
+        );
+    }
     if asked.is_one() {
         return format!("The unit does not fit{is}. A pure number is asked, without a unit.");
     }

@@ -11,6 +11,7 @@ mod hostile;
 mod interval;
 mod matrix;
 mod mode_shape;
+mod number;
 mod trials;
 mod typed;
 mod typing;
