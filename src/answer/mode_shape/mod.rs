@@ -4,8 +4,8 @@
 //! `normalization` asks for one: `mass` for shapes with unit modal mass, `first` for a first component of 1.
 //! Several vectors, `[[1, -1, 0], [0, 1, -1]]`, are asked by several modes: each has to lie in the space of its
 //! mode, and those of one frequency have to be independent. Where frequencies repeat, any shape of that frequency
-//! is right. The tolerance is an angle, a hundredth of a radian for three figures unless stated. A shape of
-//! another mode of the model is told as such.
+//! is right. The tolerance is an angle, a hundredth of a radian unless stated, a tenth of that for each figure above
+//! three in which the key is printed. A shape of another mode of the model is told as such.
 //!
 //! ```toml
 //! [[part]]
@@ -146,10 +146,10 @@ impl Answer for Mode {
     fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
         let evaluation = context.evaluation;
         let key = evaluation.value(self.key)?.clone();
-        let derived = 0.01 * crate::numerics::powi(10.0, 3 - self.digits as i32);
         let angle = match &self.tolerance {
             Some(tolerance) => tolerance.half_width(1.0, || 0.0, self.digits, evaluation),
-            None => derived,
+            // Fewer figures in print do not make a coarser question.
+            None => 0.01 * crate::numerics::powi(10.0, 3 - self.digits.max(3) as i32),
         };
         let width = match key.shape() {
             Shape::Matrix(_, columns) => columns,

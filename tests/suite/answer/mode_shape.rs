@@ -79,3 +79,19 @@ fn a_basis_of_the_modes_is_right() {
         ],
     );
 }
+
+#[test]
+fn figures_in_print_do_not_widen_the_tolerance() {
+    let data = DATA.replace("unit = \"1\" }", "unit = \"1\", digits = 1 }");
+    let item = format!(
+        "{data}[[part]]\nkind = \"mode-shape\"\nkey = \"basis\"\nmode = [2, 3]\nask = \"Find it.\"\n"
+    );
+    check(
+        &item,
+        &[
+            ("[[1, -1, 0], [0, 1, -1]]", "right"),
+            ("[[1, 0, 0], [0, 1, 0]]", "wrong"),
+            ("[[2, -1, 0], [0, 1, -2]]", "wrong"),
+        ],
+    );
+}
