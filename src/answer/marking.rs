@@ -51,6 +51,8 @@ pub enum Reason {
     Sign,
     /// It is near the key but outside the tolerance.
     Near,
+    /// It is right up to its scale, where one scale is asked.
+    Scale,
     /// It has the wrong number of significant figures.
     Figures,
     /// It is an angle in degrees where radians were typed, or the other way round.
@@ -217,6 +219,7 @@ impl Reason {
             Self::PowerOfTen => "power-of-ten".to_owned(),
             Self::Sign => "sign".to_owned(),
             Self::Near => "near".to_owned(),
+            Self::Scale => "scale".to_owned(),
             Self::Figures => "figures".to_owned(),
             Self::AngleUnit => "angle-unit".to_owned(),
             Self::Other => "other".to_owned(),

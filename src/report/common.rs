@@ -94,6 +94,7 @@ fn slip(code: &str) -> Option<&'static str> {
         "power-of-ten" => "a power of ten or a prefix",
         "sign" => "the sign",
         "near" => "near the key, but outside the tolerance",
+        "scale" => "right up to the scale",
         "figures" => "significant figures",
         "angle-unit" => "degrees and radians",
         _ => return None,

@@ -214,7 +214,8 @@ pub(in crate::answer) fn explained(error: Option<&CheckError>) -> String {
     }
 }
 
-fn in_words(dimension: Dimension) -> String {
+/// A dimension as a student needs it.
+pub(in crate::answer) fn in_words(dimension: Dimension) -> String {
     if dimension.is_pure() {
         "a pure number".to_owned()
     } else {

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use super::slip::Slip;
 use super::{Setup, Written};
 use crate::answer::equality::{Comparable, Comparison, Points};
 use crate::answer::trial::typed as typed_number;
@@ -34,104 +35,125 @@ pub(super) struct Mistake {
 impl Prepared {
     fn mark_formulas(&self, reading: Reading, entries: &[Expr]) -> Marking {
         let setup = &self.setup;
-        let Some((keys, points)) = &self.formulas else {
+        let Some(formulas) = &self.formulas else {
             return Marking::unreadable("Give the entries as numbers.");
         };
+        let (keys, points) = formulas;
         let Some(typed) = setup.compile(entries, &BTreeMap::new()) else {
             return Marking::unreadable(
                 "These entries cannot be compared; write them in a simpler form.",
             );
         };
-        let is_same = |keys: &[Comparable], place: usize| {
-            points.compare(&keys[place], &typed[place]) == Comparison::Same
+        let compare = |keys: &[Comparable]| -> Vec<Comparison> {
+            let pairs = keys.iter().zip(&typed);
+            pairs
+                .map(|(key, typed)| points.compare(key, typed))
+                .collect()
         };
+        let comparisons = compare(keys);
+        let is_same = |own: &Comparison| *own == Comparison::Same;
         let wrong: Vec<usize> = (0..typed.len())
-            .filter(|place| !is_same(keys, *place))
+            .filter(|place| !is_same(&comparisons[*place]))
             .collect();
-        if wrong.is_empty() {
-            return Marking::read(reading, Credit::FULL, Reason::Matches, None);
-        }
-        let named = self.mistakes.iter().find(|mistake| {
-            mistake.formulas.len() == typed.len()
-                && (0..typed.len()).all(|place| is_same(&mistake.formulas, place))
-        });
-        self.wrong(reading, named, &wrong)
+        let named = || {
+            self.mistakes.iter().find(|mistake| {
+                mistake.formulas.len() == typed.len()
+                    && compare(&mistake.formulas).iter().all(is_same)
+            })
+        };
+        self.marking(reading, &wrong, named, || {
+            let dimension = self.wrong_dimension(entries, &wrong);
+            dimension.or_else(|| self.slip_of_formulas(formulas, &typed, &comparisons))
+        })
     }
 
     /// Marks entries in symbols behind which a unit stands all the same.
-    fn mark_with_unit(&self, reading: Reading, entries: &[Expr], tail: &str) -> Marking {
-        let unit = tail.trim();
-        let dimension = Unit::read(unit).ok().map(|unit| unit.dimension());
-        let is_own = |own: &Unit| Some(own.dimension()) == dimension;
+    fn mark_with_unit(&self, reading: Reading, entries: &[Expr], unit: &Unit) -> Marking {
+        let (dimension, text) = (unit.dimension(), unit.text());
+        let is_own = |own: &Unit| own.dimension() == dimension;
         if !self.setup.units.iter().any(is_own) {
             return Marking::unreadable(format!(
-                "At `{unit}`: this is left over behind the matrix. Letters carry their units: leave it out."
+                "At `{text}`: this is left over behind the matrix. Letters carry their units: leave it out."
             ));
         }
         let mut marking = self.mark_formulas(reading, entries);
-        let words = format!("Letters carry their units: leave out `{unit}`.");
+        let words = format!("Letters carry their units: leave out `{text}`.");
         marking.feedback.push(Feedback::Words(words));
         marking
     }
 
     fn mark_numbers(&self, reading: Reading, numbers: &[f64]) -> Marking {
-        let near = |place: usize, key: f64| {
-            let slack = 4.0 * f64::EPSILON * key.abs() + self.value.bounds()[place];
-            (numbers[place] - key).abs() <= self.halves[place] + slack
-        };
+        let are_near =
+            |keys: &[f64], place: usize| self.is_near(place, numbers[place], keys[place]);
         let keys = self.value.numbers();
         let wrong: Vec<usize> = (0..numbers.len())
-            .filter(|place| !near(*place, keys[*place]))
+            .filter(|place| !are_near(keys, *place))
             .collect();
+        let named = || {
+            self.mistakes.iter().find(|mistake| {
+                mistake.numbers.len() == numbers.len()
+                    && (0..numbers.len()).all(|place| are_near(&mistake.numbers, place))
+            })
+        };
+        self.marking(reading, &wrong, named, || self.slip_of_numbers(numbers))
+    }
+
+    /// Whether a number is as near to a key as the tolerance of an entry has it. Beside a zero, what rounding in a
+    /// computer leaves of it counts as zero.
+    pub(super) fn is_near(&self, place: usize, number: f64, key: f64) -> bool {
+        const DUST: f64 = 1e-9;
+        let sizes = self.value.numbers().iter().map(|own| own.abs());
+        let dust = if key == 0.0 {
+            DUST * sizes.fold(0.0, f64::max)
+        } else {
+            4.0 * f64::EPSILON * key.abs()
+        };
+        (number - key).abs() <= self.halves[place] + self.value.bounds()[place] + dust
+    }
+
+    /// The marking of entries of which these are wrong.
+    fn marking<'a>(
+        &'a self,
+        reading: Reading,
+        wrong: &[usize],
+        named: impl FnOnce() -> Option<&'a Mistake>,
+        slip: impl FnOnce() -> Option<Slip>,
+    ) -> Marking {
         if wrong.is_empty() {
             return Marking::read(reading, Credit::FULL, Reason::Matches, None);
         }
-        let named = self.mistakes.iter().find(|mistake| {
-            mistake.numbers.len() == numbers.len()
-                && (0..numbers.len()).all(|place| near(place, mistake.numbers[place]))
-        });
-        self.wrong(reading, named, &wrong)
+        if let Some(mistake) = named() {
+            let number = mistake.number;
+            let feedback = Some(Feedback::Mistake(number));
+            return Marking::read(reading, mistake.credit, Reason::Mistake(number), feedback);
+        }
+        let (reason, words) = match slip() {
+            Some((reason, words)) => (reason, Some(words)),
+            None => (Reason::Other, self.told(wrong)),
+        };
+        Marking::read(reading, Credit::NONE, reason, words.map(Feedback::Words))
     }
 
-    fn wrong(&self, reading: Reading, named: Option<&Mistake>, wrong: &[usize]) -> Marking {
-        if let Some(mistake) = named {
-            let feedback = Some(Feedback::Mistake(mistake.number));
-            return Marking::read(
-                reading,
-                mistake.credit,
-                Reason::Mistake(mistake.number),
-                feedback,
-            );
-        }
-        let place = |at: &usize| {
-            format!(
-                "({}, {})",
-                at / self.setup.columns + 1,
-                at % self.setup.columns + 1
-            )
-        };
-        let words = match wrong {
-            [one] => format!("The entry {} is wrong.", place(one)),
+    /// Which entries are wrong, where they are few.
+    fn told(&self, wrong: &[usize]) -> Option<String> {
+        match wrong {
+            [one] => Some(format!("The entry {} is wrong.", self.place(*one))),
             many if 2 * many.len() <= self.halves.len() => {
-                let places: Vec<String> = many.iter().map(place).collect();
-                format!("The entries {} are wrong.", places.join(", "))
+                let places: Vec<String> = many.iter().map(|place| self.place(*place)).collect();
+                Some(format!("The entries {} are wrong.", places.join(", ")))
             }
-            _ => return Marking::read(reading, Credit::NONE, Reason::Other, None),
-        };
-        Marking::read(
-            reading,
-            Credit::NONE,
-            Reason::Other,
-            Some(Feedback::Words(words)),
-        )
+            _ => None,
+        }
+    }
+
+    /// The row and the column of an entry.
+    pub(super) fn place(&self, at: usize) -> String {
+        let columns = self.setup.columns;
+        format!("({}, {})", at / columns + 1, at % columns + 1)
     }
 
     /// The numbers of entries without names in SI units, or why they have none.
-    fn numbers(&self, entries: &[Expr], tail: &str) -> Result<Vec<f64>, String> {
-        let stated = match tail.trim() {
-            "" => None,
-            tail => Some(Unit::read(tail).map_err(|error| format!("At `{tail}`: {error}."))?),
-        };
+    fn numbers(&self, entries: &[Expr], stated: Option<&Unit>) -> Result<Vec<f64>, String> {
         let value = |(place, entry): (usize, &Expr)| {
             let number = crate::expr::Program::compile(entry, &crate::expr::Slots(&[]))
                 .ok()
@@ -144,13 +166,13 @@ impl Prepared {
                 })
                 .ok_or_else(|| "An entry has no value.".to_owned())?;
             let unit = self.setup.units.get(place).copied().unwrap_or(Unit::ONE);
-            let shown = stated.unwrap_or(unit);
+            let shown = stated.copied().unwrap_or(unit);
             if number == 0.0 || shown.dimension() == unit.dimension() {
                 Ok(shown.to_si(number))
             } else {
                 Err(format!(
                     "The unit `{}` does not fit all entries.",
-                    tail.trim()
+                    shown.text()
                 ))
             }
         };
@@ -245,18 +267,16 @@ impl Marker for Prepared {
 
     fn mark(&self, response: &str) -> Marking {
         let setup = &self.setup;
-        let start = response.rfind('=').map_or(0, |at| at + 1);
-        let response = &typed::rows_by_line(response);
         let fits = |listed: &Listed| {
             listed.rows.len() == setup.rows
                 && listed.rows.iter().all(|row| row.len() == setup.columns)
         };
-        let listed = typed::list_of_size(response, start, &setup.lexicon, Manner::default(), fits);
-        let Listed { rows, tail } = match listed {
+        let listed = typed::list_of_form(response, &setup.lexicon, &setup.units, fits);
+        let listed = match listed {
             Ok(listed) if fits(&listed) => listed,
             Ok(Listed { rows, .. }) => {
                 return Marking::unreadable(format!(
-                    "This has {} of {}; a matrix of {} by {} is asked, such as `[[a, b], [c, d]]`.",
+                    "This has {} of {}; a matrix of {} by {} is asked, such as `[[a, b], [c, d]]`, with a comma between entries.",
                     counted(rows.len(), "row"),
                     rows.first().map_or(0, Vec::len),
                     setup.rows,
@@ -265,29 +285,36 @@ impl Marker for Prepared {
             }
             Err(error) => return Marking::unreadable(error.sentence(response)),
         };
+        let has_names = !listed.is_numeric();
+        let Listed { rows, unit } = listed;
         let entries = rows.concat();
-        let tail = response.get(tail.range()).unwrap_or_default();
-        let has_names = entries.iter().any(|entry| !entry.names().free.is_empty());
         let mut reading = Reading {
             math: setup.typeset(&entries),
             text: Expr::array(rows.into_iter().map(Expr::array).collect::<Vec<_>>()).to_string(),
             si: Vec::new(),
         };
-        match (has_names, setup.written) {
-            (true, Written::Number) => Marking::unreadable("Numbers are asked here, not formulas."),
-            (true, _) if !tail.trim().is_empty() => self.mark_with_unit(reading, &entries, tail),
-            (true, _) => self.mark_formulas(reading, &entries),
-            (false, Written::Formula) if self.is_symbolic() => {
-                Marking::unreadable("Formulas in symbols are asked here, not numbers.")
-            }
-            (false, _) => match self.numbers(&entries, tail) {
-                Ok(numbers) => {
-                    reading.si.clone_from(&numbers);
-                    self.mark_numbers(reading, &numbers)
+        if has_names {
+            return match &unit {
+                _ if setup.written == Written::Number => {
+                    Marking::unreadable("Numbers are asked here, not formulas.")
                 }
-                Err(words) => Marking::unreadable(words),
-            },
+                Some(unit) => self.mark_with_unit(reading, &entries, unit),
+                None => self.mark_formulas(reading, &entries),
+            };
         }
+        if setup.written == Written::Formula && self.is_symbolic() {
+            return Marking::unreadable("Formulas in symbols are asked here, not numbers.");
+        }
+        let numbers = match self.numbers(&entries, unit.as_ref()) {
+            Ok(numbers) => numbers,
+            Err(words) => return Marking::unreadable(words),
+        };
+        reading.si.clone_from(&numbers);
+        if let Some(unit) = unit {
+            reading.math = Math::row([reading.math, Math::thin_space(), unit.math()]);
+            reading.text = format!("{} {unit}", reading.text);
+        }
+        self.mark_numbers(reading, &numbers)
     }
 }
 

@@ -1,18 +1,15 @@
 //! Marks shapes: each in the space of its mode, those of one frequency independent.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::modes::Modes;
-use super::span::{are_independent, away, length, lies_in, vectors};
+use super::read::Shapes;
+use super::span::{are_independent, away, independent, length, lies_in};
 use super::{Scale, Setup};
-use crate::answer::matrix::{Written, counted};
+use crate::answer::matrix::Written;
 use crate::answer::trial::typed as typed_number;
-use crate::answer::typed::{self, Listed, Manner};
-use crate::answer::{
-    Credit, Feedback, Key, KeyValue, Marker, Marking, Nature, Reading, Reason, Trial,
-};
-use crate::expr::{Expr, Precise, Value, Workspace};
+use crate::answer::{Credit, Feedback, Key, KeyValue, Marker, Marking, Nature, Reason, Trial};
+use crate::expr::{Precise, Value};
 use crate::math::Math;
 use crate::numerics::Rational;
 use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
@@ -43,7 +40,7 @@ enum Fault {
 }
 
 impl Prepared {
-    fn width(&self) -> usize {
+    pub(super) fn width(&self) -> usize {
         self.keys.first().map_or(0, Vec::len)
     }
 
@@ -117,14 +114,23 @@ impl Prepared {
 
     /// What is said about shapes that are not right, and their credit.
     fn told(&self, typed: &[Vec<f64>], fault: &Fault) -> (Reason, Credit, Option<String>) {
-        let wrong = match fault {
-            Fault::Dependent => {
-                let words =
-                    "These shapes are multiples of one another; independent ones are asked.";
-                return (Reason::Other, Credit::NONE, Some(words.to_owned()));
-            }
-            Fault::Places(places) => places,
+        let (wrong, words) = match fault {
+            Fault::Dependent => (
+                &[][..],
+                "These shapes are multiples of one another; independent ones are asked.",
+            ),
+            Fault::Places(places) => (&places[..], ""),
         };
+        // Independent right shapes count one by one.
+        let right: Vec<Vec<f64>> = (0..typed.len())
+            .filter(|place| !wrong.contains(place))
+            .map(|place| typed[place].clone())
+            .collect();
+        let share = Rational::new(independent(&right) as i128, typed.len() as i128);
+        let credit = share.and_then(Credit::new).unwrap_or(Credit::NONE);
+        if wrong.is_empty() {
+            return (Reason::Other, credit, Some(words.to_owned()));
+        }
         let sentences: Vec<String> = wrong
             .iter()
             .filter_map(|place| self.sentence(*place, &typed[*place]))
@@ -137,12 +143,6 @@ impl Prepared {
         } else {
             Reason::Other
         };
-        // Shapes of different modes count one by one, those of one frequency together.
-        let right = typed.len() - wrong.len();
-        let has_own_modes =
-            self.modes.is_some() && (0..typed.len()).all(|at| self.space(at).len() == 1);
-        let share = Rational::new(right as i128, typed.len() as i128).filter(|_| has_own_modes);
-        let credit = share.and_then(Credit::new).unwrap_or(Credit::NONE);
         let words = (!sentences.is_empty()).then(|| sentences.join(" "));
         (reason, credit, words)
     }
@@ -167,74 +167,12 @@ impl Prepared {
         (self.keys.len() > 1).then(|| format!("The shape of mode {number} is wrong."))
     }
 
-    fn typeset(entries: &[Math], width: usize) -> Math {
+    pub(super) fn typeset(entries: &[Math], width: usize) -> Math {
         let mut rows = entries
             .chunks(width.max(1))
             .map(|row| Math::matrix(row.iter().map(|entry| vec![entry.clone()]).collect()));
         let first = rows.next().unwrap_or_else(|| Math::row([]));
         Math::row(std::iter::once(first).chain(rows.flat_map(|row| [Math::punctuation(","), row])))
-    }
-
-    /// The numbers of entries for these data.
-    fn values(&self, entries: &[Expr]) -> Option<Vec<f64>> {
-        let mut room = Workspace::default();
-        let number = |entry: &Expr| {
-            let program = self.setup.meaning.compile(entry, &BTreeMap::new()).ok()?;
-            program.evaluate(&self.data[..], &mut room).ok()?.as_real()
-        };
-        entries.iter().map(number).collect()
-    }
-
-    /// How a response is read, and its vectors in SI units.
-    fn read(&self, response: &str) -> Result<(Reading, Vec<Vec<f64>>), String> {
-        let setup = &self.setup;
-        let response = &components(response);
-        let start = response.rfind('=').map_or(0, |at| at + 1);
-        let manner = Manner {
-            comma_is_decimal: response.contains(';')
-                && response.contains(',')
-                && !response.contains('.'),
-            has_imaginary_unit: false,
-        };
-        let (width, count) = (self.width(), self.keys.len());
-        let fits =
-            |listed: &Listed| listed.rows.iter().map(Vec::len).sum::<usize>() == width * count;
-        let listed = typed::list_of_size(response, start, &setup.lexicon, manner, fits);
-        let Listed { rows, tail } = listed.map_err(|error| error.sentence(response))?;
-        let entries = rows.concat();
-        if entries.len() != width * count {
-            return Err(format!(
-                "This has {}; {} are asked, such as `(1, -0.5)` for two.",
-                counted(entries.len(), "component"),
-                width * count
-            ));
-        }
-        let tail = response[tail.range()].trim();
-        if !tail.is_empty() && Unit::read(tail).is_err() {
-            return Err(format!(
-                "At `{tail}`: this is left over behind the components."
-            ));
-        }
-        let has_names = entries.iter().any(|entry| !entry.names().free.is_empty());
-        if has_names && setup.written == Written::Number {
-            return Err("Numbers are asked here, not formulas.".to_owned());
-        }
-        let mut numbers = self
-            .values(&entries)
-            .ok_or_else(|| "A component has no value.".to_owned())?;
-        let set = entries.iter().map(|entry| entry.typeset(&setup.lexicon));
-        let texts = entries.iter().map(ToString::to_string);
-        let reading = Reading {
-            math: Self::typeset(&set.collect::<Vec<_>>(), width),
-            text: format!("[{}]", texts.collect::<Vec<_>>().join(", ")),
-            si: numbers.clone(),
-        };
-        if !has_names {
-            for (number, unit) in numbers.iter_mut().zip(&setup.units) {
-                *number = unit.to_si(*number);
-            }
-        }
-        Ok((reading, vectors(&numbers, width)))
     }
 }
 
@@ -297,10 +235,16 @@ impl Marker for Prepared {
     }
 
     fn mark(&self, response: &str) -> Marking {
-        let (reading, typed) = match self.read(response) {
-            Ok(read) => read,
+        let mut readings = match self.read(response) {
+            Ok(readings) => readings,
             Err(words) => return Marking::unreadable(words),
         };
+        let is_sound = |shapes: &Shapes| self.fault(&shapes.vectors).is_none();
+        let first = readings.iter().position(is_sound).unwrap_or(0);
+        let Shapes {
+            reading,
+            vectors: typed,
+        } = readings.swap_remove(first);
         let say = |words: &str| Some(Feedback::Words(words.to_owned()));
         if typed.iter().any(|vector| length(vector) == 0.0) {
             let words = say("A shape with all components zero is no motion.");
@@ -309,7 +253,7 @@ impl Marker for Prepared {
         let Some(fault) = self.fault(&typed) else {
             return match self.scale_trouble(&typed) {
                 None => Marking::read(reading, Credit::FULL, Reason::Matches, None),
-                Some(words) => Marking::read(reading, Credit::NONE, Reason::Near, say(words)),
+                Some(words) => Marking::read(reading, half(), Reason::Scale, say(words)),
             };
         };
         let named = self
@@ -325,6 +269,12 @@ impl Marker for Prepared {
     }
 }
 
+/// What a right shape in another scale than the one that is asked is worth.
+fn half() -> Credit {
+    let half = Rational::new(1, 2).and_then(Credit::new);
+    half.unwrap_or(Credit::NONE)
+}
+
 /// The component that is shown as one where any scale will do: the first, or the largest if the first is small.
 fn simple_scale(vector: &[f64]) -> f64 {
     const SMALL: f64 = 0.05;
@@ -335,18 +285,6 @@ fn simple_scale(vector: &[f64]) -> f64 {
         _ if largest == 0.0 => 1.0,
         _ => largest,
     }
-}
-
-/// A ratio of components, `1 : -0.5` or `<1, -0.5>`, as a list; all places stay.
-fn components(response: &str) -> String {
-    let mut text = typed::rows_by_line(response);
-    if !text.contains([',', ';']) {
-        text = text.replace(':', ",");
-    }
-    let inner = text
-        .strip_prefix('<')
-        .and_then(|text| text.strip_suffix('>'));
-    inner.map_or(text.clone(), |inner| format!("({inner})"))
 }
 
 /// Whether shapes agree but for signs of components.

@@ -1,11 +1,12 @@
 //! `mode-shape`: the shape of a mode, or a basis of the modes of one frequency.
 //!
-//! The student types `(1, 0.618)`, `[1; -2]` or `[1, (1 + sqrt(5))/2]`; any scale and sign is right unless
-//! `normalization` asks for one: `mass` for shapes with unit modal mass, `first` for a first component of 1.
-//! Several vectors, `[[1, -1, 0], [0, 1, -1]]`, are asked by several modes: each has to lie in the space of its
-//! mode, and those of one frequency have to be independent. Where frequencies repeat, any shape of that frequency
-//! is right. The tolerance is an angle, a hundredth of a radian unless stated, a tenth of that for each figure above
-//! three in which the key is printed. A shape of another mode of the model is told as such.
+//! The student types `(1, 0.618)`, `[1; -2]`, `(1, 2)/sqrt(12m)` or `[1, (1 + sqrt(5))/2]`; any scale and sign is right
+//! unless `normalization` asks for one: `mass` for shapes with unit modal mass, `first` for a first component of 1. A
+//! shape that is right in another scale has half the credit. Several vectors, `(1, -1, 0), (0, 1, -1)` or the rows or
+//! columns of a matrix, are asked by several modes: each has to lie in the space of its mode, those of one frequency
+//! have to be independent, and each that is right has its share of the credit. Where frequencies repeat, any shape of
+//! that frequency is right. The tolerance is an angle, a hundredth of a radian unless stated, a tenth of that for each
+//! figure above three in which the key is printed. A shape of another mode of the model is told as such.
 //!
 //! ```toml
 //! [[part]]
@@ -18,6 +19,7 @@
 
 mod marker;
 mod modes;
+mod read;
 mod span;
 
 use std::sync::Arc;

@@ -65,9 +65,14 @@ pub(super) fn away(vector: &[f64], space: &[Vec<f64>]) -> Option<Vec<f64>> {
     (size > 1e-6).then(|| largest.iter().map(|value| value / size).collect())
 }
 
-/// Whether vectors are independent by more than rounding of what was typed.
+/// How many of the vectors are independent by more than rounding of what was typed.
+pub(super) fn independent(vectors: &[Vec<f64>]) -> usize {
+    orthonormal(vectors, 0.05).len()
+}
+
+/// Whether all of them are.
 pub(super) fn are_independent(vectors: &[Vec<f64>]) -> bool {
-    orthonormal(vectors, 0.05).len() == vectors.len()
+    independent(vectors) == vectors.len()
 }
 
 /// The numbers with which a vector is made of others; `None` where these are not independent.

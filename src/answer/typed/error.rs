@@ -63,6 +63,17 @@ pub(in crate::answer) enum Trouble {
     /// No relation in an equation or inequality.
     #[error("an equals sign or an inequality sign is missing")]
     NoRelation,
+    /// A unit at an entry of a list.
+    #[error("give the unit once, behind the list in brackets")]
+    UnitOfEntry,
+    /// A list without brackets with `m` behind.
+    #[error(
+        "this ends with a letter or with a unit; put the list in brackets, and that behind them"
+    )]
+    UnitOrLetter,
+    /// Symbols before the entries that do not ascend.
+    #[error("give them in the order of the question, as a list without names")]
+    Order,
     /// Rows of different lengths.
     #[error("the rows have different lengths")]
     Ragged,

@@ -1,86 +1,124 @@
-//! What stands around a list: its brackets, a factor before them, a sign of transposition and a unit behind.
+//! What stands around a list: a symbol before it, a factor or divisor, a sign of transposition, a unit.
 
-use super::list::{cut, trimmed};
+use super::behind::with_unit;
+use super::list::Reader;
 use super::{Trouble, TypedError};
+use crate::expr::{Expr, Kind, Operator};
 use crate::source::Span;
+use crate::unit::Unit;
 
-/// The inside of the outermost bracket, and what stands around it.
+/// What stands around a list.
 pub(super) struct Frame {
-    pub(super) outer: Span,
-    pub(super) factor: Option<Span>,
-    /// Whether a minus stands before the bracket.
-    pub(super) is_negative: bool,
+    /// What multiplies all entries.
+    pub(super) factor: Option<Expr>,
     pub(super) is_transposed: bool,
-    /// What stands behind it: a unit.
-    pub(super) tail: Span,
+    /// Whether `diag` stands before it.
+    pub(super) is_diagonal: bool,
+    pub(super) unit: Option<Unit>,
 }
 
-impl Frame {
-    /// No bracket around all.
-    fn bare(outer: Span) -> Self {
-        let end = outer.range().end;
-        Self {
-            outer,
-            factor: None,
-            is_negative: false,
-            is_transposed: false,
-            tail: Span::new(end, end),
-        }
+impl Reader<'_> {
+    /// What stands in a piece around the list in it.
+    pub(super) fn frame(&self, piece: Span, list: Span) -> Result<Frame, TypedError> {
+        let (start, end, list) = (piece.range().start, piece.range().end, list.range());
+        let before = self.text[..list.start].trim_end();
+        let plain = before.strip_suffix("diag").unwrap_or(before);
+        let after = self.text[list.end..end].trim_start();
+        let behind = without_transposition(after);
+        // The text with a one in place of the list, all else where it was.
+        let mut rest = plain.to_owned();
+        pad(&mut rest, list.start);
+        rest.push_str("(1");
+        pad(&mut rest, list.end - 1);
+        rest.push(')');
+        pad(&mut rest, end - behind.len());
+        rest.push_str(behind);
+        let (factor, unit) = self.factor_and_unit(&rest, start, list)?;
+        Ok(Frame {
+            factor,
+            is_transposed: behind.len() < after.len(),
+            is_diagonal: plain.len() < before.len(),
+            unit,
+        })
+    }
+
+    /// The factor and the unit of a list in whose place a one stands. Letters that are both are a unit where it fits
+    /// what is asked, else symbols.
+    fn factor_and_unit(
+        &self,
+        rest: &str,
+        start: usize,
+        list: std::ops::Range<usize>,
+    ) -> Result<(Option<Expr>, Option<Unit>), TypedError> {
+        let one = list.start + 1;
+        let factor = |rest: &str| {
+            let whole = self.formula_in(rest, Span::new(start, rest.len()))?;
+            cofactor(&whole, one).ok_or(TypedError::new(Trouble::LeftOver, start, rest.len()))
+        };
+        let units = units_around(rest, start, list);
+        let beside = |(place, unit): &(Span, Unit)| {
+            let mut bare = rest.to_owned();
+            bare.replace_range(place.range(), &" ".repeat(place.range().len()));
+            Some((factor(&bare).ok()?, Some(*unit)))
+        };
+        let mut own = units.iter().filter(|(_, unit)| self.is_asked(unit));
+        let found = match own.find_map(beside) {
+            Some(found) => found,
+            None => match factor(rest) {
+                Ok(factor) => (factor, None),
+                Err(error) => units.iter().find_map(beside).ok_or(error)?,
+            },
+        };
+        let is_one = found.0.as_number() == Some(crate::numerics::Rational::ONE);
+        Ok((Some(found.0).filter(|_| !is_one), found.1))
     }
 }
 
-pub(super) fn frame(text: &str, from: usize, to: usize) -> Result<Frame, TypedError> {
-    let all = trimmed(text, Span::new(from, to));
-    let start = all.range().start;
-    let inner = &text[all.range()];
-    let is_one = |text: &str| cut(text, Span::new(0, text.len()), &[',', ';']).len() == 1;
-    if let Some(close) = first_bracket(inner) {
-        let after = inner[close + 1..].trim_start();
-        let is_transposed = after.starts_with(TRANSPOSED);
-        let after = without_transposition(after);
-        if after.is_empty() || after.starts_with(char::is_alphabetic) && is_one(after) {
-            return Ok(Frame {
-                outer: Span::new(start + 1, start + close),
-                is_transposed,
-                tail: Span::new(all.range().end - after.len(), all.range().end),
-                ..Frame::bare(all)
-            });
-        }
-        if !is_one(inner) {
-            return Ok(Frame::bare(all));
-        }
+/// The places that may be a unit before or behind a list, the longest behind it first.
+fn units_around(rest: &str, start: usize, list: std::ops::Range<usize>) -> Vec<(Span, Unit)> {
+    let behind = &rest[list.end..];
+    let whole = behind.trim().trim_start_matches(TIMES).trim();
+    let whole = whole.trim_matches(['[', ']']).trim();
+    let mut units = Vec::new();
+    if let Some(unit) = Unit::read(whole).ok().filter(|_| !whole.is_empty()) {
+        units.push((Span::new(list.end, rest.len()), unit));
     }
-    let Some(close) = inner.rfind([']', ')', '}']) else {
-        return Ok(Frame::bare(all));
-    };
-    let close = last_of_list(inner).unwrap_or(close);
-    let Some(open) = opening(&inner[..=close]) else {
-        let at = start + close;
-        return Err(TypedError::new(Trouble::Bracket, at, at + 1));
-    };
-    let after = inner[close + 1..].trim_start();
-    let is_transposed = after.starts_with(TRANSPOSED);
-    let after = without_transposition(after);
-    let before = inner[..open].trim().trim_end_matches(['*', '·', '⋅', '×']);
-    // Separators outside of the bracket: there is no bracket around all.
-    if before.contains([',', ';']) || after.contains([',', ';']) {
-        return Ok(Frame::bare(all));
+    for (formula, unit) in with_unit(behind) {
+        let formula = without_times(formula);
+        units.push((Span::new(list.end + formula.len(), rest.len()), unit));
     }
-    let is_negative = matches!(before, "-" | "−");
-    let offset = inner.len() - inner.trim_start().len();
-    let factor = (!before.is_empty() && !is_negative)
-        .then(|| Span::new(start + offset, start + offset + before.len()));
-    Ok(Frame {
-        outer: Span::new(start + open + 1, start + close),
-        factor,
-        is_negative,
-        is_transposed,
-        tail: Span::new(all.range().end - after.len(), all.range().end),
-    })
+    let before = without_times(&rest[start..list.start]);
+    for (formula, unit) in with_unit(before) {
+        units.push((Span::new(start + formula.len(), start + before.len()), unit));
+    }
+    units
 }
 
-/// What begins a sign of transposition.
-const TRANSPOSED: &[char] = &['^', 'ᵀ', '\'', '’', '′'];
+/// What a formula multiplies the one at a place by; `None` where it is no multiple of it.
+fn cofactor(formula: &Expr, one: usize) -> Option<Expr> {
+    match formula.kind() {
+        Kind::Number(_) if formula.span().range().start == one => Some(Expr::number(1)),
+        Kind::Negate(inner) => Some(-cofactor(inner, one)?),
+        Kind::Binary(Operator::Multiply, left, right) => match cofactor(left, one) {
+            Some(left) => Some(left * right.clone()),
+            None => Some(left.clone() * cofactor(right, one)?),
+        },
+        Kind::Binary(Operator::Divide, left, right) => Some(cofactor(left, one)? / right.clone()),
+        _ => None,
+    }
+}
+
+fn pad(text: &mut String, length: usize) {
+    while text.len() < length {
+        text.push(' ');
+    }
+}
+
+const TIMES: &[char] = &['*', '·', '⋅', '×'];
+
+fn without_times(text: &str) -> &str {
+    text.trim_end().trim_end_matches(TIMES)
+}
 
 /// What follows a sign of transposition, `^T` or `'`.
 fn without_transposition(text: &str) -> &str {
@@ -103,28 +141,48 @@ fn without_transposition(text: &str) -> &str {
     rest.map_or(text, str::trim_start)
 }
 
-/// The closing bracket before the sign of transposition in braces, `)^{T}`.
-fn last_of_list(text: &str) -> Option<usize> {
-    let at = text.rfind('^')?;
-    let is_transposition = without_transposition(&text[at..]).len() < text[at..].len();
-    let before = text[..at].trim_end();
-    (is_transposition && before.ends_with([']', ')', '}'])).then(|| before.len() - 1)
-}
-
-/// Where the bracket opens that ends a text.
-fn opening(text: &str) -> Option<usize> {
-    let mut depth = 0_usize;
-    for (at, char) in text.char_indices().rev() {
+/// The brackets that stand in no other in a part of a text, each with what it holds.
+pub(super) fn groups(text: &str, span: Span) -> Vec<Span> {
+    let (mut groups, mut depth, mut start) = (Vec::new(), 0_usize, 0);
+    for (at, char) in text[span.range()].char_indices() {
+        let at = span.range().start + at;
         match char {
-            ']' | ')' | '}' => depth += 1,
-            '[' | '(' | '{' => depth = depth.saturating_sub(1),
+            '(' | '[' | '{' => {
+                start = if depth == 0 { at } else { start };
+                depth += 1;
+            }
+            ')' | ']' | '}' if depth > 0 => {
+                depth -= 1;
+                if depth == 0 {
+                    groups.push(Span::new(start, at + 1));
+                }
+            }
             _ => {}
         }
-        if depth == 0 {
-            return Some(at);
+    }
+    groups
+}
+
+/// What is wrong where a bracket has no partner.
+pub(super) fn balanced(text: &str) -> Result<(), TypedError> {
+    let mut open = Vec::new();
+    for (at, char) in text.char_indices() {
+        let alone = match char {
+            '(' | '[' | '{' => {
+                open.push(at);
+                false
+            }
+            ')' | ']' | '}' => open.pop().is_none(),
+            _ => false,
+        };
+        if alone {
+            return Err(TypedError::new(Trouble::Bracket, at, at + 1));
         }
     }
-    None
+    match open.first() {
+        Some(at) => Err(TypedError::new(Trouble::Bracket, *at, at + 1)),
+        None => Ok(()),
+    }
 }
 
 /// Where the bracket closes with which a text begins.

@@ -1,14 +1,43 @@
-//! Other layouts of lists, put as lists with brackets and commas: LaTeX environments, entries parted by spaces.
+//! Other layouts of lists, put as lists with brackets and separators: LaTeX environments, rows by lines, entries parted
+//! by spaces. All places stay.
 
 use std::borrow::Cow;
 
+use super::frame::groups;
+use crate::source::Span;
+
+/// The text of a list with brackets and separators as they are read.
+pub(super) fn laid_out(text: &str) -> String {
+    let mut plain = rows_by_line(&without_latex(text));
+    plain = plain.replace(" and ", " ;   ");
+    for call in CALLS {
+        let call = format!("{call}(");
+        plain = plain.replace(&call, &format!("{:>1$}", '(', call.len()));
+    }
+    plain
+}
+
+/// What programs put before the brackets of a matrix, the longest first.
+const CALLS: &[&str] = &[
+    "numpy.array",
+    "np.array",
+    "array",
+    "sympy.Matrix",
+    "sp.Matrix",
+    "Matrix",
+    "matrix",
+];
+
 /// The text with brackets in place of those of LaTeX, `\left\{ a, b \right\}`, and of its environments,
-/// `\begin{pmatrix} a & b \\ c & d \end{pmatrix}`; all places stay.
-pub(super) fn without_latex(text: &str) -> Cow<'_, str> {
+/// `\begin{pmatrix} a & b \\ c & d \end{pmatrix}`.
+fn without_latex(text: &str) -> Cow<'_, str> {
     if !text.contains('\\') {
         return Cow::Borrowed(text);
     }
     let mut plain = text.to_owned();
+    for space in ["\\,", "\\;", "\\:", "\\!"] {
+        plain = plain.replace(space, "  ");
+    }
     if plain.contains("\\begin{") {
         // The environment has brackets of its own.
         for delimiter in ["\\left[", "\\left(", "\\right]", "\\right)"] {
@@ -21,12 +50,45 @@ pub(super) fn without_latex(text: &str) -> Cow<'_, str> {
     if plain.contains("\\begin{") {
         environments(&mut plain);
     }
+    binomials(&mut plain);
     Cow::Owned(plain)
 }
 
+/// `\binom{1}{2}` as the column that it looks like.
+fn binomials(plain: &mut String) {
+    const COMMAND: &str = "\\binom";
+    while let Some(start) = plain.find(COMMAND) {
+        plain.replace_range(start..start + COMMAND.len(), &" ".repeat(COMMAND.len()));
+        let groups = groups(plain, Span::new(start, plain.len()));
+        let [upper, lower] = match groups[..] {
+            [upper, lower, ..] => [upper.range(), lower.range()],
+            _ => return,
+        };
+        if plain[upper.end..lower.start].trim().is_empty() {
+            plain.replace_range(upper.start..=upper.start, "[");
+            plain.replace_range(upper.end - 1..upper.end, ";");
+            plain.replace_range(lower.start..=lower.start, " ");
+            plain.replace_range(lower.end - 1..lower.end, "]");
+        }
+    }
+}
+
 fn environments(plain: &mut String) {
-    *plain = plain.replace("\\cr", "\\\\ ").replace("\\\\", "; ");
-    *plain = plain.replace('&', ",");
+    *plain = plain.replace("\\cr", "\\\\ ");
+    while let Some(start) = plain.find("\\\\") {
+        // `[4pt]` says how far the next row is.
+        let rest = &plain[start + 2..];
+        let length = rest.strip_prefix('[').and_then(|rest| rest.split_once(']'));
+        let length = length.map_or("", |(length, _)| length);
+        let is_length = ["pt", "ex", "em", "mm", "cm"]
+            .iter()
+            .any(|unit| length.ends_with(unit));
+        let skipped = if is_length { length.len() + 2 } else { 0 };
+        plain.replace_range(
+            start..start + 2 + skipped,
+            &format!(";{}", " ".repeat(1 + skipped)),
+        );
+    }
     for (command, bracket) in [("\\begin{", '['), ("\\end{", ']')] {
         while let Some(start) = plain.find(command) {
             let mut length = plain[start..]
@@ -51,58 +113,80 @@ fn environments(plain: &mut String) {
     }
 }
 
-/// A list with semicolons for the ends of lines between its rows; all places stay.
-pub(in crate::answer) fn rows_by_line(text: &str) -> String {
+/// A list with semicolons for the ends of lines between its rows, whose entries semicolons may part as well.
+fn rows_by_line(text: &str) -> String {
     let text = text.replace('\r', " ");
-    let mut plain = String::with_capacity(text.len());
-    for (at, char) in text.char_indices() {
+    let ends = |at: usize| {
         let before = text[..at]
             .trim_end()
-            .ends_with([',', ';', '&', '[', '(', '{', '\\', '=']);
+            .ends_with([',', ';', '&', '[', '(', '{', '=']);
         let after = text[at..]
             .trim_start()
-            .starts_with([']', ')', '}', '\\', ',', ';']);
-        let is_end = char == '\n' && !before && !after;
-        plain.push(match char {
-            '\n' if is_end => ';',
-            '\n' => ' ',
-            char => char,
-        });
-    }
-    plain
+            .starts_with([']', ')', '}', ',', ';']);
+        !before && !after
+    };
+    let mut line_ends = text.match_indices('\n').map(|(at, _)| at);
+    let parts_entries = line_ends.any(&ends) && !text.contains([',', '&', '[', '(']);
+    let sign = |(at, char): (usize, char)| match char {
+        '\n' if ends(at) => ';',
+        '\n' => ' ',
+        ';' if parts_entries => '&',
+        char => char,
+    };
+    text.char_indices().map(sign).collect()
 }
 
-/// The same list with a comma for each space that parts entries, as in `[1 -2; 0 3]`; all places stay.
-/// A space parts two values, and a value from a sign that stands at the next one.
+/// The same list with `&` for each space that parts entries, as in `[1 -2; 0 3]`. A space parts two values, and a value
+/// from a sign that stands at the next one; beside a list in brackets it parts nothing but such lists.
 pub(super) fn spaced(text: &str) -> String {
-    let mut depth: Vec<char> = Vec::new();
+    let inner = parted(text, |depth, _, _| depth > 0);
+    let whole = Span::new(0, text.len());
+    let has_list = groups(&inner, whole)
+        .iter()
+        .any(|group| inner[group.range()].contains([',', ';', '&']));
+    parted(&inner, |depth, before, next| {
+        depth == 0 && (!has_list || ")]}".contains(before) && "([{".contains(next))
+    })
+}
+
+/// The text with `&` for spaces between entries where it may stand, by the depth of brackets and the signs around.
+fn parted(text: &str, may: impl Fn(usize, char, char) -> bool) -> String {
+    // For each open bracket whether it may hold entries: none within another but in square ones, no argument.
+    let mut open: Vec<bool> = Vec::new();
     let mut plain = String::with_capacity(text.len());
-    let chars: Vec<char> = text.chars().collect();
-    for (at, char) in chars.iter().enumerate() {
+    for (at, char) in text.char_indices() {
         match char {
-            '(' | '[' | '{' => depth.push(*char),
+            '(' | '[' | '{' => {
+                let before = text[..at].trim_end_matches(|char: char| char.is_alphanumeric());
+                let is_call = text[..at].len() > before.len() + 1;
+                open.push(!is_call && (open.is_empty() || char != '('));
+            }
             ')' | ']' | '}' => {
-                depth.pop();
+                open.pop();
             }
             _ => {}
         }
-        let is_in_list = match depth[..] {
-            [] | [_] => true,
-            [.., last] => last != '(',
-        };
-        let parts = *char == ' ' && is_in_list && parts_entries(&chars, at);
-        plain.push(if parts { ',' } else { *char });
+        let around = Some(char).filter(|char| char.is_whitespace());
+        let around = around.and_then(|_| entries_around(text, at));
+        let parts = open.last().is_none_or(|holds| *holds)
+            && around.is_some_and(|(before, next)| may(open.len(), before, next));
+        if parts {
+            plain.push('&');
+            plain.extend((1..char.len_utf8()).map(|_| ' '));
+        } else {
+            plain.push(char);
+        }
     }
     plain
 }
 
-/// Whether the space at a place stands between two entries.
-fn parts_entries(chars: &[char], at: usize) -> bool {
-    let before = at.checked_sub(1).map(|at| chars[at]);
-    let mut after = chars[at + 1..].iter().skip_while(|char| **char == ' ');
-    let (next, second) = (after.next(), after.next());
-    let ends = |char: char| char.is_alphanumeric() || ")]}²³'′.".contains(char);
+/// The signs around the space at a place where it stands between two entries.
+fn entries_around(text: &str, at: usize) -> Option<(char, char)> {
+    let before = text[..at].chars().next_back()?;
+    let mut after = text[at..].trim_start().chars();
+    let (next, second) = (after.next()?, after.next());
+    let ends = before.is_alphanumeric() || ")]}²³'′.".contains(before);
     let begins = |char: char| char.is_alphanumeric() || "([{√\\.".contains(char);
-    let is_signed = |sign: char| "+-−".contains(sign) && second.is_some_and(|next| begins(*next));
-    before.is_some_and(ends) && next.is_some_and(|next| begins(*next) || is_signed(*next))
+    let is_signed = "+-−–".contains(next) && second.is_some_and(begins);
+    (ends && (begins(next) || is_signed)).then_some((before, next))
 }

@@ -1,113 +1,290 @@
 //! Lists, vectors and matrices as people type them: `(1, 0.618)`, `[1; -2]`, `[[3m, 0], [0, m]]`.
 
-use super::frame::{Frame, frame};
-use super::layout::{spaced, without_latex};
+use super::behind::with_unit;
+use super::frame::{balanced, groups};
+use super::labels::in_order;
+use super::layout::{laid_out, spaced};
+use super::parser::Parser;
 use super::{DEEPEST, LONGEST, Lexicon, Manner, Trouble, TypedError, read};
-use crate::expr::Expr;
+use crate::expr::{Expr, Function};
 use crate::source::Span;
+use crate::unit::Unit;
 
 /// Most entries that are read.
 const MOST_ENTRIES: usize = 400;
+/// Most brackets around one another that are lists.
+const MOST_NESTED: u32 = 4;
+/// What parts rows and entries; `&` as in LaTeX.
+const SEPARATORS: &[char] = &[',', ';', '&'];
 
 /// A list of formulas by rows.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::answer) struct Listed {
     /// The entries, each row as long as the others.
     pub(in crate::answer) rows: Vec<Vec<Expr>>,
-    /// What stands behind the closing bracket: a unit.
-    pub(in crate::answer) tail: Span,
+    /// The unit of all entries.
+    pub(in crate::answer) unit: Option<Unit>,
 }
 
-/// The entries of a list in `text[from..to]`, by rows; a list without rows is one row.
+impl Listed {
+    /// Whether all entries are numbers.
+    pub(in crate::answer) fn is_numeric(&self) -> bool {
+        let mut entries = self.rows.iter().flatten();
+        entries.all(|entry| entry.names().free.is_empty())
+    }
+}
+
+/// Reads a list of the form that is asked. A comma parts entries, but is a decimal sign where only so the list has that
+/// form; entries may also be parted by spaces. A list of another form is as it was typed.
+pub(in crate::answer) fn list_of_form(
+    text: &str,
+    lexicon: &Lexicon,
+    units: &[Unit],
+    fits: impl Fn(&Listed) -> bool,
+) -> Result<Listed, TypedError> {
+    let plain = laid_out(text);
+    let spaced = spaced(&plain);
+    let mut others = Vec::new();
+    for comma_is_decimal in [false, true] {
+        let manner = Manner {
+            comma_is_decimal,
+            ..Manner::default()
+        };
+        for text in [&plain, &spaced] {
+            let listed = list(text, lexicon, manner, units);
+            let is_final = match &listed {
+                Ok(listed) => fits(listed),
+                Err(error) => matches!(error.trouble, Trouble::UnitOrLetter | Trouble::Order),
+            };
+            if is_final {
+                return listed;
+            }
+            others.push(listed);
+        }
+    }
+    let typed = others.iter().position(Result::is_ok).unwrap_or(0);
+    others.swap_remove(typed)
+}
+
+/// The entries of a list by rows; a list without rows is one row.
 pub(super) fn list(
     text: &str,
-    from: usize,
-    to: usize,
     lexicon: &Lexicon,
     manner: Manner,
+    units: &[Unit],
 ) -> Result<Listed, TypedError> {
     if text.len() > LONGEST {
         return Err(TypedError::new(Trouble::TooLong, LONGEST, text.len()));
     }
-    let plain = without_latex(text);
-    let text = plain.as_ref();
-    let Frame {
-        outer,
-        factor,
-        is_negative,
-        is_transposed,
-        tail,
-    } = frame(text, from, to)?;
-    let factor = match factor {
-        Some(span) => Some(entry(text, span, lexicon, manner)?),
-        None => is_negative.then(|| -Expr::number(1)),
+    balanced(text)?;
+    let reader = Reader {
+        text,
+        lexicon,
+        manner,
+        units,
     };
-    let has_rows = text[outer.range()]
-        .trim_start()
-        .starts_with(['[', '(', '{']);
-    let row_signs: &[char] = if has_rows { &[',', ';'] } else { &[';'] };
-    let mut rows = Vec::new();
-    for row in cut(text, outer, row_signs) {
-        let row = if has_rows { unwrapped(text, row)? } else { row };
-        let comma = if manner.comma_is_decimal {
-            &['&', ';'][..]
-        } else {
-            &[',', '&', ';'][..]
-        };
-        let mut entries = Vec::new();
-        for place in cut(text, row, comma) {
-            let value = entry(text, place, lexicon, manner)?;
-            let value = match &factor {
-                Some(factor) => factor.clone() * value,
-                None => value,
-            };
-            if value.depth() > DEEPEST {
-                return Err(TypedError {
-                    trouble: Trouble::TooDeep,
-                    span: place,
-                });
-            }
-            entries.push(value);
+    let end = text.trim_end_matches(|char: char| char.is_whitespace() || ";,.".contains(char));
+    reader.framed(Span::new(0, end.len()), 0)
+}
+
+pub(super) struct Reader<'a> {
+    pub(super) text: &'a str,
+    pub(super) lexicon: &'a Lexicon,
+    pub(super) manner: Manner,
+    /// Those of what is asked.
+    units: &'a [Unit],
+}
+
+impl Reader<'_> {
+    pub(super) fn is_asked(&self, unit: &Unit) -> bool {
+        let dimension = unit.dimension();
+        self.units.iter().any(|own| own.dimension() == dimension)
+    }
+
+    /// A list with what stands around it.
+    fn framed(&self, piece: Span, depth: u32) -> Result<Listed, TypedError> {
+        let piece = trimmed(self.text, piece);
+        if self.pieces(piece, SEPARATORS).len() > 1 {
+            return self.bare(piece, depth);
         }
-        rows.push(entries);
+        let piece = self.labelled(piece).1;
+        let wrapped = || {
+            let groups = groups(self.text, piece);
+            groups.first().copied().filter(|group| *group == piece)
+        };
+        let Some(list) = self.list_in(piece, depth).or_else(wrapped) else {
+            return self.bare(piece, depth);
+        };
+        let Listed { mut rows, unit } = self.body(inside(list), depth)?;
+        let frame = self.frame(piece, list)?;
+        if frame.is_transposed {
+            rows = transposed(&rows);
+        }
+        if frame.is_diagonal {
+            rows = diagonal(&rows.concat());
+        }
+        if let Some(factor) = frame.factor {
+            for entry in rows.iter_mut().flatten() {
+                *entry = factor.clone() * entry.clone();
+                if entry.depth() > DEEPEST {
+                    return Err(TypedError {
+                        trouble: Trouble::TooDeep,
+                        span: piece,
+                    });
+                }
+            }
+        }
+        let unit = frame.unit.or(unit);
+        Ok(Listed { rows, unit })
+    }
+
+    /// A list without brackets, behind which a unit may stand.
+    fn bare(&self, span: Span, depth: u32) -> Result<Listed, TypedError> {
+        let listed = self.body(span, depth);
+        if depth > 0 {
+            return listed;
+        }
+        let last = self.pieces(span, SEPARATORS).pop().unwrap_or(span);
+        let last = self.labelled(last).1;
+        let units = with_unit(&self.text[last.range()]).filter_map(|(number, unit)| {
+            let end = last.range().start + number.len();
+            let number = self.formula(Span::new(last.range().start, end)).ok()?;
+            number.names().free.is_empty().then_some((end, unit))
+        });
+        let units: Vec<(usize, Unit)> = units.collect();
+        let asked = units.iter().find(|(_, unit)| self.is_asked(unit));
+        let Some((end, unit)) = asked.or(units.first()) else {
+            return listed;
+        };
+        let numbers = self.body(Span::new(span.range().start, *end), depth);
+        let Some(Listed { rows, .. }) = numbers.ok().filter(Listed::is_numeric) else {
+            return listed;
+        };
+        match listed {
+            Ok(listed) if listed.is_numeric() => Ok(listed),
+            Ok(listed) if asked.is_none() && rows.concat().len() == 1 => Ok(listed),
+            Ok(_) if asked.is_none() => Err(TypedError {
+                trouble: Trouble::UnitOrLetter,
+                span: last,
+            }),
+            _ => Ok(Listed {
+                rows,
+                unit: Some(*unit),
+            }),
+        }
+    }
+
+    /// What stands between brackets, or without any: rows in brackets of their own, or parted by semicolons.
+    fn body(&self, span: Span, depth: u32) -> Result<Listed, TypedError> {
+        let pieces = self.pieces(span, SEPARATORS);
+        let labels: Vec<_> = pieces.iter().map(|piece| self.labelled(*piece).0).collect();
+        in_order(self.text, &labels)?;
+        let is_boxed = |piece: &Span| {
+            let inner = self.text[piece.range()].trim();
+            inner.starts_with(['[', '{']) && inner.ends_with([']', '}'])
+        };
+        let has_rows = pieces
+            .iter()
+            .any(|piece| self.list_in(*piece, depth).is_some())
+            || pieces.len() > 1 && pieces.iter().all(is_boxed);
+        if let (true, [one]) = (has_rows, &pieces[..]) {
+            return self.framed(*one, depth + 1);
+        }
+        let (mut rows, mut unit) = (Vec::new(), None);
+        if has_rows {
+            for (place, piece) in pieces.iter().enumerate() {
+                let row = self.framed(*piece, depth + 1)?;
+                unit = row.unit;
+                if unit.is_some() && place + 1 < pieces.len() {
+                    return Err(TypedError {
+                        trouble: Trouble::UnitOfEntry,
+                        span: *piece,
+                    });
+                }
+                rows.push(row.rows.concat());
+            }
+        } else {
+            for row in self.pieces(span, &[';']) {
+                let entries = self.pieces(row, &[',', '&']);
+                let entries = entries.into_iter().map(|place| self.entry(place));
+                rows.push(entries.collect::<Result<_, _>>()?);
+            }
+        }
         if rows.iter().map(Vec::len).sum::<usize>() > MOST_ENTRIES {
             return Err(TypedError {
                 trouble: Trouble::TooLong,
-                span: outer,
+                span,
             });
         }
+        if rows.iter().any(|row| row.len() != rows[0].len()) {
+            return Err(TypedError {
+                trouble: Trouble::Ragged,
+                span,
+            });
+        }
+        Ok(Listed { rows, unit })
     }
-    if rows.iter().any(|row| row.len() != rows[0].len()) {
-        return Err(TypedError {
-            trouble: Trouble::Ragged,
-            span: outer,
-        });
+
+    fn entry(&self, place: Span) -> Result<Expr, TypedError> {
+        let place = self.labelled(place).1;
+        self.formula(place).map_err(|error| {
+            let is_value = |(value, _): (&str, Unit)| {
+                let start = place.range().start;
+                self.formula(Span::new(start, start + value.len())).is_ok()
+            };
+            let has_unit = with_unit(&self.text[place.range()]).any(is_value);
+            TypedError {
+                trouble: if has_unit {
+                    Trouble::UnitOfEntry
+                } else {
+                    error.trouble
+                },
+                span: if has_unit { place } else { error.span },
+            }
+        })
     }
-    if is_transposed {
-        rows = transposed(&rows);
+
+    fn formula(&self, place: Span) -> Result<Expr, TypedError> {
+        self.formula_in(self.text, place)
     }
-    Ok(Listed { rows, tail })
+
+    pub(super) fn formula_in(&self, text: &str, place: Span) -> Result<Expr, TypedError> {
+        let (from, to) = (place.range().start, place.range().end);
+        let whole = |parser: &mut Parser<'_>| parser.whole_formula();
+        Ok(read(text, from, to, self.lexicon, self.manner, whole)?.value)
+    }
+
+    /// The first bracket in a piece that holds a list.
+    fn list_in(&self, piece: Span, depth: u32) -> Option<Span> {
+        let is_list = |group: &Span| {
+            let before = &self.text[..group.range().start];
+            let word = before.trim_end_matches(|char: char| char.is_ascii_alphanumeric());
+            let is_argument =
+                before.ends_with(['_', '^']) || Function::of_name(&before[word.len()..]).is_some();
+            let inside = inside(*group);
+            !is_argument
+                && depth < MOST_NESTED
+                && (self.pieces(inside, SEPARATORS).len() > 1
+                    || self.list_in(inside, depth + 1).is_some())
+        };
+        groups(self.text, piece).into_iter().find(is_list)
+    }
+
+    /// The pieces between signs that stand in no bracket and are no decimal comma.
+    fn pieces(&self, span: Span, signs: &[char]) -> Vec<Span> {
+        let digit = |char: char| char.is_ascii_digit();
+        cut_where(self.text, span, |at, char| {
+            let is_decimal = char == ','
+                && self.manner.comma_is_decimal
+                && self.text[..at].ends_with(digit)
+                && self.text[at + 1..].starts_with(digit);
+            signs.contains(&char) && !is_decimal
+        })
+    }
 }
 
-/// A list of the size that is asked, whose entries may also be parted by spaces; of another size it is as it was typed.
-pub(in crate::answer) fn list_of_size(
-    text: &str,
-    from: usize,
-    lexicon: &Lexicon,
-    manner: Manner,
-    fits: impl Fn(&Listed) -> bool,
-) -> Result<Listed, TypedError> {
-    let read = |text: &str| list(text, from, text.len(), lexicon, manner);
-    let typed = read(text);
-    if typed.as_ref().is_ok_and(&fits) {
-        return typed;
-    }
-    let spaced = read(&spaced(text));
-    if spaced.as_ref().is_ok_and(&fits) {
-        spaced
-    } else {
-        typed
-    }
+fn inside(group: Span) -> Span {
+    Span::new(group.range().start + 1, group.range().end - 1)
 }
 
 fn transposed(rows: &[Vec<Expr>]) -> Vec<Vec<Expr>> {
@@ -116,26 +293,17 @@ fn transposed(rows: &[Vec<Expr>]) -> Vec<Vec<Expr>> {
     (0..width).map(column).collect()
 }
 
-fn entry(text: &str, place: Span, lexicon: &Lexicon, manner: Manner) -> Result<Expr, TypedError> {
-    let (from, to) = (place.range().start, place.range().end);
-    let typed = read(text, from, to, lexicon, manner, |parser| {
-        let formula = parser.whole_formula()?;
-        Ok(formula)
-    })?;
-    Ok(typed.value)
-}
-
-/// A row without its brackets.
-fn unwrapped(text: &str, row: Span) -> Result<Span, TypedError> {
-    let row = trimmed(text, row);
-    let inner = &text[row.range()];
-    if inner.starts_with(['[', '(', '{']) && inner.ends_with([']', ')', '}']) {
-        return Ok(Span::new(row.range().start + 1, row.range().end - 1));
-    }
-    Err(TypedError {
-        trouble: Trouble::Ragged,
-        span: row,
-    })
+fn diagonal(entries: &[Expr]) -> Vec<Vec<Expr>> {
+    let entry = |row: usize, column: usize| {
+        if row == column {
+            entries[row].clone()
+        } else {
+            Expr::number(0)
+        }
+    };
+    let places = 0..entries.len();
+    let row = |row: usize| places.clone().map(|column| entry(row, column)).collect();
+    places.clone().map(row).collect()
 }
 
 pub(super) fn trimmed(text: &str, span: Span) -> Span {
@@ -146,13 +314,17 @@ pub(super) fn trimmed(text: &str, span: Span) -> Span {
 
 /// The pieces between signs that stand in no bracket.
 pub(in crate::answer) fn cut(text: &str, span: Span, signs: &[char]) -> Vec<Span> {
+    cut_where(text, span, |_, char| signs.contains(&char))
+}
+
+fn cut_where(text: &str, span: Span, parts: impl Fn(usize, char) -> bool) -> Vec<Span> {
     let (mut pieces, mut start, mut depth) = (Vec::new(), span.range().start, 0_usize);
     for (at, char) in text[span.range()].char_indices() {
         let at = span.range().start + at;
         match char {
             '(' | '[' | '{' => depth += 1,
             ')' | ']' | '}' => depth = depth.saturating_sub(1),
-            _ if depth == 0 && signs.contains(&char) => {
+            _ if depth == 0 && parts(at, char) => {
                 pieces.push(Span::new(start, at));
                 start = at + char.len_utf8();
             }

@@ -17,6 +17,7 @@ mod behind;
 mod differential;
 mod error;
 mod frame;
+mod labels;
 mod latex;
 mod layout;
 mod letters;
@@ -29,9 +30,8 @@ mod words;
 pub(super) use behind::with_unit;
 pub(super) use error::{Trouble, TypedError};
 pub(super) use frame::first_bracket;
-pub(super) use layout::rows_by_line;
 pub(super) use lexicon::Lexicon;
-pub(super) use list::{Listed, cut, list_of_size};
+pub(super) use list::{Listed, cut, list_of_form};
 
 use self::parser::{Parser, Slash};
 use self::token::tokens;

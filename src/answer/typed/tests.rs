@@ -204,7 +204,7 @@ fn what_cannot_be_read_says_where_and_what_to_type() {
 #[test]
 fn lists_are_read_by_rows() {
     let manner = Manner::default();
-    for (text, expected, tail) in [
+    for (text, expected, unit) in [
         ("[[3m, 0], [0, m]]", "[[3*m, 0], [0, m]]", ""),
         ("[[4, 0], [0, 2]] kg", "[[4, 0], [0, 2]]", "kg"),
         ("m*[[3, 0], [0, 1]]", "[[3*m, 0], [0, m]]", ""),
@@ -214,8 +214,18 @@ fn lists_are_read_by_rows() {
         ("1, -2", "[[1, -2]]", ""),
         ("(1, (1 + sqrt(5))/2)", "[[1, (1 + sqrt(5))/2]]", ""),
         ("((1, 2), (3, 4))", "[[1, 2], [3, 4]]", ""),
+        ("[[3, 0], [0, 1]] m", "[[3*m, 0], [0, m]]", ""),
+        ("(1, 2)/2 * kg", "[[0.5, 1]]", "kg"),
+        ("2 kg [[3, 0], [0, 1]]", "[[6, 0], [0, 2]]", "kg"),
+        ("(1, 2)^T; (3, 4)^T", "[[1, 2], [3, 4]]", ""),
+        ("[[1, 2], [3, 4]]^T", "[[1, 3], [2, 4]]", ""),
+        ("diag(1, m)", "[[1, 0], [0, m]]", ""),
+        ("u1 = (1, 2), u2 = (3, 4)", "[[1, 2], [3, 4]]", ""),
+        ("1, 2 kg", "[[1, 2]]", "kg"),
+        ("[[1], [2]]", "[[1], [2]]", ""),
     ] {
-        let listed = list::list(text, 0, text.len(), &lexicon(), manner).unwrap();
+        let units = [crate::unit::Unit::parse("kg").unwrap()];
+        let listed = list::list(text, &lexicon(), manner, &units).unwrap();
         let rows: Vec<String> = listed
             .rows
             .iter()
@@ -231,7 +241,28 @@ fn lists_are_read_by_rows() {
             .collect();
         let shown = format!("[{}]", rows.join(", "));
         assert_eq!(shown, expected, "{text}");
-        assert_eq!(text[listed.tail.range()].trim(), tail, "{text}");
+        let found = listed.unit.map_or(String::new(), |unit| unit.text());
+        assert_eq!(found, unit, "{text}");
+    }
+}
+
+#[test]
+fn lists_that_are_not_clear_are_refused() {
+    let units = [crate::unit::Unit::parse("kg").unwrap()];
+    for (text, trouble) in [
+        ("(1, 2", Trouble::Bracket),
+        ("1, 2)", Trouble::Bracket),
+        ("1, 2 m", Trouble::UnitOrLetter),
+        ("[1 N, 2 N]", Trouble::UnitOfEntry),
+        ("(1, 2) kg, (3, 4) kg", Trouble::UnitOfEntry),
+        ("x2 = 1, x1 = 2", Trouble::Order),
+        ("[[1, 2], [3]]", Trouble::Ragged),
+        ("1; 1, 2", Trouble::Ragged),
+        ("(1, 2) + 1", Trouble::LeftOver),
+        ("(1, )", Trouble::Missing),
+    ] {
+        let found = list::list(text, &lexicon(), Manner::default(), &units);
+        assert_eq!(found.unwrap_err().trouble, trouble, "{text}");
     }
 }
 
@@ -239,14 +270,14 @@ proptest! {
     #[test]
     fn any_text_is_read_or_refused(text in any::<String>()) {
         let _ = formula(&text, &lexicon(), MANNER).map_err(|error| error.sentence(&text));
-        let _ = list::list(&text, 0, text.len(), &lexicon(), MANNER).map_err(|error| error.sentence(&text));
+        let _ = list::list(&text, &lexicon(), MANNER, &[]).map_err(|error| error.sentence(&text));
         let _ = chain(&text, 0, text.len(), &lexicon(), MANNER).map_err(|error| error.sentence(&text));
     }
 
     #[test]
     fn any_text_of_formula_signs_is_read_or_refused(text in "[mgkxθω_{}()\\[\\]|/^*+\\-'²√ 0-9.,;=<edt\\\\]{0,60}|(\\\\frac|\\\\sqrt|\\\\dot|\\\\omega|_|\\{|\\}|x|2|sin| ){0,30}") {
         let _ = formula(&text, &lexicon(), MANNER).map_err(|error| error.sentence(&text));
-        let _ = list::list(&text, 0, text.len(), &lexicon(), MANNER).map_err(|error| error.sentence(&text));
+        let _ = list::list(&text, &lexicon(), MANNER, &[]).map_err(|error| error.sentence(&text));
         let _ = chain(&text, 0, text.len(), &lexicon(), MANNER).map_err(|error| error.sentence(&text));
     }
 }

@@ -47,7 +47,12 @@ fn scale_counts_where_it_is_asked() {
             ("(0.5, 0.5)", "right"),
             ("(-0.5, -0.5)", "right"),
             ("1/sqrt(2m) * [1, 1]", "right"),
-            ("(1, 1)", "wrong near"),
+            ("(1, 1)", "partial scale"),
+            ("(1, 1)/sqrt(2m)", "right"),
+            ("(0.5, 0.5) kg^(-1/2)", "right"),
+            ("(0.01581, 0.01581) g^-0.5", "right"),
+            ("(0.5, 0.5) kg", "unreadable: does not fit"),
+            ("(0.5, 0.5) m", "partial scale"),
         ],
     );
 }
@@ -57,7 +62,10 @@ fn the_key_has_the_scale_that_is_asked() {
     let item = format!(
         "{DATA}[[part]]\nkind = \"mode-shape\"\nkey = \"w\"\nmode = 1\nnormalization = \"first\"\nask = \"Find it.\"\n"
     );
-    check(&item, &[("(1, 1)", "right"), ("(0.5, 0.5)", "wrong near")]);
+    check(
+        &item,
+        &[("(1, 1)", "right"), ("(0.5, 0.5)", "partial scale")],
+    );
     let catalogue = super::catalogue(&item);
     let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));
     let key = solution.marker(0).expect("the key exists").key();
@@ -74,8 +82,27 @@ fn a_basis_of_the_modes_is_right() {
         &[
             ("[[1, -1, 0], [1, 1, -2]]", "right"),
             ("(1, 0, -1), (0, 1, -1)", "right"),
-            ("[[1, -1, 0], [-2, 2, 0]]", "wrong"),
-            ("[[1, 1, 1], [1, -1, 0]]", "wrong"),
+            ("(1, -1, 0); (1, 1, -2)", "right"),
+            ("[1, -1, 0; 0, 1, -1]", "right"),
+            ("1, -1, 0\n1, 1, -2", "right"),
+            ("(1, -1, 0) and (1, 1, -2)", "right"),
+            ("(1, -1, 0)^T, (1, 1, -2)^T", "right"),
+            ("u2 = (1, -1, 0), u3 = (1, 1, -2)", "right"),
+            ("(1, -1, 0)/sqrt(2); (1, 1, -2)/sqrt(6)", "right"),
+            ("[1; -1; 0], [1; 1; -2]", "right"),
+            ("1, -1, 0, 1, 1, -2", "right"),
+            ("[[1, 0], [-1, 1], [0, -1]]", "right"),
+            ("[1 0; -1 1; 0 -1]", "right"),
+            (
+                "\\begin{pmatrix} 1 & 0 \\\\ -1 & 1 \\\\ 0 & -1 \\end{pmatrix}",
+                "right",
+            ),
+            ("[[1, -1], [0, 0], [1, -1]]", "wrong"),
+            ("[[1, -1, 0], [-2, 2, 0]]", "partial"),
+            ("[[1, 1, 1], [1, -1, 0]]", "partial"),
+            ("[[1, 1, 1], [1, 0, 0]]", "wrong"),
+            ("(1, -1, 0)", "unreadable: 2 shapes"),
+            ("u3 = (1, -1, 0), u2 = (1, 1, -2)", "unreadable: order"),
         ],
     );
 }
@@ -89,9 +116,46 @@ fn figures_in_print_do_not_widen_the_tolerance() {
     check(
         &item,
         &[
-            ("[[1, -1, 0], [0, 1, -1]]", "right"),
-            ("[[1, 0, 0], [0, 1, 0]]", "wrong"),
-            ("[[2, -1, 0], [0, 1, -2]]", "wrong"),
+            ("(1, -1, 0), (0, 1, -1)", "right"),
+            ("(1, 0, 0), (0, 1, 0)", "wrong"),
+            ("(1, -1, 0), (1, -1, 1)", "partial"),
+            ("(2, -1, 0), (0, 1, -2)", "wrong"),
+        ],
+    );
+}
+
+const CHAIN: &str = r#"
+[parameters]
+m = "2 kg"
+k = "50 N/m"
+[model]
+coordinates = { x1 = { unit = "m" }, x2 = { unit = "m" }, x3 = { unit = "m" } }
+kinetic     = "1/2*m*(x1'^2 + x2'^2 + x3'^2)"
+potential   = "1/2*k*x1^2 + 1/2*k*(x2 - x1)^2 + 1/2*k*(x3 - x2)^2 + 1/2*k*x3^2"
+[quantities]
+modes = { formula = "model.mode_shapes", unit = "kg^(-1/2)" }
+[[part]]
+kind = "mode-shape"
+key  = "modes"
+mode = [1, 2, 3]
+ask  = "Find them."
+"#;
+
+#[test]
+fn all_modes_at_once_are_rows_or_columns() {
+    check(
+        CHAIN,
+        &[
+            ("(1, 1.414, 1), (1, 0, -1), (1, -1.414, 1)", "right"),
+            ("[1 1 1; 1.414 0 -1.414; 1 -1 1]", "right"),
+            ("[1 1 1; 1.414 0 -1.414; 1 -1 1]^T", "right"),
+            ("(1, 1.414, 1), (1, 0, -1), (1, -1.414, 2)", "partial"),
+            (
+                "(1, 0, -1), (1, 1.414, 1), (1, -1.414, 1)",
+                "partial: mode 2",
+            ),
+            ("(1, 0, 0), (0, 1, 0), (0, 0, 1)", "wrong"),
+            ("[1 2 3; 4 5 6]", "unreadable"),
         ],
     );
 }

@@ -1,0 +1,122 @@
+//! Slips that a whole matrix gives away: a common factor, another order of the coordinates, a dimension.
+
+use super::marker::Prepared;
+use crate::answer::Reason;
+use crate::answer::equality::{Comparable, Comparison, Points};
+use crate::answer::formula::{explained, in_words};
+use crate::expr::Expr;
+use crate::unit::Dimension;
+
+/// What slipped, and what is said of it.
+pub(super) type Slip = (Reason, String);
+
+/// Largest number of coordinates whose order is looked at.
+const MOST_COORDINATES: usize = 4;
+
+impl Prepared {
+    /// What slipped where not all entries are those of the key.
+    pub(super) fn slip_of_numbers(&self, numbers: &[f64]) -> Option<Slip> {
+        let keys = self.value.numbers();
+        let largest = (0..keys.len()).max_by(|a, b| keys[*a].abs().total_cmp(&keys[*b].abs()))?;
+        let is_off_by = |factor: f64| {
+            let is_near = |place: usize| self.is_near(place, numbers[place] / factor, keys[place]);
+            factor != 0.0 && factor.is_finite() && (0..keys.len()).all(is_near)
+        };
+        let powers = (-9..=9).map(|power| crate::numerics::powi(10.0, power));
+        let plain = [-1.0]
+            .into_iter()
+            .chain(powers)
+            .find(|power| is_off_by(*power));
+        let factor = plain.or(Some(numbers[largest] / keys[largest]).filter(|own| is_off_by(*own)));
+        let same = |key: usize, typed: usize| self.is_near(key, numbers[typed], keys[key]);
+        factor.map(of_factor).or_else(|| self.reordered(same))
+    }
+
+    /// The same for formulas, which compare with the key like this.
+    pub(super) fn slip_of_formulas(
+        &self,
+        (keys, points): &(Vec<Comparable>, Points),
+        typed: &[Comparable],
+        comparisons: &[Comparison],
+    ) -> Option<Slip> {
+        let is_zero = |place: usize| self.value.numbers()[place] == 0.0;
+        let ratio = |place: usize| match &comparisons[place] {
+            Comparison::Different { ratio, .. } => *ratio,
+            _ => None,
+        };
+        let mut others = (0..typed.len()).filter(|place| !is_zero(*place));
+        let first = others.next().and_then(ratio);
+        let is_common = |first: &f64| {
+            let is_alike = |own: f64| (own - first).abs() <= 1e-9 * first.abs();
+            others.all(|place| ratio(place).is_some_and(is_alike))
+                && (0..typed.len())
+                    .all(|place| !is_zero(place) || comparisons[place] == Comparison::Same)
+        };
+        let same = |key: usize, place: usize| {
+            points.compare(&keys[key], &typed[place]) == Comparison::Same
+        };
+        let factor = first.filter(is_common).map(of_factor);
+        factor.or_else(|| self.reordered(same))
+    }
+
+    /// Whether the entries are those for two coordinates in each other's place.
+    fn reordered(&self, same: impl Fn(usize, usize) -> bool) -> Option<Slip> {
+        let (rows, columns) = (self.setup.rows, self.setup.columns);
+        let count = Some(rows).filter(|count| *count == columns && *count <= MOST_COORDINATES)?;
+        let is_for = |first: usize, second: usize| {
+            let other = |own: usize| match own {
+                own if own == first => second,
+                own if own == second => first,
+                own => own,
+            };
+            let key = |place: usize| other(place / columns) * columns + other(place % columns);
+            (0..rows * columns).all(|place| same(key(place), place))
+        };
+        let found = (0..count).any(|second| (0..second).any(|first| is_for(first, second)));
+        found.then(|| {
+            let words = "These are the entries for the coordinates in another order.";
+            (Reason::Other, words.to_owned())
+        })
+    }
+
+    /// The first of these entries that has another dimension than the key.
+    pub(super) fn wrong_dimension(&self, entries: &[Expr], wrong: &[usize]) -> Option<Slip> {
+        let setup = &self.setup;
+        wrong.iter().find_map(|place| {
+            let (entry, unit) = (&entries[*place], setup.units.get(*place)?);
+            let at = self.place(*place);
+            let words = match entry.check(&setup.meaning) {
+                _ if entry.is_zero() => return None,
+                Err(errors) => format!("The entry {at}: {}", explained(errors.first())),
+                Ok(found) => {
+                    let is_other = |own: &Dimension| *own != unit.dimension();
+                    let found = found.dimension().filter(is_other)?;
+                    let asked = match unit.text() {
+                        text if text.is_empty() => in_words(unit.dimension()),
+                        text => text,
+                    };
+                    format!(
+                        "The entry {at} comes out in {}, it has to be in {asked}.",
+                        in_words(found)
+                    )
+                    .replace("in a pure number", "as a pure number")
+                }
+            };
+            Some((Reason::Dimension, words))
+        })
+    }
+}
+
+fn of_factor(factor: f64) -> Slip {
+    let is_near = |number: f64| (factor - number).abs() <= 1e-9 * number.abs();
+    if is_near(-1.0) {
+        return (Reason::Sign, "All signs are reversed.".to_owned());
+    }
+    let is_power = |power: &i32| *power != 0 && is_near(crate::numerics::powi(10.0, *power));
+    if (-9..=9).any(|power| is_power(&power)) {
+        let words = "The digits fit, the power of ten does not: check the prefixes.";
+        return (Reason::PowerOfTen, words.to_owned());
+    }
+    let words = "All entries are off by one factor.";
+    (Reason::Other, words.to_owned())
+}

@@ -1,0 +1,162 @@
+//! Reads shapes: vectors by rows or by columns, with a unit or in letters.
+
+use std::collections::BTreeMap;
+
+use super::Scale;
+use super::marker::Prepared;
+use super::span::vectors;
+use crate::answer::Reading;
+use crate::answer::matrix::{Written, counted};
+use crate::answer::typed::{self, Listed};
+use crate::expr::{Expr, Workspace};
+use crate::math::Math;
+use crate::unit::Unit;
+
+/// How a response was read, and its vectors in SI units.
+pub(super) struct Shapes {
+    pub(super) reading: Reading,
+    pub(super) vectors: Vec<Vec<f64>>,
+}
+
+impl Prepared {
+    /// How a response can be read: by rows, and by columns where both are to be had.
+    pub(super) fn read(&self, response: &str) -> Result<Vec<Shapes>, String> {
+        let setup = &self.setup;
+        let response = &components(response);
+        let (width, count) = (self.width(), self.keys.len());
+        let fits = |listed: &Listed| !arrangements(&listed.rows, width, count).is_empty();
+        let listed = typed::list_of_form(response, &setup.lexicon, &setup.units, fits);
+        let listed = listed.map_err(|error| error.sentence(response))?;
+        let has_names = !listed.is_numeric();
+        let Listed { rows, unit } = listed;
+        let arrangements = arrangements(&rows, width, count);
+        if arrangements.is_empty() {
+            return Err(misfit(&rows, width, count));
+        }
+        if let Some(unit) = unit {
+            self.check_unit(&unit)?;
+        }
+        if has_names && setup.written == Written::Number {
+            return Err("Numbers are asked here, not formulas.".to_owned());
+        }
+        let shapes = arrangements.iter().map(|entries| {
+            let mut numbers = self.values(entries)?;
+            if !has_names {
+                for (place, number) in numbers.iter_mut().enumerate() {
+                    let own = setup.units.get(place).copied();
+                    // A unit is only a scale, where any will do.
+                    let stated = unit.filter(|_| setup.scale == Scale::Mass);
+                    *number = stated.or(own).unwrap_or(Unit::ONE).to_si(*number);
+                }
+            }
+            Some(Shapes {
+                vectors: vectors(&numbers, width),
+                reading: self.reading(entries, unit.as_ref(), numbers),
+            })
+        });
+        let shapes: Option<Vec<Shapes>> = shapes.collect();
+        shapes.ok_or_else(|| "A component has no value.".to_owned())
+    }
+
+    /// Refuses a unit that can be no unit of all components.
+    fn check_unit(&self, unit: &Unit) -> Result<(), String> {
+        let mut own = self.setup.units.iter();
+        let Some(first) = own.next() else {
+            return Ok(());
+        };
+        if own.any(|other| other.dimension() != first.dimension()) {
+            return Err(format!(
+                "At `{}`: the components have several units; leave it out and give them in SI units.",
+                unit.text()
+            ));
+        }
+        if self.setup.scale == Scale::Mass && unit.dimension() != first.dimension() {
+            return Err(format!(
+                "At `{}`: this unit does not fit; a shape with unit modal mass is in {}.",
+                unit.text(),
+                first.text()
+            ));
+        }
+        Ok(())
+    }
+
+    fn reading(&self, entries: &[Expr], unit: Option<&Unit>, si: Vec<f64>) -> Reading {
+        let width = self.width();
+        let set = entries
+            .iter()
+            .map(|entry| entry.typeset(&self.setup.lexicon));
+        let mut math = Self::typeset(&set.collect::<Vec<_>>(), width);
+        let vector = |row: &[Expr]| {
+            let texts = row.iter().map(ToString::to_string);
+            format!("[{}]", texts.collect::<Vec<_>>().join(", "))
+        };
+        let vectors: Vec<String> = entries.chunks(width.max(1)).map(vector).collect();
+        let mut text = match &vectors[..] {
+            [one] => one.clone(),
+            many => format!("[{}]", many.join(", ")),
+        };
+        if let Some(unit) = unit {
+            math = Math::row([math, Math::thin_space(), unit.math()]);
+            text = format!("{text} {unit}");
+        }
+        Reading { math, text, si }
+    }
+
+    /// The numbers of entries for these data.
+    fn values(&self, entries: &[Expr]) -> Option<Vec<f64>> {
+        let mut room = Workspace::default();
+        let number = |entry: &Expr| {
+            let program = self.setup.meaning.compile(entry, &BTreeMap::new()).ok()?;
+            program.evaluate(&self.data[..], &mut room).ok()?.as_real()
+        };
+        entries.iter().map(number).collect()
+    }
+}
+
+/// The components of so many vectors one after the other: by rows, by columns, or in one row or column.
+fn arrangements(rows: &[Vec<Expr>], width: usize, count: usize) -> Vec<Vec<Expr>> {
+    let columns = rows.first().map_or(0, Vec::len);
+    let by_columns = || -> Vec<Expr> {
+        let places = (0..columns).flat_map(|column| rows.iter().map(move |row| &row[column]));
+        places.cloned().collect()
+    };
+    let mut arrangements = Vec::new();
+    let is_line = rows.len() == 1 || columns == 1;
+    if (rows.len(), columns) == (count, width) || is_line && rows.len() * columns == width * count {
+        arrangements.push(rows.concat());
+    }
+    if (rows.len(), columns) == (width, count) && !is_line {
+        arrangements.push(by_columns());
+    }
+    arrangements
+}
+
+fn misfit(rows: &[Vec<Expr>], width: usize, count: usize) -> String {
+    let found = rows.iter().map(Vec::len).sum();
+    let found = counted(found, "component");
+    if count == 1 {
+        return format!("This has {found}; {width} are asked, such as `(1, -0.5)` for two.");
+    }
+    format!(
+        "This has {found} in {}; {count} shapes of {} are asked, such as `(1, -0.5), (1, 2)`.",
+        counted(rows.len(), "row"),
+        counted(width, "component")
+    )
+}
+
+/// A ratio of components, `1 : -0.5` or `<1, -0.5>`, as a list; all places stay.
+fn components(response: &str) -> String {
+    let mut text = response.to_owned();
+    let digit = |char: char| char.is_ascii_digit();
+    let mut commas = text.match_indices(',').map(|(at, _)| at);
+    let has_decimals =
+        commas.all(|at| text[..at].ends_with(digit) && text[at + 1..].starts_with(digit));
+    if has_decimals && !text.contains([';', '(', '[', '{']) {
+        text = text.replace(':', ";");
+    }
+    let inner = text
+        .trim()
+        .strip_prefix('<')
+        .and_then(|text| text.strip_suffix('>'));
+    inner.map_or(text.clone(), |inner| format!("({inner})"))
+}

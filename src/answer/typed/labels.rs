@@ -1,0 +1,64 @@
+//! Symbols before the pieces of a list: `x1 = 1, x2 = 0.291`, `u2 = (1, 0, -1)`, `mode 1: (1, 1.414, 1)`.
+
+use super::list::{Reader, trimmed};
+use super::{Trouble, TypedError};
+use crate::source::Span;
+
+impl Reader<'_> {
+    /// The symbol before a piece, and the piece without it.
+    pub(super) fn labelled(&self, piece: Span) -> (Option<Span>, Span) {
+        let piece = trimmed(self.text, piece);
+        let text = &self.text[piece.range()];
+        let (mut depth, mut end) = (0_usize, None);
+        for (at, char) in text.char_indices() {
+            let next = &text[at + char.len_utf8()..];
+            match char {
+                '(' | '[' | '{' => depth += 1,
+                ')' | ']' | '}' => depth = depth.saturating_sub(1),
+                '=' | '≈' if depth == 0 => end = Some(text.len() - next.len()),
+                ':' if depth == 0 && next.trim_start().starts_with(['(', '[', '{']) => {
+                    end = Some(text.len() - next.len());
+                }
+                _ => {}
+            }
+        }
+        let Some(end) = end else {
+            return (None, piece);
+        };
+        let start = piece.range().start;
+        let rest = Span::new(start + end, piece.range().end);
+        (
+            Some(Span::new(start, start + end)),
+            trimmed(self.text, rest),
+        )
+    }
+}
+
+/// Refuses symbols whose numbers do not ascend: what they name may stand in another order than what is asked.
+/// One symbol alone names the whole.
+pub(super) fn in_order(text: &str, labels: &[Option<Span>]) -> Result<(), TypedError> {
+    let labels: Vec<Span> = labels.iter().flatten().copied().collect();
+    let mut last = None;
+    for label in labels.iter().filter(|_| labels.len() > 1) {
+        let number = number(&text[label.range()]);
+        if number <= last {
+            return Err(TypedError {
+                trouble: Trouble::Order,
+                span: *label,
+            });
+        }
+        last = number;
+    }
+    Ok(())
+}
+
+/// The number in a symbol, `2` of `x_2` and `ω₂`.
+fn number(label: &str) -> Option<u32> {
+    let digit = |char: char| match char {
+        '₀'..='₉' => Some(u32::from(char) - u32::from('₀')),
+        char => char.to_digit(10),
+    };
+    let digits: Vec<u32> = label.chars().filter_map(digit).collect();
+    let number = digits.iter().take(6).fold(0, |sum, digit| 10 * sum + digit);
+    (!digits.is_empty()).then_some(number)
+}
