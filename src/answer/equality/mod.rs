@@ -1,7 +1,8 @@
 //! Whether two formulas are the same function.
 //!
-//! 1. Rational formulas are compared [modulo a prime](residue): that decides.
-//! 2. All others are evaluated at points that are drawn around the data of the instance, over a decade and a
+//! 1. Rational formulas that differ [modulo two primes](residue) are different; those that agree are the same
+//!    unless the points find them different.
+//! 2. All formulas are evaluated at points that are drawn around the data of the instance, over a decade and a
 //!    half, with both signs where a name may be negative, and with a running bound on the rounding errors.
 //!    At a point two values are the same where they differ by less than four times the sum of their bounds,
 //!    and the bounds are small; where the bounds are not, the point is computed again with twice the digits,
@@ -139,13 +140,14 @@ impl Points {
     pub(super) fn compare(&self, key: &Comparable, other: &Comparable) -> Comparison {
         let residues = key.residues(other);
         let is_certain = key.is_rational_beside(other);
-        if is_certain && residues == Some(true) {
+        let sampled = self.sample(key, other);
+        let is_found_different = sampled.differs || sampled.is_close;
+        if is_certain && residues == Some(true) && !is_found_different {
             return Comparison::Same;
         }
-        let sampled = self.sample(key, other);
         if sampled.decided() < LEAST.min(self.0.len()) || self.0.is_empty() {
             return match residues {
-                Some(true) => Comparison::Same,
+                Some(true) if !is_found_different => Comparison::Same,
                 _ if sampled.undefined > 0 => Comparison::Undefined,
                 _ => Comparison::Undecided,
             };

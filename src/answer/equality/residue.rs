@@ -1,8 +1,9 @@
-//! Formulas modulo a prime.
+//! Formulas modulo two primes.
 //!
 //! A rational function of the data takes a random value modulo a large prime where the data do, and two
 //! different ones agree there with a probability of their degree over the prime (Schwartz 1980, Zippel 1979).
-//! Nothing is rounded: pairs of rational formulas, of whatever size and however ill-conditioned, are decided.
+//! Nothing is rounded: rational formulas, of whatever size and however ill-conditioned, are told apart. They may
+//! still be different where they agree, since a number that both primes divide vanishes: points have the last word.
 //! π is a variable like any other, as it satisfies no rational equation.
 //!
 //! Roots and transcendental functions stand for fresh variables, the same for the same argument (Gonnet 1984).
@@ -16,10 +17,11 @@ use crate::expr::{Binder, Binding, Constant, Expr, Kind, Name, Operator, Variabl
 use crate::numerics::Rational;
 use crate::unit::{Decimal, Quantity, Unit};
 
-/// A Mersenne prime, 2^61 − 1.
-const PRIME: u64 = (1 << 61) - 1;
-/// Independent points.
+/// Points, each with a prime of its own.
 const TRIALS: usize = 2;
+/// By how much the primes are less than 2^61.
+const BELOW: [u64; TRIALS] = [1, 31];
+const PRIMES: [u64; TRIALS] = [(1 << 61) - BELOW[0], (1 << 61) - BELOW[1]];
 /// Most nodes that are visited, names put in included.
 const MOST_NODES: usize = 4_000;
 /// Deepest formula, names put in included.
@@ -30,7 +32,7 @@ const MOST_POWER: i128 = 10_000;
 /// The values of a formula at the points.
 type Values = [u64; TRIALS];
 
-/// A formula modulo a prime at fixed points.
+/// A formula modulo the primes at fixed points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Residue {
     values: Values,
@@ -135,7 +137,7 @@ impl Reader<'_> {
             let root = match below {
                 1 => base,
                 2 => self.irrational("sqrt", &[base]),
-                _ => self.irrational("root", &[base, [below as u64 % PRIME; TRIALS]]),
+                _ => self.irrational("root", &[base, whole(below)]),
             };
             return raised(root, above);
         }
@@ -158,12 +160,14 @@ fn is_coherent(unit: &Unit) -> bool {
     Quantity::new(Decimal::from(1_u32), *unit).si_pair() == (1.0, 0.0)
 }
 
-/// A number modulo the prime.
+/// A number modulo the primes.
 fn number(value: Rational) -> Option<Values> {
-    let modulus = i128::from(PRIME);
-    let above = value.numerator().rem_euclid(modulus) as u64;
-    let below = value.denominator().rem_euclid(modulus) as u64;
-    Some(each([above; TRIALS], inverse([below; TRIALS])?, times))
+    let below = inverse(whole(value.denominator()))?;
+    Some(each(whole(value.numerator()), below, times))
+}
+
+fn whole(value: i128) -> Values {
+    PRIMES.map(|prime| value.rem_euclid(i128::from(prime)) as u64)
 }
 
 /// A random number for each trial that follows from a word and numbers.
@@ -177,50 +181,65 @@ fn fresh(word: &str, of: &[Values]) -> Values {
         for argument in of {
             bits = mixed(bits.wrapping_add(1) ^ argument[trial]);
         }
-        *value = bits % PRIME;
+        *value = bits % PRIMES[trial];
     }
     values
 }
 
-fn each(a: Values, b: Values, of: fn(u64, u64) -> u64) -> Values {
-    std::array::from_fn(|trial| of(a[trial], b[trial]))
+fn each(a: Values, b: Values, of: fn(u64, u64, usize) -> u64) -> Values {
+    std::array::from_fn(|trial| of(a[trial], b[trial], trial))
 }
 
-fn add(a: u64, b: u64) -> u64 {
+fn add(a: u64, b: u64, trial: usize) -> u64 {
     let sum = a + b;
-    if sum >= PRIME { sum - PRIME } else { sum }
+    if sum >= PRIMES[trial] {
+        sum - PRIMES[trial]
+    } else {
+        sum
+    }
 }
 
 fn negated(a: Values) -> Values {
-    a.map(|value| if value == 0 { 0 } else { PRIME - value })
+    each([0; TRIALS], a, |_, value, trial| {
+        if value == 0 { 0 } else { PRIMES[trial] - value }
+    })
 }
 
-fn times(a: u64, b: u64) -> u64 {
-    let product = u128::from(a) * u128::from(b);
-    let (low, high) = (product as u64 & PRIME, (product >> 61) as u64);
-    add(low, high)
+/// The product; 2^61 is as much as the prime is below it.
+fn times(a: u64, b: u64, trial: usize) -> u64 {
+    const LOW: u128 = (1 << 61) - 1;
+    let folded = |value: u128| (value & LOW) + (value >> 61) * u128::from(BELOW[trial]);
+    let product = folded(folded(u128::from(a) * u128::from(b))) as u64;
+    if product >= PRIMES[trial] {
+        product - PRIMES[trial]
+    } else {
+        product
+    }
 }
 
 /// One over each; `None` for zero.
 fn inverse(a: Values) -> Option<Values> {
-    a.iter()
-        .all(|value| *value != 0)
-        .then(|| a.map(|value| power(value, PRIME - 2)))
+    let is_zero = a.contains(&0);
+    (!is_zero).then(|| {
+        each(a, PRIMES, |value, prime, trial| {
+            power(value, prime - 2, trial)
+        })
+    })
 }
 
 fn raised(a: Values, exponent: i128) -> Option<Values> {
     let base = if exponent < 0 { inverse(a)? } else { a };
     let exponent = exponent.unsigned_abs() as u64;
-    Some(base.map(|value| power(value, exponent)))
+    Some(each(base, [exponent; TRIALS], power))
 }
 
-fn power(mut base: u64, mut exponent: u64) -> u64 {
+fn power(mut base: u64, mut exponent: u64, trial: usize) -> u64 {
     let mut result = 1;
     while exponent > 0 {
         if exponent & 1 == 1 {
-            result = times(result, base);
+            result = times(result, base, trial);
         }
-        base = times(base, base);
+        base = times(base, base, trial);
         exponent >>= 1;
     }
     result
@@ -232,13 +251,17 @@ mod tests {
 
     #[test]
     fn arithmetic_is_that_of_a_field() {
-        let a = [123_456_789, PRIME - 1];
+        let a = [123_456_789, PRIMES[1] - 1];
         assert_eq!(each(a, inverse(a).expect("not zero"), times), [1, 1]);
         assert_eq!(each(a, negated(a), add), [0, 0]);
         assert_eq!(raised(a, 3), Some(each(each(a, a, times), a, times)));
         assert_eq!(raised(a, 0), Some([1, 1]));
         assert_eq!(inverse([1, 0]), None);
-        assert_eq!(times(PRIME - 1, PRIME - 1), 1);
+        for trial in 0..TRIALS {
+            let last = PRIMES[trial] - 1;
+            assert_eq!(times(last, last, trial), 1);
+            assert_eq!(power(3, last, trial), 1, "Fermat");
+        }
     }
 
     #[test]
@@ -248,5 +271,12 @@ mod tests {
         assert_eq!(each(third, [3; TRIALS], times), [1; TRIALS]);
         assert_eq!(of(-2, 4), of(1, -2));
         assert_ne!(of(1, 3), of(333_333, 1_000_000));
+    }
+
+    #[test]
+    fn no_prime_alone_makes_a_number_vanish() {
+        for prime in PRIMES {
+            assert_ne!(whole(i128::from(prime)), [0; TRIALS]);
+        }
     }
 }
