@@ -55,6 +55,7 @@ pub(super) fn unit(text: &str) -> Result<Unit, Error> {
         match reader.scanner.peek() {
             None => {}
             Some(')' | '}' | ']') => return Err(reader.scanner.error(ErrorKind::Parenthesis)),
+            Some('0'..='9') => return Err(reader.scanner.error(ErrorKind::NumberWithinUnit)),
             Some(found) => return Err(reader.scanner.error(ErrorKind::Unexpected { found })),
         }
     }
