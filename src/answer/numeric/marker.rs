@@ -7,7 +7,7 @@ use super::list::list;
 use super::read::{self, Number};
 use super::slip::mixes_energy_and_moment;
 use super::target::{Target, Typed, pair};
-use super::words::misfit;
+use super::words::{counts, misfit, miswritten};
 use crate::expr::{Form, Shape};
 use crate::math::Math;
 use crate::numerics::{Dd, Rational};
@@ -99,7 +99,10 @@ impl Numbers {
         let Ok(typed) = self.si(quantity) else {
             return self.wrong_dimension(number);
         };
-        if let Some(words) = self.absurd(typed).or_else(|| self.counts(&quantity.unit)) {
+        if let Some(words) = self
+            .absurd(typed)
+            .or_else(|| counts(&quantity.unit, &self.unit))
+        {
             return Marking::unreadable(words);
         }
         let reading = Self::reading(std::slice::from_ref(number), &[typed.hi()], self.mark);
@@ -122,12 +125,6 @@ impl Numbers {
         };
         let (high, low) = taken.conversion(&self.unit)?.apply_pair(&taken.value);
         Ok(Dd::sum(high, low))
-    }
-
-    /// What is said of cycles or turns where a pure number is asked: whether they count or measure angles is open.
-    fn counts(&self, typed: &Unit) -> Option<String> {
-        let is_turn = self.unit.is_one() && typed.text() == "rev";
-        is_turn.then(|| "A number alone is asked: leave out what it counts.".to_owned())
     }
 
     /// What is said of an angle that nobody means: so many turns that what is left of it tells nothing.
@@ -239,34 +236,11 @@ impl Numbers {
                 feedback,
             );
         }
-        if let Some(words) = self.miswritten(&quantity.unit) {
+        if let Some(words) = miswritten(&quantity.unit, &self.unit) {
             return Marking::unreadable(words);
         }
         let words = Some(Feedback::Words(misfit(&quantity.unit, &self.unit)));
         Marking::read(reading, Credit::NONE, Reason::Dimension, words)
-    }
-
-    /// What is said of a unit that fits if it is written with small letters, with a space or not at all:
-    /// `rad/S` for `rad/s`, `ms⁻¹` for `m·s⁻¹`, cycles of a count.
-    fn miswritten(&self, typed: &Unit) -> Option<String> {
-        let text = typed.text();
-        let fits = |text: &str| {
-            let unit = Unit::read(text).ok()?;
-            (unit.dimension() == self.unit.dimension() && !unit.is_one()).then_some(unit)
-        };
-        if let Some(small) = fits(&text.to_lowercase()) {
-            let small = small.text();
-            return Some(format!(
-                "Capitals matter in units: write `{small}` for `{text}`."
-            ));
-        }
-        let spaced = [("ms", "m·s"), ("rad⁻", "rad·s⁻")]
-            .iter()
-            .find_map(|(run, meant)| fits(&text.replace(run, meant)))?;
-        let spaced = spaced.to_string();
-        Some(format!(
-            "This is read as `{text}`: write `{spaced}` with a space."
-        ))
     }
 
     fn mark_list(&self, items: &[Number]) -> Marking {
@@ -318,11 +292,11 @@ impl Numbers {
                 )
             };
         }
-        let surplus = given.saturating_sub(expected);
         let are_right = are_right(matched, expected);
-        match surplus {
-            0 => format!("{are_right}."),
-            _ => format!("{are_right}, but {given} are given."),
+        if given > expected {
+            format!("{are_right}, but {given} are given.")
+        } else {
+            format!("{are_right}.")
         }
     }
 

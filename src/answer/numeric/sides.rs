@@ -7,7 +7,7 @@ use super::super::typed::{cut, first_bracket};
 use super::doubt::short;
 use super::read::Number;
 use crate::source::Span;
-use crate::unit::{DecimalMark, Quantity};
+use crate::unit::{DecimalMark, Quantity, Unit};
 
 /// The parts of a chain of equal sides.
 pub(super) struct Sides<'t> {
@@ -101,6 +101,12 @@ impl<'t> Sides<'t> {
         mark: DecimalMark,
         read: impl Fn(&str) -> Option<Number>,
     ) -> Result<(), String> {
+        if let Some(unit) = unit_of(self.name()).filter(|_| number.quantity.unit.is_one()) {
+            return Err(format!(
+                "The unit stands behind the number: `{} {unit}`.",
+                short(self.value())
+            ));
+        }
         let others = self.all.iter().enumerate();
         for (at, side) in others.filter(|(at, side)| *at != self.value && !is_name(side)) {
             let is_between = 0 < at && at < self.value && is_name(self.all[0]);
@@ -173,6 +179,18 @@ pub(super) fn is_name(side: &str) -> bool {
             }
             depth > 0 || !"+-−–*·×⋅∙/÷⁄^√⁰¹²³⁴⁵⁶⁷⁸⁹⁻½¼¾°%,;[".contains(char)
         })
+}
+
+/// The unit that stands beside a name, `f (Hz)` and `φ in deg`; one letter may be an argument.
+fn unit_of(name: &str) -> Option<&str> {
+    let behind = name.rsplit_once(" in ").map(|(_, unit)| unit);
+    let within = || {
+        name.strip_suffix(')')?
+            .rsplit_once('(')
+            .map(|(_, unit)| unit)
+    };
+    let unit = behind.or_else(within)?.trim();
+    (unit.len() > 1 && Unit::read(unit).is_ok()).then_some(unit)
 }
 
 /// The names that a text lists, `ω1, ω2`, alone or in brackets; nothing if it is something else.

@@ -1,4 +1,4 @@
-//! What units measure, in words.
+//! What is said of units that do not fit: what they measure, and how they may have been meant.
 
 use crate::unit::{Dimension, Unit};
 
@@ -71,12 +71,6 @@ pub(super) fn misfit(typed: &Unit, asked: &Unit) -> String {
     } else {
         format!(": `{}` measures {found}", typed.text())
     };
-    if typed.text() == "g" && measured(asked.dimension()) == Some("an acceleration") {
-        return format!(
-            "`g` is the gram: write `g0` for the acceleration of free fall, or {}.",
-            asked.text()
-        );
-    }
     if asked.is_one() {
         return format!("The unit does not fit{is}. A pure number is asked, without a unit.");
     }
@@ -85,4 +79,35 @@ pub(super) fn misfit(typed: &Unit, asked: &Unit) -> String {
         of(asked),
         asked.text()
     )
+}
+
+/// What is said of a unit that fits if it is written with small letters or with a space: `rad/S` for `rad/s`,
+/// `ms⁻¹` for `m·s⁻¹`.
+pub(super) fn miswritten(typed: &Unit, asked: &Unit) -> Option<String> {
+    let text = typed.text();
+    let fits = |text: &str| {
+        let unit = Unit::read(text).ok()?;
+        (unit.dimension() == asked.dimension() && !unit.is_one()).then_some(unit)
+    };
+    if text == "g" && measured(asked.dimension()) == Some("an acceleration") {
+        return Some("`g` is the gram: write `g0` for the acceleration of free fall.".to_owned());
+    }
+    if let Some(small) = fits(&text.to_lowercase()) {
+        let small = small.text();
+        return Some(format!(
+            "Capitals matter in units: write `{small}` for `{text}`."
+        ));
+    }
+    let spaced = [("ms", "m·s"), ("rad⁻", "rad·s⁻")]
+        .iter()
+        .find_map(|(run, meant)| fits(&text.replace(run, meant)))?;
+    Some(format!(
+        "This is read as `{text}`: write `{spaced}` with a space."
+    ))
+}
+
+/// What is said of cycles or turns where a pure number is asked: whether they count or measure angles is open.
+pub(super) fn counts(typed: &Unit, asked: &Unit) -> Option<String> {
+    let is_turn = asked.is_one() && typed.text() == "rev";
+    is_turn.then(|| "A number alone is asked: leave out what it counts.".to_owned())
 }
