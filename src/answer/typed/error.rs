@@ -43,6 +43,9 @@ pub(in crate::answer) enum Trouble {
     /// A list where one formula is due.
     #[error("one formula is due here, not a list; write decimals with a point")]
     List,
+    /// A time behind an exponent, of which it may be a factor.
+    #[error("does this belong to the exponent? Write brackets: `e^(-2 t)` or `e^(-2)*t`")]
+    Exponent,
     /// `log`, of which people mean different things.
     #[error("write `ln` or `log10`")]
     Logarithm,

@@ -2,7 +2,7 @@
 
 use super::token::{Item, Token};
 use super::{Chain, DEEPEST, Trouble, TypedError};
-use crate::expr::{Constant, Expr, Function, Kind, Operator, Relation};
+use crate::expr::{Constant, Expr, Function, Kind, Name, Operator, Relation};
 use crate::numerics::Rational;
 use crate::source::Span;
 use crate::unit::Unit;
@@ -287,6 +287,11 @@ impl<'a> Parser<'a> {
             let factor = self.power()?;
             exponent = Self::binary(Operator::Multiply, exponent, factor)?;
         }
+        let is_open = is_exponential && !exponent.names().uses(&Name::new("t"));
+        if is_open && self.tokens.get(self.at).is_some_and(is_time) {
+            // `e^-λ t`: by the rule the time is no part of it, as most people mean it is.
+            return self.error(Trouble::Exponent);
+        }
         if !is_closed && is_number(&exponent) && self.is_fraction_of_numbers() {
             // `a^1/2` is a/2, but where only the root has the right dimension it is the root.
             self.is_open = true;
@@ -378,16 +383,17 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// `x(t)` is `x`.
+    /// `x(t)` and `x[t]` are `x`.
     fn skip_time(&mut self, leaf: &Expr) {
         let is_name = matches!(leaf.kind(), Kind::Name(name) if name.as_str() != "t")
             || matches!(leaf.kind(), Kind::Prime(..));
-        let is_time = |token: &Token| matches!(&token.item, Item::Leaf(leaf) if matches!(leaf.kind(), Kind::Name(name) if name.as_str() == "t"));
         if let Some([open, time, close]) = self.tokens.get(self.at..self.at + 3)
             && is_name
-            && open.item == Item::Sign('(')
+            && matches!(
+                (&open.item, &close.item),
+                (Item::Sign('('), Item::Sign(')')) | (Item::Sign('['), Item::Sign(']'))
+            )
             && is_time(time)
-            && close.item == Item::Sign(')')
             && !open.is_spaced
         {
             self.at += 3;
@@ -581,6 +587,14 @@ impl<'a> Parser<'a> {
         }
         Ok(expr)
     }
+}
+
+/// Whether this is the time.
+fn is_time(token: &Token) -> bool {
+    let Item::Leaf(leaf) = &token.item else {
+        return false;
+    };
+    matches!(leaf.kind(), Kind::Name(name) if name.as_str() == "t")
 }
 
 fn number(value: i128) -> Kind {
