@@ -36,7 +36,7 @@ pub use tolerance::Tolerance;
 pub use trial::{Nature, Trial};
 
 use crate::document::Document;
-use crate::expr::Equation;
+use crate::expr::{Equation, Name};
 use crate::numerics::Complex;
 use crate::quantity::{Absent, NodeId};
 use crate::source::{Table, Value};
@@ -163,6 +163,8 @@ pub struct Beside<'a> {
 /// What a part that asks for equations asks for, and what it got.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equations {
+    /// In what they are.
+    pub unknowns: Vec<Name>,
     /// Those of the key.
     pub key: Vec<Equation>,
     /// Those of the response; none if there is none, or it cannot be read.

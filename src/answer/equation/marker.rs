@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::points::Choice;
 use super::rows::Rows;
+use super::system::Other;
 use super::{Arc, Setup, told, written};
 use crate::answer::{
     Beside, Credit, Equations, Feedback, Key, Marker, Marking, Nature, Reading, Reason, Trial,
@@ -11,26 +12,17 @@ use crate::answer::{
 use crate::expr::{Equation, Kind, Program};
 use crate::numerics::Rational;
 
-/// Other parts that are looked at; what they can say together grows with every one.
-const MOST_OTHERS: usize = 5;
-
 /// A prepared key.
 pub(super) struct Prepared {
     pub(super) setup: Arc<Setup>,
     pub(super) key: Vec<Program>,
-    /// For each choice of data, points that differ in all else.
+    /// For each choice of data, points that differ in all else; the last choice is that of the instance.
     pub(super) points: Vec<Choice>,
     pub(super) mistakes: Vec<(usize, Vec<Program>, Credit)>,
 }
 
-/// The key of another part, and what was answered to it.
-struct Other {
-    key: Vec<Program>,
-    typed: Vec<Program>,
-}
-
 impl Prepared {
-    fn compare<'p>(
+    pub(super) fn compare<'p>(
         &self,
         key: impl IntoIterator<Item = &'p Program>,
         typed: impl IntoIterator<Item = &'p Program>,
@@ -44,41 +36,19 @@ impl Prepared {
         at.reduce(Rows::worse).unwrap_or(Rows::Undefined)
     }
 
-    /// What other parts ask for and got, as far as it is written in names of this one.
-    fn others(&self, others: &[Beside<'_>]) -> Vec<Other> {
-        let none = BTreeMap::new();
-        let read = |beside: &Beside<'_>| {
-            let Equations { key, typed } = beside.marker.equations(beside.response)?;
-            Some(Other {
-                key: self.setup.compile(&key, &none)?,
-                typed: self.setup.compile(&typed, &none)?,
-            })
-        };
-        others.iter().filter_map(read).take(MOST_OTHERS).collect()
-    }
-
-    /// Whether the response and those to some of the other parts together say what their keys say.
-    fn is_right_beside(&self, typed: &[Program], others: &[Other]) -> bool {
-        let given = others
-            .iter()
-            .filter(|other| !other.typed.is_empty())
-            .collect::<Vec<_>>();
-        (1..1_u32 << given.len()).any(|chosen| {
-            let is_chosen = |place: &usize| chosen & (1 << place) != 0;
-            let taken = || (0..given.len()).filter(is_chosen).map(|place| given[place]);
-            let keys = self.key.iter().chain(taken().flat_map(|other| &other.key));
-            let typed = typed.iter().chain(taken().flat_map(|other| &other.typed));
-            self.compare(keys, typed) == Rows::Same
-        })
-    }
-
-    /// Whether the response follows from the keys of all parts.
-    fn follows(&self, typed: &[Program], others: &[Other]) -> bool {
-        let keys = self
-            .key
-            .iter()
-            .chain(others.iter().flat_map(|other| &other.key));
-        matches!(self.compare(keys, typed), Rows::Same | Rows::Fewer { .. })
+    /// Equations, their programs, and how they compare with the key: as they were typed or, unless that is right,
+    /// without roots.
+    fn compared(&self, equations: Vec<Equation>) -> Option<(Vec<Equation>, Vec<Program>, Rows)> {
+        let typed = self.setup.compile(&equations, &BTreeMap::new())?;
+        let rows = self.compare(&self.key, &typed);
+        match self.without_roots(&equations) {
+            Some(squared) if rows != Rows::Same => {
+                let typed = self.setup.compile(&squared, &BTreeMap::new())?;
+                let rows = self.compare(&self.key, &typed);
+                Some((squared, typed, rows))
+            }
+            _ => Some((equations, typed, rows)),
+        }
     }
 
     fn trouble(&self, equations: &[Equation]) -> Option<String> {
@@ -86,6 +56,16 @@ impl Prepared {
             .iter()
             .find_map(|equation| equation.check(&self.setup.meaning).err());
         errors.map(|errors| crate::answer::formula::explained(errors.first()))
+    }
+
+    /// Whether equations are right with the values of the instance in place of letters.
+    fn is_right_for_the_data(&self, typed: &[Program]) -> bool {
+        let (key, typed) = (
+            self.key.iter().collect::<Vec<_>>(),
+            typed.iter().collect::<Vec<_>>(),
+        );
+        let last = self.points.last();
+        last.is_some_and(|points| Rows::of(&key, &typed, points) == Rows::Same)
     }
 
     /// Whether no data stand in equations, though some stand in the key.
@@ -129,12 +109,14 @@ impl Prepared {
                          the other answers it does not make up all of them.";
             return Marking::read(reading, Credit::NONE, Reason::Other, say(words.to_owned()));
         }
-        if self.is_in_numbers(equations) {
+        let trouble = self.trouble(equations);
+        let has_values = || trouble.is_some() && self.is_right_for_the_data(typed);
+        if self.is_in_numbers(equations) || has_values() {
             return Marking::unreadable(
                 "Write the equation with the letters of the question, not with their values.",
             );
         }
-        if let Some(trouble) = self.trouble(equations) {
+        if let Some(trouble) = trouble {
             return Marking::read(reading, Credit::NONE, Reason::Dimension, say(trouble));
         }
         let told = told::told(&self.setup, &self.key, typed, &self.points);
@@ -202,12 +184,11 @@ impl Marker for Prepared {
             Err(words) => return Marking::unreadable(words),
         };
         let reading = setup.reading(&equations);
-        let Some(typed) = setup.compile(&equations, &BTreeMap::new()) else {
+        let Some((equations, typed, rows)) = self.compared(equations) else {
             return Marking::unreadable(
                 "This equation cannot be compared; write it in a simpler form.",
             );
         };
-        let rows = self.compare(&self.key, &typed);
         if rows == Rows::Same {
             return Marking::read(reading, Credit::FULL, Reason::Matches, None);
         }
@@ -226,29 +207,33 @@ impl Marker for Prepared {
             return Marking::read(reading, *credit, Reason::Mistake(*number), feedback);
         }
         if let Rows::Fewer { found, needed } = rows {
-            let credit = Rational::new(found as i128, needed as i128).and_then(Credit::new);
-            let words = if typed.len() > found {
-                format!(
-                    "Right as far as it goes, but these are {found} independent equations, however often they are \
-                     written; {needed} are asked."
-                )
-            } else {
-                format!("Right as far as it goes: {needed} independent equations are asked.")
-            };
-            return Marking::read(
-                reading,
-                credit.unwrap_or(Credit::NONE),
-                Reason::Other,
-                Some(Feedback::Words(words)),
-            );
+            return fewer(reading, typed.len(), found, needed);
         }
         self.wrong(reading, &equations, &typed, &others)
     }
 
     fn equations(&self, response: &str) -> Option<Equations> {
         Some(Equations {
+            unknowns: self.setup.unknowns.clone(),
             key: self.setup.key.clone(),
             typed: self.setup.read(response).unwrap_or_default(),
         })
     }
+}
+
+/// The marking of fewer independent equations than are asked.
+fn fewer(reading: Reading, typed: usize, found: usize, needed: usize) -> Marking {
+    let credit = Rational::new(found as i128, needed as i128).and_then(Credit::new);
+    let words = if found == 0 {
+        "This holds for any motion: it says nothing about this one.".to_owned()
+    } else if typed > found {
+        format!(
+            "Right as far as it goes, but of these equations only {found} {} independent; {needed} are asked.",
+            if found == 1 { "is" } else { "are" }
+        )
+    } else {
+        format!("Right as far as it goes: {needed} independent equations are asked.")
+    };
+    let (credit, words) = (credit.unwrap_or(Credit::NONE), Feedback::Words(words));
+    Marking::read(reading, credit, Reason::Other, Some(words))
 }

@@ -3,8 +3,8 @@
 //! The student types `m x'' + c x' + k x = F0 cos(Ωt)` with `x'`, `xdot`, `\dot{x}`, `dx/dt`. Any side, any
 //! order of terms and any common factor made of data is right; several equations, joined by semicolons,
 //! are right if they follow from the key and the key from them. Where several parts of an item ask for one
-//! equation each, responses that make up the same equations together are right, too. What is wrong is told
-//! by terms: a sign, a term that is missing, a datum that a coefficient misses.
+//! equation each of one system, responses that make up the same equations together are right, too. What is
+//! wrong is told by terms: a sign, a term that is missing, a datum that a coefficient misses.
 //!
 //! ```toml
 //! [[part]]
@@ -19,7 +19,9 @@
 mod marker;
 mod points;
 mod read;
+mod root;
 mod rows;
+mod system;
 mod terms;
 mod told;
 

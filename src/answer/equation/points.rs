@@ -10,7 +10,7 @@ use crate::answer::meaning::ORDERS;
 use crate::expr::{Approx, Precise, Program, Registers};
 use crate::quantity::Evaluation;
 
-/// Choices of the data.
+/// Choices of the data besides those of the instance.
 const DATA_POINTS: usize = 4;
 /// Points for each of them, beyond two for each equation of the key.
 const SPARE: usize = 10;
@@ -20,12 +20,12 @@ const MOST: f64 = 1e4;
 /// Points that differ in all but the data.
 pub(super) type Choice = Vec<Vec<Precise>>;
 
-/// The points for a key around the data of an instance.
+/// The points for a key around the data of an instance; the last choice is these data.
 pub(super) fn points(setup: &Setup, key: &[Program], evaluation: &Evaluation<'_>) -> Vec<Choice> {
     let count = 2 * key.len() + SPARE;
     let mut around = Around::new(&setup.meaning, evaluation);
-    let mut choices = Vec::with_capacity(DATA_POINTS);
-    for place in 0..DATA_POINTS {
+    let mut choices = Vec::with_capacity(DATA_POINTS + 1);
+    for place in 0..=DATA_POINTS {
         let spread = 0.3 * (1.0 - place as f64 / DATA_POINTS as f64);
         let data = around.point(spread, false, false);
         let factors = factors(setup, key, &data);
@@ -67,7 +67,7 @@ fn size(program: &Program, point: &[Precise]) -> f64 {
     value(program, point).abs()
 }
 
-fn value(program: &Program, point: &[Precise]) -> f64 {
+pub(super) fn value(program: &Program, point: &[Precise]) -> f64 {
     let mut room = Registers::<Approx<f64>>::default();
     let outcome = program.run(point, &mut room);
     let number = outcome

@@ -2,7 +2,7 @@
 
 use super::{Setup, written};
 use crate::answer::Reading;
-use crate::answer::typed::{self, Chain, Manner, Typed, cut};
+use crate::answer::typed::{self, Chain, Manner, Trouble, Typed, cut};
 use crate::expr::{Equation, Expr, Relation};
 use crate::math::Math;
 use crate::source::Span;
@@ -17,8 +17,16 @@ impl Setup {
         let mut found = Vec::new();
         for place in pieces(response) {
             let (from, to) = (place.range().start, place.range().end);
+            if let Some(help) = beside_the_point(&response[place.range()]) {
+                return Err(help);
+            }
             let chain = typed::chain(response, from, to, &self.lexicon, manner);
-            let Typed { value, other } = chain.map_err(|error| error.sentence(response))?;
+            let Typed { value, other } = chain.map_err(|error| match error.trouble {
+                Trouble::NoRelation => {
+                    "An equation is asked: an equals sign is missing.".to_owned()
+                }
+                _ => error.sentence(response),
+            })?;
             let first = of_chain(value)?;
             let other = other.and_then(|other| of_chain(other).ok());
             let fits = |equations: &[Equation]| {
@@ -74,18 +82,86 @@ fn of_chain(chain: Chain) -> Result<Vec<Equation>, String> {
     Ok(chain.sides.windows(2).map(pair).collect())
 }
 
-/// The equations of a text, cut at semicolons, line ends, and commas between equations.
+/// The equations of a text, cut at semicolons, line ends, and commas or `and` between equations.
 fn pieces(text: &str) -> Vec<Span> {
+    const RELATIONS: [char; 6] = ['=', '<', '>', '≤', '≥', '≠'];
     let all = Span::new(0, text.len());
     let mut found = Vec::new();
     for line in cut(text, all, &[';', '\n']) {
-        let parts = cut(text, line, &[',']);
-        let are_equations = parts.iter().all(|part| text[part.range()].contains('='));
-        found.extend(if are_equations { parts } else { vec![line] });
+        let commas = cut(text, line, &[',']).into_iter();
+        let parts: Vec<Span> = commas.flat_map(|part| cut_at_and(text, part)).collect();
+        let is_relation = |part: &Span| text[part.range()].contains(RELATIONS);
+        found.extend(if parts.iter().all(is_relation) {
+            parts
+        } else {
+            vec![line]
+        });
     }
     found.retain(|place| !text[place.range()].trim().is_empty());
     if found.is_empty() {
         found.push(all);
     }
     found
+}
+
+fn cut_at_and(text: &str, place: Span) -> Vec<Span> {
+    const AND: &str = " and ";
+    let mut from = place.range().start;
+    let mut found = Vec::new();
+    while let Some(at) = text[from..place.range().end].find(AND) {
+        found.push(Span::new(from, from + at));
+        from += at + AND.len();
+    }
+    found.push(Span::new(from, place.range().end));
+    found
+}
+
+/// What is said about a number of an equation, which could be a factor, and about the state at the start.
+fn beside_the_point(equation: &str) -> Option<String> {
+    let equation = equation.trim();
+    if let Some(number) = number_of(equation) {
+        return Some(format!(
+            "At `{number}`: is this the number of the equation? Leave it out; a factor is written `2*`."
+        ));
+    }
+    let (left, _) = equation.split_once('=')?;
+    let name = left.trim_end().strip_suffix("(0)")?;
+    let is_name = name.starts_with(char::is_alphabetic)
+        && name
+            .chars()
+            .all(|char| char.is_alphanumeric() || "_'’′″\"".contains(char));
+    is_name.then(|| {
+        format!("At `{equation}`: give the equation alone; the state at the start does not belong to it.")
+    })
+}
+
+/// A number that an equation bears, `(2) m x'' = …`, `2. m x'' = …` or `m x'' = … (2)`.
+fn number_of(equation: &str) -> Option<&str> {
+    let digits = |text: &str| {
+        let end = text.find(|char: char| !char.is_ascii_digit());
+        end.unwrap_or(text.len())
+    };
+    let open = usize::from(equation.starts_with('('));
+    let count = digits(&equation[open..]);
+    let behind = open + count;
+    let sign = equation[behind..].chars().next()?;
+    let rest = &equation[behind + sign.len_utf8()..];
+    let is_closed = match sign {
+        ')' => true,
+        '.' => open == 0 && rest.starts_with(' '),
+        _ => false,
+    };
+    let begins_term = |char: char| char.is_alphanumeric() || "\\-−√".contains(char);
+    if count > 0 && is_closed && rest.trim_start().starts_with(begins_term) {
+        return Some(&equation[..=behind]);
+    }
+    let (before, last) = equation.rsplit_once(" (")?;
+    let is_number = last.len() == digits(last) + 1 && last.len() > 1 && last.ends_with(')');
+    let ends_term = before.ends_with(|char: char| char.is_alphanumeric() || ")]}'′".contains(char));
+    // Zero times a number is zero.
+    let is_zero = before
+        .rsplit('=')
+        .next()
+        .is_some_and(|side| side.trim() == "0");
+    (is_number && ends_term && !is_zero).then(|| &equation[before.len() + 1..])
 }

@@ -54,6 +54,15 @@ impl Rows {
         }
     }
 
+    /// How many of these equations are independent; none if they have no value at some point.
+    pub(super) fn rank(programs: &[Program], points: &[Vec<Precise>]) -> Option<usize> {
+        let mut basis = Basis::default();
+        for program in programs {
+            basis.add(&row(program, points)?);
+        }
+        Some(basis.rows.len())
+    }
+
     /// The verdict that decides of two for different data.
     pub(super) fn worse(self, other: Self) -> Self {
         match (self, other) {

@@ -102,6 +102,11 @@ impl Coefficients {
         }
     }
 
+    /// Whether these are those for small motions.
+    pub(super) fn are_linearized(&self) -> bool {
+        self.values == self.slopes
+    }
+
     /// Whether no term is curved.
     pub(super) fn is_linear(&self) -> bool {
         (0..self.values.len()).all(|place| self.nature(place) != Nature::Curved)
@@ -155,8 +160,9 @@ impl Match {
     }
 
     fn is_better(&self, other: &Self) -> bool {
-        let plain = |scale: f64| !is_same(scale.abs(), 1.0);
-        (self.differing.len(), plain(self.scale)) < (other.differing.len(), plain(other.scale))
+        // Inertia is rarely what is wrong: rather than with another sign the equation is as it was typed.
+        let rank = |of: &Self| (of.differing.len(), !of.is_plain(), of.scale < 0.0);
+        rank(self) < rank(other)
     }
 
     /// Whether the equations are written without a factor between them.

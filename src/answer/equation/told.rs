@@ -93,7 +93,7 @@ impl Pair<'_> {
     /// What is said if the two agree for small motions alone.
     fn linearization(&self) -> Option<&'static str> {
         let (own, found) = (self.key.1, self.typed.1);
-        if own.is_linear() == found.is_linear() {
+        if own.is_linear() && found.is_linear() {
             return None;
         }
         let reference = (0..own.slopes.len())
@@ -101,10 +101,16 @@ impl Pair<'_> {
         let scale = found.slopes[reference] / own.slopes[reference];
         let agree = (0..own.slopes.len())
             .all(|place| is_nearly(scale * own.slopes[place], found.slopes[place]));
+        let curves_differ = !(0..own.values.len())
+            .all(|place| is_nearly(scale * own.values[place], found.values[place]));
         agree.then_some(if own.is_linear() {
             "It is right as it stands, but it has still to be linearized for small motions."
-        } else {
+        } else if found.is_linear() {
             "This holds for small motions alone; the equation is asked without that approximation."
+        } else if curves_differ {
+            "It is right for small motions alone: look at how it depends on large ones."
+        } else {
+            return None;
         })
     }
 
@@ -210,6 +216,11 @@ impl Pair<'_> {
         let mut moved = self.point.to_vec();
         moved[at * ORDERS] = Precise::exact(1.25 * self.point[at * ORDERS].high());
         let after = Coefficients::of(program, self.terms, &moved)?;
+        let after = if before.are_linearized() {
+            after.linearized()
+        } else {
+            after
+        };
         let part = |of: &Coefficients| {
             // Where the equations are written alike, the coefficient speaks for itself.
             let one = if matched.is_plain() {
@@ -240,6 +251,7 @@ impl Pair<'_> {
             return format!("{kind} without {}", listed(&names));
         };
         let kind = match (order, of.1.nature(place)) {
+            _ if !self.moves() => "term",
             (2, _) => "inertia term",
             (1, Nature::Sign) => "friction term",
             (1, _) => "damping term",
@@ -247,6 +259,13 @@ impl Pair<'_> {
         };
         let symbol = self.symbol(&self.setup.meaning.inputs[at].name);
         format!("{kind} (in {symbol}{})", ["", "′", "″"][order.min(2)])
+    }
+
+    /// Whether one of the two is about a motion: geometry knows neither inertia nor stiffness.
+    fn moves(&self) -> bool {
+        let is_rate = |term: &Term| matches!(term, Term::Unknown { order, .. } if *order > 0);
+        let mut places = (0..self.terms.len()).filter(|place| is_rate(&self.terms[*place]));
+        places.any(|place| self.key.1.values[place] != 0.0 || self.typed.1.values[place] != 0.0)
     }
 
     /// Whether what stands without unknowns changes with time.

@@ -167,6 +167,15 @@ fn equations_of_several_parts_count_together() {
         ([sum, difference], ["right", "right"]),
         ([sum, second], ["right", "right"]),
         ([first, sum], ["right", "right"]),
+        // Both in one place are both.
+        (
+            ["m x'' + k (x - l θ) = 0; m l θ'' = k (x - l θ)", second],
+            ["right", "right"],
+        ),
+        (
+            ["m x'' + k (x - l θ) = 0; m l θ'' = k (x - l θ)", "0 = 0"],
+            ["right", "wrong"],
+        ),
         // An equation given twice is not two.
         ([first, first], ["right", "wrong"]),
         ([first, "2 m x'' + 2 k (x - l θ) = 0"], ["right", "wrong"]),
@@ -268,5 +277,158 @@ fn linearization_is_told() {
                 "wrong other: It has to be linearized for small motions as well",
             ),
         ],
+    );
+}
+
+#[test]
+fn equations_for_any_and_for_small_angles_are_two_questions() {
+    let part = |id: &str, key: &str| {
+        format!(
+            "[[part]]\nkind = \"equation\"\nid = \"{id}\"\nunknowns = [\"theta\"]\nask = \"Find it.\"\nkey = \"{key}\"\n"
+        )
+    };
+    let data = ONE.split("[[part]]").next().expect("the data");
+    let item = format!(
+        "{data}{}{}",
+        part("exact", "m*l^2*theta'' + m*g*l*sin(theta) = 0"),
+        part("small", "m*l^2*theta'' + m*g*l*theta = 0")
+    );
+    let (exact, small) = ("θ'' + g/l sin θ = 0", "θ'' + g/l θ = 0");
+    for (responses, verdicts) in [
+        ([exact, small], ["right", "right"]),
+        ([small, exact], ["wrong", "wrong"]),
+        ([exact, "θ = sin θ"], ["right", "wrong"]),
+        (["sin θ = θ", small], ["wrong", "right"]),
+        (["θ'' + g/l (2 sin θ - θ) = 0", small], ["wrong", "right"]),
+    ] {
+        assert_eq!(together(&item, &responses), verdicts, "{responses:?}");
+    }
+}
+
+#[test]
+fn equations_of_other_unknowns_stand_alone() {
+    let part = |id: &str, key: &str, unknowns: &str| {
+        format!(
+            "[[part]]\nkind = \"equation\"\nid = \"{id}\"\nunknowns = {unknowns}\nask = \"Find it.\"\nkey = \"{key}\"\n"
+        )
+    };
+    let data = ONE.split("[[part]]").next().expect("the data");
+    let item = format!(
+        "{data}{}{}",
+        part("first", "model.equation.x", "[\"x\", \"theta\"]"),
+        part("frequencies", "m*Omega^2 - k = 0", "[\"Omega\"]")
+    );
+    let (motion, frequencies) = ("m x'' + k (x - l θ) = 0", "m Ω^2 = k");
+    assert_eq!(together(&item, &[motion, frequencies]), ["right", "right"]);
+    assert_eq!(together(&item, &[frequencies, motion]), ["wrong", "wrong"]);
+}
+
+#[test]
+fn what_is_no_equation_is_handed_back() {
+    let item = format!("{ONE}unknowns = [\"x\"]\nkey = \"m*x'' + c*x' + k*x = 0\"\n");
+    check(
+        &item,
+        &[
+            ("m x''[t] + c x'[t] + k x[t] == 0", "right"),
+            ("2 m x'' + 2 c x' + 2 k x = 0", "right"),
+            ("m x'' + c x' + k x = 0 (1)", "right"),
+            ("2*(m x'' + c x' + k x) = 0", "right"),
+            ("(2)(m x'' + c x' + k x) = 0", "right"),
+            (
+                "(1) m x'' + c x' + k x = 0",
+                "unreadable: number of the equation",
+            ),
+            (
+                "1. m x'' + c x' + k x = 0",
+                "unreadable: number of the equation",
+            ),
+            (
+                "1) m x'' + c x' + k x = 0",
+                "unreadable: number of the equation",
+            ),
+            (
+                "m x'' + c x' = -k x (1)",
+                "unreadable: number of the equation",
+            ),
+            (
+                "m x'' + c x' + k x = 0; x(0) = 0; x'(0) = 0",
+                "unreadable: the state at the start",
+            ),
+            (
+                "m x'' + c x' + k x = 0, c > 0",
+                "unreadable: not an inequality",
+            ),
+            (
+                "m x'' + c x' + k x",
+                "unreadable: an equals sign is missing",
+            ),
+            ("m x'' + 3 x' + 50 x = 0", "unreadable: with the letters"),
+            ("2 x'' + 3 x' + 50 x = 0", "unreadable: with the letters"),
+            ("x = x", "wrong: says nothing"),
+            ("m x'' + c x' + k x = 0 and x = x", "right"),
+        ],
+    );
+}
+
+#[test]
+fn a_root_may_stand_for_its_square() {
+    let item = format!(
+        "{ONE}unknowns = [\"x\", \"theta\"]\nkey = [\"theta = 0\", \"x^2 + l^2*theta^2 = l^2\"]\n"
+    );
+    check(
+        &item,
+        &[
+            ("θ = 0; x^2 + l^2 θ^2 = l^2", "right"),
+            ("θ = 0; sqrt(x^2 + l^2 θ^2) = l", "right"),
+            ("l = √(x² + l²θ²) and θ = 0", "right"),
+            ("θ = 0; sqrt(x^2 + l^2 θ^2) = -l", "wrong"),
+            ("θ = 0; sqrt(x^2 + l^2 θ^2) = 2 l", "wrong"),
+            (
+                "θ = 0; sqrt(x^2 - l^2 θ^2) = l",
+                "wrong: The sign of the term (in θ)",
+            ),
+        ],
+    );
+}
+
+#[test]
+fn slips_in_curved_terms_are_told() {
+    let pendulum = |key: &str| format!("{ONE}unknowns = [\"theta\"]\nkey = \"{key}\"\n");
+    check(
+        &pendulum("m*l^2*theta'' + m*g*l*sin(theta) = 0"),
+        &[
+            (
+                "θ'' + g/l tan θ = 0",
+                "wrong other: for small motions alone",
+            ),
+            (
+                "θ'' + g/l (θ - θ^3/6) = 0",
+                "wrong other: for small motions alone",
+            ),
+            (
+                "θ'' + 2 g/l sin θ = 0",
+                "wrong other: The number in front of the stiffness term",
+            ),
+        ],
+    );
+    check(
+        &pendulum("m*l^2*theta'' + m*g*l*theta = 0"),
+        &[(
+            "θ'' + 2 g/l sin θ = 0",
+            "wrong other: The number in front of the stiffness term (in θ) is wrong. It has to be linearized",
+        )],
+    );
+}
+
+#[test]
+fn inertia_is_rarely_what_is_wrong() {
+    let item =
+        format!("{ONE}unknowns = [\"x\", \"theta\"]\nkey = \"m*x'' + k*(x - l*theta) = m*g\"\n");
+    check(
+        &item,
+        &[(
+            "m x'' + k (l θ - x) = m g",
+            "wrong sign: The sign of the stiffness term (in x) is wrong. The sign of the stiffness term (in θ) is wrong.",
+        )],
     );
 }
