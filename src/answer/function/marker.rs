@@ -4,16 +4,22 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::Setup;
-use super::around::{manner, unit_in_front, without_condition};
+use super::around::without_condition;
 use crate::answer::meaning::ORDERS;
 use crate::answer::trial::typed as typed_number;
-use crate::answer::typed::{self, Typed};
-use crate::answer::{
-    Credit, Feedback, Key, Marker, Marking, Nature, Reading, Reason, Trial, Verdict,
-};
-use crate::expr::{Expr, Precise, Workspace};
-use crate::math::Math;
-use crate::unit::Dimension;
+use crate::answer::{Credit, Feedback, Key, Marker, Marking, Nature, Reading, Reason, Trial};
+use crate::expr::{Expr, Kind, Precise, Workspace};
+use crate::unit::{Dimension, Unit};
+
+/// A response that was read.
+pub(super) struct Response {
+    pub(super) expr: Expr,
+    /// The units in which its numbers may be.
+    pub(super) units: Vec<Unit>,
+    pub(super) reading: Reading,
+    /// In SI units, for each of the units; none where the function has no value somewhere.
+    pub(super) values: Vec<Vec<f64>>,
+}
 
 /// A prepared key.
 pub(super) struct Prepared {
@@ -21,13 +27,15 @@ pub(super) struct Prepared {
     pub(super) times: Vec<Precise>,
     pub(super) values: Vec<f64>,
     pub(super) halves: Vec<f64>,
+    /// Whether the item states the tolerance.
+    pub(super) is_stated: bool,
     pub(super) mistakes: Vec<(usize, Vec<f64>, Credit)>,
     pub(super) data: Vec<Precise>,
 }
 
 impl Prepared {
     /// The values of a typed function at the times.
-    fn values_of(&self, expr: &Expr) -> Option<Vec<f64>> {
+    pub(super) fn values_of(&self, expr: &Expr) -> Option<Vec<f64>> {
         let setup = &self.setup;
         let program = setup.meaning.compile(expr, &BTreeMap::new()).ok()?;
         let slot = setup.meaning.place(&setup.variable)? * ORDERS;
@@ -41,18 +49,58 @@ impl Prepared {
         Some(values)
     }
 
-    /// Whether a typed function with numbers has the dimension of the key, where that can be told.
-    fn dimension_trouble(&self, expr: &Expr) -> Option<Dimension> {
-        let setup = &self.setup;
+    /// The same in SI units, where the numbers are in one of these.
+    pub(super) fn values_in(&self, expr: &Expr, units: &[Unit]) -> Option<Vec<Vec<f64>>> {
+        let values = self.values_of(expr)?;
+        let in_si = |unit: &Unit| values.iter().map(|value| unit.to_si(*value)).collect();
+        Some(units.iter().map(in_si).collect())
+    }
+
+    /// The dimension of a function of data alone that is not that of the key.
+    pub(super) fn dimension_trouble(&self, expr: &Expr) -> Option<Dimension> {
         // Numbers stand for values in the unit of the key, rates and frequencies: only formulas in data alone have dimensions.
-        let names = expr.names();
-        let has_data = names
-            .free
-            .iter()
-            .any(|variable| variable.name != setup.variable);
-        let found = expr.check(&setup.meaning).ok().filter(|_| has_data)?;
-        let (key, typed) = (setup.kind.dimension()?, found.dimension()?);
+        let found = expr.check(&self.setup.meaning).ok();
+        let found = found.filter(|_| self.has_data(expr))?;
+        let (key, typed) = (self.setup.kind.dimension()?, found.dimension()?);
         (key != typed && !typed.is_pure()).then_some(typed)
+    }
+
+    /// Whether letters of the question stand in a function.
+    pub(super) fn has_data(&self, expr: &Expr) -> bool {
+        let names = expr.names();
+        let mut free = names.free.iter();
+        free.any(|variable| variable.name != self.setup.variable)
+    }
+
+    /// Whether a function is written in letters, with no number that could be rounded.
+    fn is_in_letters(&self, expr: &Expr) -> bool {
+        let mut has_decimals = false;
+        expr.walk(&mut |node| {
+            has_decimals |= matches!(node.kind(), Kind::Number(value) if !value.is_integer());
+        });
+        let found = expr.check(&self.setup.meaning).ok();
+        let dimension = found.and_then(|kind| kind.dimension());
+        self.has_data(expr) && !has_decimals && dimension == self.setup.kind.dimension()
+    }
+
+    /// Whether one of these has the values of the key to rounding.
+    fn is_exact(&self, found: &[Vec<f64>]) -> bool {
+        const ROUNDING: f64 = 1e-7;
+        let largest = |values: &[f64]| {
+            values
+                .iter()
+                .fold(0.0_f64, |most, value| most.max(value.abs()))
+        };
+        let limit = ROUNDING * largest(&self.values);
+        found.iter().any(|values| {
+            let mut pairs = values.iter().zip(&self.values);
+            pairs.all(|(typed, key)| (typed - key).abs() <= limit)
+        })
+    }
+
+    /// Whether one of these is near a key at all times.
+    pub(super) fn fits(&self, found: &[Vec<f64>], key: &[f64]) -> bool {
+        found.iter().any(|values| self.is_near(values, key))
     }
 
     fn is_near(&self, typed: &[f64], key: &[f64]) -> bool {
@@ -98,156 +146,49 @@ impl Marker for Prepared {
     }
 
     fn mark(&self, response: &str) -> Marking {
-        let response = without_condition(response);
-        let typed = typed::formula(response, &self.setup.lexicon, manner(response));
-        let first = match typed {
-            Ok(typed) => self.mark_typed(typed),
-            Err(error) => Marking::unreadable(error.sentence(response)),
-        };
-        if matches!(first.verdict, Verdict::Unreadable | Verdict::Wrong)
-            && !first
-                .reasons
-                .iter()
-                .any(|reason| matches!(reason, Reason::Mistake(_)))
-            && let Some(marking) = self.mark_with_unit(response)
-        {
-            return marking;
+        match self.read(without_condition(response)) {
+            Ok(response) => self.judged(response),
+            Err(help) => Marking::unreadable(help),
         }
-        first
     }
 }
 
 impl Prepared {
-    /// The marking of numbers with a unit, behind the function or behind its first number.
-    fn mark_with_unit(&self, response: &str) -> Option<Marking> {
-        let setup = &self.setup;
-        let own = setup.unit?;
-        let start = response.rfind('=').map_or(0, |at| at + 1);
-        let value = response[start..].trim();
-        let bare = |text: &str| {
-            let typed = typed::formula(text, &setup.lexicon, manner(text)).ok()?;
-            (!self.has_data(&typed.value)).then_some(typed)
+    /// The marking of a function that was read.
+    fn judged(&self, response: Response) -> Marking {
+        let wrong = |response: Response, reason, words: Option<String>| {
+            let feedback = words.map(Feedback::Words);
+            Marking::read(response.reading, Credit::NONE, reason, feedback)
         };
-        let behind = typed::with_unit(value).find_map(|(text, unit)| Some((bare(text)?, unit)));
-        let (typed, unit) = behind.or_else(|| {
-            let (text, unit) = unit_in_front(value)?;
-            Some((bare(&text)?, unit))
-        })?;
-        if unit.dimension() != own.dimension() {
-            let words = format!("The unit does not fit; what is asked is in {}.", own.text());
-            return Some(Marking::unreadable(words));
-        }
-        let values = self.values_of(&typed.value)?;
-        let values: Vec<f64> = values.iter().map(|value| unit.to_si(*value)).collect();
-        let reading = Reading {
-            math: Math::row([
-                typed.value.typeset(&setup.lexicon),
-                Math::thin_space(),
-                unit.math(),
-            ]),
-            text: format!("({}) {}", typed.value, unit.text()),
-            si: Vec::new(),
-        };
-        Some(self.judged(
-            reading,
-            &typed.value,
-            |key| self.is_near(&values, key),
-            &values,
-        ))
-    }
-
-    /// Whether letters of the question stand in a function.
-    fn has_data(&self, expr: &Expr) -> bool {
-        let names = expr.names();
-        names
-            .free
-            .iter()
-            .any(|variable| variable.name != self.setup.variable)
-    }
-
-    fn mark_typed(&self, Typed { value, other }: Typed<Expr>) -> Marking {
-        let setup = &self.setup;
-        let trouble = self.dimension_trouble(&value);
-        let expr = match other {
-            Some(other) if trouble.is_some() && self.dimension_trouble(&other).is_none() => other,
-            _ => value,
-        };
-        let reading = Reading {
-            math: expr.typeset(&setup.lexicon),
-            text: expr.to_string(),
-            si: Vec::new(),
-        };
-        let Some(values) = self.values_of(&expr) else {
+        if response.values.is_empty() {
             let words = "This has no value somewhere on the span.".to_owned();
-            return Marking::read(
-                reading,
-                Credit::NONE,
-                Reason::Other,
-                Some(Feedback::Words(words)),
-            );
-        };
-        // Numbers without data may be in the unit that is asked for.
-        let shown = setup.unit.map(|unit| {
-            values
-                .iter()
-                .map(|value| unit.to_si(*value))
-                .collect::<Vec<_>>()
-        });
-        let shown = shown.filter(|_| !self.has_data(&expr));
-        let fits = |key: &[f64]| {
-            self.is_near(&values, key)
-                || shown.as_ref().is_some_and(|shown| self.is_near(shown, key))
-        };
-        self.judged(reading, &expr, fits, &values)
-    }
-
-    /// The marking of a function that was read, by whether it fits other values at the times.
-    fn judged(
-        &self,
-        reading: Reading,
-        expr: &Expr,
-        fits: impl Fn(&[f64]) -> bool,
-        values: &[f64],
-    ) -> Marking {
-        if fits(&self.values) {
-            return Marking::read(reading, Credit::FULL, Reason::Matches, None);
+            return wrong(response, Reason::Other, Some(words));
         }
-        if let Some((number, _, credit)) = self.mistakes.iter().find(|(_, given, _)| fits(given)) {
+        if self.fits(&response.values, &self.values) {
+            // What is all in letters needs no tolerance.
+            if self.has_tolerance_for(&response) {
+                return Marking::read(response.reading, Credit::FULL, Reason::Matches, None);
+            }
+            let words = "With these data it comes near, but as a formula it differs: something small is missing or wrong.";
+            return wrong(response, Reason::Near, Some(words.to_owned()));
+        }
+        let mut mistakes = self.mistakes.iter();
+        if let Some((number, _, credit)) =
+            mistakes.find(|(_, given, _)| self.fits(&response.values, given))
+        {
             let feedback = Some(Feedback::Mistake(*number));
-            return Marking::read(reading, *credit, Reason::Mistake(*number), feedback);
+            let reason = Reason::Mistake(*number);
+            return Marking::read(response.reading, *credit, reason, feedback);
         }
-        let negated: Vec<f64> = self.values.iter().map(|value| -value).collect();
-        let (reason, words) = if self.dimension_trouble(expr).is_some() {
-            let found = self
-                .dimension_trouble(expr)
-                .map_or(String::new(), Dimension::describe);
-            (
-                Reason::Dimension,
-                Some(format!("This comes out in {found}.")),
-            )
-        } else if fits(&negated) {
-            (Reason::Sign, Some("The sign is wrong.".to_owned()))
-        } else if self.starts_right(values) {
-            (
-                Reason::Other,
-                Some(
-                    "It begins rightly, but runs away later: look at the frequency and the decay."
-                        .to_owned(),
-                ),
-            )
-        } else {
-            (Reason::Other, None)
-        };
-        Marking::read(reading, Credit::NONE, reason, words.map(Feedback::Words))
+        if let Some(found) = self.dimension_trouble(&response.expr) {
+            let words = format!("This comes out in {}.", found.describe());
+            return wrong(response, Reason::Dimension, Some(words));
+        }
+        let (reason, words) = self.slip(&response);
+        wrong(response, reason, words)
     }
 
-    /// Whether the first samples are right.
-    fn starts_right(&self, typed: &[f64]) -> bool {
-        let first = 3;
-        typed[..first]
-            .iter()
-            .zip(&self.values)
-            .zip(&self.halves)
-            .all(|((typed, key), half)| (typed - key).abs() <= 2.0 * half)
+    fn has_tolerance_for(&self, response: &Response) -> bool {
+        self.is_stated || !self.is_in_letters(&response.expr) || self.is_exact(&response.values)
     }
 }

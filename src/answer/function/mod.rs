@@ -9,12 +9,15 @@
 //! half-width(t) = 0.005 · 10^(3−s) · ( max|x| + Σ |z ∂x/∂z|(t) )     over the steps z between data and answer.
 //! ```
 //!
+//! A response all in letters has nothing to be rounded: unless a tolerance is stated, it has to be exact.
+//!
 //! ```toml
 //! [[part]]
 //! kind      = "function"
 //! key       = "x"
 //! span      = ["0", "6*pi/omega_n"]
 //! tolerance = "2 %"             # of the largest value; derived if left out
+//! in        = ["x0", "v0"]      # data alone: what earlier parts ask for has to be put in
 //! ask       = "Find $x(t)$."
 //! ```
 //!
@@ -34,12 +37,17 @@
 
 mod around;
 mod general;
+mod label;
 mod marker;
+mod read;
 mod samples;
+mod slip;
 mod span;
+mod units;
 
 use std::sync::{Arc, OnceLock};
 
+use self::label::Labels;
 use self::marker::Prepared;
 use self::samples::{derived, samples};
 use self::span::{Extent, spans, times};
@@ -74,6 +82,7 @@ struct Setup {
     variable: Name,
     meaning: Meaning,
     lexicon: Lexicon,
+    labels: Labels,
     /// As it is printed, once it was.
     printed: OnceLock<Key>,
 }
@@ -152,6 +161,7 @@ impl AnswerKind for Kind {
                 shown,
                 kind,
                 unit,
+                labels: Labels::of(declare, named.as_ref(), &variable),
                 variable,
                 meaning,
                 lexicon,
@@ -216,6 +226,7 @@ impl Answer for Motion {
             times,
             values,
             halves,
+            is_stated: !self.tolerance.is_derived(),
             mistakes,
             data: self.setup.meaning.data(evaluation),
         }))

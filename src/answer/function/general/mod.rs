@@ -1,20 +1,22 @@
 //! The general solution of a model's equations, with free constants that the student names.
 //!
 //! A response is right when it satisfies the equations for all values of its constants, and the constants
-//! can meet any initial state: the positions and velocities at the start, as functions of the constants,
-//! have full rank.
+//! can meet any initial state: each is a factor or a phase, and the positions and velocities at the start,
+//! as functions of the constants, have full rank.
+
+mod constants;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::super::equality::Draws;
-use super::super::meaning::{Meaning, ORDERS, Prefer, lexicon};
-use super::super::typed::{self, Lexicon, Manner, cut};
-use super::super::{
+use super::Kind;
+use crate::answer::equality::Draws;
+use crate::answer::meaning::{Meaning, ORDERS, Prefer, lexicon};
+use crate::answer::typed::{self, Lexicon, Manner, cut};
+use crate::answer::{
     Answer, AnswerKind, Context, Credit, Declare, Feedback, Key, Marker, Marking, Nature, Reading,
     Reason, Role, Trial,
 };
-use super::Kind;
 use crate::expr::{Equation, Expr, Name, Precise, Program, Workspace};
 use crate::math::Math;
 use crate::quantity::{Absent, NodeId};
@@ -316,61 +318,6 @@ impl Prepared {
         Some(true)
     }
 
-    /// The number of initial states, of positions and velocities, that the constants can vary independently.
-    fn rank(&self, solution: &Solution) -> Option<usize> {
-        const STEP: f64 = 1e-5;
-        let (mut draws, mut room) = (Draws::new(), Workspace::default());
-        let constants: Vec<f64> = self
-            .setup
-            .constants
-            .iter()
-            .map(|_| 1.0 + 0.5 * draws.signed())
-            .collect();
-        let rate = self
-            .modes
-            .last()
-            .map_or(1.0, |(frequency, _)| frequency.max(f64::MIN_POSITIVE));
-        let mut state = |constants: &[f64]| -> Option<Vec<f64>> {
-            let point = self.point(constants, 0.0);
-            let positions = solution.positions.iter().map(|program| (program, 1.0));
-            let velocities = solution.velocities.iter().map(|program| (program, rate));
-            positions
-                .chain(velocities)
-                .map(|(program, unit)| {
-                    Some(program.evaluate_real(&point[..], &mut room).ok()? / unit)
-                })
-                .collect()
-        };
-        let mut basis: Vec<Vec<f64>> = Vec::new();
-        for place in 0..constants.len() {
-            let mut moved = constants.clone();
-            moved[place] += STEP;
-            let after = state(&moved)?;
-            moved[place] -= 2.0 * STEP;
-            let before = state(&moved)?;
-            let mut rest: Vec<f64> = after
-                .iter()
-                .zip(&before)
-                .map(|(a, b)| (a - b) / (2.0 * STEP))
-                .collect();
-            let whole = length(&rest);
-            for own in &basis {
-                let share: f64 = own.iter().zip(&rest).map(|(a, b)| a * b).sum();
-                rest.iter_mut()
-                    .zip(own)
-                    .for_each(|(value, own)| *value -= share * own);
-            }
-            let size = length(&rest);
-            if whole > 1e-6 && size > 1e-3 * whole {
-                for value in &mut rest {
-                    *value /= size;
-                }
-                basis.push(rest);
-            }
-        }
-        Some(basis.len())
-    }
-
     /// The solution of the key as a formula of each coordinate.
     fn written(&self) -> Vec<(Math, String)> {
         let setup = &self.setup;
@@ -415,10 +362,6 @@ impl Prepared {
         };
         (0..setup.coordinates.len()).map(both).collect()
     }
-}
-
-fn length(vector: &[f64]) -> f64 {
-    vector.iter().map(|value| value * value).sum::<f64>().sqrt()
 }
 
 impl Marker for Prepared {
@@ -497,14 +440,26 @@ impl Marker for Prepared {
             Some(true) => {}
         }
         let needed = 2 * setup.coordinates.len();
-        match self.rank(&solution) {
-            Some(rank) if rank >= needed => {
-                Marking::read(reading, Credit::FULL, Reason::Matches, None)
-            }
-            _ => wrong(
+        if self.rank(&solution).is_none_or(|rank| rank < needed) {
+            return wrong(
                 reading,
                 "This satisfies the equations, but its constants cannot meet every initial state: it is not general.",
-            ),
+            );
         }
+        if !self.are_factors_and_phases(&solution) {
+            return wrong(
+                reading,
+                "This satisfies the equations, but each constant has to be a factor of its own or a phase, to meet \
+                 every initial state.",
+            );
+        }
+        let used = setup.constants.iter().filter(|name| {
+            let mut all = typed.iter();
+            all.any(|formula| formula.names().uses(name))
+        });
+        let count = used.count();
+        let words = format!("Right; {needed} constants would do, here are {count}.");
+        let feedback = (count > needed).then_some(Feedback::Words(words));
+        Marking::read(reading, Credit::FULL, Reason::Matches, feedback)
     }
 }

@@ -1,0 +1,164 @@
+//! What stands before the equals signs of a function: its name, that of another, or other forms of it.
+
+use super::around::manner;
+use crate::answer::typed::{self, Lexicon, cut};
+use crate::answer::{Declare, Role};
+use crate::expr::{Expr, Kind, Name};
+use crate::math::{Math, symbol};
+use crate::source::Span;
+
+/// The names that can stand before an equals sign.
+#[derive(Debug)]
+pub(super) struct Labels {
+    lexicon: Lexicon,
+    /// Those of what is asked.
+    own: Vec<Name>,
+    /// What is asked, as a message has it.
+    asked: String,
+}
+
+/// What stands before an equals sign.
+enum Side {
+    Own,
+    Other,
+    Formula(Expr),
+}
+
+impl Labels {
+    /// The names of an item, of which this one is asked; any coordinate where what is asked has no name.
+    pub(super) fn of(declare: &dyn Declare, asked: Option<&Name>, variable: &Name) -> Self {
+        let known = declare.known();
+        let symbol_of = |name: &Name| {
+            let own = known.iter().find(|own| own.name == *name);
+            own.map(|own| own.symbol.plain())
+        };
+        let stem = asked.map(|name| name.as_str().split('_').next().unwrap_or_default());
+        let is_own = |name: &Name, plain: &str, is_coordinate: bool| match asked {
+            Some(asked) => {
+                name == asked
+                    || stem == Some(name.as_str())
+                    || symbol_of(asked).as_deref() == Some(plain)
+            }
+            None => is_coordinate,
+        };
+        let (mut lexicon, mut own) = (Lexicon::new(), Vec::new());
+        for of in &known {
+            let is_coordinate = of.role == Role::Coordinate;
+            if is_own(&of.name, &of.symbol.plain(), is_coordinate) {
+                own.push(of.name.clone());
+            }
+            lexicon.allow(&of.name, of.symbol.clone(), true);
+        }
+        if let Some(stem) = stem.map(Name::new).filter(|stem| !own.contains(stem)) {
+            if symbol_of(&stem).is_none() {
+                lexicon.allow(&stem, symbol(stem.as_str()), true);
+            }
+            own.push(stem);
+        }
+        lexicon.allow(variable, symbol(variable.as_str()), false);
+        let shown = asked.and_then(symbol_of).unwrap_or_else(|| {
+            let first = own.first().map(|name| symbol(name.as_str()));
+            first.as_ref().map_or("x".to_owned(), Math::plain)
+        });
+        Self {
+            lexicon,
+            own,
+            asked: format!("{shown}({variable})"),
+        }
+    }
+
+    /// The function that is asked, among several that are given by name, `x1 = …; x2 = …`.
+    pub(super) fn asked<'r>(&self, response: &'r str) -> Result<&'r str, String> {
+        let all = Span::new(0, response.len());
+        let pieces: Vec<&str> = cut(response, all, &[';', '\n'])
+            .into_iter()
+            .map(|place| response[place.range()].trim())
+            .filter(|piece| !piece.is_empty())
+            .collect();
+        if pieces.len() < 2 {
+            return Ok(response);
+        }
+        let is_own = |piece: &&&str| {
+            let (left, rest) = split(piece);
+            rest.is_some() && matches!(self.side(left), Ok(Side::Own))
+        };
+        match &pieces.iter().filter(is_own).collect::<Vec<_>>()[..] {
+            [one] => Ok(one),
+            _ => Err(format!("One function is asked here: {} = ….", self.asked)),
+        }
+    }
+
+    /// What is behind the last equals sign, and the other forms before it.
+    pub(super) fn forms<'r>(&self, response: &'r str) -> Result<(&'r str, Vec<Expr>), String> {
+        let mut forms = Vec::new();
+        let mut rest = response;
+        let mut is_first = true;
+        while let (left, Some(behind)) = split(rest) {
+            match self.side(left) {
+                Ok(Side::Own) if is_first => {}
+                Ok(Side::Formula(form)) => forms.push(form),
+                Ok(_) => {
+                    return Err(format!(
+                        "At `{}`: {} is asked. Give it alone, or with its own name before the equals sign.",
+                        left.trim(),
+                        self.asked
+                    ));
+                }
+                Err(help) if !is_first => return Err(help),
+                Err(_) if is_fresh(left) => {}
+                Err(_) => {
+                    return Err(format!(
+                        "At `{}`: it is not clear what this stands for; write {} = … or the function alone.",
+                        left.trim(),
+                        self.asked
+                    ));
+                }
+            }
+            is_first = false;
+            rest = behind;
+        }
+        Ok((rest, forms))
+    }
+
+    /// What the text before an equals sign is; `x(t) [m]` has its unit behind it.
+    fn side(&self, text: &str) -> Result<Side, String> {
+        let text = without_unit(text);
+        let typed = typed::formula(text, &self.lexicon, manner(text));
+        let value = typed.map_err(|error| error.sentence(text))?.value;
+        Ok(match value.kind() {
+            Kind::Name(name) if self.own.contains(name) => Side::Own,
+            Kind::Name(_) | Kind::Prime(..) => Side::Other,
+            _ => Side::Formula(value),
+        })
+    }
+}
+
+/// Whether a text is a letter that the item does not know, which anybody may choose for what is asked: no derivative,
+/// nor one of those for velocity and acceleration.
+fn is_fresh(text: &str) -> bool {
+    let text = without_unit(text);
+    let name = text.split_once('(').map_or(text, |(name, _)| name).trim();
+    let is_name = |char: char| char.is_alphanumeric() || "_\\{}".contains(char);
+    name.starts_with(|char: char| char.is_alphabetic() || char == '\\')
+        && name.chars().all(is_name)
+        && !name.contains("dot")
+        && !["v", "a"].contains(&name)
+}
+
+fn without_unit(text: &str) -> &str {
+    let text = text.trim();
+    let bracket = text.rfind('[').filter(|_| text.ends_with(']'));
+    bracket.map_or(text, |at| text[..at].trim_end())
+}
+
+/// A text before and behind its first equals sign.
+fn split(text: &str) -> (&str, Option<&str>) {
+    let found = text.char_indices().find(|(_, char)| "=≈".contains(*char));
+    match found {
+        Some((at, char)) => (
+            &text[..at],
+            Some(text[at + char.len_utf8()..].trim_start_matches('=')),
+        ),
+        None => (text, None),
+    }
+}

@@ -1,0 +1,150 @@
+//! Reads a function: with numbers in SI units, with units, or in letters.
+
+use super::around::manner;
+use super::marker::{Prepared, Response};
+use super::slip::without_waves;
+use super::units::{contains_letter, measured};
+use crate::answer::Reading;
+use crate::answer::typed::{self, Typed};
+use crate::expr::{Expr, Kind};
+use crate::math::Math;
+use crate::unit::Unit;
+
+impl Prepared {
+    /// The function that a response is: the last form of it that was typed, which the others have to equal.
+    pub(super) fn read(&self, response: &str) -> Result<Response, String> {
+        let labels = &self.setup.labels;
+        let (last, forms) = labels.forms(labels.asked(response)?)?;
+        let read = self.function(last.trim())?;
+        for form in &forms {
+            let same = self
+                .values_of(form)
+                .is_some_and(|values| self.fits(&read.values, &values));
+            if !same {
+                return Err(format!(
+                    "The two sides of the equals sign before `{}` are not the same function: give one.",
+                    last.trim()
+                ));
+            }
+        }
+        Ok(read)
+    }
+
+    /// Whether letters are names or units is told by the dimension, not by what is right.
+    fn function(&self, text: &str) -> Result<Response, String> {
+        let setup = &self.setup;
+        match typed::formula(text, &setup.lexicon, manner(text)) {
+            Err(error) => self
+                .with_unit(text)
+                .unwrap_or_else(|| Err(error.sentence(text))),
+            Ok(typed) => {
+                let expr = self.of_right_dimension(typed);
+                let unit = self.with_unit(text).filter(|_| self.has_data(&expr));
+                match unit {
+                    Some(Ok(_)) if self.has_dimension(&expr) => Err(
+                        "A letter can be a unit or a quantity here: give the numbers in SI units, without a unit."
+                            .to_owned(),
+                    ),
+                    Some(read) if !self.has_dimension(&expr) => read,
+                    _ if self.adds_angle(&expr) => Err(
+                        "An angle is added to the function: put brackets, as in `cos(5 t + 30°)`.".to_owned(),
+                    ),
+                    _ => Ok(self.bare(expr)),
+                }
+            }
+        }
+    }
+
+    /// Where a slash leaves two readings, the one of the right dimension.
+    fn of_right_dimension(&self, Typed { value, other }: Typed<Expr>) -> Expr {
+        let is_wrong = |expr: &Expr| self.dimension_trouble(expr).is_some();
+        match other {
+            Some(other) if is_wrong(&value) && !is_wrong(&other) => other,
+            _ => value,
+        }
+    }
+
+    /// Numbers without data may be in the unit that is asked for.
+    fn bare(&self, expr: Expr) -> Response {
+        let setup = &self.setup;
+        let shown = setup.unit.filter(|_| !self.has_data(&expr));
+        let units: Vec<Unit> = [Unit::ONE].into_iter().chain(shown).collect();
+        Response {
+            reading: Reading {
+                math: expr.typeset(&setup.lexicon),
+                text: expr.to_string(),
+                si: Vec::new(),
+            },
+            values: self.values_in(&expr, &units).unwrap_or_default(),
+            units,
+            expr,
+        }
+    }
+
+    /// A function of numbers with a unit, behind each of its terms or behind the whole.
+    fn with_unit(&self, text: &str) -> Option<Result<Response, String>> {
+        let setup = &self.setup;
+        let own = setup.unit?;
+        let variable = setup.variable.as_str();
+        let bare = |text: &str| {
+            let typed = typed::formula(text, &setup.lexicon, manner(text)).ok()?;
+            (!self.has_data(&typed.value)).then_some(typed.value)
+        };
+        let terms = measured(text, variable, |unit| unit.dimension() == own.dimension());
+        let has_some = terms.is_some();
+        let by_terms = terms.and_then(|found| {
+            let (once, twice) = (bare(&found.bare)?, bare(&found.doubled)?);
+            let (values, doubled) = (self.values_of(&once)?, self.values_of(&twice)?);
+            let mut pairs = values.iter().zip(&doubled);
+            let is_whole = pairs.all(|(value, doubled)| {
+                (2.0 * value - doubled).abs() <= 1e-9 * doubled.abs().max(value.abs())
+            });
+            is_whole.then_some((once, found.unit))
+        });
+        let found = by_terms.or_else(|| {
+            let mut cuts = typed::with_unit(text)
+                .filter(|(formula, _)| !contains_letter(&text[formula.len()..], variable));
+            cuts.find_map(|(formula, unit)| Some((bare(formula)?, unit)))
+        });
+        let Some((expr, unit)) = found else {
+            let help = "Give each term its unit, or write one behind the whole.";
+            return has_some.then(|| Err(help.to_owned()));
+        };
+        if unit.dimension() != own.dimension() {
+            let words = format!("The unit does not fit; what is asked is in {}.", own.text());
+            return Some(Err(words));
+        }
+        let units = vec![unit];
+        Some(Ok(Response {
+            reading: Reading {
+                math: Math::row([
+                    expr.typeset(&setup.lexicon),
+                    Math::thin_space(),
+                    unit.math(),
+                ]),
+                text: format!("({expr}) {}", unit.text()),
+                si: Vec::new(),
+            },
+            values: self.values_in(&expr, &units).unwrap_or_default(),
+            units,
+            expr,
+        }))
+    }
+
+    /// Whether a function with letters can have the dimension of the key, apart from what stands in its waves.
+    fn has_dimension(&self, expr: &Expr) -> bool {
+        let found = without_waves(expr).check(&self.setup.meaning).ok();
+        let dimension = found.and_then(|kind| kind.dimension());
+        dimension.is_some_and(|found| found.is_pure() || Some(found) == self.setup.kind.dimension())
+    }
+
+    /// Whether degrees are added to what is no angle: `cos 5 t + 30°`.
+    fn adds_angle(&self, expr: &Expr) -> bool {
+        let mut has_degrees = false;
+        without_waves(expr).walk(&mut |node| {
+            has_degrees |= matches!(node.kind(), Kind::Measure(..));
+        });
+        let key = self.setup.kind.dimension();
+        has_degrees && key.is_some_and(|dimension| !dimension.is_pure())
+    }
+}

@@ -1,0 +1,129 @@
+//! What is wrong with a function, told by its values: a sign, degrees, a frequency in hertz, a power of ten.
+
+use std::convert::Infallible;
+
+use super::marker::{Prepared, Response};
+use crate::answer::Reason;
+use crate::expr::{Constant, Expr, Function, Kind, Operator, Substitution};
+use crate::unit::Unit;
+
+/// A difference of so many half-widths is near.
+const NEAR: f64 = 3.0;
+/// Samples that a motion has to begin with to begin rightly.
+const FIRST: usize = 3;
+
+impl Prepared {
+    /// The slip that made a wrong function, and what is said.
+    pub(super) fn slip(&self, response: &Response) -> (Reason, Option<String>) {
+        let say = |reason, words: &str| (reason, Some(words.to_owned()));
+        let scaled = |factor: f64| {
+            let all = response.values.iter();
+            let scaled = all.map(|of| of.iter().map(|value| factor * value).collect());
+            scaled.collect::<Vec<Vec<f64>>>()
+        };
+        let fits = |found: &[Vec<f64>]| self.fits(found, &self.values);
+        let fits_with = |change: &dyn Fn(&Expr) -> Option<Expr>| {
+            let changed = in_angles(&response.expr, change);
+            let values = self.values_in(&changed, &response.units);
+            values.is_some_and(|values| fits(&values))
+        };
+        let variable = &self.setup.variable;
+        let at = |angle: &Expr, time: Expr| {
+            let put = Substitution::new().with(variable.clone(), time);
+            put.apply(angle).ok()
+        };
+        if fits(&scaled(-1.0)) {
+            return say(Reason::Sign, "The sign is wrong.");
+        }
+        let degrees = |angle: &Expr| {
+            let start = at(angle, Expr::number(0))?;
+            let radians = start.clone() * Expr::constant(Constant::Pi) / Expr::number(180);
+            Some(angle.clone() - start + radians)
+        };
+        if fits_with(&degrees) {
+            let words = "The phase is in degrees: write it in radians, or with the sign °.";
+            return say(Reason::AngleUnit, words);
+        }
+        let turns = |angle: &Expr| {
+            let turn = Expr::number(2) * Expr::constant(Constant::Pi);
+            at(angle, turn * Expr::name(variable.clone()))
+        };
+        if fits_with(&turns) {
+            let words = "A factor 2π slipped: behind the sine and the cosine the angular frequency ω in rad/s belongs, \
+                         2π times the frequency f in Hz.";
+            return say(Reason::TwoPi, words);
+        }
+        let is_bare = !self.has_data(&response.expr);
+        let ten = |power: i32| fits(&scaled(crate::numerics::powi(10.0, power)));
+        if is_bare && (1..=6).any(|power| ten(power) || ten(-power)) {
+            let unit = self.setup.unit.unwrap_or(Unit::ONE).text();
+            let words = format!(
+                "The digits fit, the power of ten does not: a function in another unit than {unit} needs its unit."
+            );
+            return (Reason::PowerOfTen, Some(words));
+        }
+        let found = response.values.iter().map(|values| self.course(values));
+        found
+            .min_by_key(|(reason, words)| (*reason != Reason::Near, words.is_none()))
+            .unwrap_or((Reason::Other, None))
+    }
+
+    /// What the differences from the key say.
+    fn course(&self, values: &[f64]) -> (Reason, Option<String>) {
+        let pairs = values.iter().zip(&self.values);
+        let differences: Vec<f64> = pairs.map(|(typed, key)| (typed - key).abs()).collect();
+        let is_within = |count: usize, times: f64| {
+            let mut pairs = differences.iter().zip(&self.halves).take(count);
+            pairs.all(|(difference, half)| *difference <= times * half)
+        };
+        let largest = |of: &[f64]| of.iter().copied().fold(0.0, f64::max);
+        let grows = largest(&differences) > 2.0 * largest(&differences[..differences.len() / 3]);
+        if is_within(differences.len(), NEAR) {
+            let words = "Close, but outside the tolerance: keep one more figure in the steps.";
+            (Reason::Near, Some(words.to_owned()))
+        } else if is_within(FIRST, 2.0) && grows {
+            let words =
+                "It begins rightly, but runs away later: look at the frequency and the decay.";
+            (Reason::Other, Some(words.to_owned()))
+        } else {
+            (Reason::Other, None)
+        }
+    }
+}
+
+/// A function with the arguments of its sines and cosines changed.
+fn in_angles(expr: &Expr, change: &dyn Fn(&Expr) -> Option<Expr>) -> Expr {
+    if let Kind::Call(function @ (Function::Sin | Function::Cos), angles) = expr.kind() {
+        let changed = angles.iter().map(change).collect::<Option<Vec<_>>>();
+        return changed.map_or(expr.clone(), |angles| Expr::call(*function, angles));
+    }
+    mapped(expr, &mut |child| in_angles(child, change))
+}
+
+/// A function with 1 in place of its waves and exponentials: what their factors are measured in.
+pub(super) fn without_waves(expr: &Expr) -> Expr {
+    match expr.kind() {
+        Kind::Call(
+            Function::Sin
+            | Function::Cos
+            | Function::Tan
+            | Function::Exp
+            | Function::Sinh
+            | Function::Cosh
+            | Function::Tanh,
+            _,
+        ) => Expr::number(1),
+        Kind::Binary(Operator::Power, base, _) if *base.kind() == Kind::Constant(Constant::E) => {
+            Expr::number(1)
+        }
+        _ => mapped(expr, &mut without_waves),
+    }
+}
+
+fn mapped(expr: &Expr, change: &mut dyn FnMut(&Expr) -> Expr) -> Expr {
+    let mut apply = |child: &Expr| Ok::<_, Infallible>(change(child));
+    match expr.try_map_children(&mut apply) {
+        Ok(changed) => changed,
+        Err(never) => match never {},
+    }
+}
