@@ -88,7 +88,10 @@ impl<'s> Reader<'s> {
         let mut answer = kind.read(&table, self);
         let mistakes = match &mut answer {
             Some(answer) => {
-                self.asked.extend(answer.keys());
+                for key in answer.keys() {
+                    self.asked.push(key);
+                    self.asked.extend(self.listed(key));
+                }
                 let mut mistakes = Vec::new();
                 for mistake in table.tables("mistakes") {
                     let number = mistakes.len();
@@ -115,6 +118,19 @@ impl<'s> Reader<'s> {
             solution,
             mistakes,
         })
+    }
+
+    /// The quantities that a key lists, `[omega1, omega2]`.
+    fn listed(&self, key: NodeId) -> Vec<NodeId> {
+        let entries = match self.graph.expr(key).map(Expr::kind) {
+            Some(Kind::Array(entries)) => &entries[..],
+            _ => &[],
+        };
+        let node = |entry: &Expr| match entry.kind() {
+            Kind::Name(name) => self.graph.find(name),
+            _ => None,
+        };
+        entries.iter().filter_map(node).collect()
     }
 
     /// A part may bear the name of a quantity only if that is its key.

@@ -159,3 +159,41 @@ fn all_modes_at_once_are_rows_or_columns() {
         ],
     );
 }
+
+const PAIR: &str = r#"
+[parameters]
+m = "2 kg"
+k = "50 N/m"
+[model]
+coordinates = { x1 = { unit = "m" }, x2 = { unit = "m" } }
+kinetic     = "1/2*m*(x1'^2 + x2'^2)"
+potential   = "1/2*k*x1^2 + 1/2*k*(x2 - x1)^2"
+[quantities]
+omega1 = { formula = "model.natural_angular_frequencies[1]", unit = "rad/s" }
+omega2 = { formula = "model.natural_angular_frequencies[2]", unit = "rad/s" }
+u1     = { formula = "model.mode_shapes[1]", unit = "kg^(-1/2)" }
+[[part]]
+id   = "pulsations"
+key  = "[omega1, omega2]"
+unit = "rad/s"
+ask  = "Find them."
+[[part]]
+kind = "mode-shape"
+key  = "u1"
+mode = 1
+ask  = "Find it."
+"#;
+
+#[test]
+fn what_an_earlier_part_lists_may_be_used() {
+    let catalogue = super::catalogue(PAIR);
+    let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));
+    let marker = solution.marker(1).expect("the key exists");
+    for (response, expected) in [
+        ("(1, (2k - m omega1^2)/k)", "right"),
+        ("(1, (2k - m omega2^2)/k)", "wrong"),
+    ] {
+        let marking = marker.mark(response);
+        assert_eq!(marking.verdict.name(), expected, "{response}: {marking:?}");
+    }
+}
