@@ -53,7 +53,9 @@ impl Reader<'_> {
         let one = list.start + 1;
         let factor = |rest: &str| {
             let whole = self.formula_in(rest, Span::new(start, rest.len()))?;
-            cofactor(&whole, one).ok_or(TypedError::new(Trouble::LeftOver, start, rest.len()))
+            let mut readings = [Some(whole.value), whole.other].into_iter().flatten();
+            let factor = readings.find_map(|whole| cofactor(&whole, one));
+            factor.ok_or(TypedError::new(Trouble::LeftOver, start, rest.len()))
         };
         let units = units_around(rest, start, list);
         let beside = |(place, unit): &(Span, Unit)| {
@@ -78,6 +80,7 @@ impl Reader<'_> {
 fn units_around(rest: &str, start: usize, list: std::ops::Range<usize>) -> Vec<(Span, Unit)> {
     let behind = &rest[list.end..];
     let whole = behind.trim().trim_start_matches(TIMES).trim();
+    let whole = whole.strip_prefix("in ").unwrap_or(whole);
     let whole = whole.trim_matches(['[', ']']).trim();
     let mut units = Vec::new();
     if let Some(unit) = Unit::read(whole).ok().filter(|_| !whole.is_empty()) {

@@ -52,12 +52,15 @@ pub(super) fn in_order(text: &str, labels: &[Option<Span>]) -> Result<(), TypedE
     Ok(())
 }
 
-/// The number in a symbol, `2` of `x_2` and `ω₂`.
+/// The number in a symbol, `2` of `x_2` and `ω₂`; a ratio of symbols has none.
 fn number(label: &str) -> Option<u32> {
     let digit = |char: char| match char {
         '₀'..='₉' => Some(u32::from(char) - u32::from('₀')),
         char => char.to_digit(10),
     };
+    if label.contains('/') {
+        return None;
+    }
     let digits: Vec<u32> = label.chars().filter_map(digit).collect();
     let number = digits.iter().take(6).fold(0, |sum, digit| 10 * sum + digit);
     (!digits.is_empty()).then_some(number)

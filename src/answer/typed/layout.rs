@@ -157,7 +157,7 @@ fn parted(text: &str, may: impl Fn(usize, char, char) -> bool) -> String {
     for (at, char) in text.char_indices() {
         match char {
             '(' | '[' | '{' => {
-                let before = text[..at].trim_end_matches(|char: char| char.is_alphanumeric());
+                let before = text[..at].trim_end_matches(|char: char| char.is_ascii_alphabetic());
                 let is_call = text[..at].len() > before.len() + 1;
                 open.push(!is_call && (open.is_empty() || char != '('));
             }

@@ -98,9 +98,12 @@ impl Lexicon {
         self.words().dotted_word(spelling, primes)
     }
 
-    /// The known word that is nearest to a spelling, if it is a name.
+    /// The name that is nearest to a spelling, of those that may be used.
     pub(super) fn nearest(&self, spelling: &str) -> Option<String> {
-        let names = self.symbols.keys().map(Name::as_str);
+        let names = self.entries.iter().filter_map(|entry| match entry {
+            Entry::Allowed(name, ..) => Some(name.as_str()),
+            Entry::Forbidden(_) => None,
+        });
         nearest(spelling, names).map(str::to_owned)
     }
 

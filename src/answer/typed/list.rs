@@ -5,7 +5,7 @@ use super::frame::{balanced, groups};
 use super::labels::in_order;
 use super::layout::{laid_out, spaced};
 use super::parser::Parser;
-use super::{DEEPEST, LONGEST, Lexicon, Manner, Trouble, TypedError, read};
+use super::{DEEPEST, LONGEST, Lexicon, Manner, Trouble, Typed, TypedError, read};
 use crate::expr::{Expr, Function};
 use crate::source::Span;
 use crate::unit::Unit;
@@ -245,13 +245,13 @@ impl Reader<'_> {
     }
 
     fn formula(&self, place: Span) -> Result<Expr, TypedError> {
-        self.formula_in(self.text, place)
+        Ok(self.formula_in(self.text, place)?.value)
     }
 
-    pub(super) fn formula_in(&self, text: &str, place: Span) -> Result<Expr, TypedError> {
+    pub(super) fn formula_in(&self, text: &str, place: Span) -> Result<Typed<Expr>, TypedError> {
         let (from, to) = (place.range().start, place.range().end);
         let whole = |parser: &mut Parser<'_>| parser.whole_formula();
-        Ok(read(text, from, to, self.lexicon, self.manner, whole)?.value)
+        read(text, from, to, self.lexicon, self.manner, whole)
     }
 
     /// The first bracket in a piece that holds a list.
