@@ -26,7 +26,7 @@ pub(super) use self::draw::{Around, Draws};
 use self::judge::{AtPoint, DIFFERENT, Rooms};
 use self::residue::Residue;
 use super::meaning::Meaning;
-use crate::expr::{CompileError, Expr, Kind, Name, Precise, Program};
+use crate::expr::{CompileError, Expr, Field, Kind, Name, Precise, Program};
 use crate::quantity::Evaluation;
 
 /// Points at which formulas are compared.
@@ -74,6 +74,11 @@ impl Comparable {
             residue,
             has_long_decimals,
         })
+    }
+
+    /// Whether its values are complex numbers.
+    pub(super) fn is_complex(&self) -> bool {
+        self.program.form().field == Field::Complex
     }
 
     fn residues(&self, other: &Self) -> Option<bool> {

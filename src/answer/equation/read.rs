@@ -2,7 +2,7 @@
 
 use super::{Setup, written};
 use crate::answer::Reading;
-use crate::answer::typed::{self, Chain, Manner, Trouble, Typed, cut};
+use crate::answer::typed::{self, Chain, Manner, Trouble, cut};
 use crate::expr::{Equation, Expr, Relation};
 use crate::math::Math;
 use crate::source::Span;
@@ -21,23 +21,18 @@ impl Setup {
                 return Err(help);
             }
             let chain = typed::chain(response, from, to, &self.lexicon, manner);
-            let Typed { value, other } = chain.map_err(|error| match error.trouble {
+            let chain = chain.map_err(|error| match error.trouble {
                 Trouble::NoRelation => {
                     "An equation is asked: an equals sign is missing.".to_owned()
                 }
                 _ => error.sentence(response),
             })?;
-            let first = of_chain(value)?;
-            let other = other.and_then(|other| of_chain(other).ok());
-            let fits = |equations: &[Equation]| {
-                equations
-                    .iter()
-                    .all(|equation| equation.check(&self.meaning).is_ok())
+            let fits = |chain: &Chain| {
+                let equations = of_chain(chain).unwrap_or_default();
+                let mut equations = equations.iter();
+                equations.all(|equation| equation.check(&self.meaning).is_ok())
             };
-            found.extend(match other {
-                Some(other) if !fits(&first) && fits(&other) => other,
-                _ => first,
-            });
+            found.extend(of_chain(&chain.fitting(fits))?);
         }
         Ok(found)
     }
@@ -67,7 +62,7 @@ impl Setup {
 }
 
 /// The equations `a = b = c` is.
-fn of_chain(chain: Chain) -> Result<Vec<Equation>, String> {
+fn of_chain(chain: &Chain) -> Result<Vec<Equation>, String> {
     if chain
         .relations
         .iter()

@@ -3,14 +3,18 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::{Setup, explained, in_words};
+use super::Setup;
+use super::slip::slip;
 use crate::answer::equality::{Comparable, Comparison, Points};
-use crate::answer::typed::{self, Manner, Trouble, Typed};
+use crate::answer::typed::{self, Trouble, TypedError};
 use crate::answer::{
     Credit, Feedback, Key, Marker, Marking, Nature, Reading, Reason, Trial, Verdict,
 };
-use crate::expr::{Expr, Field};
-use crate::unit::{DecimalMark, Dimension};
+use crate::expr::Expr;
+use crate::source::Span;
+use crate::unit::DecimalMark;
+
+const NUMBER: &str = "A formula in symbols is asked, not a number: give it without its value.";
 
 /// A prepared key.
 pub(super) struct Prepared {
@@ -27,77 +31,92 @@ pub(super) struct Mistake {
     pub(super) credit: Credit,
 }
 
+/// A reading of a response.
+struct Read {
+    expr: Expr,
+    /// What is wrong with its dimension.
+    trouble: Option<String>,
+}
+
 impl Prepared {
-    fn manner(&self, response: &str) -> Manner {
-        let has_lists = ["atan2", "hypot", "min", "max", "mod", "clamp"];
-        Manner {
-            comma_is_decimal: !has_lists.iter().any(|name| response.contains(name)),
-            has_imaginary_unit: self.setup.kind.field() == Field::Complex,
+    /// The marking of a formula alone, without a unit behind it.
+    pub(super) fn mark_alone(&self, response: &str) -> Result<Marking, TypedError> {
+        let typed = self.read(response)?;
+        let readings = [typed.value].into_iter().chain(typed.others);
+        let mut readings: Vec<Read> = readings
+            .map(|expr| Read {
+                trouble: self.dimension_trouble(&expr),
+                expr,
+            })
+            .collect();
+        let fitting = readings.iter().position(|read| read.trouble.is_none());
+        let read = readings.swap_remove(fitting.unwrap_or(0));
+        let is_number = read.expr.names().free.is_empty() && !read.expr.is_zero();
+        let is_number = is_number || read.trouble.is_some() && self.is_number(response);
+        if self.has_names() && is_number {
+            return Ok(Marking::unreadable(NUMBER));
         }
+        let marking = self.judged(&read);
+        Ok(match marking.verdict {
+            Verdict::Right if self.contradicts_itself(response) => Marking::unreadable(
+                "What stands on the sides of the equals signs is not the same: give one formula.",
+            ),
+            Verdict::Right => marking,
+            _ => self.question(&read, &marking, &readings).unwrap_or(marking),
+        })
     }
 
-    /// The reading whose dimension fits, if one does; and what is wrong with the dimension of the first otherwise.
-    fn fitting(&self, typed: Typed<Expr>) -> (Expr, Option<String>) {
-        let trouble = self.dimension_trouble(&typed.value);
-        match (trouble, typed.other) {
-            (Some(_), Some(other)) if self.dimension_trouble(&other).is_none() => (other, None),
-            (trouble, _) => (typed.value, trouble),
-        }
-    }
-
-    fn dimension_trouble(&self, typed: &Expr) -> Option<String> {
+    /// The marking of a reading by what it comes to.
+    fn judged(&self, Read { expr, trouble }: &Read) -> Marking {
         let setup = &self.setup;
-        let found = match typed.check(&setup.meaning) {
-            Err(errors) => return Some(explained(errors.first())),
-            Ok(found) => found,
+        let reading = Reading {
+            math: expr.typeset(&setup.lexicon),
+            text: expr.to_string(),
+            si: Vec::new(),
         };
-        let fits = match (setup.kind.dimension(), found.dimension()) {
-            (Some(key), Some(typed)) => key == typed,
-            _ => true,
+        let Some(typed) = self.comparable(expr) else {
+            return Marking::unreadable(
+                "This formula cannot be compared; write it in a simpler form.",
+            );
         };
-        let found = found.dimension().filter(|_| !fits)?;
-        let expected = setup.kind.dimension().unwrap_or(Dimension::PURE);
-        let unit = setup
-            .unit
-            .filter(|unit| !unit.is_one())
-            .map(|unit| unit.text());
-        let expected = unit.unwrap_or_else(|| in_words(expected));
-        Some(
-            format!(
-                "This comes out in {}, it has to be in {expected}.",
-                in_words(found)
-            )
-            .replace("in a pure number", "as a pure number"),
-        )
+        // Steps may go against the dimensions where the whole does not: `ln(x0) - ln(x1)`.
+        let is_of_dimension = trouble.is_none() || expr.check(&setup.meaning).is_err();
+        let comparison = if is_of_dimension {
+            self.points.compare(&self.key, &typed)
+        } else {
+            Comparison::Undefined
+        };
+        if comparison == Comparison::Same {
+            let remark = trouble
+                .as_ref()
+                .map(|trouble| Feedback::Words(format!("Right, but: {trouble}")));
+            return Marking::read(reading, Credit::FULL, Reason::Matches, remark);
+        }
+        if let Some(mistake) = self.mistake(&typed) {
+            let feedback = Some(Feedback::Mistake(mistake.number));
+            return Marking::read(
+                reading,
+                mistake.credit,
+                Reason::Mistake(mistake.number),
+                feedback,
+            );
+        }
+        if let Some(trouble) = trouble {
+            let words = Some(Feedback::Words(trouble.clone()));
+            return Marking::read(reading, Credit::NONE, Reason::Dimension, words);
+        }
+        if comparison == Comparison::Undecided {
+            return Marking::unreadable(
+                "All digits are lost when this is computed, so it cannot be compared; write it in a simpler form.",
+            );
+        }
+        let (reason, words) = slip(&comparison, expr, setup.kind.dimension());
+        let words = words.map(|words| Feedback::Words(words.to_owned()));
+        Marking::read(reading, Credit::NONE, reason, words)
     }
 
-    /// The marking of a formula behind which a unit stands all the same, `sqrt(k/m) rad/s`.
-    fn mark_before_unit(&self, response: &str, has_names: bool) -> Option<Marking> {
-        let manner = self.manner(response);
-        let reads = |text: &str| {
-            let typed = typed::formula(text, &self.setup.lexicon, manner)
-                .ok()?
-                .value;
-            (!has_names || !typed.names().free.is_empty()).then_some(())
-        };
-        let (formula, unit) = typed::with_unit(response).find(|(text, _)| reads(text).is_some())?;
-        let unit_text = response[formula.len()..].trim();
-        if self
-            .setup
-            .kind
-            .dimension()
-            .is_some_and(|own| own != unit.dimension())
-        {
-            return Some(Marking::unreadable(format!(
-                "At `{unit_text}`: letters carry their units, and this one does not fit. Leave it out."
-            )));
-        }
-        let mut marking = self.mark(formula);
-        if has_names && marking.reading.is_some() {
-            let words = format!("Letters carry their units: leave out `{unit_text}`.");
-            marking.feedback.push(Feedback::Words(words));
-        }
-        Some(marking)
+    fn comparable(&self, expr: &Expr) -> Option<Comparable> {
+        Comparable::of(&self.setup.meaning, expr, &BTreeMap::new()).ok()
     }
 
     /// The named mistake that a formula is.
@@ -107,46 +126,50 @@ impl Prepared {
         self.mistakes.iter().find(is_it)
     }
 
+    /// The question that is asked back where a reading was marked wrong and another one of the dimension is right, or
+    /// a named mistake.
+    fn question(&self, first: &Read, marking: &Marking, others: &[Read]) -> Option<Marking> {
+        let is_named =
+            |marking: &Marking| matches!(marking.reasons.first(), Some(Reason::Mistake(_)));
+        let is_more = |other: &&Read| {
+            let other = self.judged(other);
+            other.verdict == Verdict::Right || is_named(&other) && !is_named(marking)
+        };
+        let fitting = others.iter().filter(|other| other.trouble.is_none());
+        let other = fitting
+            .filter(|other| other.expr != first.expr)
+            .find(is_more)?;
+        Some(Marking::unreadable(format!(
+            "This can be read as `{}` or as `{}`: type the one that you mean.",
+            first.expr, other.expr
+        )))
+    }
+
+    /// Whether another side of the equals signs is a formula that is not the same as the last one.
+    fn contradicts_itself(&self, response: &str) -> bool {
+        let Ok(sides) = typed::sides(response, &self.setup.lexicon) else {
+            return false;
+        };
+        let differs = |side: &Span| {
+            let Ok(typed) = self.read(&response[side.range()]) else {
+                return false;
+            };
+            let mut readings = [typed.value].into_iter().chain(typed.others);
+            readings.all(|expr| {
+                let other = self.comparable(&expr);
+                other
+                    .is_some_and(|other| self.points.compare(&self.key, &other) != Comparison::Same)
+            })
+        };
+        sides.iter().rev().skip(1).any(differs)
+    }
+
     /// Whether a response is a number in the unit of the key.
     fn is_number(&self, response: &str) -> bool {
         let has_key_dimension = |quantity: crate::unit::Quantity| {
             Some(quantity.unit.dimension()) == self.setup.kind.dimension()
         };
         crate::answer::numeric::quantity(response, self.mark).is_ok_and(has_key_dimension)
-    }
-}
-
-/// What a wrong formula has in common with the key.
-fn slip(comparison: &Comparison) -> (Reason, Option<&'static str>) {
-    const TWO_PI: f64 = std::f64::consts::TAU;
-    let is_near = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b;
-    match comparison {
-        Comparison::Undefined => (
-            Reason::Other,
-            Some("This has no value for data for which there is an answer."),
-        ),
-        Comparison::Different {
-            ratio: Some(ratio), ..
-        } if is_near(-ratio, 1.0) => (Reason::Sign, Some("The sign is wrong.")),
-        Comparison::Different {
-            ratio: Some(ratio), ..
-        } if is_near(*ratio, TWO_PI) || is_near(*ratio, 1.0 / TWO_PI) => (
-            Reason::TwoPi,
-            Some(
-                "It is off by a factor of 2π: angular frequencies and frequencies in hertz differ by it.",
-            ),
-        ),
-        Comparison::Different { part, .. } if *part < 5e-3 => (
-            Reason::Near,
-            Some(
-                "It is nearly right: give the numbers in it exactly, as fractions, roots or multiples of π.",
-            ),
-        ),
-        Comparison::Different { ratio: Some(_), .. } => (
-            Reason::Other,
-            Some("The symbols fit, but not the number in front."),
-        ),
-        _ => (Reason::Other, None),
     }
 }
 
@@ -185,72 +208,21 @@ impl Marker for Prepared {
     }
 
     fn mark(&self, response: &str) -> Marking {
-        const NUMBER: &str = "A formula in symbols is asked, not a number.";
-        let setup = &self.setup;
-        let has_names = !setup.shown.names().free.is_empty();
-        let typed = match typed::formula(response, &setup.lexicon, self.manner(response)) {
-            Ok(typed) => typed,
-            Err(error) => {
-                if let Some(marking) = self.mark_before_unit(response, has_names) {
-                    return marking;
-                }
+        match self.mark_alone(response) {
+            Ok(marking) if marking.reasons.contains(&Reason::Dimension) => {
+                self.right_before_unit(response).unwrap_or(marking)
+            }
+            Ok(marking) => marking,
+            Err(error) => self.mark_before_unit(response).unwrap_or_else(|| {
                 let is_unknown = matches!(error.trouble, Trouble::Unknown { .. } | Trouble::Unit);
-                if is_unknown && has_names && self.is_number(response) {
-                    return Marking::unreadable(NUMBER);
-                }
-                return Marking::unreadable(error.sentence(response));
-            }
-        };
-        let (expr, trouble) = self.fitting(typed);
-        let is_number = expr.names().free.is_empty() && !expr.is_zero();
-        if has_names && (is_number || trouble.is_some() && self.is_number(response)) {
-            return Marking::unreadable(NUMBER);
+                let is_number = is_unknown && self.has_names() && self.is_number(response);
+                let words = if is_number {
+                    NUMBER.to_owned()
+                } else {
+                    error.sentence(response)
+                };
+                Marking::unreadable(words)
+            }),
         }
-        let reading = Reading {
-            math: expr.typeset(&setup.lexicon),
-            text: expr.to_string(),
-            si: Vec::new(),
-        };
-        let Ok(typed) = Comparable::of(&setup.meaning, &expr, &BTreeMap::new()) else {
-            return Marking::unreadable(
-                "This formula cannot be compared; write it in a simpler form.",
-            );
-        };
-        // Steps may go against the dimensions where the whole does not: `ln(x0) - ln(x1)`.
-        let is_of_dimension = trouble.is_none() || expr.check(&setup.meaning).is_err();
-        let comparison = if is_of_dimension {
-            self.points.compare(&self.key, &typed)
-        } else {
-            Comparison::Undefined
-        };
-        if comparison == Comparison::Same {
-            let remark = trouble.map(|trouble| Feedback::Words(format!("Right, but: {trouble}")));
-            return Marking::read(reading, Credit::FULL, Reason::Matches, remark);
-        }
-        if let Some(mistake) = self.mistake(&typed) {
-            let feedback = Some(Feedback::Mistake(mistake.number));
-            return Marking::read(
-                reading,
-                mistake.credit,
-                Reason::Mistake(mistake.number),
-                feedback,
-            );
-        }
-        if comparison == Comparison::Undecided && trouble.is_none() {
-            return Marking::unreadable(
-                "All digits are lost when this is computed, so it cannot be compared; write it in a simpler form.",
-            );
-        }
-        if let Some(trouble) = trouble {
-            let before = self.mark_before_unit(response, has_names);
-            if let Some(marking) = before.filter(|marking| marking.verdict == Verdict::Right) {
-                return marking;
-            }
-            let words = Some(Feedback::Words(trouble));
-            return Marking::read(reading, Credit::NONE, Reason::Dimension, words);
-        }
-        let (reason, words) = slip(&comparison);
-        let words = words.map(|words| Feedback::Words(words.to_owned()));
-        Marking::read(reading, Credit::NONE, reason, words)
     }
 }

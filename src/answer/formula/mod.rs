@@ -15,6 +15,8 @@
 //! ```
 
 mod marker;
+mod read;
+mod slip;
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};

@@ -55,13 +55,9 @@ impl Prepared {
         }
     }
 
-    /// Where a slash leaves two readings, the one of the right dimension.
-    fn of_right_dimension(&self, Typed { value, other }: Typed<Expr>) -> Expr {
-        let is_wrong = |expr: &Expr| self.dimension_trouble(expr).is_some();
-        match other {
-            Some(other) if is_wrong(&value) && !is_wrong(&other) => other,
-            _ => value,
-        }
+    /// Where a text leaves several readings, the one of the right dimension.
+    fn of_right_dimension(&self, typed: Typed<Expr>) -> Expr {
+        typed.fitting(|expr| self.dimension_trouble(expr).is_none())
     }
 
     /// Numbers without data may be in the unit that is asked for.

@@ -83,7 +83,8 @@ impl Differentials<'_> {
     }
 
     fn differential(&mut self) -> Option<()> {
-        let found = self.take("\\mathrm{d}") || self.take("d");
+        let signs = ["\\mathrm{d}", "\\mathrm d", "\\partial", "∂", "d"];
+        let found = signs.iter().any(|sign| self.take(sign));
         found.then_some(())
     }
 

@@ -15,13 +15,10 @@ pub(in crate::answer) enum Trouble {
     #[error("this is nested too deeply")]
     TooDeep,
     /// A word that is no name of the item.
-    #[error("it is not clear what this means{}", .nearest.as_ref().map(|near| format!("; did you mean `{near}`?")).unwrap_or_default())]
-    Unknown {
-        /// The name that is nearest.
-        nearest: Option<String>,
-    },
+    #[error("it is not clear what this means{0}")]
+    Unknown(String),
     /// A name of the item that the answer may not use.
-    #[error("the answer may not contain this; give it in {0}")]
+    #[error("the answer may not contain this{0}")]
     NotAllowed(String),
     /// A unit.
     #[error(
@@ -60,6 +57,11 @@ pub(in crate::answer) enum Trouble {
     /// Two values at once.
     #[error("give one value, without `±`")]
     TwoValues,
+    /// More than a symbol before an equals sign.
+    #[error(
+        "only the symbol that is asked may stand before an equals sign; solve for it and give the formula alone"
+    )]
+    Unsolved,
     /// Something after the end.
     #[error("this is left over; is a sign missing before it?")]
     LeftOver,

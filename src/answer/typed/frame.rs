@@ -53,7 +53,7 @@ impl Reader<'_> {
         let one = list.start + 1;
         let factor = |rest: &str| {
             let whole = self.formula_in(rest, Span::new(start, rest.len()))?;
-            let mut readings = [Some(whole.value), whole.other].into_iter().flatten();
+            let mut readings = [whole.value].into_iter().chain(whole.others);
             let factor = readings.find_map(|whole| cofactor(&whole, one));
             factor.ok_or(TypedError::new(Trouble::LeftOver, start, rest.len()))
         };

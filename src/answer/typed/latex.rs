@@ -32,7 +32,7 @@ impl Lexer<'_> {
                 return Ok(());
             }
             "mathrm" | "operatorname" | "text" | "rm" => return self.word_in_braces(),
-            "frac" | "dfrac" | "tfrac" => {
+            "frac" | "dfrac" | "tfrac" | "cfrac" => {
                 self.push(Item::Fraction, start);
                 self.single_digits();
                 return Ok(());
@@ -153,7 +153,10 @@ impl Lexer<'_> {
             letters.push(char, start + offset, start + offset);
         }
         self.at = end + 1;
-        self.words(&letters, start, end, 0)
+        while self.peek() == Some('_') {
+            self.subscript(&mut letters);
+        }
+        self.words(&letters, start, end.max(self.at), 0)
     }
 
     /// `\dot{x}`, `\ddot\theta_1`.
@@ -213,7 +216,7 @@ impl Lexer<'_> {
                 self.push(Item::Leaf(leaf), start);
                 Ok(())
             }
-            None => self.error(Trouble::Unknown { nearest: None }, start),
+            None => self.error(self.lexicon.unknown(""), start),
         }
     }
 }

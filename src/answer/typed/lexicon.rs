@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
+use super::Trouble;
 use super::letters::Letters;
 use super::words::{Piece, Words};
 use crate::expr::{Expr, Name, Notation, Symbol};
 use crate::math::{Math, symbol};
-use crate::source::nearest;
 
 /// The names that a response may use.
 #[derive(Debug, Default)]
@@ -68,9 +68,32 @@ impl Lexicon {
         self.symbols.insert(name.clone(), math);
     }
 
-    /// The names that may be used, for a message.
-    pub(super) fn allowed(&self) -> String {
-        self.words().allowed().join(", ")
+    /// That a name of the item may not be used, with those that may.
+    pub(super) fn not_allowed(&self) -> Trouble {
+        Trouble::NotAllowed(self.listed("give it in"))
+    }
+
+    /// That a word is no name, with the name that is nearest to it or all that there are.
+    pub(super) fn unknown(&self, word: &str) -> Trouble {
+        let near = self.words().nearest(word);
+        let near = near.map(|near| format!("; did you mean `{near}`?"));
+        Trouble::Unknown(near.unwrap_or_else(|| self.listed("the letters are")))
+    }
+
+    /// The names that may be used, unless they are too many to be read.
+    fn listed(&self, words: &str) -> String {
+        const MOST_LISTED: usize = 12;
+        let allowed = self.words().allowed();
+        if (1..=MOST_LISTED).contains(&allowed.len()) {
+            format!("; {words} {}", allowed.join(", "))
+        } else {
+            String::new()
+        }
+    }
+
+    /// Whether a run of letters ends with a function for which the number behind it is the argument, `sin2θ`.
+    pub(super) fn ends_with_function(&self, run: &str, behind: &str) -> bool {
+        self.words().ends_with_function(run, behind)
     }
 
     /// Whether a name moves with time.
@@ -96,15 +119,6 @@ impl Lexicon {
     /// The name that is spelled with so many primes.
     pub(super) fn dotted_word(&self, spelling: &str, primes: u8) -> Option<Expr> {
         self.words().dotted_word(spelling, primes)
-    }
-
-    /// The name that is nearest to a spelling, of those that may be used.
-    pub(super) fn nearest(&self, spelling: &str) -> Option<String> {
-        let names = self.entries.iter().filter_map(|entry| match entry {
-            Entry::Allowed(name, ..) => Some(name.as_str()),
-            Entry::Forbidden(_) => None,
-        });
-        nearest(spelling, names).map(str::to_owned)
     }
 
     /// The words of a run with this many primes behind it, as few as can be; the place where it sticks.

@@ -10,10 +10,16 @@
 //!
 //! A slash takes what stands right behind it, without a space: `k/2m` is `k/(2m)`, while `k/2 m` is `(k/2) m`.
 //! Between two numbers it is a fraction: `1/2mv²` is `½ m v²`. What stands behind a bracket does not
-//! belong to the divisor: `1/(2m)c` is `c/(2m)`. A text that can be read in another way has an
-//! [`other`](Typed::other) reading, which a kind may take where only that one has the right dimension.
+//! belong to the divisor: `1/(2m)c` is `c/(2m)`.
+//!
+//! # Other readings
+//!
+//! How far a divisor reaches, a root or a function without brackets, an exponent, may be meant otherwise than the
+//! rules have it. A text has all its [other](Typed::others) readings, too: a kind takes one where only that has the
+//! right dimension, and asks back where one is right that was not taken.
 
 mod behind;
+mod calls;
 mod differential;
 mod error;
 mod frame;
@@ -23,8 +29,11 @@ mod layout;
 mod letters;
 mod lexicon;
 mod list;
+mod near;
 mod parser;
+mod sides;
 mod token;
+mod ways;
 mod words;
 
 pub(super) use behind::with_unit;
@@ -32,9 +41,11 @@ pub(super) use error::{Trouble, TypedError};
 pub(super) use frame::first_bracket;
 pub(super) use lexicon::Lexicon;
 pub(super) use list::{Listed, cut, list_of_form};
+pub(super) use sides::sides;
 
-use self::parser::{Parser, Slash};
+use self::parser::Parser;
 use self::token::tokens;
+use self::ways::readings;
 use crate::expr::{Expr, Relation};
 
 /// Longest response that is read, in bytes.
@@ -56,8 +67,18 @@ pub(super) struct Manner {
 pub(super) struct Typed<T> {
     /// By the rules.
     pub(super) value: T,
-    /// Where a slash leaves it open: with the other extent of divisors.
-    pub(super) other: Option<T>,
+    /// What it may be meant as otherwise, the nearest to the rules first.
+    pub(super) others: Vec<T>,
+}
+
+impl<T> Typed<T> {
+    /// The first reading that fits; that of the rules where none does.
+    pub(super) fn fitting(self, fits: impl Fn(&T) -> bool) -> T {
+        if fits(&self.value) {
+            return self.value;
+        }
+        self.others.into_iter().find(fits).unwrap_or(self.value)
+    }
 }
 
 /// An equation, or a chain of comparisons: one relation fewer than sides.
@@ -75,22 +96,11 @@ pub(super) fn formula(
     lexicon: &Lexicon,
     manner: Manner,
 ) -> Result<Typed<Expr>, TypedError> {
-    let start = behind_equals(text);
-    read(text, start, text.len(), lexicon, manner, |parser| {
+    let sides = sides(text, lexicon)?;
+    let place = sides.last().map_or(0..text.len(), |side| side.range());
+    read(text, place.start, place.end, lexicon, manner, |parser| {
         parser.whole_formula()
     })
-}
-
-/// Where what stands behind the last equals sign begins; those of `<=` and its like are none.
-fn behind_equals(text: &str) -> usize {
-    let is_alone = |at: usize| {
-        !text[..at].ends_with(['<', '>', '!']) && !text[at + 1..].starts_with(['<', '>'])
-    };
-    let last = text.char_indices().rev().find(|(at, char)| match char {
-        '=' => is_alone(*at),
-        char => *char == '≈',
-    });
-    last.map_or(0, |(at, char)| at + char.len_utf8())
 }
 
 /// The equation or comparison that a part of a text is; its places count in the whole text.
@@ -118,15 +128,7 @@ fn read<T: PartialEq>(
         return Err(TypedError::new(Trouble::TooLong, LONGEST, text.len()));
     }
     let tokens = tokens(text, from, to, lexicon, manner)?;
-    let mut parser = Parser::new(&tokens, to, Slash::Rule);
-    let value = parse(&mut parser)?;
-    let other = if parser.is_open() {
-        let mut parser = Parser::new(&tokens, to, Slash::Other);
-        parse(&mut parser).ok().filter(|other| *other != value)
-    } else {
-        None
-    };
-    Ok(Typed { value, other })
+    readings(|ways| parse(&mut Parser::new(&tokens, to, ways)))
 }
 
 #[cfg(test)]

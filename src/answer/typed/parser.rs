@@ -1,53 +1,39 @@
 //! From tokens to formulas.
 
 use super::token::{Item, Token};
+use super::ways::Ways;
 use super::{Chain, DEEPEST, Trouble, TypedError};
 use crate::expr::{Constant, Expr, Function, Kind, Name, Operator, Relation};
 use crate::numerics::Rational;
 use crate::source::Span;
 use crate::unit::Unit;
 
-/// How far a divisor reaches that has no brackets.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Slash {
-    /// By the rule.
-    Rule,
-    /// The other way wherever there are two.
-    Other,
-}
-
+/// A parser of one reading.
 pub(super) struct Parser<'a> {
-    tokens: &'a [Token],
-    at: usize,
+    pub(super) tokens: &'a [Token],
+    pub(super) at: usize,
     end: usize,
-    slash: Slash,
-    is_open: bool,
+    pub(super) ways: &'a mut Ways,
     depth: u32,
     /// Open bars of absolute values within the innermost bracket.
-    bars: u32,
+    pub(super) bars: u32,
 }
 
-type Result<T> = std::result::Result<T, TypedError>;
+pub(super) type Result<T> = std::result::Result<T, TypedError>;
 
 /// Brackets, functions and exponents within one another.
 const MOST_NESTED: u32 = 60;
 
 impl<'a> Parser<'a> {
-    pub(super) fn new(tokens: &'a [Token], end: usize, slash: Slash) -> Self {
+    pub(super) fn new(tokens: &'a [Token], end: usize, ways: &'a mut Ways) -> Self {
         Self {
             tokens,
             at: 0,
             end,
-            slash,
-            is_open: false,
+            ways,
             depth: 0,
             bars: 0,
         }
-    }
-
-    /// Whether a slash left it open how far its divisor reaches.
-    pub(super) fn is_open(&self) -> bool {
-        self.is_open
     }
 
     pub(super) fn whole_formula(&mut self) -> Result<Expr> {
@@ -93,27 +79,27 @@ impl<'a> Parser<'a> {
         }
     }
 
-    fn item(&self) -> Option<&'a Item> {
+    pub(super) fn item(&self) -> Option<&'a Item> {
         self.tokens.get(self.at).map(|token| &token.item)
     }
 
-    fn is_sign(&self, sign: char) -> bool {
+    pub(super) fn is_sign(&self, sign: char) -> bool {
         self.item() == Some(&Item::Sign(sign))
     }
 
-    fn take(&mut self, sign: char) -> bool {
+    pub(super) fn take(&mut self, sign: char) -> bool {
         let found = self.is_sign(sign);
         self.at += usize::from(found);
         found
     }
 
-    fn here(&self) -> Span {
+    pub(super) fn here(&self) -> Span {
         self.tokens
             .get(self.at)
             .map_or(Span::new(self.end, self.end), |token| token.span)
     }
 
-    fn error<T>(&self, trouble: Trouble) -> Result<T> {
+    pub(super) fn error<T>(&self, trouble: Trouble) -> Result<T> {
         Err(TypedError {
             trouble,
             span: self.here(),
@@ -130,7 +116,7 @@ impl<'a> Parser<'a> {
         result
     }
 
-    fn sum(&mut self) -> Result<Expr> {
+    pub(super) fn sum(&mut self) -> Result<Expr> {
         let mut sum = self.term()?;
         loop {
             let operator = match self.item() {
@@ -183,7 +169,7 @@ impl<'a> Parser<'a> {
     }
 
     /// A factor with signs in front.
-    fn signed(&mut self) -> Result<Expr> {
+    pub(super) fn signed(&mut self) -> Result<Expr> {
         let span = self.here();
         if self.take('-') {
             // −a b is −(a b) all the same.
@@ -197,7 +183,7 @@ impl<'a> Parser<'a> {
     }
 
     /// What a slash divides by.
-    fn divisor(&mut self, numerator: &Expr) -> Result<Expr> {
+    pub(super) fn divisor(&mut self, numerator: &Expr) -> Result<Expr> {
         let is_closed = matches!(
             self.item(),
             Some(
@@ -208,30 +194,32 @@ impl<'a> Parser<'a> {
             )
         );
         let mut divisor = self.signed()?;
-        if is_closed || !self.begins_factor() {
-            return Ok(divisor);
-        }
-        let is_fraction = is_number(numerator) && is_number(&divisor);
-        let is_tight = !self.tokens[self.at].is_spaced;
-        let by_rule = !is_fraction && is_tight;
-        // `1/2 m` can be read in one way only.
-        self.is_open |= !is_fraction || is_tight;
-        let takes = match self.slash {
-            Slash::Rule => by_rule,
-            Slash::Other => !by_rule && (!is_fraction || is_tight),
-        };
-        while takes
-            && self.begins_factor()
-            && (self.slash == Slash::Other || !self.tokens[self.at].is_spaced)
-        {
+        let mut has_spaced = false;
+        while !is_closed && self.begins_factor() {
+            let is_tight = self.is_tight();
+            let is_fraction = is_number(numerator) && is_number(&divisor);
+            // `1/2 m` can be read in one way only; of `k mm` all belongs to the divisor or nothing.
+            let is_end = is_fraction && !is_tight;
+            let goes_on = has_spaced && is_tight;
+            if is_end || !goes_on && !self.ways.choose(is_tight && !is_fraction) {
+                break;
+            }
+            has_spaced |= !is_tight;
             let factor = self.power()?;
             divisor = Self::binary(Operator::Multiply, divisor, factor)?;
         }
         Ok(divisor)
     }
 
+    /// Whether no space stands before what is here.
+    pub(super) fn is_tight(&self) -> bool {
+        self.tokens
+            .get(self.at)
+            .is_some_and(|token| !token.is_spaced)
+    }
+
     /// Whether a factor can begin here without a sign before it.
-    fn begins_factor(&self) -> bool {
+    pub(super) fn begins_factor(&self) -> bool {
         match self.item() {
             Some(Item::Sign(sign)) => {
                 matches!(sign, '(' | '[' | '{') || *sign == '|' && self.bars == 0
@@ -243,7 +231,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    fn power(&mut self) -> Result<Expr> {
+    pub(super) fn power(&mut self) -> Result<Expr> {
         let base = self.primary()?;
         self.raised(base)
     }
@@ -273,7 +261,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    fn exponent(&mut self, base: &Expr) -> Result<Expr> {
+    pub(super) fn exponent(&mut self, base: &Expr) -> Result<Expr> {
         let is_closed = matches!(self.item(), Some(Item::Sign('(' | '{' | '[')));
         let span = self.here();
         if self.take('-') {
@@ -292,37 +280,45 @@ impl<'a> Parser<'a> {
             // `e^-λ t`: by the rule the time is no part of it, as most people mean it is.
             return self.error(Trouble::Exponent);
         }
-        if !is_closed && is_number(&exponent) && self.is_fraction_of_numbers() {
-            // `a^1/2` is a/2, but where only the root has the right dimension it is the root.
-            self.is_open = true;
-            if self.slash == Slash::Other {
+        if !is_closed && self.begins_fraction(&exponent) {
+            // `a^1/2` is the root: nobody writes a power of 1. `a^3/2` is a³/2.
+            let is_root = exponent.as_number() == Some(Rational::ONE);
+            if self.ways.choose(is_root) {
                 self.at += 1;
-                let divisor = self.primary()?;
-                exponent = Self::binary(Operator::Divide, exponent, divisor)?;
+                let below = self.primary()?;
+                exponent = Self::binary(Operator::Divide, exponent, below)?;
             }
         }
         Ok(exponent)
     }
 
-    /// Whether a factor follows without a space, as in `e^iωt` and `e^i2t`.
-    fn goes_on_in_exponent(&self) -> bool {
+    /// Whether the exponent of e goes on, as in `e^iωt`, `e^i2t`.
+    fn goes_on_in_exponent(&mut self) -> bool {
         let is_number = matches!(self.item(), Some(Item::Number(_)));
-        let begins = self.begins_factor() || is_number && self.is_after_imaginary_unit();
-        begins && !self.tokens[self.at].is_spaced
+        if !(self.begins_factor() || is_number && self.is_after_imaginary_unit()) {
+            return false;
+        }
+        // `e^-λ t`.
+        self.is_tight() || matches!(self.item(), Some(Item::Leaf(_))) && self.ways.choose(false)
     }
 
-    /// Whether a slash and a number follow without a space.
-    fn is_fraction_of_numbers(&self) -> bool {
-        let Some([slash, number]) = self.tokens.get(self.at..self.at + 2) else {
+    /// Whether a number goes on as a fraction that is not whole: behind it a slash and a number, without a space.
+    fn begins_fraction(&self, above: &Expr) -> bool {
+        let Some([slash, below]) = self.tokens.get(self.at..self.at + 2) else {
             return false;
         };
-        slash.item == Item::Sign('/')
-            && matches!(number.item, Item::Number(_))
-            && !slash.is_spaced
-            && !number.is_spaced
+        let (Some(above), Item::Sign('/'), Item::Number(number)) =
+            (above.as_number(), &slash.item, &below.item)
+        else {
+            return false;
+        };
+        let is_broken = above
+            .checked_div(*number)
+            .is_some_and(|fraction| !fraction.is_integer());
+        is_broken && !slash.is_spaced && !below.is_spaced
     }
 
-    fn primary(&mut self) -> Result<Expr> {
+    pub(super) fn primary(&mut self) -> Result<Expr> {
         let Some(item) = self.item() else {
             return self.error(Trouble::Missing);
         };
@@ -343,11 +339,7 @@ impl<'a> Parser<'a> {
                 Ok(Expr::new(leaf.kind().clone(), span))
             }
             Item::Function(function) => self.deeper(|parser| parser.function(*function, span)),
-            Item::Root => self.deeper(|parser| {
-                let inner = parser.primary()?;
-                let inner = parser.quotient_under_root(inner)?;
-                Ok(Expr::new(Kind::Call(Function::Sqrt, vec![inner]), span))
-            }),
+            Item::Root => self.deeper(|parser| parser.root(span)),
             Item::Radical => self.deeper(|parser| parser.radical(span)),
             Item::Fraction => self.deeper(|parser| {
                 let above = parser.argument_of_command()?;
@@ -401,7 +393,7 @@ impl<'a> Parser<'a> {
     }
 
     /// What stands in a bracket that is open.
-    fn bracket(&mut self, open: char, span: Span) -> Result<Expr> {
+    pub(super) fn bracket(&mut self, open: char, span: Span) -> Result<Expr> {
         let bars = std::mem::take(&mut self.bars);
         let inner = self.sum();
         self.bars = bars;
@@ -414,20 +406,27 @@ impl<'a> Parser<'a> {
             '[' => ']',
             _ => '}',
         };
-        if !self.take(close) {
-            return match self.item() {
-                None => Err(TypedError {
-                    trouble: Trouble::Bracket,
-                    span,
-                }),
-                Some(_) => self.error(Trouble::LeftOver),
-            };
-        }
+        self.close(close, span)?;
         Ok(inner)
     }
 
+    /// The bracket that closes the one at a place.
+    pub(super) fn close(&mut self, close: char, open: Span) -> Result<()> {
+        if self.take(close) {
+            return Ok(());
+        }
+        match self.item() {
+            None | Some(Item::Sign(')' | ']' | '}')) => Err(TypedError {
+                trouble: Trouble::Bracket,
+                span: open,
+            }),
+            Some(Item::Degree) => self.error(Trouble::Sign),
+            Some(_) => self.error(Trouble::LeftOver),
+        }
+    }
+
     /// What a LaTeX command takes: braces, or one sign.
-    fn argument_of_command(&mut self) -> Result<Expr> {
+    pub(super) fn argument_of_command(&mut self) -> Result<Expr> {
         let span = self.here();
         if self.take('{') {
             return self.bracket('{', span);
@@ -435,148 +434,7 @@ impl<'a> Parser<'a> {
         self.primary()
     }
 
-    fn radical(&mut self, span: Span) -> Result<Expr> {
-        let index = if self.is_sign('[') {
-            let open = self.here();
-            self.at += 1;
-            Some(self.bracket('[', open)?)
-        } else {
-            None
-        };
-        let inner = self.argument_of_command()?;
-        match index {
-            None => Ok(Expr::new(Kind::Call(Function::Sqrt, vec![inner]), span)),
-            Some(index) => {
-                let one = Expr::new(number(1), span);
-                let exponent = Self::binary(Operator::Divide, one, index)?;
-                Self::binary(Operator::Power, inner, exponent)
-            }
-        }
-    }
-
-    fn function(&mut self, function: Function, span: Span) -> Result<Expr> {
-        let mut function = function;
-        let mut exponent = None;
-        match self.item() {
-            Some(Item::Power(-1)) => {
-                function = self.inverse(function)?;
-                self.at += 1;
-            }
-            Some(Item::Power(power)) => {
-                exponent = Some(Expr::new(number(*power), self.here()));
-                self.at += 1;
-            }
-            Some(Item::Sign('^')) => {
-                self.at += 1;
-                let one = Expr::number(1);
-                let found = self.exponent(&one)?;
-                if found.as_number() == Some(-Rational::ONE) {
-                    function = self.inverse(function)?;
-                } else {
-                    exponent = Some(found);
-                }
-            }
-            _ => {}
-        }
-        let is_bare = !matches!(self.item(), Some(Item::Sign('(' | '[' | '{')));
-        let mut arguments = self.arguments(function)?;
-        if let (true, Function::Sqrt, [inner]) = (is_bare, function, &arguments[..]) {
-            arguments = vec![self.quotient_under_root(inner.clone())?];
-        }
-        let call = Expr::new(Kind::Call(function, arguments), span);
-        match exponent {
-            Some(exponent) => Self::binary(Operator::Power, call, exponent),
-            None => Ok(call),
-        }
-    }
-
-    /// `√k/m` is √k over m, but where only the root of the quotient has the right dimension it is that.
-    fn quotient_under_root(&mut self, inner: Expr) -> Result<Expr> {
-        let is_tight = self.is_sign('/') && !self.tokens[self.at].is_spaced;
-        self.is_open |= is_tight;
-        if !is_tight || self.slash == Slash::Rule {
-            return Ok(inner);
-        }
-        self.at += 1;
-        let divisor = self.power()?;
-        Self::binary(Operator::Divide, inner, divisor)
-    }
-
-    /// `sin⁻¹` is the inverse function, not the reciprocal.
-    fn inverse(&self, function: Function) -> Result<Function> {
-        Ok(match function {
-            Function::Sin => Function::Asin,
-            Function::Cos => Function::Acos,
-            Function::Tan => Function::Atan,
-            Function::Sinh => Function::Asinh,
-            Function::Cosh => Function::Acosh,
-            Function::Tanh => Function::Atanh,
-            _ => return self.error(Trouble::Sign),
-        })
-    }
-
-    fn arguments(&mut self, function: Function) -> Result<Vec<Expr>> {
-        let open = self.here();
-        let close = match self.item() {
-            Some(Item::Sign('(')) => ')',
-            Some(Item::Sign('[')) => ']',
-            Some(Item::Sign('{')) => '}',
-            _ => {
-                let argument = self.bare_argument()?;
-                return Self::counted(function, vec![argument], open);
-            }
-        };
-        self.at += 1;
-        let bars = std::mem::take(&mut self.bars);
-        let mut arguments = vec![self.sum()?];
-        while self.take(',') || self.take(';') {
-            arguments.push(self.sum()?);
-        }
-        self.bars = bars;
-        if !self.take(close) {
-            return Err(TypedError {
-                trouble: Trouble::Bracket,
-                span: open,
-            });
-        }
-        Self::counted(function, arguments, open)
-    }
-
-    fn counted(function: Function, arguments: Vec<Expr>, span: Span) -> Result<Vec<Expr>> {
-        let (least, most) = function.arity();
-        if (least..=most).contains(&arguments.len()) {
-            return Ok(arguments);
-        }
-        let count = if least == 1 && most == 1 {
-            "one argument".to_owned()
-        } else {
-            format!("{least} arguments in brackets")
-        };
-        Err(TypedError {
-            trouble: Trouble::Arguments {
-                name: function.name(),
-                count,
-            },
-            span,
-        })
-    }
-
-    /// What a function without brackets takes: a product without signs, up to the next function.
-    fn bare_argument(&mut self) -> Result<Expr> {
-        let mut argument = self.signed()?;
-        while self.begins_factor() && !matches!(self.item(), Some(Item::Function(_))) {
-            // A bracket after a space does not belong to it: `sin x (a + b)`.
-            let token = &self.tokens[self.at];
-            if token.is_spaced && matches!(token.item, Item::Sign(_)) {
-                break;
-            }
-            let factor = self.power()?;
-            argument = Self::binary(Operator::Multiply, argument, factor)?;
-        }
-        Ok(argument)
-    }
-
-    fn binary(operator: Operator, left: Expr, right: Expr) -> Result<Expr> {
+    pub(super) fn binary(operator: Operator, left: Expr, right: Expr) -> Result<Expr> {
         let span = left.span().join(right.span());
         let expr = Expr::new(Kind::Binary(operator, left, right), span);
         if expr.depth() > DEEPEST {
@@ -597,7 +455,7 @@ fn is_time(token: &Token) -> bool {
     matches!(leaf.kind(), Kind::Name(name) if name.as_str() == "t")
 }
 
-fn number(value: i128) -> Kind {
+pub(super) fn number(value: i128) -> Kind {
     Kind::Number(Rational::new(value, 1).unwrap_or(Rational::ZERO))
 }
 

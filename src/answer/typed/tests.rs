@@ -137,25 +137,74 @@ fn simple_latex_is_read() {
 }
 
 #[test]
-fn a_slash_takes_what_stands_tight_behind_it() {
-    for (text, expected, other) in [
-        ("k/2m", "k/(2*m)", Some("k/2*m")),
-        ("k/2 m", "k/2*m", Some("k/(2*m)")),
-        ("1/2mx'²", "1/2*m*x'^2", Some("1/(2*m*x'^2)")),
-        ("1/2 m x'²", "1/2*m*x'^2", None),
-        ("5/6 m l^2 θ''", "5/6*m*l^2*theta''", None),
-        ("c l²/4 θ'", "c*l^2/4*theta'", Some("c*l^2/(4*theta')")),
-        ("1/(2m)c", "1/(2*m)*c", None),
-        ("g/l*x", "g/l*x", None),
+fn what_may_be_meant_otherwise_has_other_readings() {
+    for (text, expected, others) in [
+        ("k/2m", "k/(2*m)", &["k/2*m"][..]),
+        ("k/2 m", "k/2*m", &["k/(2*m)"]),
+        ("1/2mx'²", "1/2*m*x'^2", &["1/(2*m*x'^2)", "1/(2*m)*x'^2"]),
+        ("1/2 m x'²", "1/2*m*x'^2", &[]),
+        (
+            "1/2π √(k/m)",
+            "1/2*pi*sqrt(k/m)",
+            &["1/(2*pi)*sqrt(k/m)", "1/(2*pi*sqrt(k/m))"],
+        ),
+        ("5/6 m l^2 θ''", "5/6*m*l^2*theta''", &[]),
+        ("c l²/4 θ'", "c*l^2/4*theta'", &["c*l^2/(4*theta')"]),
+        ("1/(2m)c", "1/(2*m)*c", &[]),
+        ("g/l*x", "g/l*x", &[]),
+        ("k/m(2-g)", "k/(m*(2 - g))", &["k/m*(2 - g)"]),
+        ("k^1/2", "k^(1/2)", &["k^1/2"]),
+        ("k^3/2", "k^3/2", &["k^(3/2)"]),
+        ("k^2/2", "k^2/2", &[]),
+        ("√(k)/m", "sqrt(k)/m", &[]),
+        ("√k/m", "sqrt(k)/m", &["sqrt(k/m)"]),
+        ("1/√km", "1/sqrt(k*m)", &["1/(sqrt(k)*m)", "1/sqrt(k)*m"]),
+        ("√2 k", "sqrt(2)*k", &["sqrt(2*k)"]),
+        ("√x²", "sqrt(x^2)", &[]),
+        ("cosθ l", "cos(theta*l)", &["cos(theta)*l"]),
+        ("e^-k t", "e^(-k)*t", &["e^(-(k*t))"]),
     ] {
         let typed = formula(text, &lexicon(), MANNER).unwrap();
         let of = |text: &str| Expr::read(text).unwrap().to_string();
         assert_eq!(typed.value.to_string(), of(expected), "{text}");
-        assert_eq!(
-            typed.other.map(|other| other.to_string()),
-            other.map(of),
-            "{text}"
-        );
+        let found: Vec<String> = typed.others.iter().map(ToString::to_string).collect();
+        let due: Vec<String> = others.iter().map(|other| of(other)).collect();
+        assert_eq!(found, due, "{text}");
+    }
+}
+
+#[test]
+fn only_the_symbol_stands_before_an_equals_sign() {
+    for text in [
+        "ω_9 = k/m",
+        "\\omega_{9} = k/m",
+        "k_{ser} = k/m",
+        "y(t) = k/m",
+        "|y| = k/m",
+        "x' = k/m",
+        "dx/dt = k/m",
+        "y [m/s] = k/m",
+        "= k/m",
+        "k/m = ω_9",
+        "y = c = k/m",
+        "y == k/m",
+    ] {
+        reads(text, "k/m");
+    }
+    for text in [
+        "ω_9² = k",
+        "2y = k",
+        "-y = k",
+        "1/y = k",
+        "kx = m g",
+        "tan y = k",
+        "tany = k",
+        "k x - m g = 0",
+        "k/m = k",
+        "\\frac{1}{y} = k",
+    ] {
+        let error = formula(text, &lexicon(), MANNER).expect_err(text);
+        assert_eq!(error.trouble, Trouble::Unsolved, "{text}");
     }
 }
 

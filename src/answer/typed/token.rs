@@ -110,6 +110,9 @@ impl Lexer<'_> {
         if self.derivative_over_time() || self.degrees() || self.end_of_sentence(char) {
             return Ok(());
         }
+        if self.module() || self.product_by_point(char) {
+            return Ok(());
+        }
         match char {
             '0'..='9' => return self.number(),
             '.' if self.rest()[1..].starts_with(|next: char| next.is_ascii_digit()) => {
@@ -156,9 +159,7 @@ impl Lexer<'_> {
             '√' => Item::Root,
             '°' => Item::Degree,
             '∞' => Item::Leaf(Expr::constant(Constant::Infinity)),
-            '½' => Item::Number(Rational::new(1, 2).unwrap_or(Rational::ONE)),
-            '¼' => Item::Number(Rational::new(1, 4).unwrap_or(Rational::ONE)),
-            '¾' => Item::Number(Rational::new(3, 4).unwrap_or(Rational::ONE)),
+            _ if fraction(char).is_some() => Item::Number(fraction(char).unwrap_or(Rational::ONE)),
             '±' => {
                 self.at += width;
                 return self.error(Trouble::TwoValues, self.at - width);
@@ -172,10 +173,15 @@ impl Lexer<'_> {
         Ok(())
     }
 
-    /// `30 deg`; whether the word stands here behind a number.
+    /// `30 deg`, `30^\circ`; whether the word stands here behind a number.
     fn degrees(&mut self) -> bool {
         let is_behind_number =
             matches!(self.tokens.last(), Some(token) if matches!(token.item, Item::Number(_)));
+        let raised = ["^\\circ", "^{\\circ}"];
+        if let Some(sign) = raised.iter().find(|sign| self.rest().starts_with(**sign)) {
+            self.take(sign.len(), Item::Degree);
+            return true;
+        }
         let Some(rest) = self.rest().strip_prefix("deg").filter(|_| is_behind_number) else {
             return false;
         };
@@ -187,14 +193,41 @@ impl Lexer<'_> {
         is_word
     }
 
-    /// The point or comma behind the last sign; whether it stands here.
+    /// The point, comma or semicolon behind the last sign; whether it stands here.
     fn end_of_sentence(&mut self, char: char) -> bool {
-        let is_last = matches!(char, '.' | ',') && self.rest()[1..].trim().is_empty();
+        let is_last = matches!(char, '.' | ',' | ';') && self.rest()[1..].trim().is_empty();
         let ends = is_last && !self.tokens.is_empty();
         if ends {
             self.at = self.text.len();
         }
         ends
+    }
+
+    /// `np.` and `math.` before the names of functions; whether one stands here.
+    fn module(&mut self) -> bool {
+        let is_word =
+            |length: usize| self.rest()[length..].starts_with(|next: char| next.is_alphabetic());
+        let found = ["np.", "numpy.", "math.", "Math."]
+            .iter()
+            .find(|module| self.rest().starts_with(**module) && is_word(module.len()));
+        self.at += found.map_or(0, |module| module.len());
+        found.is_some()
+    }
+
+    /// `m.g.h`, and `.*` for entries; whether a point stands here between factors.
+    fn product_by_point(&mut self, char: char) -> bool {
+        if char != '.' || self.tokens.is_empty() || self.is_spaced {
+            return false;
+        }
+        let next = self.rest()[1..].chars().next();
+        let is_factor = next.is_some_and(|next| next.is_alphabetic() || next == '(');
+        let is_entrywise = next.is_some_and(|next| matches!(next, '*' | '/' | '^'));
+        if is_factor {
+            self.take(1, Item::Sign('*'));
+        } else if is_entrywise {
+            self.at += 1;
+        }
+        is_factor || is_entrywise
     }
 
     fn number(&mut self) -> Result<(), TypedError> {
@@ -207,6 +240,13 @@ impl Lexer<'_> {
             _ => false,
         };
         let is_digit = |next: char| next.is_ascii_digit();
+        if let Some(decimals) = self.rest().strip_prefix("{,}")
+            && decimals.starts_with(is_digit)
+        {
+            self.at += 3;
+            digits.push('.');
+            self.digits(&mut digits);
+        }
         if is_decimal && (self.rest()[1..].starts_with(is_digit) || self.peek() == Some('.')) {
             self.at += 1;
             digits.push('.');
@@ -363,6 +403,10 @@ impl Lexer<'_> {
             if char == 'd' && at > start && self.differential_quotient().is_some() {
                 break;
             }
+            if char.is_ascii_digit() && self.lexicon.ends_with_function(&letters.text, self.rest())
+            {
+                break;
+            }
             self.at += char.len_utf8();
             if !letters.push(char, at, at) {
                 self.at = at;
@@ -500,19 +544,29 @@ impl Lexer<'_> {
                 return Err(TypedError::new(Trouble::Unit, start, end));
             }
             Err(stuck) => {
-                let nearest = self.lexicon.nearest(&self.text[start..end]);
-                return Err(TypedError::new(Trouble::Unknown { nearest }, stuck, end));
+                let place = self.unknown(letters, start, stuck, end);
+                let trouble = self.lexicon.unknown(&self.text[place..end]);
+                return Err(TypedError::new(trouble, place, end));
             }
         };
         self.pieces(pieces, primes)
     }
 
-    /// Whether a run of letters that are no names is a unit.
+    /// Where in a run that cannot be split the unknown word begins: at its last letter, if names stand before it, else
+    /// with the run.
+    fn unknown(&self, letters: &Letters, start: usize, stuck: usize, end: usize) -> usize {
+        let cut = letters.cuts.iter().position(|(_, at)| *at == stuck);
+        let is_last = cut.is_some_and(|cut| cut + 1 == letters.cuts.len());
+        if is_last && stuck < end { stuck } else { start }
+    }
+
+    /// Whether a run of letters that are no names is a unit: only behind a number, and of one letter only the second.
     fn is_unit(&self, start: usize, end: usize) -> bool {
         let run = &self.text[start..end];
-        // One letter is more likely a slip in a name, but for the second.
-        let is_word = run.len() > 1 && run.chars().all(char::is_alphabetic);
-        (is_word || run == "s") && Unit::read(run).is_ok()
+        let is_behind_number =
+            matches!(self.tokens.last(), Some(token) if matches!(token.item, Item::Number(_)));
+        let is_word = run == "s" || run.len() > 1 && run.chars().all(char::is_alphabetic);
+        is_behind_number && is_word && Unit::read(run).is_ok()
     }
 
     fn pieces(&mut self, pieces: Vec<Piece>, primes: u8) -> Result<(), TypedError> {
@@ -537,10 +591,10 @@ impl Lexer<'_> {
                     crate::expr::Kind::Constant(Constant::ImaginaryUnit),
                     span,
                 )),
-                Sense::Imaginary => return Err(trouble(Trouble::Unknown { nearest: None })),
+                Sense::Imaginary => return Err(trouble(self.lexicon.unknown(""))),
                 Sense::Logarithm => return Err(trouble(Trouble::Logarithm)),
                 Sense::NotAllowed => {
-                    return Err(trouble(Trouble::NotAllowed(self.lexicon.allowed())));
+                    return Err(trouble(self.lexicon.not_allowed()));
                 }
             };
             self.tokens.push(Token {
@@ -554,7 +608,7 @@ impl Lexer<'_> {
 
     /// `dx/dt`, `d²x/dt²`, `\frac{d^2 x}{dt^2}`; whether one stands here.
     fn derivative_over_time(&mut self) -> bool {
-        if !self.rest().starts_with(['d', 'D', '\\']) {
+        if !self.rest().starts_with(['d', 'D', '∂', '\\']) {
             return false;
         }
         let Some((leaf, end)) = self.differential_quotient() else {
@@ -571,6 +625,29 @@ impl Lexer<'_> {
         let (spelling, order, end) = found?;
         Some((self.lexicon.dotted(&spelling, order)?, end))
     }
+}
+
+/// `½` and its like.
+fn fraction(sign: char) -> Option<Rational> {
+    let (above, below) = match sign {
+        '½' => (1, 2),
+        '⅓' => (1, 3),
+        '⅔' => (2, 3),
+        '¼' => (1, 4),
+        '¾' => (3, 4),
+        '⅕' => (1, 5),
+        '⅖' => (2, 5),
+        '⅗' => (3, 5),
+        '⅘' => (4, 5),
+        '⅙' => (1, 6),
+        '⅚' => (5, 6),
+        '⅛' => (1, 8),
+        '⅜' => (3, 8),
+        '⅝' => (5, 8),
+        '⅞' => (7, 8),
+        _ => return None,
+    };
+    Rational::new(above, below)
 }
 
 /// A name with primes.

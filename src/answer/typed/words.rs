@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::letters::{Letters, combining, dotted};
 use super::lexicon::Entry;
+use super::near::typable;
 use crate::expr::{Constant, Expr, Function, Kind, Name};
 use crate::math::{Math, symbol};
 
@@ -55,11 +56,19 @@ pub(super) struct Piece {
 }
 
 /// The functions that people type under other names than files do.
-const ALIASES: &[(&str, Function)] = &[
+pub(super) const ALIASES: &[(&str, Function)] = &[
     ("arcsin", Function::Asin),
     ("arccos", Function::Acos),
     ("arctan", Function::Atan),
     ("arctg", Function::Atan),
+    ("arctan2", Function::Atan2),
+    ("Arctan", Function::Atan),
+    ("ArcTan", Function::Atan),
+    ("ARCTAN", Function::Atan),
+    ("ArcSin", Function::Asin),
+    ("ArcCos", Function::Acos),
+    ("Abs", Function::Abs),
+    ("ABS", Function::Abs),
     ("tg", Function::Tan),
     ("arsinh", Function::Asinh),
     ("arcosh", Function::Acosh),
@@ -71,7 +80,7 @@ const ALIASES: &[(&str, Function)] = &[
 ];
 
 /// Functions that can stand within a run of letters, without a bracket after them.
-const BARE: &[Function] = &[
+pub(super) const BARE: &[Function] = &[
     Function::Sin,
     Function::Cos,
     Function::Tan,
@@ -107,7 +116,12 @@ impl Words {
     /// Functions and constants alone.
     fn common() -> Self {
         let mut words = Self::default();
-        for (constant, spelling) in [(Constant::Pi, "pi"), (Constant::E, "e")] {
+        for (constant, spelling) in [
+            (Constant::Pi, "pi"),
+            (Constant::Pi, "Pi"),
+            (Constant::Pi, "PI"),
+            (Constant::E, "e"),
+        ] {
             words.add(spelling, Sense::Leaf(Expr::constant(constant)), 0);
         }
         words.add("i", Sense::Imaginary, 0);
@@ -146,7 +160,10 @@ impl Words {
 
     /// Adds a name with its symbol; one that moves with time may be primed.
     fn allow(&mut self, name: &Name, math: &Math, is_moving: bool) {
-        self.allowed.push(math.plain());
+        let shown = typable(&math.plain());
+        if !self.allowed.contains(&shown) {
+            self.allowed.push(shown);
+        }
         let sense = Sense::Leaf(Expr::name(name.clone()));
         let own = Letters::spelling(name.as_str()).unwrap_or_default();
         self.replace(&own, sense.clone());
@@ -304,7 +321,7 @@ impl Words {
         Ok(pieces)
     }
 
-    fn knows(&self, spelling: &str) -> bool {
+    pub(super) fn knows(&self, spelling: &str) -> bool {
         self.words
             .iter()
             .any(|word| word.spelling == spelling && word.primes == 0)

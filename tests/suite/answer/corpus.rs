@@ -10,6 +10,7 @@ use vibank::solution::Solution;
 
 const SYMBOLS: &str = include_str!("../../corpora/symbols.toml");
 const FORMULAS: &str = include_str!("../../corpora/formulas.tsv");
+const READINGS: &str = include_str!("../../corpora/readings.tsv");
 const NUMBERS: &str = include_str!("../../corpora/numbers.tsv");
 const EQUATIONS: &str = include_str!("../../corpora/equations.tsv");
 
@@ -47,13 +48,14 @@ fn assert_none(faults: &[String], count: usize, least: usize) {
     );
 }
 
-#[test]
-fn formulas_are_told_apart() {
+/// Marks the responses of a corpus of formulas and says how many are right, wrong and unreadable.
+fn mark_formulas(corpus: &'static str) -> (Vec<String>, [usize; 3]) {
+    const RELATIONS: [(&str, &str); 3] = [("=", "right"), ("!", "wrong"), ("?", "unreadable")];
     let mut by_key: BTreeMap<&str, Vec<(&str, &str)>> = BTreeMap::new();
-    for line in lines(FORMULAS) {
+    for line in lines(corpus) {
         by_key.entry(line[1]).or_default().push((line[0], line[2]));
     }
-    let (mut faults, mut equal, mut near) = (Vec::new(), 0, 0);
+    let (mut faults, mut counts) = (Vec::new(), [0; 3]);
     for (key, pairs) in by_key {
         let catalogue = super::catalogue(&format!(
             "{SYMBOLS}\n[[part]]\nid = \"p\"\nkind = \"formula\"\nask = \"Find it.\"\nkey = \"{key}\"\n"
@@ -61,17 +63,28 @@ fn formulas_are_told_apart() {
         let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));
         let marker = solution.marker(0).expect("the key exists");
         for (relation, response) in pairs {
-            let is_equal = relation == "=";
-            equal += usize::from(is_equal);
-            near += usize::from(!is_equal);
+            let is_it = |(own, _): &(&str, &str)| *own == relation;
+            let place = RELATIONS.iter().position(is_it).expect("a relation");
+            counts[place] += 1;
             let marking = marker.mark(response);
-            let due = if is_equal { "right" } else { "wrong" };
-            if marking.verdict.name() != due {
+            if marking.verdict.name() != RELATIONS[place].1 {
                 faults.push(format!("{key} {relation} {response}: {}", told(&marking)));
             }
         }
     }
+    (faults, counts)
+}
+
+#[test]
+fn formulas_are_told_apart() {
+    let (faults, [equal, near, _]) = mark_formulas(FORMULAS);
     assert_none(&faults, equal.min(near), 500);
+}
+
+#[test]
+fn formulas_are_read_as_they_are_meant() {
+    let (faults, counts) = mark_formulas(READINGS);
+    assert_none(&faults, counts.iter().sum(), 80);
 }
 
 #[test]

@@ -258,3 +258,59 @@ fn what_is_wrong_is_said() {
         ],
     );
 }
+
+#[test]
+fn slips_are_told_by_what_they_are() {
+    let part = |key: &str, more: &str| {
+        format!(
+            "{DATA}[[part]]\nid = \"p\"\nkind = \"formula\"\nask = \"Find it.\"\nkey = \"{key}\"\n{more}\n"
+        )
+    };
+    check(
+        &part("2*pi*m*g", ""),
+        &[
+            ("m g", "wrong two-pi: It is off by a factor of 2π.\""),
+            ("0", "wrong other: This is zero"),
+            ("2 m g", "wrong other: The symbols fit"),
+            ("6.2832 m g", "wrong near"),
+            ("2π m q g", "unreadable: At `q`"),
+            ("2π mgQ", "unreadable: At `Q`"),
+            ("2π gamma m", "unreadable: At `gamma`"),
+            ("2π G m", "unreadable: did you mean `g`?"),
+            ("2π m g/H", "unreadable: At `H`"),
+            ("2π m2 g", "unreadable: did you mean `m^2`?"),
+            ("2π m g;", "right"),
+            ("2.*π.*m.*g", "right"),
+            ("2*np.pi*m*g", "right"),
+            ("2*PI*m.g", "right"),
+        ],
+    );
+    check(
+        &part(
+            "R",
+            "mistakes = [{ answer = \"i*R\", unit = \"ohm\", feedback = \"It is in phase.\" }]",
+        ),
+        &[
+            ("i R", "wrong mistake-1"),
+            ("R + 0j", "right"),
+            ("2i R", "wrong"),
+        ],
+    );
+    check(
+        &part("sqrt(R^2 + (w*Lh)^2)", ""),
+        &[
+            ("|R + i w L|", "right"),
+            ("R + i w L", "unreadable: At `i`"),
+            ("sqrt(R² + 2 w²L²)", "wrong"),
+        ],
+    );
+    check(
+        &part("l*sin(2*theta)", ""),
+        &[
+            ("l sin2θ", "right"),
+            ("l sin 2θ", "right"),
+            ("l cos2θ", "wrong"),
+            ("l sin(2θ°)", "unreadable: At `°`"),
+        ],
+    );
+}

@@ -1,0 +1,128 @@
+//! Reads the formula of a response, and the unit that may stand behind it all the same.
+
+use super::marker::Prepared;
+use super::{explained, in_words};
+use crate::answer::typed::{self, Manner, Typed, TypedError};
+use crate::answer::{Feedback, Marking, Verdict};
+use crate::expr::{Expr, Field};
+use crate::unit::{Dimension, Unit};
+
+impl Prepared {
+    /// The readings of a formula. Where all is real, the imaginary unit may stand in what comes out real, `|1 + iζ|`.
+    pub(super) fn read(&self, response: &str) -> Result<Typed<Expr>, TypedError> {
+        let has_lists = ["atan2", "hypot", "min", "max", "mod", "clamp"];
+        let read = |has_imaginary_unit| {
+            let manner = Manner {
+                comma_is_decimal: !has_lists.iter().any(|name| response.contains(name)),
+                has_imaginary_unit,
+            };
+            typed::formula(response, &self.setup.lexicon, manner)
+        };
+        let is_complex = self.setup.kind.field() == Field::Complex
+            || self
+                .mistakes
+                .iter()
+                .any(|mistake| mistake.formula.is_complex());
+        let is_real = |typed: &Typed<Expr>| {
+            let found = typed.value.check(&self.setup.meaning);
+            found.is_ok_and(|found| found.field() == Field::Real)
+        };
+        match read(is_complex) {
+            Err(error) if !is_complex => read(true).ok().filter(is_real).ok_or(error),
+            read => read,
+        }
+    }
+
+    /// Whether names stand in the key.
+    pub(super) fn has_names(&self) -> bool {
+        !self.setup.shown.names().free.is_empty()
+    }
+
+    /// What is wrong with the dimension of a formula.
+    pub(super) fn dimension_trouble(&self, typed: &Expr) -> Option<String> {
+        let setup = &self.setup;
+        let found = match typed.check(&setup.meaning) {
+            Err(errors) => return Some(explained(errors.first())),
+            Ok(found) => found,
+        };
+        let fits = match (setup.kind.dimension(), found.dimension()) {
+            (Some(key), Some(typed)) => key == typed,
+            _ => true,
+        };
+        let found = found.dimension().filter(|_| !fits)?;
+        let words = format!(
+            "This comes out in {}, it has to be in {}.",
+            in_words(found),
+            self.unit()
+        );
+        Some(words.replace("in a pure number", "as a pure number"))
+    }
+
+    /// The unit of the key, in words where it has none.
+    fn unit(&self) -> String {
+        let unit = self.setup.unit.filter(|unit| !unit.is_one());
+        let dimension = || in_words(self.setup.kind.dimension().unwrap_or(Dimension::PURE));
+        unit.map_or_else(dimension, |unit| unit.text())
+    }
+
+    /// A formula and the unit that stands behind it all the same, `sqrt(k/m) rad/s`.
+    fn before_unit<'a>(&self, response: &'a str) -> Option<(&'a str, Unit)> {
+        let has_names = self.has_names();
+        let reads = |(text, _): &(&str, Unit)| {
+            let typed = self.read(text);
+            typed.is_ok_and(|typed| !has_names || !typed.value.names().free.is_empty())
+        };
+        typed::with_unit(response).find(reads)
+    }
+
+    /// The marking of a formula before a unit: one in which it comes out is passed over, another one handed back.
+    pub(super) fn mark_before_unit(&self, response: &str) -> Option<Marking> {
+        let (formula, unit) = self.before_unit(response)?;
+        let unit_text = response[formula.len()..].trim();
+        if !self.has_dimension(&unit) {
+            // `x0/C` is more likely a letter that is not known.
+            let is_spaced = formula.ends_with(char::is_whitespace);
+            return is_spaced.then(|| {
+                Marking::unreadable(format!(
+                    "At `{unit_text}`: letters carry their units, and this one does not fit. Leave it out."
+                ))
+            });
+        }
+        if !self.is_own(&unit) {
+            return Some(Marking::unreadable(format!(
+                "At `{unit_text}`: letters carry their units, and the formula comes out in {}. Leave the unit out.",
+                self.unit()
+            )));
+        }
+        let mut marking = self.mark_alone(formula).ok()?;
+        if self.has_names() && marking.reading.is_some() {
+            let words = format!("Letters carry their units: leave out `{unit_text}`.");
+            marking.feedback.push(Feedback::Words(words));
+        }
+        Some(marking)
+    }
+
+    /// The marking of a formula with a unit that is read as letters, `mg/k m`, if the formula alone is right.
+    pub(super) fn right_before_unit(&self, response: &str) -> Option<Marking> {
+        let (formula, unit) = self.before_unit(response)?;
+        let is_right = self.has_dimension(&unit)
+            && self
+                .mark_alone(formula)
+                .is_ok_and(|marking| marking.verdict == Verdict::Right);
+        is_right.then(|| self.mark_before_unit(response)).flatten()
+    }
+
+    fn has_dimension(&self, unit: &Unit) -> bool {
+        let own = self.setup.kind.dimension();
+        own.is_none_or(|own| own == unit.dimension())
+    }
+
+    /// Whether a formula in SI units comes out in this one: rad/s or 1/s, but not Hz where rad/s is asked.
+    fn is_own(&self, unit: &Unit) -> bool {
+        let conversion = self.setup.unit.map(|own| unit.conversion(&own));
+        match conversion {
+            Some(Ok(conversion)) => conversion.apply(1.0) == 1.0,
+            _ => unit.to_si(1.0) == 1.0 && !unit.counts_cycles(),
+        }
+    }
+}

@@ -1,0 +1,158 @@
+//! Functions and roots, with brackets and without.
+
+use super::parser::{Parser, Result, number};
+use super::token::Item;
+use super::{Trouble, TypedError};
+use crate::expr::{Expr, Function, Kind, Operator};
+use crate::numerics::Rational;
+use crate::source::Span;
+
+impl Parser<'_> {
+    pub(super) fn radical(&mut self, span: Span) -> Result<Expr> {
+        let index = if self.is_sign('[') {
+            let open = self.here();
+            self.at += 1;
+            Some(self.bracket('[', open)?)
+        } else {
+            None
+        };
+        let inner = self.argument_of_command()?;
+        match index {
+            None => Ok(Expr::new(Kind::Call(Function::Sqrt, vec![inner]), span)),
+            Some(index) => {
+                let one = Expr::new(number(1), span);
+                let exponent = Self::binary(Operator::Divide, one, index)?;
+                Self::binary(Operator::Power, inner, exponent)
+            }
+        }
+    }
+
+    pub(super) fn function(&mut self, function: Function, span: Span) -> Result<Expr> {
+        let mut function = function;
+        let mut exponent = None;
+        match self.item() {
+            Some(Item::Power(-1)) => {
+                function = self.inverse(function)?;
+                self.at += 1;
+            }
+            Some(Item::Power(power)) => {
+                exponent = Some(Expr::new(number(*power), self.here()));
+                self.at += 1;
+            }
+            Some(Item::Sign('^')) => {
+                self.at += 1;
+                let one = Expr::number(1);
+                let found = self.exponent(&one)?;
+                if found.as_number() == Some(-Rational::ONE) {
+                    function = self.inverse(function)?;
+                } else {
+                    exponent = Some(found);
+                }
+            }
+            _ => {}
+        }
+        let arguments = self.arguments(function)?;
+        let call = Expr::new(Kind::Call(function, arguments), span);
+        match exponent {
+            Some(exponent) => Self::binary(Operator::Power, call, exponent),
+            None => Ok(call),
+        }
+    }
+
+    /// `sin⁻¹` is the inverse function, not the reciprocal.
+    fn inverse(&self, function: Function) -> Result<Function> {
+        Ok(match function {
+            Function::Sin => Function::Asin,
+            Function::Cos => Function::Acos,
+            Function::Tan => Function::Atan,
+            Function::Sinh => Function::Asinh,
+            Function::Cosh => Function::Acosh,
+            Function::Tanh => Function::Atanh,
+            _ => return self.error(Trouble::Sign),
+        })
+    }
+
+    fn arguments(&mut self, function: Function) -> Result<Vec<Expr>> {
+        let open = self.here();
+        let close = match self.item() {
+            Some(Item::Sign('(')) => ')',
+            Some(Item::Sign('[')) => ']',
+            Some(Item::Sign('{')) => '}',
+            _ => {
+                let first = self.signed()?;
+                let argument = self.goes_on_bare(first, false)?;
+                return Self::counted(function, vec![argument], open);
+            }
+        };
+        self.at += 1;
+        let bars = std::mem::take(&mut self.bars);
+        let mut arguments = vec![self.sum()?];
+        while self.take(',') || self.take(';') {
+            arguments.push(self.sum()?);
+        }
+        self.bars = bars;
+        self.close(close, open)?;
+        Self::counted(function, arguments, open)
+    }
+
+    fn counted(function: Function, arguments: Vec<Expr>, span: Span) -> Result<Vec<Expr>> {
+        let (least, most) = function.arity();
+        if (least..=most).contains(&arguments.len()) {
+            return Ok(arguments);
+        }
+        let count = if least == 1 && most == 1 {
+            "one argument".to_owned()
+        } else {
+            format!("{least} arguments in brackets; write decimals with a point")
+        };
+        Err(TypedError {
+            trouble: Trouble::Arguments {
+                name: function.name(),
+                count,
+            },
+            span,
+        })
+    }
+
+    /// What stands under `√`: brackets, or what they may be left out of.
+    pub(super) fn root(&mut self, span: Span) -> Result<Expr> {
+        let is_closed = matches!(
+            self.item(),
+            Some(Item::Sign(_) | Item::Function(_) | Item::Root)
+        );
+        let inner = if is_closed {
+            self.primary()?
+        } else {
+            let first = self.power()?;
+            self.goes_on_bare(first, true)?
+        };
+        Ok(Expr::new(Kind::Call(Function::Sqrt, vec![inner]), span))
+    }
+
+    /// An argument without brackets: a product without signs, up to the next function. The sign `√` takes no more
+    /// of it than the letters that stand tight. A slash ends it, unless only so it makes sense: `√k/m`.
+    fn goes_on_bare(&mut self, first: Expr, is_sign: bool) -> Result<Expr> {
+        let mut argument = first;
+        while self.begins_factor() {
+            let is_tight = self.is_tight();
+            let by_rule = match self.item() {
+                Some(Item::Function(_)) => break,
+                // `sin x (a + b)`.
+                Some(Item::Sign(_)) if !is_tight => break,
+                Some(Item::Leaf(_)) => is_tight || !is_sign,
+                _ => !is_sign,
+            };
+            if !self.ways.choose(by_rule) {
+                break;
+            }
+            let factor = self.power()?;
+            argument = Self::binary(Operator::Multiply, argument, factor)?;
+        }
+        while self.is_sign('/') && self.is_tight() && self.ways.choose(false) {
+            self.at += 1;
+            let divisor = self.divisor(&argument)?;
+            argument = Self::binary(Operator::Divide, argument, divisor)?;
+        }
+        Ok(argument)
+    }
+}
