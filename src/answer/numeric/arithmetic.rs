@@ -185,7 +185,8 @@ fn mixes_degrees(expr: &Expr) -> bool {
     is_mixed
 }
 
-fn has_pi(expr: &Expr) -> bool {
+/// Whether π stands in a formula.
+pub(super) fn has_pi(expr: &Expr) -> bool {
     let mut is_there = false;
     expr.walk(&mut |node| is_there |= *node.kind() == Kind::Constant(Constant::Pi));
     is_there

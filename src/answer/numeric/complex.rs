@@ -222,6 +222,28 @@ impl Numbers {
         })
     }
 
+    /// A slip that one number alone gives away.
+    fn slip(&self, values: &[Complex]) -> (Reason, Option<&'static str>) {
+        match (&self.targets[..], values) {
+            ([target], [value]) if target.accepts(value.conjugate()) => (
+                Reason::Sign,
+                Some("The sign of the imaginary part is wrong."),
+            ),
+            ([target], [value]) if target.accepts(-*value) => {
+                (Reason::Sign, Some("The sign is wrong."))
+            }
+            ([target], [value]) if is_off_by_ten(target, *value) => (
+                Reason::PowerOfTen,
+                Some("The digits fit, the power of ten does not: check the prefixes."),
+            ),
+            ([target], [value]) if (value.abs() - target.value.abs()).abs() <= target.half => (
+                Reason::Other,
+                Some("The magnitude fits, the angle does not."),
+            ),
+            _ => (Reason::Other, None),
+        }
+    }
+
     fn printed(&self, value: Complex) -> Math {
         let (re, im) = (self.unit.of_si(value.re), self.unit.of_si(value.im));
         let set = |part: f64| match Decimal::rounded(part, self.digits) {
@@ -347,24 +369,7 @@ impl Marker for Numbers {
                 words,
             );
         }
-        let (reason, words) = match (&self.targets[..], &values[..]) {
-            ([target], [value]) if target.accepts(value.conjugate()) => (
-                Reason::Sign,
-                Some("The sign of the imaginary part is wrong."),
-            ),
-            ([target], [value]) if target.accepts(-*value) => {
-                (Reason::Sign, Some("The sign is wrong."))
-            }
-            ([target], [value]) if is_off_by_ten(target, *value) => (
-                Reason::PowerOfTen,
-                Some("The digits fit, the power of ten does not: check the prefixes."),
-            ),
-            ([target], [value]) if (value.abs() - target.value.abs()).abs() <= target.half => (
-                Reason::Other,
-                Some("The magnitude fits, the angle does not."),
-            ),
-            _ => (Reason::Other, None),
-        };
+        let (reason, words) = self.slip(&values);
         Marking::read(
             reading,
             Credit::NONE,

@@ -1,8 +1,12 @@
-//! Lists of numbers as people type them: `5; 8.7 rad/s`, `0, ±180°`, `ω1 = 5, ω2 = 8.7`.
+//! Lists of numbers as people type them, and how they are marked: `5; 8.7 rad/s`, `0, ±180°`, `ω1 = 5, ω2 = 8.7`.
 
 use super::super::typed::{cut, first_bracket};
+use super::super::{Credit, Feedback, Marking, Reason};
+use super::marker::Numbers;
 use super::read::{Number, number};
 use super::sides::{self, Sides, index, names};
+use super::target::{Typed, pair};
+use crate::numerics::Rational;
 use crate::source::Span;
 use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
 
@@ -165,4 +169,64 @@ fn has_tight_comma(text: &str, mark: DecimalMark) -> bool {
 fn kept<'t>(pieces: impl Iterator<Item = &'t str>) -> Vec<&'t str> {
     let pieces = pieces.map(str::trim);
     pieces.filter(|piece| !piece.is_empty()).collect()
+}
+
+impl Numbers {
+    /// Marks the numbers of a list.
+    pub(super) fn mark_list(&self, items: &[Number]) -> Marking {
+        let mut typed = Vec::with_capacity(items.len());
+        for item in items {
+            match self.si(&item.quantity) {
+                Ok(value) => typed.push(value),
+                Err(_) => return self.wrong_dimension(item),
+            }
+        }
+        if let Some(words) = typed.iter().find_map(|value| self.absurd(*value)) {
+            return Marking::unreadable(words);
+        }
+        let numbers: Vec<f64> = typed.iter().map(|value| value.hi()).collect();
+        let reading = Self::reading(items, &numbers, self.mark);
+        let matched = pair(&self.targets, &typed, self.modulo, self.is_ordered);
+        let (expected, given) = (self.targets.len(), typed.len());
+        let is_bare = |item: &Number| item.quantity.unit.is_one() && !item.quantity.value.is_zero();
+        if matched == expected && given == expected {
+            let mut marking = Marking::read(reading, Credit::FULL, Reason::Matches, None);
+            if !self.unit.is_one() && items.iter().any(is_bare) {
+                marking.say_taken(&self.unit);
+            }
+            return marking;
+        }
+        if let Some(marking) = self.mistake(&reading, items, &typed) {
+            return marking;
+        }
+        let surplus = given.saturating_sub(expected);
+        let share = Rational::new(matched.saturating_sub(surplus) as i128, expected as i128);
+        let credit = share.and_then(Credit::new).unwrap_or(Credit::NONE);
+        let unit = items.last().map_or(Unit::ONE, |last| last.quantity.unit);
+        let (reason, slip) = self.slip(&typed, &unit);
+        let words = slip.unwrap_or_else(|| self.counted(&typed, matched));
+        Marking::read(reading, credit, reason, Some(Feedback::Words(words)))
+    }
+
+    /// How many numbers of a list are right.
+    fn counted(&self, typed: &[Typed], matched: usize) -> String {
+        let (expected, given) = (self.targets.len(), typed.len());
+        let in_any_order = pair(&self.targets, typed, self.modulo, false);
+        let are_right = are_right(in_any_order, expected);
+        if given > expected {
+            format!("{are_right}, but {given} are given.")
+        } else if in_any_order == matched {
+            format!("{are_right}.")
+        } else if in_any_order == expected {
+            "The values are right, their order is not.".to_owned()
+        } else {
+            format!("{are_right}, but in another order.")
+        }
+    }
+}
+
+/// `1 of 2 values is right`.
+fn are_right(count: usize, of: usize) -> String {
+    let verb = if count == 1 { "is" } else { "are" };
+    format!("{count} of {of} values {verb} right")
 }

@@ -3,6 +3,7 @@
 use super::super::{
     Credit, Feedback, Key, KeyValue, Marker, Marking, Mistaken, Reading, Reason, Trial,
 };
+use super::arithmetic::has_pi;
 use super::list::list;
 use super::read::{self, Number};
 use super::slip::mixes_energy_and_moment;
@@ -117,7 +118,7 @@ impl Numbers {
     }
 
     /// The value in SI units; a number without a unit is taken in the unit that is asked for.
-    fn si(&self, quantity: &Quantity) -> Result<Typed, DimensionMismatch> {
+    pub(super) fn si(&self, quantity: &Quantity) -> Result<Typed, DimensionMismatch> {
         let taken = if quantity.unit.is_one() {
             Quantity::new(quantity.value, self.unit)
         } else {
@@ -128,7 +129,7 @@ impl Numbers {
     }
 
     /// What is said of an angle that nobody means: so many turns that what is left of it tells nothing.
-    fn absurd(&self, typed: Typed) -> Option<String> {
+    pub(super) fn absurd(&self, typed: Typed) -> Option<String> {
         const MOST_TURNS: f64 = 100.0;
         let period = self.modulo?;
         let turn = Quantity::new(Decimal::rounded(self.unit.of_si(period), 4)?, self.unit);
@@ -171,7 +172,12 @@ impl Numbers {
     }
 
     /// The named mistake that a response equals, if any; one in another unit is told by its numbers alone.
-    fn mistake(&self, reading: &Reading, items: &[Number], typed: &[Typed]) -> Option<Marking> {
+    pub(super) fn mistake(
+        &self,
+        reading: &Reading,
+        items: &[Number],
+        typed: &[Typed],
+    ) -> Option<Marking> {
         let is_it = |mistake: &&Mistake| match mistake.unit {
             None => self.equals(mistake, typed),
             Some(unit) => {
@@ -217,7 +223,7 @@ impl Numbers {
             && pair(&targets, typed, self.modulo, self.is_ordered) == typed.len()
     }
 
-    fn wrong_dimension(&self, number: &Number) -> Marking {
+    pub(super) fn wrong_dimension(&self, number: &Number) -> Marking {
         let quantity = &number.quantity;
         let si = quantity.si();
         let reading = Self::reading(std::slice::from_ref(number), &[si], self.mark);
@@ -243,65 +249,17 @@ impl Numbers {
         Marking::read(reading, Credit::NONE, Reason::Dimension, words)
     }
 
-    fn mark_list(&self, items: &[Number]) -> Marking {
-        let mut typed = Vec::with_capacity(items.len());
-        for item in items {
-            match self.si(&item.quantity) {
-                Ok(value) => typed.push(value),
-                Err(_) => return self.wrong_dimension(item),
-            }
+    /// With radians for its unit, where degrees are asked and a number has none, but π in it.
+    fn with_radians(&self, mut number: Number) -> Number {
+        let has_pi = number.arithmetic.as_ref().is_some_and(has_pi);
+        if has_pi && number.quantity.unit.is_one() && self.unit.text() == "°" {
+            number.quantity.unit = Unit::parse("rad").unwrap_or(Unit::ONE);
         }
-        if let Some(words) = typed.iter().find_map(|value| self.absurd(*value)) {
-            return Marking::unreadable(words);
-        }
-        let numbers: Vec<f64> = typed.iter().map(|value| value.hi()).collect();
-        let reading = Self::reading(items, &numbers, self.mark);
-        let matched = pair(&self.targets, &typed, self.modulo, self.is_ordered);
-        let (expected, given) = (self.targets.len(), typed.len());
-        let is_bare = |item: &Number| item.quantity.unit.is_one() && !item.quantity.value.is_zero();
-        if matched == expected && given == expected {
-            let mut marking = Marking::read(reading, Credit::FULL, Reason::Matches, None);
-            if !self.unit.is_one() && items.iter().any(is_bare) {
-                marking.say_taken(&self.unit);
-            }
-            return marking;
-        }
-        if let Some(marking) = self.mistake(&reading, items, &typed) {
-            return marking;
-        }
-        let surplus = given.saturating_sub(expected);
-        let share = Rational::new(matched.saturating_sub(surplus) as i128, expected as i128);
-        let credit = share.and_then(Credit::new).unwrap_or(Credit::NONE);
-        let unit = items.last().map_or(Unit::ONE, |last| last.quantity.unit);
-        let (reason, slip) = self.slip(&typed, &unit);
-        let words = slip.unwrap_or_else(|| self.counted(&typed, matched));
-        Marking::read(reading, credit, reason, Some(Feedback::Words(words)))
-    }
-
-    /// How many numbers of a list are right.
-    fn counted(&self, typed: &[Typed], matched: usize) -> String {
-        let (expected, given) = (self.targets.len(), typed.len());
-        let in_any_order = pair(&self.targets, typed, self.modulo, false);
-        if in_any_order > matched {
-            return if in_any_order == expected && given == expected {
-                "The values are right, their order is not.".to_owned()
-            } else {
-                format!(
-                    "{}, but in another order.",
-                    are_right(in_any_order, expected)
-                )
-            };
-        }
-        let are_right = are_right(matched, expected);
-        if given > expected {
-            format!("{are_right}, but {given} are given.")
-        } else {
-            format!("{are_right}.")
-        }
+        number
     }
 
     /// How numbers with units were read.
-    fn reading(items: &[Number], si: &[f64], mark: DecimalMark) -> Reading {
+    pub(super) fn reading(items: &[Number], si: &[f64], mark: DecimalMark) -> Reading {
         let math = match items {
             [one] => one.math(mark),
             many => listed(many.iter().map(|item| item.math(mark))),
@@ -361,12 +319,18 @@ impl Marker for Numbers {
     fn mark(&self, response: &str) -> Marking {
         if self.is_list {
             return match list(response, self.targets.len(), self.mark) {
-                Ok(items) => self.mark_list(&items),
+                Ok(items) => {
+                    let items: Vec<Number> = items
+                        .into_iter()
+                        .map(|item| self.with_radians(item))
+                        .collect();
+                    self.mark_list(&items)
+                }
                 Err(help) => Marking::unreadable(help),
             };
         }
         match read::number(response, self.mark) {
-            Ok(number) => self.mark_one(&number),
+            Ok(number) => self.mark_one(&self.with_radians(number)),
             Err(help) => Marking::unreadable(help),
         }
     }
@@ -384,12 +348,6 @@ impl Marker for Numbers {
     fn half_widths(&self) -> Vec<f64> {
         self.targets.iter().map(|target| target.half).collect()
     }
-}
-
-/// `1 of 2 values is right`.
-fn are_right(count: usize, of: usize) -> String {
-    let verb = if count == 1 { "is" } else { "are" };
-    format!("{count} of {of} values {verb} right")
 }
 
 /// Values side by side with commas.

@@ -18,6 +18,8 @@ fn angles_count_by_turns() {
             ("240°", "right"),
             ("-480 deg", "right"),
             ("-2*pi/3 rad", "right"),
+            ("-2*pi/3", "right"),
+            ("4π/3", "right"),
             ("120°", "wrong sign: other sign"),
             ("-2.0944", "wrong angle-unit"),
             ("60°", "wrong other"),
