@@ -44,6 +44,12 @@ impl Letters {
         true
     }
 
+    /// The place of an unknown letter that is the last of a run, behind names: where the run cannot be split.
+    pub(super) fn unknown_from(&self, stuck: usize) -> Option<usize> {
+        let (_, last) = self.cuts.last()?;
+        (*last == stuck).then_some(stuck)
+    }
+
     /// Adds a word that is not cut, such as a Greek letter by its command.
     pub(super) fn push_word(&mut self, word: &str, at: usize) {
         self.cuts.push((self.text.len(), at));

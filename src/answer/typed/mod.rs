@@ -21,6 +21,7 @@
 mod behind;
 mod calls;
 mod differential;
+mod digits;
 mod error;
 mod frame;
 mod labels;

@@ -287,7 +287,7 @@ fn slips_are_told_by_what_they_are() {
     );
     check(
         &part(
-            "R",
+            "1*R",
             "mistakes = [{ answer = \"i*R\", unit = \"ohm\", feedback = \"It is in phase.\" }]",
         ),
         &[

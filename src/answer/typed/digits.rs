@@ -1,0 +1,133 @@
+//! Numbers in responses: decimals, degrees, raised digits, signs of fractions.
+
+use super::token::{Item, Lexer};
+use super::{Trouble, TypedError};
+use crate::numerics::Rational;
+
+impl Lexer<'_> {
+    /// `30 deg`, `30^\circ`; whether the word stands here behind a number.
+    pub(super) fn degrees(&mut self) -> bool {
+        let is_behind_number =
+            matches!(self.tokens.last(), Some(token) if matches!(token.item, Item::Number(_)));
+        let raised = ["^\\circ", "^{\\circ}"];
+        if let Some(sign) = raised.iter().find(|sign| self.rest().starts_with(**sign)) {
+            self.take(sign.len(), Item::Degree);
+            return true;
+        }
+        let Some(rest) = self.rest().strip_prefix("deg").filter(|_| is_behind_number) else {
+            return false;
+        };
+        let rest = rest.strip_prefix("rees").unwrap_or(rest);
+        let is_word = !rest.starts_with(|next: char| next.is_alphanumeric() || next == '_');
+        if is_word {
+            self.take(self.rest().len() - rest.len(), Item::Degree);
+        }
+        is_word
+    }
+
+    pub(super) fn number(&mut self) -> Result<(), TypedError> {
+        let start = self.at;
+        let mut digits = String::new();
+        self.digits(&mut digits);
+        let is_decimal = match self.peek() {
+            Some('.') => true,
+            Some(',') => self.manner.comma_is_decimal && !digits.is_empty(),
+            _ => false,
+        };
+        let is_digit = |next: char| next.is_ascii_digit();
+        if let Some(decimals) = self.rest().strip_prefix("{,}")
+            && decimals.starts_with(is_digit)
+        {
+            self.at += 3;
+            digits.push('.');
+            self.digits(&mut digits);
+        }
+        if is_decimal && (self.rest()[1..].starts_with(is_digit) || self.peek() == Some('.')) {
+            self.at += 1;
+            digits.push('.');
+            self.digits(&mut digits);
+        }
+        self.exponent(&mut digits);
+        let decimal = digits
+            .strip_prefix('.')
+            .map_or(digits.clone(), |rest| format!("0.{rest}"));
+        match Rational::from_decimal(&decimal) {
+            Some(number) => {
+                self.push(Item::Number(number), start);
+                Ok(())
+            }
+            None => self.error(Trouble::Number, start),
+        }
+    }
+
+    fn digits(&mut self, digits: &mut String) {
+        while let Some(digit) = self.peek().filter(char::is_ascii_digit) {
+            digits.push(digit);
+            self.at += 1;
+        }
+    }
+
+    /// `e-4`, if digits follow.
+    fn exponent(&mut self, digits: &mut String) {
+        let rest = self.rest();
+        let Some(after) = rest.strip_prefix(['e', 'E']) else {
+            return;
+        };
+        let signed = after.strip_prefix(['-', '+', '−']).unwrap_or(after);
+        if !signed.starts_with(|next: char| next.is_ascii_digit()) {
+            return;
+        }
+        let is_negative = after.starts_with(['-', '−']);
+        self.at += rest.len() - signed.len();
+        digits.push_str(if is_negative { "e-" } else { "e" });
+        self.digits(digits);
+    }
+
+    /// `²`, `⁻¹`.
+    pub(super) fn raised(&mut self) -> Result<(), TypedError> {
+        let start = self.at;
+        let mut digits = String::new();
+        while let Some(char) = self.peek() {
+            digits.push(match char {
+                '⁻' if digits.is_empty() => '-',
+                '⁰' => '0',
+                '¹' => '1',
+                '²' => '2',
+                '³' => '3',
+                '⁴'..='⁹' => char::from(b'4' + (u32::from(char) - u32::from('⁴')) as u8),
+                _ => break,
+            });
+            self.at += char.len_utf8();
+        }
+        match digits.parse::<i128>() {
+            Ok(power) if digits.len() <= 4 => {
+                self.push(Item::Power(power), start);
+                Ok(())
+            }
+            _ => self.error(Trouble::Sign, start),
+        }
+    }
+}
+
+/// `½` and its like.
+pub(super) fn fraction(sign: char) -> Option<Rational> {
+    let (above, below) = match sign {
+        '½' => (1, 2),
+        '⅓' => (1, 3),
+        '⅔' => (2, 3),
+        '¼' => (1, 4),
+        '¾' => (3, 4),
+        '⅕' => (1, 5),
+        '⅖' => (2, 5),
+        '⅗' => (3, 5),
+        '⅘' => (4, 5),
+        '⅙' => (1, 6),
+        '⅚' => (5, 6),
+        '⅛' => (1, 8),
+        '⅜' => (3, 8),
+        '⅝' => (5, 8),
+        '⅞' => (7, 8),
+        _ => return None,
+    };
+    Rational::new(above, below)
+}
