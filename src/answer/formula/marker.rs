@@ -127,10 +127,12 @@ impl Prepared {
     }
 
     /// The question that is asked back where a reading was marked wrong and another one of the dimension is right, or
-    /// a named mistake.
+    /// a mistake that has a name.
     fn question(&self, first: &Read, marking: &Marking, others: &[Read]) -> Option<Marking> {
-        let is_named =
-            |marking: &Marking| matches!(marking.reasons.first(), Some(Reason::Mistake(_)));
+        let is_named = |marking: &Marking| {
+            let reason = marking.reasons.first();
+            matches!(reason, Some(Reason::Mistake(_) | Reason::TwoPi))
+        };
         let is_more = |other: &&Read| {
             let other = self.judged(other);
             other.verdict == Verdict::Right || is_named(&other) && !is_named(marking)

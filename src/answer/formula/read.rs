@@ -89,10 +89,13 @@ impl Prepared {
             });
         }
         if !self.is_own(&unit) {
-            return Some(Marking::unreadable(format!(
-                "At `{unit_text}`: letters carry their units, and the formula comes out in {}. Leave the unit out.",
-                self.unit()
-            )));
+            let own = self.unit();
+            let words = format!(
+                "At `{unit_text}`: letters carry their units, and this comes out in {own} by itself. Leave the unit out."
+            );
+            return Some(Marking::unreadable(
+                words.replace("in a pure number", "as a pure number"),
+            ));
         }
         let mut marking = self.mark_alone(formula).ok()?;
         if self.has_names() && marking.reading.is_some() {

@@ -13,6 +13,8 @@ pub(super) fn slip(
 ) -> (Reason, Option<&'static str>) {
     const TWO_PI: f64 = std::f64::consts::TAU;
     const NEAR: f64 = 5e-3;
+    // A series that was cut off leaves less, and a ratio that only looks constant.
+    const TRUNCATED: f64 = 1e-6;
     let is = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b;
     let (ratio, part) = match comparison {
         Comparison::Undefined => {
@@ -35,7 +37,7 @@ pub(super) fn slip(
             };
             (Reason::TwoPi, Some(words))
         }
-        _ if part < NEAR && (ratio.is_some() || has_decimals(typed)) => (
+        _ if part < NEAR && (has_decimals(typed) || ratio.is_some() && part > TRUNCATED) => (
             Reason::Near,
             Some(
                 "It is nearly right: give the numbers in it exactly, as fractions, roots or multiples of π.",

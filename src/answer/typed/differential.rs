@@ -89,7 +89,7 @@ impl Differentials<'_> {
     }
 
     fn order(&mut self) -> u8 {
-        let is_second = self.take("²") || self.take("^{2}") || self.take("^2");
+        let is_second = ["²", "^{2}", "^2", "2"].iter().any(|sign| self.take(sign));
         if is_second { 2 } else { 1 }
     }
 

@@ -246,6 +246,7 @@ fn what_is_wrong_is_said() {
             ("k/m", "wrong dimension"),
             ("k + m", "wrong dimension"),
             ("sqrt(k/m)/(2π)", "wrong two-pi"),
+            ("1/2π sqrt(k/m)", "unreadable: `1/(2*pi)*sqrt(k/m)`"),
             ("-sqrt(k/m)", "wrong sign"),
             ("1.00001sqrt(k/m)", "wrong near"),
             ("3 sqrt(k/m)", "wrong other"),
