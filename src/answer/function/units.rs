@@ -100,15 +100,18 @@ mod tests {
         for (typed, bare) in [
             (
                 "146 mm e^(-t) + 54.1 mm e^(-9 t)",
-                "146  e^(-t) + 54.1  e^(-9 t)",
+                "146 e^(-t) + 54.1 e^(-9 t)",
             ),
-            ("1.5×10^-5 m cos(2 t)", "1.5×10^-5  cos(2 t)"),
+            ("1.5×10^-5 m cos(2 t)", "1.5×10^-5 cos(2 t)"),
             ("(0.5 m)exp(-t)", "(0.5 )exp(-t)"),
-            ("0.5 cos(2 t) m - 2 sin(t) m", "0.5 cos(2 t)  - 2 sin(t) "),
-            ("0.5m cos(2 t)", "0.5  cos(2 t)"),
+            ("0.5 cos(2 t) m - 2 sin(t) m", "0.5 cos(2 t) - 2 sin(t)"),
+            ("0.5m cos(2 t)", "0.5 cos(2 t)"),
         ] {
             let found = measured(typed, "t", |unit| unit.dimension() == length);
-            let found = found.map(|found| found.bare);
+            let found = found.map(|found| {
+                let words = found.bare.split_whitespace();
+                words.collect::<Vec<_>>().join(" ")
+            });
             assert_eq!(found.as_deref(), Some(bare), "{typed}");
         }
         for typed in ["0.5 cos(2 t)", "x1 m", "0.5 mm + 2 m", "2 t", "cos(2 rad)"] {
