@@ -11,7 +11,7 @@ use super::target::{Target, Typed, pair};
 use super::words::{counts, misfit, miswritten};
 use crate::expr::{Form, Shape};
 use crate::math::Math;
-use crate::numerics::{Dd, Rational};
+use crate::numerics::Dd;
 use crate::unit::{Decimal, DecimalMark, DimensionMismatch, Quantity, Unit};
 
 /// What a named mistake gives, in SI units.
