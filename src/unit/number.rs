@@ -273,10 +273,12 @@ fn power_of_ten(scanner: &mut Scanner<'_>) -> Option<i32> {
     Some(power)
 }
 
-/// Whether a whole number stands at the beginning of a text.
+/// Whether a whole number stands alone at the beginning of a text.
 fn is_exponent(text: &str) -> bool {
     let unsigned = text.strip_prefix(['-', '−', '–', '+']).unwrap_or(text);
-    unsigned.starts_with(|char: char| char.is_ascii_digit())
+    let rest = unsigned.trim_start_matches(|char: char| char.is_ascii_digit());
+    let goes_on = |char: char| char.is_alphanumeric() || char == '.' || char == ',';
+    rest.len() < unsigned.len() && !rest.starts_with(goes_on)
 }
 
 /// What people put before a power of ten.
@@ -338,6 +340,8 @@ mod tests {
             ("5e–3 m", 0.005, " m"),
             ("1'250 m", 1250.0, " m"),
             ("5 e m", 5.0, " e m"),
+            ("5 e-0.75t", 5.0, " e-0.75t"),
+            ("5 e-3t", 5.0, " e-3t"),
             ("10^-4 m", 1e-4, " m"),
             ("10⁻⁴", 1e-4, ""),
             ("10 m", 10.0, " m"),
