@@ -295,3 +295,69 @@ fn a_general_solution_has_to_meet_any_initial_state() {
         ],
     );
 }
+
+#[test]
+fn the_functions_of_the_bank_are_asked_with_data() {
+    let (catalogue, _) = vibank::bank::Catalogue::load(vibank::bank::embedded());
+    for (item, part, response, verdict) in [
+        (
+            "ch2/e3-amplitude-phase",
+            "x",
+            "C cos(omega0 t + phi)",
+            "unreadable",
+        ),
+        (
+            "ch2/e3-amplitude-phase",
+            "x",
+            "x0 cos(ω0 t) + v0/ω0 sin(ω0 t)",
+            "right",
+        ),
+        (
+            "ch2/e3-amplitude-phase",
+            "x",
+            "x'(t) = x0 cos(ω0 t) + v0/ω0 sin(ω0 t)",
+            "unreadable",
+        ),
+        (
+            "ch3/e3-critical-response",
+            "x",
+            "(C1 + C2 t) e^(-λ t)",
+            "unreadable",
+        ),
+        (
+            "ch3/e3-critical-response",
+            "x",
+            "(x0 + (v0 + λ x0) t) e^(-λ t)",
+            "right",
+        ),
+        (
+            "ch4/t2-base-absolute-transmissibility",
+            "x_ss",
+            "X sin(Ω t - ψ)",
+            "unreadable",
+        ),
+        (
+            "ch4/p3-base-excited-relative",
+            "z_ss",
+            "Z sin(Ω t - ψ)",
+            "unreadable",
+        ),
+        ("ch2/e7-lc-circuit", "q", "q0 cos(t/sqrt(L C))", "right"),
+    ] {
+        let template = catalogue.items().find(|own| own.id.to_string() == item);
+        let template = template.expect("the item");
+        let place = template.parts.iter().position(|own| own.id == part);
+        let solution =
+            vibank::solution::Solution::of(vibank::instance::Instance::of_source(template));
+        let marker = solution
+            .marker(place.expect("the part"))
+            .expect("the key exists");
+        let marking = marker.mark(response);
+        assert_eq!(
+            marking.verdict.name(),
+            verdict,
+            "{item} {response}: {:?}",
+            marking.feedback
+        );
+    }
+}
