@@ -67,9 +67,10 @@ impl Ends<'_> {
         }
         let Ok(si) = number.si_for(&asked) else {
             let (symbol, found) = (self.setup.symbol.plain(), number.unit.text());
-            let due = match asked.is_one() {
-                true => "a pure number".to_owned(),
-                false => format!("in {}", asked.text()),
+            let due = if asked.is_one() {
+                "a pure number".to_owned()
+            } else {
+                format!("in {}", asked.text())
             };
             return Err(Refusal::Dimension(format!(
                 "The unit {found} does not fit: `{symbol}` is {due}."

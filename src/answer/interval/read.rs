@@ -204,14 +204,16 @@ impl Ends<'_> {
     /// What is said of an inequality without what is asked.
     fn without_subject(&self, sides: &[&str]) -> String {
         let (symbol, variable) = (self.setup.symbol.plain(), &self.setup.variable);
-        let bears = |side: &&str| {
-            let formula = self.formula(side);
-            formula.is_ok_and(|formula| formula.names().uses(variable))
-        };
-        match sides.iter().find_map(|side| self.formula(side).err()) {
-            _ if sides.iter().any(|side| bears(&side)) => {
-                format!("Solve for `{symbol}` or `|{symbol}|` first. {HELP}")
+        let formulas = sides.iter().map(|side| self.formula(side));
+        let (mut is_there, mut trouble) = (false, None);
+        for formula in formulas {
+            match formula {
+                Ok(formula) => is_there |= formula.names().uses(variable),
+                Err(words) => trouble = Some(words),
             }
+        }
+        match trouble {
+            _ if is_there => format!("Solve for `{symbol}` or `|{symbol}|` first. {HELP}"),
             Some(words) => words,
             None => format!("`{symbol}` does not stand in this inequality. {HELP}"),
         }
