@@ -162,7 +162,7 @@ fn what_may_be_meant_otherwise_has_other_readings() {
         ("√2 k", "sqrt(2)*k", &["sqrt(2*k)"]),
         ("√x²", "sqrt(x^2)", &[]),
         ("cosθ l", "cos(theta*l)", &["cos(theta)*l"]),
-        ("e^-k t", "e^(-k)*t", &["e^(-(k*t))"]),
+        ("e^-k m", "e^(-k)*m", &["e^(-(k*m))"]),
     ] {
         let typed = formula(text, &lexicon(), MANNER).unwrap();
         let of = |text: &str| Expr::read(text).unwrap().to_string();
