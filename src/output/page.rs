@@ -6,7 +6,7 @@
 use sha2::{Digest, Sha256};
 use tera::{Context, Tera};
 
-use super::layouts::{self, OutputError, base64, base91};
+use super::layouts::{self, OutputError, base64, base93};
 use crate::bank::Compiled;
 use crate::document::Filling;
 use crate::worksheet::Practice;
@@ -23,7 +23,7 @@ const LEVEL: u8 = 10;
 ///
 /// [`OutputError`] if the layout cannot be filled.
 pub fn practice(practice: &Practice, items: &[Compiled]) -> Result<String, OutputError> {
-    let script = layouts::text("page/page.js");
+    let script = &unspaced(layouts::text("page/page.js"), "/**");
     let texts = texts(&practice.language);
     let fail = |message: String| OutputError::Page {
         layout: "page.html".to_owned(),
@@ -35,7 +35,7 @@ pub fn practice(practice: &Practice, items: &[Compiled]) -> Result<String, Outpu
     let style = [
         crate::math::MATHML_STYLE,
         "\n",
-        layouts::text("page/page.css"),
+        &unspaced(layouts::text("page/page.css"), "/*"),
     ]
     .concat();
 
@@ -51,15 +51,26 @@ pub fn practice(practice: &Practice, items: &[Compiled]) -> Result<String, Outpu
     context.insert("texts", &words);
     context.insert("texts_json", &in_script(texts));
     context.insert("style", &style);
-    context.insert("font", &base91(layouts::font_file()));
+    context.insert("font", &base93(layouts::font_file()));
     context.insert("script", script);
-    context.insert("script_digest", &base64(&Sha256::digest(script)));
+    context.insert("script_digest", &base64(&Sha256::digest(script.as_bytes())));
     let items = practice.lines(items);
     let items = miniz_oxide::deflate::compress_to_vec(items.as_bytes(), LEVEL);
-    context.insert("items", &base91(&items));
-    context.insert("grader", &base91(GRADER));
+    context.insert("items", &base93(&items));
+    context.insert("grader", &base93(GRADER));
     tera.render("page.html", &context)
         .map_err(|error| fail(error.to_string()))
+}
+
+/// A program or a style without indents, empty lines, and lines that are a comment; it travels in every page.
+fn unspaced(text: &str, comment: &str) -> String {
+    let is_comment =
+        |line: &str| line.starts_with("//") || line.starts_with(comment) && line.ends_with("*/");
+    let lines = text.lines().map(str::trim);
+    let kept: Vec<&str> = lines
+        .filter(|line| !line.is_empty() && !is_comment(line))
+        .collect();
+    kept.join("\n")
 }
 
 /// The words of the page in a language, else in English.

@@ -14,10 +14,10 @@ cargo rustc --locked --release --lib --crate-type cdylib --no-default-features -
 
 module="$target/wasm32-unknown-unknown/release/vibank.wasm"
 if command -v wasm-opt >/dev/null; then
-    wasm-opt -O3 --all-features "$module" -o "$module.small"
+    wasm-opt --flatten --rereloop -Os --all-features "$module" -o "$module.small"
     module="$module.small"
 fi
-zopfli --deflate -c "$module" >src/wasm/grader.deflate
+zopfli --deflate --i60 -c "$module" >src/wasm/grader.deflate
 # What it was built from: `cargo test` says when the sources have changed since.
 find src -name '*.rs' -not -path 'src/cli/*' -not -path 'src/output/*' -not -path src/main.rs -print0 |
     LC_ALL=C sort -z | xargs -0 cat | sha256sum | cut -c 1-64 >src/wasm/grader.sources

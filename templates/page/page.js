@@ -21,32 +21,27 @@ function make(tag, properties = {}, ...children) {
 
 // ── What the page carries ──────────────────────────────────────────────────────────────────────
 
-/** What each digit of base 91 is worth, by its code: printed ASCII without `&`, `<` and `>`. */
-const DIGITS = new Uint8Array(127);
-Array.from({ length: 94 }, (_, at) => at + 33)
-  .filter((code) => ![38, 60, 62].includes(code))
-  .forEach((code, worth) => (DIGITS[code] = worth));
-
-/** The bytes that an element carries in base 91: two digits are 13 bits, a last one is what they lack. */
+/** The bytes that an element carries in base 93: two digits are 13 bits or 14, a last one is what a byte lacks. */
 function carried(id) {
   const holder = element(id);
   const codes = new TextEncoder().encode(holder.textContent);
   holder.remove();
-  const size = Math.floor((13 * (codes.length >> 1) + 7 * (codes.length & 1)) / 8);
-  const bytes = new Uint8Array(size);
+  const bytes = new Uint8Array(codes.length);
+  const worth = (code) => code - (code > 60 ? 34 : 33);
   let [to, bits, count] = [0, 0, 0];
   for (let at = 0; at < codes.length; at += 2) {
-    const high = at + 1 < codes.length ? DIGITS[codes[at + 1]] : 0;
-    bits |= (DIGITS[codes[at]] + 91 * high) << count;
-    count += 13;
-    while (count >= 8 && to < size) {
+    const isPair = at + 1 < codes.length;
+    const value = worth(codes[at]) + (isPair ? 93 * worth(codes[at + 1]) : 0);
+    bits |= value << count;
+    count = isPair ? count + ((value & 0x1fff) > 456 ? 13 : 14) : 8;
+    while (count >= 8) {
       bytes[to] = bits;
       to += 1;
       bits >>>= 8;
       count -= 8;
     }
   }
-  return bytes;
+  return bytes.slice(0, to);
 }
 
 async function unpacked(id) {
