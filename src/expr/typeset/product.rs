@@ -165,21 +165,18 @@ fn flatten(expr: &Expr, parts: &mut Vec<Part>) {
     }
 }
 
-/// Takes the sign of a numerator away, so that it stands before the bar.
+/// Takes the sign of the first factor or numerator away, so that it stands before the product: what
+/// follows a sign is set as any other factor, `-sign(v)*d` as −sgn(v)d.
 fn take_sign(part: &mut Part) -> bool {
-    let Part::Quotient(above, _) = part else {
-        return false;
-    };
-    match above.first_mut() {
-        Some(Part::Factor(first)) => match first.kind() {
+    match part {
+        Part::Factor(first) => match first.kind() {
             Kind::Negate(inner) => {
                 *first = inner.clone();
                 true
             }
             _ => false,
         },
-        Some(quotient) => take_sign(quotient),
-        None => false,
+        Part::Quotient(above, _) => above.first_mut().is_some_and(take_sign),
     }
 }
 
@@ -216,7 +213,7 @@ fn hoisted(above: &[Part], below: &[Part]) -> (Vec<Part>, Vec<Part>) {
 
 #[cfg(test)]
 mod tests {
-    use crate::expr::{Expr, Name, Notation, Symbol, SymbolKind};
+    use crate::expr::{Expr, Function, Name, Notation, Symbol, SymbolKind};
     use crate::math::{self, Math};
 
     /// Puts −2 in for `n`.
@@ -232,6 +229,14 @@ mod tests {
                 other => Symbol::letter(math::symbol(other)),
             }
         }
+    }
+
+    #[test]
+    fn a_function_before_a_factor_keeps_its_parentheses_behind_a_sign() {
+        let [v, d] = ["v", "d"].map(Expr::name);
+        let sign = Expr::call(Function::Sign, [v]);
+        let plain = (-sign * d).typeset(&Substituted).plain();
+        assert_eq!(plain.replace('−', "-"), "-sgn(v)d");
     }
 
     #[test]
