@@ -39,6 +39,7 @@ mod rotor;
 mod source;
 mod spring;
 mod text;
+mod torsion;
 mod tube;
 mod turn;
 mod wire;
@@ -218,6 +219,7 @@ pub static KINDS: &[&dyn Element] = &[
     &pulley::Pulley,
     &rotor::Rotor,
     &spring::Spring,
+    &torsion::Torsion,
     &damper::Damper,
     &rod::Rod,
     &bar::Bar,
