@@ -89,7 +89,14 @@ impl Element for Torsion {
     }
 
     fn keys(&self) -> &'static [Key] {
-        const { &[number("radius"), number("from"), number("to"), number("turns")] }
+        const {
+            &[
+                number("radius"),
+                number("from"),
+                number("to"),
+                number("turns"),
+            ]
+        }
     }
 
     fn layer(&self) -> Layer {
