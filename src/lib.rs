@@ -29,6 +29,7 @@ pub mod mechanics;
 
 // Layer 4: an item's quantities, and the kinds of answers.
 pub mod answer;
+pub mod response;
 pub mod quantity;
 
 // Layer 5: items.

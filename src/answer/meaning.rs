@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::typed::Lexicon;
+use crate::response::Lexicon;
 use super::{Declare, Known, Role};
 use crate::expr::{
     Binder, Binding, CompileError, Expr, Form, Name, Precise, Program, Scope, Substitution, Type,

@@ -22,16 +22,13 @@ mod matrix;
 mod meaning;
 mod mode_shape;
 mod numeric;
-mod plain;
 mod symbolic;
 mod tolerance;
 mod trial;
-mod typed;
 
 pub use declare::{Context, Declare, Known, Mistaken, Role};
 pub use error::AnswerError;
 pub use marking::{Credit, Feedback, Key, KeyValue, Marking, Reading, Reason, Verdict};
-pub use plain::plain;
 pub use tolerance::Tolerance;
 pub use trial::{Nature, Trial};
 

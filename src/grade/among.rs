@@ -1,9 +1,8 @@
 //! Marking of parts that are looked at together.
 
-use std::borrow::Cow;
-
 use super::{LONGEST_RESPONSE, mark};
-use crate::answer::{Beside, Marking, plain};
+use crate::answer::{Beside, Marking};
+use crate::response::Folded;
 use crate::solution::Solution;
 
 /// Marks the response to a part with those to all parts of the item at hand, by place; empty ones are missing.
@@ -16,24 +15,25 @@ pub fn mark_among(solution: &Solution<'_>, place: usize, responses: &[&str]) -> 
     if response.is_empty() || !is_short(response) || !heeds(place) {
         return mark(solution, place, response);
     }
-    let response = match plain(response) {
-        Ok(response) => response,
-        Err(help) => return Marking::unreadable(help),
+    let folded = match Folded::of(response) {
+        Ok(folded) => folded,
+        Err(help) => return Marking::unreadable(help.to_string()),
     };
-    let given: Vec<Cow<'_, str>> = responses
+    let given: Vec<Option<Folded<'_>>> = responses
         .iter()
-        .map(|response| plain(response).unwrap_or_default())
+        .map(|response| Folded::of(response).ok())
         .collect();
     let others: Vec<Beside<'_>> = (0..parts.len())
         .filter(|at| *at != place && heeds(*at) && solution.asks(*at))
         .filter_map(|at| {
-            let response = given.get(at).map_or("", |response| response.trim());
+            let folded = given.get(at).and_then(Option::as_ref);
+            let response = folded.map_or("", |folded| folded.text().trim());
             let marker = solution.marker(at).ok()?;
             Some(Beside { marker, response }).filter(|beside| is_short(beside.response))
         })
         .collect();
     match solution.marker(place) {
-        Ok(marker) => marker.mark_beside(response.trim(), &others),
-        Err(_) => mark(solution, place, &response),
+        Ok(marker) => marker.mark_beside(folded.text().trim(), &others),
+        Err(_) => mark(solution, place, response),
     }
 }

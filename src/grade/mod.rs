@@ -17,7 +17,8 @@ pub use pattern::pattern;
 pub use points::{of_marking, rounded, shares};
 pub use responses::{Place, Responses, Row, RowError};
 
-use crate::answer::{Marking, plain};
+use crate::answer::Marking;
+use crate::response::Folded;
 use crate::solution::Solution;
 
 /// Longest response that is read.
@@ -49,12 +50,12 @@ pub fn mark(solution: &Solution<'_>, place: usize, response: &str) -> Marking {
             "The answer is longer than {LONGEST_RESPONSE} bytes."
         ));
     }
-    let response = match plain(response) {
-        Ok(response) => response,
-        Err(help) => return Marking::unreadable(help),
+    let folded = match Folded::of(response) {
+        Ok(folded) => folded,
+        Err(help) => return Marking::unreadable(help.to_string()),
     };
     match solution.marker(place) {
-        Ok(marker) => marker.mark(response.trim()),
+        Ok(marker) => marker.mark(folded.text().trim()),
         Err(absent) => Marking::unreadable(format!(
             "This part cannot be marked for these data: {absent}."
         )),

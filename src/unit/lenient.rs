@@ -17,7 +17,7 @@ use super::joined;
 use super::product::Unit;
 use super::rational::Rational;
 use super::scanner::Scanner;
-use super::strict::is_letter;
+use super::strict::{LONGEST, is_letter};
 
 /// The deepest nesting of parentheses.
 const DEEPEST: usize = 8;
@@ -48,6 +48,7 @@ pub(super) fn unit(text: &str) -> Result<Unit, Error> {
         scanner: Scanner::new(text)?,
         builder: Builder::new(),
         depth: 0,
+        is_front: false,
     };
     reader.space();
     if text.trim() != "1" && !reader.scanner.is_at_end() {
@@ -65,10 +66,31 @@ pub(super) fn unit(text: &str) -> Result<Unit, Error> {
         .map_err(|kind| Error::new(kind, 0..text.len()))
 }
 
+/// Reads the unit with which a text begins, as far as it goes, and where it ends.
+pub(super) fn front(text: &str) -> Result<(Unit, usize), Error> {
+    let end = text
+        .char_indices()
+        .map(|(at, char)| at + char.len_utf8())
+        .take_while(|end| *end <= LONGEST)
+        .last();
+    let mut reader = Reader {
+        scanner: Scanner::new(&text[..end.unwrap_or(0)])?,
+        builder: Builder::new(),
+        depth: 0,
+        is_front: true,
+    };
+    reader.product()?;
+    let end = reader.scanner.at();
+    let unit = reader.builder.finish();
+    Ok((unit.map_err(|kind| Error::new(kind, 0..end))?, end))
+}
+
 struct Reader<'a> {
     scanner: Scanner<'a>,
     builder: Builder,
     depth: usize,
+    /// Whether something else may follow the unit.
+    is_front: bool,
 }
 
 /// What stands between two items.
@@ -88,25 +110,51 @@ impl<'a> Reader<'a> {
             self.item()?;
         }
         loop {
-            let place = self.scanner;
-            match (self.between(), divisor) {
-                (Some(Between::Slash), None) => divisor = Some(self.divisor()?),
-                (Some(Between::Slash), Some(first)) => {
-                    let second = self.divisor()?;
-                    if !self.builder.are_equal(first, second) {
-                        return Err(place.error(ErrorKind::SecondSlash));
-                    }
+            let kept = (self.scanner, self.builder.clone());
+            let may_end = self.is_front && self.depth == 0;
+            let between = self.between();
+            match self.further(between, kept.0, divisor) {
+                Ok(further) => divisor = further,
+                Err(error) if may_end && ends_before(between, &error.kind) => {
+                    (self.scanner, self.builder) = kept;
+                    return Ok(());
                 }
-                (Some(Between::Product), Some(_)) => {
-                    // What is no unit is told first: a remark, or another number.
-                    let place = self.scanner;
-                    self.item()?;
-                    return Err(place.error(ErrorKind::ProductAfterSlash));
+                Err(error) => return Err(error),
+            }
+            if between.is_none() {
+                if may_end {
+                    self.scanner = kept.0;
                 }
-                (Some(Between::Product), None) => self.item()?,
-                (None, _) => return Ok(()),
+                return Ok(());
             }
         }
+    }
+
+    /// Reads what stands behind a sign between items; the first factor below a slash, if there is one.
+    fn further(
+        &mut self,
+        between: Option<Between>,
+        place: Scanner<'a>,
+        divisor: Option<usize>,
+    ) -> Result<Option<usize>, Error> {
+        match (between, divisor) {
+            (Some(Between::Slash), None) => return self.divisor().map(Some),
+            (Some(Between::Slash), Some(first)) => {
+                let second = self.divisor()?;
+                if !self.builder.are_equal(first, second) {
+                    return Err(place.error(ErrorKind::SecondSlash));
+                }
+            }
+            (Some(Between::Product), Some(_)) => {
+                // What is no unit is told first: a remark, or another number.
+                let place = self.scanner;
+                self.item()?;
+                return Err(place.error(ErrorKind::ProductAfterSlash));
+            }
+            (Some(Between::Product), None) => self.item()?,
+            (None, _) => {}
+        }
+        Ok(divisor)
     }
 
     /// Reads what a slash divides by; returns its first factor's place.
@@ -309,7 +357,8 @@ impl<'a> Reader<'a> {
 
     /// Reads a power, if there is one, and raises what stands from the factor `start` on.
     fn power(&mut self, start: usize) -> Result<(), Error> {
-        let place = self.scanner.at();
+        let behind = self.scanner;
+        let place = behind.at();
         let mut ahead = self.scanner;
         let mut spaced = ahead;
         spaced.space();
@@ -329,7 +378,13 @@ impl<'a> Reader<'a> {
             Some(power)
         } else if begins_exponent(ahead.rest()) && !self.builder.ends_with_sign() {
             let few = |power: &Rational| power.abs().is_integer() && power.abs().numerator() <= 4;
-            ahead.exponent(true).filter(few)
+            let power = ahead.exponent(true).filter(few);
+            // `10 mm-5 mm` goes on behind the unit.
+            let is_number = power.is_none() || ahead.rest().trim_start().starts_with(is_letter);
+            if self.is_front && self.depth == 0 && behind.rest().starts_with('-') && is_number {
+                return Ok(());
+            }
+            power
         } else {
             ahead.space();
             match ahead.peek() {
@@ -351,6 +406,18 @@ impl<'a> Reader<'a> {
         self.builder
             .raise(start, power)
             .map_err(|kind| Error::new(kind, at..at))
+    }
+}
+
+/// Whether what follows a unit is no part of it: nothing that could be a unit, or a letter of something else.
+fn ends_before(between: Option<Between>, error: &ErrorKind) -> bool {
+    match error {
+        ErrorKind::UnitMissing
+        | ErrorKind::NumberWithinUnit
+        | ErrorKind::Unexpected { .. }
+        | ErrorKind::Parenthesis => true,
+        ErrorKind::UnknownUnit { .. } => between == Some(Between::Product),
+        _ => false,
     }
 }
 

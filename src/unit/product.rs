@@ -108,6 +108,25 @@ impl Unit {
         lenient::unit(text)
     }
 
+    /// Reads the unit with which a text begins, as people type it, and the place where it ends.
+    ///
+    /// # Errors
+    ///
+    /// If the text begins with no unit, or with one that has more than one meaning.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use vibank::unit::Unit;
+    ///
+    /// let (unit, end) = Unit::read_front("mm + 4i m").unwrap();
+    /// assert_eq!((unit, end), (Unit::parse("mm").unwrap(), 2));
+    /// assert!(Unit::read_front("and 5 m").is_err());
+    /// ```
+    pub fn read_front(text: &str) -> Result<(Self, usize), Error> {
+        lenient::front(text)
+    }
+
     pub(super) fn of_factors(factors: &[Factor]) -> Option<Self> {
         let mut unit = Self {
             length: factors.len() as u8,

@@ -30,7 +30,7 @@ use std::sync::{Arc, OnceLock};
 
 use self::marker::Prepared;
 use super::meaning::{Meaning, Prefer, lexicon};
-use super::typed::Lexicon;
+use crate::response::Lexicon;
 use super::{Answer, AnswerError, AnswerKind, Context, Declare, Key, Marker, Role, symbolic};
 use crate::expr::{Equation, Expr, Name, Program};
 use crate::quantity::{Absent, NodeId};

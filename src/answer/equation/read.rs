@@ -2,7 +2,7 @@
 
 use super::{Setup, written};
 use crate::answer::Reading;
-use crate::answer::typed::{self, Chain, Manner, Trouble, cut};
+use crate::response::{self, Chain, Manner, Trouble, cut};
 use crate::expr::{Equation, Expr, Relation};
 use crate::math::Math;
 use crate::source::Span;
@@ -20,7 +20,7 @@ impl Setup {
             if let Some(help) = beside_the_point(&response[place.range()]) {
                 return Err(help);
             }
-            let chain = typed::chain(response, from, to, &self.lexicon, manner);
+            let chain = response::chain(response, from, to, &self.lexicon, manner);
             let chain = chain.map_err(|error| match error.trouble {
                 Trouble::NoRelation => {
                     "An equation is asked: an equals sign is missing.".to_owned()

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::Setup;
 use super::slip::slip;
 use crate::answer::equality::{Comparable, Comparison, Points};
-use crate::answer::typed::{self, Trouble, TypedError};
+use crate::response::{self, Trouble, TypedError};
 use crate::answer::{
     Credit, Feedback, Key, Marker, Marking, Nature, Reading, Reason, Trial, Verdict,
 };
@@ -149,7 +149,7 @@ impl Prepared {
 
     /// Whether another side of the equals signs is a formula that is not the same as the last one.
     fn contradicts_itself(&self, response: &str) -> bool {
-        let Ok(sides) = typed::sides(response, &self.setup.lexicon) else {
+        let Ok(sides) = response::sides(response, &self.setup.lexicon) else {
             return false;
         };
         let differs = |side: &Span| {

@@ -24,7 +24,7 @@ use std::sync::{Arc, OnceLock};
 use self::marker::{Mistake, Prepared};
 use super::equality::{Comparable, Points};
 use super::meaning::{Meaning, Prefer, lexicon};
-use super::typed::Lexicon;
+use crate::response::Lexicon;
 use super::{Answer, AnswerError, AnswerKind, Context, Declare, Key, Marker, symbolic};
 use crate::expr::{CheckError, Expr, Field, Joint, Name, Shape, Type};
 use crate::quantity::{Absent, NodeId};

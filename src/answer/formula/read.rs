@@ -2,7 +2,7 @@
 
 use super::marker::Prepared;
 use super::{explained, in_words};
-use crate::answer::typed::{self, Manner, Typed, TypedError};
+use crate::response::{self, Manner, Typed, TypedError};
 use crate::answer::{Feedback, Marking, Verdict};
 use crate::expr::{Expr, Field};
 use crate::unit::{Dimension, Unit};
@@ -16,7 +16,7 @@ impl Prepared {
                 comma_is_decimal: !has_lists.iter().any(|name| response.contains(name)),
                 has_imaginary_unit,
             };
-            typed::formula(response, &self.setup.lexicon, manner)
+            response::formula(response, &self.setup.lexicon, manner)
         };
         let is_complex = self.setup.kind.field() == Field::Complex
             || self
@@ -72,7 +72,7 @@ impl Prepared {
             let typed = self.read(text);
             typed.is_ok_and(|typed| !has_names || !typed.value.names().free.is_empty())
         };
-        typed::with_unit(response).find(reads)
+        response::with_unit(response).find(reads)
     }
 
     /// The marking of a formula before a unit: one in which it comes out is passed over, another one handed back.

@@ -1,6 +1,6 @@
 //! What people type around a function: the times for which it is meant to hold.
 
-use crate::answer::typed::Manner;
+use crate::response::Manner;
 
 /// How a function is read.
 pub(super) fn manner(response: &str) -> Manner {

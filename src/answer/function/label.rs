@@ -1,7 +1,7 @@
 //! What stands before the equals signs of a function: its name, that of another, or other forms of it.
 
 use super::around::manner;
-use crate::answer::typed::{self, Lexicon, cut};
+use crate::response::{self, Lexicon, cut};
 use crate::answer::{Declare, Role};
 use crate::expr::{Expr, Kind, Name};
 use crate::math::{Math, symbol};
@@ -123,7 +123,7 @@ impl Labels {
     /// What the text before an equals sign is; `x(t) [m]` has its unit behind it.
     fn side(&self, text: &str) -> Result<Side, String> {
         let text = without_unit(text);
-        let typed = typed::formula(text, &self.lexicon, manner(text));
+        let typed = response::formula(text, &self.lexicon, manner(text));
         let value = typed.map_err(|error| error.sentence(text))?.value;
         Ok(match value.kind() {
             Kind::Name(name) if self.own.contains(name) => Side::Own,

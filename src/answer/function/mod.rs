@@ -52,7 +52,7 @@ use self::marker::Prepared;
 use self::samples::{derived, samples};
 use self::span::{Extent, spans, times};
 use super::meaning::{Meaning, Prefer, lexicon};
-use super::typed::Lexicon;
+use crate::response::Lexicon;
 use super::{Answer, AnswerError, AnswerKind, Context, Declare, Key, Marker, Tolerance, symbolic};
 use crate::expr::{Expr, Form, Name, Type};
 use crate::quantity::{Absent, NodeId};

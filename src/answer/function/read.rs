@@ -5,7 +5,7 @@ use super::marker::{Prepared, Response};
 use super::slip::without_waves;
 use super::units::{contains_letter, measured};
 use crate::answer::Reading;
-use crate::answer::typed::{self, Typed};
+use crate::response::{self, Typed};
 use crate::expr::{Expr, Kind};
 use crate::math::Math;
 use crate::unit::Unit;
@@ -33,7 +33,7 @@ impl Prepared {
     /// Whether letters are names or units is told by the dimension, not by what is right.
     fn function(&self, text: &str) -> Result<Response, String> {
         let setup = &self.setup;
-        match typed::formula(text, &setup.lexicon, manner(text)) {
+        match response::formula(text, &setup.lexicon, manner(text)) {
             Err(error) => self
                 .with_unit(text)
                 .unwrap_or_else(|| Err(error.sentence(text))),
@@ -83,7 +83,7 @@ impl Prepared {
         let own = setup.unit?;
         let variable = setup.variable.as_str();
         let bare = |text: &str| {
-            let typed = typed::formula(text, &setup.lexicon, manner(text)).ok()?;
+            let typed = response::formula(text, &setup.lexicon, manner(text)).ok()?;
             (!self.has_data(&typed.value)).then_some(typed.value)
         };
         let terms = measured(text, variable, |unit| unit.dimension() == own.dimension());
@@ -98,7 +98,7 @@ impl Prepared {
             is_whole.then_some((once, found.unit))
         });
         let found = by_terms.or_else(|| {
-            let mut cuts = typed::with_unit(text)
+            let mut cuts = response::with_unit(text)
                 .filter(|(formula, _)| !contains_letter(&text[formula.len()..], variable));
             cuts.find_map(|(formula, unit)| Some((bare(formula)?, unit)))
         });

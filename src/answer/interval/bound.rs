@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::read::{Ends, HELP, Read, Refusal};
 use super::{Written, compared, is_infinite};
 use crate::answer::numeric;
-use crate::answer::typed::{self, Manner};
+use crate::response::{self, Manner};
 use crate::expr::{Expr, Kind, Workspace};
 use crate::unit::{DecimalMark, Quantity, Unit};
 
@@ -85,7 +85,7 @@ impl Ends<'_> {
             comma_is_decimal: true,
             has_imaginary_unit: false,
         };
-        typed::formula(side, &self.setup.lexicon, manner)
+        response::formula(side, &self.setup.lexicon, manner)
             .map(|typed| typed.value)
             .map_err(|error| error.sentence(side))
     }

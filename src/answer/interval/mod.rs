@@ -28,7 +28,7 @@ use self::set::{End, Piece, Set};
 use super::matrix::Written;
 use super::meaning::{Meaning, Prefer, lexicon};
 use super::trial::other_unit;
-use super::typed::Lexicon;
+use crate::response::Lexicon;
 use super::{
     Answer, AnswerError, AnswerKind, Context, Credit, Declare, Feedback, Key, KeyValue, Marker,
     Marking, Nature, Reading, Reason, Role, Tolerance, Trial,

@@ -5,7 +5,7 @@ use super::bound::quantity;
 use super::set::{End, Piece, Set};
 use super::spelling::{normalized, spelt};
 use super::subject::Subject;
-use crate::answer::typed::cut;
+use crate::response::cut;
 use crate::expr::Precise;
 use crate::source::Span;
 use crate::unit::{DecimalMark, Unit};

@@ -7,7 +7,7 @@ use super::slip::Slip;
 use super::{Setup, Written};
 use crate::answer::equality::{Comparable, Comparison, Points};
 use crate::answer::trial::typed as typed_number;
-use crate::answer::typed::{self, Listed, Manner};
+use crate::response::{self, Listed, Manner};
 use crate::answer::{
     Credit, Feedback, Key, KeyValue, Marker, Marking, Nature, Reading, Reason, Trial, symbolic,
 };
@@ -219,7 +219,7 @@ impl Marker for Prepared {
             .iter()
             .all(|text| !text.contains('[') && !text.contains("if "));
         // What the entries are written in may be more than an answer may use.
-        let reads = |text: &String| typed::formula(text, &setup.lexicon, Manner::default()).is_ok();
+        let reads = |text: &String| response::formula(text, &setup.lexicon, Manner::default()).is_ok();
         if self.formulas.is_some()
             && setup.written != Written::Number
             && is_typable
@@ -271,7 +271,7 @@ impl Marker for Prepared {
             listed.rows.len() == setup.rows
                 && listed.rows.iter().all(|row| row.len() == setup.columns)
         };
-        let listed = typed::list_of_form(response, &setup.lexicon, &setup.units, fits);
+        let listed = response::list_of_form(response, &setup.lexicon, &setup.units, fits);
         let listed = match listed {
             Ok(listed) if fits(&listed) => listed,
             Ok(Listed { rows, .. }) => {

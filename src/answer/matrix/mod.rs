@@ -24,7 +24,7 @@ pub(super) use self::marker::counted;
 use self::marker::{Mistake, Prepared};
 use super::equality::{Comparable, Points};
 use super::meaning::{Meaning, Prefer, lexicon};
-use super::typed::Lexicon;
+use crate::response::Lexicon;
 use super::{Answer, AnswerError, AnswerKind, Context, Declare, Marker, Tolerance, symbolic};
 use crate::expr::{Expr, Field, Form, Name, Shape};
 use crate::math::Math;

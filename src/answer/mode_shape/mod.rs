@@ -29,7 +29,7 @@ use self::modes::Asked;
 use self::span::{lies_in, vectors};
 use super::matrix::Written;
 use super::meaning::{Meaning, Prefer, lexicon};
-use super::typed::Lexicon;
+use crate::response::Lexicon;
 use super::{Answer, AnswerError, AnswerKind, Context, Declare, Marker, Tolerance};
 use crate::expr::{Field, Name, Shape};
 use crate::quantity::{Absent, NodeId};

@@ -7,7 +7,7 @@ use super::marker::Prepared;
 use super::span::vectors;
 use crate::answer::Reading;
 use crate::answer::matrix::{Written, counted};
-use crate::answer::typed::{self, Listed};
+use crate::response::{self, Listed};
 use crate::expr::{Expr, Workspace};
 use crate::math::Math;
 use crate::unit::Unit;
@@ -25,7 +25,7 @@ impl Prepared {
         let response = &components(response);
         let (width, count) = (self.width(), self.keys.len());
         let fits = |listed: &Listed| !arrangements(&listed.rows, width, count).is_empty();
-        let listed = typed::list_of_form(response, &setup.lexicon, &setup.units, fits);
+        let listed = response::list_of_form(response, &setup.lexicon, &setup.units, fits);
         let listed = listed.map_err(|error| error.sentence(response))?;
         let has_names = !listed.is_numeric();
         let Listed { rows, unit } = listed;

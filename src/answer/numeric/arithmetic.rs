@@ -6,7 +6,7 @@
 
 use std::sync::LazyLock;
 
-use super::super::typed::{self, Lexicon, Manner, Trouble, Typed, TypedError};
+use crate::response::{self, Lexicon, Manner, Trouble, Typed, TypedError};
 use super::doubt::{short, trailing_number};
 use crate::expr::{Constant, Expr, Kind, Operator, Precise, Program, Slots, Value, Workspace};
 use crate::unit::{DecimalMark, Unit};
@@ -52,7 +52,7 @@ impl Arithmetic {
             comma_is_decimal: mark == DecimalMark::Comma || !has_arguments(text),
             has_imaginary_unit: is_complex,
         };
-        let formula = |text: &str| typed::formula(text, &NUMBERS, manner);
+        let formula = |text: &str| response::formula(text, &NUMBERS, manner);
         if let Some(angle) = Self::in_degrees(text, formula) {
             return angle.checked(text);
         }
@@ -66,7 +66,7 @@ impl Arithmetic {
             }
             Err(error) => error,
         };
-        for (number, unit) in typed::with_unit(text) {
+        for (number, unit) in response::with_unit(text) {
             match formula(number) {
                 Ok(typed) => {
                     return Self {

@@ -1,6 +1,6 @@
 //! What may be meant otherwise than it would be read, and so is asked back: `162·10-3`, `0.29 (2/7)`, `1,250`, `60°30'`.
 
-use super::super::typed::first_bracket;
+use crate::response::first_bracket;
 use crate::unit::DecimalMark;
 
 /// The question about a number that may mean two things, if it does.

@@ -1,6 +1,6 @@
 //! Lists of numbers as people type them, and how they are marked: `5; 8.7 rad/s`, `0, ±180°`, `ω1 = 5, ω2 = 8.7`.
 
-use super::super::typed::{cut, first_bracket};
+use crate::response::{cut, first_bracket};
 use super::super::{Credit, Feedback, Marking, Reason};
 use super::marker::Numbers;
 use super::read::{Number, number};

@@ -1,6 +1,6 @@
 //! Numbers with units as people type them.
 
-use super::super::typed::first_bracket;
+use crate::response::first_bracket;
 use super::arithmetic::{Arithmetic, is_arithmetic};
 use super::doubt::{question, short};
 use super::sides::{self, Sides};

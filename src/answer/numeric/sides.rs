@@ -3,7 +3,7 @@
 
 use std::borrow::Cow;
 
-use super::super::typed::{cut, first_bracket};
+use crate::response::{cut, first_bracket};
 use super::doubt::short;
 use super::read::Number;
 use crate::source::Span;

@@ -61,12 +61,11 @@ fn mark_formulas(corpus: &'static str) -> (Vec<String>, [usize; 3]) {
             "{SYMBOLS}\n[[part]]\nid = \"p\"\nkind = \"formula\"\nask = \"Find it.\"\nkey = \"{key}\"\n"
         ));
         let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));
-        let marker = solution.marker(0).expect("the key exists");
         for (relation, response) in pairs {
             let is_it = |(own, _): &(&str, &str)| *own == relation;
             let place = RELATIONS.iter().position(is_it).expect("a relation");
             counts[place] += 1;
-            let marking = marker.mark(response);
+            let marking = vibank::grade::mark(&solution, 0, response);
             if marking.verdict.name() != RELATIONS[place].1 {
                 faults.push(format!("{key} {relation} {response}: {}", told(&marking)));
             }
@@ -99,10 +98,9 @@ fn numbers_are_read_as_they_are_meant() {
             "[parameters]\np = \"1 {unit}\"\n[quantities]\nq = {{ formula = \"2*p\", unit = \"{unit}\" }}\n[[part]]\nkey = \"q\"\nask = \"Find it.\"\n"
         ));
         let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));
-        let marker = solution.marker(0).expect("the key exists");
         for (response, due) in typed {
             count += 1;
-            let marking = marker.mark(response);
+            let marking = vibank::grade::mark(&solution, 0, response);
             let is_due = match due {
                 "unreadable" => marking.verdict.name() == "unreadable",
                 "dimension" => marking.reasons.contains(&Reason::Dimension),
@@ -143,10 +141,7 @@ fn equations_of_motion_are_told_apart() {
             .position(|own| own.id == part)
             .expect("a part of it");
         let solution = Solution::of(Instance::of_source(template));
-        let marking = solution
-            .marker(place)
-            .expect("the key exists")
-            .mark(response);
+        let marking = vibank::grade::mark(&solution, place, response);
         // A named mistake of the item says it in its own words.
         let is_named = matches!(marking.reasons[0], Reason::Mistake(_));
         let is_said = is_named || format!("{:?}", marking.feedback).contains(words);

@@ -255,7 +255,7 @@ fn what_is_wrong_is_said() {
             ("omega_n", "unreadable"),
             ("sqrt(k1/m)", "unreadable"),
             ("sqrt(k/m", "unreadable"),
-            ("", "unreadable"),
+            ("", "missing"),
         ],
     );
 }

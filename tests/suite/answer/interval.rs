@@ -36,7 +36,7 @@ fn one_bound() {
             ("mu >= 0.4", "wrong"),
             ("0.326", "unreadable"),
             ("x > 2", "unreadable"),
-            ("", "unreadable"),
+            ("", "missing"),
         ],
     );
 }

@@ -32,10 +32,7 @@ fn the_examples_of_the_book_are_marked_as_it_says() {
             continue;
         };
         count += 1;
-        let marking = solution
-            .marker(place)
-            .expect("the key exists")
-            .mark(response);
+        let marking = vibank::grade::mark(&solution, place, response);
         if marking.verdict.name() != verdict {
             faults.push(format!(
                 "`{response}`: {}, not {verdict}; {:?} {:?}",

@@ -12,7 +12,7 @@ use std::sync::Arc;
 use super::Kind;
 use crate::answer::equality::Draws;
 use crate::answer::meaning::{Meaning, ORDERS, Prefer, lexicon};
-use crate::answer::typed::{self, Lexicon, Manner, cut};
+use crate::response::{self, Lexicon, Manner, cut};
 use crate::answer::{
     Answer, AnswerKind, Context, Credit, Declare, Feedback, Key, Marker, Marking, Nature, Reading,
     Reason, Role, Trial,
@@ -177,12 +177,12 @@ impl Setup {
         for (position, place) in places.into_iter().enumerate() {
             let text = &response[place.range()];
             let named = text.split_once('=').and_then(|(left, _)| {
-                let left = typed::formula(left, &self.lexicon, manner).ok()?.value;
+                let left = response::formula(left, &self.lexicon, manner).ok()?.value;
                 self.coordinates
                     .iter()
                     .position(|name| left == Expr::name(name.clone()))
             });
-            let typed = typed::formula(text, &self.lexicon, manner)
+            let typed = response::formula(text, &self.lexicon, manner)
                 .map_err(|error| error.sentence(text))?;
             let place = named.unwrap_or(position);
             if found[place].replace(typed.value).is_some() {

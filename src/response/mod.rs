@@ -23,6 +23,7 @@ mod calls;
 mod differential;
 mod digits;
 mod error;
+mod fold;
 mod frame;
 mod labels;
 mod latex;
@@ -33,16 +34,19 @@ mod list;
 mod near;
 mod parser;
 mod sides;
+mod signs;
 mod token;
 mod ways;
+mod vocabulary;
 mod words;
 
-pub(super) use behind::with_unit;
-pub(super) use error::{Trouble, TypedError};
-pub(super) use frame::first_bracket;
-pub(super) use lexicon::Lexicon;
-pub(super) use list::{Listed, cut, list_of_form};
-pub(super) use sides::sides;
+pub(crate) use behind::with_unit;
+pub(crate) use error::{Trouble, TypedError};
+pub use fold::{Folded, LoneDollar};
+pub(crate) use frame::first_bracket;
+pub(crate) use lexicon::Lexicon;
+pub(crate) use list::{Listed, cut, list_of_form};
+pub(crate) use sides::sides;
 
 use self::parser::Parser;
 use self::token::tokens;
@@ -56,25 +60,25 @@ const DEEPEST: u32 = 150;
 
 /// How a text is to be read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Manner {
+pub(crate) struct Manner {
     /// Whether a comma between two digits is a decimal sign.
-    pub(super) comma_is_decimal: bool,
+    pub(crate) comma_is_decimal: bool,
     /// Whether `i` and `j` are the imaginary unit.
-    pub(super) has_imaginary_unit: bool,
+    pub(crate) has_imaginary_unit: bool,
 }
 
 /// What was read.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Typed<T> {
+pub(crate) struct Typed<T> {
     /// By the rules.
-    pub(super) value: T,
+    pub(crate) value: T,
     /// What it may be meant as otherwise, the nearest to the rules first.
-    pub(super) others: Vec<T>,
+    pub(crate) others: Vec<T>,
 }
 
 impl<T> Typed<T> {
     /// The first reading that fits; that of the rules where none does.
-    pub(super) fn fitting(self, fits: impl Fn(&T) -> bool) -> T {
+    pub(crate) fn fitting(self, fits: impl Fn(&T) -> bool) -> T {
         if fits(&self.value) {
             return self.value;
         }
@@ -84,15 +88,15 @@ impl<T> Typed<T> {
 
 /// An equation, or a chain of comparisons: one relation fewer than sides.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Chain {
+pub(crate) struct Chain {
     /// What is compared.
-    pub(super) sides: Vec<Expr>,
+    pub(crate) sides: Vec<Expr>,
     /// The signs in between; `=` is [`Relation::Equal`].
-    pub(super) relations: Vec<Relation>,
+    pub(crate) relations: Vec<Relation>,
 }
 
 /// The formula that a text is, after a symbol and an equals sign that may stand before it.
-pub(super) fn formula(
+pub(crate) fn formula(
     text: &str,
     lexicon: &Lexicon,
     manner: Manner,
@@ -105,7 +109,7 @@ pub(super) fn formula(
 }
 
 /// The equation or comparison that a part of a text is; its places count in the whole text.
-pub(super) fn chain(
+pub(crate) fn chain(
     text: &str,
     from: usize,
     to: usize,

@@ -2,7 +2,7 @@
 
 use super::letters::{Letters, greek_word};
 use super::token::{Item, Lexer};
-use super::words::INITIAL;
+use super::vocabulary::INITIAL;
 use super::{Trouble, TypedError};
 use crate::expr::{Constant, Expr, Function};
 use crate::numerics::Rational;

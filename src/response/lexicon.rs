@@ -5,13 +5,13 @@ use std::sync::{Arc, OnceLock};
 
 use super::Trouble;
 use super::letters::Letters;
-use super::words::{Piece, Words};
+use super::vocabulary::{Piece, Words};
 use crate::expr::{Expr, Name, Notation, Symbol};
 use crate::math::{Math, symbol};
 
 /// The names that a response may use.
 #[derive(Debug, Default)]
-pub(in crate::answer) struct Lexicon {
+pub(crate) struct Lexicon {
     entries: Vec<Entry>,
     symbols: BTreeMap<Name, Arc<Math>>,
     moving: Vec<Name>,
@@ -30,12 +30,12 @@ pub(super) enum Entry {
 
 impl Lexicon {
     /// Functions and constants alone.
-    pub(in crate::answer) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self::default()
     }
 
     /// Adds a name with its symbol; one that moves with time may be primed.
-    pub(in crate::answer) fn allow(
+    pub(crate) fn allow(
         &mut self,
         name: &Name,
         math: impl Into<Arc<Math>>,
@@ -50,7 +50,7 @@ impl Lexicon {
     }
 
     /// Adds a name of the item that the answer may not use, so that it can be said.
-    pub(in crate::answer) fn forbid(&mut self, name: &Name) {
+    pub(crate) fn forbid(&mut self, name: &Name) {
         self.add(Entry::Forbidden(name.clone()));
     }
 
@@ -64,7 +64,7 @@ impl Lexicon {
     }
 
     /// Another symbol for a name that is there.
-    pub(in crate::answer) fn set_symbol(&mut self, name: &Name, math: Arc<Math>) {
+    pub(crate) fn set_symbol(&mut self, name: &Name, math: Arc<Math>) {
         self.symbols.insert(name.clone(), math);
     }
 

@@ -4,7 +4,7 @@ use crate::source::Span;
 
 /// What stands in the way of reading.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub(in crate::answer) enum Trouble {
+pub(crate) enum Trouble {
     /// Nothing is there.
     #[error("a formula is missing here")]
     Missing,
@@ -86,9 +86,9 @@ pub(in crate::answer) enum Trouble {
 
 /// What stands in the way, and where in the response.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::answer) struct TypedError {
-    pub(in crate::answer) trouble: Trouble,
-    pub(in crate::answer) span: Span,
+pub(crate) struct TypedError {
+    pub(crate) trouble: Trouble,
+    pub(crate) span: Span,
 }
 
 impl TypedError {
@@ -100,7 +100,7 @@ impl TypedError {
     }
 
     /// A sentence for whoever typed `text`.
-    pub(in crate::answer) fn sentence(&self, text: &str) -> String {
+    pub(crate) fn sentence(&self, text: &str) -> String {
         const LONGEST_QUOTE: usize = 40;
         let place = text.get(self.span.range()).unwrap_or_default().trim();
         let short: String = place.chars().take(LONGEST_QUOTE).collect();

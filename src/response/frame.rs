@@ -189,7 +189,7 @@ pub(super) fn balanced(text: &str) -> Result<(), TypedError> {
 }
 
 /// Where the bracket closes with which a text begins.
-pub(in crate::answer) fn first_bracket(text: &str) -> Option<usize> {
+pub(crate) fn first_bracket(text: &str) -> Option<usize> {
     let mut depth = 0_usize;
     for (at, char) in text.char_indices() {
         match char {

@@ -12,7 +12,7 @@ use crate::source::Span;
 /// # Errors
 ///
 /// Where more than a symbol stands on the left: `ω0² = k/m` is true, but no formula for ω0.
-pub(in crate::answer) fn sides(text: &str, lexicon: &Lexicon) -> Result<Vec<Span>, TypedError> {
+pub(crate) fn sides(text: &str, lexicon: &Lexicon) -> Result<Vec<Span>, TypedError> {
     let mut sides = cut_at_equals(text);
     let last = sides.pop().unwrap_or(Span::new(0, text.len()));
     sides.retain(|side| !text[side.range()].is_empty());

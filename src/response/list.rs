@@ -19,16 +19,16 @@ const SEPARATORS: &[char] = &[',', ';', '&'];
 
 /// A list of formulas by rows.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::answer) struct Listed {
+pub(crate) struct Listed {
     /// The entries, each row as long as the others.
-    pub(in crate::answer) rows: Vec<Vec<Expr>>,
+    pub(crate) rows: Vec<Vec<Expr>>,
     /// The unit of all entries.
-    pub(in crate::answer) unit: Option<Unit>,
+    pub(crate) unit: Option<Unit>,
 }
 
 impl Listed {
     /// Whether all entries are numbers.
-    pub(in crate::answer) fn is_numeric(&self) -> bool {
+    pub(crate) fn is_numeric(&self) -> bool {
         let mut entries = self.rows.iter().flatten();
         entries.all(|entry| entry.names().free.is_empty())
     }
@@ -36,7 +36,7 @@ impl Listed {
 
 /// Reads a list of the form that is asked. A comma parts entries, but is a decimal sign where only so the list has that
 /// form; entries may also be parted by spaces. A list of another form is as it was typed.
-pub(in crate::answer) fn list_of_form(
+pub(crate) fn list_of_form(
     text: &str,
     lexicon: &Lexicon,
     units: &[Unit],
@@ -313,7 +313,7 @@ pub(super) fn trimmed(text: &str, span: Span) -> Span {
 }
 
 /// The pieces between signs that stand in no bracket.
-pub(in crate::answer) fn cut(text: &str, span: Span, signs: &[char]) -> Vec<Span> {
+pub(crate) fn cut(text: &str, span: Span, signs: &[char]) -> Vec<Span> {
     cut_where(text, span, |_, char| signs.contains(&char))
 }
 

@@ -6,7 +6,7 @@ use crate::unit::Unit;
 const MOST_PLACES: usize = 16;
 
 /// The ways to cut a text into a formula and a unit behind it, the shortest unit first.
-pub(in crate::answer) fn with_unit(text: &str) -> impl Iterator<Item = (&str, Unit)> {
+pub(crate) fn with_unit(text: &str) -> impl Iterator<Item = (&str, Unit)> {
     places(text).into_iter().rev().filter_map(|place| {
         let (formula, unit) = text.split_at(place);
         Some((formula, Unit::read(unit.trim()).ok()?))

@@ -1,6 +1,6 @@
 //! Words of a response that are next to those that are known: slips of names, functions with a number behind them.
 
-use super::words::{ALIASES, BARE, Words};
+use super::vocabulary::{ALIASES, BARE, Words};
 use crate::expr::Function;
 use crate::source::nearest;
 

@@ -3,7 +3,7 @@
 use super::differential::{called, leibniz};
 use super::digits::fraction;
 use super::letters::{Letters, combining, dotted, greek, greek_word};
-use super::words::{INITIAL, Piece, Sense};
+use super::vocabulary::{INITIAL, Piece, Sense};
 use super::{Lexicon, Manner, Trouble, TypedError};
 use crate::expr::{Constant, Expr, Function};
 use crate::numerics::Rational;

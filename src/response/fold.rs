@@ -1,0 +1,357 @@
+//! One spelling for what is typed, with a map back to what was typed.
+
+use std::borrow::Cow;
+
+use super::words::{JOINING, WORDS};
+use super::signs::{COMMANDS, Plain, RUNS, WRAPPERS, escaped, of_char};
+use crate::source::Span;
+
+/// A response in plain signs: letters of mathematical alphabets as ordinary ones, one minus, one sign for "at most",
+/// without what only sets off or sizes a formula in LaTeX. Each place in it has its place in what was typed.
+///
+/// ```
+/// use vibank::response::Folded;
+///
+/// let folded = Folded::of(r"$\omega \leq −5$ rad/s").unwrap();
+/// assert_eq!(folded.text().trim(), r"\omega ≤ -5  rad/s");
+/// let minus = folded.text().find('-').unwrap();
+/// assert_eq!(folded.typed(minus..minus + 1), "−");
+/// assert_eq!(Folded::of("𝑘/𝑚").unwrap().text(), "k/m");
+/// assert!(Folded::of("5 $").is_err());
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Folded<'t> {
+    typed: &'t str,
+    text: Cow<'t, str>,
+    /// Where a piece begins, in the text and in what was typed; ascending. Empty where both are the same.
+    pieces: Vec<(u32, u32)>,
+}
+
+/// A dollar sign that encloses nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("At `$`: a dollar sign is no unit, and encloses no formula here. Leave it out.")]
+pub struct LoneDollar;
+
+impl<'t> Folded<'t> {
+    /// Folds what was typed.
+    ///
+    /// # Errors
+    ///
+    /// Where a dollar sign encloses nothing.
+    pub fn of(typed: &'t str) -> Result<Self, LoneDollar> {
+        if is_plain(typed) {
+            return Ok(Self {
+                typed,
+                text: Cow::Borrowed(typed),
+                pieces: Vec::new(),
+            });
+        }
+        let dollars = typed.matches('$').count() - typed.matches("$$").count();
+        if dollars % 2 == 1 {
+            return Err(LoneDollar);
+        }
+        let mut folder = Folder {
+            typed,
+            at: 0,
+            text: String::with_capacity(typed.len()),
+            pieces: Vec::new(),
+            blanked: Vec::new(),
+        };
+        while folder.at < typed.len() {
+            folder.piece();
+        }
+        Ok(Self {
+            typed,
+            text: Cow::Owned(folder.text),
+            pieces: folder.pieces,
+        })
+    }
+
+    /// In plain signs.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The place in what was typed of a place in the text.
+    pub fn place(&self, range: std::ops::Range<usize>) -> Span {
+        if self.pieces.is_empty() {
+            return Span::new(range.start, range.end);
+        }
+        let start = self.piece_at(range.start).map_or(range.start, |(place, _)| place);
+        let end = match range.end.checked_sub(1) {
+            Some(last) if range.end > range.start => {
+                self.piece_at(last).map_or(range.end, |(_, end)| end)
+            }
+            _ => start,
+        };
+        Span::new(start, end.max(start))
+    }
+
+    /// What was typed at a place in the text.
+    pub fn typed(&self, range: std::ops::Range<usize>) -> &'t str {
+        self.typed.get(self.place(range).range()).unwrap_or_default()
+    }
+
+    /// Where the piece that holds a place of the text begins and ends in what was typed.
+    fn piece_at(&self, at: usize) -> Option<(usize, usize)> {
+        let behind = self.pieces.partition_point(|(text, _)| *text as usize <= at);
+        let (text, typed) = *self.pieces.get(behind.checked_sub(1)?)?;
+        let end = self
+            .pieces
+            .get(behind)
+            .map_or(self.typed.len(), |(_, typed)| *typed as usize);
+        let next = self
+            .pieces
+            .get(behind)
+            .map_or(self.text.len(), |(text, _)| *text as usize);
+        // A piece that was kept as it is maps byte by byte.
+        if next - text as usize == end - typed as usize {
+            let place = typed as usize + at - text as usize;
+            let length = self.text[at..].chars().next().map_or(1, char::len_utf8);
+            return Some((place, (place + length).min(end)));
+        }
+        Some((typed as usize, end))
+    }
+}
+
+/// Whether nothing is to be folded: printable ASCII without commands, dollars, marks and runs of signs.
+fn is_plain(typed: &str) -> bool {
+    let is_kept = |byte: u8| byte == b'\n' || (b' '..=b'~').contains(&byte) && !b"$\\`~".contains(&byte);
+    let mut may_run = false;
+    let is_kept_all = typed.bytes().all(|byte| {
+        may_run |= b"=*&".contains(&byte);
+        is_kept(byte)
+    });
+    is_kept_all
+        && !(may_run && RUNS.iter().any(|(run, _)| typed.contains(run)))
+        && !WORDS.iter().any(|(word, _)| has_word(typed, word))
+}
+
+/// Whether a word stands in a text between spaces.
+fn has_word(text: &str, word: &str) -> bool {
+    let mut words = text.split(' ');
+    words.any(|own| own == word)
+}
+
+struct Folder<'t> {
+    typed: &'t str,
+    at: usize,
+    text: String,
+    pieces: Vec<(u32, u32)>,
+    /// Braces of wrappers, which become spaces.
+    blanked: Vec<usize>,
+}
+
+impl Folder<'_> {
+    fn rest(&self) -> &str {
+        &self.typed[self.at..]
+    }
+
+    /// Writes a text for the next `length` bytes.
+    fn write(&mut self, text: &str, length: usize) {
+        self.pieces.push((self.text.len() as u32, self.at as u32));
+        self.text.push_str(text);
+        self.at += length;
+    }
+
+    fn plain(&mut self, plain: Plain, length: usize) {
+        match plain {
+            Plain::Text(text) => self.write(text, length),
+            Plain::Nothing => self.write("", length),
+        }
+    }
+
+    fn piece(&mut self) {
+        let Some(char) = self.rest().chars().next() else {
+            return;
+        };
+        let width = char.len_utf8();
+        if self.blanked.contains(&self.at) || char == '$' {
+            return self.write(" ", width);
+        }
+        if char == '\\' {
+            return self.command();
+        }
+        if let Some((word, plain)) = self.word() {
+            return self.write(plain, word.len());
+        }
+        if self.rest().starts_with("^{\\circ}") {
+            return self.write("°", "^{\\circ}".len());
+        }
+        if self.rest().starts_with("^\\circ") {
+            return self.write("°", "^\\circ".len());
+        }
+        if let Some((run, sign)) = RUNS.iter().find(|(run, _)| self.rest().starts_with(run)) {
+            return self.write(sign, run.len());
+        }
+        if let Some(plain) = of_char(char) {
+            return self.plain(plain, width);
+        }
+        let letter = unstyled(char);
+        self.write(letter.encode_utf8(&mut [0; 4]), width);
+    }
+
+    /// The word between spaces that stands here, if another one stands for it.
+    fn word(&self) -> Option<(&'static str, &'static str)> {
+        let is_free = self.at > 0 && self.typed[..self.at].ends_with(' ');
+        let found = WORDS.iter().find(|(word, _)| {
+            self.rest()
+                .strip_prefix(word)
+                .is_some_and(|rest| rest.starts_with(' '))
+        });
+        found.copied().filter(|_| is_free)
+    }
+
+    fn command(&mut self) {
+        let behind = &self.rest()[1..];
+        let name: &str = &behind[..behind
+            .find(|char: char| !char.is_ascii_alphabetic())
+            .unwrap_or(behind.len())];
+        let Some(first) = behind.chars().next() else {
+            return self.write("\\", 1);
+        };
+        if name.is_empty() {
+            match (first, escaped(first)) {
+                // A new row of a matrix.
+                ('\\', _) => self.write("\\\\", 2),
+                // Displayed formulas.
+                ('(' | ')' | '[' | ']', _) => self.write(" ", 2),
+                (_, Some(plain)) => self.plain(plain, 1 + first.len_utf8()),
+                (_, None) => self.write("\\", 1),
+            }
+            return;
+        }
+        let length = 1 + name.len();
+        if let Some((_, count)) = WRAPPERS.iter().find(|(own, _)| *own == name)
+            && let Some(braces) = arguments(self.typed, self.at + length, *count)
+        {
+            self.blanked.extend(braces);
+            return self.write("", length);
+        }
+        if matches!(name, "text" | "mathrm" | "mbox")
+            && let Some(braces) = arguments(self.typed, self.at + length, 1)
+            && JOINING.contains(&self.typed[braces[0] + 1..braces[1]].trim())
+        {
+            self.blanked.extend(braces);
+            return self.write(" ", length);
+        }
+        match COMMANDS.iter().find(|(own, _)| *own == name) {
+            Some((_, plain)) => self.plain(*plain, length),
+            None => {
+                let kept = self.rest()[..length].to_owned();
+                self.write(&kept, length);
+            }
+        }
+    }
+}
+
+/// The places of the braces around the next `count` arguments.
+fn arguments(text: &str, from: usize, count: usize) -> Option<Vec<usize>> {
+    let (mut braces, mut at) = (Vec::new(), from);
+    for _ in 0..count {
+        let rest = text.get(at..)?;
+        let open = at + rest.len() - rest.trim_start().len();
+        let mut depth = 0_usize;
+        let close = text.get(open..)?.char_indices().find_map(|(place, char)| {
+            match char {
+                '{' => depth += 1,
+                '}' => depth = depth.checked_sub(1)?,
+                _ => {}
+            }
+            (depth == 0).then_some(open + place)
+        })?;
+        if close == open {
+            return None;
+        }
+        braces.extend([open, close]);
+        at = close + 1;
+    }
+    Some(braces)
+}
+
+/// The ordinary letter or digit for one of another width or style.
+fn unstyled(char: char) -> char {
+    match char {
+        '！'..='～' => char::from_u32(u32::from(char) - 0xfee0).unwrap_or(char),
+        '\u{1d400}'..='\u{1d7ff}' => mathematical(u32::from(char) - 0x1d400).unwrap_or(char),
+        _ => char,
+    }
+}
+/// The letter or digit at a place of the block of mathematical alphabets.
+fn mathematical(place: u32) -> Option<char> {
+    const LETTERS: u32 = 13 * 52;
+    const GREEK: u32 = 0x2a8;
+    const DIGITS: u32 = 0x3ce;
+    let of = |first: char, offset: u32| char::from_u32(u32::from(first) + offset);
+    match place {
+        0..LETTERS if place % 52 < 26 => of('A', place % 52),
+        0..LETTERS => of('a', place % 52 - 26),
+        GREEK..DIGITS if place < GREEK + 5 * 58 => match (place - GREEK) % 58 {
+            17 => Some('Θ'),
+            25 => Some('∇'),
+            offset @ 0..25 => of('Α', offset),
+            offset @ 26..51 => of('α', offset - 26),
+            offset => ['∂', 'ϵ', 'ϑ', 'ϰ', 'ϕ', 'ϱ', 'ϖ']
+                .get(offset as usize - 51)
+                .copied(),
+        },
+        DIGITS.. => of('0', (place - DIGITS) % 10),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn pasted_letters_are_plain_ones() {
+        for (pasted, meant) in [
+            ("𝑚𝑥̈ + 𝑘𝑥 = 0", "mx\u{308} + kx = 0"),
+            ("𝜔ₙ = √(𝑘/𝑚)", "ωₙ = √(k/m)"),
+            ("𝛀𝐀𝐳𝟗", "ΩAz9"),
+            ("ℎ𝒹", "hd"),
+            ("５．２", "5.2"),
+            ("x´´", "x''"),
+            ("\u{feff}5\u{200b}", "5"),
+            ("\\(k/m\\)", " k/m "),
+            ("$$5$$", "  5  "),
+            ("—0.3 ‑ 2 ‐ 1", "-0.3 - 2 - 1"),
+            ("a =< b >= c == d", "a ≤ b ≥ c = d"),
+            ("\\left(2\\cdot 3\\right)", "(2* 3)"),
+            ("\\boxed{5\\,\\mathrm{m}}", " 5 \\mathrm{m} "),
+            ("\\SI{5}{m/s}", " 5  m/s "),
+            ("\\begin{cases}1\\\\2\\end{cases}", "\\begin{cases}1\\\\2\\end{cases}"),
+            ("x < 1 \\text{ or } x > 2", "x < 1   or   x > 2"),
+            ("1 et 2 ou 3", "1 and 2 or 3"),
+            ("30^{\\circ}", "30°"),
+        ] {
+            assert_eq!(Folded::of(pasted).unwrap().text(), meant, "{pasted}");
+        }
+    }
+
+    #[test]
+    fn a_dollar_alone_is_refused() {
+        for typed in ["5 $", "$5", "$5$ $", "5 $$", "[[1, 2]] $"] {
+            assert!(Folded::of(typed).is_err(), "{typed}");
+        }
+    }
+
+    proptest! {
+        /// Every place of the text is one of what was typed, between characters; what is folded already is kept.
+        #[test]
+        fn places_lie_within_what_was_typed(typed in r"([a-z0-9 −—·≤<>=!*$\{}\[\]°𝑘′]|\\[a-zA-Z]{1,6}|\\[,;!{}]){0,30}") {
+            let Ok(folded) = Folded::of(&typed) else { return Ok(()) };
+            for (at, char) in folded.text().char_indices() {
+                let place = folded.place(at..at + char.len_utf8()).range();
+                prop_assert!(place.end <= typed.len() && typed.get(place).is_some());
+            }
+            let again = Folded::of(folded.text()).map(|again| again.text().to_owned());
+            if !folded.text().contains('\\') {
+                prop_assert_eq!(again.as_deref(), Ok(folded.text()));
+            }
+        }
+    }
+}

@@ -1,0 +1,177 @@
+//! The one table of signs: each spelling that people type, and the sign that stands for it from here on.
+//!
+//! Nothing behind [`Folded`](super::Folded) knows a second minus or another way to write "at most".
+//! A new spelling is a row here.
+
+/// What a spelling becomes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Plain {
+    /// This text.
+    Text(&'static str),
+    /// Nothing: it has no width, or only sets the size of what follows.
+    Nothing,
+}
+
+use Plain::{Nothing, Text};
+
+/// Single characters.
+pub(super) fn of_char(char: char) -> Option<Plain> {
+    Some(Text(match char {
+        // Minus, with the dashes of word processors.
+        '\u{2212}' | '\u{2010}'..='\u{2015}' | '\u{fe58}' | '\u{fe63}' | '\u{2796}' => "-",
+        // Times.
+        '·' | '×' | '⋅' | '∙' | '∗' | '•' | '⁎' | '✕' | '✖' | '⨯' => "*",
+        // Divided by.
+        '÷' | '∕' | '⁄' => "/",
+        // Equal by definition; nearly equal.
+        '≡' | '≔' | '≝' => "=",
+        '≃' | '≅' | '≐' | '≒' | '≑' | '⩰' => "≈",
+        // At most, at least.
+        '⩽' | '≦' | '≲' => "≤",
+        '⩾' | '≧' | '≳' => "≥",
+        // Union and intersection, or and and.
+        '∨' | '⋃' | '⋁' => "∪",
+        '∧' | '⋂' | '⋀' => "∩",
+        // Degree.
+        'º' | '˚' => "°",
+        // Prime and its multiples, quotation marks as they are put for two.
+        '’' | '′' | '´' | '`' | '‘' | 'ʹ' | 'ʼ' => "'",
+        '″' | '“' | '”' => "\"",
+        '‴' => "'''",
+        // Brackets, points, raising.
+        '⟨' | '〈' => "(",
+        '⟩' | '〉' => ")",
+        '∶' => ":",
+        '、' => ",",
+        'ˆ' => "^",
+        '∣' | '｜' => "|",
+        // Letters.
+        '\u{2126}' => "Ω",
+        '\u{2206}' => "Δ",
+        'ℎ' => "h",
+        'ℯ' | 'ⅇ' => "e",
+        'ⅈ' => "i",
+        'ⅉ' => "j",
+        // Spaces, invisible operators.
+        '\t' | '~' | '\u{a0}' | '\u{2000}'..='\u{200a}' | '\u{202f}' | '\u{205f}' | '\u{3000}'
+        | '\u{2061}'..='\u{2064}' => " ",
+        '\u{200b}'..='\u{200f}' | '\u{2060}' | '\u{ad}' | '\u{fe0e}' | '\u{fe0f}' | '\u{feff}' | '\r' => {
+            return Some(Nothing);
+        }
+        _ => return None,
+    }))
+}
+
+/// Runs of signs, the longer ones before those with which they begin.
+pub(super) const RUNS: &[(&str, &str)] = &[
+    ("=/=", "≠"),
+    ("<=", "≤"),
+    ("=<", "≤"),
+    (">=", "≥"),
+    ("=>", "≥"),
+    ("!=", "≠"),
+    ("/=", "≠"),
+    ("~=", "≈"),
+    ("==", "="),
+    (":=", "="),
+    ("**", "^"),
+    ("&&", "∩"),
+];
+
+/// Commands of LaTeX, by their name. What is not listed is a name, a function, or is read by the grammar.
+pub(super) const COMMANDS: &[(&str, Plain)] = &[
+    ("cdot", Text("*")),
+    ("times", Text("*")),
+    ("ast", Text("*")),
+    ("div", Text("/")),
+    ("le", Text("≤")),
+    ("leq", Text("≤")),
+    ("leqslant", Text("≤")),
+    ("ge", Text("≥")),
+    ("geq", Text("≥")),
+    ("geqslant", Text("≥")),
+    ("lt", Text("<")),
+    ("gt", Text(">")),
+    ("ne", Text("≠")),
+    ("neq", Text("≠")),
+    ("approx", Text("≈")),
+    ("simeq", Text("≈")),
+    ("cong", Text("≈")),
+    ("doteq", Text("≈")),
+    ("equiv", Text("=")),
+    ("coloneqq", Text("=")),
+    ("pm", Text("±")),
+    ("mp", Text("∓")),
+    ("cup", Text("∪")),
+    ("lor", Text("∪")),
+    ("vee", Text("∪")),
+    ("cap", Text("∩")),
+    ("land", Text("∩")),
+    ("wedge", Text("∩")),
+    ("in", Text("∈")),
+    ("infty", Text("∞")),
+    ("circ", Text("°")),
+    ("degree", Text("°")),
+    ("angle", Text("∠")),
+    ("lvert", Text("|")),
+    ("rvert", Text("|")),
+    ("vert", Text("|")),
+    ("mid", Text("|")),
+    ("lbrace", Text("{")),
+    ("rbrace", Text("}")),
+    ("lbrack", Text("[")),
+    ("rbrack", Text("]")),
+    ("quad", Text(" ")),
+    ("qquad", Text(" ")),
+    ("dfrac", Text("\\frac")),
+    ("tfrac", Text("\\frac")),
+    ("cfrac", Text("\\frac")),
+    ("textrm", Text("\\mathrm")),
+    ("textup", Text("\\mathrm")),
+    ("mbox", Text("\\mathrm")),
+    ("left", Nothing),
+    ("right", Nothing),
+    ("big", Nothing),
+    ("Big", Nothing),
+    ("bigg", Nothing),
+    ("Bigg", Nothing),
+    ("bigl", Nothing),
+    ("bigr", Nothing),
+    ("Bigl", Nothing),
+    ("Bigr", Nothing),
+    ("displaystyle", Nothing),
+    ("textstyle", Nothing),
+    ("limits", Nothing),
+    ("boxed", Nothing),
+    ("fbox", Nothing),
+    ("SI", Nothing),
+    ("qty", Nothing),
+    ("si", Nothing),
+    ("unit", Nothing),
+    ("num", Nothing),
+];
+
+/// Commands whose arguments stand for themselves: their braces are spaces. With how many there are.
+pub(super) const WRAPPERS: &[(&str, usize)] = &[
+    ("boxed", 1),
+    ("fbox", 1),
+    ("SI", 2),
+    ("qty", 2),
+    ("si", 1),
+    ("unit", 1),
+    ("num", 1),
+];
+
+/// A backslash before a sign.
+pub(super) fn escaped(char: char) -> Option<Plain> {
+    Some(Text(match char {
+        ',' | ';' | ':' | ' ' => " ",
+        '!' => return Some(Nothing),
+        '{' => "{",
+        '}' => "}",
+        '|' => "|",
+        '%' => "%",
+        '_' => "_",
+        _ => return None,
+    }))
+}
