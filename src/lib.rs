@@ -29,8 +29,8 @@ pub mod mechanics;
 
 // Layer 4: an item's quantities, and the kinds of answers.
 pub mod answer;
-pub mod response;
 pub mod quantity;
+pub mod response;
 
 // Layer 5: items.
 pub mod bank;

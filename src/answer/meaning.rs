@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use crate::response::Lexicon;
 use super::{Declare, Known, Role};
 use crate::expr::{
     Binder, Binding, CompileError, Expr, Form, Name, Precise, Program, Scope, Substitution, Type,
     Variable,
 };
 use crate::quantity::{Evaluation, NodeId};
+use crate::response::Lexicon;
 use crate::source::Text;
 
 /// The names of an item as the answers of a part use them, down to what varies freely.

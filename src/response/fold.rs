@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 
-use super::words::{JOINING, WORDS};
 use super::signs::{COMMANDS, Plain, RUNS, WRAPPERS, escaped, of_char};
+use super::words::{JOINING, WORDS};
 use crate::source::Span;
 
 /// A response in plain signs: letters of mathematical alphabets as ordinary ones, one minus, one sign for "at most",
@@ -77,7 +77,9 @@ impl<'t> Folded<'t> {
         if self.pieces.is_empty() {
             return Span::new(range.start, range.end);
         }
-        let start = self.piece_at(range.start).map_or(range.start, |(place, _)| place);
+        let start = self
+            .piece_at(range.start)
+            .map_or(range.start, |(place, _)| place);
         let end = match range.end.checked_sub(1) {
             Some(last) if range.end > range.start => {
                 self.piece_at(last).map_or(range.end, |(_, end)| end)
@@ -89,12 +91,16 @@ impl<'t> Folded<'t> {
 
     /// What was typed at a place in the text.
     pub fn typed(&self, range: std::ops::Range<usize>) -> &'t str {
-        self.typed.get(self.place(range).range()).unwrap_or_default()
+        self.typed
+            .get(self.place(range).range())
+            .unwrap_or_default()
     }
 
     /// Where the piece that holds a place of the text begins and ends in what was typed.
     fn piece_at(&self, at: usize) -> Option<(usize, usize)> {
-        let behind = self.pieces.partition_point(|(text, _)| *text as usize <= at);
+        let behind = self
+            .pieces
+            .partition_point(|(text, _)| *text as usize <= at);
         let (text, typed) = *self.pieces.get(behind.checked_sub(1)?)?;
         let end = self
             .pieces
@@ -116,7 +122,8 @@ impl<'t> Folded<'t> {
 
 /// Whether nothing is to be folded: printable ASCII without commands, dollars, marks and runs of signs.
 fn is_plain(typed: &str) -> bool {
-    let is_kept = |byte: u8| byte == b'\n' || (b' '..=b'~').contains(&byte) && !b"$\\`~".contains(&byte);
+    let is_kept =
+        |byte: u8| byte == b'\n' || (b' '..=b'~').contains(&byte) && !b"$\\`~".contains(&byte);
     let mut may_run = false;
     let is_kept_all = typed.bytes().all(|byte| {
         may_run |= b"=*&".contains(&byte);
@@ -323,7 +330,10 @@ mod tests {
             ("\\left(2\\cdot 3\\right)", "(2* 3)"),
             ("\\boxed{5\\,\\mathrm{m}}", " 5 \\mathrm{m} "),
             ("\\SI{5}{m/s}", " 5  m/s "),
-            ("\\begin{cases}1\\\\2\\end{cases}", "\\begin{cases}1\\\\2\\end{cases}"),
+            (
+                "\\begin{cases}1\\\\2\\end{cases}",
+                "\\begin{cases}1\\\\2\\end{cases}",
+            ),
             ("x < 1 \\text{ or } x > 2", "x < 1   or   x > 2"),
             ("1 et 2 ou 3", "1 and 2 or 3"),
             ("30^{\\circ}", "30°"),

@@ -35,12 +35,7 @@ impl Lexicon {
     }
 
     /// Adds a name with its symbol; one that moves with time may be primed.
-    pub(crate) fn allow(
-        &mut self,
-        name: &Name,
-        math: impl Into<Arc<Math>>,
-        is_moving: bool,
-    ) {
+    pub(crate) fn allow(&mut self, name: &Name, math: impl Into<Arc<Math>>, is_moving: bool) {
         let math = math.into();
         self.symbols.insert(name.clone(), Arc::clone(&math));
         if is_moving {

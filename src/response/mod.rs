@@ -36,8 +36,8 @@ mod parser;
 mod sides;
 mod signs;
 mod token;
-mod ways;
 mod vocabulary;
+mod ways;
 mod words;
 
 pub(crate) use behind::with_unit;

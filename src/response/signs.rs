@@ -53,9 +53,21 @@ pub(super) fn of_char(char: char) -> Option<Plain> {
         'ⅈ' => "i",
         'ⅉ' => "j",
         // Spaces, invisible operators.
-        '\t' | '~' | '\u{a0}' | '\u{2000}'..='\u{200a}' | '\u{202f}' | '\u{205f}' | '\u{3000}'
+        '\t'
+        | '~'
+        | '\u{a0}'
+        | '\u{2000}'..='\u{200a}'
+        | '\u{202f}'
+        | '\u{205f}'
+        | '\u{3000}'
         | '\u{2061}'..='\u{2064}' => " ",
-        '\u{200b}'..='\u{200f}' | '\u{2060}' | '\u{ad}' | '\u{fe0e}' | '\u{fe0f}' | '\u{feff}' | '\r' => {
+        '\u{200b}'..='\u{200f}'
+        | '\u{2060}'
+        | '\u{ad}'
+        | '\u{fe0e}'
+        | '\u{fe0f}'
+        | '\u{feff}'
+        | '\r' => {
             return Some(Nothing);
         }
         _ => return None,

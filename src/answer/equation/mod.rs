@@ -30,10 +30,10 @@ use std::sync::{Arc, OnceLock};
 
 use self::marker::Prepared;
 use super::meaning::{Meaning, Prefer, lexicon};
-use crate::response::Lexicon;
 use super::{Answer, AnswerError, AnswerKind, Context, Declare, Key, Marker, Role, symbolic};
 use crate::expr::{Equation, Expr, Name, Program};
 use crate::quantity::{Absent, NodeId};
+use crate::response::Lexicon;
 use crate::source::{Table, Text, Value};
 
 /// The kind.

@@ -2,9 +2,9 @@
 
 use super::{Setup, written};
 use crate::answer::Reading;
-use crate::response::{self, Chain, Manner, Trouble, cut};
 use crate::expr::{Equation, Expr, Relation};
 use crate::math::Math;
+use crate::response::{self, Chain, Manner, Trouble, cut};
 use crate::source::Span;
 
 impl Setup {

@@ -6,11 +6,11 @@ use std::sync::Arc;
 use super::Setup;
 use super::slip::slip;
 use crate::answer::equality::{Comparable, Comparison, Points};
-use crate::response::{self, Trouble, TypedError};
 use crate::answer::{
     Credit, Feedback, Key, Marker, Marking, Nature, Reading, Reason, Trial, Verdict,
 };
 use crate::expr::Expr;
+use crate::response::{self, Trouble, TypedError};
 use crate::source::Span;
 use crate::unit::DecimalMark;
 

@@ -24,10 +24,10 @@ use std::sync::{Arc, OnceLock};
 use self::marker::{Mistake, Prepared};
 use super::equality::{Comparable, Points};
 use super::meaning::{Meaning, Prefer, lexicon};
-use crate::response::Lexicon;
 use super::{Answer, AnswerError, AnswerKind, Context, Declare, Key, Marker, symbolic};
 use crate::expr::{CheckError, Expr, Field, Joint, Name, Shape, Type};
 use crate::quantity::{Absent, NodeId};
+use crate::response::Lexicon;
 use crate::source::Table;
 use crate::unit::{Dimension, Unit};
 

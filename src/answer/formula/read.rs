@@ -2,9 +2,9 @@
 
 use super::marker::Prepared;
 use super::{explained, in_words};
-use crate::response::{self, Manner, Typed, TypedError};
 use crate::answer::{Feedback, Marking, Verdict};
 use crate::expr::{Expr, Field};
+use crate::response::{self, Manner, Typed, TypedError};
 use crate::unit::{Dimension, Unit};
 
 impl Prepared {

@@ -1,10 +1,10 @@
 //! What stands before the equals signs of a function: its name, that of another, or other forms of it.
 
 use super::around::manner;
-use crate::response::{self, Lexicon, cut};
 use crate::answer::{Declare, Role};
 use crate::expr::{Expr, Kind, Name};
 use crate::math::{Math, symbol};
+use crate::response::{self, Lexicon, cut};
 use crate::source::Span;
 
 /// The names that can stand before an equals sign.

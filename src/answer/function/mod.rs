@@ -52,10 +52,10 @@ use self::marker::Prepared;
 use self::samples::{derived, samples};
 use self::span::{Extent, spans, times};
 use super::meaning::{Meaning, Prefer, lexicon};
-use crate::response::Lexicon;
 use super::{Answer, AnswerError, AnswerKind, Context, Declare, Key, Marker, Tolerance, symbolic};
 use crate::expr::{Expr, Form, Name, Type};
 use crate::quantity::{Absent, NodeId};
+use crate::response::Lexicon;
 use crate::source::Table;
 use crate::unit::Unit;
 

@@ -5,9 +5,9 @@ use super::marker::{Prepared, Response};
 use super::slip::without_waves;
 use super::units::{contains_letter, measured};
 use crate::answer::Reading;
-use crate::response::{self, Typed};
 use crate::expr::{Expr, Kind};
 use crate::math::Math;
+use crate::response::{self, Typed};
 use crate::unit::Unit;
 
 impl Prepared {

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use super::read::{Ends, HELP, Read, Refusal};
 use super::{Written, compared, is_infinite};
 use crate::answer::numeric;
-use crate::response::{self, Manner};
 use crate::expr::{Expr, Kind, Workspace};
+use crate::response::{self, Manner};
 use crate::unit::{DecimalMark, Quantity, Unit};
 
 impl Ends<'_> {

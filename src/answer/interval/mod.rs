@@ -28,7 +28,6 @@ use self::set::{End, Piece, Set};
 use super::matrix::Written;
 use super::meaning::{Meaning, Prefer, lexicon};
 use super::trial::other_unit;
-use crate::response::Lexicon;
 use super::{
     Answer, AnswerError, AnswerKind, Context, Credit, Declare, Feedback, Key, KeyValue, Marker,
     Marking, Nature, Reading, Reason, Role, Tolerance, Trial,
@@ -36,6 +35,7 @@ use super::{
 use crate::expr::{Constant, Expr, Kind as Node, Name, Precise, Type};
 use crate::math::Math;
 use crate::quantity::{Absent, NodeId};
+use crate::response::Lexicon;
 use crate::source::{Table, Text, Value};
 use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
 

@@ -5,8 +5,8 @@ use super::bound::quantity;
 use super::set::{End, Piece, Set};
 use super::spelling::{normalized, spelt};
 use super::subject::Subject;
-use crate::response::cut;
 use crate::expr::Precise;
+use crate::response::cut;
 use crate::source::Span;
 use crate::unit::{DecimalMark, Unit};
 

@@ -7,12 +7,12 @@ use super::slip::Slip;
 use super::{Setup, Written};
 use crate::answer::equality::{Comparable, Comparison, Points};
 use crate::answer::trial::typed as typed_number;
-use crate::response::{self, Listed, Manner};
 use crate::answer::{
     Credit, Feedback, Key, KeyValue, Marker, Marking, Nature, Reading, Reason, Trial, symbolic,
 };
 use crate::expr::{Expr, Value};
 use crate::math::Math;
+use crate::response::{self, Listed, Manner};
 use crate::unit::{Decimal, Unit};
 
 /// A prepared key.
@@ -219,7 +219,8 @@ impl Marker for Prepared {
             .iter()
             .all(|text| !text.contains('[') && !text.contains("if "));
         // What the entries are written in may be more than an answer may use.
-        let reads = |text: &String| response::formula(text, &setup.lexicon, Manner::default()).is_ok();
+        let reads =
+            |text: &String| response::formula(text, &setup.lexicon, Manner::default()).is_ok();
         if self.formulas.is_some()
             && setup.written != Written::Number
             && is_typable

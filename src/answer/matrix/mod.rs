@@ -24,11 +24,11 @@ pub(super) use self::marker::counted;
 use self::marker::{Mistake, Prepared};
 use super::equality::{Comparable, Points};
 use super::meaning::{Meaning, Prefer, lexicon};
-use crate::response::Lexicon;
 use super::{Answer, AnswerError, AnswerKind, Context, Declare, Marker, Tolerance, symbolic};
 use crate::expr::{Expr, Field, Form, Name, Shape};
 use crate::math::Math;
 use crate::quantity::{Absent, NodeId};
+use crate::response::Lexicon;
 use crate::source::{Table, Value as Data};
 use crate::unit::Unit;
 

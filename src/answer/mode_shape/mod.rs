@@ -29,10 +29,10 @@ use self::modes::Asked;
 use self::span::{lies_in, vectors};
 use super::matrix::Written;
 use super::meaning::{Meaning, Prefer, lexicon};
-use crate::response::Lexicon;
 use super::{Answer, AnswerError, AnswerKind, Context, Declare, Marker, Tolerance};
 use crate::expr::{Field, Name, Shape};
 use crate::quantity::{Absent, NodeId};
+use crate::response::Lexicon;
 use crate::source::Table;
 use crate::unit::Unit;
 

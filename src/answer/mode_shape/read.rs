@@ -7,9 +7,9 @@ use super::marker::Prepared;
 use super::span::vectors;
 use crate::answer::Reading;
 use crate::answer::matrix::{Written, counted};
-use crate::response::{self, Listed};
 use crate::expr::{Expr, Workspace};
 use crate::math::Math;
+use crate::response::{self, Listed};
 use crate::unit::Unit;
 
 /// How a response was read, and its vectors in SI units.

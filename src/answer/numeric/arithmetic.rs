@@ -6,9 +6,9 @@
 
 use std::sync::LazyLock;
 
-use crate::response::{self, Lexicon, Manner, Trouble, Typed, TypedError};
 use super::doubt::{short, trailing_number};
 use crate::expr::{Constant, Expr, Kind, Operator, Precise, Program, Slots, Value, Workspace};
+use crate::response::{self, Lexicon, Manner, Trouble, Typed, TypedError};
 use crate::unit::{DecimalMark, Unit};
 
 /// Longest text that is read, in bytes.

@@ -1,6 +1,5 @@
 //! Complex numbers as people type them, and how they are marked: `3 - 4i ohm`, `-100j ohm`, `5 ohm at -53 deg`, `5∠-53°`.
 
-use crate::response::cut;
 use super::super::{
     Credit, Feedback, Key, KeyValue, Marker, Marking, Mistaken, Reading, Reason, Trial,
 };
@@ -9,6 +8,7 @@ use super::{doubt, read};
 use crate::expr::{Expr, Form, Kind};
 use crate::math::Math;
 use crate::numerics::{Complex, powi};
+use crate::response::cut;
 use crate::source::Span;
 use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
 

@@ -1,12 +1,12 @@
 //! Lists of numbers as people type them, and how they are marked: `5; 8.7 rad/s`, `0, ±180°`, `ω1 = 5, ω2 = 8.7`.
 
-use crate::response::{cut, first_bracket};
 use super::super::{Credit, Feedback, Marking, Reason};
 use super::marker::Numbers;
 use super::read::{Number, number};
 use super::sides::{self, Sides, index, names};
 use super::target::{Typed, pair};
 use crate::numerics::Rational;
+use crate::response::{cut, first_bracket};
 use crate::source::Span;
 use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
 

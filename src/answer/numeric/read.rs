@@ -1,11 +1,11 @@
 //! Numbers with units as people type them.
 
-use crate::response::first_bracket;
 use super::arithmetic::{Arithmetic, is_arithmetic};
 use super::doubt::{question, short};
 use super::sides::{self, Sides};
 use crate::expr::{Expr, PlainNotation};
 use crate::math::Math;
+use crate::response::first_bracket;
 use crate::unit::{Decimal, DecimalMark, ErrorKind, Quantity, Unit};
 
 /// A number with its unit as it was typed.

@@ -3,9 +3,9 @@
 
 use std::borrow::Cow;
 
-use crate::response::{cut, first_bracket};
 use super::doubt::short;
 use super::read::Number;
+use crate::response::{cut, first_bracket};
 use crate::source::Span;
 use crate::unit::{DecimalMark, Quantity, Unit};
 

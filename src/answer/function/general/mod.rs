@@ -12,7 +12,6 @@ use std::sync::Arc;
 use super::Kind;
 use crate::answer::equality::Draws;
 use crate::answer::meaning::{Meaning, ORDERS, Prefer, lexicon};
-use crate::response::{self, Lexicon, Manner, cut};
 use crate::answer::{
     Answer, AnswerKind, Context, Credit, Declare, Feedback, Key, Marker, Marking, Nature, Reading,
     Reason, Role, Trial,
@@ -20,6 +19,7 @@ use crate::answer::{
 use crate::expr::{Equation, Expr, Name, Precise, Program, Workspace};
 use crate::math::Math;
 use crate::quantity::{Absent, NodeId};
+use crate::response::{self, Lexicon, Manner, cut};
 use crate::source::{Span, Text};
 
 /// Letters that people give to constants, alone or with a number.
