@@ -1,69 +1,68 @@
-//! Class lists: CSV with a header, `id` and perhaps `name`, `group`, `seat`, `language`.
+//! Class lists: a table with a row of headings, `id` and perhaps `name`, `group`, `seat`, `language`.
 
-use std::collections::{BTreeMap, BTreeSet};
+mod headings;
+
+use std::collections::BTreeMap;
 use std::path::Path;
 
-use vibank::worksheet::Student;
+use vibank::worksheet::{Columns, Student};
 
-use super::{Failure, files};
+use self::headings::Places;
+use super::Failure;
+use super::table::{Fault, Row, Table};
 
 /// The students of a class list, in its order.
-pub(crate) fn read(path: &Path) -> Result<Vec<Student>, Failure> {
+pub(crate) fn read(path: &Path, columns: &Columns) -> Result<Vec<Student>, Failure> {
     const MOST_STUDENTS: usize = 100_000;
-    let text = files::read(path)?;
     let shown = path.display();
-    let mut reader = csv::ReaderBuilder::new()
-        .flexible(true)
-        .trim(csv::Trim::All)
-        .from_reader(text.as_bytes());
-    let broken = |error: csv::Error| Failure::new(format!("`{shown}` is no CSV: {error}"));
-    let headers: Vec<String> = reader
-        .headers()
-        .map_err(broken)?
-        .iter()
-        .map(str::to_lowercase)
-        .collect();
-    if !headers.iter().any(|name| name == "id") {
-        return Err(Failure::new(format!("`{shown}` has no column `id`"))
-            .help("the first line names the columns: id, name, group, seat, language"));
+    let fail = |what: String| Failure::new(format!("`{shown}`{what}"));
+    let table = Table::read(path)?;
+    let places = Places::of(&table.headings, columns).map_err(|error| {
+        let found = table.headings.join("`, `");
+        fail(format!(" {error}")).help(format!(
+            "its headings are `{found}`; say in the blueprint which is which: columns = {{ id = \"…\", name = [\"…\", \"…\"] }}"
+        ))
+    })?;
+    if let Some(doubt) = &table.doubt {
+        eprintln!("{doubt}");
     }
     let mut students = Vec::new();
-    let mut seen = BTreeSet::new();
-    for record in reader.records() {
-        let record = record.map_err(broken)?;
-        let line = record.position().map_or(0, csv::Position::line);
-        let columns: BTreeMap<String, String> = headers
-            .iter()
-            .cloned()
-            .zip(record.iter().map(str::to_owned))
-            .collect();
-        let column = |name: &str| columns.get(name).cloned().unwrap_or_default();
-        let id = column("id");
-        if id.is_empty() {
-            return Err(Failure::new(format!(
-                "`{shown}`, line {line}: a student without `id`"
+    let mut seen = BTreeMap::new();
+    let headings = table.headings.len();
+    let begins_row = |row: &Row<'_>| row.cells.len() == headings && headings > 1;
+    for row in table.rows(&begins_row) {
+        let row = row.map_err(|fault| refuse(&fail, &fault))?;
+        let line = row.line;
+        let student = places.student(&table.headings, &row);
+        if student.id.is_empty() {
+            let width = row.cells.join(" ");
+            return Err(fail(format!(", line {line}: a student without `id`"))
+                .help(format!("give `{}` one, or remove the line", width.trim())));
+        }
+        if let Some(first) = seen.insert(student.id.clone(), line) {
+            let id = &student.id;
+            return Err(fail(format!(
+                ", line {line}: there are two students `{id}`, the first in line {first}"
             )));
         }
-        if !seen.insert(id.clone()) {
-            return Err(Failure::new(format!(
-                "`{shown}`, line {line}: there are two students `{id}`"
-            )));
-        }
-        students.push(Student {
-            id,
-            name: column("name"),
-            group: column("group"),
-            seat: column("seat"),
-            columns,
-        });
+        students.push(student);
         if students.len() > MOST_STUDENTS {
-            return Err(Failure::new(format!(
-                "`{shown}` has more than {MOST_STUDENTS} students"
-            )));
+            return Err(fail(format!(" has more than {MOST_STUDENTS} students")));
         }
     }
     if students.is_empty() {
-        return Err(Failure::new(format!("`{shown}` names no student")));
+        return Err(fail(" names no student".to_owned()));
     }
     Ok(students)
+}
+
+/// A row that cannot be read would lose a student.
+fn refuse(fail: &dyn Fn(String) -> Failure, fault: &Fault) -> Failure {
+    let failure = fail(format!(", {fault}"));
+    match fault {
+        Fault::Open { .. } => {
+            failure.help("close it, or write `\"\"` for a quote inside of a cell")
+        }
+        Fault::Wide { .. } | Fault::Behind { .. } => failure,
+    }
 }

@@ -45,6 +45,7 @@ mod sheet;
 mod show;
 mod solve;
 mod survey;
+mod table;
 
 use std::io::Write as _;
 use std::process::ExitCode;

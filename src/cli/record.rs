@@ -12,6 +12,7 @@ use vibank::worksheet::{
 use super::Failure;
 use super::files::{self, Draft};
 use super::sheet::{Mark, PROGRAM, Shard, Stamp};
+use super::table::Dialect;
 
 /// The two files of a run that grow with each sheet.
 pub(crate) struct Record {
@@ -19,6 +20,7 @@ pub(crate) struct Record {
     manifest: Draft,
     /// Only the whole run has a form.
     responses: Option<Draft>,
+    dialect: Dialect,
     is_first: bool,
 }
 
@@ -104,17 +106,19 @@ impl Record {
         let draft = |name: &str| Draft::go_on(&out.join(name), mark.length(name));
         let mut manifest = draft(&name)?;
         let mut responses = shard.is_whole().then(|| draft(FORM)).transpose()?;
+        let dialect = Dialect::new(plan.blueprint.csv, plan.blueprint.decimal);
         let is_first = mark.done == 0;
         if is_first {
             manifest.write(head(plan, catalogue, shard, stamp).as_bytes())?;
             if let Some(form) = &mut responses {
-                form.write(&line(&COLUMNS)?)?;
+                form.write(&dialect.head(&COLUMNS)?)?;
             }
         }
         Ok(Self {
             name,
             manifest,
             responses,
+            dialect,
             is_first,
         })
     }
@@ -130,7 +134,7 @@ impl Record {
         self.manifest.write(before.as_bytes())?;
         self.manifest.write(text.as_bytes())?;
         match &mut self.responses {
-            Some(form) => rows(form, variant),
+            Some(form) => rows(form, self.dialect, variant),
             None => Ok(()),
         }
     }
@@ -167,7 +171,7 @@ impl Record {
 }
 
 /// The rows of a sheet in the form.
-fn rows(form: &mut Draft, variant: &VariantEntry) -> Result<(), Failure> {
+fn rows(form: &mut Draft, dialect: Dialect, variant: &VariantEntry) -> Result<(), Failure> {
     let student = variant
         .student
         .as_ref()
@@ -185,7 +189,7 @@ fn rows(form: &mut Draft, variant: &VariantEntry) -> Result<(), Failure> {
                 &part.unit,
                 "",
             ];
-            form.write(&line(&fields)?)?;
+            form.write(&dialect.line(&fields)?)?;
         }
     }
     Ok(())
@@ -212,6 +216,7 @@ fn head(plan: &Plan<'_>, catalogue: &Catalogue, shard: Shard, stamp: &Stamp) -> 
         data: blueprint.data,
         language: blueprint.language.clone(),
         decimal: blueprint.decimal,
+        csv: blueprint.csv,
         keyed: plan.secret.is_some(),
         shard: shard.to_string(),
         inputs: stamp.inputs.clone(),
@@ -223,27 +228,4 @@ fn head(plan: &Plan<'_>, catalogue: &Catalogue, shard: Shard, stamp: &Stamp) -> 
     head.strip_suffix("],\"files\":{}}")
         .expect("variants and files come last, and there are none")
         .to_owned()
-}
-
-/// One line of CSV.
-pub(crate) fn line(fields: &[&str]) -> Result<Vec<u8>, Failure> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let fail = |error: csv::Error| Failure::new(format!("cannot write CSV: {error}"));
-    writer
-        .write_record(fields.iter().map(|field| guarded(field)))
-        .map_err(fail)?;
-    writer
-        .into_inner()
-        .map_err(|error| Failure::new(format!("cannot write CSV: {error}")))
-}
-
-/// A cell that a spreadsheet would take for a formula gets an apostrophe in front, unless it is a number.
-fn guarded(field: &str) -> String {
-    let is_formula =
-        field.starts_with(['=', '+', '-', '@', '\t', '\r']) && field.parse::<f64>().is_err();
-    if is_formula {
-        format!("'{field}")
-    } else {
-        field.to_owned()
-    }
 }

@@ -1,8 +1,9 @@
 //! A blueprint: what a sheet is made of, as a teacher writes it.
 
+use super::manifest::Csv;
 use crate::diagnostic::{Code, Diagnose, Finding, Label};
-use crate::scene::Data;
-use crate::source::{Problems, Source, Span, Table, Text, toml};
+use crate::scene;
+use crate::source::{Data, Problems, Source, Span, Table, Text, toml};
 
 /// Where answers are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -14,6 +15,13 @@ pub enum AnswerSpace {
     Boxes,
     /// Nowhere: on paper of their own.
     None,
+}
+
+/// The headings of a class list for what is known of a student; several are joined.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Columns {
+    /// Headings by what they are: `id`, `name`, `group`, `seat`, `language`.
+    pub headings: Vec<(&'static str, Vec<Text>)>,
 }
 
 /// Which keys are made.
@@ -55,6 +63,10 @@ pub struct Blueprint {
     pub secret: Option<Text>,
     /// For whom.
     pub audience: Audience,
+    /// What the class list calls its columns, where that is stated.
+    pub columns: Columns,
+    /// How tables are written.
+    pub csv: Csv,
     /// Output formats, by name.
     pub formats: Vec<Text>,
     /// `a4` or `letter`.
@@ -64,7 +76,7 @@ pub struct Blueprint {
     /// Decimal sign.
     pub decimal: char,
     /// Data as numbers or symbols.
-    pub data: Data,
+    pub data: scene::Data,
     /// Whether figures are shown.
     pub figures: bool,
     /// Whether hints are printed.
@@ -158,6 +170,9 @@ pub enum BlueprintError {
         /// Where.
         span: Span,
     },
+    /// `columns` without a class list.
+    #[error("`columns` names headings of a class list, and there is none")]
+    Columns(Span),
     /// No `[[question]]`.
     #[error("the blueprint has no question")]
     NoQuestion,
@@ -170,10 +185,12 @@ impl Diagnose for BlueprintError {
 
     fn labels(&self) -> Vec<Label> {
         match self {
-            Self::Either(_, _, span) | Self::Word { span, .. } => vec![Label {
-                span: *span,
-                text: String::new(),
-            }],
+            Self::Either(_, _, span) | Self::Columns(span) | Self::Word { span, .. } => {
+                vec![Label {
+                    span: *span,
+                    text: String::new(),
+                }]
+            }
             Self::NoQuestion => Vec::new(),
         }
     }
@@ -182,6 +199,7 @@ impl Diagnose for BlueprintError {
         Some(match self {
             Self::Either(a, b, _) => format!("write one of `{a}` and `{b}`"),
             Self::Word { known, .. } => format!("it can be {}", known.join(", ")),
+            Self::Columns(_) => "name the list with `students`, or remove `columns`".to_owned(),
             Self::NoQuestion => "add a `[[question]]` with an `item`".to_owned(),
         })
     }
@@ -270,6 +288,11 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
     }
     let title = table.required_text("title").map(|text| text.value);
     let audience = audience(&table, &mut faults);
+    if let Some(value) = table.value("columns")
+        && !table.has("students")
+    {
+        faults.add(&BlueprintError::Columns(value.span));
+    }
     let secret = table.text("secret");
     let seed = table.integer("seed", "a whole number, 0 or larger", 0..=i64::MAX);
     if seed.is_none() && secret.is_none() && !table.has("seed") {
@@ -281,6 +304,16 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
         vec![word("html")]
     };
     let decimal = faults.word(&table, "decimal", &[".", ","], &['.', ',']);
+    // A class with a decimal comma opens its files with spreadsheets that part cells by semicolons.
+    let csv = match (table.has("csv"), decimal) {
+        (false, ',') => Csv::Excel,
+        _ => faults.word(
+            &table,
+            "csv",
+            &["plain", "excel"],
+            &[Csv::Plain, Csv::Excel],
+        ),
+    };
     let is_whole = title.is_some() && audience.is_some();
     let read = Blueprint {
         source: table.source().clone(),
@@ -292,6 +325,8 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
         seed: seed.unwrap_or(0).unsigned_abs(),
         secret,
         audience: audience.unwrap_or(Audience::Variants(0)),
+        columns: table.table("columns").map(columns).unwrap_or_default(),
+        csv,
         formats,
         paper: faults.word(
             &table,
@@ -307,7 +342,11 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
             &table,
             "data",
             &["both", "numbers", "symbols"],
-            &[Data::Both, Data::Numbers, Data::Symbols],
+            &[
+                scene::Data::Both,
+                scene::Data::Numbers,
+                scene::Data::Symbols,
+            ],
         ),
         figures: table.boolean("figures").unwrap_or(true),
         hints: table.boolean("hints").unwrap_or(false),
@@ -358,6 +397,21 @@ fn audience(table: &Table<'_>, faults: &mut Faults<'_>) -> Option<Audience> {
             None
         }
     }
+}
+
+fn columns(table: Table<'_>) -> Columns {
+    let heading = |key: &'static str| {
+        let value = table.value(key)?;
+        let headings = match &value.data {
+            Data::List(_) => table.texts(key),
+            _ => table.as_text(key, value).into_iter().collect(),
+        };
+        Some((key, headings))
+    };
+    let roles = ["id", "name", "group", "seat", "language"];
+    let headings = roles.into_iter().filter_map(heading).collect();
+    table.finish();
+    Columns { headings }
 }
 
 fn keys(table: &Table<'_>, faults: &mut Faults<'_>) -> Keys {
@@ -433,7 +487,7 @@ fn filter(table: Table<'_>) -> Filter {
     let levels = match table.value("level") {
         Some(
             value @ crate::source::Value {
-                data: crate::source::Data::List(_),
+                data: Data::List(_),
                 ..
             },
         ) => table
@@ -457,9 +511,7 @@ fn filter(table: Table<'_>) -> Filter {
 
 fn level(table: &Table<'_>, value: &crate::source::Value) -> Option<i64> {
     match &value.data {
-        crate::source::Data::Number { number } => {
-            number.parse().ok().filter(|level| (1..=3).contains(level))
-        }
+        Data::Number { number } => number.parse().ok().filter(|level| (1..=3).contains(level)),
         _ => None,
     }
     .or_else(|| table.wrong("level", "1, 2 or 3", value))

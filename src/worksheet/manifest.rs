@@ -10,6 +10,17 @@ use crate::scene::Data;
 /// The version of the manifest that this program writes and reads.
 pub const FORMAT: u32 = 1;
 
+/// How tables are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Csv {
+    /// With commas and decimal points, as programs read them.
+    #[default]
+    Plain,
+    /// With a mark of byte order, semicolons and the decimal sign of the class, as spreadsheets open them.
+    Excel,
+}
+
 /// What one run made. It contains what the answers follow from, so it is confidential.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Manifest {
@@ -29,6 +40,9 @@ pub struct Manifest {
     pub language: String,
     /// Decimal sign.
     pub decimal: char,
+    /// How its tables are written.
+    #[serde(default)]
+    pub csv: Csv,
     /// Whether the seeds are keyed with a secret.
     pub keyed: bool,
     /// Which part of the run this is, `1/1` for all of it.

@@ -22,11 +22,12 @@ mod variants;
 
 #[cfg(feature = "render")]
 pub use blueprint::{
-    AnswerSpace, Audience, Blueprint, BlueprintError, Choice, Filter, Keys, Paper, Question,
+    AnswerSpace, Audience, Blueprint, BlueprintError, Choice, Columns, Filter, Keys, Paper,
+    Question,
 };
 pub use fairness::{Fairness, ItemFairness, QuestionFairness, Range};
 pub use manifest::{
-    BankStamp, FORMAT, FileStamp, Manifest, PartEntry, QuestionEntry, VariantEntry,
+    BankStamp, Csv, FORMAT, FileStamp, Manifest, PartEntry, QuestionEntry, VariantEntry,
 };
 #[cfg(feature = "render")]
 pub use plan::{Plan, Planned};

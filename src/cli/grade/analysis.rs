@@ -11,7 +11,8 @@ use vibank::report::{Observation, PartSummary, Report};
 
 use super::Layout;
 use super::outcome::Outcome;
-use crate::cli::{Failure, files, record};
+use crate::cli::table::Dialect;
+use crate::cli::{Failure, files};
 
 /// What the report is made of.
 #[derive(Default)]
@@ -117,6 +118,7 @@ impl Analysis {
         out: &Path,
         catalogue: &Catalogue,
         layout: &Layout,
+        dialect: Dialect,
         faults: &[String],
     ) -> Result<(), Failure> {
         let summary = self.report.summary(Some(catalogue));
@@ -128,9 +130,9 @@ impl Analysis {
         });
         let text = serde_json::to_string_pretty(&json).expect("a report is plain data");
         files::write(&out.join("report.json"), format!("{text}\n").as_bytes())?;
-        let mut table = record::line(&COLUMNS)?;
+        let mut table = dialect.head(&COLUMNS)?;
         for part in &summary.parts {
-            table.extend(record::line(&row(part).each_ref().map(String::as_str))?);
+            table.extend(dialect.line(&row(part, dialect).each_ref().map(String::as_str))?);
         }
         files::write(&out.join("report.csv"), &table)?;
         let analysed = Analysed {
@@ -154,8 +156,10 @@ impl Analysis {
     }
 }
 
-fn row(part: &PartSummary) -> [String; 16] {
-    let share = |share: Option<f64>| share.map_or_else(String::new, |share| format!("{share:.3}"));
+fn row(part: &PartSummary, dialect: Dialect) -> [String; 16] {
+    let share = |share: Option<f64>| {
+        share.map_or_else(String::new, |share| dialect.number(&format!("{share:.3}")))
+    };
     let mistake = part.mistakes.first();
     [
         part.places.join(" "),

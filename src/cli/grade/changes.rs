@@ -9,7 +9,8 @@ use serde::Deserialize;
 use vibank::grade;
 
 use super::outcome::{Outcome, PartOutcome};
-use crate::cli::{Failure, files, record};
+use crate::cli::table::Dialect;
+use crate::cli::{Failure, files};
 
 /// The marks of an earlier run, and those that have changed since.
 pub(super) struct Changes {
@@ -82,10 +83,14 @@ impl Changes {
     }
 
     /// Writes the changed marks; says how many they are.
-    pub(super) fn finish(self, path: &Path) -> Result<usize, Failure> {
-        let mut table = record::line(&COLUMNS)?;
+    pub(super) fn finish(self, path: &Path, dialect: Dialect) -> Result<usize, Failure> {
+        let mut table = dialect.head(&COLUMNS)?;
         for row in &self.changed {
-            table.extend(record::line(&row.each_ref().map(String::as_str))?);
+            let mut row = row.clone();
+            [5, 7]
+                .into_iter()
+                .for_each(|at| row[at] = dialect.number(&row[at]));
+            table.extend(dialect.line(&row.each_ref().map(String::as_str))?);
         }
         files::write(path, &table)?;
         Ok(self.changed.len())

@@ -31,6 +31,7 @@ use self::overrides::Overrides;
 use self::tables::Tables;
 use super::bank::BankArgument;
 use super::press::Press;
+use super::table::Dialect;
 use super::{Failure, files, progress, responses};
 
 /// Mark the responses to the sheets of a run: marks, reasons, a feedback page for each sheet, item analysis.
@@ -96,11 +97,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
         .clone()
         .unwrap_or_else(|| out.join("results.json"));
     let sheets = Sheets::open(&arguments.manifest)?;
+    let dialect = Dialect::new(sheets.head.csv, sheets.head.decimal);
     let mut job = Job {
         journal: Journal::open(&out, &input(arguments, &catalogue.digest())?)?,
         pages: layout(&sheets, "html")?,
         feedback: layout(&sheets, &arguments.feedback)?,
-        tables: Tables::begin(&out, census.columns)?,
+        tables: Tables::begin(&out, census.columns, dialect)?,
+        dialect,
         changes: Changes::since(&earlier)?,
         analysis: Analysis::default(),
         arguments,
@@ -175,6 +178,7 @@ struct Job<'a> {
     pages: Layout,
     feedback: Layout,
     tables: Tables,
+    dialect: Dialect,
     changes: Option<Changes>,
     analysis: Analysis,
 }
@@ -255,10 +259,10 @@ impl Job<'_> {
     fn finish(self, faults: &[String], changed: &[String]) -> Result<super::Outcome, Failure> {
         let has_earlier = self.changes.is_some();
         let changes = self.changes.map_or(Ok(0), |changes| {
-            changes.finish(&self.out.join("changes.csv"))
+            changes.finish(&self.out.join("changes.csv"), self.dialect)
         })?;
         self.analysis
-            .write(self.out, self.catalogue, &self.pages, faults)?;
+            .write(self.out, self.catalogue, &self.pages, self.dialect, faults)?;
         self.tables.finish()?;
         self.journal.finish();
         told(&self.analysis, faults);

@@ -12,8 +12,8 @@ use vibank::numerics::Rational;
 use vibank::seed::Variant;
 
 use super::outcome::fraction;
-use crate::cli::responses::{self, Lines};
-use crate::cli::{Failure, files};
+use crate::cli::table::{Row, Table};
+use crate::cli::{Failure, responses};
 
 /// What a teacher decided about a part.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -39,19 +39,11 @@ const ALL: &str = "*";
 impl Overrides {
     /// Reads a file; what is wrong with single lines is told, and the rest counts.
     pub(super) fn read(path: &Path) -> Result<(Self, Vec<String>), Failure> {
-        let text = files::read(path)?;
-        let broken =
-            |error: csv::Error| Failure::new(format!("`{}` is no CSV: {error}", path.display()));
-        let mut reader = csv::ReaderBuilder::new()
-            .flexible(true)
-            .trim(csv::Trim::All)
-            .delimiter(responses::delimiter(text.as_bytes()))
-            .from_reader(text.as_bytes());
-        let names: Vec<String> = reader
-            .headers()
-            .map_err(broken)?
+        let table = Table::read(path)?;
+        let names: Vec<String> = table
+            .headings
             .iter()
-            .map(str::to_lowercase)
+            .map(|name| name.to_lowercase())
             .collect();
         let column = |name: &str| names.iter().position(|found| found == name);
         let [Some(code), Some(question), Some(part)] = ["code", "question", "part"].map(column)
@@ -64,12 +56,18 @@ impl Overrides {
         };
         let [response, points, feedback] = ["response", "points", "feedback"].map(column);
         let (mut overrides, mut faults) = (Self::default(), Vec::new());
-        let mut lines = Lines::of(text.as_bytes());
-        for record in reader.records() {
-            let record = record.map_err(broken)?;
-            let byte = record.position().map_or(0, csv::Position::byte);
-            let (_, line) = lines.of_row(byte as usize);
-            let field = |at: usize| record.get(at).unwrap_or_default();
+        let begins_row =
+            |row: &Row<'_>| responses::begins_sheet(row, code) || row.cell(code) == ALL;
+        for row in table.rows(&begins_row) {
+            let row = match row {
+                Ok(row) => row,
+                Err(fault) => {
+                    faults.push(format!("overrides, {fault}; this line was left out"));
+                    continue;
+                }
+            };
+            let line = row.line;
+            let field = |at: usize| row.cell(at);
             let filled = |at: Option<usize>| at.map(field).filter(|text| !text.is_empty());
             let decided = [response, points, feedback].map(filled);
             if decided.iter().all(Option::is_none) {

@@ -5,10 +5,12 @@ use std::path::Path;
 use serde_json::json;
 use vibank::answer::Verdict;
 use vibank::grade;
+use vibank::numerics::Rational;
 
 use super::outcome::{Outcome, PartOutcome};
+use crate::cli::Failure;
 use crate::cli::files::Draft;
-use crate::cli::{Failure, record};
+use crate::cli::table::Dialect;
 
 /// A column of the marks: number of the question, letter of the part.
 pub(super) type Column = (usize, String);
@@ -20,6 +22,7 @@ pub(super) struct Tables {
     results: Draft,
     unreadable: Draft,
     columns: Vec<Column>,
+    dialect: Dialect,
     is_first: bool,
 }
 
@@ -35,10 +38,14 @@ const UNREADABLE: [&str; 9] = [
 ];
 
 impl Tables {
-    pub(super) fn begin(out: &Path, columns: Vec<Column>) -> Result<Self, Failure> {
+    pub(super) fn begin(
+        out: &Path,
+        columns: Vec<Column>,
+        dialect: Dialect,
+    ) -> Result<Self, Failure> {
         let draft = |name: &str, head: &[&str]| {
             let mut draft = Draft::begin(&out.join(name))?;
-            draft.write(&record::line(head)?)?;
+            draft.write(&dialect.head(head)?)?;
             Ok::<_, Failure>(draft)
         };
         let names: Vec<String> = columns
@@ -58,6 +65,7 @@ impl Tables {
             unreadable: draft("unreadable.csv", &UNREADABLE)?,
             results,
             columns,
+            dialect,
             is_first: true,
         })
     }
@@ -78,9 +86,9 @@ impl Tables {
         let cell = |(question, letter): &Column| {
             let mut parts = sheet.parts.iter();
             let found = parts.find(|part| part.question == *question && part.letter == *letter);
-            found.map_or_else(String::new, |part| grade::rounded(part.points.0))
+            found.map_or_else(String::new, |part| self.points(part.points.0))
         };
-        let (points, max) = (grade::rounded(sheet.points()), grade::rounded(sheet.max()));
+        let (points, max) = (self.points(sheet.points()), self.points(sheet.max()));
         let cells: Vec<String> = self.columns.iter().map(cell).collect();
         let mut row = vec![
             sheet.code.as_str(),
@@ -91,12 +99,16 @@ impl Tables {
             &max,
         ];
         row.extend(cells.iter().map(String::as_str));
-        self.marks.write(&record::line(&row)?)
+        self.marks.write(&self.dialect.line(&row)?)
+    }
+
+    fn points(&self, points: Rational) -> String {
+        self.dialect.number(&grade::rounded(points))
     }
 
     fn detail(&mut self, sheet: &Outcome, part: &PartOutcome) -> Result<(), Failure> {
-        let (points, max) = (grade::rounded(part.points.0), grade::rounded(part.max.0));
-        self.details.write(&record::line(&[
+        let (points, max) = (self.points(part.points.0), self.points(part.max.0));
+        self.details.write(&self.dialect.line(&[
             &sheet.code,
             sheet.column("id"),
             &part.question.to_string(),
@@ -106,7 +118,7 @@ impl Tables {
             &part.response,
             &part.reading,
             part.verdict.name(),
-            &part.credit.0.to_f64().to_string(),
+            &self.dialect.number(&part.credit.0.to_f64().to_string()),
             &points,
             &max,
             &part.reasons.join(" "),
@@ -141,7 +153,7 @@ impl Tables {
     }
 
     fn could_not_be_read(&mut self, sheet: &Outcome, part: &PartOutcome) -> Result<(), Failure> {
-        self.unreadable.write(&record::line(&[
+        self.unreadable.write(&self.dialect.line(&[
             &sheet.code,
             sheet.column("id"),
             &part.question.to_string(),

@@ -240,7 +240,7 @@ fn out(arguments: &Arguments) -> PathBuf {
 fn students(blueprint: &Blueprint, folder: &Path) -> Result<Vec<Student>, Failure> {
     match &blueprint.audience {
         Audience::Variants(_) => Ok(Vec::new()),
-        Audience::Students(list) => class_list::read(&folder.join(&list.value)),
+        Audience::Students(list) => class_list::read(&folder.join(&list.value), &blueprint.columns),
     }
 }
 

@@ -7,6 +7,7 @@ mod practice;
 mod reports;
 mod requests;
 mod sheets;
+mod tables;
 mod trace;
 
 use std::fs;

@@ -2,15 +2,13 @@
 //!
 //! A row that cannot be read is told with its line; the others count.
 
-mod table;
-
-pub(crate) use table::{Lines, delimiter};
-
 use std::path::Path;
 
 use serde_json::{Map, Value as Json};
 use vibank::grade::{Responses, Row};
+use vibank::seed::Variant;
 
+use super::table::{self, Table};
 use super::{Failure, files};
 
 /// The columns of a file with one row a part.
@@ -25,16 +23,15 @@ struct Reading {
 
 /// The responses of a file, and what is wrong with single rows.
 pub(crate) fn read(path: &Path) -> Result<(Responses, Vec<String>), Failure> {
-    let bytes = files::read_bytes(path)?;
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
     let mut reading = Reading::default();
     let is_json = path
         .extension()
         .is_some_and(|end| end.eq_ignore_ascii_case("json"));
     if is_json {
-        reading.json(path, bytes)?;
+        let text = files::read(path)?;
+        reading.json(path, text.as_bytes())?;
     } else {
-        reading.csv(path, bytes)?;
+        reading.table(path, &Table::read(path)?)?;
     }
     let errors = reading.responses.settle();
     reading
@@ -47,6 +44,29 @@ impl Reading {
     fn add(&mut self, row: &Row<'_>) {
         let error = self.responses.add(row);
         self.faults.extend(error.map(|error| error.to_string()));
+    }
+
+    fn table(&mut self, path: &Path, table: &Table) -> Result<(), Failure> {
+        let names: Vec<String> = table
+            .headings
+            .iter()
+            .map(|name| name.to_lowercase())
+            .collect();
+        let layout = Layout::of(&names).ok_or_else(|| {
+            Failure::new(format!("`{}` has no columns of responses", path.display()))
+                .help("the header needs `code`, `question`, `part`, `response`, or `code` and one column a part (`1a`, `1b`)")
+        })?;
+        if let Some(doubt) = &table.doubt {
+            eprintln!("{doubt}");
+        }
+        let begins_row = |row: &table::Row<'_>| begins_sheet(row, layout.code());
+        for row in table.rows(&begins_row) {
+            match row {
+                Ok(row) => layout.rows(&row, &mut |row| self.add(row)),
+                Err(fault) => self.faults.push(format!("{fault}; this line was left out")),
+            }
+        }
+        Ok(())
     }
 
     fn json(&mut self, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
@@ -141,29 +161,33 @@ impl Layout {
         }
     }
 
-    fn rows(&self, line: usize, fields: &[&str], take: &mut dyn FnMut(&Row<'_>)) {
-        let field = |at: usize| fields.get(at).copied().unwrap_or_default();
+    fn rows(&self, row: &table::Row<'_>, take: &mut dyn FnMut(&Row<'_>)) {
         match self {
             Self::Parts([code, question, part, response]) => take(&Row {
-                line,
-                code: field(*code),
-                question: field(*question),
-                part: field(*part),
-                response: field(*response),
+                line: row.line,
+                code: row.cell(*code),
+                question: row.cell(*question),
+                part: row.cell(*part),
+                response: row.cell(*response),
             }),
             Self::Sheets(code, parts) => {
                 for (at, question, part) in parts {
                     take(&Row {
-                        line,
-                        code: field(*code),
+                        line: row.line,
+                        code: row.cell(*code),
                         question,
                         part,
-                        response: field(*at),
+                        response: row.cell(*at),
                     });
                 }
             }
         }
     }
+}
+
+/// Whether cells look like a row of their own: several, with the code of a sheet where codes stand.
+pub(crate) fn begins_sheet(row: &table::Row<'_>, code: usize) -> bool {
+    row.cells.len() > 1 && row.cell(code).parse::<Variant>().is_ok()
 }
 
 /// A column such as `2b`: question and part.

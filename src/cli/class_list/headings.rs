@@ -1,0 +1,357 @@
+//! Which column of a class list is which: by the blueprint, else by the words that schools use.
+
+use std::collections::BTreeMap;
+
+use vibank::worksheet::{Columns, Student};
+
+use crate::cli::table::Row;
+
+/// What is known of a student.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Role {
+    Id,
+    Given,
+    Family,
+    Name,
+    Group,
+    Seat,
+    Language,
+}
+
+/// Words for headings, without accents and signs; of several columns for one thing the one of the earliest word counts.
+const WORDS: [(Role, &[&str]); 7] = [
+    (
+        Role::Id,
+        &[
+            "id",
+            "student id",
+            "studentid",
+            "student number",
+            "student no",
+            "student nr",
+            "id number",
+            "sis user id",
+            "registration number",
+            "matriculation number",
+            "matriculation no",
+            "matric number",
+            "enrolment number",
+            "enrollment number",
+            "numero etudiant",
+            "numero d etudiant",
+            "n etudiant",
+            "no etudiant",
+            "num etudiant",
+            "code etudiant",
+            "id etudiant",
+            "identifiant",
+            "matricule",
+            "matrikelnummer",
+            "matrikelnr",
+            "matrikel nr",
+            "matr nr",
+            "matrikel",
+            "matricola",
+            "numero di matricola",
+            "numero de matricula",
+            "matricula",
+            "numero de estudiante",
+            "numero de aluno",
+            "studentnummer",
+            "login",
+            "username",
+            "user name",
+        ],
+    ),
+    (
+        Role::Given,
+        &[
+            "first name",
+            "firstname",
+            "given name",
+            "given names",
+            "forename",
+            "prenom",
+            "prenoms",
+            "vorname",
+            "vornamen",
+            "nombres",
+            "voornaam",
+            "voornamen",
+            "fornamn",
+            "fornavn",
+            "imie",
+        ],
+    ),
+    (
+        Role::Family,
+        &[
+            "last name",
+            "lastname",
+            "surname",
+            "family name",
+            "nom de famille",
+            "nachname",
+            "familienname",
+            "cognome",
+            "apellido",
+            "apellidos",
+            "apelido",
+            "apelidos",
+            "achternaam",
+            "efternamn",
+            "etternavn",
+            "nazwisko",
+        ],
+    ),
+    (
+        Role::Name,
+        &[
+            "name",
+            "full name",
+            "fullname",
+            "student name",
+            "display name",
+            "student",
+            "nom complet",
+            "nom et prenom",
+            "nom prenom",
+            "nom prenoms",
+            "nom et prenoms",
+            "prenom nom",
+            "prenom et nom",
+            "nombre completo",
+            "nombre y apellidos",
+            "apellidos y nombre",
+            "nome completo",
+            "nom",
+            "nome",
+            "nombre",
+            "naam",
+            "navn",
+            "namn",
+        ],
+    ),
+    (
+        Role::Group,
+        &[
+            "group",
+            "groupe",
+            "gruppe",
+            "grupo",
+            "gruppo",
+            "groep",
+            "section",
+            "class",
+            "classe",
+            "klasse",
+            "groupe de td",
+            "groupe td",
+            "td",
+            "tutorial group",
+            "tutorial",
+            "ubungsgruppe",
+            "cohort",
+        ],
+    ),
+    (
+        Role::Seat,
+        &[
+            "seat",
+            "seat number",
+            "place",
+            "siege",
+            "numero de place",
+            "sitz",
+            "sitzplatz",
+            "platz",
+            "platznummer",
+            "asiento",
+            "posto",
+            "plaats",
+        ],
+    ),
+    (
+        Role::Language,
+        &["language", "langue", "sprache", "idioma", "lingua", "taal"],
+    ),
+];
+
+/// The columns of a class list.
+#[derive(Debug, PartialEq)]
+pub(super) struct Places {
+    /// What they give, in the order in which they are joined.
+    given: Vec<(&'static str, Vec<usize>)>,
+}
+
+/// Why the columns are not known.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub(super) enum HeadingError {
+    #[error("has no column `id`")]
+    NoId,
+    #[error("has no column `{0}`, which the blueprint names")]
+    Missing(String),
+    #[error("has two columns `{0}`")]
+    Twice(String),
+}
+
+impl Places {
+    pub(super) fn of(headings: &[String], columns: &Columns) -> Result<Self, HeadingError> {
+        let folded: Vec<String> = headings.iter().map(|heading| fold(heading)).collect();
+        let place = |heading: &str| {
+            let mut found = (0..folded.len()).filter(|at| folded[*at] == fold(heading));
+            match (found.next(), found.next()) {
+                (_, Some(at)) => Err(HeadingError::Twice(headings[at].clone())),
+                (found, None) => Ok(found),
+            }
+        };
+        let stated = |heading: &str| {
+            let missing = || HeadingError::Missing(heading.to_owned());
+            place(heading)?.ok_or_else(missing)
+        };
+        let known = |role: Role| -> Result<Option<usize>, HeadingError> {
+            let words = WORDS.iter().find(|(own, _)| *own == role);
+            for word in words.map_or(&[] as &[&str], |(_, words)| words) {
+                if let Some(at) = place(word)? {
+                    return Ok(Some(at));
+                }
+            }
+            Ok(None)
+        };
+        let mut given = Vec::new();
+        for (what, role) in [
+            ("id", Role::Id),
+            ("name", Role::Name),
+            ("group", Role::Group),
+            ("seat", Role::Seat),
+            ("language", Role::Language),
+        ] {
+            let own = columns.headings.iter().find(|(own, _)| *own == what);
+            let places = match (own, role) {
+                (Some((_, headings)), _) => {
+                    let places = headings.iter().map(|heading| stated(&heading.value));
+                    places.collect::<Result<Vec<_>, _>>()?
+                }
+                (None, Role::Name) => {
+                    let whole = known(Role::Name)?;
+                    let (first, last) = (known(Role::Given)?, known(Role::Family)?);
+                    // `Nom` is the family name beside `Prénom`, and `Nome` the given name beside `Cognome`.
+                    match (first, last) {
+                        (None, None) => whole.into_iter().collect(),
+                        (first, last) => {
+                            first.or(whole).into_iter().chain(last.or(whole)).collect()
+                        }
+                    }
+                }
+                (None, role) => known(role)?.into_iter().collect(),
+            };
+            given.push((what, places));
+        }
+        // One column does not make up a name twice.
+        given.iter_mut().for_each(|(_, places)| places.dedup());
+        if given[0].1.is_empty() {
+            return Err(HeadingError::NoId);
+        }
+        Ok(Self { given })
+    }
+
+    /// The student of a row; columns that mean nothing here are kept under their headings.
+    pub(super) fn student(&self, headings: &[String], row: &Row<'_>) -> Student {
+        let is_used = |at: usize| self.given.iter().any(|(_, places)| places.contains(&at));
+        let mut columns: BTreeMap<String, String> = headings
+            .iter()
+            .enumerate()
+            .filter(|(at, heading)| !is_used(*at) && !heading.is_empty())
+            .map(|(at, heading)| (heading.to_lowercase(), row.cell(at).to_owned()))
+            .collect();
+        for (what, places) in &self.given {
+            let words = places.iter().map(|at| row.cell(*at));
+            let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+            if !places.is_empty() {
+                columns.insert((*what).to_owned(), words.join(" "));
+            }
+        }
+        let column = |name: &str| columns.get(name).cloned().unwrap_or_default();
+        Student {
+            id: column("id"),
+            name: column("name"),
+            group: column("group"),
+            seat: column("seat"),
+            columns,
+        }
+    }
+}
+
+/// A heading in small letters without accents, signs between words as one blank.
+fn fold(heading: &str) -> String {
+    let mut folded = String::with_capacity(heading.len());
+    for char in heading.chars().flat_map(char::to_lowercase) {
+        match char {
+            'à' | 'á' | 'â' | 'ã' | 'ä' | 'å' => folded.push('a'),
+            'ç' => folded.push('c'),
+            'è' | 'é' | 'ê' | 'ë' | 'ę' => folded.push('e'),
+            'ì' | 'í' | 'î' | 'ï' => folded.push('i'),
+            'ñ' => folded.push('n'),
+            'ò' | 'ó' | 'ô' | 'õ' | 'ö' | 'ø' => folded.push('o'),
+            'ù' | 'ú' | 'û' | 'ü' => folded.push('u'),
+            // Accents on their own.
+            '\u{300}'..='\u{36f}' => {}
+            _ if char.is_alphanumeric() => folded.push(char),
+            _ if folded.ends_with(' ') || folded.is_empty() => {}
+            _ => folded.push(' '),
+        }
+    }
+    folded.trim_end().to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What the cells `0`, `1`, … of a row give under these headings.
+    fn columns(headings: &str) -> Result<String, HeadingError> {
+        let headings: Vec<String> = headings.split(';').map(str::to_owned).collect();
+        let places = Places::of(&headings, &Columns::default())?;
+        let cells = (0..headings.len()).map(|at| at.to_string().into());
+        let row = Row {
+            line: 2,
+            cells: cells.collect(),
+        };
+        let student = places.student(&headings, &row);
+        let Student {
+            id,
+            name,
+            group,
+            seat,
+            ..
+        } = student;
+        Ok([id, name, group, seat].join(";"))
+    }
+
+    #[test]
+    fn headings_of_schools_are_known() {
+        for (headings, given) in [
+            ("id;name;group;seat", "0;1;2;3"),
+            ("Name;ID", "1;0;;"),
+            ("Last name;First name;Student ID;Section", "2;1 0;3;"),
+            ("Nom;Prénom;N° étudiant;Groupe de TD", "2;1 0;3;"),
+            ("Nom ;Pre\u{301}nom;Numéro d'étudiant", "2;1 0;;"),
+            ("Nachname;Vorname;Matrikelnummer;Sitzplatz", "2;1 0;;3"),
+            ("Name;Vorname;Matr.-Nr.", "2;1 0;;"),
+            ("Cognome;Nome;Matricola", "2;1 0;;"),
+            ("Apellidos;Nombre;Matrícula;Grupo", "2;1 0;3;"),
+            ("Student;ID;SIS User ID;Section", "1;0;3;"),
+            ("Username;First name;Last name;ID number", "3;1 2;;"),
+            ("STUDENT_ID;FULL_NAME", "0;1;;"),
+        ] {
+            assert_eq!(columns(headings).as_deref(), Ok(given), "{headings}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_known_is_said() {
+        assert_eq!(columns("Nr;Wer"), Err(HeadingError::NoId));
+        let twice = Err(HeadingError::Twice("ID".to_owned()));
+        assert_eq!(columns("id;name;ID"), twice);
+    }
+}

@@ -1,0 +1,71 @@
+//! How tables are written: plain CSV, or as the spreadsheets of a class want it.
+
+use vibank::worksheet::Csv;
+
+use crate::cli::Failure;
+
+/// A way of writing CSV.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Dialect {
+    csv: Csv,
+    decimal: char,
+}
+
+impl Dialect {
+    /// Tables of a run with this decimal sign.
+    pub(crate) fn new(csv: Csv, decimal: char) -> Self {
+        Self { csv, decimal }
+    }
+
+    /// What stands before the first line: a spreadsheet takes a file without a mark of byte order for one in the
+    /// encoding of its system.
+    pub(crate) fn mark(self) -> &'static str {
+        match self.csv {
+            Csv::Plain => "",
+            Csv::Excel => "\u{feff}",
+        }
+    }
+
+    /// A number with the decimal sign that the readers of the file use.
+    pub(crate) fn number(self, number: &str) -> String {
+        match self.csv {
+            Csv::Excel if self.decimal == ',' => number.replace('.', ","),
+            _ => number.to_owned(),
+        }
+    }
+
+    /// One line of CSV.
+    pub(crate) fn line(self, fields: &[&str]) -> Result<Vec<u8>, Failure> {
+        let delimiter = match self.csv {
+            Csv::Plain => b',',
+            Csv::Excel => b';',
+        };
+        let mut writer = csv::WriterBuilder::new()
+            .delimiter(delimiter)
+            .from_writer(Vec::new());
+        let fail = |error: csv::Error| Failure::new(format!("cannot write CSV: {error}"));
+        writer
+            .write_record(fields.iter().map(|field| guarded(field)))
+            .map_err(fail)?;
+        writer
+            .into_inner()
+            .map_err(|error| Failure::new(format!("cannot write CSV: {error}")))
+    }
+
+    /// The first line, behind the mark of byte order.
+    pub(crate) fn head(self, names: &[&str]) -> Result<Vec<u8>, Failure> {
+        let mut head = self.mark().as_bytes().to_vec();
+        head.extend(self.line(names)?);
+        Ok(head)
+    }
+}
+
+/// A cell that a spreadsheet would take for a formula gets an apostrophe in front, unless it is a number.
+fn guarded(field: &str) -> String {
+    let is_number = || field.replacen(',', ".", 1).parse::<f64>().is_ok();
+    if field.starts_with(['=', '+', '-', '@', '\t', '\r']) && !is_number() {
+        format!("'{field}")
+    } else {
+        field.to_owned()
+    }
+}

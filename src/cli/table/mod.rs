@@ -1,0 +1,160 @@
+//! Tables that people and spreadsheets write: CSV in all its dialects, and workbooks.
+
+mod cells;
+mod decode;
+mod dialect;
+
+pub(crate) use self::cells::{Fault, Row};
+pub(crate) use self::dialect::Dialect;
+
+use std::path::Path;
+
+use self::cells::Cursor;
+use super::{Failure, files};
+
+/// A table with a row of headings.
+#[derive(Debug)]
+pub(crate) struct Table {
+    /// Headings, as they are written.
+    pub(crate) headings: Vec<String>,
+    /// What the reader should look at, if the encoding had to be guessed.
+    pub(crate) doubt: Option<String>,
+    body: Body,
+}
+
+#[derive(Debug)]
+enum Body {
+    Text { text: String, delimiter: u8 },
+}
+
+impl Table {
+    /// Reads a file: CSV with commas, semicolons or tabs, in UTF-8, UTF-16 or Windows-1252.
+    pub(crate) fn read(path: &Path) -> Result<Self, Failure> {
+        let shown = path.display();
+        let bytes = files::read_bytes(path)?;
+        if let Some(what) = foreign(&bytes) {
+            return Err(
+                Failure::new(format!("`{shown}` is {what}, no table of text"))
+                    .help("save it as CSV (UTF-8)"),
+            );
+        }
+        let decoded = decode::decode(bytes).map_err(|error| {
+            Failure::new(format!("`{shown}`, line {}: {}", error.line, error.found))
+                .help("save the file as CSV in UTF-8")
+        })?;
+        let doubt = decoded.is_guessed.then(|| {
+            let sample = sample(&decoded.text);
+            format!("`{shown}` is not UTF-8 and was read as Windows-1252; is `{sample}` right?")
+        });
+        let (text, delimiter) = match named_delimiter(&decoded.text) {
+            // The line stays, empty, so that lines are counted as an editor does.
+            Some((end, delimiter)) => (decoded.text[end..].to_owned(), delimiter),
+            None => {
+                let delimiter = delimiter(&decoded.text);
+                (decoded.text, delimiter)
+            }
+        };
+        let body = Body::Text { text, delimiter };
+        let mut table = Self {
+            headings: Vec::new(),
+            doubt,
+            body,
+        };
+        let header = match table.all(&|_| false).next() {
+            None => return Err(Failure::new(format!("`{shown}` is empty"))),
+            Some(Err(fault)) => return Err(Failure::new(format!("`{shown}`, {fault}"))),
+            Some(Ok(row)) => row
+                .cells
+                .into_iter()
+                .map(|cell| cell.into_owned())
+                .collect(),
+        };
+        table.headings = header;
+        Ok(table)
+    }
+
+    /// The rows below the headings; blank ones are passed over. A cell without a heading is a fault.
+    ///
+    /// `begins_row` says whether cells look like those of a row of their own: a quoted cell with such a line in it was
+    /// not closed.
+    pub(crate) fn rows<'t>(
+        &'t self,
+        begins_row: &'t dyn Fn(&Row<'_>) -> bool,
+    ) -> impl Iterator<Item = Result<Row<'t>, Fault>> {
+        let Body::Text { delimiter, .. } = &self.body;
+        let delimiter = char::from(*delimiter);
+        let is_headed = |(at, cell): (usize, &std::borrow::Cow<'_, str>)| {
+            let heading = self.headings.get(at);
+            cell.is_empty() || heading.is_some_and(|heading| !heading.is_empty())
+        };
+        self.all(begins_row).skip(1).map(move |row| {
+            let row = row?;
+            if row.cells.iter().enumerate().all(is_headed) {
+                Ok(row)
+            } else {
+                let line = row.line;
+                Err(Fault::Wide { line, delimiter })
+            }
+        })
+    }
+
+    /// All rows that are not blank.
+    fn all<'t>(
+        &'t self,
+        begins_row: &'t dyn Fn(&Row<'_>) -> bool,
+    ) -> impl Iterator<Item = Result<Row<'t>, Fault>> {
+        let Body::Text { text, delimiter } = &self.body;
+        let mut cursor = Cursor::new(text, *delimiter);
+        let next = move || cursor.row(begins_row);
+        std::iter::from_fn(next).filter(|row| !matches!(row, Ok(row) if row.width() == 0))
+    }
+}
+
+/// Files that teachers take for tables.
+fn foreign(bytes: &[u8]) -> Option<&'static str> {
+    let kinds: [(&[u8], &str); 3] = [
+        (b"PK\x03\x04", "a workbook or an archive"),
+        (b"\xd0\xcf\x11\xe0", "an old workbook or document"),
+        (b"%PDF-", "a PDF"),
+    ];
+    let mut kinds = kinds.into_iter();
+    kinds
+        .find(|(mark, _)| bytes.starts_with(mark))
+        .map(|(_, what)| what)
+}
+
+/// The first word with a letter by which one sees whether the encoding was guessed right.
+fn sample(text: &str) -> String {
+    let mut words = text.split(|char: char| !char.is_alphanumeric());
+    let word = words.find(|word| !word.is_ascii()).or_else(|| {
+        let mut lines = text.lines();
+        lines.find(|line| !line.is_ascii())
+    });
+    word.unwrap_or_default().chars().take(30).collect()
+}
+
+/// The delimiter that a first line `sep=;` names for a spreadsheet, and where that line ends.
+fn named_delimiter(text: &str) -> Option<(usize, u8)> {
+    let end = text.find(['\n', '\r'])?;
+    match text[..end].as_bytes().split_at_checked(4)? {
+        (word, [delimiter]) if word.eq_ignore_ascii_case(b"sep=") => Some((end, *delimiter)),
+        _ => None,
+    }
+}
+
+/// The delimiter of the first line with words: spreadsheets write semicolons where the comma is the decimal sign.
+fn delimiter(text: &str) -> u8 {
+    let is_blank = |line: &&str| line.trim_matches([',', ';', '\t', ' ']).is_empty();
+    let mut lines = text.split(['\n', '\r']).skip_while(is_blank);
+    let header = lines.next().unwrap_or_default();
+    // Quotation marks do not nest: every other piece lies outside of them.
+    let outside = || header.split('"').step_by(2);
+    let count = |sign: u8| {
+        let bytes = outside().flat_map(str::bytes);
+        bytes.filter(|byte| *byte == sign).count()
+    };
+    [b'\t', b';', b',']
+        .into_iter()
+        .max_by_key(|sign| count(*sign))
+        .unwrap_or(b',')
+}
