@@ -14,7 +14,7 @@ mod responses;
 pub use among::mark_among;
 pub use feedback::{Feedback, PartFeedback, QuestionFeedback, Remark, remarks};
 pub use pattern::pattern;
-pub use points::{of_marking, rounded, shares};
+pub use points::{of_marking, rounded};
 pub use responses::{Place, Responses, Row, RowError};
 
 use crate::answer::Marking;

@@ -15,24 +15,6 @@ pub fn of_marking(marking: &Marking, of: Rational) -> Rational {
     }
 }
 
-/// Points of a whole, shared out by weights; `None` where the weights have no sum.
-///
-/// ```
-/// use vibank::grade::shares;
-/// use vibank::numerics::Rational;
-///
-/// let one = Rational::ONE;
-/// let thirds = shares(Rational::new(5, 1).unwrap(), &[one, one, one]).unwrap();
-/// assert_eq!(thirds[0], Rational::new(5, 3).unwrap());
-/// ```
-pub fn shares(whole: Rational, weights: &[Rational]) -> Option<Vec<Rational>> {
-    let sum = weights
-        .iter()
-        .try_fold(Rational::ZERO, |sum, weight| sum.checked_add(*weight))?;
-    let share = |weight: &Rational| whole.checked_mul(*weight)?.checked_div(sum);
-    weights.iter().map(share).collect()
-}
-
 /// Points as a decimal of at most two places, halves rounded up.
 ///
 /// ```

@@ -161,7 +161,11 @@ impl<'s> Table<'s> {
 
     /// A number.
     pub fn number(&self, key: &'static str) -> Option<f64> {
-        let value = self.value(key)?;
+        self.as_number(key, self.value(key)?)
+    }
+
+    /// A value of this table as a number.
+    pub fn as_number(&self, key: &str, value: &Value) -> Option<f64> {
         let number = match &value.data {
             Data::Number { number } => number
                 .parse()

@@ -117,6 +117,8 @@ pub struct Question {
     pub parts: Vec<Text>,
     /// Points of the whole question; else the sum over its parts.
     pub points: Option<f64>,
+    /// Points of single parts, by name.
+    pub part_points: Vec<(Text, f64)>,
     /// Data that are fixed, as name and quantity.
     pub set: Vec<(Text, Text)>,
 }
@@ -459,6 +461,7 @@ fn question(table: Table<'_>, faults: &mut Faults<'_>) -> Option<Question> {
     let set = table.table("set").map(settings).unwrap_or_default();
     let parts = table.texts("parts");
     let points = table.number("points");
+    let part_points = table.table("part_points").map(numbers).unwrap_or_default();
     let span = table.span();
     table.finish();
     Some(Question {
@@ -466,8 +469,22 @@ fn question(table: Table<'_>, faults: &mut Faults<'_>) -> Option<Question> {
         choice: choice?,
         parts,
         points,
+        part_points,
         set,
     })
+}
+
+fn numbers(table: Table<'_>) -> Vec<(Text, f64)> {
+    let entries = table.entries().iter();
+    entries
+        .filter_map(|entry| {
+            let name = Text {
+                value: entry.key.clone(),
+                span: entry.span,
+            };
+            Some((name, table.as_number(&entry.key, &entry.value)?))
+        })
+        .collect()
 }
 
 fn settings(table: Table<'_>) -> Vec<(Text, Text)> {

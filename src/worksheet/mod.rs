@@ -11,6 +11,8 @@ mod fairness;
 mod manifest;
 #[cfg(feature = "render")]
 mod plan;
+#[cfg(feature = "render")]
+mod points;
 mod practice;
 #[cfg(feature = "render")]
 mod seat;

@@ -1,6 +1,7 @@
 //! A plan: a blueprint whose items were found in the bank.
 
 use super::blueprint::{Blueprint, Choice, Filter, Question};
+use super::points;
 use crate::bank::{Catalogue, Chapter, Template};
 use crate::diagnostic::{Code, Diagnose, Finding, Label};
 use crate::numerics::Rational;
@@ -29,6 +30,8 @@ pub struct Planned<'c> {
     pub parts: Vec<String>,
     /// Points of the whole question.
     pub points: Option<Rational>,
+    /// Points of single parts.
+    pub part_points: Vec<(String, Rational)>,
     /// Data that are fixed.
     pub set: Vec<(String, String)>,
 }
@@ -70,6 +73,12 @@ enum PlanError {
     },
     #[error("points are a positive number")]
     Points { span: Span },
+    #[error("the points of parts belong to one `item`")]
+    PartPoints { span: Span },
+    #[error("part `{found}` is not asked")]
+    NotAsked { found: String, span: Span },
+    #[error("{stated}")]
+    Sum { stated: String, span: Span },
     #[error("the chapters of these items have no formulas")]
     NoFormulas { span: Span },
 }
@@ -133,6 +142,12 @@ impl Planned<'_> {
     }
 }
 
+/// Points that can be given.
+fn positive(points: f64) -> Option<Rational> {
+    let points = Rational::from_decimal(&points.to_string());
+    points.filter(|points| *points > Rational::ZERO)
+}
+
 struct Planner<'c> {
     blueprint: &'c Blueprint,
     catalogue: &'c Catalogue,
@@ -142,18 +157,19 @@ struct Planner<'c> {
 
 impl<'c> Planner<'c> {
     fn question(&mut self, place: usize, question: &'c Question) {
-        let points = question
-            .points
-            .map(|points| Rational::from_decimal(&points.to_string()));
-        let points = match points {
-            Some(Some(points)) if points > Rational::ZERO => Some(points),
-            Some(_) => {
-                return self.find(&PlanError::Points {
-                    span: question.span,
-                });
+        let points = question.points.map(positive);
+        if points == Some(None) {
+            let span = question.span;
+            return self.find(&PlanError::Points { span });
+        }
+        let points = points.flatten();
+        let mut part_points = Vec::new();
+        for (part, points) in &question.part_points {
+            match positive(*points) {
+                Some(points) => part_points.push((part.value.clone(), points)),
+                None => self.find(&PlanError::Points { span: part.span }),
             }
-            None => None,
-        };
+        }
         let planned = |candidates| Planned {
             candidates,
             parts: question
@@ -162,6 +178,7 @@ impl<'c> Planner<'c> {
                 .map(|part| part.value.clone())
                 .collect(),
             points,
+            part_points: part_points.clone(),
             set: question
                 .set
                 .iter()
@@ -172,6 +189,7 @@ impl<'c> Planner<'c> {
             Choice::Item(text) => match self.catalogue.find(&text.value) {
                 Some(item) => {
                     self.fits(item, question);
+                    self.adds_up(item, question, points, &part_points);
                     self.questions.push(planned(vec![item]));
                 }
                 None => self.unknown_item(text),
@@ -181,6 +199,10 @@ impl<'c> Planner<'c> {
                 count,
                 same,
             } => {
+                if !part_points.is_empty() {
+                    let span = question.span;
+                    return self.find(&PlanError::PartPoints { span });
+                }
                 let found = self.pass(filter);
                 if found.len() < *count {
                     let (found, wanted, span) = (found.len(), *count, question.span);
@@ -263,7 +285,8 @@ impl<'c> Planner<'c> {
 
     /// Parts and data of a question have to be those of its item.
     fn fits(&mut self, item: &Template, question: &Question) {
-        for part in &question.parts {
+        let named = question.part_points.iter().map(|(part, _)| part);
+        for part in question.parts.iter().chain(named) {
             if item.part(&part.value).is_none() {
                 let near = nearest(&part.value, item.parts.iter().map(|part| part.id.as_str()))
                     .map(str::to_owned);
@@ -306,6 +329,46 @@ impl<'c> Planner<'c> {
         }
     }
 
+    /// Points of parts are those of parts that are asked, and leave what others need.
+    fn adds_up(
+        &mut self,
+        item: &Template,
+        question: &Question,
+        whole: Option<Rational>,
+        part_points: &[(String, Rational)],
+    ) {
+        let is_asked = |id: &str| {
+            question.parts.is_empty() || question.parts.iter().any(|part| part.value == id)
+        };
+        for (part, _) in &question.part_points {
+            if item.part(&part.value).is_some() && !is_asked(&part.value) {
+                let (found, span) = (part.value.clone(), part.span);
+                self.find(&PlanError::NotAsked { found, span });
+            }
+        }
+        let given: Vec<Rational> = part_points.iter().map(|(_, points)| *points).collect();
+        let (Some(whole), Some(sum), false) = (whole, points::sum(&given), part_points.is_empty())
+        else {
+            return;
+        };
+        let mut asked = item.parts.iter().filter(|part| is_asked(&part.id));
+        let is_whole = asked.all(|part| part_points.iter().any(|(id, _)| *id == part.id));
+        let is_sound = if is_whole { sum == whole } else { sum < whole };
+        if !is_sound {
+            let (parts, whole) = (sum.to_f64(), whole.to_f64());
+            let rest = if is_whole {
+                ""
+            } else {
+                " and leave nothing to the others"
+            };
+            let stated = format!(
+                "the question has {whole} points, the points of its parts sum up to {parts}{rest}"
+            );
+            let span = question.span;
+            self.find(&PlanError::Sum { stated, span });
+        }
+    }
+
     fn unknown_item(&mut self, text: &Text) {
         let near = self.catalogue.nearest(&text.value).map(str::to_owned);
         self.find(&PlanError::Item {
@@ -333,6 +396,9 @@ impl Diagnose for PlanError {
         | Self::Value { span, .. }
         | Self::TooFew { span, .. }
         | Self::Points { span }
+        | Self::PartPoints { span }
+        | Self::NotAsked { span, .. }
+        | Self::Sum { span, .. }
         | Self::NoFormulas { span }) = self;
         vec![Label {
             span: *span,
@@ -352,6 +418,13 @@ impl Diagnose for PlanError {
             Self::TooFew { .. } => Some("widen the filter, or lower `count`".to_owned()),
             Self::NoFormulas { .. } => {
                 Some("write them under `formulas` in `_chapter.toml`".to_owned())
+            }
+            Self::PartPoints { .. } => {
+                Some("give `points` of the question, which are shared out by weights".to_owned())
+            }
+            Self::NotAsked { .. } => Some("add it to `parts`, or remove its points".to_owned()),
+            Self::Sum { .. } => {
+                Some("leave `points` of the question out, or let the sums agree".to_owned())
             }
             Self::Value { .. } | Self::Points { .. } => None,
         }

@@ -11,6 +11,7 @@ use sha2::{Digest, Sha256};
 
 use super::fairness::{Fairness, ItemFairness, QuestionFairness, Range};
 use super::plan::{Plan, Planned};
+use super::points;
 use super::seat::Seat;
 use super::sheet::{Sheet, SheetQuestion, Student};
 use super::usual::{Unusual, Usual, size};
@@ -483,19 +484,31 @@ fn question<'c>(
 ) -> SheetQuestion<'c> {
     let all = &solution.template().parts;
     let parts = asked(planned, &solution);
-    let weight = |place: &usize| all[*place].points;
-    let total = parts
-        .iter()
-        .map(weight)
-        .try_fold(Rational::ZERO, Rational::checked_add)
-        .unwrap_or(Rational::ONE);
-    let share = |place: &usize| {
-        let points = planned
-            .points
-            .and_then(|points| points.checked_mul(weight(place))?.checked_div(total));
-        points.unwrap_or(weight(place))
+    let named = |place: &usize| {
+        let mut named = planned.part_points.iter();
+        let found = named.find(|(part, _)| *part == all[*place].id);
+        found.map(|(_, points)| *points)
     };
-    let points = parts.iter().map(share).collect();
+    let weight = |place: &usize| all[*place].points;
+    let others: Vec<Rational> = parts
+        .iter()
+        .filter(|place| named(place).is_none())
+        .map(weight)
+        .collect();
+    let fixed: Vec<Rational> = parts.iter().filter_map(named).collect();
+    let rest = planned
+        .points
+        .and_then(|whole| whole.checked_sub(points::sum(&fixed)?));
+    let mut shares = match rest {
+        Some(rest) => points::share_out(rest, &others),
+        None => others,
+    }
+    .into_iter();
+    let points = parts
+        .iter()
+        .map(|place| named(place).or_else(|| shares.next()))
+        .map(|points| points.unwrap_or(Rational::ZERO))
+        .collect();
     SheetQuestion {
         number,
         place,

@@ -116,9 +116,8 @@ impl Marker<'_> {
             .iter()
             .map(place)
             .collect::<Result<Vec<_>, _>>()?;
-        let points = points(question, template, &places);
-        let parts = question.parts.iter().zip(places).zip(points);
-        let answered = parts.map(|((entry, place), max)| {
+        let parts = question.parts.iter().zip(places);
+        let answered = parts.map(|(entry, place)| {
             let at = Place {
                 code: code.to_owned(),
                 question: question.number,
@@ -127,7 +126,7 @@ impl Marker<'_> {
             Answered {
                 entry,
                 place,
-                max,
+                max: exact(entry.points),
                 given: self.responses.get(&at).unwrap_or_default(),
                 decision: self.overrides.find(&at),
             }
@@ -136,20 +135,9 @@ impl Marker<'_> {
     }
 }
 
-/// The points of the parts: the exact shares of the question's points where the manifest agrees to rounding.
-fn points(question: &QuestionEntry, template: &Template, places: &[usize]) -> Vec<Rational> {
-    let exact = |points: f64| Rational::from_decimal(&points.to_string()).unwrap_or(Rational::ZERO);
-    let weights: Vec<Rational> = places
-        .iter()
-        .map(|place| template.parts[*place].points)
-        .collect();
-    let shares = grade::shares(exact(question.points), &weights).unwrap_or_default();
-    let stated = question.parts.iter().map(|part| part.points);
-    let share = |(at, stated): (usize, f64)| match shares.get(at) {
-        Some(share) if (share.to_f64() - stated).abs() < 1e-9 => *share,
-        _ => exact(stated),
-    };
-    stated.enumerate().map(share).collect()
+/// Points as the manifest states them: decimals, as they were handed out.
+fn exact(points: f64) -> Rational {
+    Rational::from_decimal(&points.to_string()).unwrap_or(Rational::ZERO)
 }
 
 fn marked(

@@ -647,3 +647,61 @@ fn a_formula_sheet_has_the_formulas_of_the_chapters() {
         .complains("bare.toml:4:17")
         .complains("`formulas` in `_chapter.toml`");
 }
+
+#[test]
+fn points_of_parts_sum_up_to_those_of_their_question() {
+    let folder = folder("points");
+    let sheet = |keys: &str| {
+        let text = format!(
+            "title = \"T\"\nseed = 3\nvariants = 1\nformats = [\"json\"]\n[[question]]\nitem = \"free/spring-mass\"\n{keys}\n"
+        );
+        let plan = put(&folder, "plan.toml", text);
+        let out = folder.join("out");
+        let _ = fs::remove_dir_all(&out);
+        (
+            small(&["sheet", &plan, "--out", &text_of(&out)]),
+            out.join("manifest.json"),
+        )
+    };
+    let points = |keys: &str| {
+        let (ran, manifest) = sheet(keys);
+        ran.ends(0);
+        let manifest: serde_json::Value =
+            serde_json::from_str(&content(manifest)).expect("it is JSON");
+        let question = &manifest["variants"][0]["questions"][0];
+        let parts = question["parts"].as_array().expect("it has parts");
+        let parts: Vec<f64> = parts
+            .iter()
+            .filter_map(|part| part["points"].as_f64())
+            .collect();
+        (question["points"].as_f64(), parts)
+    };
+    let (whole, parts) = points("points = 1");
+    assert_eq!((whole, parts.iter().sum::<f64>()), (Some(1.0), 1.0));
+    let is_step = |points: &f64| (points * 4.0).fract() == 0.0 && *points > 0.0;
+    assert!(parts.iter().all(is_step), "{parts:?}");
+    // The points of a part win, and the others share the rest.
+    let (whole, parts) = points("points = 7\npart_points = { f_n = 1.3 }");
+    assert_eq!((whole, parts[1]), (Some(7.0), 1.3), "{parts:?}");
+    let (whole, parts) = points("part_points = { f_n = 1.3 }");
+    assert_eq!((whole, parts[1]), (parts.iter().sum::<f64>().into(), 1.3));
+    for (keys, words) in [
+        ("part_points = { f_m = 1 }", "did you mean `f_n`?"),
+        ("part_points = { f_n = 0 }", "a positive number"),
+        (
+            "parts = [\"omega_n\"]\npart_points = { f_n = 1 }",
+            "is not asked",
+        ),
+        (
+            "points = 2\npart_points = { f_n = 2 }",
+            "leave nothing to the others",
+        ),
+        (
+            "parts = [\"f_n\"]\npoints = 2\npart_points = { f_n = 1 }",
+            "sum up to 1",
+        ),
+        ("part_points = { f_n = \"2\" }", "expected a number"),
+    ] {
+        sheet(keys).0.ends(2).complains(words);
+    }
+}
