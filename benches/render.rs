@@ -81,24 +81,3 @@ fn solution_as_html(bencher: Bencher, item: &str) {
 fn question_as_markdown(bencher: Bencher, item: &str) {
     page(bencher, item, Kind::Sheet, "md");
 }
-
-/// A midterm of an item from each chapter, printed.
-#[cfg(feature = "pdf")]
-#[divan::bench(args = [Kind::Sheet, Kind::Key, Kind::Solutions])]
-fn midterm_as_pdf(bencher: Bencher, kind: Kind) {
-    let (catalogue, _) = Catalogue::load(embedded());
-    let text = include_str!("../examples/midterm.toml");
-    let blueprint = Blueprint::read(&Source::new("bench.toml", text)).expect("it is sound");
-    let plan = Plan::of(&blueprint, &catalogue, None).expect("the items are there");
-    let writer = output::writer("pdf").expect("the format is there");
-    let pages =
-        Pages::new(writer, Run::of(&blueprint, writer), &[]).expect("the layouts are sound");
-    let mut index = 0;
-    bencher.bench_local(|| {
-        index += 1;
-        let sheet = Sheet::draw(&plan, plan.variant(black_box(index), 0), None).ok()?;
-        let (begin, end) = (pages.begin(Pages::subtitle(kind)).ok()?, pages.end().ok()?);
-        let page = pages.page(kind, &sheet).ok()?;
-        writer.bind(format!("{begin}{}{end}", page.text)).ok()
-    });
-}

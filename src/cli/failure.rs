@@ -10,6 +10,8 @@ pub(crate) enum Outcome {
     Done,
     /// Findings, or wrong answers.
     Findings,
+    /// All but what a press would have printed.
+    Unprinted,
 }
 
 /// A command that could not run: what is wrong and how to mend it.
@@ -49,6 +51,7 @@ impl From<Outcome> for ExitCode {
         Self::from(match outcome {
             Outcome::Done => 0,
             Outcome::Findings => 1,
+            Outcome::Unprinted => 3,
         })
     }
 }

@@ -1,7 +1,7 @@
 //! The command line: one file per command, and what they share.
 //!
 //! Results go to standard output, progress and reports to standard error.
-//! Exit codes: 0 done, 1 findings or wrong answers, 2 misuse.
+//! Exit codes: 0 done, 1 findings or wrong answers, 2 misuse, 3 done but for what a press would have printed.
 
 /// Prints a line to standard output; a reader that has left, as `head` does, is no failure.
 macro_rules! println {
@@ -84,7 +84,6 @@ enum Command {
     Page(page::Arguments),
     Schema(schema::Arguments),
     Completions(completions::Arguments),
-    Print(press::Arguments),
 }
 
 /// How results are printed.
@@ -121,7 +120,6 @@ pub(crate) fn run() -> ExitCode {
         Command::New(arguments) => new::run(&arguments),
         Command::Page(arguments) => page::run(&arguments),
         Command::Schema(arguments) => schema::run(&arguments),
-        Command::Print(arguments) => press::run(&arguments),
     };
     match outcome {
         Ok(outcome) => outcome.into(),

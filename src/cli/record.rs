@@ -11,7 +11,7 @@ use vibank::worksheet::{
 
 use super::Failure;
 use super::files::{self, Draft};
-use super::sheet::{Mark, PROGRAM, Shard, Stamp};
+use super::sheet::{FormatChoice, Mark, PROGRAM, Shard, Stamp};
 use super::table::Dialect;
 
 /// The two files of a run that grow with each sheet.
@@ -99,6 +99,7 @@ impl Record {
         shard: Shard,
         stamp: &Stamp,
         plan: &Plan<'_>,
+        choice: &FormatChoice,
         catalogue: &Catalogue,
         mark: &Mark,
     ) -> Result<Self, Failure> {
@@ -109,7 +110,7 @@ impl Record {
         let dialect = Dialect::new(plan.blueprint.csv, plan.blueprint.decimal);
         let is_first = mark.done == 0;
         if is_first {
-            manifest.write(head(plan, catalogue, shard, stamp).as_bytes())?;
+            manifest.write(head(plan, choice, catalogue, shard, stamp).as_bytes())?;
             if let Some(form) = &mut responses {
                 form.write(&dialect.head(&COLUMNS)?)?;
             }
@@ -196,7 +197,13 @@ fn rows(form: &mut Draft, dialect: Dialect, variant: &VariantEntry) -> Result<()
 }
 
 /// What stands before the variants.
-fn head(plan: &Plan<'_>, catalogue: &Catalogue, shard: Shard, stamp: &Stamp) -> String {
+fn head(
+    plan: &Plan<'_>,
+    choice: &FormatChoice,
+    catalogue: &Catalogue,
+    shard: Shard,
+    stamp: &Stamp,
+) -> String {
     let blueprint = plan.blueprint;
     let name = Path::new(&*blueprint.source.path)
         .file_name()
@@ -221,6 +228,8 @@ fn head(plan: &Plan<'_>, catalogue: &Catalogue, shard: Shard, stamp: &Stamp) -> 
         shard: shard.to_string(),
         inputs: stamp.inputs.clone(),
         look: stamp.look.clone(),
+        formats: choice.made.clone(),
+        press: choice.press.as_ref().map(|press| press.digest().to_owned()),
         variants: Vec::new(),
         files: BTreeMap::new(),
     };

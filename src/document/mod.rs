@@ -19,12 +19,12 @@ mod read;
 mod typst;
 
 pub use fill::{Fill, Filling, Fills};
-#[cfg(feature = "pdf")]
+#[cfg(feature = "render")]
 pub(crate) use latex::{picture_name, write_words as latex_words};
 pub use placeholder::{Form, Placeholder};
 #[cfg(feature = "render")]
 pub use read::{Reading, TextError, read_math};
-#[cfg(feature = "pdf")]
+#[cfg(feature = "render")]
 pub(crate) use typst::write_picture;
 
 use serde::{Deserialize, Serialize};

@@ -1,9 +1,8 @@
 //! `tex`: LaTeX for those who edit further; compiles with a plain TeX Live.
 //!
-//! Figures are PDF files beside the pages, in the folder `figures`.
+//! Figures are PDF files beside the pages, in the folder `figures`, printed by `vibank-press`.
 
-use super::typst::picture;
-use super::{OutputError, Writer};
+use super::Writer;
 use crate::document::{Document, Filling, latex_words, picture_name};
 use crate::math::Math;
 use crate::scene::Shown;
@@ -61,7 +60,7 @@ impl Writer for Latex {
         (!svg.is_empty()).then(|| format!("figures/{}.pdf", picture_name(svg)))
     }
 
-    fn picture(&self, svg: &str) -> Result<Vec<u8>, OutputError> {
-        picture(svg)
+    fn needs_press(&self) -> bool {
+        true
     }
 }

@@ -29,12 +29,6 @@ pub enum OutputError {
         /// What is wrong and where.
         message: String,
     },
-    /// A page that cannot be printed.
-    #[error("the page cannot be printed: {message}")]
-    Print {
-        /// What is wrong and where.
-        message: String,
-    },
 }
 
 /// The layouts of one format.

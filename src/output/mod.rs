@@ -9,15 +9,13 @@ mod feedback;
 mod html;
 mod json;
 mod key_table;
-#[cfg(feature = "pdf")]
 mod latex;
 mod layouts;
 mod markdown;
 mod page;
 mod pages;
+mod pdf;
 mod report;
-#[cfg(feature = "pdf")]
-mod typst;
 mod view;
 
 pub use key_table::{KeyRow, KeyTable};
@@ -83,40 +81,19 @@ pub trait Writer: Sync {
         None
     }
 
-    /// Whether a finished text is not yet the file, so that each sheet is a file of its own.
+    /// Whether a finished text is not yet the file: a press makes it, and each sheet is a file of its own.
     fn is_bound(&self) -> bool {
         false
     }
 
-    /// The file of a finished text.
-    ///
-    /// # Errors
-    ///
-    /// [`OutputError::Print`].
-    fn bind(&self, text: String) -> Result<Vec<u8>, OutputError> {
-        Ok(text.into_bytes())
-    }
-
-    /// The file of a figure that the notation cannot hold.
-    ///
-    /// # Errors
-    ///
-    /// [`OutputError::Print`].
-    fn picture(&self, svg: &str) -> Result<Vec<u8>, OutputError> {
-        Ok(svg.as_bytes().to_vec())
+    /// Whether the format comes from a press, in whole or for its figures.
+    fn needs_press(&self) -> bool {
+        self.is_bound()
     }
 }
 
 /// The formats that layouts fill.
-pub static WRITERS: &[&dyn Writer] = &[
-    &html::Html,
-    &markdown::Markdown,
-    #[cfg(feature = "pdf")]
-    &typst::Pdf,
-    // Its figures are printed by Typst.
-    #[cfg(feature = "pdf")]
-    &latex::Latex,
-];
+pub static WRITERS: &[&dyn Writer] = &[&html::Html, &markdown::Markdown, &pdf::Pdf, &latex::Latex];
 
 /// The format of this name, or `json`.
 pub fn writer(name: &str) -> Option<&'static dyn Writer> {

@@ -67,8 +67,10 @@ pub struct Blueprint {
     pub columns: Columns,
     /// How tables are written.
     pub csv: Csv,
-    /// Output formats, by name.
+    /// Output formats, by name; HTML where none is named.
     pub formats: Vec<Text>,
+    /// Whether formats are named. If not, PDF is made too where there is a press.
+    pub names_formats: bool,
     /// `a4` or `letter`.
     pub paper: Paper,
     /// Language of the texts.
@@ -300,7 +302,8 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
     if seed.is_none() && secret.is_none() && !table.has("seed") {
         table.required("seed");
     }
-    let formats = if table.has("formats") {
+    let names_formats = table.has("formats");
+    let formats = if names_formats {
         table.texts("formats")
     } else {
         vec![word("html")]
@@ -330,6 +333,7 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
         columns: table.table("columns").map(columns).unwrap_or_default(),
         csv,
         formats,
+        names_formats,
         paper: faults.word(
             &table,
             "paper",

@@ -53,6 +53,12 @@ pub struct Manifest {
     /// Digest of what pages depend on beside the entries of their sheets.
     #[serde(default)]
     pub look: String,
+    /// The formats that were made.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub formats: Vec<String>,
+    /// Digest of what shapes the bytes of PDF files: the press that printed them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub press: Option<String>,
     /// The sheets, in order.
     pub variants: Vec<VariantEntry>,
     /// The files of the run that are no single sheet's, each with its digest; but for the form, which is filled in.
@@ -87,7 +93,7 @@ pub struct VariantEntry {
     pub seed: u64,
     /// The row of the class list, if there is one.
     pub student: Option<BTreeMap<String, String>>,
-    /// The files made for it, each with its digest.
+    /// The files made for it, each with its digest; one that could not be printed has none.
     pub files: BTreeMap<String, String>,
     /// Its questions.
     pub questions: Vec<QuestionEntry>,

@@ -29,8 +29,6 @@ mod page;
 mod physics;
 #[cfg(feature = "render")]
 mod plots;
-#[cfg(feature = "pdf")]
-mod print;
 #[cfg(feature = "render")]
 mod text;
 #[cfg(feature = "render")]

@@ -11,6 +11,7 @@ mod overrides;
 mod tables;
 
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use rayon::prelude::*;
 use vibank::answer::Verdict;
@@ -30,7 +31,7 @@ use self::outcome::Outcome;
 use self::overrides::Overrides;
 use self::tables::Tables;
 use super::bank::BankArgument;
-use super::press::Press;
+use super::press::{Missing, Press, Printed};
 use super::table::Dialect;
 use super::{Failure, files, progress, responses};
 
@@ -106,6 +107,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
         dialect,
         changes: Changes::since(&earlier)?,
         analysis: Analysis::default(),
+        unprinted: Mutex::default(),
         arguments,
         catalogue: &catalogue,
         out: &out,
@@ -138,7 +140,9 @@ fn input(arguments: &Arguments, bank: &str) -> Result<String, Failure> {
 /// What fills the pages, with what stands before and after each.
 struct Layout {
     pages: Pages,
-    press: Press,
+    press: Option<Press>,
+    /// Why nothing can be printed, where the format needs it.
+    missing: Option<Missing>,
     begin: String,
     end: String,
 }
@@ -149,20 +153,30 @@ fn layout(sheets: &Sheets, format: &str) -> Result<Layout, Failure> {
     let head = &sheets.head;
     let run = Run::plain(&head.title, &head.language, head.decimal);
     let pages = Pages::new(writer, run, &[]).map_err(fail)?;
+    let (press, missing) = match writer.is_bound().then(Press::find) {
+        Some(Ok(press)) => (Some(press), None),
+        Some(Err(missing)) => (None, Some(missing)),
+        None => (None, None),
+    };
     Ok(Layout {
         begin: pages.begin("feedback").map_err(fail)?,
         end: pages.end().map_err(fail)?,
-        press: Press::of(writer),
+        press,
+        missing,
         pages,
     })
 }
 
 impl Layout {
-    /// The file with the feedback on a sheet.
-    fn file(&self, feedback: &Feedback) -> Result<Vec<u8>, Failure> {
+    /// The file with the feedback on a sheet, or why it could not be printed.
+    fn file(&self, feedback: &Feedback) -> Result<Printed, Failure> {
         let page = self.pages.feedback(feedback);
         let page = page.map_err(|error| Failure::new(error.to_string()))?;
-        self.press.bind(format!("{}{page}{}", self.begin, self.end))
+        let text = format!("{}{page}{}", self.begin, self.end);
+        Ok(match &self.press {
+            Some(press) => press.page(text),
+            None => Ok(text.into_bytes()),
+        })
     }
 }
 
@@ -181,6 +195,8 @@ struct Job<'a> {
     dialect: Dialect,
     changes: Option<Changes>,
     analysis: Analysis,
+    /// Feedback pages that could not be printed, and why.
+    unprinted: Mutex<Vec<String>>,
 }
 
 impl Job<'_> {
@@ -226,16 +242,32 @@ impl Job<'_> {
         };
         let marked = variants.par_iter().map(|variant| {
             let (outcome, feedback) = marker.sheet(variant)?;
-            if !self.arguments.no_feedback {
+            if self.makes_feedback() {
                 let layout = &self.feedback;
-                let file = layout.file(&feedback)?;
                 let extension = layout.pages.writer().extension();
                 let name = format!("{}.{extension}", variant.code);
-                files::write(&self.out.join("feedback").join(name), &file)?;
+                match layout.file(&feedback)? {
+                    Ok(file) => files::write(&self.out.join("feedback").join(name), &file)?,
+                    Err(why) => {
+                        let line = format!("`feedback/{name}` could not be printed: {why}");
+                        self.unprinted().push(line);
+                    }
+                }
             }
             Ok(outcome)
         });
         marked.collect()
+    }
+
+    /// Whether feedback pages are wanted and can be made.
+    fn makes_feedback(&self) -> bool {
+        !self.arguments.no_feedback && self.feedback.missing.is_none()
+    }
+
+    fn unprinted(&self) -> MutexGuard<'_, Vec<String>> {
+        self.unprinted
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
     }
 
     fn count(&mut self, outcome: &Outcome) -> Result<(), Failure> {
@@ -258,6 +290,8 @@ impl Job<'_> {
 
     fn finish(self, faults: &[String], changed: &[String]) -> Result<super::Outcome, Failure> {
         let has_earlier = self.changes.is_some();
+        let makes_feedback = self.makes_feedback();
+        let unprinted = std::mem::take(&mut *self.unprinted());
         let changes = self.changes.map_or(Ok(0), |changes| {
             changes.finish(&self.out.join("changes.csv"), self.dialect)
         })?;
@@ -303,13 +337,22 @@ impl Job<'_> {
         if changes > 0 {
             file("changes.csv", "marks that differ from the earlier run");
         }
-        if !self.arguments.no_feedback {
+        if makes_feedback {
             file("feedback", "a page for each sheet");
         }
-        Ok(if faults.is_empty() {
+        for line in &unprinted {
+            eprintln!("error: {line}");
+        }
+        if let Some(missing) = &self.feedback.missing {
+            let failure = missing.failure("feedback pages as PDF");
+            eprintln!("{}", failure.to_string().trim_end());
+        }
+        Ok(if !faults.is_empty() {
+            super::Outcome::Findings
+        } else if unprinted.is_empty() && self.feedback.missing.is_none() {
             super::Outcome::Done
         } else {
-            super::Outcome::Findings
+            super::Outcome::Unprinted
         })
     }
 }

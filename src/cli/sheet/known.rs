@@ -82,20 +82,31 @@ impl Known {
 
     /// Removes what earlier runs made here and this one did not, unless somebody has changed it: sheets that are
     /// not handed out any more, and the manifests and forms of the parts that are joined now.
-    pub(crate) fn tidy(&self, out: &Path, shard: Shard) {
+    ///
+    /// Files with an ending of `kept` stay, since this run could not renew them; their number is returned.
+    pub(crate) fn tidy(&self, out: &Path, shard: Shard, kept: &[&str]) -> usize {
         let own = shard.named("manifest", "json");
         let others = self.manifests.keys().filter(|name| **name != own);
         let stale = others.filter(|_| shard.is_whole());
         let Some(made) = Held::read(&out.join(&own)) else {
-            return;
+            return 0;
         };
+        let mut left = 0;
         let made: BTreeSet<&String> = made.all_files().map(|(file, _)| file).collect();
         for name in stale
             .clone()
             .chain(self.manifests.get_key_value(&own).map(|(own, _)| own))
         {
             for (file, digest) in self.manifests[name].all_files() {
-                if !made.contains(file) && files::is_intact(&out.join(file), digest) {
+                if made.contains(file) || !files::is_intact(&out.join(file), digest) {
+                    continue;
+                }
+                let ending = Path::new(file)
+                    .extension()
+                    .and_then(|ending| ending.to_str());
+                if ending.is_some_and(|ending| kept.contains(&ending)) {
+                    left += 1;
+                } else {
                     let _ = fs::remove_file(out.join(file));
                 }
             }
@@ -103,6 +114,7 @@ impl Known {
         for name in stale {
             let _ = fs::remove_file(out.join(name));
         }
+        left
     }
 }
 

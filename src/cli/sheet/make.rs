@@ -47,7 +47,9 @@ pub(super) struct Made {
     pub(super) unchanged: usize,
     pub(super) rejected: u64,
     pub(super) fairness: Fairness,
-    /// What to tell of them, each with what it is.
+    /// Files that could not be printed, and why.
+    pub(super) unprinted: Vec<String>,
+    /// What to report of them, each with what it is.
     pub(super) shown: Vec<(String, &'static str)>,
 }
 
@@ -75,6 +77,7 @@ impl Job<'_, '_> {
             unchanged: 0,
             rejected: 0,
             fairness: Fairness::default(),
+            unprinted: Vec::new(),
             shown: Vec::new(),
         };
         bar.inc(mark.done as u64);
@@ -190,7 +193,9 @@ impl Store<'_> {
         for page in pages {
             let mut entry = page.entry;
             made.unchanged += usize::from(page.is_kept);
-            let files = self.outputs.add(page.written, &mut tables)?;
+            let files = self
+                .outputs
+                .add(page.written, &mut tables, &mut made.unprinted)?;
             entry.files.extend(files);
             self.record.add(&entry)?;
         }
@@ -203,7 +208,12 @@ impl Store<'_> {
     /// Completes all files, the manifest last.
     fn finish(self, fairness: Option<Finished>, made: &mut Made) -> Result<(), Failure> {
         let mut digests = BTreeMap::new();
-        for finished in self.outputs.finish()?.into_iter().chain(fairness) {
+        for finished in self
+            .outputs
+            .finish(&mut made.unprinted)?
+            .into_iter()
+            .chain(fairness)
+        {
             if let Some(digest) = finished.digest {
                 digests.insert(finished.name.clone(), digest);
             }

@@ -1,5 +1,6 @@
 //! `vibank sheet BLUEPRINT`
 
+mod choice;
 mod known;
 mod ledger;
 mod make;
@@ -15,6 +16,7 @@ use vibank::seed::Secret;
 use vibank::source::Source;
 use vibank::worksheet::{Audience, Blueprint, Choice, Fairness, Plan, Student};
 
+pub(crate) use self::choice::FormatChoice;
 pub(crate) use self::ledger::Mark;
 pub(crate) use self::shard::Shard;
 pub(crate) use self::stamp::{PROGRAM, Stamp};
@@ -80,6 +82,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Err(findings) => return bank::refuse(&findings),
     };
     let students = students(&blueprint, folder)?;
+    let choice = FormatChoice::of(&blueprint, arguments.shard)?;
     let count = match blueprint.audience {
         Audience::Variants(count) => count,
         Audience::Students(_) => students.len(),
@@ -91,6 +94,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let run = Run {
         arguments,
         plan: &plan,
+        choice: &choice,
         students: &students,
         out: &out(arguments),
         is_split: arguments.split || !arguments.shard.is_whole(),
@@ -100,13 +104,19 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         trace::first_sheet(&plan)?;
     }
     summary.print(arguments, &plan);
-    Ok(Outcome::Done)
+    let is_whole = summary.report_unprinted(&choice);
+    Ok(if is_whole {
+        Outcome::Done
+    } else {
+        Outcome::Unprinted
+    })
 }
 
 /// One run: what it makes of what, and where.
 struct Run<'a, 'c> {
     arguments: &'a Arguments,
     plan: &'a Plan<'c>,
+    choice: &'a FormatChoice,
     students: &'a [Student],
     out: &'a Path,
     is_split: bool,
@@ -116,7 +126,7 @@ impl Run<'_, '_> {
     fn make(&self, catalogue: &vibank::bank::Catalogue, count: usize) -> Result<Summary, Failure> {
         let shard = self.arguments.shard;
         let layouts = self.arguments.layouts.as_deref();
-        let formats = outputs::formats(self.plan, layouts, self.is_split)?;
+        let formats = outputs::formats(self.plan, self.choice, layouts, self.is_split)?;
         let stamp =
             Stamp::of(self.plan, self.students, catalogue, &formats).for_run(self.is_split, shard);
         let known = Known::in_folder(self.out);
@@ -126,7 +136,15 @@ impl Run<'_, '_> {
         let share = shard.share(count);
         let (ledger, mark) = Ledger::open(self.out, shard, &stamp.inputs)?;
         let outputs = Outputs::open(&formats, self.out, shard, &mark)?;
-        let record = Record::open(self.out, shard, &stamp, self.plan, catalogue, &mark)?;
+        let record = Record::open(
+            self.out,
+            shard,
+            &stamp,
+            self.plan,
+            self.choice,
+            catalogue,
+            &mark,
+        )?;
         let job = Job {
             plan: self.plan,
             students: self.students,
@@ -145,8 +163,8 @@ impl Run<'_, '_> {
                 record,
             },
         )?;
-        known.tidy(self.out, shard);
-        Ok(Summary::of(self.out, made))
+        let kept = known.tidy(self.out, shard, self.choice.kept());
+        Ok(Summary::of(self.out, made, kept))
     }
 }
 
@@ -161,10 +179,14 @@ struct Summary {
     fairness: Option<Fairness>,
     /// Each with what it is.
     files: Vec<(String, &'static str)>,
+    /// Files that could not be printed, and why.
+    unprinted: Vec<String>,
+    /// Files of an earlier run that this one would have renewed with a press.
+    kept: usize,
 }
 
 impl Summary {
-    fn of(out: &Path, made: Made) -> Self {
+    fn of(out: &Path, made: Made, kept: usize) -> Self {
         Self {
             folder: out.to_owned(),
             sheets: made.sheets,
@@ -172,6 +194,8 @@ impl Summary {
             rejected: made.rejected,
             fairness: Some(made.fairness),
             files: made.shown,
+            unprinted: made.unprinted,
+            kept,
         }
     }
 
@@ -183,6 +207,8 @@ impl Summary {
             rejected: 0,
             fairness: None,
             files: Vec::new(),
+            unprinted: Vec::new(),
+            kept: 0,
         }
     }
 
@@ -197,6 +223,7 @@ impl Summary {
                 "rejected": self.rejected,
                 "fairness": self.fairness,
                 "files": files.collect::<Vec<_>>(),
+                "unprinted": self.unprinted,
             });
             return println!("{summary}");
         }
@@ -228,6 +255,39 @@ impl Summary {
             let seeds = counted(self.rejected as usize, "seed");
             eprintln!("{seeds} {were} not suitable and passed over");
         }
+    }
+}
+
+impl Summary {
+    /// Reports what was not printed; whether all that was named is there.
+    fn report_unprinted(&self, choice: &FormatChoice) -> bool {
+        /// Lines of one kind: with them a teacher sees what is wrong, the rest is counted.
+        const SHOWN: usize = 10;
+        for line in self.unprinted.iter().take(SHOWN) {
+            eprintln!("error: {line}");
+        }
+        if self.unprinted.len() > SHOWN {
+            eprintln!("and {} more", self.unprinted.len() - SHOWN);
+        }
+        let skipped = choice.remark();
+        let is_whole = self.unprinted.is_empty() && !matches!(skipped, Some(Err(_)));
+        match skipped {
+            Some(Err(failure)) => eprintln!("{}", failure.to_string().trim_end()),
+            Some(Ok(line)) if !self.files.is_empty() => eprintln!("{}", line.trim_end()),
+            _ => {}
+        }
+        if self.kept > 0 {
+            let (files, were) = if self.kept == 1 {
+                ("file", "was")
+            } else {
+                ("files", "were")
+            };
+            eprintln!(
+                "{} PDF or LaTeX {files} of an earlier run {were} not renewed",
+                self.kept
+            );
+        }
+        is_whole
     }
 }
 

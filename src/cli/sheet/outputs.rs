@@ -2,16 +2,17 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use vibank::output::{self, KeyRow, KeyTable, Kind, Pages, Run};
 use vibank::worksheet::{Fairness, Plan, Sheet};
 
+use super::choice::FormatChoice;
 use super::ledger::Mark;
 use super::shard::Shard;
 use crate::cli::Failure;
 use crate::cli::files::{self, Draft};
-use crate::cli::press::Press;
+use crate::cli::press::{Press, Printed};
 
 /// How sheets are written in one format.
 pub(crate) enum Format {
@@ -24,7 +25,8 @@ pub(crate) enum Format {
 /// A format with page layouts.
 pub(crate) struct Laid {
     pages: Pages,
-    press: Press,
+    /// Where the format needs one.
+    press: Option<Arc<Press>>,
     /// What is made, with what stands before its first page.
     kinds: Vec<(Kind, String)>,
     /// What stands before the table with the answers of all variants, if it is made.
@@ -35,6 +37,9 @@ pub(crate) struct Laid {
     /// The figures that are files of their own and were written, with their digests.
     pictures: Mutex<BTreeMap<String, String>>,
 }
+
+/// The digest of a file that could not be printed. No file has it, so that the next run tries again.
+const UNPRINTED: &str = "";
 
 /// What one sheet gives in one format.
 pub(crate) enum Written {
@@ -51,23 +56,25 @@ pub(crate) struct Leaf {
     text: Vec<u8>,
     /// The files that were written, with their digests.
     files: BTreeMap<String, String>,
+    /// Files that could not be printed, and why.
+    unprinted: Vec<String>,
 }
 
-/// The formats of a blueprint; `layouts` is a folder of the user.
+/// The formats that are made; `layouts` is a folder of the user.
 pub(super) fn formats(
     plan: &Plan<'_>,
+    choice: &FormatChoice,
     layouts: Option<&Path>,
     is_split: bool,
 ) -> Result<Vec<Format>, Failure> {
-    let format = |name: &str| {
+    let format = |name: &String| {
         if name == "json" {
             return Ok(Format::Json);
         }
-        let laid = Laid::of(name, plan, layouts, is_split)?;
+        let laid = Laid::of(name, plan, choice.press.as_ref(), layouts, is_split)?;
         Ok(Format::Pages(Box::new(laid)))
     };
-    let names = plan.blueprint.formats.iter();
-    names.map(|name| format(&name.value)).collect()
+    choice.made.iter().map(format).collect()
 }
 
 impl Format {
@@ -78,7 +85,8 @@ impl Format {
             Self::Pages(laid) => {
                 let begins = laid.kinds.iter().map(|(_, begin)| begin.as_str());
                 let begins: String = begins.chain(laid.table.as_deref()).collect();
-                format!("{}{begins}{}", laid.pages.description(), laid.end)
+                let press = laid.press.as_ref().map_or("", |press| press.digest());
+                format!("{}{begins}{}{press}", laid.pages.description(), laid.end)
             }
         }
     }
@@ -113,6 +121,7 @@ impl Laid {
     fn of(
         name: &str,
         plan: &Plan<'_>,
+        press: Option<&Arc<Press>>,
         layouts: Option<&Path>,
         is_split: bool,
     ) -> Result<Self, Failure> {
@@ -134,7 +143,7 @@ impl Laid {
             end: pages.end().map_err(unfilled)?,
             is_split: is_split || writer.is_bound(),
             pictures: Mutex::default(),
-            press: Press::of(writer),
+            press: press.filter(|_| writer.needs_press()).cloned(),
             pages,
         })
     }
@@ -151,33 +160,73 @@ impl Laid {
         out: &Path,
     ) -> Result<Leaf, Failure> {
         let page = self.pages.page(kind, sheet).map_err(unfilled)?;
-        let mut files = BTreeMap::new();
+        let (mut files, mut unprinted) = (BTreeMap::new(), Vec::new());
         for (name, svg) in &page.pictures {
-            files.insert(name.clone(), self.place(name, svg, out)?);
+            let digest = self.place(name, svg, out, &mut unprinted)?;
+            files.insert(name.clone(), digest);
         }
         if !self.is_split {
-            let text = page.text.into_bytes();
-            return Ok(Leaf { text, files });
+            return Ok(Leaf {
+                text: page.text.into_bytes(),
+                files,
+                unprinted,
+            });
         }
         let whole = format!("{begin}{}{}", page.text, self.end);
-        let bytes = self.press.bind(whole)?;
         let inside = format!("{}/{}.{}", kind.folder(), sheet.variant, self.extension());
+        let bytes = match self.bind(whole) {
+            Ok(bytes) => bytes,
+            Err(why) => {
+                unprinted.push(format!("`{inside}` could not be printed: {why}"));
+                files.insert(inside, UNPRINTED.to_owned());
+                return Ok(Leaf {
+                    text: Vec::new(),
+                    files,
+                    unprinted,
+                });
+            }
+        };
         // Under a name that does not change, so that a run that goes on leaves no draft of the one that was killed.
         let mut draft = Draft::go_on(&out.join(&inside), 0)?;
         draft.write(&bytes)?;
         files.insert(inside, draft.finish()?);
-        let text = Vec::new();
-        Ok(Leaf { text, files })
+        Ok(Leaf {
+            text: Vec::new(),
+            files,
+            unprinted,
+        })
+    }
+
+    /// The file of a finished text.
+    fn bind(&self, text: String) -> Printed {
+        match &self.press {
+            Some(press) if self.pages.writer().is_bound() => press.page(text),
+            _ => Ok(text.into_bytes()),
+        }
     }
 
     /// Writes a figure that is a file of its own, once: its name says what is in it. Its digest is told.
     ///
     /// Nothing is held while it is drawn: what draws hands work to the same threads, and they may come here again.
-    fn place(&self, name: &str, svg: &str, out: &Path) -> Result<String, Failure> {
+    fn place(
+        &self,
+        name: &str,
+        svg: &str,
+        out: &Path,
+        unprinted: &mut Vec<String>,
+    ) -> Result<String, Failure> {
         if let Some(digest) = self.placed().get(name) {
             return Ok(digest.clone());
         }
-        let bytes = self.pages.writer().picture(svg).map_err(unfilled)?;
+        let printed = self.press.as_ref().map(|press| press.figure(svg));
+        let bytes = match printed {
+            Some(Ok(bytes)) => bytes,
+            Some(Err(why)) => {
+                unprinted.push(format!("`{name}` could not be printed: {why}"));
+                return Ok(UNPRINTED.to_owned());
+            }
+            None => return Ok(UNPRINTED.to_owned()),
+        };
         let mut placed = self.placed();
         if let Some(digest) = placed.get(name) {
             return Ok(digest.clone());
@@ -200,12 +249,10 @@ pub(super) fn write_fairness(
     fairness: &Fairness,
     out: &Path,
 ) -> Result<Finished, Failure> {
-    let formats = plan.blueprint.formats.iter();
-    let is_markdown = formats
-        .clone()
-        .all(|format| ["md", "json"].contains(&&*format.value));
+    let mut formats = plan.blueprint.formats.iter();
+    let is_markdown = formats.all(|format| ["md", "json"].contains(&&*format.value));
     let name = if is_markdown { "md" } else { "html" };
-    let laid = Laid::of(name, plan, layouts, true)?;
+    let laid = Laid::of(name, plan, None, layouts, true)?;
     let what = "how alike the variants are";
     let page = laid.pages.fairness(fairness).map_err(unfilled)?;
     let begin = laid.pages.begin("fairness").map_err(unfilled)?;
@@ -285,11 +332,13 @@ impl<'f> Outputs<'f> {
         })
     }
 
-    /// Keeps what a sheet gives, by format; the files that were written for it are told, with their digests.
+    /// Keeps what a sheet gives, by format; the files that were written for it are returned, with their digests, and what
+    /// could not be printed is added to `unprinted`.
     pub(super) fn add(
         &mut self,
         written: Vec<Written>,
         tables: &mut [KeyTable],
+        unprinted: &mut Vec<String>,
     ) -> Result<BTreeMap<String, String>, Failure> {
         let mut own = BTreeMap::new();
         let formats = self.formats.iter_mut().zip(written).zip(tables);
@@ -302,6 +351,7 @@ impl<'f> Outputs<'f> {
                     row.into_iter().for_each(|row| collected.add(row));
                     for (stream, leaf) in streams.iter_mut().zip(leaves) {
                         own.extend(leaf.files);
+                        unprinted.extend(leaf.unprinted);
                         if let Some(stream) = stream {
                             stream.draft.write(&leaf.text)?;
                         }
@@ -345,7 +395,7 @@ impl<'f> Outputs<'f> {
     }
 
     /// Completes the files: each with what it is, and with its digest where it belongs to the whole run.
-    pub(super) fn finish(self) -> Result<Vec<Finished>, Failure> {
+    pub(super) fn finish(self, unprinted: &mut Vec<String>) -> Result<Vec<Finished>, Failure> {
         let mut finished = Vec::new();
         for files in self.formats {
             let (laid, streams, table) = match files {
@@ -375,7 +425,7 @@ impl<'f> Outputs<'f> {
             }
             if let Some(table) = table {
                 finished.push(if laid.pages.writer().is_bound() {
-                    table.bind(laid)?
+                    table.bind(laid, unprinted)?
                 } else {
                     table.finish(&laid.end, TABLE)?
                 });
@@ -427,14 +477,22 @@ impl Stream {
 
 impl Stream {
     /// The table of keys of a format whose finished text is not yet the file.
-    fn bind(mut self, laid: &Laid) -> Result<Finished, Failure> {
+    fn bind(mut self, laid: &Laid, unprinted: &mut Vec<String>) -> Result<Finished, Failure> {
         self.draft.write(laid.end.as_bytes())?;
         let text = self.draft.take()?;
-        let bytes = laid.press.bind(text)?;
-        files::write(&self.path, &bytes)?;
+        let digest = match laid.bind(text) {
+            Ok(bytes) => {
+                files::write(&self.path, &bytes)?;
+                files::digest(&bytes)
+            }
+            Err(why) => {
+                unprinted.push(format!("`{}` could not be printed: {why}", self.name));
+                UNPRINTED.to_owned()
+            }
+        };
         Ok(Finished {
             name: self.name,
-            digest: Some(files::digest(&bytes)),
+            digest: Some(digest),
             what: TABLE,
         })
     }

@@ -4,6 +4,7 @@ mod commands;
 mod grading;
 mod hostile;
 mod practice;
+mod press;
 mod reports;
 mod requests;
 mod sheets;
@@ -84,8 +85,20 @@ fn small(arguments: &[&str]) -> Ran {
 /// Runs the program with something on its standard input; a panic fails the test.
 #[track_caller]
 fn fed(arguments: &[&str], input: Vec<u8>) -> Ran {
+    started(&[("VIBANK_PRESS", "")], arguments, input)
+}
+
+/// Runs the program with these variables of the environment.
+#[track_caller]
+fn run_with(variables: &[(&str, &str)], arguments: &[&str]) -> Ran {
+    started(variables, arguments, Vec::new())
+}
+
+#[track_caller]
+fn started(variables: &[(&str, &str)], arguments: &[&str], input: Vec<u8>) -> Ran {
     let mut child = Command::new(env!("CARGO_BIN_EXE_vibank"))
         .args(arguments)
+        .envs(variables.iter().copied())
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
@@ -103,7 +116,7 @@ fn fed(arguments: &[&str], input: Vec<u8>) -> Ran {
     };
     assert!(!ran.err.contains("panicked"), "{}", ran.err);
     assert!(
-        (0..=2).contains(&ran.code),
+        (0..=3).contains(&ran.code),
         "it ended with {}: {}",
         ran.code,
         ran.err

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Stdio};
 
 use super::{BANK, blueprint, content, folder, put, small, text_of, vibank};
@@ -25,14 +25,6 @@ fn files(folder: &Path) -> BTreeMap<String, String> {
         }
     }
     found
-}
-
-/// A plan of one question without solutions, in a folder.
-fn drill(folder: &Path, format: &str, variants: usize, item: &str) -> String {
-    let plan = format!(
-        "title = 'T'\nseed = 1\nvariants = {variants}\nformats = ['{format}']\nsolutions = false\n[[question]]\nitem = '{item}'\n"
-    );
-    put(folder, "test.toml", plan)
 }
 
 #[test]
@@ -138,81 +130,6 @@ fn the_same_input_gives_the_same_bytes_with_any_number_of_threads() {
         2 * 80
     );
     assert_eq!(split, made("split-again", &["--split", "--threads", "1"]));
-}
-
-/// What draws the figures of LaTeX works on the same threads as the sheets: neither waits for the other.
-#[cfg(feature = "pdf")]
-#[test]
-fn figures_of_latex_are_drawn_by_several_threads() {
-    let folder = folder("latex");
-    let plan = drill(&folder, "tex", 8, "ch5/e5-coupled-pendulums-modes");
-    let made = |name: &str, threads: &str| {
-        let out = folder.join(name);
-        vibank(&[
-            "sheet",
-            &plan,
-            "--out",
-            &text_of(&out),
-            "--threads",
-            threads,
-        ])
-        .ends(0);
-        let figures = fs::read_dir(out.join("figures")).expect("it has figures");
-        let paths = figures.map(|entry| entry.expect("it can be listed").path());
-        let read = |path: PathBuf| (path.file_name().map(ToOwned::to_owned), fs::read(path).ok());
-        paths.map(read).collect::<BTreeMap<_, _>>()
-    };
-    let first = made("first", "2");
-    assert!(first.len() > 1);
-    assert_eq!(first, made("second", "1"));
-}
-
-/// Pages are printed by processes of their own, as many as there are threads.
-#[cfg(feature = "pdf")]
-#[test]
-fn pages_are_printed_the_same_by_any_number_of_processes() {
-    let folder = folder("print");
-    let plan = drill(&folder, "pdf", 3, "ch1/e7-rolling-disk-ke");
-    let made = |name: &str, threads: &str| {
-        let out = text_of(&folder.join(name));
-        vibank(&["sheet", &plan, "--out", &out, "--threads", threads]).ends(0);
-        let digests = content(folder.join(name).join("manifest.json"));
-        assert!(
-            fs::read(folder.join(name).join("key-table.pdf"))
-                .expect("it is there")
-                .starts_with(b"%PDF")
-        );
-        digests
-    };
-    assert_eq!(made("first", "2"), made("second", "1"));
-}
-
-#[cfg(feature = "pdf")]
-#[test]
-fn a_page_that_cannot_be_printed_is_told() {
-    let folder = folder("unprinted");
-    let plan = drill(&folder, "pdf", 1, "ch1/e7-rolling-disk-ke");
-    let layouts = folder.join("layouts");
-    fs::create_dir_all(layouts.join("pdf")).expect("it can be made");
-    fs::write(layouts.join("pdf/end.typ"), "#nothing-of-this-name").expect("it can be written");
-    let (out, layouts) = (text_of(&folder.join("out")), text_of(&layouts));
-    vibank(&["sheet", &plan, "--out", &out, "--layouts", &layouts])
-        .ends(2)
-        .complains("cannot be printed: unknown variable");
-}
-
-#[cfg(feature = "pdf")]
-#[test]
-fn what_prints_bears_any_bytes() {
-    let sent = |length: u64, bytes: &[u8]| [&length.to_le_bytes(), bytes].concat();
-    let cut = sent(u64::MAX, b"cut");
-    for input in [Vec::new(), b"ab".to_vec(), cut] {
-        assert_eq!(super::fed(&["print", "pdf"], input).ends(0).out, "");
-    }
-    super::fed(&["print", "pdf"], sent(3, b"\xff#\xfe"))
-        .ends(0)
-        .says("is not valid in code");
-    super::fed(&["print", "nothing"], Vec::new()).ends(2);
 }
 
 #[test]

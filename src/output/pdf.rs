@@ -1,11 +1,9 @@
-//! `pdf`: pages printed by the embedded Typst, tagged for readers who cannot see them (PDF/UA-1).
+//! `pdf`: pages printed by `vibank-press`, tagged for readers who cannot see them (PDF/UA-1).
 //!
-//! A page is written as Typst markup and compiled in memory. Text and mathematics are quoted, fonts
-//! are embedded, and the same sheet gives the same bytes on every machine.
+//! A page is written as Typst markup, words and formulas quoted; the press makes a file of it. The same
+//! sheet gives the same bytes on every machine.
 
-mod world;
-
-use super::{OutputError, Writer};
+use super::Writer;
 use crate::document::{Document, Filling, write_picture};
 use crate::math::{Display, Math, TYPST_PRELUDE, quote};
 use crate::scene::Shown;
@@ -76,20 +74,4 @@ impl Writer for Pdf {
     fn is_bound(&self) -> bool {
         true
     }
-
-    fn bind(&self, text: String) -> Result<Vec<u8>, OutputError> {
-        world::accessible(text).map_err(|message| OutputError::Print { message })
-    }
-}
-
-/// A figure as a PDF of its size.
-///
-/// # Errors
-///
-/// [`OutputError::Print`].
-pub(super) fn picture(svg: &str) -> Result<Vec<u8>, OutputError> {
-    let mut text = String::from("#set page(width: auto, height: auto, margin: 0pt)\n#image(bytes(");
-    quote(&mut text, svg);
-    text.push_str("), format: \"svg\")");
-    world::picture(text).map_err(|message| OutputError::Print { message })
 }

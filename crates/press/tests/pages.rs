@@ -1,4 +1,4 @@
-//! What is printed: PDF by Typst, and LaTeX.
+//! What the pages of vibank are as PDF: every text of the bank, tagged, the same bytes again; and LaTeX.
 
 use vibank::answer::Verdict;
 use vibank::bank::{Catalogue, embedded};
@@ -9,6 +9,13 @@ use vibank::numerics::Rational;
 use vibank::output::{self, KeyTable, Kind, Pages, Run};
 use vibank::source::Source;
 use vibank::worksheet::{Blueprint, Plan, Sheet};
+use vibank_press::{Job, print};
+
+/// The PDF of a finished text.
+fn bound(text: String) -> Result<Vec<u8>, String> {
+    let fonts = Vec::new();
+    print(Job::Page { text, fonts })
+}
 
 fn blueprint(items: &[&str]) -> Blueprint {
     let mut text = String::from(
@@ -28,7 +35,7 @@ fn file(pages: &Pages, kind: Kind, sheet: &Sheet<'_>) -> (Vec<u8>, String) {
     let page = pages.page(kind, sheet).expect("the layout is sound");
     let end = pages.end().expect("the layout is sound");
     let text = format!("{begin}{}{end}", page.text);
-    let bytes = pages.writer().bind(text.clone());
+    let bytes = bound(text.clone());
     (
         bytes.unwrap_or_else(|error| panic!("{error}\n{text}")),
         text,
@@ -77,7 +84,7 @@ fn sheets_are_tagged_pdf_of_the_same_bytes() {
         pages.key_table(&table).expect("the layout is sound"),
         pages.end().expect("the layout is sound"),
     ];
-    assert!(pages.writer().bind(text.concat()).is_ok());
+    assert!(bound(text.concat()).is_ok());
 }
 
 /// Every text and key of a chapter: nothing in them is an error of Typst.
@@ -156,10 +163,10 @@ fn nothing_typed_is_read_as_markup() {
         let end = pages.end().expect("the layout is sound");
         (format!("{begin}{page}{end}"), pages)
     };
-    let (text, pages) = pages_of("pdf");
+    let (text, _) = pages_of("pdf");
     let quoted = typed.replace('\\', "\\\\").replace('"', "\\\"");
     assert_eq!(text.matches(&format!("#\"{quoted}\"")).count(), 4, "{text}");
-    pages.writer().bind(text).expect("it is sound Typst");
+    bound(text).expect("it is sound Typst");
 
     let (text, _) = pages_of("tex");
     assert!(
@@ -185,18 +192,20 @@ fn figures_are_vectors_with_words() {
     assert!(typst.contains("picture(\"A <spring>\",\"<svg "), "{typst}");
     let latex = reading.document.latex(&Figure);
     assert!(latex.contains(r"\figureblock{figure-"), "{latex}");
-    let writer = output::writer("tex").expect("the format is there");
-    let picture = writer.picture(SVG).expect("it is an SVG");
+    let figure = || {
+        let svg = SVG.to_owned();
+        print(Job::Figure { svg }).expect("it is an SVG")
+    };
+    let picture = figure();
     assert!(picture.starts_with(b"%PDF-1."));
-    assert_eq!(writer.picture(SVG).expect("it is an SVG"), picture);
+    assert_eq!(figure(), picture);
     assert_eq!(count(&picture, "/Subtype /Image"), 0, "it is no bitmap");
 }
 
 #[test]
 fn errors_of_a_layout_name_their_line() {
-    let writer = output::writer("pdf").expect("the format is there");
-    let error = writer.bind("#set document(title: [T])\n\n#nonsense".to_owned());
-    let error = error.expect_err("there is no such name").to_string();
+    let error = bound("#set document(title: [T])\n\n#nonsense".to_owned());
+    let error = error.expect_err("there is no such name");
     assert!(
         error.contains("unknown variable: nonsense in line 3"),
         "{error}"
@@ -248,8 +257,7 @@ fn every_piece_of_a_formula_is_typst() {
         text.push_str(&math.typst(Display::Block));
         text.push('\n');
     }
-    let writer = output::writer("pdf").expect("the format is there");
-    if let Err(error) = writer.bind(text.clone()) {
+    if let Err(error) = bound(text.clone()) {
         panic!("{error}\n{text}");
     }
 }

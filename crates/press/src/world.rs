@@ -1,10 +1,10 @@
-//! What Typst sees of the world: one source text, the embedded fonts, no files, no clock.
+//! What Typst sees of the world: one source text, the embedded fonts and those of the job, no other file, no clock.
 //!
 //! All contact with Typst is in this file. A text can read no file, fetch nothing and not tell the
 //! time, so the same text gives the same bytes.
 
-use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use typst::diag::{FileError, FileResult, SourceDiagnostic};
 use typst::foundations::{Bytes, Datetime, Duration, Smart};
@@ -16,24 +16,31 @@ use typst_layout::PagedDocument;
 use typst_pdf::{PdfOptions, PdfStandard, PdfStandards};
 
 /// A tagged PDF that keeps to PDF/UA-1, or what Typst says is wrong with the text.
-pub(super) fn accessible(text: String) -> Result<Vec<u8>, String> {
+///
+/// `fonts` are files of further fonts that it may fall back on.
+pub(crate) fn accessible(text: String, fonts: &[String]) -> Result<Vec<u8>, String> {
     let standards =
         PdfStandards::new(&[PdfStandard::Ua_1]).map_err(|error| error.message().to_string())?;
-    pdf(text, |options| options.standards = standards)
+    pdf(text, fonts, |options| options.standards = standards)
 }
 
 /// A PDF of one picture, to be placed in another document, which has the words for it.
-pub(super) fn picture(text: String) -> Result<Vec<u8>, String> {
-    pdf(text, |options| options.tagged = false)
+pub(crate) fn picture(text: String) -> Result<Vec<u8>, String> {
+    pdf(text, &[], |options| options.tagged = false)
 }
 
-fn pdf(text: String, choose: impl FnOnce(&mut PdfOptions)) -> Result<Vec<u8>, String> {
+fn pdf(
+    text: String,
+    fonts: &[String],
+    choose: impl FnOnce(&mut PdfOptions),
+) -> Result<Vec<u8>, String> {
     let mut options = PdfOptions {
         ident: Smart::Custom(text.clone()),
         ..PdfOptions::default()
     };
     choose(&mut options);
-    let desk = Desk::with(text);
+    let shelf = shelf(fonts)?;
+    let desk = Desk::with(&shelf, text);
     let document = typst::compile::<PagedDocument>(&desk).output;
     let bytes = document.and_then(|document| typst_pdf::pdf(&document, &options));
     forget_now_and_then();
@@ -58,31 +65,48 @@ struct Shelf {
     main: FileId,
 }
 
-fn shelf() -> &'static Shelf {
-    static SHELF: OnceLock<Shelf> = OnceLock::new();
-    SHELF.get_or_init(|| {
-        let fonts: Vec<Font> = typst_assets::fonts()
+/// The shelf with these fonts besides the embedded ones. One is kept: a run has the same fonts from page to page.
+fn shelf(fonts: &[String]) -> Result<Arc<Shelf>, String> {
+    static KEPT: Mutex<Option<(Vec<String>, Arc<Shelf>)>> = Mutex::new(None);
+    let mut kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((same, shelf)) = &*kept
+        && same == fonts
+    {
+        return Ok(Arc::clone(shelf));
+    }
+    let shelf = Arc::new(Shelf::with(fonts)?);
+    *kept = Some((fonts.to_vec(), Arc::clone(&shelf)));
+    Ok(shelf)
+}
+
+impl Shelf {
+    fn with(files: &[String]) -> Result<Self, String> {
+        let mut fonts: Vec<Font> = typst_assets::fonts()
             .flat_map(|data| Font::iter(Bytes::new(data)))
             .collect();
+        for file in files {
+            let data = std::fs::read(file)
+                .map_err(|error| format!("cannot read the font `{file}`: {error}"))?;
+            fonts.extend(Font::iter(Bytes::new(data)));
+        }
         let path = VirtualPath::new("main.typ").expect("a plain relative path");
-        Shelf {
+        Ok(Self {
             library: LazyHash::new(Library::default()),
             book: LazyHash::new(FontBook::from_fonts(&fonts)),
             fonts,
             main: FileId::new(RootedPath::new(VirtualRoot::Project, path)),
-        }
-    })
+        })
+    }
 }
 
 /// One text on the desk, all else on the shelf.
-struct Desk {
-    shelf: &'static Shelf,
+struct Desk<'s> {
+    shelf: &'s Shelf,
     source: Source,
 }
 
-impl Desk {
-    fn with(text: String) -> Self {
-        let shelf = shelf();
+impl<'s> Desk<'s> {
+    fn with(shelf: &'s Shelf, text: String) -> Self {
         Self {
             shelf,
             source: Source::new(shelf.main, text),
@@ -103,7 +127,7 @@ impl Desk {
     }
 }
 
-impl World for Desk {
+impl World for Desk<'_> {
     fn library(&self) -> &LazyHash<Library> {
         &self.shelf.library
     }

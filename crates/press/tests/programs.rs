@@ -1,0 +1,247 @@
+//! Both programs from outside: `vibank` with the press of the same build beside it.
+//!
+//! `cargo build -p vibank -p vibank-press` has to come first; a missing program is a failure, not a skip.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::{Read, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::time::Duration;
+
+use vibank_press::{Greeting, Job, Reply};
+
+/// The folder of the programs of this build.
+fn programs() -> PathBuf {
+    let press = Path::new(env!("CARGO_BIN_EXE_vibank-press"));
+    press.parent().expect("it is in a folder").to_owned()
+}
+
+fn vibank() -> Command {
+    let program = programs().join(format!("vibank{}", std::env::consts::EXE_SUFFIX));
+    assert!(
+        program.is_file(),
+        "`{}` is missing: build it first, by `cargo build -p vibank`",
+        program.display()
+    );
+    let mut command = Command::new(program);
+    command.env_remove("VIBANK_PRESS");
+    command
+}
+
+#[track_caller]
+fn run(arguments: &[&str], code: i32) -> Output {
+    let output = vibank().args(arguments).output().expect("it starts");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(code), "{arguments:?}: {said}");
+    assert!(!said.contains("panicked"), "{said}");
+    output
+}
+
+/// An empty folder of this name.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("the folder can be made");
+    folder
+}
+
+fn text_of(path: &Path) -> String {
+    path.to_string_lossy().into_owned()
+}
+
+/// A blueprint of one question without solutions.
+fn drill(folder: &Path, format: &str, variants: usize, item: &str) -> String {
+    let plan = format!(
+        "title = 'T'\nseed = 1\nvariants = {variants}\nformats = ['{format}']\nsolutions = false\n[[question]]\nitem = '{item}'\n"
+    );
+    let path = folder.join("test.toml");
+    #[expect(clippy::disallowed_methods, reason = "a test lays out its input")]
+    fs::write(&path, plan).expect("it can be written");
+    text_of(&path)
+}
+
+/// The files below a folder, with their bytes.
+fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+    let mut found = BTreeMap::new();
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        let path = entry.path();
+        if path.is_dir() {
+            found.extend(files(&path));
+        } else {
+            #[expect(
+                clippy::disallowed_methods,
+                reason = "a test looks at what was written"
+            )]
+            let bytes = fs::read(&path).expect("it can be read");
+            found.insert(path, bytes);
+        }
+    }
+    found
+}
+
+fn inside(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let named = files(folder).into_iter().map(|(path, bytes)| {
+        let name = path.strip_prefix(folder).expect("it is inside");
+        (text_of(name), bytes)
+    });
+    named.collect()
+}
+
+/// What draws the figures of LaTeX works on the same threads as the sheets: neither waits for the other.
+#[test]
+fn figures_of_latex_are_drawn_by_several_threads() {
+    let folder = folder("latex");
+    let plan = drill(&folder, "tex", 8, "ch5/e5-coupled-pendulums-modes");
+    let made = |name: &str, threads: &str| {
+        let out = folder.join(name);
+        run(
+            &[
+                "sheet",
+                &plan,
+                "--out",
+                &text_of(&out),
+                "--threads",
+                threads,
+            ],
+            0,
+        );
+        inside(&out.join("figures"))
+    };
+    let first = made("first", "2");
+    assert!(first.len() > 1);
+    assert!(first.values().all(|bytes| bytes.starts_with(b"%PDF-1.")));
+    assert_eq!(first, made("second", "1"));
+}
+
+#[test]
+fn pages_are_printed_the_same_by_any_number_of_processes() {
+    let folder = folder("print");
+    let plan = drill(&folder, "pdf", 3, "ch1/e7-rolling-disk-ke");
+    let made = |name: &str, threads: &str| {
+        let out = folder.join(name);
+        run(
+            &[
+                "sheet",
+                &plan,
+                "--out",
+                &text_of(&out),
+                "--threads",
+                threads,
+            ],
+            0,
+        );
+        inside(&out)
+    };
+    let first = made("first", "2");
+    assert!(first["key-table.pdf"].starts_with(b"%PDF-1."));
+    assert_eq!(first, made("second", "1"));
+}
+
+/// A run that is killed goes on where it stopped, to the same bytes.
+#[test]
+fn a_killed_run_goes_on_to_the_same_bytes() {
+    let folder = folder("killed");
+    let plan = drill(&folder, "pdf", 12, "ch1/e7-rolling-disk-ke");
+    let whole = folder.join("whole");
+    run(&["sheet", &plan, "--out", &text_of(&whole)], 0);
+    let out = folder.join("out");
+    for milliseconds in [30, 150, 400] {
+        let mut child = vibank()
+            .args(["sheet", &plan, "--out", &text_of(&out)])
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("it starts");
+        std::thread::sleep(Duration::from_millis(milliseconds));
+        child.kill().expect("it can be killed");
+        child.wait().expect("it ends");
+    }
+    run(&["sheet", &plan, "--out", &text_of(&out)], 0);
+    assert_eq!(inside(&out), inside(&whole));
+}
+
+#[test]
+fn feedback_is_printed() {
+    let folder = folder("feedback");
+    let plan = drill(&folder, "pdf", 2, "ch1/e7-rolling-disk-ke");
+    let out = folder.join("out");
+    run(&["sheet", &plan, "--out", &text_of(&out)], 0);
+    let [manifest, responses] =
+        ["manifest.json", "responses.csv"].map(|name| text_of(&out.join(name)));
+    run(&["grade", &manifest, &responses, "--feedback", "pdf"], 0);
+    let pages = inside(&out.join("marks/feedback"));
+    assert_eq!(pages.len(), 2);
+    assert!(pages.values().all(|bytes| bytes.starts_with(b"%PDF-1.")));
+}
+
+#[test]
+fn a_page_that_cannot_be_printed_is_named() {
+    let folder = folder("unprinted");
+    let plan = drill(&folder, "pdf", 1, "ch1/e7-rolling-disk-ke");
+    let layouts = folder.join("layouts");
+    fs::create_dir_all(layouts.join("pdf")).expect("it can be made");
+    #[expect(clippy::disallowed_methods, reason = "a test lays out its input")]
+    fs::write(layouts.join("pdf/end.typ"), "#nothing-of-this-name").expect("it can be written");
+    let (out, layouts) = (text_of(&folder.join("out")), text_of(&layouts));
+    let output = run(&["sheet", &plan, "--out", &out, "--layouts", &layouts], 3);
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(
+        said.contains("could not be printed: unknown variable"),
+        "{said}"
+    );
+}
+
+/// Any bytes on the pipe end the press, and nothing else.
+#[test]
+fn the_press_bears_any_bytes() {
+    let sent =
+        |length: u64, bytes: &[u8]| [&[1][..], &[0; 8], &length.to_le_bytes(), bytes].concat();
+    for input in [
+        Vec::new(),
+        b"ab".to_vec(),
+        sent(u64::MAX, b"cut"),
+        sent(3, b"\xff#\xfe"),
+    ] {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_vibank-press"))
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .expect("it starts");
+        let mut stdin = child.stdin.take().expect("it has a pipe");
+        let _ = stdin.write_all(&input);
+        drop(stdin);
+        let mut replies = child.stdout.take().expect("it has a pipe");
+        assert!(Greeting::receive(&mut replies).is_ok());
+        let mut rest = Vec::new();
+        replies.read_to_end(&mut rest).expect("it ends");
+        assert!(rest.is_empty());
+        assert!(child.wait().expect("it ends").success());
+    }
+}
+
+/// A job that is refused leaves the press ready for the next one.
+#[test]
+fn a_refused_job_is_not_the_last() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_vibank-press"))
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("it starts");
+    let mut jobs = child.stdin.take().expect("it has a pipe");
+    let mut replies = child.stdout.take().expect("it has a pipe");
+    let greeting = Greeting::receive(&mut replies).expect("it greets");
+    assert_eq!(greeting, vibank_press::greeting());
+    let mut asked = |text: &str| {
+        let job = Job::Page {
+            text: format!("#set document(title: [T])\n#set text(lang: \"en\")\n{text}"),
+            fonts: Vec::new(),
+        };
+        job.send(&mut jobs).expect("it listens");
+        Reply::receive(&mut replies).expect("it answers")
+    };
+    assert!(matches!(asked("#nonsense"), Reply::Refused(why) if why.contains("line 3")));
+    assert!(matches!(asked("Hello"), Reply::File(bytes) if bytes.starts_with(b"%PDF-")));
+    drop(jobs);
+    assert!(child.wait().expect("it ends").success());
+}

@@ -1,0 +1,88 @@
+//! Which formats a run makes: those of the blueprint, as far as there is a press for them.
+
+use std::sync::Arc;
+
+use vibank::output;
+use vibank::worksheet::Blueprint;
+
+use super::shard::Shard;
+use crate::cli::Failure;
+use crate::cli::press::{Missing, Press};
+
+/// The formats of a run.
+pub(crate) struct FormatChoice {
+    /// Those that are made, by name.
+    pub(crate) made: Vec<String>,
+    /// What prints, where a format needs it.
+    pub(crate) press: Option<Arc<Press>>,
+    /// Named formats that are left out, since there is no press.
+    pub(crate) skipped: Vec<String>,
+    /// Why there is none.
+    missing: Option<Missing>,
+}
+
+impl FormatChoice {
+    /// The formats of a blueprint. Where it names none, HTML, and PDF where there is a press.
+    ///
+    /// # Errors
+    ///
+    /// Where a part of a run does not say its formats: machines with and without a press would make different parts.
+    pub(super) fn of(blueprint: &Blueprint, shard: Shard) -> Result<Self, Failure> {
+        let mut made: Vec<String> = Vec::new();
+        for format in &blueprint.formats {
+            if !made.contains(&format.value) {
+                made.push(format.value.clone());
+            }
+        }
+        if !blueprint.names_formats {
+            if !shard.is_whole() {
+                let message = "the parts of a run need `formats` in the blueprint";
+                return Err(Failure::new(message)
+                    .help("name them, such as `formats = [\"pdf\", \"html\"]`: machines differ in whether they can print"));
+            }
+            made.push("pdf".to_owned());
+        }
+        let needs_press =
+            |name: &String| output::writer(name).is_some_and(|writer| writer.needs_press());
+        let mut choice = Self {
+            press: None,
+            skipped: Vec::new(),
+            missing: None,
+            made,
+        };
+        if choice.made.iter().any(needs_press) {
+            match Press::find() {
+                Ok(press) => choice.press = Some(Arc::new(press)),
+                Err(missing) => {
+                    choice.missing = Some(missing);
+                    choice.made.retain(|name| !needs_press(name));
+                    let named = blueprint.formats.iter().map(|format| &format.value);
+                    choice.skipped = named.filter(|name| needs_press(name)).cloned().collect();
+                }
+            }
+        }
+        Ok(choice)
+    }
+
+    /// What there is to say of formats that are left out: a failure where they were named, else a line.
+    pub(super) fn remark(&self) -> Option<Result<String, Failure>> {
+        let missing = self.missing.as_ref()?;
+        if !self.skipped.is_empty() {
+            let names = self.skipped.join(" and ");
+            return Some(Err(missing.failure(&names)));
+        }
+        Some(Ok(match missing {
+            Missing::Nowhere => format!("for PDF files too, {}", Missing::WAY_OUT),
+            Missing::Unusable { .. } => missing.failure("PDF files").to_string(),
+        }))
+    }
+
+    /// Endings of files that this run would renew if it had a press.
+    pub(super) fn kept(&self) -> &'static [&'static str] {
+        if self.missing.is_some() {
+            &["pdf", "tex"]
+        } else {
+            &[]
+        }
+    }
+}
