@@ -32,8 +32,9 @@ pub mod answer;
 pub mod quantity;
 pub mod response;
 
-// Layer 5: items.
+// Layer 5: items, and what is said about responses.
 pub mod bank;
+pub mod message;
 
 // Layers 6 to 8: what is drawn from an item, and its marking.
 pub mod instance;

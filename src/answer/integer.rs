@@ -10,16 +10,13 @@
 //! ```
 
 use super::{
-    Answer, AnswerError, AnswerKind, Context, Credit, Declare, Feedback, Key, KeyValue, Marker,
-    Marking, Nature, Reading, Reason, Trial, numeric,
+    Answer, AnswerError, Answered, Context, Credit, Declare, Key, KeyValue, Marker, Marking,
+    Misfit, Nature, Reading, Remark, Slip, Trial, Why, numeric,
 };
 use crate::expr::Form;
 use crate::math::Math;
 use crate::quantity::{Absent, NodeId};
 use crate::unit::{Decimal, DecimalMark};
-
-/// The kind.
-pub(super) struct Kind;
 
 #[derive(Debug)]
 struct Integer {
@@ -32,44 +29,34 @@ struct Whole {
     mark: DecimalMark,
 }
 
-impl AnswerKind for Kind {
-    fn name(&self) -> &'static str {
-        "integer"
+/// Reads the keys of a part that belong to this kind; what is wrong is noted.
+pub(super) fn read(
+    part: &crate::source::Table<'_>,
+    declare: &mut dyn Declare,
+) -> Option<Box<dyn Answer>> {
+    let text = part
+        .required("key")
+        .and_then(|key| part.as_formula("key", key))?;
+    let key = declare.formula("key", &text)?;
+    let kind = declare.graph().kind(key)?;
+    let is_pure = kind.dimension().is_none_or(|dimension| dimension.is_pure());
+    if kind.form() != Form::REAL || !is_pure {
+        let found = kind.form().to_string();
+        declare.find(
+            &AnswerError::KeyForm {
+                expected: "a pure number",
+                found,
+            },
+            &text,
+        );
+        return None;
     }
-
-    fn minutes(&self) -> u32 {
-        2
-    }
-
-    fn read(
-        &self,
-        part: &crate::source::Table<'_>,
-        declare: &mut dyn Declare,
-    ) -> Option<Box<dyn Answer>> {
-        let text = part
-            .required("key")
-            .and_then(|key| part.as_formula("key", key))?;
-        let key = declare.formula("key", &text)?;
-        let kind = declare.graph().kind(key)?;
-        let is_pure = kind.dimension().is_none_or(|dimension| dimension.is_pure());
-        if kind.form() != Form::REAL || !is_pure {
-            let found = kind.form().to_string();
-            declare.find(
-                &AnswerError::KeyForm {
-                    expected: "a pure number",
-                    found,
-                },
-                &text,
-            );
-            return None;
-        }
-        Some(Box::new(Integer { key }))
-    }
+    Some(Box::new(Integer { key }))
 }
 
 impl Answer for Integer {
-    fn kind(&self) -> &'static dyn AnswerKind {
-        &Kind
+    fn kind(&self) -> crate::answer::Kind {
+        crate::answer::Kind::Integer
     }
 
     fn keys(&self) -> Vec<NodeId> {
@@ -122,45 +109,34 @@ impl Marker for Whole {
     fn mark(&self, response: &str) -> Marking {
         let quantity = match numeric::quantity(response, self.mark) {
             Ok(quantity) => quantity,
-            Err(help) => return Marking::unreadable(help),
+            Err(why) => return Marking::unreadable(why),
         };
         let number = quantity.value.to_f64();
+        if quantity.unit.text() == "rev" {
+            return Marking::unreadable(Why::CountedUnit);
+        }
+        let unit = Some(quantity.unit).filter(|unit| !unit.is_one());
         let reading = Reading {
             math: quantity.math(self.mark),
             text: quantity.to_string(),
-            si: vec![number],
+            answered: Answered::Number { si: number, unit },
         };
-        let say = |words: &str| Some(Feedback::Words(words.to_owned()));
-        if quantity.unit.text() == "rev" {
-            return Marking::unreadable("Type the number alone, without what it counts.");
-        }
-        if !quantity.unit.is_one() {
-            let words = say("A count has no unit.");
-            return Marking::read(reading, Credit::NONE, Reason::Dimension, words);
+        if unit.is_some() {
+            return Marking::wrong(reading, Remark::from(Misfit::Count));
         }
         if !quantity.value.is_integer() {
-            return Marking::read(
-                reading,
-                Credit::NONE,
-                Reason::Other,
-                say("A whole number is asked."),
-            );
+            return Marking::wrong(reading, Remark::from(Slip::NotInteger));
         }
         if number == self.key {
-            return Marking::read(reading, Credit::FULL, Reason::Matches, None);
+            return Marking::right(reading);
         }
         let named = self
             .mistakes
             .iter()
             .find(|(_, given, _)| *given == number && *given != self.key);
         match named {
-            Some((place, _, credit)) => Marking::read(
-                reading,
-                *credit,
-                Reason::Mistake(*place),
-                Some(Feedback::Mistake(*place)),
-            ),
-            None => Marking::read(reading, Credit::NONE, Reason::Other, None),
+            Some((number, _, credit)) => Marking::mistake(reading, *number, *credit),
+            None => Marking::wrong(reading, None),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use serde::{Serialize, Serializer};
 
-use crate::document::Document;
+use super::{Answered, Note, Remark, Unreadable};
 use crate::expr::Form;
 use crate::math::Math;
 use crate::numerics::Rational;
@@ -65,17 +65,6 @@ pub enum Reason {
     Missing,
 }
 
-/// What is said about a response.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Feedback {
-    /// The text of the item's mistake of this number, from 0.
-    Mistake(usize),
-    /// A text of the item, without placeholders.
-    Text(Document),
-    /// A sentence of our own.
-    Words(String),
-}
-
 /// How a response was read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reading {
@@ -83,8 +72,8 @@ pub struct Reading {
     pub math: Math,
     /// In the formula language.
     pub text: String,
-    /// Its numbers in SI units; empty where it has none.
-    pub si: Vec<f64>,
+    /// As values.
+    pub answered: Answered,
 }
 
 /// The outcome of marking one response.
@@ -96,10 +85,8 @@ pub struct Marking {
     pub credit: Credit,
     /// How it was read, if it could be.
     pub reading: Option<Reading>,
-    /// Why, the main reason first.
-    pub reasons: Vec<Reason>,
-    /// What is said about it.
-    pub feedback: Vec<Feedback>,
+    /// What is remarked about it, the main remark first.
+    pub remarks: Vec<Remark>,
 }
 
 /// A key as it is printed and as programs get it.
@@ -240,17 +227,6 @@ impl Verdict {
             Self::Missing => "missing",
         }
     }
-
-    /// What a student reads.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Right => "Right",
-            Self::Partial => "Partly right",
-            Self::Wrong => "Not right",
-            Self::Unreadable => "Could not be read",
-            Self::Missing => "No answer",
-        }
-    }
 }
 
 impl Marking {
@@ -260,42 +236,76 @@ impl Marking {
             verdict: Verdict::Missing,
             credit: Credit::NONE,
             reading: None,
-            reasons: vec![Reason::Missing],
-            feedback: Vec::new(),
+            remarks: Vec::new(),
         }
     }
 
-    /// A response that could not be read, and what to type instead.
-    pub fn unreadable(help: impl Into<String>) -> Self {
+    /// A response that could not be read, and why.
+    pub fn unreadable(why: impl Into<Unreadable>) -> Self {
         Self {
             verdict: Verdict::Unreadable,
             credit: Credit::NONE,
             reading: None,
-            reasons: vec![Reason::Unreadable],
-            feedback: vec![Feedback::Words(help.into())],
+            remarks: vec![Remark::Unreadable(why.into())],
         }
     }
 
-    /// A response that was read, with its credit, the reason and what is said.
-    pub fn read(
-        reading: Reading,
-        credit: Credit,
-        reason: Reason,
-        feedback: Option<Feedback>,
-    ) -> Self {
+    /// A response that was read, with its credit and what is remarked.
+    pub fn read(reading: Reading, credit: Credit, remark: impl Into<Option<Remark>>) -> Self {
         Self {
             verdict: credit.verdict(),
             credit,
             reading: Some(reading),
-            reasons: vec![reason],
-            feedback: feedback.into_iter().collect(),
+            remarks: remark.into().into_iter().collect(),
         }
+    }
+
+    /// A response that is right.
+    pub fn right(reading: Reading) -> Self {
+        Self::read(reading, Credit::FULL, None)
+    }
+
+    /// A response that is a named mistake of the item.
+    pub fn mistake(reading: Reading, number: usize, credit: Credit) -> Self {
+        Self::read(reading, credit, Remark::Mistake(number))
+    }
+
+    /// A response that is wrong, and why if that can be told.
+    pub fn wrong(reading: Reading, remark: impl Into<Option<Remark>>) -> Self {
+        Self::read(reading, Credit::NONE, remark)
+    }
+
+    /// Why it fared so, for programs and statistics, the main reason first: what its remarks give, and what its
+    /// verdict says where they give none.
+    pub fn reasons(&self) -> Vec<Reason> {
+        let mut reasons: Vec<Reason> = self.remarks.iter().filter_map(Remark::reason).collect();
+        let is_beside = |reason: &Reason| {
+            matches!(
+                reason,
+                Reason::FollowThrough | Reason::Figures | Reason::NoUnit
+            )
+        };
+        if reasons.iter().all(is_beside) {
+            let is_matched = self.verdict == Verdict::Right || reasons.contains(&Reason::Figures);
+            let main = match self.verdict {
+                Verdict::Missing => Reason::Missing,
+                Verdict::Unreadable => Reason::Unreadable,
+                _ if is_matched => Reason::Matches,
+                _ => Reason::Other,
+            };
+            let place = usize::from(reasons.first() == Some(&Reason::FollowThrough));
+            reasons.insert(place, main);
+        }
+        reasons
+    }
+
+    /// The main one of its [reasons](Self::reasons).
+    pub fn reason(&self) -> Reason {
+        self.reasons().swap_remove(0)
     }
 
     /// Says in which unit numbers without one were taken.
     pub(super) fn say_taken(&mut self, unit: &Unit) {
-        let words = format!("Taken in {}.", unit.text());
-        self.reasons.push(Reason::NoUnit);
-        self.feedback.push(Feedback::Words(words));
+        self.remarks.push(Note::TakenIn(*unit).into());
     }
 }

@@ -1,6 +1,6 @@
 //! Answer kinds: what a part asks for, how a response to it is read and how it is marked.
 //!
-//! Each kind is one file with one [`AnswerKind`], listed in [`KINDS`]. Reading an item asks the kind
+//! Each kind is a module, listed in [`Kind`]. Reading an item asks the kind
 //! for an [`Answer`]: what this part asks for, whatever the data. With the values of an instance the
 //! answer is prepared into a [`Marker`], which knows the key, the tolerance and the named mistakes,
 //! and marks any number of responses.
@@ -8,6 +8,7 @@
 //! A response that cannot be read is not a wrong one: it is [`Verdict::Unreadable`], with a message
 //! that says where and what to type instead.
 
+mod answered;
 mod choice;
 mod declare;
 mod equality;
@@ -17,18 +18,26 @@ mod formula;
 mod function;
 mod integer;
 mod interval;
+mod kind;
 mod marking;
 mod matrix;
 mod meaning;
 mod mode_shape;
 mod numeric;
+mod remark;
 mod symbolic;
 mod tolerance;
 mod trial;
 
+pub use answered::{Answered, Bounds};
 pub use declare::{Context, Declare, Known, Mistaken, Role};
 pub use error::AnswerError;
-pub use marking::{Credit, Feedback, Key, KeyValue, Marking, Reading, Reason, Verdict};
+pub use kind::Kind;
+pub use marking::{Credit, Key, KeyValue, Marking, Reading, Reason, Verdict};
+pub use remark::{
+    Close, Coefficient, Decades, Example, Fault, Linearity, Misfit, Negated, Note, Remark, Scaling,
+    Shape, Slip, Term, TermKind, Terms, TwoPi, Unreadable, Why,
+};
 pub use tolerance::Tolerance;
 pub use trial::{Nature, Trial};
 
@@ -36,25 +45,14 @@ use crate::document::Document;
 use crate::expr::{Equation, Name};
 use crate::numerics::Complex;
 use crate::quantity::{Absent, NodeId};
+pub use crate::response::{At, Trouble};
 use crate::source::{Table, Value};
 use crate::unit::Unit;
-
-/// A kind of answer: one file, one line in [`KINDS`].
-pub trait AnswerKind: Sync {
-    /// Its name in item files.
-    fn name(&self) -> &'static str;
-
-    /// The minutes that a part of this kind takes, if the item does not say.
-    fn minutes(&self) -> u32;
-
-    /// Reads the keys of a part that belong to this kind; what is wrong is noted.
-    fn read(&self, part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>>;
-}
 
 /// What a part asks for, whatever the data.
 pub trait Answer: std::fmt::Debug + Send + Sync {
     /// Its kind.
-    fn kind(&self) -> &'static dyn AnswerKind;
+    fn kind(&self) -> Kind;
 
     /// The formulas of the key: what the scene of a key demands, and what a mistake may replace.
     fn keys(&self) -> Vec<NodeId>;
@@ -215,22 +213,4 @@ pub fn complex_number(text: &str, unit: &Unit) -> Option<Complex> {
     let stated = stated.unwrap_or(*unit);
     let fits = stated.dimension() == unit.dimension();
     fits.then(|| Complex::new(stated.to_si(value.re), stated.to_si(value.im)))
-}
-
-/// All kinds.
-pub static KINDS: &[&dyn AnswerKind] = &[
-    &numeric::Kind,
-    &integer::Kind,
-    &formula::Kind,
-    &matrix::Kind,
-    &interval::Kind,
-    &function::Kind,
-    &equation::Kind,
-    &mode_shape::Kind,
-    &choice::Kind,
-];
-
-/// The kind of this name.
-pub fn kind(name: &str) -> Option<&'static dyn AnswerKind> {
-    KINDS.iter().copied().find(|kind| kind.name() == name)
 }

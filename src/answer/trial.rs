@@ -37,7 +37,7 @@ impl Trial {
 
     /// Whether a marking of the response is in order.
     pub fn admits(&self, marking: &Marking) -> bool {
-        let is_named = matches!(marking.reasons.first(), Some(Reason::Mistake(_)));
+        let is_named = matches!(marking.reason(), Reason::Mistake(_));
         match self.nature {
             Nature::Right | Nature::Borderline => marking.verdict == Verdict::Right,
             // A named mistake may be worth everything.
@@ -46,7 +46,7 @@ impl Trial {
             }
             Nature::WrongUnit => {
                 let is_refused = marking.verdict == Verdict::Unreadable;
-                is_named || is_refused || marking.reasons.contains(&Reason::Dimension)
+                is_named || is_refused || marking.reasons().contains(&Reason::Dimension)
             }
             Nature::Unreadable => marking.verdict == Verdict::Unreadable,
         }

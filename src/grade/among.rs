@@ -17,7 +17,7 @@ pub fn mark_among(solution: &Solution<'_>, place: usize, responses: &[&str]) -> 
     }
     let folded = match Folded::of(response) {
         Ok(folded) => folded,
-        Err(help) => return Marking::unreadable(help.to_string()),
+        Err(dollar) => return Marking::unreadable(dollar),
     };
     let given: Vec<Option<Folded<'_>>> = responses
         .iter()

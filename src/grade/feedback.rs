@@ -2,16 +2,17 @@
 
 use serde::Serialize;
 
-use crate::answer::{self, Marking, Verdict};
+use crate::answer::{Marking, Remark, Verdict};
 use crate::document::{Block, Document, Filling, Inline};
 use crate::math::Math;
+use crate::message::Language;
 use crate::numerics::Rational;
 use crate::scene::{Data, Scene};
 use crate::solution::Solution;
 
 /// A text with what fills its holes.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Remark {
+pub struct Comment {
     /// The text.
     pub document: Document,
     /// What fills its holes, in order.
@@ -66,10 +67,10 @@ pub struct PartFeedback {
     /// How it was read.
     pub reading: Option<Math>,
     /// What is said about it.
-    pub remarks: Vec<Remark>,
+    pub remarks: Vec<Comment>,
 }
 
-impl Remark {
+impl Comment {
     /// A sentence of our own; what stands between back-ticks is code.
     pub fn sentence(words: &str) -> Self {
         Self::from(Document::sentence(words))
@@ -104,7 +105,7 @@ impl Remark {
     }
 }
 
-impl From<Document> for Remark {
+impl From<Document> for Comment {
     fn from(document: Document) -> Self {
         Self {
             document,
@@ -113,46 +114,33 @@ impl From<Document> for Remark {
     }
 }
 
-impl Serialize for Remark {
+impl Serialize for Comment {
     /// As plain text, for programs.
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(&self.plain())
     }
 }
 
-/// What is said about a response, with the texts of the item that its marking names: at least one remark.
-pub fn remarks(solution: &Solution<'_>, place: usize, marking: &Marking) -> Vec<Remark> {
+/// What is said about a response, with the texts of the item that its marking names: at least one comment.
+pub fn remarks(solution: &Solution<'_>, place: usize, marking: &Marking) -> Vec<Comment> {
     let mistakes = &solution.template().parts[place].mistakes;
     let scene = Scene::of(solution, Data::Both);
-    let mut remarks = Vec::new();
-    for feedback in &marking.feedback {
-        match feedback {
-            answer::Feedback::Mistake(number) => {
-                let shown = mistakes
-                    .get(*number)
-                    .map(|mistake| scene.passage(&mistake.feedback));
-                remarks.extend(shown.into_iter().flatten().map(|shown| Remark {
-                    document: shown.document.clone(),
-                    fillings: shown.fillings,
-                }));
-            }
-            answer::Feedback::Text(document) => remarks.push(document.clone().into()),
-            answer::Feedback::Words(words) => remarks.push(Remark::sentence(words)),
+    let language = Language::default();
+    let mut comments = Vec::new();
+    for remark in &marking.remarks {
+        if let Remark::Mistake(number) = remark {
+            let shown = mistakes
+                .get(*number)
+                .map(|mistake| scene.passage(&mistake.feedback));
+            comments.extend(shown.into_iter().flatten().map(|shown| Comment {
+                document: shown.document.clone(),
+                fillings: shown.fillings,
+            }));
         }
+        comments.extend(language.say(remark).map(Comment::from));
     }
-    if remarks.is_empty() {
-        remarks.push(Remark::sentence(bare(marking.verdict)));
+    if comments.is_empty() {
+        comments.push(language.verdict(marking.verdict).into());
     }
-    remarks
-}
-
-/// What is said where there is nothing more to say.
-fn bare(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::Right => "Right.",
-        Verdict::Partial => "Partly right.",
-        Verdict::Wrong => "This is not the answer.",
-        Verdict::Unreadable => "This could not be read.",
-        Verdict::Missing => "There is no answer.",
-    }
+    comments
 }

@@ -12,12 +12,12 @@ pub mod request;
 mod responses;
 
 pub use among::mark_among;
-pub use feedback::{Feedback, PartFeedback, QuestionFeedback, Remark, remarks};
+pub use feedback::{Comment, Feedback, PartFeedback, QuestionFeedback, remarks};
 pub use pattern::pattern;
 pub use points::{of_marking, rounded};
 pub use responses::{Place, Responses, Row, RowError};
 
-use crate::answer::Marking;
+use crate::answer::{Marking, Why};
 use crate::response::Folded;
 use crate::solution::Solution;
 
@@ -46,19 +46,15 @@ pub fn mark(solution: &Solution<'_>, place: usize, response: &str) -> Marking {
         return Marking::missing();
     }
     if response.len() > LONGEST_RESPONSE {
-        return Marking::unreadable(format!(
-            "The answer is longer than {LONGEST_RESPONSE} bytes."
-        ));
+        return Marking::unreadable(Why::LongerThan(LONGEST_RESPONSE));
     }
     let folded = match Folded::of(response) {
         Ok(folded) => folded,
-        Err(help) => return Marking::unreadable(help.to_string()),
+        Err(dollar) => return Marking::unreadable(dollar),
     };
     match solution.marker(place) {
         Ok(marker) => marker.mark(folded.text().trim()),
-        Err(absent) => Marking::unreadable(format!(
-            "This part cannot be marked for these data: {absent}."
-        )),
+        Err(absent) => Marking::unreadable(Why::NoKey(absent.clone())),
     }
 }
 
@@ -88,7 +84,7 @@ impl Grade {
     /// let grade = Grade::mark(&solution, [(0, "1.57 rad/s"), (1, "4.71 m/s")]);
     /// assert_eq!(grade.part(0).unwrap().verdict, Verdict::Wrong);
     /// assert_eq!(grade.part(1).unwrap().verdict, Verdict::Right);
-    /// assert_eq!(grade.part(1).unwrap().reasons[0], Reason::FollowThrough);
+    /// assert_eq!(grade.part(1).unwrap().reason(), Reason::FollowThrough);
     /// # }
     /// ```
     pub fn mark<'r>(

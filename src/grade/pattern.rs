@@ -8,7 +8,7 @@ use crate::unit::Decimal;
 pub fn pattern(solution: &Solution<'_>, place: usize, marking: &Marking) -> Option<String> {
     const LONGEST: usize = 80;
     let reading = marking.reading.as_ref()?;
-    if let [number] = reading.si[..]
+    if let [number] = reading.answered.si()[..]
         && let Ok(KeyValue::Numbers { si, .. }) =
             solution.marker(place).map(|marker| marker.key().value)
         && let [key] = si[..]

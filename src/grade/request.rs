@@ -87,11 +87,14 @@ fn marked(catalogue: &Catalogue, request: &Request) -> Result<Map<String, Json>,
             "text".to_owned(),
             json!(reading.map(|reading| &reading.text)),
         ),
-        ("si".to_owned(), json!(reading.map(|reading| &reading.si))),
+        (
+            "si".to_owned(),
+            json!(reading.map(|reading| reading.answered.si())),
+        ),
         (
             "reasons".to_owned(),
             marking
-                .reasons
+                .reasons()
                 .iter()
                 .map(|reason| Json::from(reason.code()))
                 .collect(),

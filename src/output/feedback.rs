@@ -4,7 +4,8 @@ use serde::Serialize;
 
 use super::layouts::OutputError;
 use super::pages::{Pages, Run};
-use crate::grade::{Feedback, PartFeedback, QuestionFeedback, Remark};
+use crate::grade::{Comment, Feedback, PartFeedback, QuestionFeedback};
+use crate::message::Language;
 use crate::numerics::Rational;
 use crate::scene::Shown;
 
@@ -80,7 +81,7 @@ impl Pages {
     }
 
     fn marked(&self, part: &PartFeedback) -> PartView {
-        let remark = |remark: &Remark| {
+        let remark = |remark: &Comment| {
             self.writer.texts(&[Shown {
                 document: &remark.document,
                 fillings: remark.fillings.clone(),
@@ -89,7 +90,7 @@ impl Pages {
         PartView {
             letter: part.letter.clone(),
             verdict: part.verdict.name(),
-            words: part.verdict.words(),
+            words: Language::default().heading(part.verdict),
             points: self.reached(part.points, part.max),
             response: self.placed(&part.response),
             reading: part

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use crate::bank::{Part, Passage};
+use crate::message::Language;
 
 /// Something that occurred so often.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -67,7 +68,10 @@ impl Mistake {
         let named = number.and_then(|number| part?.mistakes.get(number.checked_sub(1)?));
         let what = match named {
             Some(mistake) => text(&mistake.feedback),
-            None => slip(&common.what).unwrap_or(&common.what).to_owned(),
+            None => {
+                let slip = Language::default().slip(&common.what);
+                slip.unwrap_or(&common.what).to_owned()
+            }
         };
         Self {
             code: common.what,
@@ -84,19 +88,4 @@ fn text(passage: &Passage) -> String {
         .iter()
         .map(|piece| piece.document.plain(&Vec::new()));
     pieces.collect::<Vec<_>>().join(" ").replace('□', "…")
-}
-
-/// A slip in words, by the code of its reason.
-fn slip(code: &str) -> Option<&'static str> {
-    Some(match code {
-        "dimension" => "wrong dimension",
-        "two-pi" => "a factor 2π between angular frequency and frequency",
-        "power-of-ten" => "a power of ten or a prefix",
-        "sign" => "the sign",
-        "near" => "near the key, but outside the tolerance",
-        "scale" => "right up to the scale",
-        "figures" => "significant figures",
-        "angle-unit" => "degrees and radians",
-        _ => return None,
-    })
 }

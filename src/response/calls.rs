@@ -100,15 +100,11 @@ impl Parser<'_> {
         if (least..=most).contains(&arguments.len()) {
             return Ok(arguments);
         }
-        let count = if least == 1 && most == 1 {
-            "one argument".to_owned()
-        } else {
-            format!("{least} arguments in brackets; write decimals with a point")
-        };
         Err(TypedError {
             trouble: Trouble::Arguments {
                 name: function.name(),
-                count,
+                least,
+                most,
             },
             span,
         })

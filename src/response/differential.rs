@@ -5,26 +5,68 @@ use super::letters::{Letters, greek_word};
 /// Reads a quotient of differentials at a place: spelling of the name, order, end.
 pub(super) fn leibniz(text: &str, at: usize) -> Option<(String, u8, usize)> {
     let mut scanner = Differentials { text, at };
-    let is_fraction = scanner.take("\\frac") && scanner.take("{");
+    let is_fraction = scanner.fraction();
     scanner.differential()?;
     let order = scanner.order();
     let spelling = scanner.name()?;
-    let is_over = if is_fraction {
-        scanner.take("}") && scanner.take("{")
-    } else {
-        scanner.take("/")
-    };
-    if !is_over {
-        return None;
-    }
-    scanner.differential()?;
-    let is_time = scanner.take("t") && scanner.order() == order;
-    if !is_time || is_fraction && !scanner.take("}") {
-        return None;
-    }
+    scanner.over_time(is_fraction, order)?;
     let goes_on = scanner.text[scanner.at..]
         .starts_with(|next: char| next.is_ascii_alphanumeric() || next == '_');
     (!goes_on || is_fraction).then_some((spelling, order, scanner.at))
+}
+
+/// Reads a derivative whose name stands behind the quotient, `d/dt(x)`, `\frac{d}{dt}\left(\frac{dx}{dt}\right)`,
+/// `\frac{d^2}{dt^2} x`: spelling of the name, order, end.
+pub(super) fn behind(text: &str, at: usize) -> Option<(String, u8, usize)> {
+    const LONGEST: usize = 80;
+    const MOST: u8 = 2;
+    let mut scanner = Differentials { text, at };
+    let is_fraction = scanner.fraction();
+    scanner.differential()?;
+    let order = scanner.order();
+    scanner.over_time(is_fraction, order)?;
+    let is_sized = scanner.take("\\left");
+    let rest = &text[scanner.at..];
+    let (inner, end) = match rest.trim_start().strip_prefix('(') {
+        Some(inner) => {
+            let start = text.len() - inner.len();
+            let close = closing(inner).filter(|close| *close < LONGEST)?;
+            let inner = inner[..close].trim();
+            let inner = if is_sized {
+                inner.strip_suffix("\\right")?.trim_end()
+            } else {
+                inner
+            };
+            (inner, start + close + 1)
+        }
+        None => {
+            let trimmed = rest.trim_start();
+            let is_of_name = |char: char| char.is_alphanumeric() || "_{}\\".contains(char);
+            let length = trimmed
+                .find(|char| !is_of_name(char))
+                .unwrap_or(trimmed.len());
+            let length = Some(length).filter(|length| *length < LONGEST)?;
+            (&trimmed[..length], text.len() - trimmed.len() + length)
+        }
+    };
+    let (spelling, inner_order) = match leibniz(inner, 0) {
+        Some((spelling, own, length)) if length == inner.len() => (spelling, own),
+        _ => (spelling(inner)?, 0),
+    };
+    let order = order + inner_order;
+    (order <= MOST).then_some((spelling, order, end))
+}
+
+/// The spelling of a name, `x_1`, `\theta`, `x(t)`.
+fn spelling(name: &str) -> Option<String> {
+    let name = name.trim();
+    let name = name.strip_suffix("(t)").unwrap_or(name);
+    let Some(word) = name.strip_prefix('\\') else {
+        return Letters::spelling(name);
+    };
+    let letters: String = word.chars().take_while(char::is_ascii_alphabetic).collect();
+    let rest = Letters::spelling(&word[letters.len()..]).unwrap_or_default();
+    Some(greek_word(&letters)?.to_owned() + &rest)
 }
 
 /// Reads a derivative that is written as a function at a place, `diff(x, t, 2)`, `ddot(x1)`: spelling of the name,
@@ -82,6 +124,27 @@ impl Differentials<'_> {
         found
     }
 
+    /// Whether a fraction of LaTeX begins here.
+    fn fraction(&mut self) -> bool {
+        let commands = ["\\frac", "\\dfrac", "\\tfrac"];
+        commands.iter().any(|command| self.take(command)) && self.take("{")
+    }
+
+    /// The divisor of a derivative of this order, `dt^2`.
+    fn over_time(&mut self, is_fraction: bool, order: u8) -> Option<()> {
+        let is_over = if is_fraction {
+            self.take("}") && self.take("{")
+        } else {
+            self.take("/")
+        };
+        if !is_over {
+            return None;
+        }
+        self.differential()?;
+        let is_time = self.take("t") && self.order() == order;
+        (is_time && (!is_fraction || self.take("}"))).then_some(())
+    }
+
     fn differential(&mut self) -> Option<()> {
         let signs = ["\\mathrm{d}", "\\mathrm d", "\\partial", "∂", "d"];
         let found = signs.iter().any(|sign| self.take(sign));
@@ -99,18 +162,7 @@ impl Differentials<'_> {
         let rest = &self.text[self.at..];
         let is_end = |(_, char): &(usize, char)| matches!(char, '/' | '}');
         let (end, _) = rest.char_indices().take(LONGEST).find(is_end)?;
-        let (mut spelling, mut command) = (String::new(), false);
-        let name = rest[..end].trim();
-        let name = name.strip_suffix("(t)").unwrap_or(name);
-        if let Some(word) = name.strip_prefix('\\') {
-            let letters: String = word.chars().take_while(char::is_ascii_alphabetic).collect();
-            spelling.push_str(greek_word(&letters)?);
-            spelling.push_str(&Letters::spelling(&word[letters.len()..]).unwrap_or_default());
-            command = true;
-        }
-        if !command {
-            spelling = Letters::spelling(name)?;
-        }
+        let spelling = spelling(&rest[..end])?;
         self.at += end;
         Some(spelling)
     }

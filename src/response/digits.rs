@@ -1,6 +1,6 @@
 //! Numbers in responses: decimals, degrees, raised digits, signs of fractions.
 
-use super::token::{Item, Lexer};
+use super::token::{Item, Lexer, Token};
 use super::{Trouble, TypedError};
 use crate::numerics::Rational;
 
@@ -31,7 +31,9 @@ impl Lexer<'_> {
         self.digits(&mut digits);
         let is_decimal = match self.peek() {
             Some('.') => true,
-            Some(',') => self.manner.comma_is_decimal && !digits.is_empty(),
+            Some(',') => {
+                self.manner.comma_is_decimal && !digits.is_empty() && !self.parts_arguments()
+            }
             _ => false,
         };
         let is_digit = |next: char| next.is_ascii_digit();
@@ -58,6 +60,31 @@ impl Lexer<'_> {
             }
             None => self.error(Trouble::Number, start),
         }
+    }
+
+    /// Whether a comma here parts the arguments of a function of several, `max(5,1)`; with semicolons in its brackets
+    /// these do.
+    fn parts_arguments(&self) -> bool {
+        let mut closed = 0_usize;
+        let opens = |token: &Token| match token.item {
+            Item::Sign(')' | ']' | '}') => {
+                closed += 1;
+                false
+            }
+            Item::Sign('(' | '[' | '{') if closed == 0 => true,
+            Item::Sign('(' | '[' | '{') => {
+                closed -= 1;
+                false
+            }
+            _ => false,
+        };
+        let takes_several = |token: &Token| matches!(token.item, Item::Function(function) if function.arity().1 > 1);
+        let Some(open) = self.tokens.iter().rposition(opens) else {
+            return false;
+        };
+        let inner = &self.text[self.tokens[open].span.range().end..];
+        let inner = inner.split([')', ']', '}']).next().unwrap_or_default();
+        self.tokens[..open].last().is_some_and(takes_several) && !inner.contains(';')
     }
 
     fn digits(&mut self, digits: &mut String) {

@@ -28,8 +28,7 @@ pub struct Folded<'t> {
 }
 
 /// A dollar sign that encloses nothing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("At `$`: a dollar sign is no unit, and encloses no formula here. Leave it out.")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LoneDollar;
 
 impl<'t> Folded<'t> {

@@ -38,12 +38,7 @@ fn without_latex(text: &str) -> Cow<'_, str> {
     for space in ["\\,", "\\;", "\\:", "\\!"] {
         plain = plain.replace(space, "  ");
     }
-    if plain.contains("\\begin{") {
-        // The environment has brackets of its own.
-        for delimiter in ["\\left[", "\\left(", "\\right]", "\\right)"] {
-            plain = plain.replace(delimiter, &" ".repeat(delimiter.len()));
-        }
-    }
+    without_outer_brackets(&mut plain);
     for (sign, bracket) in [("\\left", ""), ("\\right", ""), ("\\{", "{"), ("\\}", "}")] {
         plain = plain.replace(sign, &format!("{bracket:>0$}", sign.len()));
     }
@@ -52,6 +47,30 @@ fn without_latex(text: &str) -> Cow<'_, str> {
     }
     binomials(&mut plain);
     Cow::Owned(plain)
+}
+
+/// Blanks the brackets right around an environment, `\left[\begin{array}…\end{array}\right]`: it stands for brackets
+/// itself. Those within are of its entries.
+fn without_outer_brackets(plain: &mut String) {
+    let mut blank = |is_outer: &dyn Fn(&str, usize, usize) -> bool, delimiters: [&str; 2]| {
+        for delimiter in delimiters {
+            let places: Vec<usize> = plain.match_indices(delimiter).map(|(at, _)| at).collect();
+            for at in places {
+                let end = at + delimiter.len();
+                if is_outer(plain, at, end) {
+                    plain.replace_range(at..end, &" ".repeat(delimiter.len()));
+                }
+            }
+        }
+    };
+    let opens = |text: &str, _: usize, end: usize| text[end..].trim_start().starts_with("\\begin{");
+    let closes = |text: &str, at: usize, _: usize| {
+        let before = text[..at].trim_end().strip_suffix('}');
+        let command = before.and_then(|before| before.rsplit_once('{'));
+        command.is_some_and(|(command, _)| command.ends_with("\\end"))
+    };
+    blank(&opens, ["\\left[", "\\left("]);
+    blank(&closes, ["\\right]", "\\right)"]);
 }
 
 /// `\binom{1}{2}` as the column that it looks like.

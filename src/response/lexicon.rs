@@ -65,24 +65,26 @@ impl Lexicon {
 
     /// That a name of the item may not be used, with those that may.
     pub(super) fn not_allowed(&self) -> Trouble {
-        Trouble::NotAllowed(self.listed("give it in"))
+        Trouble::NotAllowed(self.listed())
     }
 
     /// That a word is no name, with the name that is nearest to it or all that there are.
     pub(super) fn unknown(&self, word: &str) -> Trouble {
         let near = self.words().nearest(word);
-        let near = near.map(|near| format!("; did you mean `{near}`?"));
-        Trouble::Unknown(near.unwrap_or_else(|| self.listed("the letters are")))
+        Trouble::Unknown {
+            letters: near.is_none().then(|| self.listed()).unwrap_or_default(),
+            near: near.map(|near| near.to_string()),
+        }
     }
 
     /// The names that may be used, unless they are too many to be read.
-    fn listed(&self, words: &str) -> String {
+    fn listed(&self) -> Vec<String> {
         const MOST_LISTED: usize = 12;
         let allowed = self.words().allowed();
         if (1..=MOST_LISTED).contains(&allowed.len()) {
-            format!("; {words} {}", allowed.join(", "))
+            allowed.iter().map(ToString::to_string).collect()
         } else {
-            String::new()
+            Vec::new()
         }
     }
 

@@ -41,7 +41,8 @@ mod ways;
 mod words;
 
 pub(crate) use behind::with_unit;
-pub(crate) use error::{Trouble, TypedError};
+pub(crate) use error::TypedError;
+pub use error::{At, Trouble};
 pub use fold::{Folded, LoneDollar};
 pub(crate) use frame::first_bracket;
 pub(crate) use lexicon::Lexicon;

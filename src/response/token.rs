@@ -1,6 +1,6 @@
 //! From the signs of a response to tokens, its runs of letters split into words.
 
-use super::differential::{called, leibniz};
+use super::differential::{behind, called, leibniz};
 use super::digits::fraction;
 use super::letters::{Letters, combining, dotted, greek, greek_word};
 use super::vocabulary::{INITIAL, Piece, Sense};
@@ -511,7 +511,9 @@ impl Lexer<'_> {
     }
 
     fn differential_quotient(&self) -> Option<(Expr, usize)> {
-        let found = leibniz(self.text, self.at).or_else(|| called(self.text, self.at));
+        let found = leibniz(self.text, self.at)
+            .or_else(|| behind(self.text, self.at))
+            .or_else(|| called(self.text, self.at));
         let (spelling, order, end) = found?;
         Some((self.lexicon.dotted(&spelling, order)?, end))
     }

@@ -194,7 +194,14 @@ impl Words {
         // The letter that looks like it, `w0` for ω₀.
         let latin = own.strip_prefix("omega").map(|rest| format!("w{rest}"));
         self.latin.extend(latin.clone());
-        for spelling in [printed, usual, lambda, latin].into_iter().flatten() {
+        let ell = printed
+            .as_deref()
+            .and_then(|printed| printed.strip_prefix("ell"));
+        let ell = ell.map(|rest| format!("l{rest}"));
+        for spelling in [printed.clone(), usual, lambda, latin, ell]
+            .into_iter()
+            .flatten()
+        {
             if spelling != own && !self.is_taken(&spelling) {
                 self.replace(&spelling, sense.clone());
                 if is_moving {

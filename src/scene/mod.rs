@@ -12,6 +12,7 @@ mod plot;
 
 pub use plot::Undrawn;
 
+use crate::answer::Kind;
 use crate::bank::{Passage, Piece};
 use crate::document::{Document, Filling};
 use crate::math::Math;
@@ -117,7 +118,7 @@ impl<'s, 't> Scene<'s, 't> {
     fn concrete(&self, place: usize) -> Option<Math> {
         let answer = &self.solution.template().parts[place].answer;
         let keys = answer.keys();
-        if answer.kind().name() != "function" || keys.len() != 1 {
+        if answer.kind() != Kind::Function || keys.len() != 1 {
             return None;
         }
         let math = concrete::function(self.solution, keys[0])?;

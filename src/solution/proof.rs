@@ -4,7 +4,7 @@
 //! of its last written digit. A quantity with a second route has to agree with it over many draws.
 
 use super::Solution;
-use crate::answer::{KeyValue, Verdict, complex_number};
+use crate::answer::{KeyValue, Kind, Verdict, complex_number};
 use crate::bank::{Check, Expected, Template, Units};
 use crate::diagnostic::{Code, Diagnose, Finding, Label, Severity};
 use crate::expr::{Form, Name, Precise, Shape, Value};
@@ -158,8 +158,7 @@ fn compare(solution: &Solution<'_>, check: &Check, expected: &Expected) -> Resul
     let quantity = node
         .and_then(|node| Some((node, template.info(node)?)))
         .filter(|(_, info)| info.units.is_some());
-    let is_integer =
-        part.is_some_and(|place| template.parts[place].answer.kind().name() == "integer");
+    let is_integer = part.is_some_and(|place| template.parts[place].answer.kind() == Kind::Integer);
     if let (Some((node, info)), Some(written), false) =
         (quantity, written(&expected.response.value), is_integer)
         && let Some(found) = numbers(solution.evaluation(), node, &check.at)
@@ -227,7 +226,7 @@ fn respond(
     let part = &solution.template().parts[place];
     if let (KeyValue::Numbers { si, .. }, Some(written)) =
         (marker.key().value, written(&expected.response.value))
-        && part.answer.kind().name() == "numeric"
+        && part.answer.kind() == Kind::Numeric
         && si.len() == written.len()
     {
         let found: Vec<Complex> = si.iter().map(|number| Complex::new(*number, 0.0)).collect();

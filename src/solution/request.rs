@@ -158,6 +158,10 @@ fn solve(catalogue: &Catalogue, request: &Request) -> Result<Objects, Refusal> {
 /// A refusal with the nearest known item.
 pub fn find<'c>(catalogue: &'c Catalogue, id: &str) -> Result<&'c Template, Refusal> {
     catalogue.find(id).ok_or_else(|| {
+        if catalogue.ids().any(|own| own.as_str() == id) {
+            let message = format!("the item `{id}` has findings that `vibank check` shows");
+            return Refusal::new("unknown-item", message);
+        }
         let near = catalogue
             .nearest(id)
             .map(|near| format!(", did you mean `{near}`?"))

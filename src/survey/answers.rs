@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::answer::KeyValue;
+use crate::answer::{KeyValue, Kind};
 use crate::bank::Template;
 use crate::solution::Solution;
 use crate::unit::Unit;
@@ -43,7 +43,7 @@ impl AnswerSurvey {
     pub(super) fn of_parts(template: &Template) -> Vec<Self> {
         let parts = template.parts.iter().enumerate();
         parts
-            .filter(|(_, part)| matches!(part.answer.kind().name(), "numeric" | "integer"))
+            .filter(|(_, part)| matches!(part.answer.kind(), Kind::Numeric | Kind::Integer))
             .map(|(place, part)| {
                 let scale = part.answer.unit().unwrap_or(Unit::ONE);
                 Self {

@@ -2,6 +2,7 @@
 
 use serde_json::{Value as Json, json};
 
+use crate::answer::Kind;
 use crate::bank::{Part, Template};
 use crate::document::Document;
 use crate::expr::Shape;
@@ -63,9 +64,9 @@ pub(super) fn shape(part: &Part, template: &Template) -> Option<(usize, usize)> 
         return None;
     };
     let shape = template.graph.kind(key)?.shape();
-    let (rows, columns) = match (part.answer.kind().name(), shape) {
-        ("matrix", Shape::Matrix(rows, columns)) => (rows, columns),
-        ("mode-shape", Shape::Vector(rows)) => (rows, 1),
+    let (rows, columns) = match (part.answer.kind(), shape) {
+        (Kind::Matrix, Shape::Matrix(rows, columns)) => (rows, columns),
+        (Kind::ModeShape, Shape::Vector(rows)) => (rows, 1),
         _ => return None,
     };
     (rows <= MOST && columns <= MOST).then_some((rows, columns))

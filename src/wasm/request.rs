@@ -187,13 +187,17 @@ impl Asked<'_> {
         }
         let grade = Grade::mark(&self.solution, responses);
         let marking = grade.part(place).ok_or("the part was not marked")?;
-        let reasons: Vec<String> = marking.reasons.iter().map(|reason| reason.code()).collect();
+        let reasons: Vec<String> = marking
+            .reasons()
+            .iter()
+            .map(|reason| reason.code())
+            .collect();
         let reading = marking.reading.as_ref();
         Ok(json!({
             "verdict": marking.verdict,
             "credit": marking.credit,
             "reading": reading.map(|reading| reading.math.mathml(Display::Inline)),
-            "si": reading.map(|reading| &reading.si),
+            "si": reading.map(|reading| reading.answered.si()),
             "reasons": reasons,
             "feedback": self.feedback(place, marking),
         }))
@@ -201,7 +205,7 @@ impl Asked<'_> {
 
     fn feedback(&self, place: usize, marking: &crate::answer::Marking) -> String {
         let remarks = grade::remarks(&self.solution, place, marking);
-        let html = |remark: &grade::Remark| remark.document.html(&remark.fillings);
+        let html = |remark: &grade::Comment| remark.document.html(&remark.fillings);
         remarks.iter().map(html).collect()
     }
 

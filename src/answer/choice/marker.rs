@@ -1,7 +1,8 @@
 //! Marks what was chosen.
 
 use super::super::{
-    Credit, Feedback, Key, KeyValue, Marker, Marking, Nature, Reading, Reason, Trial,
+    Answered, Credit, Key, KeyValue, Marker, Marking, Nature, Reading, Remark, Trial, Unreadable,
+    Why,
 };
 use crate::document::Document;
 use crate::math::Math;
@@ -28,35 +29,37 @@ impl Chosen {
         (b'a' + position as u8) as char
     }
 
+    /// What was chosen: by the letters that are printed for people, by ids for programs.
     fn reading(&self, places: &[usize]) -> Reading {
-        let ids: Vec<&str> = places
-            .iter()
-            .map(|place| self.ids[*place].as_str())
-            .collect();
-        let text = ids.join(", ");
+        let ids: Vec<String> = places.iter().map(|at| self.ids[*at].clone()).collect();
         Reading {
-            math: Math::text(text.clone()),
-            text,
-            si: Vec::new(),
+            math: self.letters(places),
+            text: ids.join(", "),
+            answered: Answered::Options(ids),
         }
     }
 
-    fn feedback(&self, place: usize) -> Option<Feedback> {
-        let text = self.feedback[place].as_ref()?;
-        Some(Feedback::Text(text.clone()))
+    /// The printed letters of options.
+    fn letters(&self, places: &[usize]) -> Math {
+        let letters = places.iter().map(|place| self.letter(*place).to_string());
+        Math::text(letters.collect::<Vec<_>>().join(", "))
+    }
+
+    fn remark(&self, place: usize) -> Option<Remark> {
+        self.feedback[place].clone().map(Remark::Option)
     }
 
     fn mark_one(&self, places: &[usize]) -> Marking {
         let mut places = places.to_vec();
         places.dedup();
         let [place] = &places[..] else {
-            return Marking::unreadable("One option is asked: type one letter.");
+            return Marking::unreadable(Why::OneOption);
         };
         let reading = self.reading(&places);
         if self.right[*place] {
-            return Marking::read(reading, Credit::FULL, Reason::Matches, None);
+            return Marking::right(reading);
         }
-        Marking::read(reading, Credit::NONE, Reason::Other, self.feedback(*place))
+        Marking::wrong(reading, self.remark(*place))
     }
 
     fn mark_several(&self, places: &[usize]) -> Marking {
@@ -69,14 +72,11 @@ impl Chosen {
             self.right.len() as i128,
         );
         let credit = share.and_then(Credit::new).unwrap_or(Credit::NONE);
-        let mut marking = Marking::read(self.reading(places), credit, Reason::Other, None);
-        if credit == Credit::FULL {
-            marking.reasons = vec![Reason::Matches];
-        }
+        let mut marking = Marking::read(self.reading(places), credit, None);
         let wrong = places.iter().filter(|place| !self.right[**place]);
         marking
-            .feedback
-            .extend(wrong.filter_map(|place| self.feedback(*place)));
+            .remarks
+            .extend(wrong.filter_map(|place| self.remark(*place)));
         marking
     }
 
@@ -86,22 +86,14 @@ impl Chosen {
         seen.sort_unstable();
         seen.dedup();
         if seen.len() != self.ids.len() || places.len() != self.ids.len() {
-            return Marking::unreadable(format!(
-                "Give all {} letters, each once, in order.",
-                self.ids.len()
-            ));
+            return Marking::unreadable(Why::Ranking(self.ids.len()));
         }
         let ordered = places.windows(2).filter(|pair| pair[0] < pair[1]).count();
         let all = places.len() - 1;
         let credit = Rational::new(ordered as i128, all as i128)
             .and_then(Credit::new)
             .unwrap_or(Credit::NONE);
-        let reason = if ordered == all {
-            Reason::Matches
-        } else {
-            Reason::Other
-        };
-        Marking::read(self.reading(places), credit, reason, None)
+        Marking::read(self.reading(places), credit, None)
     }
 }
 
@@ -142,17 +134,13 @@ impl Marker for Chosen {
                 .filter(|place| self.right[*place])
                 .collect()
         };
-        let letters: Vec<String> = places
-            .iter()
-            .map(|place| self.letter(*place).to_string())
-            .collect();
         let ids = places
             .iter()
             .map(|place| self.ids[*place].clone())
             .collect();
         let is_list = self.is_several || self.is_ranking;
         Key {
-            math: Math::text(letters.join(", ")),
+            math: self.letters(&places),
             accepted: None,
             value: KeyValue::Options { ids, is_list },
         }
@@ -164,9 +152,7 @@ impl Marker for Chosen {
             Err(unknown) => {
                 let last = self.letter(self.order[self.order.len() - 1]);
                 let shown: String = unknown.chars().take(40).collect();
-                return Marking::unreadable(format!(
-                    "`{shown}` is none of the options: type a letter from a to {last}."
-                ));
+                return Marking::unreadable(Unreadable::at(shown, Why::NoOption(last)));
             }
         };
         match (self.is_ranking, self.is_several) {

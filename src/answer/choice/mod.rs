@@ -21,13 +21,10 @@ mod marker;
 mod read;
 
 use self::marker::Chosen;
-use super::{Answer, AnswerError, AnswerKind, Choosable, Choosing, Context, Declare, Marker};
+use super::{Answer, AnswerError, Choosable, Choosing, Context, Declare, Marker};
 use crate::document::Document;
 use crate::quantity::{Absent, NodeId};
 use crate::source::{Data, Table, Text, Value};
-
-/// The kind.
-pub(super) struct Kind;
 
 #[derive(Debug)]
 struct Choice {
@@ -46,62 +43,52 @@ enum Right {
     If(NodeId),
 }
 
-impl AnswerKind for Kind {
-    fn name(&self) -> &'static str {
-        "choice"
-    }
-
-    fn minutes(&self) -> u32 {
-        1
-    }
-
-    fn read(&self, part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
-        part.required("options");
-        let is_several = part.boolean("several").unwrap_or(false);
-        let is_ranking = part.boolean("ranking").unwrap_or(false);
-        let shuffles = part.boolean("shuffle").unwrap_or(true);
-        let (mut options, mut rights, mut feedback) =
-            (Vec::<Choosable>::new(), Vec::new(), Vec::new());
-        for table in part.tables("options") {
-            let id = table.required_text("id");
-            let text = table.required_text("text").map(|text| declare.text(&text));
-            rights.push(right(&table, declare)?);
-            feedback.push(table.text("feedback").map(|text| declare.text(&text)));
-            table.finish();
-            let (id, text) = (id?, text?);
-            if options.iter().any(|option| option.id == id.value) {
-                declare.find(&AnswerError::OptionTwice(id.value.clone()), &id);
-                return None;
-            }
-            options.push(Choosable { id: id.value, text });
-        }
-        let place = Text {
-            value: String::new(),
-            span: part.span(),
-        };
-        if !(2..=26).contains(&options.len()) {
-            declare.find(
-                &AnswerError::Options("a choice has from 2 to 26 options"),
-                &place,
-            );
+/// Reads the keys of a part that belong to this kind; what is wrong is noted.
+pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+    part.required("options");
+    let is_several = part.boolean("several").unwrap_or(false);
+    let is_ranking = part.boolean("ranking").unwrap_or(false);
+    let shuffles = part.boolean("shuffle").unwrap_or(true);
+    let (mut options, mut rights, mut feedback) = (Vec::<Choosable>::new(), Vec::new(), Vec::new());
+    for table in part.tables("options") {
+        let id = table.required_text("id");
+        let text = table.required_text("text").map(|text| declare.text(&text));
+        rights.push(right(&table, declare)?);
+        feedback.push(table.text("feedback").map(|text| declare.text(&text)));
+        table.finish();
+        let (id, text) = (id?, text?);
+        if options.iter().any(|option| option.id == id.value) {
+            declare.find(&AnswerError::OptionTwice(id.value.clone()), &id);
             return None;
         }
-        let has_right = rights
-            .iter()
-            .any(|right| !matches!(right, Right::Always(false)));
-        if !has_right && !is_ranking && !is_several {
-            declare.find(&AnswerError::Options("no option is right"), &place);
-            return None;
-        }
-        Some(Box::new(Choice {
-            options,
-            rights,
-            feedback,
-            is_several,
-            is_ranking,
-            shuffles,
-        }))
+        options.push(Choosable { id: id.value, text });
     }
+    let place = Text {
+        value: String::new(),
+        span: part.span(),
+    };
+    if !(2..=26).contains(&options.len()) {
+        declare.find(
+            &AnswerError::Options("a choice has from 2 to 26 options"),
+            &place,
+        );
+        return None;
+    }
+    let has_right = rights
+        .iter()
+        .any(|right| !matches!(right, Right::Always(false)));
+    if !has_right && !is_ranking && !is_several {
+        declare.find(&AnswerError::Options("no option is right"), &place);
+        return None;
+    }
+    Some(Box::new(Choice {
+        options,
+        rights,
+        feedback,
+        is_several,
+        is_ranking,
+        shuffles,
+    }))
 }
 
 fn right(table: &Table<'_>, declare: &mut dyn Declare) -> Option<Right> {
@@ -119,8 +106,8 @@ fn right(table: &Table<'_>, declare: &mut dyn Declare) -> Option<Right> {
 }
 
 impl Answer for Choice {
-    fn kind(&self) -> &'static dyn AnswerKind {
-        &Kind
+    fn kind(&self) -> crate::answer::Kind {
+        crate::answer::Kind::Choice
     }
 
     fn keys(&self) -> Vec<NodeId> {

@@ -7,9 +7,10 @@ use super::rows::Rows;
 use super::system::Other;
 use super::{Arc, Setup, told, written};
 use crate::answer::{
-    Beside, Credit, Equations, Feedback, Key, Marker, Marking, Nature, Reading, Reason, Trial,
+    Beside, Credit, Equations, Key, Marker, Marking, Misfit, Nature, Note, Reading, Remark, Slip,
+    Trial, Why,
 };
-use crate::expr::{Equation, Kind, Program};
+use crate::expr::{Equation, Kind, Name, Program};
 use crate::numerics::Rational;
 
 /// A prepared key.
@@ -51,11 +52,14 @@ impl Prepared {
         }
     }
 
-    fn trouble(&self, equations: &[Equation]) -> Option<String> {
+    fn misfit(&self, equations: &[Equation]) -> Option<Misfit> {
         let errors = equations
             .iter()
             .find_map(|equation| equation.check(&self.setup.meaning).err());
-        errors.map(|errors| crate::answer::formula::explained(errors.first()))
+        errors.map(|errors| Misfit::Step {
+            entry: None,
+            error: errors.first().cloned(),
+        })
     }
 
     /// Whether equations are right with the values of the instance in place of letters.
@@ -68,13 +72,18 @@ impl Prepared {
         last.is_some_and(|points| Rows::of(&key, &typed, points) == Rows::Same)
     }
 
-    /// Whether no data stand in equations, though some stand in the key.
-    fn is_in_numbers(&self, equations: &[Equation]) -> bool {
-        let has_data = |equation: &Equation| {
-            let names = equation.difference().names();
-            names.free.iter().any(|variable| {
-                !self.setup.unknowns.contains(&variable.name) && variable.name.as_str() != "t"
-            })
+    /// Whether numbers stand in equations where the key has data: in place of them all, or of some.
+    fn has_values(&self, equations: &[Equation], are_right: impl FnOnce() -> bool) -> bool {
+        let data = |equations: &[Equation]| -> Vec<Name> {
+            let names = equations
+                .iter()
+                .flat_map(|own| own.difference().names().free);
+            let is_datum =
+                |name: &Name| !self.setup.unknowns.contains(name) && name.as_str() != "t";
+            names
+                .map(|variable| variable.name)
+                .filter(is_datum)
+                .collect()
         };
         let has_number = |equation: &Equation| {
             let mut found = false;
@@ -83,9 +92,10 @@ impl Prepared {
             });
             found
         };
-        self.setup.key.iter().any(has_data)
-            && !equations.iter().any(has_data)
-            && equations.iter().any(has_number)
+        let (key, typed) = (data(&self.setup.key), data(equations));
+        let lacks_some = key.iter().any(|name| !typed.contains(name));
+        let has_numbers = || equations.iter().any(has_number);
+        lacks_some && has_numbers() && (typed.is_empty() || are_right())
     }
 
     /// The marking of equations that are not right.
@@ -96,40 +106,26 @@ impl Prepared {
         typed: &[Program],
         others: &[Other],
     ) -> Marking {
-        let say = |words: String| Some(Feedback::Words(words));
         if !others.is_empty() && self.follows(typed, others) {
             if matches!(
                 self.compare(typed, &self.key),
                 Rows::Same | Rows::Fewer { .. }
             ) {
-                let words = "Right; the other equations belong to the other parts.".to_owned();
-                return Marking::read(reading, Credit::FULL, Reason::Matches, say(words));
+                let note = Remark::from(Note::OthersBelongElsewhere);
+                return Marking::read(reading, Credit::FULL, note);
             }
-            let words = "This follows from the equations of motion, but it is not the one that is asked here, and with \
-                         the other answers it does not make up all of them.";
-            return Marking::read(reading, Credit::NONE, Reason::Other, say(words.to_owned()));
+            return Marking::wrong(reading, Remark::from(Slip::OtherEquation));
         }
-        let trouble = self.trouble(equations);
-        let has_values = || trouble.is_some() && self.is_right_for_the_data(typed);
-        if self.is_in_numbers(equations) || has_values() {
-            return Marking::unreadable(
-                "Write the equation with the letters of the question, not with their values.",
-            );
+        let misfit = self.misfit(equations);
+        let are_right = || misfit.is_some() && self.is_right_for_the_data(typed);
+        if self.has_values(equations, are_right) {
+            return Marking::unreadable(Why::ValuesForLetters);
         }
-        if let Some(trouble) = trouble {
-            return Marking::read(reading, Credit::NONE, Reason::Dimension, say(trouble));
+        if let Some(misfit) = misfit {
+            return Marking::wrong(reading, Remark::from(misfit));
         }
-        let told = told::told(&self.setup, &self.key, typed, &self.points);
-        let reason = match &told {
-            Some(told) if told.is_sign => Reason::Sign,
-            _ => Reason::Other,
-        };
-        Marking::read(
-            reading,
-            Credit::NONE,
-            reason,
-            told.and_then(|told| say(told.words)),
-        )
+        let terms = told::terms(&self.setup, &self.key, typed, &self.points);
+        Marking::wrong(reading, terms.map(|terms| Slip::Terms(terms).into()))
     }
 }
 
@@ -181,30 +177,25 @@ impl Marker for Prepared {
         let setup = &self.setup;
         let equations = match setup.read(response) {
             Ok(equations) => equations,
-            Err(words) => return Marking::unreadable(words),
+            Err(why) => return Marking::unreadable(why),
         };
         let reading = setup.reading(&equations);
         let Some((equations, typed, rows)) = self.compared(equations) else {
-            return Marking::unreadable(
-                "This equation cannot be compared; write it in a simpler form.",
-            );
+            return Marking::unreadable(Why::IncomparableEquation);
         };
         if rows == Rows::Same {
-            return Marking::read(reading, Credit::FULL, Reason::Matches, None);
+            return Marking::right(reading);
         }
         let others = self.others(others);
         if self.is_right_beside(&typed, &others) {
-            let words = "Right together with the other equations.".to_owned();
-            let feedback = Some(Feedback::Words(words));
-            return Marking::read(reading, Credit::FULL, Reason::Matches, feedback);
+            return Marking::read(reading, Credit::FULL, Remark::from(Note::RightTogether));
         }
         let named = self
             .mistakes
             .iter()
             .find(|(_, given, _)| self.compare(given, &typed) == Rows::Same);
         if let Some((number, _, credit)) = named {
-            let feedback = Some(Feedback::Mistake(*number));
-            return Marking::read(reading, *credit, Reason::Mistake(*number), feedback);
+            return Marking::mistake(reading, *number, *credit);
         }
         if let Rows::Fewer { found, needed } = rows {
             return fewer(reading, typed.len(), found, needed);
@@ -224,16 +215,13 @@ impl Marker for Prepared {
 /// The marking of fewer independent equations than are asked.
 fn fewer(reading: Reading, typed: usize, found: usize, needed: usize) -> Marking {
     let credit = Rational::new(found as i128, needed as i128).and_then(Credit::new);
-    let words = if found == 0 {
-        "This holds for any motion: it says nothing about this one.".to_owned()
-    } else if typed > found {
-        format!(
-            "Right as far as it goes, but of these equations only {found} {} independent; {needed} are asked.",
-            if found == 1 { "is" } else { "are" }
-        )
-    } else {
-        format!("Right as far as it goes: {needed} independent equations are asked.")
+    let slip = match found {
+        0 => Slip::Tautology,
+        _ => Slip::Fewer {
+            typed,
+            found,
+            needed,
+        },
     };
-    let (credit, words) = (credit.unwrap_or(Credit::NONE), Feedback::Words(words));
-    Marking::read(reading, credit, Reason::Other, Some(words))
+    Marking::read(reading, credit.unwrap_or(Credit::NONE), Remark::from(slip))
 }

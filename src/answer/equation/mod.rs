@@ -30,14 +30,11 @@ use std::sync::{Arc, OnceLock};
 
 use self::marker::Prepared;
 use super::meaning::{Meaning, Prefer, lexicon};
-use super::{Answer, AnswerError, AnswerKind, Context, Declare, Key, Marker, Role, symbolic};
+use super::{Answer, AnswerError, Context, Declare, Key, Marker, Role, symbolic};
 use crate::expr::{Equation, Expr, Name, Program};
 use crate::quantity::{Absent, NodeId};
 use crate::response::Lexicon;
 use crate::source::{Table, Text, Value};
-
-/// The kind.
-pub(super) struct Kind;
 
 #[derive(Debug)]
 struct Asked {
@@ -55,60 +52,50 @@ struct Setup {
     printed: OnceLock<Key>,
 }
 
-impl AnswerKind for Kind {
-    fn name(&self) -> &'static str {
-        "equation"
-    }
-
-    fn minutes(&self) -> u32 {
-        6
-    }
-
-    fn read(&self, part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
-        part.required("key");
-        let (texts, unknowns, listed) =
-            (part.texts("key"), part.texts("unknowns"), part.texts("in"));
-        let mut meaning = Meaning::of(declare, Prefer::Coordinates);
-        let known = declare.known();
-        let mut names = Vec::new();
-        for text in &unknowns {
-            let Some(own) = known.iter().find(|own| own.name.as_str() == text.value) else {
-                declare.find(&AnswerError::UnknownName(text.value.clone()), text);
-                return None;
-            };
-            names.push(own.name.clone());
-        }
-        if unknowns.is_empty() {
-            let coordinates = known.iter().filter(|own| own.role == Role::Coordinate);
-            names = coordinates.map(|own| own.name.clone()).collect();
-        }
-        for name in &names {
-            meaning.set_moving(name);
-        }
-        let mut key = Vec::new();
-        for text in &texts {
-            key.extend(equations(text, &meaning, declare)?);
-        }
-        if key.is_empty() {
+/// Reads the keys of a part that belong to this kind; what is wrong is noted.
+pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+    part.required("key");
+    let (texts, unknowns, listed) = (part.texts("key"), part.texts("unknowns"), part.texts("in"));
+    let mut meaning = Meaning::of(declare, Prefer::Coordinates);
+    let known = declare.known();
+    let mut names = Vec::new();
+    for text in &unknowns {
+        let Some(own) = known.iter().find(|own| own.name.as_str() == text.value) else {
+            declare.find(&AnswerError::UnknownName(text.value.clone()), text);
             return None;
-        }
-        let (mut lexicon, _) = lexicon(declare, &listed, None);
-        for own in known.iter().filter(|own| names.contains(&own.name)) {
-            lexicon.allow(&own.name, Arc::clone(&own.symbol), true);
-        }
-        let time = Name::new("t");
-        lexicon.allow(&time, crate::math::symbol("t"), false);
-        Some(Box::new(Asked {
-            setup: Arc::new(Setup {
-                key,
-                unknowns: names,
-                meaning,
-                lexicon,
-                printed: OnceLock::new(),
-            }),
-            mistakes: Vec::new(),
-        }))
+        };
+        names.push(own.name.clone());
     }
+    if unknowns.is_empty() {
+        let coordinates = known.iter().filter(|own| own.role == Role::Coordinate);
+        names = coordinates.map(|own| own.name.clone()).collect();
+    }
+    for name in &names {
+        meaning.set_moving(name);
+    }
+    let mut key = Vec::new();
+    for text in &texts {
+        key.extend(equations(text, &meaning, declare)?);
+    }
+    if key.is_empty() {
+        return None;
+    }
+    let (mut lexicon, _) = lexicon(declare, &listed, None);
+    for own in known.iter().filter(|own| names.contains(&own.name)) {
+        lexicon.allow(&own.name, Arc::clone(&own.symbol), true);
+    }
+    let time = Name::new("t");
+    lexicon.allow(&time, crate::math::symbol("t"), false);
+    Some(Box::new(Asked {
+        setup: Arc::new(Setup {
+            key,
+            unknowns: names,
+            meaning,
+            lexicon,
+            printed: OnceLock::new(),
+        }),
+        mistakes: Vec::new(),
+    }))
 }
 
 /// The equations of a text: written, or those of a model.
@@ -133,8 +120,8 @@ fn equations(text: &Text, meaning: &Meaning, declare: &mut dyn Declare) -> Optio
 }
 
 impl Answer for Asked {
-    fn kind(&self) -> &'static dyn AnswerKind {
-        &Kind
+    fn kind(&self) -> crate::answer::Kind {
+        crate::answer::Kind::Equation
     }
 
     fn keys(&self) -> Vec<NodeId> {

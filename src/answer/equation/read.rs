@@ -1,7 +1,7 @@
 //! Reads the equations of a response.
 
 use super::{Setup, written};
-use crate::answer::Reading;
+use crate::answer::{Answered, Reading, Unreadable, Why};
 use crate::expr::{Equation, Expr, Relation};
 use crate::math::Math;
 use crate::response::{self, Chain, Manner, Trouble, cut};
@@ -9,7 +9,7 @@ use crate::source::Span;
 
 impl Setup {
     /// The equations that a response is.
-    pub(super) fn read(&self, response: &str) -> Result<Vec<Equation>, String> {
+    pub(super) fn read(&self, response: &str) -> Result<Vec<Equation>, Unreadable> {
         let manner = Manner {
             comma_is_decimal: true,
             has_imaginary_unit: false,
@@ -17,15 +17,13 @@ impl Setup {
         let mut found = Vec::new();
         for place in pieces(response) {
             let (from, to) = (place.range().start, place.range().end);
-            if let Some(help) = beside_the_point(&response[place.range()]) {
-                return Err(help);
+            if let Some(why) = beside_the_point(&response[place.range()]) {
+                return Err(why);
             }
             let chain = response::chain(response, from, to, &self.lexicon, manner);
             let chain = chain.map_err(|error| match error.trouble {
-                Trouble::NoRelation => {
-                    "An equation is asked: an equals sign is missing.".to_owned()
-                }
-                _ => error.sentence(response),
+                Trouble::NoRelation => Why::NoEquation.into(),
+                _ => error.remark(response),
             })?;
             let fits = |chain: &Chain| {
                 let equations = of_chain(chain).unwrap_or_default();
@@ -42,7 +40,7 @@ impl Setup {
         Reading {
             math: self.typeset(equations),
             text: written(equations),
-            si: Vec::new(),
+            answered: Answered::Equations(equations.to_vec()),
         }
     }
 
@@ -62,13 +60,13 @@ impl Setup {
 }
 
 /// The equations `a = b = c` is.
-fn of_chain(chain: &Chain) -> Result<Vec<Equation>, String> {
+fn of_chain(chain: &Chain) -> Result<Vec<Equation>, Why> {
     if chain
         .relations
         .iter()
         .any(|relation| *relation != Relation::Equal)
     {
-        return Err("An equation is asked, not an inequality.".to_owned());
+        return Err(Why::NotInequality);
     }
     let pair = |sides: &[Expr]| Equation {
         left: sides[0].clone(),
@@ -112,12 +110,10 @@ fn cut_at_and(text: &str, place: Span) -> Vec<Span> {
 }
 
 /// What is said about a number of an equation, which could be a factor, and about the state at the start.
-fn beside_the_point(equation: &str) -> Option<String> {
+fn beside_the_point(equation: &str) -> Option<Unreadable> {
     let equation = equation.trim();
     if let Some(number) = number_of(equation) {
-        return Some(format!(
-            "At `{number}`: is this the number of the equation? Leave it out; a factor is written `2*`."
-        ));
+        return Some(Unreadable::at(number, Why::EquationNumber));
     }
     let (left, _) = equation.split_once('=')?;
     let name = left.trim_end().strip_suffix("(0)")?;
@@ -125,9 +121,7 @@ fn beside_the_point(equation: &str) -> Option<String> {
         && name
             .chars()
             .all(|char| char.is_alphanumeric() || "_'’′″\"".contains(char));
-    is_name.then(|| {
-        format!("At `{equation}`: give the equation alone; the state at the start does not belong to it.")
-    })
+    is_name.then(|| Unreadable::at(equation, Why::InitialState))
 }
 
 /// A number that an equation bears, `(2) m x'' = …`, `2. m x'' = …` or `m x'' = … (2)`.

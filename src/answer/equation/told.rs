@@ -1,36 +1,24 @@
-//! What is wrong with equations, told by their terms: a sign, a term that is missing, a datum that it misses.
+//! What is wrong with equations, by their terms: a sign, a term that is missing, a datum that it misses.
 
 use super::Setup;
 use super::points::Choice;
-use super::terms::{Coefficients, Match, Nature, Term, is_nearly, is_same, terms};
+use super::terms::{Coefficients, Match, Nature, Term, is_nearly, is_same, terms as of_unknowns};
 use crate::answer::meaning::ORDERS;
+use crate::answer::{Coefficient, Fault, Linearity, Term as Named, TermKind, Terms};
 use crate::expr::{Name, Notation, Precise, Program};
 
-/// What is said about wrong equations.
-pub(super) struct Told {
-    pub(super) words: String,
-    /// Whether only signs are wrong.
-    pub(super) is_sign: bool,
-}
-
-/// What is wrong with one equation.
-struct Fault {
-    sentences: Vec<String>,
-    is_sign: bool,
-}
-
-/// Most data that a sentence names.
+/// Most data that are named.
 const MOST_NAMED: usize = 3;
 
 /// What is wrong with the first equation that is none of the key, next to the one of the key that is most like it.
-pub(super) fn told(
+pub(super) fn terms(
     setup: &Setup,
     key: &[Program],
     typed: &[Program],
     points: &[Choice],
-) -> Option<Told> {
+) -> Option<Terms> {
     let point = points.first()?.first()?;
-    let all = terms(setup);
+    let all = of_unknowns(setup);
     let coefficients = |programs: &[Program]| -> Option<Vec<Coefficients>> {
         programs
             .iter()
@@ -56,25 +44,17 @@ pub(super) fn told(
             key: (&key[nearest], &own[nearest]),
             typed: (&typed[place], &found[place]),
         };
-        let fault = match pair.linearization() {
-            Some(sentence) => Some(Fault {
-                sentences: vec![sentence.to_owned()],
-                is_sign: false,
-            }),
+        let found = match pair.linearity() {
+            Some(linearity) => Some((Vec::new(), Some(linearity))),
             None if matched.differing.is_empty() => continue,
             None if own[nearest].is_linear() && !found[place].is_linear() => pair.besides_curves(),
-            None => pair.fault(&matched),
+            None => pair.faults(&matched).map(|faults| (faults, None)),
         };
-        let fault = fault?;
-        let words = fault.sentences.join(" ");
-        let words = if typed.len() > 1 {
-            format!("Equation {}: {words}", place + 1)
-        } else {
-            words
-        };
-        return Some(Told {
-            words,
-            is_sign: fault.is_sign,
+        let (faults, linearity) = found?;
+        return Some(Terms {
+            equation: (typed.len() > 1).then_some(place + 1),
+            faults,
+            linearity,
         });
     }
     None
@@ -90,8 +70,8 @@ struct Pair<'a> {
 }
 
 impl Pair<'_> {
-    /// What is said if the two agree for small motions alone.
-    fn linearization(&self) -> Option<&'static str> {
+    /// How the two differ if they agree for small motions alone.
+    fn linearity(&self) -> Option<Linearity> {
         let (own, found) = (self.key.1, self.typed.1);
         if own.is_linear() && found.is_linear() {
             return None;
@@ -104,66 +84,52 @@ impl Pair<'_> {
         let curves_differ = !(0..own.values.len())
             .all(|place| is_nearly(scale * own.values[place], found.values[place]));
         agree.then_some(if own.is_linear() {
-            "It is right as it stands, but it has still to be linearized for small motions."
+            Linearity::Due
         } else if found.is_linear() {
-            "This holds for small motions alone; the equation is asked without that approximation."
+            Linearity::Surplus
         } else if curves_differ {
-            "It is right for small motions alone: look at how it depends on large ones."
+            Linearity::WrongForLarge
         } else {
             return None;
         })
     }
 
     /// What is wrong with an equation for small motions, which has still to be linearized besides.
-    fn besides_curves(&self) -> Option<Fault> {
+    fn besides_curves(&self) -> Option<(Vec<(Named, Fault)>, Option<Linearity>)> {
         let flat = self.typed.1.linearized();
         let pair = Pair {
             typed: (self.typed.0, &flat),
             ..*self
         };
         let matched = Match::of(&self.key.1.values, &flat.values)?;
-        let known = pair.fault(&matched);
-        let last = match &known {
-            Some(_) => "It has to be linearized for small motions as well.",
-            None => "It is not right yet, and it has to be linearized for small motions as well.",
-        };
-        let mut sentences = known.map_or(Vec::new(), |fault| fault.sentences);
-        sentences.push(last.to_owned());
-        Some(Fault {
-            sentences,
-            is_sign: false,
-        })
+        let faults = pair.faults(&matched).unwrap_or_default();
+        Some((faults, Some(Linearity::DueBesides)))
     }
 
-    fn fault(&self, matched: &Match) -> Option<Fault> {
+    fn faults(&self, matched: &Match) -> Option<Vec<(Named, Fault)>> {
         if !matched.is_telling() {
             return None;
         }
-        let mut fault = Fault {
-            sentences: Vec::new(),
-            is_sign: true,
-        };
-        for &place in &matched.differing {
+        let fault = |place: usize| {
             let due = matched.scale * self.key.1.values[place];
             let given = self.typed.1.values[place];
             let name = self.name(place, due == 0.0);
-            let is_sign = is_same(due, -given);
-            fault.is_sign &= is_sign;
-            fault.sentences.push(if given == 0.0 {
-                format!("The {name} is missing.")
+            let fault = if given == 0.0 {
+                Fault::Missing
             } else if due == 0.0 {
-                format!("There should be no {name}.")
-            } else if is_sign {
-                format!("The sign of the {name} is wrong.")
+                Fault::Surplus
+            } else if is_same(due, -given) {
+                Fault::Sign
             } else {
-                self.coefficient(place, matched, &name)
-            });
-        }
-        Some(fault)
+                Fault::Coefficient(self.coefficient(place, matched))
+            };
+            (name, fault)
+        };
+        Some(matched.differing.iter().copied().map(fault).collect())
     }
 
     /// What is wrong with a coefficient, next to one that is right.
-    fn coefficient(&self, place: usize, matched: &Match, name: &str) -> String {
+    fn coefficient(&self, place: usize, matched: &Match) -> Coefficient {
         let (mut missed, mut surplus) = (Vec::new(), Vec::new());
         let mut is_number = true;
         for (at, input) in self.setup.meaning.inputs.iter().enumerate() {
@@ -175,9 +141,9 @@ impl Pair<'_> {
                 continue;
             };
             is_number &= is_same(own, typed);
-            let symbol = || match &input.title {
-                Some(title) => format!("{} ({title})", self.symbol(&input.name)),
-                None => self.symbol(&input.name),
+            let symbol = || {
+                let title = input.title.as_ref().map(ToString::to_string);
+                (self.symbol(&input.name), title)
             };
             match (is_same(own, 1.0), is_same(typed, 1.0)) {
                 (false, true) => missed.push(symbol()),
@@ -186,23 +152,15 @@ impl Pair<'_> {
             }
         }
         if is_number {
-            return format!("The number in front of the {name} is wrong.");
+            return Coefficient::Number;
         }
-        let few = |names: &[String]| (1..=MOST_NAMED).contains(&names.len());
-        match (few(&missed), few(&surplus)) {
-            (true, false) if surplus.is_empty() => {
-                format!("The {name} misses {}.", listed(&missed))
-            }
-            (false, true) if missed.is_empty() => {
-                format!("The {name} should not contain {}.", listed(&surplus))
-            }
-            (true, true) => format!(
-                "The {name} misses {} and should not contain {}.",
-                listed(&missed),
-                listed(&surplus)
-            ),
-            _ => format!("The coefficient of the {name} is wrong."),
+        if missed.is_empty() && surplus.is_empty()
+            || missed.len() > MOST_NAMED
+            || surplus.len() > MOST_NAMED
+        {
+            return Coefficient::Other;
         }
+        Coefficient::Data { missed, surplus }
     }
 
     /// By which factor a coefficient, over another one that is right, changes with a datum.
@@ -234,31 +192,33 @@ impl Pair<'_> {
     }
 
     /// What a term is called.
-    fn name(&self, place: usize, is_of_typed: bool) -> String {
+    fn name(&self, place: usize, is_of_typed: bool) -> Named {
         let of = if is_of_typed { self.typed } else { self.key };
         let Term::Unknown { place: at, order } = self.terms[place] else {
-            let names: Vec<String> = self
-                .setup
-                .unknowns
-                .iter()
-                .map(|name| self.symbol(name))
-                .collect();
-            let kind = if self.varies_with_time(of.0) {
-                "exciting term"
-            } else {
-                "term"
+            let unknowns = self.setup.unknowns.iter();
+            return Named {
+                kind: if self.varies_with_time(of.0) {
+                    TermKind::Exciting
+                } else {
+                    TermKind::Other
+                },
+                unknown: None,
+                without: unknowns.map(|name| self.symbol(name)).collect(),
             };
-            return format!("{kind} without {}", listed(&names));
         };
         let kind = match (order, of.1.nature(place)) {
-            _ if !self.moves() => "term",
-            (2, _) => "inertia term",
-            (1, Nature::Sign) => "friction term",
-            (1, _) => "damping term",
-            _ => "stiffness term",
+            _ if !self.moves() => TermKind::Other,
+            (2, _) => TermKind::Inertia,
+            (1, Nature::Sign) => TermKind::Friction,
+            (1, _) => TermKind::Damping,
+            _ => TermKind::Stiffness,
         };
         let symbol = self.symbol(&self.setup.meaning.inputs[at].name);
-        format!("{kind} (in {symbol}{})", ["", "′", "″"][order.min(2)])
+        Named {
+            kind,
+            unknown: Some(format!("{symbol}{}", ["", "′", "″"][order.min(2)])),
+            without: Vec::new(),
+        }
     }
 
     /// Whether one of the two is about a motion: geometry knows neither inertia nor stiffness.
@@ -295,14 +255,5 @@ impl Pair<'_> {
         };
         let plain = self.setup.lexicon.name(name).math.plain();
         plain.chars().map(digit).collect()
-    }
-}
-
-/// Names with commas and a last `and`.
-fn listed(names: &[String]) -> String {
-    match names {
-        [] => String::new(),
-        [one] => one.clone(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
     }
 }

@@ -7,14 +7,13 @@ use super::Setup;
 use super::slip::slip;
 use crate::answer::equality::{Comparable, Comparison, Points};
 use crate::answer::{
-    Credit, Feedback, Key, Marker, Marking, Nature, Reading, Reason, Trial, Verdict,
+    Answered, Credit, Key, Marker, Marking, Misfit, Nature, Note, Reading, Reason, Remark, Trial,
+    Verdict, Why,
 };
 use crate::expr::Expr;
 use crate::response::{self, Trouble, TypedError};
 use crate::source::Span;
 use crate::unit::DecimalMark;
-
-const NUMBER: &str = "A formula in symbols is asked, not a number: give it without its value.";
 
 /// A prepared key.
 pub(super) struct Prepared {
@@ -35,7 +34,7 @@ pub(super) struct Mistake {
 struct Read {
     expr: Expr,
     /// What is wrong with its dimension.
-    trouble: Option<String>,
+    misfit: Option<Misfit>,
 }
 
 impl Prepared {
@@ -45,74 +44,60 @@ impl Prepared {
         let readings = [typed.value].into_iter().chain(typed.others);
         let mut readings: Vec<Read> = readings
             .map(|expr| Read {
-                trouble: self.dimension_trouble(&expr),
+                misfit: self.misfit(&expr),
                 expr,
             })
             .collect();
-        let fitting = readings.iter().position(|read| read.trouble.is_none());
+        let fitting = readings.iter().position(|read| read.misfit.is_none());
         let read = readings.swap_remove(fitting.unwrap_or(0));
         let is_number = read.expr.names().free.is_empty() && !read.expr.is_zero();
-        let is_number = is_number || read.trouble.is_some() && self.is_number(response);
+        let is_number = is_number || read.misfit.is_some() && self.is_number(response);
         if self.has_names() && is_number {
-            return Ok(Marking::unreadable(NUMBER));
+            return Ok(Marking::unreadable(Why::FormulaNotNumber));
         }
         let marking = self.judged(&read);
         Ok(match marking.verdict {
-            Verdict::Right if self.contradicts_itself(response) => Marking::unreadable(
-                "What stands on the sides of the equals signs is not the same: give one formula.",
-            ),
+            Verdict::Right if self.contradicts_itself(response) => {
+                Marking::unreadable(Why::UnequalFormulas)
+            }
             Verdict::Right => marking,
             _ => self.question(&read, &marking, &readings).unwrap_or(marking),
         })
     }
 
     /// The marking of a reading by what it comes to.
-    fn judged(&self, Read { expr, trouble }: &Read) -> Marking {
+    fn judged(&self, Read { expr, misfit }: &Read) -> Marking {
         let setup = &self.setup;
         let reading = Reading {
             math: expr.typeset(&setup.lexicon),
             text: expr.to_string(),
-            si: Vec::new(),
+            answered: Answered::Formula(expr.clone()),
         };
         let Some(typed) = self.comparable(expr) else {
-            return Marking::unreadable(
-                "This formula cannot be compared; write it in a simpler form.",
-            );
+            return Marking::unreadable(Why::Incomparable);
         };
         // Steps may go against the dimensions where the whole does not: `ln(x0) - ln(x1)`.
-        let is_of_dimension = trouble.is_none() || expr.check(&setup.meaning).is_err();
+        let is_of_dimension = misfit.is_none() || expr.check(&setup.meaning).is_err();
         let comparison = if is_of_dimension {
             self.points.compare(&self.key, &typed)
         } else {
             Comparison::Undefined
         };
         if comparison == Comparison::Same {
-            let remark = trouble
-                .as_ref()
-                .map(|trouble| Feedback::Words(format!("Right, but: {trouble}")));
-            return Marking::read(reading, Credit::FULL, Reason::Matches, remark);
+            let remark = misfit.clone().map(|misfit| Note::RightBut(misfit).into());
+            return Marking::read(reading, Credit::FULL, remark);
         }
         if let Some(mistake) = self.mistake(&typed) {
-            let feedback = Some(Feedback::Mistake(mistake.number));
-            return Marking::read(
-                reading,
-                mistake.credit,
-                Reason::Mistake(mistake.number),
-                feedback,
-            );
+            return Marking::mistake(reading, mistake.number, mistake.credit);
         }
-        if let Some(trouble) = trouble {
-            let words = Some(Feedback::Words(trouble.clone()));
-            return Marking::read(reading, Credit::NONE, Reason::Dimension, words);
+        if let Some(misfit) = misfit {
+            return Marking::wrong(reading, Remark::from(misfit.clone()));
         }
         if comparison == Comparison::Undecided {
-            return Marking::unreadable(
-                "All digits are lost when this is computed, so it cannot be compared; write it in a simpler form.",
-            );
+            return Marking::unreadable(Why::DigitsLost);
         }
-        let (reason, words) = slip(&comparison, expr, setup.kind.dimension());
-        let words = words.map(|words| Feedback::Words(words.to_owned()));
-        Marking::read(reading, Credit::NONE, reason, words)
+        let slip = slip(&comparison, expr, setup.kind.dimension());
+        Marking::wrong(reading, slip.map(Remark::from))
     }
 
     fn comparable(&self, expr: &Expr) -> Option<Comparable> {
@@ -129,21 +114,19 @@ impl Prepared {
     /// The question that is asked back where a reading was marked wrong and another one of the dimension is right, or
     /// a mistake that has a name.
     fn question(&self, first: &Read, marking: &Marking, others: &[Read]) -> Option<Marking> {
-        let is_named = |marking: &Marking| {
-            let reason = marking.reasons.first();
-            matches!(reason, Some(Reason::Mistake(_) | Reason::TwoPi))
-        };
+        let is_named =
+            |marking: &Marking| matches!(marking.reason(), Reason::Mistake(_) | Reason::TwoPi);
         let is_more = |other: &&Read| {
             let other = self.judged(other);
             other.verdict == Verdict::Right || is_named(&other) && !is_named(marking)
         };
-        let fitting = others.iter().filter(|other| other.trouble.is_none());
+        let fitting = others.iter().filter(|other| other.misfit.is_none());
         let other = fitting
             .filter(|other| other.expr != first.expr)
             .find(is_more)?;
-        Some(Marking::unreadable(format!(
-            "This can be read as `{}` or as `{}`: type the one that you mean.",
-            first.expr, other.expr
+        Some(Marking::unreadable(Why::TwoReadings(
+            first.expr.typeset(&self.setup.lexicon).plain(),
+            other.expr.typeset(&self.setup.lexicon).plain(),
         )))
     }
 
@@ -211,19 +194,18 @@ impl Marker for Prepared {
 
     fn mark(&self, response: &str) -> Marking {
         match self.mark_alone(response) {
-            Ok(marking) if marking.reasons.contains(&Reason::Dimension) => {
+            Ok(marking) if marking.reasons().contains(&Reason::Dimension) => {
                 self.right_before_unit(response).unwrap_or(marking)
             }
             Ok(marking) => marking,
             Err(error) => self.mark_before_unit(response).unwrap_or_else(|| {
                 let is_unknown = matches!(error.trouble, Trouble::Unknown { .. } | Trouble::Unit);
                 let is_number = is_unknown && self.has_names() && self.is_number(response);
-                let words = if is_number {
-                    NUMBER.to_owned()
+                if is_number {
+                    Marking::unreadable(Why::FormulaNotNumber)
                 } else {
-                    error.sentence(response)
-                };
-                Marking::unreadable(words)
+                    Marking::unreadable(error.remark(response))
+                }
             }),
         }
     }

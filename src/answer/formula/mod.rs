@@ -24,15 +24,12 @@ use std::sync::{Arc, OnceLock};
 use self::marker::{Mistake, Prepared};
 use super::equality::{Comparable, Points};
 use super::meaning::{Meaning, Prefer, lexicon};
-use super::{Answer, AnswerError, AnswerKind, Context, Declare, Key, Marker, symbolic};
-use crate::expr::{CheckError, Expr, Field, Joint, Name, Shape, Type};
+use super::{Answer, AnswerError, Context, Declare, Key, Marker, symbolic};
+use crate::expr::{Expr, Field, Name, Shape, Type};
 use crate::quantity::{Absent, NodeId};
 use crate::response::Lexicon;
 use crate::source::Table;
-use crate::unit::{Dimension, Unit};
-
-/// The kind.
-pub(super) struct Kind;
+use crate::unit::Unit;
 
 #[derive(Debug)]
 struct Formula {
@@ -62,80 +59,71 @@ impl Setup {
     }
 }
 
-impl AnswerKind for Kind {
-    fn name(&self) -> &'static str {
-        "formula"
+/// Reads the keys of a part that belong to this kind; what is wrong is noted.
+pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+    let text = part
+        .required("key")
+        .and_then(|key| part.as_formula("key", key));
+    let listed = part.texts("in");
+    let text = text?;
+    let key = declare.formula("key", &text)?;
+    let kind = declare.graph().kind(key)?.clone();
+    if kind.shape() != Shape::Scalar || kind.field() == Field::Boolean {
+        let found = kind.form().to_string();
+        declare.find(
+            &AnswerError::KeyForm {
+                expected: "a number",
+                found,
+            },
+            &text,
+        );
+        return None;
     }
-
-    fn minutes(&self) -> u32 {
-        4
+    let known = declare.known();
+    let mut is_sound = true;
+    for name in &listed {
+        if !known.iter().any(|own| own.name.as_str() == name.value) && name.value != "t" {
+            declare.find(&AnswerError::UnknownName(name.value.clone()), name);
+            is_sound = false;
+        }
     }
-
-    fn read(&self, part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
-        let text = part
-            .required("key")
-            .and_then(|key| part.as_formula("key", key));
-        let listed = part.texts("in");
-        let text = text?;
-        let key = declare.formula("key", &text)?;
-        let kind = declare.graph().kind(key)?.clone();
-        if kind.shape() != Shape::Scalar || kind.field() == Field::Boolean {
-            let found = kind.form().to_string();
-            declare.find(
-                &AnswerError::KeyForm {
-                    expected: "a number",
-                    found,
-                },
-                &text,
-            );
-            return None;
-        }
-        let known = declare.known();
-        let mut is_sound = true;
-        for name in &listed {
-            if !known.iter().any(|own| own.name.as_str() == name.value) && name.value != "t" {
-                declare.find(&AnswerError::UnknownName(name.value.clone()), name);
-                is_sound = false;
-            }
-        }
-        let own = Name::new(text.value.as_str());
-        let named = declare
-            .graph()
-            .find(&own)
-            .filter(|node| *node == key)
-            .map(|_| own);
-        let (mut lexicon, mut names) = lexicon(declare, &listed, named.as_ref());
-        let uses_time = declare.graph().depends(key, &Name::new("t"));
-        if uses_time || listed.iter().any(|name| name.value == "t") {
-            let time = Name::new("t");
-            lexicon.allow(&time, crate::math::symbol("t"), false);
-            names.push(time);
-        }
-        let meaning = Meaning::of(declare, Prefer::Quantities);
-        let expr = symbolic::formula(declare.graph(), key);
-        let shown = meaning.expanded(&expr, &names);
-        let unit = declare.unit_of(key);
-        is_sound.then(|| {
-            let setup = Setup {
-                shown,
-                expr,
-                kind,
-                unit,
-                meaning,
-                lexicon,
-                printed: OnceLock::new(),
-            };
-            Box::new(Formula {
-                key,
-                setup: Arc::new(setup),
-            }) as Box<dyn Answer>
-        })
+    let own = Name::new(text.value.as_str());
+    let named = declare
+        .graph()
+        .find(&own)
+        .filter(|node| *node == key)
+        .map(|_| own);
+    let (mut lexicon, mut names) = lexicon(declare, &listed, named.as_ref());
+    let uses_time = declare.graph().depends(key, &Name::new("t"));
+    if uses_time || listed.iter().any(|name| name.value == "t") {
+        let time = Name::new("t");
+        lexicon.allow(&time, crate::math::symbol("t"), false);
+        names.push(time);
     }
+    let meaning = Meaning::of(declare, Prefer::Quantities);
+    let expr = symbolic::formula(declare.graph(), key);
+    let shown = meaning.expanded(&expr, &names);
+    let unit = declare.unit_of(key);
+    is_sound.then(|| {
+        let setup = Setup {
+            shown,
+            expr,
+            kind,
+            unit,
+            meaning,
+            lexicon,
+            printed: OnceLock::new(),
+        };
+        Box::new(Formula {
+            key,
+            setup: Arc::new(setup),
+        }) as Box<dyn Answer>
+    })
 }
 
 impl Answer for Formula {
-    fn kind(&self) -> &'static dyn AnswerKind {
-        &Kind
+    fn kind(&self) -> crate::answer::Kind {
+        crate::answer::Kind::Formula
     }
 
     fn keys(&self) -> Vec<NodeId> {
@@ -188,39 +176,5 @@ impl Answer for Formula {
             mistakes,
             mark: context.mark,
         }))
-    }
-}
-
-/// A finding about dimensions as a student needs it.
-pub(in crate::answer) fn explained(error: Option<&CheckError>) -> String {
-    match error {
-        Some(CheckError::Dimensions {
-            joint: Joint::Sum,
-            left,
-            right,
-            ..
-        }) => format!(
-            "Terms of different dimensions are added: {} and {}.",
-            in_words(*left),
-            in_words(*right)
-        ),
-        Some(error) => {
-            let mut words = error.to_string();
-            if let Some(first) = words.get_mut(0..1) {
-                first.make_ascii_uppercase();
-            }
-            words.push('.');
-            words
-        }
-        None => "The dimensions do not fit.".to_owned(),
-    }
-}
-
-/// A dimension as a student needs it.
-pub(in crate::answer) fn in_words(dimension: Dimension) -> String {
-    if dimension.is_pure() {
-        "a pure number".to_owned()
-    } else {
-        dimension.describe()
     }
 }

@@ -1,19 +1,17 @@
 //! Reads the formula of a response, and the unit that may stand behind it all the same.
 
 use super::marker::Prepared;
-use super::{explained, in_words};
-use crate::answer::{Feedback, Marking, Verdict};
+use crate::answer::{Marking, Misfit, Note, Unreadable, Verdict, Why};
 use crate::expr::{Expr, Field};
 use crate::response::{self, Manner, Typed, TypedError};
-use crate::unit::{Dimension, Unit};
+use crate::unit::Unit;
 
 impl Prepared {
     /// The readings of a formula. Where all is real, the imaginary unit may stand in what comes out real, `|1 + iζ|`.
     pub(super) fn read(&self, response: &str) -> Result<Typed<Expr>, TypedError> {
-        let has_lists = ["atan2", "hypot", "min", "max", "mod", "clamp"];
         let read = |has_imaginary_unit| {
             let manner = Manner {
-                comma_is_decimal: !has_lists.iter().any(|name| response.contains(name)),
+                comma_is_decimal: true,
                 has_imaginary_unit,
             };
             response::formula(response, &self.setup.lexicon, manner)
@@ -39,10 +37,15 @@ impl Prepared {
     }
 
     /// What is wrong with the dimension of a formula.
-    pub(super) fn dimension_trouble(&self, typed: &Expr) -> Option<String> {
+    pub(super) fn misfit(&self, typed: &Expr) -> Option<Misfit> {
         let setup = &self.setup;
         let found = match typed.check(&setup.meaning) {
-            Err(errors) => return Some(explained(errors.first())),
+            Err(errors) => {
+                return Some(Misfit::Step {
+                    entry: None,
+                    error: errors.first().cloned(),
+                });
+            }
             Ok(found) => found,
         };
         let fits = match (setup.kind.dimension(), found.dimension()) {
@@ -50,19 +53,17 @@ impl Prepared {
             _ => true,
         };
         let found = found.dimension().filter(|_| !fits)?;
-        let words = format!(
-            "This comes out in {}, it has to be in {}.",
-            in_words(found),
-            self.unit()
-        );
-        Some(words.replace("in a pure number", "as a pure number"))
+        Some(Misfit::Comes {
+            entry: None,
+            found,
+            unit: self.unit(),
+            asked: setup.kind.dimension(),
+        })
     }
 
-    /// The unit of the key, in words where it has none.
-    fn unit(&self) -> String {
-        let unit = self.setup.unit.filter(|unit| !unit.is_one());
-        let dimension = || in_words(self.setup.kind.dimension().unwrap_or(Dimension::PURE));
-        unit.map_or_else(dimension, |unit| unit.text())
+    /// The unit of the key, if it has one.
+    fn unit(&self) -> Option<Unit> {
+        self.setup.unit.filter(|unit| !unit.is_one())
     }
 
     /// A formula and the unit that stands behind it all the same, `sqrt(k/m) rad/s`.
@@ -82,25 +83,17 @@ impl Prepared {
         if !self.has_dimension(&unit) {
             // `x0/C` is more likely a letter that is not known.
             let is_spaced = formula.ends_with(char::is_whitespace);
-            return is_spaced.then(|| {
-                Marking::unreadable(format!(
-                    "At `{unit_text}`: letters carry their units, and this one does not fit. Leave it out."
-                ))
-            });
+            return is_spaced
+                .then(|| Marking::unreadable(Unreadable::at(unit_text, Why::UnitBehindLetters)));
         }
         if !self.is_own(&unit) {
-            let own = self.unit();
-            let words = format!(
-                "At `{unit_text}`: letters carry their units, and this comes out in {own} by itself. Leave the unit out."
-            );
-            return Some(Marking::unreadable(
-                words.replace("in a pure number", "as a pure number"),
-            ));
+            let own = Why::UnitComesOut(self.unit());
+            return Some(Marking::unreadable(Unreadable::at(unit_text, own)));
         }
         let mut marking = self.mark_alone(formula).ok()?;
         if self.has_names() && marking.reading.is_some() {
-            let words = format!("Letters carry their units: leave out `{unit_text}`.");
-            marking.feedback.push(Feedback::Words(words));
+            let note = Note::LettersCarryUnits(unit_text.to_owned());
+            marking.remarks.push(note.into());
         }
         Some(marking)
     }

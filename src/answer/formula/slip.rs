@@ -1,55 +1,45 @@
 //! What a wrong formula has in common with the key.
 
-use crate::answer::Reason;
 use crate::answer::equality::Comparison;
+use crate::answer::{Close, Negated, Slip, TwoPi};
 use crate::expr::{Expr, Kind};
 use crate::unit::Dimension;
 
-/// The reason why a formula is wrong, and what is said about it.
+/// In what a formula differs from the key, where that can be told.
 pub(super) fn slip(
     comparison: &Comparison,
     typed: &Expr,
     dimension: Option<Dimension>,
-) -> (Reason, Option<&'static str>) {
+) -> Option<Slip> {
     const TWO_PI: f64 = std::f64::consts::TAU;
     const NEAR: f64 = 5e-3;
     // A series that was cut off leaves less, and a ratio that only looks constant.
     const TRUNCATED: f64 = 1e-6;
     let is = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b;
     let (ratio, part) = match comparison {
-        Comparison::Undefined => {
-            let words = "This has no value for data for which there is an answer.";
-            return (Reason::Other, Some(words));
-        }
+        Comparison::Undefined => return Some(Slip::NoValueForData),
         Comparison::Different { ratio, part } => (*ratio, *part),
-        _ => return (Reason::Other, None),
+        _ => return None,
     };
-    match ratio {
-        Some(ratio) if is(-ratio, 1.0) => (Reason::Sign, Some("The sign is wrong.")),
+    Some(match ratio {
+        Some(ratio) if is(-ratio, 1.0) => Slip::Sign(Negated::Whole),
         Some(ratio) if is(ratio, TWO_PI) || is(ratio, 1.0 / TWO_PI) => {
             let is_frequency = dimension.is_some_and(|own| {
                 own == Dimension::TIME || own == Dimension::PURE / Dimension::TIME
             });
-            let words = if is_frequency {
-                "It is off by a factor of 2π: angular frequencies and frequencies in hertz differ by it."
+            Slip::TwoPi(if is_frequency {
+                TwoPi::Frequency
             } else {
-                "It is off by a factor of 2π."
-            };
-            (Reason::TwoPi, Some(words))
+                TwoPi::Formula
+            })
         }
-        _ if part < NEAR && (has_decimals(typed) || ratio.is_some() && part > TRUNCATED) => (
-            Reason::Near,
-            Some(
-                "It is nearly right: give the numbers in it exactly, as fractions, roots or multiples of π.",
-            ),
-        ),
-        Some(0.0) => (Reason::Other, Some("This is zero.")),
-        Some(_) => (
-            Reason::Other,
-            Some("The symbols fit, but not the number in front."),
-        ),
-        None => (Reason::Other, None),
-    }
+        _ if part < NEAR && (has_decimals(typed) || ratio.is_some() && part > TRUNCATED) => {
+            Slip::Near(Close::RoundedFormula)
+        }
+        Some(0.0) => Slip::Zero,
+        Some(_) => Slip::Factor,
+        None => return None,
+    })
 }
 
 /// Whether a number in a formula has decimals.

@@ -3,12 +3,10 @@
 use crate::response::Manner;
 
 /// How a function is read.
-pub(super) fn manner(response: &str) -> Manner {
-    Manner {
-        comma_is_decimal: !response.contains("atan2"),
-        has_imaginary_unit: false,
-    }
-}
+pub(super) const MANNER: Manner = Manner {
+    comma_is_decimal: true,
+    has_imaginary_unit: false,
+};
 
 /// Without the times for which a function is meant to hold: `…, t >= 0` or `… for t > 0`.
 pub(super) fn without_condition(response: &str) -> &str {

@@ -1,7 +1,7 @@
 //! What stands before the equals signs of a function: its name, that of another, or other forms of it.
 
-use super::around::manner;
-use crate::answer::{Declare, Role};
+use super::around::MANNER;
+use crate::answer::{Declare, Role, Unreadable, Why};
 use crate::expr::{Expr, Kind, Name};
 use crate::math::{Math, symbol};
 use crate::response::{self, Lexicon, cut};
@@ -68,7 +68,7 @@ impl Labels {
     }
 
     /// The function that is asked, among several that are given by name, `x1 = …; x2 = …`.
-    pub(super) fn asked<'r>(&self, response: &'r str) -> Result<&'r str, String> {
+    pub(super) fn asked<'r>(&self, response: &'r str) -> Result<&'r str, Unreadable> {
         let all = Span::new(0, response.len());
         let pieces: Vec<&str> = cut(response, all, &[';', '\n'])
             .into_iter()
@@ -84,12 +84,12 @@ impl Labels {
         };
         match &pieces.iter().filter(is_own).collect::<Vec<_>>()[..] {
             [one] => Ok(one),
-            _ => Err(format!("One function is asked here: {} = ….", self.asked)),
+            _ => Err(Why::OneFunction(self.asked.clone()).into()),
         }
     }
 
     /// What is behind the last equals sign, and the other forms before it.
-    pub(super) fn forms<'r>(&self, response: &'r str) -> Result<(&'r str, Vec<Expr>), String> {
+    pub(super) fn forms<'r>(&self, response: &'r str) -> Result<(&'r str, Vec<Expr>), Unreadable> {
         let mut forms = Vec::new();
         let mut rest = response;
         let mut is_first = true;
@@ -98,19 +98,17 @@ impl Labels {
                 Ok(Side::Own) if is_first => {}
                 Ok(Side::Formula(form)) => forms.push(form),
                 Ok(_) => {
-                    return Err(format!(
-                        "At `{}`: {} is asked. Give it alone, or with its own name before the equals sign.",
+                    return Err(Unreadable::at(
                         left.trim(),
-                        self.asked
+                        Why::OtherFunction(self.asked.clone()),
                     ));
                 }
                 Err(help) if !is_first => return Err(help),
                 Err(_) if is_fresh(left) => {}
                 Err(_) => {
-                    return Err(format!(
-                        "At `{}`: it is not clear what this stands for; write {} = … or the function alone.",
+                    return Err(Unreadable::at(
                         left.trim(),
-                        self.asked
+                        Why::UnclearFunction(self.asked.clone()),
                     ));
                 }
             }
@@ -121,10 +119,10 @@ impl Labels {
     }
 
     /// What the text before an equals sign is; `x(t) [m]` has its unit behind it.
-    fn side(&self, text: &str) -> Result<Side, String> {
+    fn side(&self, text: &str) -> Result<Side, Unreadable> {
         let text = without_unit(text);
-        let typed = response::formula(text, &self.lexicon, manner(text));
-        let value = typed.map_err(|error| error.sentence(text))?.value;
+        let typed = response::formula(text, &self.lexicon, MANNER);
+        let value = typed.map_err(|error| error.remark(text))?.value;
         Ok(match value.kind() {
             Kind::Name(name) if self.own.contains(name) => Side::Own,
             Kind::Name(_) | Kind::Prime(..) => Side::Other,

@@ -7,7 +7,9 @@ use super::Setup;
 use super::around::without_condition;
 use crate::answer::meaning::ORDERS;
 use crate::answer::trial::typed as typed_number;
-use crate::answer::{Credit, Feedback, Key, Marker, Marking, Nature, Reading, Reason, Trial};
+use crate::answer::{
+    Close, Credit, Key, Marker, Marking, Misfit, Nature, Reading, Remark, Slip, Trial,
+};
 use crate::expr::{Expr, Kind, Precise, Workspace};
 use crate::unit::{Dimension, Unit};
 
@@ -148,7 +150,7 @@ impl Marker for Prepared {
     fn mark(&self, response: &str) -> Marking {
         match self.read(without_condition(response)) {
             Ok(response) => self.judged(response),
-            Err(help) => Marking::unreadable(help),
+            Err(why) => Marking::unreadable(why),
         }
     }
 }
@@ -156,36 +158,35 @@ impl Marker for Prepared {
 impl Prepared {
     /// The marking of a function that was read.
     fn judged(&self, response: Response) -> Marking {
-        let wrong = |response: Response, reason, words: Option<String>| {
-            let feedback = words.map(Feedback::Words);
-            Marking::read(response.reading, Credit::NONE, reason, feedback)
-        };
+        let wrong =
+            |response: Response, remark: Option<Remark>| Marking::wrong(response.reading, remark);
         if response.values.is_empty() {
-            let words = "This has no value somewhere on the span.".to_owned();
-            return wrong(response, Reason::Other, Some(words));
+            return wrong(response, Some(Slip::NoValueOnSpan.into()));
         }
         if self.fits(&response.values, &self.values) {
             // What is all in letters needs no tolerance.
             if self.has_tolerance_for(&response) {
-                return Marking::read(response.reading, Credit::FULL, Reason::Matches, None);
+                return Marking::right(response.reading);
             }
-            let words = "With these data it comes near, but as a formula it differs: something small is missing or wrong.";
-            return wrong(response, Reason::Near, Some(words.to_owned()));
+            return wrong(response, Some(Slip::Near(Close::Function).into()));
         }
         let mut mistakes = self.mistakes.iter();
         if let Some((number, _, credit)) =
             mistakes.find(|(_, given, _)| self.fits(&response.values, given))
         {
-            let feedback = Some(Feedback::Mistake(*number));
-            let reason = Reason::Mistake(*number);
-            return Marking::read(response.reading, *credit, reason, feedback);
+            return Marking::mistake(response.reading, *number, *credit);
         }
         if let Some(found) = self.dimension_trouble(&response.expr) {
-            let words = format!("This comes out in {}.", found.describe());
-            return wrong(response, Reason::Dimension, Some(words));
+            let misfit = Misfit::Comes {
+                entry: None,
+                found,
+                unit: None,
+                asked: None,
+            };
+            return wrong(response, Some(misfit.into()));
         }
-        let (reason, words) = self.slip(&response);
-        wrong(response, reason, words)
+        let slip = self.slip(&response);
+        wrong(response, slip.map(Remark::from))
     }
 
     fn has_tolerance_for(&self, response: &Response) -> bool {

@@ -52,15 +52,12 @@ use self::marker::Prepared;
 use self::samples::{derived, samples};
 use self::span::{Extent, spans, times};
 use super::meaning::{Meaning, Prefer, lexicon};
-use super::{Answer, AnswerError, AnswerKind, Context, Declare, Key, Marker, Tolerance, symbolic};
+use super::{Answer, AnswerError, Context, Declare, Key, Marker, Tolerance, symbolic};
 use crate::expr::{Expr, Form, Name, Type};
 use crate::quantity::{Absent, NodeId};
 use crate::response::Lexicon;
 use crate::source::Table;
 use crate::unit::Unit;
-
-/// The kind.
-pub(super) struct Kind;
 
 /// Times at which functions are compared.
 const SAMPLES: usize = 48;
@@ -95,85 +92,76 @@ impl Setup {
     }
 }
 
-impl AnswerKind for Kind {
-    fn name(&self) -> &'static str {
-        "function"
+/// Reads the keys of a part that belong to this kind; what is wrong is noted.
+pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+    let text = part
+        .required("key")
+        .and_then(|key| part.as_formula("key", key));
+    let span = part.value("span").map(|value| spans(part, value));
+    let (variable, tolerance) = (part.text("variable"), part.text("tolerance"));
+    let (listed, components) = (part.texts("in"), part.texts("components"));
+    let constants = part.integer("constants", "the number of free constants", 0..=20);
+    let text = text?;
+    if constants.is_some_and(|count| count > 0) {
+        return general::read(&text, &components, &listed, declare);
     }
-
-    fn minutes(&self) -> u32 {
-        6
+    let key = declare.formula("key", &text)?;
+    let kind = declare.graph().kind(key)?.clone();
+    let variable = Name::new(variable.map_or("t".to_owned(), |text| text.value));
+    let of = declare.graph().variables(key);
+    if kind.form() != Form::REAL || of.iter().any(|name| *name != variable) {
+        let found = kind.form().to_string();
+        declare.find(
+            &AnswerError::KeyForm {
+                expected: "a function of one variable",
+                found,
+            },
+            &text,
+        );
+        return None;
     }
-
-    fn read(&self, part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
-        let text = part
-            .required("key")
-            .and_then(|key| part.as_formula("key", key));
-        let span = part.value("span").map(|value| spans(part, value));
-        let (variable, tolerance) = (part.text("variable"), part.text("tolerance"));
-        let (listed, components) = (part.texts("in"), part.texts("components"));
-        let constants = part.integer("constants", "the number of free constants", 0..=20);
-        let text = text?;
-        if constants.is_some_and(|count| count > 0) {
-            return general::read(&text, &components, &listed, declare);
+    let unit = declare.unit_of(key);
+    let tolerance = match tolerance {
+        Some(text) => Tolerance::read(&text, &unit.unwrap_or(Unit::ONE), declare)?,
+        None => Tolerance::default(),
+    };
+    let span = match &span {
+        Some(span) => {
+            let [from, to] = &span[..] else {
+                return None;
+            };
+            Extent::Stated([declare.formula("span", from)?, declare.formula("span", to)?])
         }
-        let key = declare.formula("key", &text)?;
-        let kind = declare.graph().kind(key)?.clone();
-        let variable = Name::new(variable.map_or("t".to_owned(), |text| text.value));
-        let of = declare.graph().variables(key);
-        if kind.form() != Form::REAL || of.iter().any(|name| *name != variable) {
-            let found = kind.form().to_string();
-            declare.find(
-                &AnswerError::KeyForm {
-                    expected: "a function of one variable",
-                    found,
-                },
-                &text,
-            );
-            return None;
-        }
-        let unit = declare.unit_of(key);
-        let tolerance = match tolerance {
-            Some(text) => Tolerance::read(&text, &unit.unwrap_or(Unit::ONE), declare)?,
-            None => Tolerance::default(),
-        };
-        let span = match &span {
-            Some(span) => {
-                let [from, to] = &span[..] else {
-                    return None;
-                };
-                Extent::Stated([declare.formula("span", from)?, declare.formula("span", to)?])
-            }
-            None => Extent::of_model(&text, declare)?,
-        };
-        let own = Name::new(text.value.as_str());
-        let named = declare.graph().find(&own).map(|_| own);
-        let (mut lexicon, mut names) = lexicon(declare, &listed, named.as_ref());
-        lexicon.allow(&variable, crate::math::symbol(variable.as_str()), false);
-        names.push(variable.clone());
-        let meaning = Meaning::of(declare, Prefer::Quantities);
-        let shown = meaning.expanded(&symbolic::formula(declare.graph(), key), &names);
-        Some(Box::new(Motion {
-            key,
-            span,
-            tolerance,
-            digits: u32::from(declare.digits_of(key)),
-            setup: Arc::new(Setup {
-                shown,
-                kind,
-                unit,
-                labels: Labels::of(declare, named.as_ref(), &variable),
-                variable,
-                meaning,
-                lexicon,
-                printed: OnceLock::new(),
-            }),
-        }))
-    }
+        None => Extent::of_model(&text, declare)?,
+    };
+    let own = Name::new(text.value.as_str());
+    let named = declare.graph().find(&own).map(|_| own);
+    let (mut lexicon, mut names) = lexicon(declare, &listed, named.as_ref());
+    lexicon.allow(&variable, crate::math::symbol(variable.as_str()), false);
+    names.push(variable.clone());
+    let meaning = Meaning::of(declare, Prefer::Quantities);
+    let shown = meaning.expanded(&symbolic::formula(declare.graph(), key), &names);
+    Some(Box::new(Motion {
+        key,
+        span,
+        tolerance,
+        digits: u32::from(declare.digits_of(key)),
+        setup: Arc::new(Setup {
+            shown,
+            kind,
+            unit,
+            labels: Labels::of(declare, named.as_ref(), &variable),
+            variable,
+            meaning,
+            lexicon,
+            printed: OnceLock::new(),
+        }),
+    }))
 }
 
 impl Answer for Motion {
-    fn kind(&self) -> &'static dyn AnswerKind {
-        &Kind
+    fn kind(&self) -> crate::answer::Kind {
+        crate::answer::Kind::Function
     }
 
     fn keys(&self) -> Vec<NodeId> {

@@ -1,10 +1,10 @@
 //! Reads a function: with numbers in SI units, with units, or in letters.
 
-use super::around::manner;
+use super::around::MANNER;
 use super::marker::{Prepared, Response};
 use super::slip::without_waves;
 use super::units::{contains_letter, measured};
-use crate::answer::Reading;
+use crate::answer::{Answered, Reading, Unreadable, Why};
 use crate::expr::{Expr, Kind};
 use crate::math::Math;
 use crate::response::{self, Typed};
@@ -12,7 +12,7 @@ use crate::unit::Unit;
 
 impl Prepared {
     /// The function that a response is: the last form of it that was typed, which the others have to equal.
-    pub(super) fn read(&self, response: &str) -> Result<Response, String> {
+    pub(super) fn read(&self, response: &str) -> Result<Response, Unreadable> {
         let labels = &self.setup.labels;
         let (last, forms) = labels.forms(labels.asked(response)?)?;
         let read = self.function(last.trim())?;
@@ -21,34 +21,26 @@ impl Prepared {
                 .values_of(form)
                 .is_some_and(|values| self.fits(&read.values, &values));
             if !same {
-                return Err(format!(
-                    "The two sides of the equals sign before `{}` are not the same function: give one.",
-                    last.trim()
-                ));
+                return Err(Why::UnequalFunctions(last.trim().to_owned()).into());
             }
         }
         Ok(read)
     }
 
     /// Whether letters are names or units is told by the dimension, not by what is right.
-    fn function(&self, text: &str) -> Result<Response, String> {
+    fn function(&self, text: &str) -> Result<Response, Unreadable> {
         let setup = &self.setup;
-        match response::formula(text, &setup.lexicon, manner(text)) {
+        match response::formula(text, &setup.lexicon, MANNER) {
             Err(error) => self
                 .with_unit(text)
-                .unwrap_or_else(|| Err(error.sentence(text))),
+                .unwrap_or_else(|| Err(error.remark(text))),
             Ok(typed) => {
                 let expr = self.of_right_dimension(typed);
                 let unit = self.with_unit(text).filter(|_| self.has_data(&expr));
                 match unit {
-                    Some(Ok(_)) if self.has_dimension(&expr) => Err(
-                        "A letter can be a unit or a quantity here: give the numbers in SI units, without a unit."
-                            .to_owned(),
-                    ),
+                    Some(Ok(_)) if self.has_dimension(&expr) => Err(Why::UnitOrQuantity.into()),
                     Some(read) if !self.has_dimension(&expr) => read,
-                    _ if self.adds_angle(&expr) => Err(
-                        "An angle is added to the function: put brackets, as in `cos(5 t + 30°)`.".to_owned(),
-                    ),
+                    _ if self.adds_angle(&expr) => Err(Why::AngleAdded.into()),
                     _ => Ok(self.bare(expr)),
                 }
             }
@@ -69,7 +61,7 @@ impl Prepared {
             reading: Reading {
                 math: expr.typeset(&setup.lexicon),
                 text: expr.to_string(),
-                si: Vec::new(),
+                answered: Answered::Function(expr.clone(), None),
             },
             values: self.values_in(&expr, &units).unwrap_or_default(),
             units,
@@ -78,12 +70,12 @@ impl Prepared {
     }
 
     /// A function of numbers with a unit, behind each of its terms or behind the whole.
-    fn with_unit(&self, text: &str) -> Option<Result<Response, String>> {
+    fn with_unit(&self, text: &str) -> Option<Result<Response, Unreadable>> {
         let setup = &self.setup;
         let own = setup.unit?;
         let variable = setup.variable.as_str();
         let bare = |text: &str| {
-            let typed = response::formula(text, &setup.lexicon, manner(text)).ok()?;
+            let typed = response::formula(text, &setup.lexicon, MANNER).ok()?;
             (!self.has_data(&typed.value)).then_some(typed.value)
         };
         let terms = measured(text, variable, |unit| unit.dimension() == own.dimension());
@@ -103,12 +95,10 @@ impl Prepared {
             cuts.find_map(|(formula, unit)| Some((bare(formula)?, unit)))
         });
         let Some((expr, unit)) = found else {
-            let help = "Give each term its unit, or write one behind the whole.";
-            return has_some.then(|| Err(help.to_owned()));
+            return has_some.then(|| Err(Why::UnitOfTerms.into()));
         };
         if unit.dimension() != own.dimension() {
-            let words = format!("The unit does not fit; what is asked is in {}.", own.text());
-            return Some(Err(words));
+            return Some(Err(Why::UnitOfFunction(own).into()));
         }
         let units = vec![unit];
         Some(Ok(Response {
@@ -119,7 +109,7 @@ impl Prepared {
                     unit.math(),
                 ]),
                 text: format!("({expr}) {}", unit.text()),
-                si: Vec::new(),
+                answered: Answered::Function(expr.clone(), Some(unit)),
             },
             values: self.values_in(&expr, &units).unwrap_or_default(),
             units,

@@ -3,7 +3,7 @@
 use std::convert::Infallible;
 
 use super::marker::{Prepared, Response};
-use crate::answer::Reason;
+use crate::answer::{Close, Decades, Negated, Slip, TwoPi};
 use crate::expr::{Constant, Expr, Function, Kind, Operator, Substitution};
 use crate::unit::Unit;
 
@@ -13,9 +13,8 @@ const NEAR: f64 = 3.0;
 const FIRST: usize = 3;
 
 impl Prepared {
-    /// The slip that made a wrong function, and what is said.
-    pub(super) fn slip(&self, response: &Response) -> (Reason, Option<String>) {
-        let say = |reason, words: &str| (reason, Some(words.to_owned()));
+    /// The slip that made a wrong function, if it can be told.
+    pub(super) fn slip(&self, response: &Response) -> Option<Slip> {
         let scaled = |factor: f64| {
             let all = response.values.iter();
             let scaled = all.map(|of| of.iter().map(|value| factor * value).collect());
@@ -33,7 +32,7 @@ impl Prepared {
             put.apply(angle).ok()
         };
         if fits(&scaled(-1.0)) {
-            return say(Reason::Sign, "The sign is wrong.");
+            return Some(Slip::Sign(Negated::Whole));
         }
         let degrees = |angle: &Expr| {
             let start = at(angle, Expr::number(0))?;
@@ -41,35 +40,29 @@ impl Prepared {
             Some(angle.clone() - start + radians)
         };
         if fits_with(&degrees) {
-            let words = "The phase is in degrees: write it in radians, or with the sign °.";
-            return say(Reason::AngleUnit, words);
+            return Some(Slip::PhaseInDegrees);
         }
         let turns = |angle: &Expr| {
             let turn = Expr::number(2) * Expr::constant(Constant::Pi);
             at(angle, turn * Expr::name(variable.clone()))
         };
         if fits_with(&turns) {
-            let words = "A factor 2π slipped: behind the sine and the cosine the angular frequency ω in rad/s belongs, \
-                         2π times the frequency f in Hz.";
-            return say(Reason::TwoPi, words);
+            return Some(Slip::TwoPi(TwoPi::Wave));
         }
         let is_bare = !self.has_data(&response.expr);
         let ten = |power: i32| fits(&scaled(crate::numerics::powi(10.0, power)));
         if is_bare && (1..=6).any(|power| ten(power) || ten(-power)) {
-            let unit = self.setup.unit.unwrap_or(Unit::ONE).text();
-            let words = format!(
-                "The digits fit, the power of ten does not: a function in another unit than {unit} needs its unit."
-            );
-            return (Reason::PowerOfTen, Some(words));
+            let unit = self.setup.unit.unwrap_or(Unit::ONE);
+            return Some(Slip::PowerOfTen(Decades::Function(unit)));
         }
         let found = response.values.iter().map(|values| self.course(values));
         found
-            .min_by_key(|(reason, words)| (*reason != Reason::Near, words.is_none()))
-            .unwrap_or((Reason::Other, None))
+            .flatten()
+            .min_by_key(|slip| *slip != Slip::Near(Close::Rounding))
     }
 
     /// What the differences from the key say.
-    fn course(&self, values: &[f64]) -> (Reason, Option<String>) {
+    fn course(&self, values: &[f64]) -> Option<Slip> {
         let pairs = values.iter().zip(&self.values);
         let differences: Vec<f64> = pairs.map(|(typed, key)| (typed - key).abs()).collect();
         let is_within = |count: usize, times: f64| {
@@ -79,14 +72,11 @@ impl Prepared {
         let largest = |of: &[f64]| of.iter().copied().fold(0.0, f64::max);
         let grows = largest(&differences) > 2.0 * largest(&differences[..differences.len() / 3]);
         if is_within(differences.len(), NEAR) {
-            let words = "Close, but outside the tolerance: keep one more figure in the steps.";
-            (Reason::Near, Some(words.to_owned()))
+            Some(Slip::Near(Close::Rounding))
         } else if is_within(FIRST, 2.0) && grows {
-            let words =
-                "It begins rightly, but runs away later: look at the frequency and the decay.";
-            (Reason::Other, Some(words.to_owned()))
+            Some(Slip::RunsAway)
         } else {
-            (Reason::Other, None)
+            None
         }
     }
 }

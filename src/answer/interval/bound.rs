@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use super::read::{Ends, HELP, Read, Refusal};
+use super::read::{Ends, Read, like_interval};
 use super::{Written, compared, is_infinite};
 use crate::answer::numeric;
+use crate::answer::{Misfit, Unreadable, Why};
 use crate::expr::{Expr, Kind, Workspace};
 use crate::response::{self, Manner};
 use crate::unit::{DecimalMark, Quantity, Unit};
@@ -14,9 +15,7 @@ impl Ends<'_> {
     pub(super) fn side(&self, side: &str, unit: &mut Option<Unit>) -> Read<f64> {
         if let Some(number) = self.number(side, unit)? {
             return match self.setup.written {
-                Written::Formula => {
-                    Err("Give the bounds as formulas in symbols.".to_owned().into())
-                }
+                Written::Formula => Err(Why::BoundsAsFormulas.into()),
                 _ => Ok(number),
             };
         }
@@ -31,23 +30,25 @@ impl Ends<'_> {
         }
         let symbol = self.setup.symbol.plain();
         if expr.names().uses(&self.setup.variable) {
-            return Err(format!("Solve for `{symbol}` first. {HELP}").into());
+            return Err(like_interval(Why::SolveFor(symbol)).into());
         }
-        let found = expr.check(&self.setup.meaning).map_err(|errors| {
-            let first = errors.first();
-            first.map_or(HELP.to_owned(), |error| format!("At `{side}`: {error}."))
-        })?;
+        let found = expr
+            .check(&self.setup.meaning)
+            .map_err(|errors| Unreadable::at(side, Why::Dimension(errors.first().cloned())))?;
         let has_names = !expr.names().free.is_empty();
         if self.setup.written == Written::Number && has_names {
-            return Err("Give the bounds as numbers.".to_owned().into());
+            return Err(Why::BoundsAsNumbers.into());
         }
         if has_names && !found.fits(&compared(self.setup)) {
-            return Err(Refusal::Dimension(format!(
-                "`{side}`, read as `{expr}`, has another dimension than `{symbol}`."
-            )));
+            return Err(Misfit::Bound {
+                typed: side.to_owned(),
+                read: expr.typeset(&self.setup.lexicon).plain(),
+                symbol,
+            }
+            .into());
         }
         let value = self.value(&expr);
-        let value = value.ok_or_else(|| format!("At `{side}`: this has no value."))?;
+        let value = value.ok_or_else(|| Unreadable::at(side, Why::BoundValue))?;
         Ok(if has_names {
             value
         } else {
@@ -66,28 +67,25 @@ impl Ends<'_> {
             return Ok(Some(taken.si()));
         }
         let Ok(si) = number.si_for(&asked) else {
-            let (symbol, found) = (self.setup.symbol.plain(), number.unit.text());
-            let due = if asked.is_one() {
-                "a pure number".to_owned()
-            } else {
-                format!("in {}", asked.text())
-            };
-            return Err(Refusal::Dimension(format!(
-                "The unit {found} does not fit: `{symbol}` is {due}."
-            )));
+            return Err(Misfit::BoundUnit {
+                symbol: self.setup.symbol.plain(),
+                typed: number.unit,
+                asked,
+            }
+            .into());
         };
         *unit = Some(number.unit);
         Ok(Some(si))
     }
 
-    pub(super) fn formula(&self, side: &str) -> Result<Expr, String> {
+    pub(super) fn formula(&self, side: &str) -> Result<Expr, Unreadable> {
         let manner = Manner {
             comma_is_decimal: true,
             has_imaginary_unit: false,
         };
         response::formula(side, &self.setup.lexicon, manner)
             .map(|typed| typed.value)
-            .map_err(|error| error.sentence(side))
+            .map_err(|error| error.remark(side))
     }
 
     /// The value of a formula in SI units.

@@ -29,8 +29,8 @@ use super::matrix::Written;
 use super::meaning::{Meaning, Prefer, lexicon};
 use super::trial::other_unit;
 use super::{
-    Answer, AnswerError, AnswerKind, Context, Credit, Declare, Feedback, Key, KeyValue, Marker,
-    Marking, Nature, Reading, Reason, Role, Tolerance, Trial,
+    Answer, AnswerError, Answered, Close, Context, Credit, Declare, Key, KeyValue, Marker, Marking,
+    Nature, Reading, Remark, Role, Slip, Tolerance, Trial,
 };
 use crate::expr::{Constant, Expr, Kind as Node, Name, Precise, Type};
 use crate::math::Math;
@@ -38,9 +38,6 @@ use crate::quantity::{Absent, NodeId};
 use crate::response::Lexicon;
 use crate::source::{Table, Text, Value};
 use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
-
-/// The kind.
-pub(super) struct Kind;
 
 #[derive(Debug)]
 struct Interval {
@@ -85,68 +82,59 @@ struct Prepared {
     mark: DecimalMark,
 }
 
-impl AnswerKind for Kind {
-    fn name(&self) -> &'static str {
-        "interval"
-    }
-
-    fn minutes(&self) -> u32 {
-        4
-    }
-
-    fn read(&self, part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
-        let key = part.required("key").map(|key| texts(part, "key", key));
-        let variable = part.required_text("variable");
-        let within = part.text("within");
-        let (ends, tolerance) = (part.text("ends"), part.text("tolerance"));
-        let written = Written::read(part, declare);
-        let (key, variable) = (key?, variable?);
-        let key = pieces(&key, declare)?;
-        let within = match within {
-            Some(text) => Some(pieces(&[text], declare)?.pop()?),
-            None => None,
-        };
-        let known = declare
-            .known()
-            .into_iter()
-            .find(|own| own.name.as_str() == variable.value);
-        let Some(known) = known else {
-            declare.find(&AnswerError::UnknownName(variable.value.clone()), &variable);
-            return None;
-        };
-        let unit = match known.role {
-            Role::Parameter { node, .. } | Role::Quantity { node, .. } => declare.unit_of(node),
-            Role::Symbol | Role::Coordinate => known
-                .kind
-                .dimension()
-                .and_then(|dimension| Unit::parse(&dimension.describe()).ok()),
-        };
-        let unit = unit.unwrap_or(Unit::ONE);
-        let tolerance = match tolerance {
-            Some(text) => Tolerance::read(&text, &unit, declare)?,
-            None => Tolerance::default(),
-        };
-        let (mut lexicon, _) = lexicon(declare, &[], None);
-        lexicon.allow(&known.name, Arc::clone(&known.symbol), false);
-        let setup = Setup {
-            variable: known.name,
-            symbol: known.symbol,
-            unit,
-            written,
-            meaning: Meaning::of(declare, Prefer::Quantities),
-            lexicon,
-        };
-        let digits = key.iter().flat_map(|piece| piece.ends).flatten().next();
-        Some(Box::new(Interval {
-            digits: u32::from(digits.map_or(3, |node| declare.digits_of(node))),
-            key,
-            within,
-            is_strict: ends.is_none_or(|ends| ends.value != "either"),
-            tolerance,
-            setup: Arc::new(setup),
-            mistakes: Vec::new(),
-        }))
-    }
+/// Reads the keys of a part that belong to this kind; what is wrong is noted.
+pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+    let key = part.required("key").map(|key| texts(part, "key", key));
+    let variable = part.required_text("variable");
+    let within = part.text("within");
+    let (ends, tolerance) = (part.text("ends"), part.text("tolerance"));
+    let written = Written::read(part, declare);
+    let (key, variable) = (key?, variable?);
+    let key = pieces(&key, declare)?;
+    let within = match within {
+        Some(text) => Some(pieces(&[text], declare)?.pop()?),
+        None => None,
+    };
+    let known = declare
+        .known()
+        .into_iter()
+        .find(|own| own.name.as_str() == variable.value);
+    let Some(known) = known else {
+        declare.find(&AnswerError::UnknownName(variable.value.clone()), &variable);
+        return None;
+    };
+    let unit = match known.role {
+        Role::Parameter { node, .. } | Role::Quantity { node, .. } => declare.unit_of(node),
+        Role::Symbol | Role::Coordinate => known
+            .kind
+            .dimension()
+            .and_then(|dimension| Unit::parse(&dimension.describe()).ok()),
+    };
+    let unit = unit.unwrap_or(Unit::ONE);
+    let tolerance = match tolerance {
+        Some(text) => Tolerance::read(&text, &unit, declare)?,
+        None => Tolerance::default(),
+    };
+    let (mut lexicon, _) = lexicon(declare, &[], None);
+    lexicon.allow(&known.name, Arc::clone(&known.symbol), false);
+    let setup = Setup {
+        variable: known.name,
+        symbol: known.symbol,
+        unit,
+        written,
+        meaning: Meaning::of(declare, Prefer::Quantities),
+        lexicon,
+    };
+    let digits = key.iter().flat_map(|piece| piece.ends).flatten().next();
+    Some(Box::new(Interval {
+        digits: u32::from(digits.map_or(3, |node| declare.digits_of(node))),
+        key,
+        within,
+        is_strict: ends.is_none_or(|ends| ends.value != "either"),
+        tolerance,
+        setup: Arc::new(setup),
+        mistakes: Vec::new(),
+    }))
 }
 
 /// One text, or an array of them.
@@ -213,8 +201,8 @@ impl Declared {
 }
 
 impl Answer for Interval {
-    fn kind(&self) -> &'static dyn AnswerKind {
-        &Kind
+    fn kind(&self) -> crate::answer::Kind {
+        crate::answer::Kind::Interval
     }
 
     fn keys(&self) -> Vec<NodeId> {
@@ -402,21 +390,11 @@ impl Marker for Prepared {
 
     fn key(&self) -> Key {
         let (math, text) = self.typeset(&self.key);
-        let pieces = self.key.0.iter();
         Key {
             math,
             accepted: None,
             value: KeyValue::Intervals {
-                pieces: pieces
-                    .map(|piece| {
-                        let ends = piece.0;
-                        let bound = |end: End| end.value.is_finite().then_some(end.value);
-                        (
-                            [bound(ends[0]), bound(ends[1])],
-                            [ends[0].is_open, ends[1].is_open],
-                        )
-                    })
-                    .collect(),
+                pieces: self.key.bounds(),
                 text,
             },
         }
@@ -430,45 +408,37 @@ impl Marker for Prepared {
         };
         let typed = match ends.read(response) {
             Ok(set) => set.cut(self.within.as_ref()),
-            Err(Refusal::Unread(words)) => return Marking::unreadable(words),
-            Err(Refusal::Dimension(words)) => {
+            Err(Refusal::Unread(why)) => return Marking::unreadable(*why),
+            Err(Refusal::Misfit(misfit)) => {
                 let reading = Reading {
                     math: Math::text(response),
                     text: response.to_owned(),
-                    si: Vec::new(),
+                    answered: Answered::Set(Vec::new()),
                 };
-                let words = Some(Feedback::Words(words));
-                return Marking::read(reading, Credit::NONE, Reason::Dimension, words);
+                return Marking::wrong(reading, Remark::from(*misfit));
             }
         };
         let (math, text) = self.typeset(&typed);
         let reading = Reading {
             math,
             text,
-            si: Vec::new(),
+            answered: Answered::Set(typed.bounds()),
         };
         let fits = self.is_key(&typed);
         if fits && self.has_right_ends(&typed) {
-            return Marking::read(reading, Credit::FULL, Reason::Matches, None);
+            return Marking::right(reading);
         }
         if let Some((number, _, credit)) = self.named(&typed) {
-            let feedback = Some(Feedback::Mistake(*number));
-            return Marking::read(reading, *credit, Reason::Mistake(*number), feedback);
+            return Marking::mistake(reading, *number, *credit);
         }
-        let words = if fits {
-            Some("The bounds are right; look again at which of them belong to the interval.")
+        let slip = if fits {
+            Some(Slip::Near(Close::Ends))
         } else if typed.0.len() != self.key.0.len() {
-            Some("Look again at how many intervals there are.")
+            Some(Slip::CountOfIntervals)
         } else {
             None
         };
-        let reason = if fits { Reason::Near } else { Reason::Other };
-        Marking::read(
-            reading,
-            Credit::NONE,
-            reason,
-            words.map(|words| Feedback::Words(words.to_owned())),
-        )
+        Marking::wrong(reading, slip.map(Remark::from))
     }
 }
 

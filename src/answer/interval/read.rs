@@ -5,6 +5,7 @@ use super::bound::quantity;
 use super::set::{End, Piece, Set};
 use super::spelling::{normalized, spelt};
 use super::subject::Subject;
+use crate::answer::{Example, Misfit, Unreadable, Why};
 use crate::expr::Precise;
 use crate::response::cut;
 use crate::source::Span;
@@ -20,15 +21,27 @@ pub(super) struct Ends<'a> {
 /// Why a response is no set.
 #[derive(Debug)]
 pub(super) enum Refusal {
-    /// It cannot be read; what to type instead.
-    Unread(String),
+    /// It cannot be read.
+    Unread(Box<Unreadable>),
     /// A bound is of another dimension.
-    Dimension(String),
+    Misfit(Box<Misfit>),
 }
 
-impl From<String> for Refusal {
-    fn from(words: String) -> Self {
-        Self::Unread(words)
+impl From<Unreadable> for Refusal {
+    fn from(why: Unreadable) -> Self {
+        Self::Unread(Box::new(why))
+    }
+}
+
+impl From<Why> for Refusal {
+    fn from(why: Why) -> Self {
+        Unreadable::of(why).into()
+    }
+}
+
+impl From<Misfit> for Refusal {
+    fn from(misfit: Misfit) -> Self {
+        Self::Misfit(Box::new(misfit))
     }
 }
 
@@ -37,7 +50,10 @@ pub(super) type Read<T> = Result<T, Refusal>;
 /// Longest response that is read, in bytes.
 const LONGEST: usize = 2_000;
 
-pub(super) const HELP: &str = "Type for example `0.1 <= x < 0.5`, `x > 2` or `[0.1, 0.5)`.";
+/// With an example of what can be typed.
+pub(super) fn like_interval(why: Why) -> Unreadable {
+    Unreadable::of(why).like(Example::Interval)
+}
 
 /// A sign between sides, told as `<`-like or `>`-like and whether its end is left out.
 #[derive(Clone, Copy)]
@@ -50,15 +66,13 @@ impl Ends<'_> {
     /// The set that a response is.
     pub(super) fn read(&self, response: &str) -> Read<Set> {
         if response.len() > LONGEST {
-            return Err("This is too long to be read.".to_owned().into());
+            return Err(Why::TooLong.into());
         }
         let text = normalized(response);
         let pieces = cut(&text, Span::new(0, text.len()), &[',', ';']);
         let is_relation = |piece: &Span| text[piece.range()].contains(['<', '>', '≤', '≥']);
         if pieces.len() > 1 && pieces.iter().all(is_relation) {
-            return Err("Join the inequalities by `or`, or by `and`."
-                .to_owned()
-                .into());
+            return Err(Why::JoinInequalities.into());
         }
         let mut pieces = Vec::new();
         // A number without a unit has that of the next one.
@@ -72,8 +86,7 @@ impl Ends<'_> {
             let common = sets.into_iter().reduce(|all, own| all.common(&own));
             let common = common.unwrap_or_default();
             if are_met && common.0.is_empty() {
-                let words = format!("No value satisfies `{}`. Join ranges by `or`.", spelt(part));
-                return Err(words.into());
+                return Err(Why::NoneSatisfies(spelt(part)).into());
             }
             pieces.extend(common.0);
         }
@@ -83,7 +96,7 @@ impl Ends<'_> {
     /// An interval in brackets, or a chain of inequalities.
     fn condition(&self, text: &str, unit: &mut Option<Unit>) -> Read<Set> {
         if text.is_empty() {
-            return Err(HELP.to_owned().into());
+            return Err(like_interval(Why::Form).into());
         }
         let signs: Vec<(usize, char)> = text
             .char_indices()
@@ -118,7 +131,7 @@ impl Ends<'_> {
             return Err(self.without_subject(&sides).into());
         };
         if place > 1 || place + 2 < sides.len() {
-            return Err(format!("This chain of inequalities is too long. {HELP}").into());
+            return Err(like_interval(Why::LongChain).into());
         }
         let mut piece = Piece([End::none(0), End::none(1)]);
         for (at, sign) in signs.iter().enumerate().rev() {
@@ -135,7 +148,7 @@ impl Ends<'_> {
             };
             let end = usize::from(is_less);
             if piece.0[end].value.is_finite() {
-                return Err(format!("Both signs point the same way. {HELP}").into());
+                return Err(like_interval(Why::SameWay).into());
             }
             piece.0[end] = own;
         }
@@ -146,23 +159,23 @@ impl Ends<'_> {
     fn bracketed(&self, text: &str, unit: &mut Option<Unit>) -> Read<Set> {
         let start = text
             .find(['[', '(', ']'])
-            .ok_or_else(|| format!("At `{text}`: no inequality sign and no interval. {HELP}"))?;
+            .ok_or_else(|| Unreadable::at(text, Why::NoInterval).like(Example::Interval))?;
         let lead = text[..start].trim();
         let subject = match lead.trim_end_matches(['∈', '=', ':']).trim() {
             "" if lead.is_empty() => Subject::Variable,
             name => self.subject(name).ok_or_else(|| {
                 let symbol = self.setup.symbol.plain();
-                format!("At `{}`: only `{symbol} in` may stand before the interval of values that are asked, several are joined by `or`.", spelt(lead))
+                Unreadable::at(spelt(lead), Why::BeforeInterval(symbol))
             })?,
         };
         let inner = text[start..].trim();
         let (unit_text, inner) = match inner.rfind([']', ')', '[']) {
             Some(end) if end > 0 => (inner[end + 1..].trim(), &inner[..=end]),
-            _ => return Err(format!("A bracket is missing. {HELP}").into()),
+            _ => return Err(like_interval(Why::IntervalBracket).into()),
         };
         if !unit_text.is_empty() {
             let one = self.number(&format!("1 {unit_text}"), &mut None)?;
-            one.ok_or_else(|| format!("At `{unit_text}`: this is no unit. {HELP}"))?;
+            one.ok_or_else(|| Unreadable::at(unit_text, Why::NoUnit).like(Example::Interval))?;
             *unit = quantity(&format!("1 {unit_text}"), self.mark).map(|one| one.unit);
         }
         let mut ends = inner.chars();
@@ -182,9 +195,7 @@ impl Ends<'_> {
             };
         }
         let [low, high] = sides[..] else {
-            let words =
-                "An interval has two ends; with decimal commas, put a semicolon in between.";
-            return Err(format!("{words} {HELP}").into());
+            return Err(like_interval(Why::TwoEnds).into());
         };
         let high = self.side(body[high.range()].trim(), unit)?;
         let low = self.side(body[low.range()].trim(), unit)?;
@@ -202,29 +213,29 @@ impl Ends<'_> {
     }
 
     /// What is said of an inequality without what is asked.
-    fn without_subject(&self, sides: &[&str]) -> String {
+    fn without_subject(&self, sides: &[&str]) -> Unreadable {
         let (symbol, variable) = (self.setup.symbol.plain(), &self.setup.variable);
         let formulas = sides.iter().map(|side| self.formula(side));
         let (mut is_there, mut trouble) = (false, None);
         for formula in formulas {
             match formula {
                 Ok(formula) => is_there |= formula.names().uses(variable),
-                Err(words) => trouble = Some(words),
+                Err(why) => trouble = Some(why),
             }
         }
         match trouble {
-            _ if is_there => format!("Solve for `{symbol}` or `|{symbol}|` first. {HELP}"),
-            Some(words) => words,
-            None => format!("`{symbol}` does not stand in this inequality. {HELP}"),
+            _ if is_there => like_interval(Why::SolveForDistance(symbol)),
+            Some(why) => why,
+            None => like_interval(Why::NotInInequality(symbol)),
         }
     }
 }
 
 /// One interval; bounds in the wrong order are none.
-fn one(piece: Piece) -> Result<Piece, String> {
+fn one(piece: Piece) -> Result<Piece, Unreadable> {
     let [low, high] = piece.0;
     if low.value > high.value {
-        return Err(format!("The lower bound is above the upper one. {HELP}"));
+        return Err(like_interval(Why::BoundsOrder));
     }
     Ok(piece)
 }

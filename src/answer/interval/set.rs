@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use crate::answer::Bounds;
 use crate::math::Math;
 use crate::unit::{DecimalMark, Quantity};
 
@@ -129,6 +130,13 @@ impl Set {
             .iter()
             .flat_map(|a| other.0.iter().filter_map(|b| a.common(b)));
         Self::of(pairs.collect())
+    }
+
+    /// The ends of its pieces, as programs get them.
+    pub(super) fn bounds(&self) -> Vec<Bounds> {
+        let bound = |end: End| end.value.is_finite().then_some(end.value);
+        let bounds = |piece: &Piece| (piece.0.map(bound), piece.0.map(|end| end.is_open));
+        self.0.iter().map(bounds).collect()
     }
 
     /// Whether the ends of both are open alike.

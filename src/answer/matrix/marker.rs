@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::slip::Slip;
 use super::{Setup, Written};
 use crate::answer::equality::{Comparable, Comparison, Points};
 use crate::answer::trial::typed as typed_number;
 use crate::answer::{
-    Credit, Feedback, Key, KeyValue, Marker, Marking, Nature, Reading, Reason, Trial, symbolic,
+    Answered, Credit, Key, KeyValue, Marker, Marking, Nature, Note, Reading, Remark, Slip, Trial,
+    Unreadable, Why, symbolic,
 };
 use crate::expr::{Expr, Value};
 use crate::math::Math;
@@ -36,13 +36,11 @@ impl Prepared {
     fn mark_formulas(&self, reading: Reading, entries: &[Expr]) -> Marking {
         let setup = &self.setup;
         let Some(formulas) = &self.formulas else {
-            return Marking::unreadable("Give the entries as numbers.");
+            return Marking::unreadable(Why::EntriesAsNumbers);
         };
         let (keys, points) = formulas;
         let Some(typed) = setup.compile(entries, &BTreeMap::new()) else {
-            return Marking::unreadable(
-                "These entries cannot be compared; write them in a simpler form.",
-            );
+            return Marking::unreadable(Why::IncomparableEntries);
         };
         let compare = |keys: &[Comparable]| -> Vec<Comparison> {
             let pairs = keys.iter().zip(&typed);
@@ -62,8 +60,9 @@ impl Prepared {
             })
         };
         self.marking(reading, &wrong, named, || {
-            let dimension = self.wrong_dimension(entries, &wrong);
-            dimension.or_else(|| self.slip_of_formulas(formulas, &typed, &comparisons))
+            let misfit = self.wrong_dimension(entries, &wrong).map(Remark::from);
+            let slip = || self.slip_of_formulas(formulas, &typed, &comparisons);
+            misfit.or_else(|| slip().map(Remark::from))
         })
     }
 
@@ -72,13 +71,10 @@ impl Prepared {
         let (dimension, text) = (unit.dimension(), unit.text());
         let is_own = |own: &Unit| own.dimension() == dimension;
         if !self.setup.units.iter().any(is_own) {
-            return Marking::unreadable(format!(
-                "At `{text}`: this is left over behind the matrix. Letters carry their units: leave it out."
-            ));
+            return Marking::unreadable(Unreadable::at(text, Why::UnitBehindMatrix));
         }
         let mut marking = self.mark_formulas(reading, entries);
-        let words = format!("Letters carry their units: leave out `{text}`.");
-        marking.feedback.push(Feedback::Words(words));
+        marking.remarks.push(Note::LettersCarryUnits(text).into());
         marking
     }
 
@@ -95,7 +91,8 @@ impl Prepared {
                     && (0..numbers.len()).all(|place| are_near(&mistake.numbers, place))
             })
         };
-        self.marking(reading, &wrong, named, || self.slip_of_numbers(numbers))
+        let slip = || self.slip_of_numbers(numbers).map(Remark::from);
+        self.marking(reading, &wrong, named, slip)
     }
 
     /// Whether a number is as near to a key as the tolerance of an entry has it. Beside a zero, what rounding in a
@@ -117,43 +114,32 @@ impl Prepared {
         reading: Reading,
         wrong: &[usize],
         named: impl FnOnce() -> Option<&'a Mistake>,
-        slip: impl FnOnce() -> Option<Slip>,
+        slip: impl FnOnce() -> Option<Remark>,
     ) -> Marking {
         if wrong.is_empty() {
-            return Marking::read(reading, Credit::FULL, Reason::Matches, None);
+            return Marking::right(reading);
         }
         if let Some(mistake) = named() {
-            let number = mistake.number;
-            let feedback = Some(Feedback::Mistake(number));
-            return Marking::read(reading, mistake.credit, Reason::Mistake(number), feedback);
+            return Marking::mistake(reading, mistake.number, mistake.credit);
         }
-        let (reason, words) = match slip() {
-            Some((reason, words)) => (reason, Some(words)),
-            None => (Reason::Other, self.told(wrong)),
-        };
-        Marking::read(reading, Credit::NONE, reason, words.map(Feedback::Words))
+        Marking::wrong(reading, slip().or_else(|| self.entries(wrong)))
     }
 
     /// Which entries are wrong, where they are few.
-    fn told(&self, wrong: &[usize]) -> Option<String> {
-        match wrong {
-            [one] => Some(format!("The entry {} is wrong.", self.place(*one))),
-            many if 2 * many.len() <= self.halves.len() => {
-                let places: Vec<String> = many.iter().map(|place| self.place(*place)).collect();
-                Some(format!("The entries {} are wrong.", places.join(", ")))
-            }
-            _ => None,
-        }
+    fn entries(&self, wrong: &[usize]) -> Option<Remark> {
+        let are_few = wrong.len() == 1 || 2 * wrong.len() <= self.halves.len();
+        let places = wrong.iter().map(|place| self.place(*place));
+        are_few.then(|| Slip::Entries(places.collect()).into())
     }
 
-    /// The row and the column of an entry.
-    pub(super) fn place(&self, at: usize) -> String {
+    /// The row and the column of an entry, from 1.
+    pub(super) fn place(&self, at: usize) -> (usize, usize) {
         let columns = self.setup.columns;
-        format!("({}, {})", at / columns + 1, at % columns + 1)
+        (at / columns + 1, at % columns + 1)
     }
 
     /// The numbers of entries without names in SI units, or why they have none.
-    fn numbers(&self, entries: &[Expr], stated: Option<&Unit>) -> Result<Vec<f64>, String> {
+    fn numbers(&self, entries: &[Expr], stated: Option<&Unit>) -> Result<Vec<f64>, Why> {
         let value = |(place, entry): (usize, &Expr)| {
             let number = crate::expr::Program::compile(entry, &crate::expr::Slots(&[]))
                 .ok()
@@ -164,16 +150,13 @@ impl Prepared {
                         .ok()?
                         .as_real()
                 })
-                .ok_or_else(|| "An entry has no value.".to_owned())?;
+                .ok_or(Why::EntryValue)?;
             let unit = self.setup.units.get(place).copied().unwrap_or(Unit::ONE);
             let shown = stated.copied().unwrap_or(unit);
             if number == 0.0 || shown.dimension() == unit.dimension() {
                 Ok(shown.to_si(number))
             } else {
-                Err(format!(
-                    "The unit `{}` does not fit all entries.",
-                    shown.text()
-                ))
+                Err(Why::UnitOfEntries(shown))
             }
         };
         entries.iter().enumerate().map(value).collect()
@@ -276,53 +259,45 @@ impl Marker for Prepared {
         let listed = match listed {
             Ok(listed) if fits(&listed) => listed,
             Ok(Listed { rows, .. }) => {
-                return Marking::unreadable(format!(
-                    "This has {} of {}; a matrix of {} by {} is asked, such as `[[a, b], [c, d]]`, with a comma between entries.",
-                    counted(rows.len(), "row"),
-                    rows.first().map_or(0, Vec::len),
-                    setup.rows,
-                    setup.columns
-                ));
+                return Marking::unreadable(Why::Shape {
+                    found: (rows.len(), rows.first().map_or(0, Vec::len)),
+                    asked: (setup.rows, setup.columns),
+                });
             }
-            Err(error) => return Marking::unreadable(error.sentence(response)),
+            Err(error) => return Marking::unreadable(error.remark(response)),
         };
         let has_names = !listed.is_numeric();
         let Listed { rows, unit } = listed;
         let entries = rows.concat();
+        let array = Expr::array(rows.iter().cloned().map(Expr::array).collect::<Vec<_>>());
         let mut reading = Reading {
             math: setup.typeset(&entries),
-            text: Expr::array(rows.into_iter().map(Expr::array).collect::<Vec<_>>()).to_string(),
-            si: Vec::new(),
+            text: array.to_string(),
+            answered: Answered::SymbolicMatrix(rows),
         };
         if has_names {
             return match &unit {
                 _ if setup.written == Written::Number => {
-                    Marking::unreadable("Numbers are asked here, not formulas.")
+                    Marking::unreadable(Why::NumbersNotFormulas)
                 }
                 Some(unit) => self.mark_with_unit(reading, &entries, unit),
                 None => self.mark_formulas(reading, &entries),
             };
         }
         if setup.written == Written::Formula && self.is_symbolic() {
-            return Marking::unreadable("Formulas in symbols are asked here, not numbers.");
+            return Marking::unreadable(Why::FormulasNotNumbers);
         }
         let numbers = match self.numbers(&entries, unit.as_ref()) {
             Ok(numbers) => numbers,
-            Err(words) => return Marking::unreadable(words),
+            Err(why) => return Marking::unreadable(why),
         };
-        reading.si.clone_from(&numbers);
+        reading.answered = Answered::Matrix(numbers.clone());
         if let Some(unit) = unit {
             reading.math = Math::row([reading.math, Math::thin_space(), unit.math()]);
             reading.text = format!("{} {unit}", reading.text);
         }
         self.mark_numbers(reading, &numbers)
     }
-}
-
-/// A count with its noun.
-pub(in crate::answer) fn counted(count: usize, noun: &str) -> String {
-    let plural = if count == 1 { "" } else { "s" };
-    format!("{count} {noun}{plural}")
 }
 
 impl Prepared {

@@ -20,20 +20,16 @@ mod slip;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-pub(super) use self::marker::counted;
 use self::marker::{Mistake, Prepared};
 use super::equality::{Comparable, Points};
 use super::meaning::{Meaning, Prefer, lexicon};
-use super::{Answer, AnswerError, AnswerKind, Context, Declare, Marker, Tolerance, symbolic};
+use super::{Answer, AnswerError, Context, Declare, Marker, Tolerance, symbolic};
 use crate::expr::{Expr, Field, Form, Name, Shape};
 use crate::math::Math;
 use crate::quantity::{Absent, NodeId};
 use crate::response::Lexicon;
 use crate::source::{Table, Value as Data};
 use crate::unit::Unit;
-
-/// The kind.
-pub(super) struct Kind;
 
 /// Whether entries are asked as numbers or as formulas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,60 +77,51 @@ struct Setup {
     lexicon: Lexicon,
 }
 
-impl AnswerKind for Kind {
-    fn name(&self) -> &'static str {
-        "matrix"
-    }
-
-    fn minutes(&self) -> u32 {
-        5
-    }
-
-    fn read(&self, part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
-        let text = part
-            .required("key")
-            .and_then(|key| part.as_formula("key", key));
-        let (listed, tolerance) = (part.texts("in"), part.text("tolerance"));
-        let written = Written::read(part, declare);
-        let text = text?;
-        let key = declare.formula("key", &text)?;
-        let kind = declare.graph().kind(key)?.clone();
-        let (Field::Real, Shape::Matrix(rows, columns)) = (kind.field(), kind.shape()) else {
-            let found = kind.form().to_string();
-            declare.find(
-                &AnswerError::KeyForm {
-                    expected: "a real matrix",
-                    found,
-                },
-                &text,
-            );
-            return None;
-        };
-        let units = declare.units_of(key);
-        let unit = units.first().copied().unwrap_or(Unit::ONE);
-        let tolerance = match tolerance {
-            Some(text) => Tolerance::read(&text, &unit, declare)?,
-            None => Tolerance::default(),
-        };
-        let own = Name::new(text.value.as_str());
-        let named = declare.graph().find(&own).map(|_| own);
-        let (lexicon, _) = lexicon(declare, &listed, named.as_ref());
-        let setup = Setup {
-            expr: symbolic::formula(declare.graph(), key),
-            rows,
-            columns,
-            units,
-            written,
-            meaning: Meaning::of(declare, Prefer::Quantities),
-            lexicon,
-        };
-        Some(Box::new(Matrix {
-            key,
-            tolerance,
-            digits: u32::from(declare.digits_of(key)),
-            setup: Arc::new(setup),
-        }))
-    }
+/// Reads the keys of a part that belong to this kind; what is wrong is noted.
+pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+    let text = part
+        .required("key")
+        .and_then(|key| part.as_formula("key", key));
+    let (listed, tolerance) = (part.texts("in"), part.text("tolerance"));
+    let written = Written::read(part, declare);
+    let text = text?;
+    let key = declare.formula("key", &text)?;
+    let kind = declare.graph().kind(key)?.clone();
+    let (Field::Real, Shape::Matrix(rows, columns)) = (kind.field(), kind.shape()) else {
+        let found = kind.form().to_string();
+        declare.find(
+            &AnswerError::KeyForm {
+                expected: "a real matrix",
+                found,
+            },
+            &text,
+        );
+        return None;
+    };
+    let units = declare.units_of(key);
+    let unit = units.first().copied().unwrap_or(Unit::ONE);
+    let tolerance = match tolerance {
+        Some(text) => Tolerance::read(&text, &unit, declare)?,
+        None => Tolerance::default(),
+    };
+    let own = Name::new(text.value.as_str());
+    let named = declare.graph().find(&own).map(|_| own);
+    let (lexicon, _) = lexicon(declare, &listed, named.as_ref());
+    let setup = Setup {
+        expr: symbolic::formula(declare.graph(), key),
+        rows,
+        columns,
+        units,
+        written,
+        meaning: Meaning::of(declare, Prefer::Quantities),
+        lexicon,
+    };
+    Some(Box::new(Matrix {
+        key,
+        tolerance,
+        digits: u32::from(declare.digits_of(key)),
+        setup: Arc::new(setup),
+    }))
 }
 
 impl Setup {
@@ -163,8 +150,8 @@ impl Setup {
 }
 
 impl Answer for Matrix {
-    fn kind(&self) -> &'static dyn AnswerKind {
-        &Kind
+    fn kind(&self) -> crate::answer::Kind {
+        crate::answer::Kind::Matrix
     }
 
     fn keys(&self) -> Vec<NodeId> {

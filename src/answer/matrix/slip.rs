@@ -1,14 +1,10 @@
 //! Slips that a whole matrix gives away: a common factor, another order of the coordinates, a dimension.
 
 use super::marker::Prepared;
-use crate::answer::Reason;
 use crate::answer::equality::{Comparable, Comparison, Points};
-use crate::answer::formula::{explained, in_words};
+use crate::answer::{Decades, Misfit, Negated, Slip};
 use crate::expr::Expr;
 use crate::unit::Dimension;
-
-/// What slipped, and what is said of it.
-pub(super) type Slip = (Reason, String);
 
 /// Largest number of coordinates whose order is looked at.
 const MOST_COORDINATES: usize = 4;
@@ -73,36 +69,31 @@ impl Prepared {
             (0..rows * columns).all(|place| same(key(place), place))
         };
         let found = (0..count).any(|second| (0..second).any(|first| is_for(first, second)));
-        found.then(|| {
-            let words = "These are the entries for the coordinates in another order.";
-            (Reason::Other, words.to_owned())
-        })
+        found.then_some(Slip::OtherOrder)
     }
 
     /// The first of these entries that has another dimension than the key.
-    pub(super) fn wrong_dimension(&self, entries: &[Expr], wrong: &[usize]) -> Option<Slip> {
+    pub(super) fn wrong_dimension(&self, entries: &[Expr], wrong: &[usize]) -> Option<Misfit> {
         let setup = &self.setup;
         wrong.iter().find_map(|place| {
             let (entry, unit) = (&entries[*place], setup.units.get(*place)?);
-            let at = self.place(*place);
-            let words = match entry.check(&setup.meaning) {
+            let at = Some(self.place(*place));
+            Some(match entry.check(&setup.meaning) {
                 _ if entry.is_zero() => return None,
-                Err(errors) => format!("The entry {at}: {}", explained(errors.first())),
+                Err(errors) => Misfit::Step {
+                    entry: at,
+                    error: errors.first().cloned(),
+                },
                 Ok(found) => {
                     let is_other = |own: &Dimension| *own != unit.dimension();
-                    let found = found.dimension().filter(is_other)?;
-                    let asked = match unit.text() {
-                        text if text.is_empty() => in_words(unit.dimension()),
-                        text => text,
-                    };
-                    format!(
-                        "The entry {at} comes out in {}, it has to be in {asked}.",
-                        in_words(found)
-                    )
-                    .replace("in a pure number", "as a pure number")
+                    Misfit::Comes {
+                        entry: at,
+                        found: found.dimension().filter(is_other)?,
+                        unit: Some(*unit).filter(|unit| !unit.text().is_empty()),
+                        asked: Some(unit.dimension()),
+                    }
                 }
-            };
-            Some((Reason::Dimension, words))
+            })
         })
     }
 }
@@ -110,13 +101,11 @@ impl Prepared {
 fn of_factor(factor: f64) -> Slip {
     let is_near = |number: f64| (factor - number).abs() <= 1e-9 * number.abs();
     if is_near(-1.0) {
-        return (Reason::Sign, "All signs are reversed.".to_owned());
+        return Slip::Sign(Negated::Entries);
     }
     let is_power = |power: &i32| *power != 0 && is_near(crate::numerics::powi(10.0, *power));
     if (-9..=9).any(|power| is_power(&power)) {
-        let words = "The digits fit, the power of ten does not: check the prefixes.";
-        return (Reason::PowerOfTen, words.to_owned());
+        return Slip::PowerOfTen(Decades::Prefix);
     }
-    let words = "All entries are off by one factor.";
-    (Reason::Other, words.to_owned())
+    Slip::CommonFactor
 }

@@ -8,7 +8,9 @@ use super::span::{are_independent, away, independent, length, lies_in};
 use super::{Scale, Setup};
 use crate::answer::matrix::Written;
 use crate::answer::trial::typed as typed_number;
-use crate::answer::{Credit, Feedback, Key, KeyValue, Marker, Marking, Nature, Reason, Trial};
+use crate::answer::{
+    Credit, Key, KeyValue, Marker, Marking, Nature, Remark, Scaling, Shape, Slip, Trial,
+};
 use crate::expr::{Precise, Value};
 use crate::math::Math;
 use crate::numerics::Rational;
@@ -85,15 +87,14 @@ impl Prepared {
             && are_independent(typed) == are_independent(given)
     }
 
-    /// What is wrong with the scale of shapes that are right.
-    fn scale_trouble(&self, typed: &[Vec<f64>]) -> Option<&'static str> {
+    /// The scale that is asked, where shapes that are right have another one.
+    fn other_scale(&self, typed: &[Vec<f64>]) -> Option<Scaling> {
         let margin = self.angle.max(0.005);
         match self.setup.scale {
             Scale::Any => None,
             Scale::First => {
                 let is_one = typed.iter().all(|vector| (vector[0] - 1.0).abs() <= 0.005);
-                (!is_one)
-                    .then_some("The shape is right; scale it so that its first component is 1.")
+                (!is_one).then_some(Scaling::First)
             }
             Scale::Mass => {
                 let is_one = typed.iter().enumerate().all(|(place, vector)| {
@@ -107,19 +108,16 @@ impl Prepared {
                     };
                     (scale - 1.0).abs() <= margin
                 });
-                (!is_one).then_some("The shape is right; scale it so that its modal mass is 1.")
+                (!is_one).then_some(Scaling::Mass)
             }
         }
     }
 
-    /// What is said about shapes that are not right, and their credit.
-    fn told(&self, typed: &[Vec<f64>], fault: &Fault) -> (Reason, Credit, Option<String>) {
-        let (wrong, words) = match fault {
-            Fault::Dependent => (
-                &[][..],
-                "These shapes are multiples of one another; independent ones are asked.",
-            ),
-            Fault::Places(places) => (&places[..], ""),
+    /// What shapes are worth that are not right, and what is wrong with them.
+    fn slip(&self, typed: &[Vec<f64>], fault: &Fault) -> (Credit, Option<Slip>) {
+        let wrong = match fault {
+            Fault::Dependent => &[][..],
+            Fault::Places(places) => &places[..],
         };
         // Independent right shapes count one by one.
         let right: Vec<Vec<f64>> = (0..typed.len())
@@ -129,42 +127,26 @@ impl Prepared {
         let share = Rational::new(independent(&right) as i128, typed.len() as i128);
         let credit = share.and_then(Credit::new).unwrap_or(Credit::NONE);
         if wrong.is_empty() {
-            return (Reason::Other, credit, Some(words.to_owned()));
+            return (credit, Some(Slip::DependentShapes));
         }
-        let sentences: Vec<String> = wrong
+        let shapes = wrong
             .iter()
-            .filter_map(|place| self.sentence(*place, &typed[*place]))
-            .collect();
-        let is_reversed = wrong
-            .iter()
-            .all(|place| is_reversed(&self.keys[*place], &typed[*place], self.angle));
-        let reason = if is_reversed {
-            Reason::Sign
-        } else {
-            Reason::Other
-        };
-        let words = (!sentences.is_empty()).then(|| sentences.join(" "));
-        (reason, credit, words)
+            .filter_map(|place| self.shape(*place, &typed[*place]));
+        let shapes: Vec<Shape> = shapes.collect();
+        (credit, (!shapes.is_empty()).then_some(Slip::Shapes(shapes)))
     }
 
-    fn sentence(&self, place: usize, typed: &[f64]) -> Option<String> {
-        let number = self.numbers.get(place).copied()?;
-        let other = self
-            .modes
-            .as_ref()
-            .and_then(|modes| modes.of(typed, self.angle));
-        if let Some(other) = other {
-            return Some(format!(
-                "This is the shape of mode {other}, not of mode {number}; the modes count from the lowest frequency."
-            ));
+    /// What is wrong with one shape.
+    fn shape(&self, place: usize, typed: &[f64]) -> Option<Shape> {
+        let asked = self.numbers.get(place).copied()?;
+        let modes = self.modes.as_ref();
+        if let Some(found) = modes.and_then(|modes| modes.of(typed, self.angle)) {
+            return Some(Shape::OfMode { found, asked });
         }
         if is_reversed(&self.keys[place], typed, self.angle) {
-            return Some(
-                "The magnitudes fit, but look again at which parts move against each other."
-                    .to_owned(),
-            );
+            return Some(Shape::Reversed);
         }
-        (self.keys.len() > 1).then(|| format!("The shape of mode {number} is wrong."))
+        (self.keys.len() > 1).then_some(Shape::Wrong(asked))
     }
 
     pub(super) fn typeset(entries: &[Math], width: usize) -> Math {
@@ -237,7 +219,7 @@ impl Marker for Prepared {
     fn mark(&self, response: &str) -> Marking {
         let mut readings = match self.read(response) {
             Ok(readings) => readings,
-            Err(words) => return Marking::unreadable(words),
+            Err(why) => return Marking::unreadable(why),
         };
         let is_sound = |shapes: &Shapes| self.fault(&shapes.vectors).is_none();
         let first = readings.iter().position(is_sound).unwrap_or(0);
@@ -245,15 +227,13 @@ impl Marker for Prepared {
             reading,
             vectors: typed,
         } = readings.swap_remove(first);
-        let say = |words: &str| Some(Feedback::Words(words.to_owned()));
         if typed.iter().any(|vector| length(vector) == 0.0) {
-            let words = say("A shape with all components zero is no motion.");
-            return Marking::read(reading, Credit::NONE, Reason::Other, words);
+            return Marking::wrong(reading, Remark::from(Slip::NoMotion));
         }
         let Some(fault) = self.fault(&typed) else {
-            return match self.scale_trouble(&typed) {
-                None => Marking::read(reading, Credit::FULL, Reason::Matches, None),
-                Some(words) => Marking::read(reading, half(), Reason::Scale, say(words)),
+            return match self.other_scale(&typed) {
+                None => Marking::right(reading),
+                Some(scale) => Marking::read(reading, half(), Remark::from(Slip::Scale(scale))),
             };
         };
         let named = self
@@ -261,11 +241,10 @@ impl Marker for Prepared {
             .iter()
             .find(|(_, given, _)| self.are(given, &typed));
         if let Some((number, _, credit)) = named {
-            let feedback = Some(Feedback::Mistake(*number));
-            return Marking::read(reading, *credit, Reason::Mistake(*number), feedback);
+            return Marking::mistake(reading, *number, *credit);
         }
-        let (reason, credit, words) = self.told(&typed, &fault);
-        Marking::read(reading, credit, reason, words.map(Feedback::Words))
+        let (credit, slip) = self.slip(&typed, &fault);
+        Marking::read(reading, credit, slip.map(Remark::from))
     }
 }
 

@@ -29,15 +29,12 @@ use self::modes::Asked;
 use self::span::{lies_in, vectors};
 use super::matrix::Written;
 use super::meaning::{Meaning, Prefer, lexicon};
-use super::{Answer, AnswerError, AnswerKind, Context, Declare, Marker, Tolerance};
+use super::{Answer, AnswerError, Context, Declare, Marker, Tolerance};
 use crate::expr::{Field, Name, Shape};
 use crate::quantity::{Absent, NodeId};
 use crate::response::Lexicon;
 use crate::source::Table;
 use crate::unit::Unit;
-
-/// The kind.
-pub(super) struct Kind;
 
 /// Which scale is asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,80 +62,71 @@ struct Setup {
     lexicon: Lexicon,
 }
 
-impl AnswerKind for Kind {
-    fn name(&self) -> &'static str {
-        "mode-shape"
+/// Reads the keys of a part that belong to this kind; what is wrong is noted.
+pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+    let text = part
+        .required("key")
+        .and_then(|key| part.as_formula("key", key));
+    let asked = Asked::read(part, declare);
+    let (normalization, tolerance) = (part.text("normalization"), part.text("tolerance"));
+    let written = Written::read(part, declare);
+    let text = text?;
+    let key = declare.formula("key", &text)?;
+    let kind = declare.graph().kind(key)?.clone();
+    let is_list = matches!(kind.shape(), Shape::Vector(_) | Shape::Matrix(..));
+    if kind.field() != Field::Real || !is_list {
+        let found = kind.form().to_string();
+        declare.find(
+            &AnswerError::KeyForm {
+                expected: "a vector, or several",
+                found,
+            },
+            &text,
+        );
+        return None;
     }
-
-    fn minutes(&self) -> u32 {
-        5
-    }
-
-    fn read(&self, part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
-        let text = part
-            .required("key")
-            .and_then(|key| part.as_formula("key", key));
-        let asked = Asked::read(part, declare);
-        let (normalization, tolerance) = (part.text("normalization"), part.text("tolerance"));
-        let written = Written::read(part, declare);
-        let text = text?;
-        let key = declare.formula("key", &text)?;
-        let kind = declare.graph().kind(key)?.clone();
-        let is_list = matches!(kind.shape(), Shape::Vector(_) | Shape::Matrix(..));
-        if kind.field() != Field::Real || !is_list {
-            let found = kind.form().to_string();
+    let scale = match normalization.as_ref().map(|text| text.value.as_str()) {
+        None | Some("any") => Scale::Any,
+        Some("mass") => Scale::Mass,
+        Some("first") => Scale::First,
+        Some(_) => {
+            let text = normalization.unwrap_or(text);
             declare.find(
-                &AnswerError::KeyForm {
-                    expected: "a vector, or several",
-                    found,
-                },
+                &AnswerError::Unread(
+                    text.value.clone(),
+                    "normalization: `any`, `mass` or `first`",
+                ),
                 &text,
             );
             return None;
         }
-        let scale = match normalization.as_ref().map(|text| text.value.as_str()) {
-            None | Some("any") => Scale::Any,
-            Some("mass") => Scale::Mass,
-            Some("first") => Scale::First,
-            Some(_) => {
-                let text = normalization.unwrap_or(text);
-                declare.find(
-                    &AnswerError::Unread(
-                        text.value.clone(),
-                        "normalization: `any`, `mass` or `first`",
-                    ),
-                    &text,
-                );
-                return None;
-            }
-        };
-        let radian = Unit::parse("rad").unwrap_or(Unit::ONE);
-        let tolerance = match tolerance {
-            Some(text) => Some(Tolerance::read(&text, &radian, declare)?),
-            None => None,
-        };
-        let own = Name::new(text.value.as_str());
-        let named = declare.graph().find(&own).map(|_| own);
-        let (lexicon, _) = lexicon(declare, &part.texts("in"), named.as_ref());
-        Some(Box::new(Mode {
-            key,
-            asked: asked?,
-            tolerance,
-            digits: u32::from(declare.digits_of(key)),
-            setup: Arc::new(Setup {
-                scale,
-                written,
-                units: declare.units_of(key),
-                meaning: Meaning::of(declare, Prefer::Quantities),
-                lexicon,
-            }),
-        }))
-    }
+    };
+    let radian = Unit::parse("rad").unwrap_or(Unit::ONE);
+    let tolerance = match tolerance {
+        Some(text) => Some(Tolerance::read(&text, &radian, declare)?),
+        None => None,
+    };
+    let own = Name::new(text.value.as_str());
+    let named = declare.graph().find(&own).map(|_| own);
+    let (lexicon, _) = lexicon(declare, &part.texts("in"), named.as_ref());
+    Some(Box::new(Mode {
+        key,
+        asked: asked?,
+        tolerance,
+        digits: u32::from(declare.digits_of(key)),
+        setup: Arc::new(Setup {
+            scale,
+            written,
+            units: declare.units_of(key),
+            meaning: Meaning::of(declare, Prefer::Quantities),
+            lexicon,
+        }),
+    }))
 }
 
 impl Answer for Mode {
-    fn kind(&self) -> &'static dyn AnswerKind {
-        &Kind
+    fn kind(&self) -> crate::answer::Kind {
+        crate::answer::Kind::ModeShape
     }
 
     fn keys(&self) -> Vec<NodeId> {

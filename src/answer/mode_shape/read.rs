@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use super::Scale;
 use super::marker::Prepared;
 use super::span::vectors;
-use crate::answer::Reading;
-use crate::answer::matrix::{Written, counted};
+use crate::answer::matrix::Written;
+use crate::answer::{Answered, Reading, Unreadable, Why};
 use crate::expr::{Expr, Workspace};
 use crate::math::Math;
 use crate::response::{self, Listed};
@@ -20,24 +20,24 @@ pub(super) struct Shapes {
 
 impl Prepared {
     /// How a response can be read: by rows, and by columns where both are to be had.
-    pub(super) fn read(&self, response: &str) -> Result<Vec<Shapes>, String> {
+    pub(super) fn read(&self, response: &str) -> Result<Vec<Shapes>, Unreadable> {
         let setup = &self.setup;
         let response = &components(response);
         let (width, count) = (self.width(), self.keys.len());
         let fits = |listed: &Listed| !arrangements(&listed.rows, width, count).is_empty();
         let listed = response::list_of_form(response, &setup.lexicon, &setup.units, fits);
-        let listed = listed.map_err(|error| error.sentence(response))?;
+        let listed = listed.map_err(|error| error.remark(response))?;
         let has_names = !listed.is_numeric();
         let Listed { rows, unit } = listed;
         let arrangements = arrangements(&rows, width, count);
         if arrangements.is_empty() {
-            return Err(misfit(&rows, width, count));
+            return Err(misfit(&rows, width, count).into());
         }
         if let Some(unit) = unit {
             self.check_unit(&unit)?;
         }
         if has_names && setup.written == Written::Number {
-            return Err("Numbers are asked here, not formulas.".to_owned());
+            return Err(Why::NumbersNotFormulas.into());
         }
         let shapes = arrangements.iter().map(|entries| {
             let mut numbers = self.values(entries)?;
@@ -55,27 +55,20 @@ impl Prepared {
             })
         });
         let shapes: Option<Vec<Shapes>> = shapes.collect();
-        shapes.ok_or_else(|| "A component has no value.".to_owned())
+        shapes.ok_or_else(|| Why::ComponentValue.into())
     }
 
     /// Refuses a unit that can be no unit of all components.
-    fn check_unit(&self, unit: &Unit) -> Result<(), String> {
+    fn check_unit(&self, unit: &Unit) -> Result<(), Unreadable> {
         let mut own = self.setup.units.iter();
         let Some(first) = own.next() else {
             return Ok(());
         };
         if own.any(|other| other.dimension() != first.dimension()) {
-            return Err(format!(
-                "At `{}`: the components have several units; leave it out and give them in SI units.",
-                unit.text()
-            ));
+            return Err(Unreadable::at(unit.text(), Why::UnitOfComponents));
         }
         if self.setup.scale == Scale::Mass && unit.dimension() != first.dimension() {
-            return Err(format!(
-                "At `{}`: this unit does not fit; a shape with unit modal mass is in {}.",
-                unit.text(),
-                first.text()
-            ));
+            return Err(Unreadable::at(unit.text(), Why::UnitOfShape(*first)));
         }
         Ok(())
     }
@@ -99,7 +92,12 @@ impl Prepared {
             math = Math::row([math, Math::thin_space(), unit.math()]);
             text = format!("{text} {unit}");
         }
-        Reading { math, text, si }
+        let answered = Answered::Shapes(si);
+        Reading {
+            math,
+            text,
+            answered,
+        }
     }
 
     /// The numbers of entries for these data.
@@ -131,17 +129,18 @@ fn arrangements(rows: &[Vec<Expr>], width: usize, count: usize) -> Vec<Vec<Expr>
     arrangements
 }
 
-fn misfit(rows: &[Vec<Expr>], width: usize, count: usize) -> String {
+fn misfit(rows: &[Vec<Expr>], width: usize, count: usize) -> Why {
     let found = rows.iter().map(Vec::len).sum();
-    let found = counted(found, "component");
     if count == 1 {
-        return format!("This has {found}; {width} are asked, such as `(1, -0.5)` for two.");
+        let asked = width;
+        return Why::Components { found, asked };
     }
-    format!(
-        "This has {found} in {}; {count} shapes of {} are asked, such as `(1, -0.5), (1, 2)`.",
-        counted(rows.len(), "row"),
-        counted(width, "component")
-    )
+    Why::ShapesOf {
+        found,
+        rows: rows.len(),
+        shapes: count,
+        width,
+    }
 }
 
 /// A ratio of components, `1 : -0.5` or `<1, -0.5>`, as a list; all places stay.

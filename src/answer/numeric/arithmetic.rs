@@ -6,6 +6,7 @@
 
 use std::sync::LazyLock;
 
+use super::super::{Example, Unreadable, Why};
 use super::doubt::{short, trailing_number};
 use crate::expr::{Constant, Expr, Kind, Operator, Precise, Program, Slots, Value, Workspace};
 use crate::response::{self, Lexicon, Manner, Trouble, Typed, TypedError};
@@ -13,8 +14,6 @@ use crate::unit::{DecimalMark, Unit};
 
 /// Longest text that is read, in bytes.
 pub(super) const LONGEST: usize = 200;
-const HELP: &str =
-    "Type one number and its unit, the unit last: `15.8 rad/s`, `1.6e-2 m`, `sqrt(2)/2 m`.";
 
 /// Functions and constants, but no names.
 static NUMBERS: LazyLock<Lexicon> = LazyLock::new(Lexicon::new);
@@ -41,10 +40,14 @@ impl Arithmetic {
     ///
     /// # Errors
     ///
-    /// A sentence that says what cannot be read and what to type instead.
-    pub(super) fn read(text: &str, mark: DecimalMark, is_complex: bool) -> Result<Self, String> {
+    /// What cannot be read, and why.
+    pub(super) fn read(
+        text: &str,
+        mark: DecimalMark,
+        is_complex: bool,
+    ) -> Result<Self, Unreadable> {
         if text.len() > LONGEST {
-            return Err("This is too long to be read.".to_owned());
+            return Err(Why::TooLong.into());
         }
         let plain = plain(text);
         let text = plain.as_str();
@@ -83,14 +86,13 @@ impl Arithmetic {
         let place = short(text.get(error.span.range()).unwrap_or_default());
         Err(match error.trouble {
             Trouble::Unknown { .. } | Trouble::NotAllowed(_) if !place.is_empty() => {
-                format!("At `{place}`: a number is asked, without letters. {HELP}")
+                Unreadable::at(place, Why::Letters)
             }
-            Trouble::Unit => {
-                format!("At `{place}`: the unit stands last, behind the whole number. {HELP}")
-            }
-            Trouble::Unknown { .. } | Trouble::NotAllowed(_) => HELP.to_owned(),
-            _ => format!("{} {HELP}", error.sentence(text)),
-        })
+            Trouble::Unit => Unreadable::at(place, Why::UnitNotLast),
+            Trouble::Unknown { .. } | Trouble::NotAllowed(_) => Why::Form.into(),
+            _ => error.remark(text),
+        }
+        .like(Example::UnitLast))
     }
 
     /// Arithmetic with degrees as its last sign, `397.4/2°` and `-180 + 18.7 deg`; where another number has
@@ -118,7 +120,7 @@ impl Arithmetic {
     }
 
     /// Refuses what might be meant otherwise; an angle in degrees is one in radians.
-    fn checked(mut self, text: &str) -> Result<Self, String> {
+    fn checked(mut self, text: &str) -> Result<Self, Unreadable> {
         let (mut bare, mut powers, mut has_infinity) = (0, 0, false);
         self.expr.walk(&mut |node| match node.kind() {
             Kind::Constant(Constant::E) => bare += 1,
@@ -131,13 +133,10 @@ impl Arithmetic {
             _ => {}
         });
         if bare > powers {
-            return Err(format!(
-                "In `{}` the exponent is missing behind `e`: type `2e-3`, or `exp(1)` for the number e.",
-                text.trim()
-            ));
+            return Err(Why::ExponentMissing(text.trim().to_owned()).into());
         }
         if has_infinity {
-            return Err(HELP.to_owned());
+            return Err(Unreadable::of(Why::Form).like(Example::UnitLast));
         }
         if let Kind::Binary(Operator::Subtract, a, b) = self.expr.kind() {
             let is_plain = |side: &Expr| {
@@ -145,20 +144,16 @@ impl Arithmetic {
             };
             let text = text.trim();
             if is_plain(a) && is_plain(b) && !text.contains([' ', '(']) {
-                return Err(format!(
-                    "`{text}` may be a range or a difference: give one number, or spaces around the minus."
-                ));
+                return Err(Why::RangeOrDifference(text.to_owned()).into());
             }
         }
         if mixes_degrees(&self.expr) {
-            return Err(
-                "One of these angles has a sign of degrees, another one has none.".to_owned(),
-            );
+            return Err(Why::MixedDegrees.into());
         }
         if is_in_degrees(&self.expr) {
             match self.unit {
                 None => self.unit = Unit::parse("rad").ok(),
-                Some(_) => return Err(format!("There are two units. {HELP}")),
+                Some(_) => return Err(Unreadable::of(Why::TwoUnits).like(Example::UnitLast)),
             }
         }
         Ok(self)

@@ -1,7 +1,8 @@
 //! Complex numbers as people type them, and how they are marked: `3 - 4i ohm`, `-100j ohm`, `5 ohm at -53 deg`, `5∠-53°`.
 
 use super::super::{
-    Credit, Feedback, Key, KeyValue, Marker, Marking, Mistaken, Reading, Reason, Trial,
+    Answered, Credit, Decades, Example, Key, KeyValue, Marker, Marking, Misfit, Mistaken, Negated,
+    Reading, Remark, Slip, Trial, Unreadable, Why,
 };
 use super::arithmetic::{Arithmetic, LONGEST};
 use super::{doubt, read};
@@ -12,8 +13,10 @@ use crate::response::cut;
 use crate::source::Span;
 use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
 
-const HELP: &str =
-    "Type a complex number and its unit, for example `3 - 4i ohm` or `5 ohm at -53 deg`.";
+/// With an example of a complex number.
+fn like_complex(why: Why) -> Unreadable {
+    Unreadable::of(why).like(Example::Complex)
+}
 
 /// A complex number that is right, and how far from it is right, too.
 #[derive(Clone, Copy, Debug)]
@@ -61,7 +64,7 @@ fn is_off_by_ten(target: &Target, typed: Complex) -> bool {
 }
 
 /// The complex number that a text is, before its unit; the unit, where one is written.
-fn number(text: &str, mark: DecimalMark) -> Result<(Complex, Option<Unit>, Expr), String> {
+fn number(text: &str, mark: DecimalMark) -> Result<(Complex, Option<Unit>, Expr), Unreadable> {
     let polar = ["∠", " at ", " cis ", "\\angle"]
         .iter()
         .find_map(|sign| text.split_once(sign));
@@ -77,9 +80,9 @@ fn number(text: &str, mark: DecimalMark) -> Result<(Complex, Option<Unit>, Expr)
     let text = text.as_str();
     let arithmetic = Arithmetic::read(text.trim(), mark, true)
         .or_else(|error| Arithmetic::read(&once(text).ok_or(error)?, mark, true))
-        .map_err(|_| HELP.to_owned())?;
+        .map_err(|_| like_complex(Why::Form))?;
     let value = arithmetic.value().and_then(|value| value.as_complex());
-    let value = value.ok_or_else(|| HELP.to_owned())?;
+    let value = value.ok_or_else(|| like_complex(Why::Form))?;
     Ok((value, arithmetic.unit, arithmetic.expr))
 }
 
@@ -105,7 +108,7 @@ fn of_polar(
     modulus: &str,
     angle: &str,
     mark: DecimalMark,
-) -> Result<(Complex, Option<Unit>, Expr), String> {
+) -> Result<(Complex, Option<Unit>, Expr), Unreadable> {
     let (angle, behind) = match angle.find('°') {
         Some(at) => angle.split_at(at + '°'.len_utf8()),
         None => (angle, ""),
@@ -113,15 +116,10 @@ fn of_polar(
     let modulus = read::quantity(&format!("{} {}", modulus.trim(), behind.trim()), mark)?;
     let angle = read::quantity(angle, mark)?;
     if angle.unit.is_one() && angle.value.to_f64().abs() > std::f64::consts::TAU {
-        return Err(format!(
-            "The angle `{}` has no unit: is it in degrees? Type `{}°`.",
-            angle.value, angle.value
-        ));
+        return Err(Why::AngleWithoutUnit(angle.value.to_string()).into());
     }
     let radian = Unit::parse("rad").unwrap_or(Unit::ONE);
-    let radians = angle
-        .si_for(&radian)
-        .map_err(|_| "An angle is in degrees or radians.".to_owned())?;
+    let radians = angle.si_for(&radian).map_err(|_| Why::AngleUnit)?;
     let unit = Some(modulus.unit).filter(|unit| !unit.is_one());
     let value = Complex::from_polar(modulus.value.to_f64(), radians);
     let number = |decimal: &Decimal| {
@@ -144,7 +142,7 @@ fn of_polar(
 impl Numbers {
     fn read(&self, text: &str) -> Result<Typed, Box<Marking>> {
         let (value, stated, expr) =
-            number(text, self.mark).map_err(|words| Box::new(Marking::unreadable(words)))?;
+            number(text, self.mark).map_err(|why| Box::new(Marking::unreadable(why)))?;
         let unit = stated.unwrap_or(self.unit);
         let formula = expr.typeset(&crate::expr::PlainNotation);
         let (math, text) = if unit.is_one() {
@@ -157,16 +155,10 @@ impl Numbers {
             let reading = Reading {
                 math,
                 text,
-                si: Vec::new(),
+                answered: Answered::Complex(Vec::new()),
             };
-            let words = format!("The unit has to be that of {}.", self.unit.text());
-            let words = Some(Feedback::Words(words));
-            return Err(Box::new(Marking::read(
-                reading,
-                Credit::NONE,
-                Reason::Dimension,
-                words,
-            )));
+            let misfit = Remark::from(Misfit::UnitOf(self.unit));
+            return Err(Box::new(Marking::wrong(reading, misfit)));
         }
         let value = Complex::new(unit.to_si(value.re), unit.to_si(value.im));
         let is_bare = stated.is_none() && !self.unit.is_one() && value != Complex::new(0.0, 0.0);
@@ -204,7 +196,7 @@ impl Numbers {
     }
 
     /// Where the numbers of a response stand.
-    fn places(&self, response: &str) -> Result<Vec<Span>, String> {
+    fn places(&self, response: &str) -> Result<Vec<Span>, Unreadable> {
         let start = response.rfind('=').map_or(0, |at| at + 1);
         let all = Span::new(start, response.len());
         let values = cut(response, Span::new(0, response.len()), &[',', ';']);
@@ -213,7 +205,7 @@ impl Numbers {
                 .iter()
                 .all(|place| response[place.range()].contains('='));
         if are_named && !self.is_list {
-            return Err(format!("One complex number is asked. {HELP}"));
+            return Err(like_complex(Why::SeveralComplex));
         }
         Ok(match (self.is_list, response.contains(';')) {
             (false, _) => vec![all],
@@ -223,24 +215,19 @@ impl Numbers {
     }
 
     /// A slip that one number alone gives away.
-    fn slip(&self, values: &[Complex]) -> (Reason, Option<&'static str>) {
-        match (&self.targets[..], values) {
-            ([target], [value]) if target.accepts(value.conjugate()) => (
-                Reason::Sign,
-                Some("The sign of the imaginary part is wrong."),
-            ),
-            ([target], [value]) if target.accepts(-*value) => {
-                (Reason::Sign, Some("The sign is wrong."))
-            }
-            ([target], [value]) if is_off_by_ten(target, *value) => (
-                Reason::PowerOfTen,
-                Some("The digits fit, the power of ten does not: check the prefixes."),
-            ),
-            ([target], [value]) if (value.abs() - target.value.abs()).abs() <= target.half => (
-                Reason::Other,
-                Some("The magnitude fits, the angle does not."),
-            ),
-            _ => (Reason::Other, None),
+    fn slip(&self, values: &[Complex]) -> Option<Slip> {
+        let ([target], [value]) = (&self.targets[..], values) else {
+            return None;
+        };
+        if target.accepts(value.conjugate()) {
+            Some(Slip::Sign(Negated::Imaginary))
+        } else if target.accepts(-*value) {
+            Some(Slip::Sign(Negated::Whole))
+        } else if is_off_by_ten(target, *value) {
+            Some(Slip::PowerOfTen(Decades::Prefix))
+        } else {
+            let has_size = (value.abs() - target.value.abs()).abs() <= target.half;
+            has_size.then_some(Slip::Angle)
         }
     }
 
@@ -293,11 +280,11 @@ impl Marker for Numbers {
 
     fn mark(&self, response: &str) -> Marking {
         if response.len() > LONGEST {
-            return Marking::unreadable("This is too long to be read.");
+            return Marking::unreadable(Why::TooLong);
         }
         let places = match self.places(response) {
             Ok(places) => places,
-            Err(help) => return Marking::unreadable(help),
+            Err(why) => return Marking::unreadable(why),
         };
         let mut items = Vec::new();
         for place in places {
@@ -321,14 +308,11 @@ impl Marker for Numbers {
                 .map(|item| item.text.as_str())
                 .collect::<Vec<_>>()
                 .join("; "),
-            si: values
-                .iter()
-                .flat_map(|value| [value.re, value.im])
-                .collect(),
+            answered: Answered::Complex(values.clone()),
         };
         let found = self.accepted(&self.targets, &values);
         if found == self.targets.len() && values.len() == found {
-            let mut marking = Marking::read(reading, Credit::FULL, Reason::Matches, None);
+            let mut marking = Marking::right(reading);
             if items.iter().any(|item| item.is_bare) {
                 marking.say_taken(&self.unit);
             }
@@ -346,35 +330,20 @@ impl Marker for Numbers {
                 })
                 .collect();
             if given.len() == values.len() && self.accepted(&given, &values) == given.len() {
-                let feedback = Some(Feedback::Mistake(mistaken.number));
-                return Marking::read(
-                    reading,
-                    mistaken.credit,
-                    Reason::Mistake(mistaken.number),
-                    feedback,
-                );
+                return Marking::mistake(reading, mistaken.number, mistaken.credit);
             }
         }
         if self.is_list && found > 0 {
             let most = self.targets.len().max(values.len()) as i128;
             let credit = crate::numerics::Rational::new(found as i128, most).and_then(Credit::new);
-            let words = Some(Feedback::Words(format!(
-                "{found} of {} are right.",
-                self.targets.len()
-            )));
-            return Marking::read(
-                reading,
-                credit.unwrap_or(Credit::NONE),
-                Reason::Other,
-                words,
-            );
+            let counted = Slip::CountedComplex {
+                right: found,
+                of: self.targets.len(),
+            };
+            let credit = credit.unwrap_or(Credit::NONE);
+            return Marking::read(reading, credit, Remark::from(counted));
         }
-        let (reason, words) = self.slip(&values);
-        Marking::read(
-            reading,
-            Credit::NONE,
-            reason,
-            words.map(|words| Feedback::Words(words.to_owned())),
-        )
+        let slip = self.slip(&values);
+        Marking::wrong(reading, slip.map(Remark::from))
     }
 }

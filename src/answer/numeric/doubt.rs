@@ -1,19 +1,21 @@
 //! What may be meant otherwise than it would be read, and so is asked back: `162·10-3`, `0.29 (2/7)`, `1,250`, `60°30'`.
 
+use super::super::{Unreadable, Why};
 use crate::response::first_bracket;
 use crate::unit::DecimalMark;
 
 /// The question about a number that may mean two things, if it does.
-pub(super) fn question(text: &str, mark: DecimalMark) -> Option<String> {
+pub(super) fn question(text: &str, mark: DecimalMark) -> Option<Unreadable> {
     comma(text)
         .filter(|_| mark == DecimalMark::Point)
+        .map(Unreadable::of)
         .or_else(|| lost_power(text))
         .or_else(|| bracket(text))
-        .or_else(|| minutes(text))
+        .or_else(|| minutes(text).map(Unreadable::of))
 }
 
 /// A number with one comma that cuts it into up to three digits and exactly three.
-fn comma(text: &str) -> Option<String> {
+fn comma(text: &str) -> Option<Why> {
     let is_of_number = |char: char| char.is_ascii_digit() || char == ',' || char == '.';
     let is_open = |number: &&str| {
         number.split_once(',').is_some_and(|(whole, rest)| {
@@ -24,15 +26,15 @@ fn comma(text: &str) -> Option<String> {
         })
     };
     let number = text.split(|char| !is_of_number(char)).find(is_open)?;
-    Some(format!(
-        "The comma in `{number}` may separate decimals or thousands: write `{}` or `{}`.",
-        number.replace(',', "."),
-        number.replace(',', "")
-    ))
+    Some(Why::CommaOfThree {
+        typed: number.to_owned(),
+        decimal: number.replace(',', "."),
+        thousands: number.replace(',', ""),
+    })
 }
 
 /// A power of ten whose exponent is not raised, `162·10-3` and `1.25×103`, or behind a point, `162.10^-3`.
-fn lost_power(text: &str) -> Option<String> {
+fn lost_power(text: &str) -> Option<Unreadable> {
     const TIMES: [&str; 9] = ["×", "*", "·", "⋅", "•", "x", "X", "\\cdot", "\\times"];
     text.match_indices("10").find_map(|(at, ten)| {
         let (before, after) = (&text[..at], &text[at + ten.len()..]);
@@ -41,7 +43,7 @@ fn lost_power(text: &str) -> Option<String> {
             let is_raised = after.starts_with(['^', '⁻', '¹', '²', '³', '⁴', '⁵', '⁶', '⁹']);
             let is_open = is_raised && !whole.is_empty() && whole != "0";
             return is_open.then(|| {
-                format!("At `{whole}.10`: the point may be a decimal sign or stand for a product. Write a power of ten as in `{whole}e3` or `{whole}*10^3`.")
+                Unreadable::at(format!("{whole}.10"), Why::PointOrProduct(whole.to_owned()))
             });
         }
         let factor = before.trim_end();
@@ -54,38 +56,48 @@ fn lost_power(text: &str) -> Option<String> {
         let count = unsigned.bytes().take_while(u8::is_ascii_digit).count();
         let power = &unsigned[..count];
         let goes_on = unsigned[count..].starts_with(['.', ',']);
-        let is_power = !goes_on && if is_negative { (1..=2).contains(&count) } else { count == 1 && power != "0" };
+        let is_power = !goes_on
+            && if is_negative {
+                (1..=2).contains(&count)
+            } else {
+                count == 1 && power != "0"
+            };
         is_power.then(|| {
             let sign = if is_negative { "-" } else { "" };
-            format!("At `10{sign}{power}`: a power of ten is written `10^{sign}{power}`. If another number is meant, work it out.")
+            Unreadable::at(
+                format!("10{sign}{power}"),
+                Why::LostPower(format!("{sign}{power}")),
+            )
         })
     })
 }
 
 /// A number in brackets right behind another one, `7.78(1)`, or arithmetic with a space before it, `0.29 (2/7)`.
-fn bracket(text: &str) -> Option<String> {
+fn bracket(text: &str) -> Option<Unreadable> {
     text.match_indices(['(', '[', '{']).find_map(|(at, _)| {
         let before = text[..at].trim_end();
         let number = trailing_number(before);
         let is_name = before[..before.len() - number.len()].ends_with(char::is_alphabetic);
         let close = first_bracket(&text[at..]).filter(|_| !number.is_empty() && !is_name)?;
         let inner = text[at + 1..at + close].trim();
-        let is_plain = inner.bytes().all(|byte| byte.is_ascii_digit() || b".,".contains(&byte));
-        let is_arithmetic = inner.starts_with(|char: char| char.is_ascii_digit() || "+-−.".contains(char))
+        let is_plain = inner
+            .bytes()
+            .all(|byte| byte.is_ascii_digit() || b".,".contains(&byte));
+        let is_arithmetic = inner
+            .starts_with(|char: char| char.is_ascii_digit() || "+-−.".contains(char))
             && !inner.contains(char::is_alphabetic);
-        (is_plain || is_arithmetic && before.len() < at).then(|| {
-            format!("At `{}`: it is not clear whether this is a factor or another value. Type one number; a product needs its sign, `*`.", short(&text[at..=at + close]))
-        })
+        (is_plain || is_arithmetic && before.len() < at)
+            .then(|| Unreadable::at(short(&text[at..=at + close]), Why::BracketAfterNumber))
     })
 }
 
 /// An angle in degrees and minutes.
-fn minutes(text: &str) -> Option<String> {
+fn minutes(text: &str) -> Option<Why> {
     let (_, behind) = text.split_once('°')?;
     let digits = behind.trim_start();
     let rest = digits.trim_start_matches(|char: char| char.is_ascii_digit());
     let is_minute = rest.len() < digits.len() && rest.trim_start().starts_with(['\'', '’', '′']);
-    is_minute.then(|| "Type an angle with decimals of a degree, `60.5°` for 60° 30′.".to_owned())
+    is_minute.then_some(Why::Minutes)
 }
 
 /// The digits with points and commas at the end of a text.

@@ -1,6 +1,6 @@
 //! Lists of numbers as people type them, and how they are marked: `5; 8.7 rad/s`, `0, ±180°`, `ω1 = 5, ω2 = 8.7`.
 
-use super::super::{Credit, Feedback, Marking, Reason};
+use super::super::{Credit, Marking, Remark, Slip, Unreadable, Why};
 use super::marker::Numbers;
 use super::read::{Number, number};
 use super::sides::{self, Sides, index, names};
@@ -20,10 +20,14 @@ const LONGEST: usize = 2_000;
 ///
 /// # Errors
 ///
-/// A sentence that says what cannot be read and what to type instead.
-pub(super) fn list(response: &str, count: usize, mark: DecimalMark) -> Result<Vec<Number>, String> {
+/// What cannot be read, and why.
+pub(super) fn list(
+    response: &str,
+    count: usize,
+    mark: DecimalMark,
+) -> Result<Vec<Number>, Unreadable> {
     if response.len() > LONGEST {
-        return Err("This is too long to be read.".to_owned());
+        return Err(Why::TooLong.into());
     }
     let response = response
         .trim()
@@ -43,7 +47,7 @@ pub(super) fn list(response: &str, count: usize, mark: DecimalMark) -> Result<Ve
         _ => separated(inner, mark),
     };
     if pieces.len() > MOST_ITEMS {
-        return Err(format!("A list has at most {MOST_ITEMS} numbers."));
+        return Err(Why::MostNumbers(MOST_ITEMS).into());
     }
     let mut items: Vec<(Option<u32>, Number)> = Vec::new();
     for piece in &pieces {
@@ -55,10 +59,7 @@ pub(super) fn list(response: &str, count: usize, mark: DecimalMark) -> Result<Ve
         );
     }
     if has_tight_comma(inner, mark) && items.len() != count {
-        return Err(
-            "A comma between digits may be a decimal sign: separate the numbers by semicolons, as in `5; 8.7`."
-                .to_owned(),
-        );
+        return Err(Why::TightComma.into());
     }
     if labels.len() == items.len() {
         for (item, label) in items.iter_mut().zip(labels) {
@@ -79,7 +80,7 @@ pub(super) fn list(response: &str, count: usize, mark: DecimalMark) -> Result<Ve
 }
 
 /// The number that an item of a list is, or the two that it is with `±`.
-fn both_signs(piece: &str, mark: DecimalMark) -> Result<Vec<Number>, String> {
+fn both_signs(piece: &str, mark: DecimalMark) -> Result<Vec<Number>, Unreadable> {
     let all = Sides::of(piece)?;
     let size = ["±", "+-", "+/-", "\\pm"]
         .iter()
@@ -181,8 +182,8 @@ impl Numbers {
                 Err(_) => return self.wrong_dimension(item),
             }
         }
-        if let Some(words) = typed.iter().find_map(|value| self.absurd(*value)) {
-            return Marking::unreadable(words);
+        if let Some(why) = typed.iter().find_map(|value| self.absurd(*value)) {
+            return Marking::unreadable(why);
         }
         let numbers: Vec<f64> = typed.iter().map(|value| value.hi()).collect();
         let reading = Self::reading(items, &numbers, self.mark);
@@ -190,7 +191,7 @@ impl Numbers {
         let (expected, given) = (self.targets.len(), typed.len());
         let is_bare = |item: &Number| item.quantity.unit.is_one() && !item.quantity.value.is_zero();
         if matched == expected && given == expected {
-            let mut marking = Marking::read(reading, Credit::FULL, Reason::Matches, None);
+            let mut marking = Marking::right(reading);
             if !self.unit.is_one() && items.iter().any(is_bare) {
                 marking.say_taken(&self.unit);
             }
@@ -203,30 +204,20 @@ impl Numbers {
         let share = Rational::new(matched.saturating_sub(surplus) as i128, expected as i128);
         let credit = share.and_then(Credit::new).unwrap_or(Credit::NONE);
         let unit = items.last().map_or(Unit::ONE, |last| last.quantity.unit);
-        let (reason, slip) = self.slip(&typed, &unit);
-        let words = slip.unwrap_or_else(|| self.counted(&typed, matched));
-        Marking::read(reading, credit, reason, Some(Feedback::Words(words)))
+        let slip = self.slip(&typed, &unit);
+        let slip = slip.unwrap_or_else(|| self.counted(&typed, matched));
+        Marking::read(reading, credit, Remark::from(slip))
     }
 
     /// How many numbers of a list are right.
-    fn counted(&self, typed: &[Typed], matched: usize) -> String {
-        let (expected, given) = (self.targets.len(), typed.len());
-        let in_any_order = pair(&self.targets, typed, self.modulo, false);
-        let are_right = are_right(in_any_order, expected);
-        if given > expected {
-            format!("{are_right}, but {given} are given.")
-        } else if in_any_order == matched {
-            format!("{are_right}.")
-        } else if in_any_order == expected {
-            "The values are right, their order is not.".to_owned()
-        } else {
-            format!("{are_right}, but in another order.")
+    fn counted(&self, typed: &[Typed], matched: usize) -> Slip {
+        let (of, given) = (self.targets.len(), typed.len());
+        let right = pair(&self.targets, typed, self.modulo, false);
+        Slip::Counted {
+            right,
+            of,
+            surplus: (given > of).then_some(given),
+            is_order_wrong: right != matched,
         }
     }
-}
-
-/// `1 of 2 values is right`.
-fn are_right(count: usize, of: usize) -> String {
-    let verb = if count == 1 { "is" } else { "are" };
-    format!("{count} of {of} values {verb} right")
 }

@@ -1,14 +1,15 @@
 //! Marks numbers: right, a named mistake, or a slip that can be told from the number alone.
 
 use super::super::{
-    Credit, Feedback, Key, KeyValue, Marker, Marking, Mistaken, Reading, Reason, Trial,
+    Answered, Credit, Key, KeyValue, Marker, Marking, Misfit, Mistaken, Note, Reading, Remark,
+    Trial, Why,
 };
 use super::arithmetic::has_pi;
 use super::list::list;
 use super::read::{self, Number};
 use super::slip::mixes_energy_and_moment;
 use super::target::{Target, Typed, pair};
-use super::words::{counts, misfit, miswritten};
+use super::words::{counts, miswritten};
 use crate::expr::{Form, Shape};
 use crate::math::Math;
 use crate::numerics::Dd;
@@ -100,11 +101,11 @@ impl Numbers {
         let Ok(typed) = self.si(quantity) else {
             return self.wrong_dimension(number);
         };
-        if let Some(words) = self
+        if let Some(why) = self
             .absurd(typed)
             .or_else(|| counts(&quantity.unit, &self.unit))
         {
-            return Marking::unreadable(words);
+            return Marking::unreadable(why);
         }
         let reading = Self::reading(std::slice::from_ref(number), &[typed.hi()], self.mark);
         if target.accepts(typed, self.modulo) {
@@ -113,8 +114,8 @@ impl Numbers {
         if let Some(marking) = self.mistake(&reading, std::slice::from_ref(number), &[typed]) {
             return marking;
         }
-        let (reason, words) = self.slip(&[typed], &quantity.unit);
-        Marking::read(reading, Credit::NONE, reason, words.map(Feedback::Words))
+        let slip = self.slip(&[typed], &quantity.unit);
+        Marking::wrong(reading, slip.map(Remark::from))
     }
 
     /// The value in SI units; a number without a unit is taken in the unit that is asked for.
@@ -129,44 +130,34 @@ impl Numbers {
     }
 
     /// What is said of an angle that nobody means: so many turns that what is left of it tells nothing.
-    pub(super) fn absurd(&self, typed: Typed) -> Option<String> {
-        const MOST_TURNS: f64 = 100.0;
+    pub(super) fn absurd(&self, typed: Typed) -> Option<Why> {
+        const MOST_TURNS: u32 = 100;
         let period = self.modulo?;
         let turn = Quantity::new(Decimal::rounded(self.unit.of_si(period), 4)?, self.unit);
-        (typed.hi().abs() > MOST_TURNS * period).then(|| {
-            format!(
-                "This is more than {MOST_TURNS} times {}: give the value within one turn.",
-                turn.text(self.mark)
-            )
-        })
+        let times = MOST_TURNS;
+        (typed.hi().abs() > f64::from(times) * period).then_some(Why::TooManyTurns { times, turn })
     }
 
     fn right(&self, reading: Reading, number: &Number) -> Marking {
         let quantity = &number.quantity;
-        let mut marking = Marking::read(reading, Credit::FULL, Reason::Matches, None);
+        let mut marking = Marking::right(reading);
         if let Some(asked) = self
             .ask_digits
             .filter(|asked| quantity.value.significant_figures() != *asked)
         {
             marking.credit = Credit::FULL.minus(self.digits_penalty);
             marking.verdict = marking.credit.verdict();
-            marking.reasons.push(Reason::Figures);
-            let words = match &number.arithmetic {
-                Some(_) => format!("A decimal with {asked} significant figures is asked."),
-                None => format!(
-                    "{asked} significant figures are asked, `{}` has {}.",
-                    quantity.value,
-                    quantity.value.significant_figures()
-                ),
+            let figures = quantity.value.significant_figures();
+            let typed = match &number.arithmetic {
+                Some(_) => None,
+                None => Some((quantity.value.to_string(), figures)),
             };
-            marking.feedback.push(Feedback::Words(words));
+            marking.remarks.push(Note::Figures { asked, typed }.into());
         }
         if quantity.unit.is_one() && !self.unit.is_one() {
             marking.say_taken(&self.unit);
         } else if mixes_energy_and_moment(&quantity.unit, &self.unit) {
-            let asked = self.unit.text();
-            let words = format!("The joule is kept for energies: write this in {asked}.");
-            marking.feedback.push(Feedback::Words(words));
+            marking.remarks.push(Note::JouleForMoment(self.unit).into());
         }
         marking
     }
@@ -189,12 +180,10 @@ impl Numbers {
             }
         };
         let found = self.mistakes.iter().find(is_it)?;
-        let feedback = Some(Feedback::Mistake(found.number));
-        Some(Marking::read(
+        Some(Marking::mistake(
             reading.clone(),
+            found.number,
             found.credit,
-            Reason::Mistake(found.number),
-            feedback,
         ))
     }
 
@@ -234,19 +223,16 @@ impl Numbers {
             unit.is_some() && self.equals(mistake, &[Dd::from(si)])
         });
         if let Some(found) = named {
-            let feedback = Some(Feedback::Mistake(found.number));
-            return Marking::read(
-                reading,
-                found.credit,
-                Reason::Mistake(found.number),
-                feedback,
-            );
+            return Marking::mistake(reading, found.number, found.credit);
         }
-        if let Some(words) = miswritten(&quantity.unit, &self.unit) {
-            return Marking::unreadable(words);
+        if let Some(why) = miswritten(&quantity.unit, &self.unit) {
+            return Marking::unreadable(why);
         }
-        let words = Some(Feedback::Words(misfit(&quantity.unit, &self.unit)));
-        Marking::read(reading, Credit::NONE, Reason::Dimension, words)
+        let misfit = Misfit::Unit {
+            typed: quantity.unit,
+            asked: self.unit,
+        };
+        Marking::wrong(reading, Remark::from(misfit))
     }
 
     /// With radians for its unit, where degrees are asked and a number has none, but π in it.
@@ -269,10 +255,17 @@ impl Numbers {
             .map(Number::text)
             .collect::<Vec<_>>()
             .join(", ");
+        let answered = match (items, si) {
+            ([item], [si]) => Answered::Number {
+                si: *si,
+                unit: Some(item.quantity.unit).filter(|unit| !unit.is_one()),
+            },
+            _ => Answered::List(si.to_vec()),
+        };
         Reading {
             math,
             text,
-            si: si.to_vec(),
+            answered,
         }
     }
 
@@ -326,12 +319,12 @@ impl Marker for Numbers {
                         .collect();
                     self.mark_list(&items)
                 }
-                Err(help) => Marking::unreadable(help),
+                Err(why) => Marking::unreadable(why),
             };
         }
         match read::number(response, self.mark) {
             Ok(number) => self.mark_one(&self.with_radians(number)),
-            Err(help) => Marking::unreadable(help),
+            Err(why) => Marking::unreadable(why),
         }
     }
 

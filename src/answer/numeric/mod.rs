@@ -28,7 +28,7 @@ mod target;
 mod trial;
 mod words;
 
-use super::{Answer, AnswerError, AnswerKind, Context, Credit, Declare, Marker, Tolerance};
+use super::{Answer, AnswerError, Context, Credit, Declare, Marker, Tolerance};
 use crate::expr::{Field, Shape};
 use crate::quantity::{Absent, NodeId};
 use crate::source::{Table, Text};
@@ -39,9 +39,6 @@ use self::target::Target;
 
 pub(super) use self::complex::complex_number;
 pub(super) use self::read::quantity;
-
-/// The kind.
-pub(super) struct Kind;
 
 /// What a part asks for.
 #[derive(Debug)]
@@ -58,71 +55,62 @@ struct Numeric {
     digits: u32,
 }
 
-impl AnswerKind for Kind {
-    fn name(&self) -> &'static str {
-        "numeric"
-    }
-
-    fn minutes(&self) -> u32 {
-        3
-    }
-
-    fn read(&self, part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
-        let key_text = part
-            .required("key")
-            .and_then(|key| part.as_formula("key", key));
-        let (unit_text, tolerance, modulo) = (
-            part.text("unit"),
-            part.text("tolerance"),
-            part.text("modulo"),
-        );
-        let is_ordered = part.boolean("ordered").unwrap_or(false);
-        let ask_digits = part.integer("ask_digits", "a whole number from 1 to 12", 1..=12);
-        let penalty = part
-            .value("digits_penalty")
-            .and_then(|value| part.as_formula("digits_penalty", value));
-        let key_text = key_text?;
-        let key = declare.formula("key", &key_text)?;
-        let unit = unit(key, &key_text, unit_text.as_ref(), declare)?;
-        let kind = declare.graph().kind(key)?.clone();
-        let is_list = match (kind.field(), kind.shape()) {
-            (Field::Real | Field::Complex, Shape::Scalar) => false,
-            (Field::Real | Field::Complex, Shape::Vector(_)) => true,
-            _ => {
-                let found = kind.form().to_string();
-                declare.find(
-                    &AnswerError::KeyForm {
-                        expected: "a number or a list of them",
-                        found,
-                    },
-                    &key_text,
-                );
-                return None;
-            }
-        };
-        let tolerance = match tolerance {
-            Some(text) => Tolerance::read(&text, &unit, declare)?,
-            None => Tolerance::default(),
-        };
-        let modulo = match modulo {
-            Some(text) => Some(period(&text, &unit, declare)?),
-            None => None,
-        };
-        let digits_penalty = penalty
-            .and_then(|text| Credit::read(&text.value))
-            .unwrap_or(Credit::NONE);
-        Some(Box::new(Numeric {
-            key,
-            unit,
-            tolerance,
-            modulo,
-            is_list,
-            is_ordered,
-            ask_digits: ask_digits.map(|digits| digits as u32),
-            digits_penalty,
-            digits: u32::from(declare.digits_of(key)),
-        }))
-    }
+/// Reads the keys of a part that belong to this kind; what is wrong is noted.
+pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+    let key_text = part
+        .required("key")
+        .and_then(|key| part.as_formula("key", key));
+    let (unit_text, tolerance, modulo) = (
+        part.text("unit"),
+        part.text("tolerance"),
+        part.text("modulo"),
+    );
+    let is_ordered = part.boolean("ordered").unwrap_or(false);
+    let ask_digits = part.integer("ask_digits", "a whole number from 1 to 12", 1..=12);
+    let penalty = part
+        .value("digits_penalty")
+        .and_then(|value| part.as_formula("digits_penalty", value));
+    let key_text = key_text?;
+    let key = declare.formula("key", &key_text)?;
+    let unit = unit(key, &key_text, unit_text.as_ref(), declare)?;
+    let kind = declare.graph().kind(key)?.clone();
+    let is_list = match (kind.field(), kind.shape()) {
+        (Field::Real | Field::Complex, Shape::Scalar) => false,
+        (Field::Real | Field::Complex, Shape::Vector(_)) => true,
+        _ => {
+            let found = kind.form().to_string();
+            declare.find(
+                &AnswerError::KeyForm {
+                    expected: "a number or a list of them",
+                    found,
+                },
+                &key_text,
+            );
+            return None;
+        }
+    };
+    let tolerance = match tolerance {
+        Some(text) => Tolerance::read(&text, &unit, declare)?,
+        None => Tolerance::default(),
+    };
+    let modulo = match modulo {
+        Some(text) => Some(period(&text, &unit, declare)?),
+        None => None,
+    };
+    let digits_penalty = penalty
+        .and_then(|text| Credit::read(&text.value))
+        .unwrap_or(Credit::NONE);
+    Some(Box::new(Numeric {
+        key,
+        unit,
+        tolerance,
+        modulo,
+        is_list,
+        is_ordered,
+        ask_digits: ask_digits.map(|digits| digits as u32),
+        digits_penalty,
+        digits: u32::from(declare.digits_of(key)),
+    }))
 }
 
 /// The unit of the answer: stated, or that of the quantity, or none for a pure number.
@@ -174,8 +162,8 @@ fn period(text: &Text, unit: &Unit, declare: &mut dyn Declare) -> Option<f64> {
 }
 
 impl Answer for Numeric {
-    fn kind(&self) -> &'static dyn AnswerKind {
-        &Kind
+    fn kind(&self) -> crate::answer::Kind {
+        crate::answer::Kind::Numeric
     }
 
     fn keys(&self) -> Vec<NodeId> {

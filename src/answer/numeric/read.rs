@@ -1,5 +1,6 @@
 //! Numbers with units as people type them.
 
+use super::super::{Example, Unreadable, Why};
 use super::arithmetic::{Arithmetic, is_arithmetic};
 use super::doubt::{question, short};
 use super::sides::{self, Sides};
@@ -48,8 +49,8 @@ impl Number {
 ///
 /// # Errors
 ///
-/// A sentence that says what cannot be read and what to type instead.
-pub(super) fn number(response: &str, mark: DecimalMark) -> Result<Number, String> {
+/// What cannot be read, and why.
+pub(super) fn number(response: &str, mark: DecimalMark) -> Result<Number, Unreadable> {
     if sides::is_alone(response) {
         return alone(response, mark);
     }
@@ -61,13 +62,10 @@ pub(super) fn number(response: &str, mark: DecimalMark) -> Result<Number, String
 }
 
 /// The number that a text is.
-fn alone(text: &str, mark: DecimalMark) -> Result<Number, String> {
+fn alone(text: &str, mark: DecimalMark) -> Result<Number, Unreadable> {
     let value = unenclosed(unmarked(text));
     if has_two_signs(value) {
-        return Err(format!(
-            "`{}` begins with two signs: give one number.",
-            short(value)
-        ));
+        return Err(Why::TwoSigns(short(value)).into());
     }
     let error = match Quantity::read(value, mark) {
         Ok(quantity) => {
@@ -105,16 +103,16 @@ fn alone(text: &str, mark: DecimalMark) -> Result<Number, String> {
 /// # Errors
 ///
 /// As for [`number`].
-pub(crate) fn quantity(response: &str, mark: DecimalMark) -> Result<Quantity, String> {
+pub(crate) fn quantity(response: &str, mark: DecimalMark) -> Result<Quantity, Unreadable> {
     number(response, mark).map(|number| number.quantity)
 }
 
 /// What arithmetic comes to.
-fn computed(text: &str, mark: DecimalMark) -> Result<Number, String> {
+fn computed(text: &str, mark: DecimalMark) -> Result<Number, Unreadable> {
     let arithmetic = Arithmetic::read(text, mark, false)?;
     let value = arithmetic.value().and_then(|value| value.as_real());
     let decimal = value.and_then(Decimal::shortest);
-    let decimal = decimal.ok_or_else(|| format!("`{}` has no value.", short(text)))?;
+    let decimal = decimal.ok_or_else(|| Why::NoValue(short(text)))?;
     let unit = arithmetic.unit.unwrap_or(Unit::ONE);
     Ok(Number {
         quantity: Quantity::new(decimal, unit),
@@ -130,25 +128,23 @@ fn is_number_then_unit(text: &str, mark: DecimalMark) -> bool {
     })
 }
 
-fn explained(value: &str, error: &crate::unit::Error) -> String {
+fn explained(value: &str, error: &crate::unit::Error) -> Unreadable {
+    if let Some(counted) = counted(value) {
+        return Why::Counted(counted.to_owned()).into();
+    }
     let place = value
         .get(error.span.clone())
         .filter(|place| !place.is_empty() && *place != value);
-    let mut message = match place {
-        Some(place) => format!("At `{}`: {error}.", short(place)),
-        None => format!("{}.", capital(&error.to_string())),
+    let why = Why::Quantity(error.clone());
+    let unreadable = match place {
+        Some(place) => Unreadable::at(short(place), why),
+        None => why.into(),
     };
-    if let Some(counted) = counted(value) {
-        return format!("Type the number alone, without `{counted}`.");
-    }
-    if let Some(help) = error.help() {
-        message.push(' ');
-        message.push_str(&capital(&help));
-        message.push('.');
+    if error.help().is_some() {
+        unreadable
     } else {
-        message.push_str(" Type a number and its unit, for example `15.8 rad/s` or `1.6e-2 m`.");
+        unreadable.like(Example::Number)
     }
-    message
 }
 
 /// The sum of several numbers that have their own units, `50 N/m + 25 N/m`, in the unit of the first.
@@ -233,11 +229,4 @@ fn counted(value: &str) -> Option<&str> {
     WORDS
         .contains(&word.to_lowercase().as_str())
         .then_some(word)
-}
-
-fn capital(sentence: &str) -> String {
-    let mut letters = sentence.chars();
-    letters.next().map_or(String::new(), |first| {
-        first.to_uppercase().chain(letters).collect()
-    })
 }

@@ -3,6 +3,7 @@
 
 use std::borrow::Cow;
 
+use super::super::{Example, Unreadable, Why};
 use super::doubt::short;
 use super::read::Number;
 use crate::response::{cut, first_bracket};
@@ -55,11 +56,9 @@ impl<'t> Sides<'t> {
     /// # Errors
     ///
     /// What to type instead of an inequality.
-    pub(super) fn of(response: &'t str) -> Result<Self, String> {
+    pub(super) fn of(response: &'t str) -> Result<Self, Unreadable> {
         if let Some(sign) = unequal(response) {
-            return Err(format!(
-                "At `{sign}`: one value is asked. Type it alone, or behind its name as in `x = 7.78`."
-            ));
+            return Err(Unreadable::at(sign, Why::Inequality).like(Example::OneValue));
         }
         let mut all = equal_sides(response);
         if let Some((name, value)) = all.last().and_then(|last| last.split_once(':'))
@@ -100,12 +99,13 @@ impl<'t> Sides<'t> {
         number: &Number,
         mark: DecimalMark,
         read: impl Fn(&str) -> Option<Number>,
-    ) -> Result<(), String> {
+    ) -> Result<(), Unreadable> {
         if let Some(unit) = unit_of(self.name()).filter(|_| number.quantity.unit.is_one()) {
-            return Err(format!(
-                "The unit stands behind the number: `{} {unit}`.",
-                short(self.value())
-            ));
+            return Err(Why::UnitBesideName {
+                value: short(self.value()),
+                unit: unit.to_owned(),
+            }
+            .into());
         }
         let others = self.all.iter().enumerate();
         for (at, side) in others.filter(|(at, side)| *at != self.value && !is_name(side)) {
@@ -113,18 +113,11 @@ impl<'t> Sides<'t> {
             match read(side) {
                 Some(other) if are_equal(number, &other) => {}
                 Some(_) => {
-                    return Err(format!(
-                        "`{}` and `{}` are not equal: give one value.",
-                        short(side),
-                        short(self.value())
-                    ));
+                    return Err(Why::UnequalSides(short(side), short(self.value())).into());
                 }
                 None if is_between && !has_several(side, mark) => {}
                 None => {
-                    return Err(format!(
-                        "At `{}`: it is not clear what the value is of. Type it alone, or behind the name of what is asked, as in `x = 7.78`.",
-                        short(side)
-                    ));
+                    return Err(Unreadable::at(short(side), Why::UnclearSide));
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::super::Reason;
+use super::super::{Close, Decades, Negated, Slip, TwoPi};
 use super::marker::Numbers;
 use super::target::{Typed, pair};
 use crate::numerics::{Dd, powi};
@@ -13,7 +13,7 @@ const DEGREE: f64 = TAU / 360.0;
 
 impl Numbers {
     /// A slip that the numbers alone give away; `unit` is what was typed.
-    pub(super) fn slip(&self, typed: &[Typed], unit: &Unit) -> (Reason, Option<String>) {
+    pub(super) fn slip(&self, typed: &[Typed], unit: &Unit) -> Option<Slip> {
         let is_zero = self.targets.iter().all(|target| target.value == 0.0);
         let fits = |factor: f64| {
             let scaled: Vec<Typed> = typed
@@ -33,65 +33,47 @@ impl Numbers {
         };
         let counts = self.unit.dimension() == Dimension::TIME.inverse();
         if counts && (fits(TAU) || fits(1.0 / TAU)) {
-            return (Reason::TwoPi, Some(self.two_pi(unit)));
+            return Some(Slip::TwoPi(self.two_pi(unit)));
         }
         if fits(-1.0) {
-            let words = match self.modulo {
-                None => "The magnitude fits, the sign does not.",
-                Some(_) => "The angle fits with the other sign.",
-            };
-            return (Reason::Sign, Some(words.to_owned()));
+            return Some(Slip::Sign(match self.modulo {
+                None => Negated::Number,
+                Some(_) => Negated::Angle,
+            }));
         }
         let asked = self.unit.text();
         let is_angle = asked.contains("rad") || asked.contains('°');
         if is_angle && (fits_within_turn(DEGREE) || fits_within_turn(1.0 / DEGREE)) {
-            let words = format!(
-                "The number fits in another unit of angle, not in {}.",
-                shown(unit, &self.unit)
-            );
-            return (Reason::AngleUnit, Some(words));
+            let shown = if unit.is_one() { self.unit } else { *unit };
+            return Some(Slip::AngleUnit(shown));
         }
         let is_percent = self.unit.is_one() && unit.is_one() && fits(0.01);
         if is_percent {
-            let words = "The digits fit: a value in percent needs its sign, `%`.";
-            return (Reason::PowerOfTen, Some(words.to_owned()));
+            return Some(Slip::PowerOfTen(Decades::Percent));
         }
         let fits_ten = |power| fits(powi(10.0, power)) || fits(powi(10.0, -power));
         if self.modulo.is_none() && (1..=9).any(fits_ten) {
-            let words = "The digits fit, the power of ten does not: check the prefixes.";
-            return (Reason::PowerOfTen, Some(words.to_owned()));
+            return Some(Slip::PowerOfTen(Decades::Prefix));
         }
         if let ([target], [typed]) = (&self.targets[..], typed)
             && target.distance(*typed, self.modulo) <= 3.0 * target.half
         {
-            let words = "Close, but outside the tolerance: keep one more figure in the steps.";
-            return (Reason::Near, Some(words.to_owned()));
+            return Some(Slip::Near(Close::Rounding));
         }
-        (Reason::Other, None)
+        None
     }
 
-    /// What is said of a factor 2π.
-    fn two_pi(&self, typed: &Unit) -> String {
+    /// Where a factor 2π slipped.
+    fn two_pi(&self, typed: &Unit) -> TwoPi {
         let is_angular = |unit: &Unit| unit.text().contains("rad");
         let is_frequency = |unit: &Unit| is_angular(unit) || unit.counts_cycles();
         if is_frequency(&self.unit) || !is_frequency(typed) {
-            return "A factor 2π slipped: an angular frequency ω in rad/s is 2π times the frequency f in Hz."
-                .to_owned();
+            return TwoPi::Number;
         }
-        format!(
-            "A factor 2π slipped: `{}` counts cycles, what is asked is in {}.",
-            typed.text(),
-            self.unit.text()
-        )
-    }
-}
-
-/// The unit that was typed, or the one that was asked for.
-fn shown(typed: &Unit, asked: &Unit) -> String {
-    if typed.is_one() {
-        asked.text()
-    } else {
-        typed.text()
+        TwoPi::Cycles {
+            typed: *typed,
+            asked: self.unit,
+        }
     }
 }
 

@@ -250,7 +250,7 @@ impl Diagnose for ItemError {
                 super::super::about::LIFTABLE.join(", ")
             )),
             Self::Kind { found } => {
-                let names = || crate::answer::KINDS.iter().map(|kind| kind.name());
+                let names = || crate::answer::Kind::ALL.iter().map(|kind| kind.name());
                 let near = nearest(found, names()).map(str::to_owned);
                 mean(&near).or_else(|| {
                     Some(format!(

@@ -43,7 +43,7 @@ impl<'s> Reader<'s> {
         let kind_name = kind_text
             .as_ref()
             .map_or("numeric", |text| text.value.as_str());
-        let Some(kind) = answer::kind(kind_name) else {
+        let Some(kind) = answer::Kind::of_name(kind_name) else {
             let text = kind_text.unwrap_or(Text {
                 value: String::new(),
                 span: table.span(),

@@ -3,7 +3,7 @@
 use vibank::answer::{Credit, Verdict};
 use vibank::bank::{Catalogue, Template};
 use vibank::grade::{
-    self, Feedback, Grade, PartFeedback, Place, QuestionFeedback, Remark, Responses,
+    self, Comment, Feedback, Grade, PartFeedback, Place, QuestionFeedback, Responses,
 };
 use vibank::numerics::Rational;
 use vibank::solution::Solution;
@@ -148,7 +148,11 @@ fn marked(
 ) -> (PartOutcome, PartFeedback) {
     let marking = grade.part(part.place).expect("its response was marked");
     let mut remarks = grade::remarks(solution, part.place, marking);
-    let mut reasons: Vec<String> = marking.reasons.iter().map(|reason| reason.code()).collect();
+    let mut reasons: Vec<String> = marking
+        .reasons()
+        .iter()
+        .map(|reason| reason.code())
+        .collect();
     let (mut verdict, mut credit) = (marking.verdict, marking.credit.share());
     let mut points = grade::of_marking(marking, part.max);
     if let Some(decision) = part.decision {
@@ -184,7 +188,7 @@ fn marked(
         reasons,
         feedback: remarks
             .iter()
-            .map(Remark::plain)
+            .map(Comment::plain)
             .collect::<Vec<_>>()
             .join(" "),
         other,
@@ -197,7 +201,7 @@ fn marked(
         response: part.given.to_owned(),
         reading: marking.reading.as_ref().map(|reading| reading.math.clone()),
         // The page says the verdict itself.
-        remarks: if marking.feedback.is_empty() && part.decision.is_none() {
+        remarks: if marking.remarks.is_empty() && part.decision.is_none() {
             Vec::new()
         } else {
             remarks
@@ -207,18 +211,18 @@ fn marked(
 }
 
 /// What a student is told of a teacher's decision.
-fn said(decision: &Override) -> Vec<Remark> {
+fn said(decision: &Override) -> Vec<Comment> {
     let mut said = Vec::new();
     if let Some(response) = &decision.response {
-        said.push(Remark::sentence(
+        said.push(Comment::sentence(
             "Your teacher read your answer as it was meant:",
         ));
-        said.push(Remark::code(response));
+        said.push(Comment::code(response));
     }
     match &decision.feedback {
-        Some(words) => said.push(Remark::words(words)),
+        Some(words) => said.push(Comment::words(words)),
         None if decision.points.is_some() => {
-            said.push(Remark::sentence("Marked by your teacher."));
+            said.push(Comment::sentence("Marked by your teacher."));
         }
         None => {}
     }

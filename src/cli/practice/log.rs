@@ -46,7 +46,7 @@ impl Log {
             "response": response,
             "verdict": marking.verdict,
             "credit": marking.credit,
-            "reasons": marking.reasons.iter().map(|reason| reason.code()).collect::<Vec<_>>(),
+            "reasons": marking.reasons().iter().map(|reason| reason.code()).collect::<Vec<_>>(),
             "hints": hints,
         });
         writeln!(file, "{entry}")

@@ -5,6 +5,7 @@ use std::io::{BufRead, IsTerminal};
 use vibank::answer::{Marking, Verdict};
 use vibank::bank::{Part, Passage};
 use vibank::grade::{self, Grade};
+use vibank::message::Language;
 use vibank::scene::{Data, Scene, Shown};
 use vibank::solution::Solution;
 use vibank::worksheet::letter;
@@ -189,9 +190,12 @@ impl Session {
             let words = format!("read as {}", reading.math.plain());
             self.screen.say(Tone::Faint, "   ", &words);
         }
-        self.screen
-            .say(tone, "   ", &format!("{sign} {}", marking.verdict.words()));
-        if !marking.feedback.is_empty() {
+        self.screen.say(
+            tone,
+            "   ",
+            &format!("{sign} {}", Language::default().heading(marking.verdict)),
+        );
+        if !marking.remarks.is_empty() {
             for remark in grade::remarks(solution, place, marking) {
                 self.screen.say(Tone::Plain, "     ", &remark.plain());
             }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::{guard, oscillator, related, shapes, system};
-use crate::answer::{Marking, Reading, Reason, Verdict};
+use crate::answer::{Answered, Kind, Marking, Reading, Reason, Verdict};
 use crate::expr::{
     Equation, Expr, Field, Name, Precise, Program, Shape, Slots, Substitution, Value, Workspace,
 };
@@ -18,11 +18,22 @@ pub(super) struct Own {
     pub(super) node: NodeId,
     pub(super) name: Name,
     pub(super) symbol: Math,
-    /// The kind of the part to which it was given.
-    pub(super) kind: &'static str,
+    /// Where it comes from.
+    pub(super) source: Source,
     pub(super) value: Value,
     /// The same as a formula in the data, if it was one.
     pub(super) formula: Option<Expr>,
+}
+
+/// Where an answer comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Source {
+    /// It was given to a part of this kind.
+    Part(Kind),
+    /// It follows from equations.
+    Equation,
+    /// It follows from an answer to another quantity.
+    Related,
 }
 
 /// What was answered to the earlier parts, by quantity.
@@ -42,7 +53,7 @@ impl Answers {
         let (mut equations, mut are_right) = (Vec::new(), true);
         for (place, marking) in earlier {
             let part = &solution.template().parts[*place];
-            let kind = part.answer.kind().name();
+            let kind = part.answer.kind();
             let Some(reading) = marking
                 .reading
                 .as_ref()
@@ -51,13 +62,15 @@ impl Answers {
                 continue;
             };
             let is_right = marking.verdict == Verdict::Right
-                && !marking.reasons.contains(&Reason::FollowThrough);
-            if kind == "equation" {
-                equations.extend(of_text(&reading.text));
-                are_right &= is_right;
-                if !is_right {
-                    answers.equation(solution, reading);
+                && !marking.reasons().contains(&Reason::FollowThrough);
+            if kind == Kind::Equation {
+                if let Answered::Equations(typed) = &reading.answered {
+                    equations.extend_from_slice(typed);
+                    if let ([one], false) = (&typed[..], is_right) {
+                        answers.equation(solution, one);
+                    }
                 }
+                are_right &= is_right;
                 continue;
             }
             let [node] = part.answer.keys()[..] else {
@@ -65,9 +78,9 @@ impl Answers {
             };
             if is_right {
                 answers.add_right(solution, node);
-            } else if kind == "mode-shape" {
-                if let Some(value) = shapes::value(solution, node, &reading.si) {
-                    answers.add(solution, node, kind, value, None);
+            } else if kind == Kind::ModeShape {
+                if let Some(value) = shapes::value(solution, node, &reading.answered.si()) {
+                    answers.add(solution, node, Source::Part(kind), value, None);
                 }
             } else {
                 answers.add_own(solution, node, kind, reading);
@@ -124,9 +137,9 @@ impl Answers {
         formula: Option<Expr>,
     ) {
         let count = self.own.len();
-        let source = source.filter(|source| source.kind != "equation");
-        let kind = source.map_or("equation", |_| "related");
-        self.add(solution, node, kind, value, formula);
+        let source = source.filter(|source| source.source != Source::Equation);
+        let from = source.map_or(Source::Equation, |_| Source::Related);
+        self.add(solution, node, from, value, formula);
         // It is told to go on from the answer that was given.
         if let (Some(own), Some(source)) = (self.own.get_mut(count), source) {
             own.symbol = source.symbol.clone();
@@ -170,45 +183,36 @@ impl Answers {
         }
     }
 
-    fn add_own(
-        &mut self,
-        solution: &Solution<'_>,
-        node: NodeId,
-        kind: &'static str,
-        reading: &Reading,
-    ) {
+    fn add_own(&mut self, solution: &Solution<'_>, node: NodeId, kind: Kind, reading: &Reading) {
         let Ok(right) = solution.evaluation().value(node) else {
             return;
         };
-        let (formula, value) = if kind == "formula" || reading.si.is_empty() {
+        let si = reading.answered.si();
+        let (formula, value) = if si.is_empty() {
             let graph = &solution.template().graph;
-            let formula = Expr::read(&reading.text)
-                .ok()
-                .and_then(|typed| in_data(&typed, graph));
+            let typed = reading.answered.formula();
+            let formula = typed.and_then(|typed| in_data(&typed, graph));
             let value = formula
                 .as_ref()
                 .and_then(|formula| value(formula, node, solution.evaluation()));
             (formula, value)
         } else {
-            (None, as_written(right, &reading.si))
+            (None, as_written(right, &si))
         };
         if let Some(value) = value {
-            self.add(solution, node, kind, value, formula);
+            self.add(solution, node, Source::Part(kind), value, formula);
         }
     }
 
     /// All that follows from an equation of motion of one's own.
-    fn equation(&mut self, solution: &Solution<'_>, reading: &Reading) {
-        let Ok(equation) = Equation::read(&reading.text) else {
-            return;
-        };
-        for (node, formula) in oscillator::quantities(solution.template(), &equation) {
+    fn equation(&mut self, solution: &Solution<'_>, equation: &Equation) {
+        for (node, formula) in oscillator::quantities(solution.template(), equation) {
             let formula = in_data(&formula, &solution.template().graph);
             let value = formula
                 .as_ref()
                 .and_then(|formula| value(formula, node, solution.evaluation()));
             if let Some(value) = value {
-                self.add(solution, node, "equation", value, formula);
+                self.add(solution, node, Source::Equation, value, formula);
             }
         }
     }
@@ -217,7 +221,7 @@ impl Answers {
         &mut self,
         solution: &Solution<'_>,
         node: NodeId,
-        kind: &'static str,
+        source: Source,
         value: Value,
         formula: Option<Expr>,
     ) {
@@ -239,7 +243,7 @@ impl Answers {
                 node,
                 name: info.name.clone(),
                 symbol: Math::clone(&info.symbol),
-                kind,
+                source,
                 value,
                 formula,
             });
@@ -250,7 +254,7 @@ impl Answers {
 /// Whether a response had the dimension that was asked.
 fn has_dimension(solution: &Solution<'_>, place: usize, marking: &Marking) -> bool {
     let mistakes = &solution.template().parts[place].mistakes;
-    marking.reasons.iter().all(|reason| match reason {
+    marking.reasons().iter().all(|reason| match reason {
         Reason::Dimension => false,
         Reason::Mistake(number) => mistakes
             .get(*number)
@@ -278,12 +282,6 @@ fn as_written(right: &Value, si: &[f64]) -> Option<Value> {
     }
     let bounds = vec![0.0; numbers.len()];
     Value::new(right.form(), numbers, bounds)
-}
-
-/// The equations of a reading.
-fn of_text(text: &str) -> Vec<Equation> {
-    let read = |text: &str| Equation::read(text.trim()).ok();
-    text.split(';').filter_map(read).collect()
 }
 
 /// A formula in the data of the item alone.

@@ -2,6 +2,7 @@
 
 use super::answers::Own;
 use super::matrices::Matrices;
+use crate::answer::Kind;
 use crate::bank::Parameter;
 use crate::expr::{Shape, Value};
 use crate::instance::Instance;
@@ -53,7 +54,7 @@ pub(super) fn is_plausible(
 /// Whether a shape is what a part asks for in this quantity.
 fn is_shape(solution: &Solution<'_>, node: NodeId) -> bool {
     let mut parts = solution.template().parts.iter();
-    parts.any(|part| part.answer.kind().name() == "mode-shape" && part.answer.keys() == [node])
+    parts.any(|part| part.answer.kind() == Kind::ModeShape && part.answer.keys() == [node])
 }
 
 /// Whether a shape has the size of another, whatever its components are; which of them vanish is a slip like others.

@@ -21,12 +21,11 @@ mod system;
 use std::collections::BTreeMap;
 
 use super::mark;
-use crate::answer::{Feedback, Marking, Reason, Verdict};
-use crate::document::{Block, Document, Inline};
+use crate::answer::{Marking, Remark, Verdict};
 use crate::math::Math;
 use crate::solution::Solution;
 
-use self::answers::{Answers, Own};
+use self::answers::{Answers, Own, Source};
 
 /// The marking of a response to the part at `place` as a follow-through of earlier markings, if it is one.
 pub(super) fn follow(
@@ -61,7 +60,7 @@ fn is_needed(solution: &Solution<'_>, place: usize, own: &Own) -> bool {
     let keys = part.answer.keys();
     if keys.contains(&own.node) {
         // The value of one's own formula is work of its own; an answer that is copied is not.
-        return own.kind != part.answer.kind().name();
+        return own.source != Source::Part(part.answer.kind());
     }
     // Equations keep their key to themselves; one that does not depend on a formula stays as it is.
     let is_hidden = keys.is_empty() && own.formula.is_some();
@@ -83,36 +82,17 @@ fn again(
         return None;
     }
     let mut marking = mark(&other, place, response);
-    marking.reasons.insert(0, Reason::FollowThrough);
-    marking.feedback.insert(0, Feedback::Text(remark(own)));
+    marking.remarks.insert(0, Remark::Followed(symbols(own)));
     Some(marking)
 }
 
-/// What is said of a follow-through, with the symbols of the answers from which it goes on.
-fn remark(own: &[&Own]) -> Document {
-    let mut words = vec![Inline::Text(
-        "Counted as a follow-through: it goes on rightly from ".to_owned(),
-    )];
-    if own.iter().all(|own| own.kind == "equation") {
-        words.push(Inline::Text("your own equation.".to_owned()));
-    } else {
-        words.push(Inline::Text("your own ".to_owned()));
-        let mut symbols: Vec<&Math> = Vec::new();
-        for own in own.iter().filter(|own| own.kind != "equation") {
-            if !symbols.contains(&&own.symbol) {
-                symbols.push(&own.symbol);
-            }
+/// The symbols of the answers from which a follow-through goes on, each once; equations have none.
+fn symbols(own: &[&Own]) -> Vec<Math> {
+    let mut symbols: Vec<Math> = Vec::new();
+    for own in own.iter().filter(|own| own.source != Source::Equation) {
+        if !symbols.contains(&own.symbol) {
+            symbols.push(own.symbol.clone());
         }
-        let count = symbols.len();
-        for (at, symbol) in symbols.into_iter().enumerate() {
-            match at {
-                0 => {}
-                at if at + 1 == count => words.push(Inline::Text(" and ".to_owned())),
-                _ => words.push(Inline::Text(", ".to_owned())),
-            }
-            words.push(Inline::Math(symbol.clone()));
-        }
-        words.push(Inline::Text(".".to_owned()));
     }
-    Document::of(vec![Block::Paragraph(words)], Vec::new())
+    symbols
 }

@@ -3,8 +3,9 @@
 //! A shape may be answered in any scale; it stands in with unit modal mass, as the right one does. Quantities whose
 //! second route is written in shapes, such as the modal coordinates of an initial state, follow by this route.
 
-use super::answers::{Answers, Own, number};
+use super::answers::{Answers, Own, Source, number};
 use super::system::normalized;
+use crate::answer::Kind as AnswerKind;
 use crate::expr::{Kind, Value};
 use crate::mechanics::Quantity;
 use crate::quantity::NodeId;
@@ -46,7 +47,7 @@ pub(super) fn extend(solution: &Solution<'_>, answers: &mut Answers) {
     let graph = &solution.template().graph;
     let shapes: Vec<Own> = answers
         .own()
-        .filter(|own| own.kind == "mode-shape")
+        .filter(|own| own.source == Source::Part(AnswerKind::ModeShape))
         .cloned()
         .collect();
     for shape in &shapes {

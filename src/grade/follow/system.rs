@@ -6,9 +6,10 @@
 
 use std::sync::Arc;
 
-use super::answers::{Answers, Own, in_data, number};
+use super::answers::{Answers, Own, Source, in_data, number};
 use super::guard;
 use super::matrices::{Entry, Matrices};
+use crate::answer::Kind;
 use crate::expr::{Equation, Expr, Function, Path, Substitution, Value, Variable, differentiate};
 use crate::mechanics::{Model, Quantity};
 use crate::numerics::{EigenPair, pencil};
@@ -104,7 +105,10 @@ fn from_answers(
 ) -> Option<(Matrices, Option<Own>)> {
     let graph = &solution.template().graph;
     let (mut own, mut source) = (right.clone(), None);
-    for answer in answers.own().filter(|own| own.kind == "matrix") {
+    for answer in answers
+        .own()
+        .filter(|own| own.source == Source::Part(Kind::Matrix))
+    {
         let info = solution.template().info(answer.node)?;
         let mut routes = [Some(answer.node), info.verify].into_iter().flatten();
         let quantity = routes.find_map(|route| {

@@ -66,7 +66,7 @@ fn known_results_are_right() {
                         expected.id.value,
                         expected.response.value,
                         marking.verdict.name(),
-                        marking.feedback
+                        marking.remarks
                     ));
                 }
             }
@@ -105,7 +105,7 @@ fn known_results_are_right() {
                         template.id,
                         part.id,
                         marking.verdict.name(),
-                        marking.feedback
+                        marking.remarks
                     ));
                 }
             }

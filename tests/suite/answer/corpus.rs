@@ -25,7 +25,11 @@ fn lines(corpus: &'static str) -> impl Iterator<Item = Vec<&'static str>> {
 
 /// What a marking came to, for a message.
 fn told(marking: &Marking) -> String {
-    let reasons = marking.reasons.iter().map(Reason::code);
+    let reasons = marking
+        .reasons()
+        .iter()
+        .map(Reason::code)
+        .collect::<Vec<_>>();
     let reading = marking
         .reading
         .as_ref()
@@ -33,8 +37,8 @@ fn told(marking: &Marking) -> String {
     format!(
         "{} ({}), read as {reading:?}; {:?}",
         marking.verdict.name(),
-        reasons.collect::<Vec<_>>().join(", "),
-        marking.feedback
+        reasons.join(", "),
+        super::said(marking)
     )
 }
 
@@ -103,18 +107,21 @@ fn numbers_are_read_as_they_are_meant() {
             let marking = vibank::grade::mark(&solution, 0, response);
             let is_due = match due {
                 "unreadable" => marking.verdict.name() == "unreadable",
-                "dimension" => marking.reasons.contains(&Reason::Dimension),
+                "dimension" => marking.reasons().contains(&Reason::Dimension),
                 number => {
                     let due: f64 = number.parse().expect("a number");
                     marking.reading.as_ref().is_some_and(|reading| {
-                        let found = reading.si[0];
+                        let found = reading.answered.si()[0];
                         (found - due).abs() <= 4.0 * f64::EPSILON * due.abs()
-                            && !marking.reasons.contains(&Reason::Dimension)
+                            && !marking.reasons().contains(&Reason::Dimension)
                     })
                 }
             };
             if !is_due {
-                let si = marking.reading.as_ref().map(|reading| &reading.si);
+                let si = marking
+                    .reading
+                    .as_ref()
+                    .map(|reading| reading.answered.si());
                 faults.push(format!(
                     "`{response}` for {unit}: {due} is due, {si:?} {}",
                     told(&marking)
@@ -143,8 +150,8 @@ fn equations_of_motion_are_told_apart() {
         let solution = Solution::of(Instance::of_source(template));
         let marking = vibank::grade::mark(&solution, place, response);
         // A named mistake of the item says it in its own words.
-        let is_named = matches!(marking.reasons[0], Reason::Mistake(_));
-        let is_said = is_named || format!("{:?}", marking.feedback).contains(words);
+        let is_named = matches!(marking.reason(), Reason::Mistake(_));
+        let is_said = is_named || super::said(&marking).contains(words);
         if marking.verdict.name() != due && !is_named || !is_said {
             faults.push(format!(
                 "{item} {part} `{response}`: {due}, {words}; {}",

@@ -270,7 +270,7 @@ fn slips_are_told_by_what_they_are() {
     check(
         &part("2*pi*m*g", ""),
         &[
-            ("m g", "wrong two-pi: It is off by a factor of 2π.\""),
+            ("m g", "wrong two-pi: It is off by a factor of 2π."),
             ("0", "wrong other: This is zero"),
             ("2 m g", "wrong other: The symbols fit"),
             ("6.2832 m g", "wrong near"),

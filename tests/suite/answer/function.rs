@@ -357,7 +357,7 @@ fn the_functions_of_the_bank_are_asked_with_data() {
             marking.verdict.name(),
             verdict,
             "{item} {response}: {:?}",
-            marking.feedback
+            marking.remarks
         );
     }
 }

@@ -16,8 +16,10 @@ mod trials;
 mod typed;
 mod typing;
 
+use vibank::answer::Marking;
 use vibank::bank::Catalogue;
 use vibank::instance::Instance;
+use vibank::message::Language;
 use vibank::solution::Solution;
 
 /// The catalogue of an item with this text.
@@ -34,6 +36,16 @@ fn catalogue(item: &str) -> Catalogue {
     catalogue
 }
 
+/// What is said of a marking in English, but for texts of the item.
+fn said(marking: &Marking) -> String {
+    let said = marking
+        .remarks
+        .iter()
+        .filter_map(|remark| Language::English.say(remark));
+    let said = said.map(|said| vibank::grade::Comment::from(said).plain());
+    said.collect::<Vec<_>>().join(" ")
+}
+
 /// Marks each response to the first part of an item with this text. Expected is the verdict, the code of the main reason,
 /// and behind a colon what the feedback has to contain; each may be left out.
 fn check(item: &str, responses: &[(&str, &str)]) {
@@ -42,13 +54,9 @@ fn check(item: &str, responses: &[(&str, &str)]) {
     let mut wrong = Vec::new();
     for (response, expected) in responses {
         let marking = vibank::grade::mark(&solution, 0, response);
-        let reason = marking
-            .reasons
-            .first()
-            .map(vibank::answer::Reason::code)
-            .unwrap_or_default();
+        let reason = marking.reason().code();
         let found = format!("{} {reason}", marking.verdict.name());
-        let said = format!("{:?}", marking.feedback);
+        let said = said(&marking);
         let (expected, words) = expected.split_once(": ").unwrap_or((expected, ""));
         if !found.starts_with(expected) || !said.contains(words) {
             let reading = marking.reading.map(|reading| reading.text);

@@ -43,7 +43,7 @@ fn made_up_responses_come_to_what_they_have_to() {
                             trial.response,
                             marking.verdict.name(),
                             marking.reading.map(|reading| reading.text),
-                            marking.feedback
+                            marking.remarks
                         ));
                     }
                 }

@@ -1,5 +1,6 @@
 //! Answers as people type them, of every kind, and what they are marked as.
 
+use vibank::bank::{Catalogue, embedded};
 use vibank::grade;
 use vibank::instance::Instance;
 use vibank::solution::Solution;
@@ -30,10 +31,37 @@ fn typed_answers_are_marked_as_they_were_meant() {
                 "{part} `{response}`: {}, not {verdict}; {:?} {:?}",
                 marking.verdict.name(),
                 marking.reading.map(|reading| reading.text),
-                marking.feedback
+                marking.remarks
             ));
         }
     }
     assert!(count >= 400, "{count} answers");
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+const ITEMS: &str = include_str!("../../corpora/items.tsv");
+
+#[test]
+fn answers_to_parts_of_the_bank_are_marked_as_they_were_meant() {
+    let (bank, _) = Catalogue::load(embedded());
+    let (mut faults, mut count) = (Vec::new(), 0);
+    for line in ITEMS.lines().filter(|line| !line.starts_with('#')) {
+        let fields: Vec<&str> = line.split('\t').collect();
+        let [item, part, verdict, response] = fields[..] else {
+            panic!("item, part, verdict, response: {line}");
+        };
+        let template = bank.find(item).expect("an item of the bank");
+        let place = template.parts.iter().position(|own| own.id == part);
+        let place = place.expect("a part of the item");
+        let solution = Solution::of(Instance::of_source(template));
+        let marking = grade::mark(&solution, place, response);
+        count += 1;
+        if marking.verdict.name() != verdict {
+            faults.push(format!(
+                "{item} {part} `{response}`: {marking:?}, not {verdict}"
+            ));
+        }
+    }
+    assert!(count > 0, "there are answers");
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }

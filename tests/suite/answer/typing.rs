@@ -38,7 +38,7 @@ fn the_examples_of_the_book_are_marked_as_it_says() {
                 "`{response}`: {}, not {verdict}; {:?} {:?}",
                 marking.verdict.name(),
                 marking.reading.map(|reading| reading.text),
-                marking.feedback
+                marking.remarks
             ));
         }
     }

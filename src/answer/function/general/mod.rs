@@ -9,12 +9,11 @@ mod constants;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::Kind;
 use crate::answer::equality::Draws;
 use crate::answer::meaning::{Meaning, ORDERS, Prefer, lexicon};
 use crate::answer::{
-    Answer, AnswerKind, Context, Credit, Declare, Feedback, Key, Marker, Marking, Nature, Reading,
-    Reason, Role, Trial,
+    Answer, Answered, Context, Credit, Declare, Key, Marker, Marking, Nature, Note, Reading,
+    Remark, Role, Slip, Trial, Unreadable, Why,
 };
 use crate::expr::{Equation, Expr, Name, Precise, Program, Workspace};
 use crate::math::Math;
@@ -23,9 +22,9 @@ use crate::response::{self, Lexicon, Manner, cut};
 use crate::source::{Span, Text};
 
 /// Letters that people give to constants, alone or with a number.
-const LETTERS: [&str; 18] = [
+const LETTERS: [&str; 30] = [
     "A", "B", "C", "D", "E", "F", "G", "H", "a", "b", "c", "d", "phi", "psi", "alpha", "beta",
-    "delta", "theta",
+    "delta", "theta", "p", "q", "u", "v", "K", "P", "Q", "R", "gamma", "epsilon", "eta", "chi",
 ];
 /// Highest number behind such a letter.
 const MOST_NUMBERED: usize = 6;
@@ -107,8 +106,8 @@ pub(super) fn read(
 }
 
 impl Answer for General {
-    fn kind(&self) -> &'static dyn AnswerKind {
-        &Kind
+    fn kind(&self) -> crate::answer::Kind {
+        crate::answer::Kind::Function
     }
 
     fn keys(&self) -> Vec<NodeId> {
@@ -151,7 +150,7 @@ struct Solution {
 
 impl Setup {
     /// The formulas of a response, by coordinate.
-    fn read(&self, response: &str) -> Result<Vec<Expr>, String> {
+    fn read(&self, response: &str) -> Result<Vec<Expr>, Unreadable> {
         let manner = Manner {
             comma_is_decimal: true,
             has_imaginary_unit: false,
@@ -163,15 +162,8 @@ impl Setup {
             places = cut(response, all, &[',']);
         }
         if places.len() != self.coordinates.len() {
-            let names: Vec<String> = self
-                .symbols
-                .iter()
-                .map(|symbol| format!("{} = …", symbol.plain()))
-                .collect();
-            return Err(format!(
-                "Give one function of time each, joined by semicolons: {}.",
-                names.join("; ")
-            ));
+            let symbols = self.symbols.iter().map(Math::plain).collect();
+            return Err(Why::Functions(symbols).into());
         }
         let mut found: Vec<Option<Expr>> = vec![None; places.len()];
         for (position, place) in places.into_iter().enumerate() {
@@ -183,19 +175,16 @@ impl Setup {
                     .position(|name| left == Expr::name(name.clone()))
             });
             let typed = response::formula(text, &self.lexicon, manner)
-                .map_err(|error| error.sentence(text))?;
+                .map_err(|error| error.remark(text))?;
             let place = named.unwrap_or(position);
             if found[place].replace(typed.value).is_some() {
-                return Err(format!(
-                    "There are two functions for {}.",
-                    self.symbols[place].plain()
-                ));
+                return Err(Why::TwoFunctions(self.symbols[place].plain()).into());
             }
         }
         found
             .into_iter()
             .collect::<Option<Vec<_>>>()
-            .ok_or_else(|| "A function is missing.".to_owned())
+            .ok_or_else(|| Why::FunctionMissing.into())
     }
 
     fn solution(&self, typed: &[Expr]) -> Option<Solution> {
@@ -394,7 +383,7 @@ impl Marker for Prepared {
         let setup = &self.setup;
         let typed = match setup.read(response) {
             Ok(typed) => typed,
-            Err(words) => return Marking::unreadable(words),
+            Err(why) => return Marking::unreadable(why),
         };
         let mut row = Vec::new();
         for (symbol, formula) in setup.symbols.iter().zip(&typed) {
@@ -414,52 +403,31 @@ impl Marker for Prepared {
                 .map(|(name, formula)| format!("{name} = {formula}"))
                 .collect::<Vec<_>>()
                 .join("; "),
-            si: Vec::new(),
+            answered: Answered::Functions(typed.clone()),
         };
-        let wrong = |reading, words: &str| {
-            Marking::read(
-                reading,
-                Credit::NONE,
-                Reason::Other,
-                Some(Feedback::Words(words.to_owned())),
-            )
-        };
+        let wrong = |reading, slip: Slip| Marking::wrong(reading, Remark::from(slip));
         let Some(solution) = setup.solution(&typed) else {
-            return Marking::unreadable(
-                "These functions cannot be differentiated; write them in a simpler form.",
-            );
+            return Marking::unreadable(Why::Undifferentiable);
         };
         match self.satisfies(&solution) {
-            None => return wrong(reading, "This has no value at some times."),
-            Some(false) => {
-                return wrong(
-                    reading,
-                    "This does not satisfy the equations of motion for all values of its constants.",
-                );
-            }
+            None => return wrong(reading, Slip::NoValueAtTimes),
+            Some(false) => return wrong(reading, Slip::Unsatisfied),
             Some(true) => {}
         }
         let needed = 2 * setup.coordinates.len();
         if self.rank(&solution).is_none_or(|rank| rank < needed) {
-            return wrong(
-                reading,
-                "This satisfies the equations, but its constants cannot meet every initial state: it is not general.",
-            );
+            return wrong(reading, Slip::NotGeneral);
         }
         if !self.are_factors_and_phases(&solution) {
-            return wrong(
-                reading,
-                "This satisfies the equations, but each constant has to be a factor of its own or a phase, to meet \
-                 every initial state.",
-            );
+            return wrong(reading, Slip::NotFactors);
         }
         let used = setup.constants.iter().filter(|name| {
             let mut all = typed.iter();
             all.any(|formula| formula.names().uses(name))
         });
         let count = used.count();
-        let words = format!("Right; {needed} constants would do, here are {count}.");
-        let feedback = (count > needed).then_some(Feedback::Words(words));
-        Marking::read(reading, Credit::FULL, Reason::Matches, feedback)
+        let found = count;
+        let note = (count > needed).then_some(Note::ConstantsToSpare { needed, found });
+        Marking::read(reading, Credit::FULL, note.map(Remark::from))
     }
 }

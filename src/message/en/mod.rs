@@ -1,0 +1,525 @@
+//! English.
+
+mod unreadable;
+
+use crate::answer::{
+    Close, Coefficient, Decades, Fault, Linearity, Misfit, Negated, Note, Remark, Scaling, Shape,
+    Slip, Term, TermKind, Terms, TwoPi, Verdict,
+};
+use crate::document::{Block, Document, Inline};
+use crate::expr::{CheckError, Joint};
+use crate::math::Math;
+use crate::unit::{Dimension, Unit};
+
+/// What is said of a remark.
+pub(super) fn say(remark: &Remark) -> Option<Document> {
+    Some(Document::sentence(&match remark {
+        Remark::Mistake(_) => return None,
+        Remark::Option(text) => return Some(text.clone()),
+        Remark::Followed(symbols) => return Some(followed(symbols)),
+        Remark::Slip(slip) => self::slip(slip),
+        Remark::Dimension(misfit) => self::misfit(misfit),
+        Remark::Unreadable(unreadable) => unreadable::unreadable(unreadable),
+        Remark::Note(note) => self::note(note),
+    }))
+}
+
+/// What is said of a verdict alone.
+pub(super) fn verdict(verdict: Verdict) -> Document {
+    Document::sentence(match verdict {
+        Verdict::Right => "Right.",
+        Verdict::Partial => "Partly right.",
+        Verdict::Wrong => "This is not the answer.",
+        Verdict::Unreadable => "This could not be read.",
+        Verdict::Missing => "There is no answer.",
+    })
+}
+
+/// A verdict in short.
+pub(super) fn heading(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Right => "Right",
+        Verdict::Partial => "Partly right",
+        Verdict::Wrong => "Not right",
+        Verdict::Unreadable => "Could not be read",
+        Verdict::Missing => "No answer",
+    }
+}
+
+/// A slip in short, by the code of its reason.
+pub(super) fn slip_in_short(code: &str) -> Option<&'static str> {
+    Some(match code {
+        "dimension" => "wrong dimension",
+        "two-pi" => "a factor 2π between angular frequency and frequency",
+        "power-of-ten" => "a power of ten or a prefix",
+        "sign" => "the sign",
+        "near" => "near the key, but outside the tolerance",
+        "scale" => "right up to the scale",
+        "figures" => "significant figures",
+        "angle-unit" => "degrees and radians",
+        _ => return None,
+    })
+}
+
+fn followed(symbols: &[Math]) -> Document {
+    let text = |words: &str| Inline::Text(words.to_owned());
+    let mut words = vec![text(
+        "Counted as a follow-through: it is right for your own ",
+    )];
+    if symbols.is_empty() {
+        words.push(text("equation"));
+    }
+    for (at, symbol) in symbols.iter().enumerate() {
+        match at {
+            0 => {}
+            at if at + 1 == symbols.len() => words.push(text(" and ")),
+            _ => words.push(text(", ")),
+        }
+        words.push(Inline::Math(symbol.clone()));
+    }
+    words.push(text("."));
+    Document::of(vec![Block::Paragraph(words)], Vec::new())
+}
+
+fn note(note: &Note) -> String {
+    match note {
+        Note::TakenIn(unit) => format!("Taken in {}.", unit.text()),
+        Note::Figures { asked, typed: None } => {
+            format!("A decimal with {asked} significant figures is asked.")
+        }
+        Note::Figures {
+            asked,
+            typed: Some((number, has)),
+        } => format!("{asked} significant figures are asked, `{number}` has {has}."),
+        Note::JouleForMoment(unit) => {
+            format!(
+                "The joule is kept for energies: write this in {}.",
+                unit.text()
+            )
+        }
+        Note::RightBut(misfit) => format!("Right, but: {}", self::misfit(misfit)),
+        Note::LettersCarryUnits(unit) => format!("Letters carry their units: omit `{unit}`."),
+        Note::RightTogether => "Right together with the other equations.".to_owned(),
+        Note::OthersBelongElsewhere => {
+            "Right; the other equations belong to the other parts.".to_owned()
+        }
+        Note::ConstantsToSpare { needed, found } => {
+            format!("Right; {needed} constants would do, here are {found}.")
+        }
+    }
+}
+
+fn slip(slip: &Slip) -> String {
+    match slip {
+        Slip::TwoPi(slip) => return two_pi(slip),
+        Slip::PowerOfTen(Decades::Function(unit)) => {
+            return format!(
+                "The digits fit, the power of ten does not: a function in another unit than {} needs its unit.",
+                unit.text()
+            );
+        }
+        Slip::AngleUnit(unit) => {
+            return format!("The number fits in another unit of angle, not in {}.", unit.text());
+        }
+        Slip::Entries(places) => return entries(places),
+        Slip::Shapes(shapes) => {
+            let sentences: Vec<String> = shapes.iter().map(shape).collect();
+            return sentences.join(" ");
+        }
+        Slip::Fewer {
+            typed,
+            found,
+            needed,
+        } => return fewer(*typed, *found, *needed),
+        Slip::Terms(terms) => return self::terms(terms),
+        Slip::Counted {
+            right,
+            of,
+            surplus,
+            is_order_wrong,
+        } => {
+            let verb = if *right == 1 { "is" } else { "are" };
+            let are_right = format!("{right} of {of} values {verb} right");
+            return match surplus {
+                Some(given) => format!("{are_right}, but {given} are given."),
+                None if *is_order_wrong && right == of => {
+                    "The values are right, their order is not.".to_owned()
+                }
+                None if *is_order_wrong => format!("{are_right}, but in another order."),
+                None => format!("{are_right}."),
+            };
+        }
+        Slip::CountedComplex { right, of } => return format!("{right} of {of} are right."),
+        Slip::PowerOfTen(Decades::Prefix) => {
+            "The digits fit, the power of ten does not: check the prefixes."
+        }
+        Slip::PowerOfTen(Decades::Percent) => {
+            "The digits fit: a value in percent needs its sign, `%`."
+        }
+        Slip::Sign(negated) => match negated {
+            Negated::Whole => "The sign is wrong.",
+            Negated::Number => "The magnitude fits, the sign does not.",
+            Negated::Angle => "The angle fits with the other sign.",
+            Negated::Imaginary => "The sign of the imaginary part is wrong.",
+            Negated::Entries => "All signs are reversed.",
+        },
+        Slip::PhaseInDegrees => {
+            "The phase is in degrees: write it in radians, or with the sign °."
+        }
+        Slip::Near(close) => match close {
+            Close::Rounding => {
+                "Close, but outside the tolerance: a step was rounded too far, or something small is missing."
+            }
+            Close::RoundedFormula => {
+                "It is nearly right: give the numbers in it exactly, as fractions, roots or multiples of π."
+            }
+            Close::Function => {
+                "With these data it comes near, but as a formula it differs: something small is missing or wrong."
+            }
+            Close::Ends => {
+                "The bounds are right; look again at which of them belong to the interval."
+            }
+        },
+        Slip::Scale(Scaling::First) => {
+            "The shape is right; scale it so that its first component is 1."
+        }
+        Slip::Scale(Scaling::Mass) => "The shape is right; scale it so that its modal mass is 1.",
+        Slip::Angle => "The magnitude fits, the angle does not.",
+        Slip::NotInteger => "An integer is asked.",
+        Slip::NoValueForData => "This has no value for data for which there is an answer.",
+        Slip::NoValueOnSpan => "This has no value somewhere on the span.",
+        Slip::NoValueAtTimes => "This has no value at some times.",
+        Slip::Zero => "This is zero.",
+        Slip::Factor => "It is off by a constant factor: look at each number and at each term.",
+        Slip::RunsAway => {
+            "It begins as it should, but departs later: look at the frequency and the decay."
+        }
+        Slip::CommonFactor => "All entries are off by one factor.",
+        Slip::OtherOrder => "These are the entries for the coordinates in another order.",
+        Slip::CountOfIntervals => "Look again at how many intervals there are.",
+        Slip::DependentShapes => {
+            "These shapes are multiples of one another; independent ones are asked."
+        }
+        Slip::NoMotion => "A shape with all components zero is no motion.",
+        Slip::Unsatisfied => {
+            "This does not satisfy the equations of motion for all values of its constants."
+        }
+        Slip::NotGeneral => {
+            "This satisfies the equations, but its constants cannot meet every initial state: it is not general."
+        }
+        Slip::NotFactors => {
+            "This satisfies the equations, but each constant has to be a factor of its own or a phase, to meet \
+             every initial state."
+        }
+        Slip::OtherEquation => {
+            "This follows from the equations of motion, but it is not the one that is asked here, and with \
+             the other answers it does not make up all of them."
+        }
+        Slip::Tautology => "This holds for any motion: it says nothing about this one.",
+    }
+    .to_owned()
+}
+
+fn two_pi(slip: &TwoPi) -> String {
+    match slip {
+        TwoPi::Formula => "It is off by a factor of 2π.".to_owned(),
+        TwoPi::Frequency => {
+            "It is off by a factor of 2π: angular frequencies and frequencies in hertz differ by it."
+                .to_owned()
+        }
+        TwoPi::Number => {
+            "A factor 2π slipped: an angular frequency ω in rad/s is 2π times the frequency f in Hz."
+                .to_owned()
+        }
+        TwoPi::Cycles { typed, asked } => format!(
+            "A factor 2π slipped: `{}` counts cycles, what is asked is in {}.",
+            typed.text(),
+            asked.text()
+        ),
+        TwoPi::Wave => {
+            "A factor 2π slipped: the argument of the sine and the cosine takes the angular frequency ω in rad/s, \
+             2π times the frequency f in Hz."
+                .to_owned()
+        }
+    }
+}
+
+fn entries(places: &[(usize, usize)]) -> String {
+    match places {
+        [one] => format!("The entry {} is wrong.", entry(*one)),
+        many => {
+            let places: Vec<String> = many.iter().map(|place| entry(*place)).collect();
+            format!("The entries {} are wrong.", places.join(", "))
+        }
+    }
+}
+
+fn entry((row, column): (usize, usize)) -> String {
+    format!("({row}, {column})")
+}
+
+fn shape(shape: &Shape) -> String {
+    match shape {
+        Shape::OfMode { found, asked } => format!(
+            "This is the shape of mode {found}, not of mode {asked}; the modes count from the lowest frequency."
+        ),
+        Shape::Reversed => {
+            "The magnitudes fit, but look again at which parts move against each other.".to_owned()
+        }
+        Shape::Wrong(mode) => format!("The shape of mode {mode} is wrong."),
+    }
+}
+
+fn fewer(typed: usize, found: usize, needed: usize) -> String {
+    if typed > found {
+        let verb = if found == 1 { "is" } else { "are" };
+        return format!(
+            "Right as far as it goes, but of these equations only {found} {verb} independent; {needed} are asked."
+        );
+    }
+    format!("Right as far as it goes: {needed} independent equations are asked.")
+}
+
+fn terms(terms: &Terms) -> String {
+    let mut sentences: Vec<String> = Vec::new();
+    if let Some(equation) = terms.equation {
+        sentences.push(format!("Equation {equation}:"));
+    }
+    sentences.extend(
+        terms
+            .faults
+            .iter()
+            .map(|(term, fault)| of_term(term, fault)),
+    );
+    let last = terms.linearity.map(|linearity| match linearity {
+        Linearity::Due => {
+            "It is right as it stands, but it has still to be linearized for small motions."
+        }
+        Linearity::Surplus => {
+            "This holds for small motions alone; the equation is asked without that approximation."
+        }
+        Linearity::WrongForLarge => {
+            "It is right for small motions alone: look at how it depends on large ones."
+        }
+        Linearity::DueBesides if terms.faults.is_empty() => {
+            "It is not right yet, and it has to be linearized for small motions as well."
+        }
+        Linearity::DueBesides => "It has to be linearized for small motions as well.",
+    });
+    sentences.extend(last.map(str::to_owned));
+    sentences.join(" ")
+}
+
+fn of_term(term: &Term, fault: &Fault) -> String {
+    let name = name(term);
+    match fault {
+        Fault::Missing => format!("The {name} is missing."),
+        Fault::Surplus => format!("There should be no {name}."),
+        Fault::Sign => format!("The sign of the {name} is wrong."),
+        Fault::Coefficient(Coefficient::Number) => {
+            format!("The number in front of the {name} is wrong.")
+        }
+        Fault::Coefficient(Coefficient::Other) => {
+            format!("The coefficient of the {name} is wrong.")
+        }
+        Fault::Coefficient(Coefficient::Data { missed, surplus }) => {
+            let data = |data: &[(String, Option<String>)]| {
+                let named = data.iter().map(|(symbol, title)| match title {
+                    Some(title) => format!("{symbol} ({title})"),
+                    None => symbol.clone(),
+                });
+                listed(&named.collect::<Vec<_>>())
+            };
+            match (missed.is_empty(), surplus.is_empty()) {
+                (_, true) => format!("The {name} misses {}.", data(missed)),
+                (true, false) => format!("The {name} should not contain {}.", data(surplus)),
+                (false, false) => format!(
+                    "The {name} misses {} and should not contain {}.",
+                    data(missed),
+                    data(surplus)
+                ),
+            }
+        }
+    }
+}
+
+fn name(term: &Term) -> String {
+    let kind = match term.kind {
+        TermKind::Exciting => "exciting term",
+        TermKind::Inertia => "inertia term",
+        TermKind::Friction => "friction term",
+        TermKind::Damping => "damping term",
+        TermKind::Stiffness => "stiffness term",
+        TermKind::Other => "term",
+    };
+    match &term.unknown {
+        Some(unknown) => format!("{kind} (in {unknown})"),
+        None => format!("{kind} without {}", listed(&term.without)),
+    }
+}
+
+/// Names with commas and a last `and`.
+fn listed(names: &[String]) -> String {
+    match names {
+        [] => String::new(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
+fn misfit(misfit: &Misfit) -> String {
+    match misfit {
+        Misfit::Unit { typed, asked } => units(typed, asked),
+        Misfit::UnitOf(unit) => format!("The unit has to be that of {}.", unit.text()),
+        Misfit::Count => "A count has no unit.".to_owned(),
+        Misfit::Comes {
+            entry: place,
+            found,
+            unit,
+            asked,
+        } => {
+            let what = place.map_or("This".to_owned(), |place| {
+                format!("The entry {}", entry(place))
+            });
+            let found = comes_out(*found);
+            let due = match (unit.filter(|unit| !unit.is_one()), asked) {
+                (Some(unit), _) => Some(format!("in {}", unit.text())),
+                (None, asked) => asked.map(comes_out),
+            };
+            match due {
+                Some(due) => format!("{what} comes out {found}, it has to be {due}."),
+                None => format!("{what} comes out {found}."),
+            }
+        }
+        Misfit::Step {
+            entry: Some(place),
+            error,
+        } => format!("The entry {}: {}", entry(*place), step(error.as_ref())),
+        Misfit::Step { entry: None, error } => step(error.as_ref()),
+        Misfit::BoundUnit {
+            symbol,
+            typed,
+            asked,
+        } => {
+            let due = if asked.is_one() {
+                "a pure number".to_owned()
+            } else {
+                format!("in {}", asked.text())
+            };
+            format!(
+                "The unit {} does not fit: `{symbol}` is {due}.",
+                typed.text()
+            )
+        }
+        Misfit::Bound {
+            typed,
+            read,
+            symbol,
+        } => format!("`{typed}`, read as `{read}`, has another dimension than `{symbol}`."),
+    }
+}
+
+/// What goes against the dimensions.
+fn step(error: Option<&CheckError>) -> String {
+    match error {
+        Some(CheckError::Dimensions {
+            joint: Joint::Sum,
+            left,
+            right,
+            ..
+        }) => format!(
+            "Terms of different dimensions are added: {} and {}.",
+            dimension(*left),
+            dimension(*right)
+        ),
+        Some(error) => format!("{}.", capital(&error.to_string())),
+        None => "The dimensions do not fit.".to_owned(),
+    }
+}
+
+fn dimension(dimension: Dimension) -> String {
+    if dimension.is_pure() {
+        "a pure number".to_owned()
+    } else {
+        dimension.describe()
+    }
+}
+
+fn comes_out(dimension: Dimension) -> String {
+    if dimension.is_pure() {
+        "as a pure number".to_owned()
+    } else {
+        format!("in {}", dimension.describe())
+    }
+}
+
+/// Units with what they measure, most often in this field.
+const MEASURED: &[(&str, &str)] = &[
+    ("m", "a length"),
+    ("kg", "a mass"),
+    ("s", "a time"),
+    ("1/s", "a frequency or a rate"),
+    ("1/s^2", "an angular acceleration"),
+    ("m/s", "a velocity"),
+    ("m/s^2", "an acceleration"),
+    ("N", "a force"),
+    ("N m", "a moment or an energy"),
+    ("W", "a power"),
+    ("N/m", "a stiffness"),
+    ("N s/m", "a damping coefficient"),
+    ("N m s", "a damping coefficient of rotation"),
+    ("kg m^2", "a moment of inertia"),
+    ("kg m", "an unbalance"),
+    ("kg m/s", "a momentum"),
+    ("kg/m", "a mass per length"),
+    ("kg/m^3", "a density"),
+    ("m^2", "an area"),
+    ("m^3", "a volume"),
+    ("Pa", "a pressure"),
+    ("1/m", "an inverse length"),
+    ("V", "a voltage"),
+    ("A", "a current"),
+    ("C", "a charge"),
+    ("ohm", "a resistance"),
+    ("F", "a capacitance"),
+    ("H", "an inductance"),
+    ("m/N", "a compliance"),
+];
+
+/// What a unit measures: by its form where that says more than its dimension.
+fn measured(unit: &Unit) -> Option<&'static str> {
+    let dimension = unit.dimension();
+    if dimension == Dimension::ENERGY {
+        let text = unit.text();
+        if text.contains("/rad") || text.contains("/°") {
+            return Some("a torsional stiffness");
+        }
+        if text.ends_with('J') {
+            return Some("an energy");
+        }
+    }
+    let own = |row: &&(&str, &str)| Dimension::parse(row.0) == Ok(dimension);
+    let found = MEASURED.iter().find(own).map(|(_, words)| *words);
+    found.or_else(|| dimension.is_pure().then_some("an angle or a pure number"))
+}
+
+fn units(typed: &Unit, asked: &Unit) -> String {
+    let is = measured(typed).map_or_else(String::new, |words| {
+        format!(": `{}` measures {words}", typed.text())
+    });
+    if asked.is_one() {
+        return format!("The unit does not fit{is}. A pure number is asked, without a unit.");
+    }
+    let due = measured(asked).map_or_else(String::new, |words| format!("{words}, "));
+    format!(
+        "The unit does not fit{is}. What is asked is {due}in {}.",
+        asked.text()
+    )
+}
+
+fn capital(sentence: &str) -> String {
+    let mut letters = sentence.chars();
+    letters.next().map_or(String::new(), |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
+}

@@ -1,0 +1,312 @@
+//! Why a response could not be read.
+
+use super::capital;
+use crate::answer::{At, Example, Trouble, Unreadable, Why};
+use crate::unit::DecimalMark;
+
+/// What is said where a response could not be read.
+pub(super) fn unreadable(unreadable: &Unreadable) -> String {
+    let why = why(&unreadable.why);
+    let mut sentence = match &unreadable.at {
+        _ if why.is_empty() => String::new(),
+        Some(At::Here(place)) => format!("At `{place}`: {why}"),
+        Some(At::Behind(place)) => format!("After `{place}`: {why}"),
+        None => capital(&why),
+    };
+    if let Some(example) = unreadable.example {
+        if !sentence.is_empty() {
+            sentence.push(' ');
+        }
+        sentence.push_str(self::example(example));
+    }
+    sentence
+}
+
+fn example(example: Example) -> &'static str {
+    match example {
+        Example::Number => "Type a number and its unit, for example `15.8 rad/s` or `1.6e-2 m`.",
+        Example::UnitLast => {
+            "Type one number and its unit, the unit last: `15.8 rad/s`, `1.6e-2 m`, `sqrt(2)/2 m`."
+        }
+        Example::Complex => {
+            "Type a complex number and its unit, for example `3 - 4i ohm` or `5 ohm at -53 deg`."
+        }
+        Example::Interval => "Type for example `0.1 <= x < 0.5`, `x > 2` or `[0.1, 0.5)`.",
+        Example::OneValue => "Type it alone, or behind its name as in `x = 7.78`.",
+    }
+}
+
+/// Why a response could not be read: a sentence that goes on behind a place.
+fn why(why: &Why) -> String {
+    match why {
+        Why::Form => String::new(),
+        Why::TooLong => "this is too long to be read.".to_owned(),
+        Why::LongerThan(bytes) => format!("the answer is longer than {bytes} bytes."),
+        Why::NoKey(absent) => format!("this part cannot be marked for these data: {absent}."),
+        Why::Dollar => "a dollar sign is no unit, and encloses no formula here. Omit it.".to_owned(),
+        Why::Formula(trouble) => formula(trouble),
+        Why::Quantity(error) => {
+            let help = error.help().map(|help| format!(" {}.", capital(&help)));
+            format!("{error}.{}", help.unwrap_or_default())
+        }
+        Why::Dimension(error) => match error {
+            Some(error) => format!("{error}."),
+            None => "the dimensions do not fit.".to_owned(),
+        },
+
+        Why::Letters => "a number is asked, without letters.".to_owned(),
+        Why::UnitNotLast => "the unit stands last, behind the whole number.".to_owned(),
+        Why::Counted(word) => format!("type the number alone, without `{word}`."),
+        Why::CountedUnit => "type the number alone, without what it counts.".to_owned(),
+        Why::NumberAlone => "a number alone is asked: omit what it counts.".to_owned(),
+        Why::TwoSigns(text) => format!("`{text}` begins with two signs: give one number."),
+        Why::NoValue(text) => format!("`{text}` has no value."),
+        Why::ExponentMissing(text) => format!(
+            "in `{text}` the exponent is missing behind `e`: type `2e-3`, or `exp(1)` for the number e."
+        ),
+        Why::RangeOrDifference(text) => format!(
+            "`{text}` may be a range or a difference: give one number, or spaces around the minus."
+        ),
+        Why::MixedDegrees => {
+            "one of these angles has a sign of degrees, another one has none.".to_owned()
+        }
+        Why::TwoUnits => "there are two units.".to_owned(),
+        Why::CommaOfThree {
+            typed,
+            decimal,
+            thousands,
+        } => format!(
+            "the comma in `{typed}` may separate decimals or thousands: write `{decimal}` or `{thousands}`."
+        ),
+        Why::PointOrProduct(number) => format!(
+            "the point may be a decimal sign or stand for a product. Write a power of ten as in `{number}e3` or `{number}*10^3`."
+        ),
+        Why::LostPower(exponent) => format!(
+            "a power of ten is written `10^{exponent}`. If another number is meant, work it out."
+        ),
+        Why::BracketAfterNumber => "it is not clear whether this is a factor or another value. Type one number; a product needs its sign, `*`.".to_owned(),
+        Why::Minutes => "type an angle with decimals of a degree, `60.5°` for 60° 30′.".to_owned(),
+        Why::Inequality => "one value is asked.".to_owned(),
+        Why::UnitBesideName { value, unit } => {
+            format!("the unit stands behind the number: `{value} {unit}`.")
+        }
+        Why::UnequalSides(one, other) => {
+            format!("`{one}` and `{other}` are not equal: give one value.")
+        }
+        Why::UnclearSide => "it is not clear what the value is of. Type it alone, or behind the name of what is asked, as in `x = 7.78`.".to_owned(),
+        Why::TooManyTurns { times, turn } => format!(
+            "this is more than {times} times {}: give the value within one turn.",
+            turn.text(DecimalMark::Point)
+        ),
+        Why::Gram => "`g` is the gram: write `g0` for the acceleration of free fall.".to_owned(),
+        Why::Capitals { meant, typed } => {
+            format!("capitals matter in units: write `{meant}` for `{typed}`.")
+        }
+        Why::SpaceInUnit { read, meant } => {
+            format!("this is read as `{read}`: write `{meant}` with a space.")
+        }
+        Why::MostNumbers(most) => format!("a list has at most {most} numbers."),
+        Why::TightComma => "a comma between digits may be a decimal sign: separate the numbers by semicolons, as in `5; 8.7`.".to_owned(),
+        Why::AngleWithoutUnit(angle) => {
+            format!("the angle `{angle}` has no unit: is it in degrees? Type `{angle}°`.")
+        }
+        Why::AngleUnit => "an angle is in degrees or radians.".to_owned(),
+        Why::SeveralComplex => "one complex number is asked.".to_owned(),
+
+        Why::NoOption(last) => format!("this is none of the options: type a letter from a to {last}."),
+        Why::OneOption => "one option is asked: type one letter.".to_owned(),
+        Why::Ranking(count) => format!("give all {count} letters, each once, in order."),
+
+        Why::JoinInequalities => "join the inequalities by `or`, or by `and`.".to_owned(),
+        Why::NoneSatisfies(text) => format!("no value satisfies `{text}`. Join ranges by `or`."),
+        Why::LongChain => "this chain of inequalities is too long.".to_owned(),
+        Why::SameWay => "both signs point the same way.".to_owned(),
+        Why::NoInterval => "no inequality sign and no interval.".to_owned(),
+        Why::BeforeInterval(symbol) => format!(
+            "only `{symbol} in` may stand before the interval of values that are asked, several are joined by `or`."
+        ),
+        Why::IntervalBracket => "a bracket is missing.".to_owned(),
+        Why::NoUnit => "this is no unit.".to_owned(),
+        Why::TwoEnds => {
+            "an interval has two ends; with decimal commas, put a semicolon in between.".to_owned()
+        }
+        Why::SolveForDistance(symbol) => format!("solve for `{symbol}` or `|{symbol}|` first."),
+        Why::SolveFor(symbol) => format!("solve for `{symbol}` first."),
+        Why::NotInInequality(symbol) => format!("`{symbol}` does not stand in this inequality."),
+        Why::BoundsOrder => "the lower bound is above the upper one.".to_owned(),
+        Why::BoundsAsFormulas => "give the bounds as formulas in symbols.".to_owned(),
+        Why::BoundsAsNumbers => "give the bounds as numbers.".to_owned(),
+        Why::BoundValue => "this has no value.".to_owned(),
+
+        Why::FormulaNotNumber => {
+            "a formula in symbols is asked, not a number: give it without its value.".to_owned()
+        }
+        Why::UnequalFormulas => {
+            "the sides of the equals signs are not the same: give one formula.".to_owned()
+        }
+        Why::Incomparable => {
+            "this formula cannot be compared; write it in a simpler form.".to_owned()
+        }
+        Why::DigitsLost => "all digits are lost when this is computed, so it cannot be compared; write it in a simpler form.".to_owned(),
+        Why::TwoReadings(one, other) => format!(
+            "this can be read as `{one}` or as `{other}`: type the one that you mean."
+        ),
+        Why::UnitBehindLetters => {
+            "letters carry their units, and this one does not fit. Omit it.".to_owned()
+        }
+        Why::UnitComesOut(unit) => {
+            let own = unit.map_or("as a pure number".to_owned(), |unit| format!("in {}", unit.text()));
+            format!("letters carry their units, and this comes out {own} by itself. Omit the unit.")
+        }
+
+        Why::NoEquation => "an equation is asked: an equals sign is missing.".to_owned(),
+        Why::NotInequality => "an equation is asked, not an inequality.".to_owned(),
+        Why::EquationNumber => {
+            "is this the number of the equation? Omit it; a factor is written `2*`.".to_owned()
+        }
+        Why::InitialState => {
+            "give the equation alone; the state at the start does not belong to it.".to_owned()
+        }
+        Why::IncomparableEquation => {
+            "this equation cannot be compared; write it in a simpler form.".to_owned()
+        }
+        Why::ValuesForLetters => {
+            "write the equation with the letters of the question, not with their values.".to_owned()
+        }
+
+        Why::EntriesAsNumbers => "give the entries as numbers.".to_owned(),
+        Why::IncomparableEntries => {
+            "these entries cannot be compared; write them in a simpler form.".to_owned()
+        }
+        Why::UnitBehindMatrix => {
+            "this is left over behind the matrix. Letters carry their units: omit it.".to_owned()
+        }
+        Why::Shape { found, asked } => format!(
+            "this has {} of {}; a matrix of {} by {} is asked, such as `[[a, b], [c, d]]`, with a comma between entries.",
+            counted(found.0, "row"),
+            found.1,
+            asked.0,
+            asked.1
+        ),
+        Why::NumbersNotFormulas => "numbers are asked here, not formulas.".to_owned(),
+        Why::FormulasNotNumbers => "formulas in symbols are asked here, not numbers.".to_owned(),
+        Why::EntryValue => "an entry has no value.".to_owned(),
+        Why::UnitOfEntries(unit) => format!("the unit `{}` does not fit all entries.", unit.text()),
+
+        Why::UnitOfComponents => {
+            "the components have several units; omit it and give them in SI units.".to_owned()
+        }
+        Why::UnitOfShape(unit) => format!(
+            "this unit does not fit; a shape with unit modal mass is in {}.",
+            unit.text()
+        ),
+        Why::ComponentValue => "a component has no value.".to_owned(),
+        Why::Components { found, asked } => format!(
+            "this has {}; {asked} are asked, such as `(1, -0.5)` for two.",
+            counted(*found, "component")
+        ),
+        Why::ShapesOf {
+            found,
+            rows,
+            shapes,
+            width,
+        } => format!(
+            "this has {} in {}; {shapes} shapes of {} are asked, such as `(1, -0.5), (1, 2)`.",
+            counted(*found, "component"),
+            counted(*rows, "row"),
+            counted(*width, "component")
+        ),
+
+        Why::UnequalFunctions(last) => format!(
+            "the two sides of the equals sign before `{last}` are not the same function: give one."
+        ),
+        Why::UnitOrQuantity => "a letter can be a unit or a quantity here: give the numbers in SI units, without a unit.".to_owned(),
+        Why::AngleAdded => {
+            "an angle is added to the function: put brackets, as in `cos(5 t + 30°)`.".to_owned()
+        }
+        Why::UnitOfTerms => "give each term its unit, or write one behind the whole.".to_owned(),
+        Why::UnitOfFunction(unit) => {
+            format!("the unit does not fit; what is asked is in {}.", unit.text())
+        }
+        Why::OneFunction(asked) => format!("one function is asked here: {asked} = …."),
+        Why::OtherFunction(asked) => format!(
+            "{asked} is asked. Give it alone, or with its own name before the equals sign."
+        ),
+        Why::UnclearFunction(asked) => format!(
+            "it is not clear what this stands for; write {asked} = … or the function alone."
+        ),
+        Why::Functions(symbols) => {
+            let forms: Vec<String> = symbols.iter().map(|symbol| format!("{symbol} = …")).collect();
+            format!("give one function of time each, joined by semicolons: {}.", forms.join("; "))
+        }
+        Why::TwoFunctions(symbol) => format!("there are two functions for {symbol}."),
+        Why::FunctionMissing => "a function is missing.".to_owned(),
+        Why::Undifferentiable => {
+            "these functions cannot be differentiated; write them in a simpler form.".to_owned()
+        }
+    }
+}
+
+/// Why a formula could not be read.
+fn formula(trouble: &Trouble) -> String {
+    let listed = |words: &str, letters: &[String]| match letters {
+        [] => ".".to_owned(),
+        all => format!("; {words} {}.", all.join(", ")),
+    };
+    match trouble {
+        Trouble::Unknown {
+            near: Some(near), ..
+        } => return format!("it is not clear what this means; did you mean `{near}`?"),
+        Trouble::Unknown {
+            near: None,
+            letters,
+        } => return format!("it is not clear what this means{}", listed("the letters are", letters)),
+        Trouble::NotAllowed(letters) => {
+            return format!("the answer may not contain this{}", listed("give it in", letters));
+        }
+        Trouble::Arguments {
+            name,
+            least: 1,
+            most: 1,
+        } => return format!("`{name}` takes one argument."),
+        Trouble::Arguments { name, least, .. } => {
+            return format!("`{name}` takes {least} arguments in brackets; write decimals with a point.");
+        }
+        Trouble::Missing => "a formula is missing here.",
+        Trouble::TooLong => "this is too long to be read.",
+        Trouble::TooDeep => "this is nested too deeply.",
+        Trouble::Unit => {
+            "units do not belong into a formula: letters carry their own, and numbers are in SI units."
+        }
+        Trouble::Sign => "this sign is not understood here.",
+        Trouble::Number => "this number has too many digits.",
+        Trouble::Bracket => "this bracket has no partner.",
+        Trouble::NumberAfter => {
+            "a sign is missing before this number; write `*` for a product or `^` for a power."
+        }
+        Trouble::List => "one formula is due here, not a list; write decimals with a point.",
+        Trouble::Exponent => {
+            "does this belong to the exponent? Write brackets: `e^(-2 t)` or `e^(-2)*t`."
+        }
+        Trouble::Logarithm => "write `ln` or `log10`.",
+        Trouble::TwoValues => "give one value, without `±`.",
+        Trouble::Unsolved => {
+            "only the symbol that is asked may stand before an equals sign; solve for it and give the formula alone."
+        }
+        Trouble::LeftOver => "this is left over; is a sign missing before it?",
+        Trouble::NoRelation => "an equals sign or an inequality sign is missing.",
+        Trouble::UnitOfEntry => "give the unit once, behind the list in brackets.",
+        Trouble::UnitOrLetter => {
+            "this ends with a letter or with a unit; put the list in brackets, and that behind them."
+        }
+        Trouble::Order => "give them in the order of the question, as a list without names.",
+        Trouble::Ragged => "the rows have different lengths.",
+    }
+    .to_owned()
+}
+
+/// A count with its noun.
+fn counted(count: usize, noun: &str) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {noun}{plural}")
+}
