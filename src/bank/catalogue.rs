@@ -81,6 +81,15 @@ impl Catalogue {
         self.reading(entry).template.as_ref()
     }
 
+    /// Reads an item and keeps nothing of it, for who looks at one item of a large bank after the other: its template,
+    /// if it can be used, and what is wrong with its file.
+    pub fn read_apart(&self, id: &ItemId) -> (Option<Template>, Vec<Finding>) {
+        let place = self.by_id.get(id.as_str());
+        let reading = place.map(|place| read(&self.entries[*place], &self.bank));
+        let reading = reading.unwrap_or_default();
+        (reading.template, reading.findings)
+    }
+
     /// What is wrong with the files of all items.
     #[cfg(feature = "render")]
     pub(super) fn item_findings(&self) -> Vec<Finding> {

@@ -36,6 +36,11 @@ impl BankArgument {
         Ok((catalogue, findings))
     }
 
+    /// The catalogue, of which no item is read, and what is wrong with the other files.
+    pub(crate) fn unread(&self) -> Result<(Catalogue, Vec<Finding>), Failure> {
+        self.open(&[])
+    }
+
     fn open(&self, further: &[(String, String)]) -> Result<(Catalogue, Vec<Finding>), Failure> {
         let mut found = Found::default();
         if let Some(folder) = &self.bank {
@@ -77,14 +82,23 @@ impl BankArgument {
             return Ok(self.open(&[])?.0);
         }
         let (catalogue, findings) = self.load()?;
-        let broken = findings
-            .iter()
-            .filter(|finding| finding.severity == Severity::Error)
-            .count();
-        if broken > 0 {
-            eprintln!("warning: {broken} errors in the bank, `vibank check` shows them");
-        }
+        warn(errors(&findings));
         Ok(catalogue)
+    }
+}
+
+/// How many findings are errors.
+pub(crate) fn errors(findings: &[Finding]) -> usize {
+    let errors = findings.iter();
+    errors
+        .filter(|finding| finding.severity == Severity::Error)
+        .count()
+}
+
+/// Says in one line that a bank has errors, since they hide items.
+pub(crate) fn warn(errors: usize) {
+    if errors > 0 {
+        eprintln!("warning: {errors} errors in the bank, `vibank check` shows them");
     }
 }
 

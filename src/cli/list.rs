@@ -1,7 +1,8 @@
 //! `vibank list`
 
+use rayon::prelude::*;
 use serde_json::json;
-use vibank::bank::Template;
+use vibank::bank::{Catalogue, ItemId, Template};
 
 use super::bank::{self, BankArgument};
 use super::filter::Filter;
@@ -21,16 +22,54 @@ pub(crate) struct Arguments {
     format: Format,
 }
 
+/// What the list has of an item.
+struct Row {
+    id: ItemId,
+    level: u8,
+    minutes: u32,
+    title: String,
+    /// For programs, where the list is for them.
+    entry: Option<serde_json::Value>,
+}
+
+impl Row {
+    fn of(item: &Template, format: Format) -> Self {
+        Self {
+            id: item.id.clone(),
+            level: item.about.level,
+            minutes: item.minutes(),
+            title: item.about.title.clone(),
+            entry: matches!(format, Format::Json).then(|| entry(item)),
+        }
+    }
+}
+
+/// The rows of the items that pass the filter, and the number of errors in all of them.
+///
+/// Each item is read, looked at and dropped, so that a large bank takes no more memory than its rows.
+fn rows(catalogue: &Catalogue, arguments: &Arguments) -> (Vec<Row>, usize) {
+    let ids: Vec<&ItemId> = catalogue.ids().collect();
+    let looked = ids.par_iter().map(|id| {
+        let (item, findings) = catalogue.read_apart(id);
+        let item = item.filter(|item| arguments.filter.wants(item));
+        let row = item.map(|item| Row::of(&item, arguments.format));
+        (row, bank::errors(&findings))
+    });
+    let looked: Vec<(Option<Row>, usize)> = looked.collect();
+    let errors = looked.iter().map(|(_, errors)| errors).sum();
+    (
+        looked.into_iter().filter_map(|(row, _)| row).collect(),
+        errors,
+    )
+}
+
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let catalogue = arguments.bank.catalogue()?;
-    bank::read_all(&catalogue);
-    let items: Vec<&Template> = catalogue
-        .items()
-        .filter(|item| arguments.filter.wants(item))
-        .collect();
+    let (catalogue, findings) = arguments.bank.unread()?;
+    let (items, errors) = rows(&catalogue, arguments);
+    bank::warn(bank::errors(&findings) + errors);
     if let Format::Json = arguments.format {
-        let entries: Vec<_> = items.iter().map(|item| entry(item)).collect();
-        println!("{}", serde_json::Value::Array(entries));
+        let entries = items.into_iter().filter_map(|row| row.entry);
+        println!("{}", serde_json::Value::Array(entries.collect()));
         return Ok(Outcome::Done);
     }
     let widest = items.iter().map(|item| item.id.as_str().len()).max();
@@ -49,12 +88,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
                 if item.id == items[0].id { "" } else { "\n" }
             );
         }
-        let stars = "*".repeat(usize::from(item.about.level));
+        let stars = "*".repeat(usize::from(item.level));
         println!(
             "  {:<width$} {stars:<3}  {:>3} min  {}",
             item.id.as_str(),
-            item.minutes(),
-            item.about.title
+            item.minutes,
+            item.title
         );
     }
     if items.is_empty() {

@@ -31,12 +31,20 @@ impl Census {
         };
         let mut columns = BTreeSet::new();
         let mut changed = BTreeMap::new();
+        let mut codes = BTreeSet::new();
         loop {
             let chunk = sheets.chunk(super::CHUNK)?;
             if chunk.is_empty() {
                 break;
             }
             census.sheets += chunk.len();
+            for variant in &chunk {
+                if !codes.insert(variant.code.clone()) {
+                    let code = &variant.code;
+                    let failure = Failure::new(format!("the manifest has the sheet {code} twice"));
+                    return Err(failure.help("give the `manifest.json` as `vibank sheet` wrote it"));
+                }
+            }
             for question in chunk.iter().flat_map(|variant| &variant.questions) {
                 for part in &question.parts {
                     columns.insert((question.number, part.letter.len(), part.letter.clone()));
