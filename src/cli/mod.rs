@@ -28,6 +28,13 @@ mod explain;
 mod failure;
 mod files;
 mod filter;
+#[cfg(feature = "fuzzing")]
+#[allow(
+    missing_docs,
+    unreachable_pub,
+    reason = "a way for `fuzz/`, no interface"
+)]
+pub mod fuzz;
 mod grade;
 mod lines;
 mod list;

@@ -1,0 +1,130 @@
+//! Runs targets on a stable toolchain, or writes their seeds for `cargo fuzz`.
+//!
+//! ```sh
+//! campaign seeds [TARGET]
+//! campaign run TARGET|all [--seconds N] [--seed N]
+//! campaign again TARGET FILE
+//! ```
+//!
+//! A run ends with 1 where an oracle does not hold; the input stands in `findings/TARGET/`, and `again` runs it.
+
+use std::collections::HashSet;
+use std::fs;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::{Duration, Instant};
+
+use vibank_fuzz::generate::{Stream, input};
+use vibank_fuzz::{seeds, targets};
+
+/// Findings after which a target is left.
+const MOST_FINDINGS: usize = 20;
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let option = |name: &str, usual: u64| {
+        let at = words.iter().position(|word| *word == name);
+        let value = at.and_then(|at| words.get(at + 1)?.parse().ok());
+        value.unwrap_or(usual)
+    };
+    let (seconds, seed) = (option("--seconds", 15), option("--seed", 1));
+    match words.as_slice() {
+        ["seeds", rest @ ..] => {
+            let chosen = |name: &&&str| rest.is_empty() || rest.contains(*name);
+            targets::NAMES.iter().filter(chosen).for_each(|name| write_seeds(name));
+            ExitCode::SUCCESS
+        }
+        ["run", "all", ..] => {
+            let clean = targets::NAMES.map(|name| run(name, seconds, seed));
+            ExitCode::from(u8::from(clean.contains(&false)))
+        }
+        ["run", target, ..] if targets::NAMES.contains(target) => {
+            ExitCode::from(u8::from(!run(target, seconds, seed)))
+        }
+        ["again", target, file] => {
+            let bytes = fs::read(file).unwrap_or_default();
+            let start = Instant::now();
+            let seen = targets::run(target, &bytes);
+            println!("saw {seen:016x} in {:?}", start.elapsed());
+            ExitCode::SUCCESS
+        }
+        _ => {
+            eprintln!("campaign seeds | run TARGET|all [--seconds N] [--seed N] | again TARGET FILE");
+            eprintln!("targets: {}", targets::NAMES.join(", "));
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn folder(name: &str, target: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(name).join(target)
+}
+
+fn write(folder: &Path, name: &str, bytes: &[u8]) {
+    let written = fs::create_dir_all(folder).and_then(|()| fs::write(folder.join(name), bytes));
+    if let Err(error) = written {
+        eprintln!("cannot write to `{}`: {error}", folder.display());
+    }
+}
+
+fn write_seeds(target: &str) {
+    let folder = folder("corpus", target);
+    for (number, bytes) in seeds::of(target).iter().enumerate() {
+        write(&folder, &format!("seed-{number:05}"), bytes);
+    }
+}
+
+/// Runs a target; whether nothing was found.
+fn run(target: &str, seconds: u64, seed: u64) -> bool {
+    let mut pool = seeds::of(target);
+    let (given, mut stream) = (pool.len(), Stream::of(seed));
+    let mut seen = HashSet::new();
+    let (mut inputs, mut findings, mut slowest) = (0_u64, 0, Duration::ZERO);
+    let mut messages = HashSet::new();
+    let start = Instant::now();
+    // All seeds are run, and then as many others as there is time for.
+    while findings < MOST_FINDINGS
+        && (inputs < given as u64 || start.elapsed() < Duration::from_secs(seconds))
+    {
+        let bytes = match pool.get(inputs as usize).filter(|_| inputs < given as u64) {
+            Some(seed) => seed.clone(),
+            None => input(&pool, &mut stream),
+        };
+        inputs += 1;
+        let begin = Instant::now();
+        let outcome = catch_unwind(AssertUnwindSafe(|| targets::run(target, &bytes)));
+        let took = begin.elapsed();
+        if took > slowest {
+            slowest = took;
+            // Not a finding by itself, since machines differ: to be looked at.
+            if took > Duration::from_secs(2) {
+                write(&folder("slow", target), &format!("{}ms-{inputs}", took.as_millis()), &bytes);
+            }
+        }
+        match outcome {
+            Ok(what) => {
+                if seen.insert(what) && inputs > given as u64 {
+                    pool.push(bytes);
+                }
+            }
+            Err(panic) => {
+                let words = panic.downcast_ref::<String>().cloned();
+                let words = words.or_else(|| panic.downcast_ref::<&str>().map(|text| (*text).to_owned()));
+                let words: String = words.unwrap_or_default().chars().take(80).collect();
+                if messages.insert(words) {
+                    findings += 1;
+                    write(&folder("findings", target), &format!("{seed}-{inputs}"), &bytes);
+                }
+            }
+        }
+    }
+    println!(
+        "{target}: {inputs} inputs from {given} seeds in {:.0} s, {} kinds of outcome, slowest {:.2} s, {findings} findings (seed {seed})",
+        start.elapsed().as_secs_f64(),
+        seen.len(),
+        slowest.as_secs_f64(),
+    );
+    findings == 0
+}

@@ -1,0 +1,57 @@
+//! Ways for the fuzz campaign to the readers of files that belong to the command line; see `fuzz/`.
+
+use std::path::PathBuf;
+use std::sync::LazyLock;
+
+use super::{Failure, class_list, files, grade, responses};
+
+/// A class list, as `sheet` reads it: the number of students, or the message.
+pub fn class_list(bytes: &[u8]) -> Result<usize, String> {
+    let students = class_list::read(&input(bytes, "csv"));
+    students
+        .map(|students| students.len())
+        .map_err(|failure| told(&failure))
+}
+
+/// Responses, as `grade` reads them: the number of faults, or the message.
+pub fn responses(bytes: &[u8]) -> Result<usize, String> {
+    let end = if bytes.starts_with(b"[") {
+        "json"
+    } else {
+        "csv"
+    };
+    let read = responses::read(&input(bytes, end));
+    read.map(|(_, faults)| faults.len())
+        .map_err(|failure| told(&failure))
+}
+
+/// A manifest, as `grade` reads it: the number of sheets, or the message.
+pub fn manifest(bytes: &[u8]) -> Result<usize, String> {
+    let read = grade::manifest(&input(bytes, "manifest.json"));
+    read.map(|manifest| manifest.variants.len())
+        .map_err(|failure| told(&failure))
+}
+
+/// A failure as it is printed, which says something.
+fn told(failure: &Failure) -> String {
+    let told = failure.to_string();
+    assert!(!told.trim().is_empty(), "a failure without words");
+    told
+}
+
+/// A file with this content, the same in the whole campaign: the readers take paths.
+fn input(bytes: &[u8], end: &str) -> PathBuf {
+    static FOLDER: LazyLock<PathBuf> = LazyLock::new(|| {
+        let memory = PathBuf::from("/dev/shm");
+        let folder = if memory.is_dir() {
+            memory
+        } else {
+            std::env::temp_dir()
+        };
+        folder.join(format!("vibank-fuzz-{}", std::process::id()))
+    });
+    let path = FOLDER.join(end);
+    let written = files::write(&path, bytes);
+    assert!(written.is_ok(), "no room for inputs of the campaign");
+    path
+}
