@@ -1,6 +1,7 @@
 //! The command line from outside: what each command prints, writes and ends with.
 
 mod commands;
+mod crash;
 mod grading;
 mod hostile;
 mod practice;
