@@ -14,6 +14,7 @@ pub mod numerics;
 pub mod seed;
 pub mod source;
 pub mod unit;
+pub mod work;
 
 // Layer 1: findings.
 pub mod diagnostic;
@@ -56,3 +57,15 @@ pub mod output;
 
 // Layer 11: the grader in the browser.
 pub mod wasm;
+
+// The readers of the command line, for the fuzz campaign alone; they name this library as any other user.
+#[cfg(feature = "fuzzing")]
+extern crate self as vibank;
+#[cfg(feature = "fuzzing")]
+#[doc(hidden)]
+#[allow(
+    dead_code,
+    unused_imports,
+    reason = "the campaign takes a few of its readers"
+)]
+pub mod cli;

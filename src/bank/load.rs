@@ -2,7 +2,7 @@
 
 use super::catalogue::{Catalogue, Entry, Reading};
 use super::folder::{BankFile, Chapter};
-use super::{ItemId, read};
+use super::{ItemId, bounds, read};
 use crate::diagnostic::{Code, Diagnose, Finding, Label, Severity};
 use crate::source::{Problems, Source, toml};
 
@@ -133,6 +133,14 @@ impl Catalogue {
 
 /// Reads the file of an item.
 pub(super) fn read(entry: &Entry, bank: &BankFile) -> Reading {
+    let found = entry.source.text.len();
+    if found > bounds::LARGEST_FILE {
+        let excess = bounds::Excess::File { found };
+        return Reading {
+            template: None,
+            findings: vec![Finding::of(&excess, &entry.source)],
+        };
+    }
     let problems = Problems::default();
     let item = read::Item {
         id: entry.id.clone(),

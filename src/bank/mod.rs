@@ -5,6 +5,7 @@
 //! the findings about what cannot be used: a broken item never hides the others.
 
 mod about;
+mod bounds;
 mod catalogue;
 mod compiled;
 #[cfg(feature = "render")]

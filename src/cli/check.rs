@@ -5,6 +5,7 @@ use std::path::Path;
 use rayon::prelude::*;
 use vibank::bank::Catalogue;
 use vibank::diagnostic::{Finding, Severity};
+use vibank::scene;
 use vibank::solution::proof;
 use vibank::survey::Survey;
 
@@ -93,8 +94,8 @@ fn look_over(catalogue: &Catalogue, arguments: &Arguments) -> Vec<Looked> {
         .collect();
     let progress = progress::bar(wanted.len() as u64, "items");
     let looked = wanted.par_iter().map(|item| {
-        let mut findings = proof::known_results(item);
-        findings.extend(proof::routes(item, arguments.seeds));
+        let mut findings = proof::findings(item, arguments.seeds);
+        findings.extend(scene::undrawn(item));
         let survey = arguments
             .report
             .then(|| Survey::over(item, arguments.seeds));

@@ -11,6 +11,7 @@ use crate::expr::Precise;
 use crate::quantity::Evaluation;
 use crate::seed::{Seed, Stream, Streams};
 use crate::unit::Quantity;
+use crate::work;
 
 /// The data of an item.
 #[derive(Clone, Debug)]
@@ -57,6 +58,12 @@ pub enum InstanceError {
 
 /// Draws that are made before giving up.
 const MOST_DRAWS: u32 = 1000;
+
+/// Units of work that the constraints may take in all these draws.
+const MOST_WORK: u64 = 20_000_000;
+
+/// Units of work of a draw by itself.
+const WORK_OF_A_DRAW: u64 = 100;
 
 impl<'t> Instance<'t> {
     /// The instance of a seed: a pure function of item and seed.
@@ -138,25 +145,32 @@ impl<'t> Instance<'t> {
             return Ok(());
         }
         let mut broken: Vec<(String, u32)> = Vec::new();
-        for attempt in 0..MOST_DRAWS {
-            for (place, unit, grid, stream) in &mut drawn {
-                self.values[*place] = Quantity::new(grid.at(stream.below(grid.count())), *unit);
-            }
-            match self.first_broken() {
-                None => {
-                    self.redraws = attempt;
-                    return Ok(());
+        let tried = work::within(MOST_WORK, || {
+            for attempt in 0..MOST_DRAWS {
+                for (place, unit, grid, stream) in &mut drawn {
+                    self.values[*place] = Quantity::new(grid.at(stream.below(grid.count())), *unit);
                 }
-                Some(name) => match broken.iter_mut().find(|(known, _)| *known == name) {
+                let Some(name) = self.first_broken() else {
+                    self.redraws = attempt;
+                    return None;
+                };
+                match broken.iter_mut().find(|(known, _)| *known == name) {
                     Some((_, count)) => *count += 1,
                     None => broken.push((name.to_owned(), 1)),
-                },
+                }
+                if work::spend(WORK_OF_A_DRAW).is_err() {
+                    return Some(attempt + 1);
+                }
             }
-        }
+            Some(MOST_DRAWS)
+        });
+        let Some(attempts) = tried.value else {
+            return Ok(());
+        };
         broken.sort_by(|a, b| b.1.cmp(&a.1).then_with(|| a.0.cmp(&b.0)));
         Err(InstanceError::Constraints {
             item: self.template.id.to_string(),
-            attempts: MOST_DRAWS,
+            attempts,
             broken,
         })
     }

@@ -21,10 +21,12 @@ pub enum GraphError {
         circle: Vec<Name>,
     },
     /// A chain of quantities that is too long.
-    #[error("`{name}` depends on too many quantities in a row")]
+    #[error("`{name}` depends on more than {limit} quantities in a row")]
     TooLong {
         /// The quantity at which it is too long.
         name: Name,
+        /// How long a chain may be.
+        limit: usize,
     },
     /// A formula of another type than is declared for it.
     #[error("{what} is declared as {declared}, but its formula is {found}")]
@@ -98,6 +100,9 @@ impl Diagnose for GraphError {
             Self::Cycle { circle } => {
                 let names: Vec<String> = circle.iter().map(ToString::to_string).collect();
                 Some(format!("break the circle {}", names.join(" → ")))
+            }
+            Self::TooLong { .. } => {
+                Some("write several steps of the chain as one formula".to_owned())
             }
             Self::Taken { .. } => {
                 Some("parameters and quantities share one list of names: choose another".to_owned())

@@ -1,6 +1,6 @@
 //! Values on demand: what is asked for and what that depends on, each computed once.
 
-use std::cell::{OnceCell, RefCell};
+use std::cell::{Cell, OnceCell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -8,6 +8,7 @@ use std::sync::Arc;
 use crate::expr::{Absence, Approx, Inputs, Name, Precise, Scalar, Undefined, Value, Workspace};
 use crate::mechanics::{Lack, Motion, Numbers};
 use crate::numerics::Dd;
+use crate::work;
 
 use super::graph::{Computation, Graph, Node, NodeId, Role};
 use super::model::Offered;
@@ -47,6 +48,9 @@ pub enum Absent {
 
 type Wide = Arc<[Approx<Dd>]>;
 
+/// Units of work that all values of an item may take for one set of data: some tenths of a second.
+const MOST_WORK: u64 = 20_000_000;
+
 /// A place for each node, filled when it is first asked for.
 type Slots<T> = Box<[OnceCell<Result<T, Absent>>]>;
 
@@ -60,6 +64,10 @@ pub struct Evaluation<'g> {
     /// Values that stand in for what a formula would give.
     replaced: Vec<(NodeId, Value)>,
     rooms: RefCell<Vec<Workspace>>,
+    /// Units of work that are left for values.
+    work: Cell<u64>,
+    /// Whether a value is being computed: those that it needs share its budget.
+    is_computing: Cell<bool>,
     /// The models with numbers, and their motions, prepared when first asked for.
     systems: RefCell<BTreeMap<NodeId, Rc<Numbers>>>,
     motions: RefCell<BTreeMap<NodeId, Result<Rc<Motion>, Absent>>>,
@@ -86,6 +94,8 @@ impl<'g> Evaluation<'g> {
             wide,
             replaced,
             rooms,
+            work: Cell::new(MOST_WORK),
+            is_computing: Cell::new(false),
             systems: RefCell::default(),
             motions: RefCell::default(),
         }
@@ -117,7 +127,7 @@ impl<'g> Evaluation<'g> {
     /// Why it has none for these data.
     pub fn value(&self, id: NodeId) -> Result<&Value, Absent> {
         self.values[id.index()]
-            .get_or_init(|| self.compute(id))
+            .get_or_init(|| self.bounded(|| self.compute(id)))
             .as_ref()
             .map_err(Clone::clone)
     }
@@ -212,6 +222,17 @@ impl<'g> Evaluation<'g> {
             }
         }
         spread
+    }
+
+    /// Computes a value with what is left of the work for these data.
+    fn bounded<T>(&self, compute: impl FnOnce() -> T) -> T {
+        if self.is_computing.replace(true) {
+            return compute();
+        }
+        let computed = work::within(self.work.get(), compute);
+        self.work.set(self.work.get() - computed.units);
+        self.is_computing.set(false);
+        computed.value
     }
 
     fn compute(&self, id: NodeId) -> Result<Value, Absent> {

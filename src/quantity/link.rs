@@ -1,7 +1,7 @@
 //! In which order nodes are settled, and how the names of a formula get their slots.
 
 use std::cell::RefCell;
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 use super::error::GraphError;
 use super::graph::{Entry, Graph, NodeId, Role};
@@ -11,7 +11,8 @@ use crate::mechanics::Nature;
 /// Sorts nodes so that each comes after those that it needs.
 pub(super) struct Order<'g> {
     graph: &'g Graph,
-    done: BTreeSet<NodeId>,
+    /// The nodes that have their place, each with the length of the longest chain that ends with it.
+    done: BTreeMap<NodeId, usize>,
     open: Vec<NodeId>,
     sorted: Vec<NodeId>,
     errors: Vec<(NodeId, GraphError)>,
@@ -24,7 +25,7 @@ impl<'g> Order<'g> {
     pub(super) fn of(graph: &'g Graph) -> Self {
         Self {
             graph,
-            done: BTreeSet::new(),
+            done: BTreeMap::new(),
             open: Vec::new(),
             sorted: Vec::new(),
             errors: Vec::new(),
@@ -37,23 +38,25 @@ impl<'g> Order<'g> {
     }
 
     pub(super) fn visit(&mut self, id: NodeId) {
-        if self.done.contains(&id) {
-            return;
+        self.chain(id);
+    }
+
+    /// Gives a node its place, behind those that it needs; the length of the longest chain that ends with it.
+    ///
+    /// The order in which quantities are written decides how deep this recurs, but not how long a chain is.
+    fn chain(&mut self, id: NodeId) -> usize {
+        if let Some(length) = self.done.get(&id) {
+            return *length;
         }
         if let Some(start) = self.open.iter().position(|open| *open == id) {
             let circle = self.open[start..].iter().chain([&id]);
             let circle = circle.map(|id| Name::new(self.graph.label(*id))).collect();
             self.errors.push((id, GraphError::Cycle { circle }));
-            return;
+            return 0;
         }
         if self.open.len() >= LONGEST_CHAIN {
-            self.errors.push((
-                id,
-                GraphError::TooLong {
-                    name: Name::new(self.graph.label(id)),
-                },
-            ));
-            return;
+            // It is visited again by itself.
+            return self.refuse(id);
         }
         self.open.push(id);
         let node = self.graph.node(id);
@@ -84,12 +87,25 @@ impl<'g> Order<'g> {
             }
             _ => {}
         }
+        let mut length = 1;
         for next in needed {
-            self.visit(next);
+            length = length.max(self.chain(next) + 1);
         }
         self.open.pop();
-        self.done.insert(id);
+        if length > LONGEST_CHAIN {
+            length = self.refuse(id);
+        }
+        self.done.insert(id, length);
         self.sorted.push(id);
+        length
+    }
+
+    /// Notes that a chain is too long; behind this place it is counted anew.
+    fn refuse(&mut self, id: NodeId) -> usize {
+        let name = Name::new(self.graph.label(id));
+        let limit = LONGEST_CHAIN;
+        self.errors.push((id, GraphError::TooLong { name, limit }));
+        0
     }
 }
 

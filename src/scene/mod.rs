@@ -9,8 +9,10 @@ mod fill;
 mod notation;
 mod picture;
 mod plot;
+mod proof;
 
 pub use plot::Undrawn;
+pub use proof::undrawn;
 
 use crate::answer::Kind;
 use crate::bank::{Passage, Piece};

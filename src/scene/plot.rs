@@ -9,6 +9,10 @@ use crate::figure::plot::{self, Axis, Course, Picture, PlotError, Shape, Spacing
 use crate::math::{Math, symbol};
 use crate::quantity::{Absent, Evaluation, Function, NodeId};
 use crate::unit::{Decimal, Quantity, Rational, Unit};
+use crate::work;
+
+/// Units of work that the curves of one plot may take: some tenths of a second.
+const MOST_WORK: u64 = 20_000_000;
 
 /// Why a plot cannot be drawn for these data.
 #[derive(Clone, Debug, thiserror::Error)]
@@ -23,6 +27,9 @@ pub enum Undrawn {
     /// What is there cannot be drawn.
     #[error("{0}")]
     Plot(#[from] PlotError),
+    /// Its curves take too long.
+    #[error("its curves take more than {} million steps", MOST_WORK / 1_000_000)]
+    Work,
 }
 
 impl Scene<'_, '_> {
@@ -34,11 +41,17 @@ impl Scene<'_, '_> {
     pub fn plot(&self, name: &str) -> Result<Picture, Undrawn> {
         let mut plots = self.solution.template().plots.iter();
         let plot = plots.find(|plot: &&Plot| plot.name == name);
-        match &plot.ok_or_else(|| Undrawn::Unknown(name.to_owned()))?.kind {
+        let plot = plot.ok_or_else(|| Undrawn::Unknown(name.to_owned()))?;
+        let drawn = work::within(MOST_WORK, || match &plot.kind {
             PlotKind::Curves(curves) => self.curves(curves, false),
             PlotKind::PhasePlane(curves) => self.curves(curves, true),
             PlotKind::ModeShapes(shapes) => self.mode_shapes(shapes),
+        });
+        if drawn.is_exhausted {
+            // A curve with gaps where nothing was left would not be that of its formula.
+            return Err(Undrawn::Work);
         }
+        drawn.value
     }
 
     /// A plot as it stands in a text.

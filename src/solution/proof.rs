@@ -7,13 +7,14 @@ use super::Solution;
 use crate::answer::{KeyValue, Kind, Verdict, complex_number};
 use crate::bank::{Check, Expected, Template, Units};
 use crate::diagnostic::{Code, Diagnose, Finding, Label, Severity};
-use crate::expr::{Form, Name, Precise, Shape, Value};
-use crate::instance::Instance;
+use crate::expr::{Form, Name, Precise, Shape, Undefined, Value};
+use crate::instance::{Instance, InstanceError};
 use crate::numerics::Complex;
 use crate::quantity::{Absent, Evaluation, NodeId};
 use crate::seed::Seed;
 use crate::source::Span;
 use crate::unit::{Decimal, Quantity, Unit};
+use crate::work;
 
 /// What does not agree with the item.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -51,6 +52,12 @@ enum Disproof {
         second: f64,
         seed: u64,
     },
+    #[error("{reason}")]
+    Draws { reason: String },
+    #[error("`{label}`: {reason}")]
+    Steps { label: String, reason: String },
+    #[error("checking this item over {seeds} draws takes more than {limit} million steps")]
+    Work { limit: u64, seeds: u64 },
 }
 
 /// Numbers of two routes agree within this share of their size, beyond their error bounds.
@@ -59,7 +66,7 @@ const ROUNDING: f64 = 1e-9;
 const TIMES: [f64; 8] = [0.0, 0.001, 0.011, 0.13, 0.37, 1.1, 1.9, 5.3];
 
 /// What of an item's known results does not hold.
-pub fn known_results(template: &Template) -> Vec<Finding> {
+fn known_results(template: &Template) -> Vec<Finding> {
     let mut findings = Vec::new();
     for check in &template.checks {
         let set: Vec<(String, String)> = check
@@ -90,8 +97,67 @@ pub fn known_results(template: &Template) -> Vec<Finding> {
     findings
 }
 
+/// All that disproves an item, over so many draws.
+///
+/// The work is bounded as a whole; where an item takes more, a finding says so in place of what was found with it.
+pub fn findings(template: &Template, seeds: u64) -> Vec<Finding> {
+    let limit = MOST_WORK.max(seeds.saturating_mul(WORK_OF_A_SEED));
+    let found = work::within(limit, || {
+        let mut findings = known_results(template);
+        findings.extend(data(template));
+        findings.extend(values(template));
+        findings.extend(routes(template, seeds));
+        findings
+    });
+    if found.is_exhausted {
+        let limit = limit / 1_000_000;
+        return vec![at(&Disproof::Work { limit, seeds }, template, Span::NONE)];
+    }
+    found.value
+}
+
+/// Units of work of a check: a second or two, of which an item that comes with the program takes a hundredth.
+const MOST_WORK: u64 = 100_000_000;
+
+/// Units of work that each draw of a longer check adds.
+const WORK_OF_A_SEED: u64 = 500_000;
+
+/// Whether data can be drawn at all, or a constraint never holds.
+fn data(template: &Template) -> Option<Finding> {
+    let error = Instance::draw(template, Seed::new(0)).err()?;
+    let place = match &error {
+        InstanceError::Constraints { broken, .. } => broken.first().map_or(Span::NONE, |worst| {
+            definition(template, &Name::new(&*worst.0))
+        }),
+        _ => Span::NONE,
+    };
+    let reason = error.to_string();
+    Some(at(&Disproof::Draws { reason }, template, place))
+}
+
+/// What takes too long for the data of the source, also where it is a mistake, which would be left out in silence.
+fn values(template: &Template) -> Vec<Finding> {
+    let evaluation = Instance::of_source(template).evaluation();
+    let is_bound = |reason| matches!(reason, Undefined::TooLong | Undefined::NoConvergence);
+    let too_long = |node: NodeId| match evaluation.value(node) {
+        Err(Absent::Undefined { label, absence }) if is_bound(absence.reason) => {
+            Some(Disproof::Steps {
+                label: label.to_string(),
+                reason: absence.to_string(),
+            })
+        }
+        _ => None,
+    };
+    // What is computed after the one that took all would be blamed for it.
+    let first = template.graph.ids().find_map(too_long);
+    first
+        .iter()
+        .map(|error| at(error, template, Span::NONE))
+        .collect()
+}
+
 /// Where the two routes to a quantity differ, over so many draws: each quantity once.
-pub fn routes(template: &Template, seeds: u64) -> Vec<Finding> {
+fn routes(template: &Template, seeds: u64) -> Vec<Finding> {
     let mut doubted: Vec<NodeId> = Vec::new();
     let mut findings = Vec::new();
     for seed in 0..seeds {
@@ -439,12 +505,17 @@ impl Diagnose for Disproof {
     fn code(&self) -> Code {
         match self {
             Self::Routes { .. } => Code::CHECK_ROUTES,
+            Self::Draws { .. } => Code::CHECK_DRAWS,
+            Self::Steps { .. } | Self::Work { .. } => Code::SIZE,
             _ => Code::CHECK_EXPECTED,
         }
     }
 
     fn severity(&self) -> Severity {
-        Severity::Warning
+        match self {
+            Self::Draws { .. } | Self::Steps { .. } | Self::Work { .. } => Severity::Error,
+            _ => Severity::Warning,
+        }
     }
 
     fn labels(&self) -> Vec<Label> {
@@ -468,6 +539,12 @@ impl Diagnose for Disproof {
             }
             Self::Absent { .. } => "give data in `given` for which it exists",
             Self::Unreadable { .. } => "give a number with its unit, or a response to a part",
+            Self::Draws { .. } => {
+                "widen the constraints, or the ranges of the parameters that stand in them"
+            }
+            Self::Steps { .. } | Self::Work { .. } => {
+                "write integrals and roots in closed form, or keep them out of each other and away from singular ends"
+            }
             Self::Data(_) => "give each parameter a value that it can have",
             Self::Routes {
                 item,

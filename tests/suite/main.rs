@@ -12,6 +12,8 @@ mod answer;
 mod bank;
 #[cfg(feature = "cli")]
 mod book;
+#[cfg(feature = "render")]
+mod bounds;
 #[cfg(feature = "cli")]
 mod cli;
 #[cfg(feature = "render")]

@@ -21,6 +21,7 @@ pub use error::ItemError;
 pub(super) use texts::{Noting, Parsers};
 pub(super) use texts::{Stored, Texts};
 
+use super::bounds;
 use super::template::{Constraint, QuantityInfo, Template};
 use super::{About, ItemId, Parameter, Revision};
 use crate::answer::Known;
@@ -30,6 +31,7 @@ use crate::math::{Math, symbol};
 use crate::quantity::{Graph, NodeId};
 use crate::source::{Problems, Source, Span, Table, Text, Value};
 use crate::unit::{self, Unit};
+use crate::work;
 
 /// The state of reading one item.
 struct Reader<'s> {
@@ -68,9 +70,20 @@ pub(super) fn item(
     texts: &mut dyn Texts,
 ) -> (Option<Template>, Vec<Finding>) {
     let source = item.source;
+    let excesses = bounds::excesses(item.tree);
+    if !excesses.is_empty() {
+        let findings = excesses.iter().map(|excess| Finding::of(excess, source));
+        return (None, findings.collect());
+    }
     let mut reader = Reader::new(source, texts);
-    let template =
-        Table::of(source, problems, "", item.tree).and_then(|table| reader.item(item, &table));
+    let read = work::within(bounds::READING, || {
+        Table::of(source, problems, "", item.tree).and_then(|table| reader.item(item, &table))
+    });
+    if read.is_exhausted {
+        // What the steps that were not taken lack would be found wrong with the item.
+        return (None, vec![Finding::of(&bounds::Excess::Work, source)]);
+    }
+    let template = read.value;
     let mut findings: Vec<Finding> = problems
         .take()
         .iter()
@@ -81,7 +94,10 @@ pub(super) fn item(
     let is_sound = !findings
         .iter()
         .any(|finding| finding.severity == crate::diagnostic::Severity::Error);
-    (template.filter(|_| is_sound), findings)
+    (
+        template.filter(|_| is_sound),
+        bounds::shortened(findings, source),
+    )
 }
 
 impl<'s> Reader<'s> {

@@ -33,10 +33,10 @@ pub enum Undefined {
     #[error("no sign change between the ends of the interval")]
     NoSignChange,
     /// An integral or root whose digits do not settle.
-    #[error("the integral does not converge")]
+    #[error("the integral does not settle within 400 pieces of its interval")]
     NoConvergence,
     /// An evaluation that would take too long.
-    #[error("the evaluation takes too long")]
+    #[error("roots and integrals take more than 20 million steps for one set of data")]
     TooLong,
     /// A result of which not one digit is certain.
     #[error("a result without a certain digit")]

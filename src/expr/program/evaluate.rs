@@ -2,11 +2,15 @@
 
 use thiserror::Error;
 
-use super::machine::Machine;
+use super::machine::{Machine, weight};
 use super::{Program, Value};
 use crate::expr::{Approx, Precise, Scalar, Undefined};
 use crate::numerics::Dd;
 use crate::source::Span;
+use crate::work;
+
+/// Most work of one run: what two integrals take that stand in each other, some tenths of a second.
+const MOST_WORK: u64 = 20_000_000;
 
 /// A result whose error may exceed this part of it is computed again with more digits.
 const WIDEST: f64 = 1e-13;
@@ -110,7 +114,13 @@ impl Program {
             room.0.resize(size, S::exact(0.0));
         }
         let mut machine = Machine::new(self, inputs, &mut room.0);
-        machine.run(0, self.code.len() as u32)?;
+        let steps = self.code.len() as u64 * weight::<S>();
+        let run = work::within(MOST_WORK, || {
+            // What runs out in a search is found there.
+            let _ = work::spend(steps);
+            machine.run(0, self.code.len() as u32)
+        });
+        run.value?;
         let is_open = machine.doubt.is_open;
         Ok(Outcome {
             registers: &room.0,

@@ -6,9 +6,18 @@ use super::search::{self, root};
 use super::{Absence, Inputs, Program};
 use crate::expr::number::complex::{self, Pair};
 use crate::expr::{Doubt, Relation, Scalar, Undefined};
+use crate::work;
 
-/// Most steps of the searches of one run, in binary64 and with more digits: a fraction of a second in both cases.
-const MOST_STEPS: [u64; 2] = [20_000_000, 1_000_000];
+/// Units of work of a step in double-double, where one in binary64 is one: a sine costs a microsecond.
+const WIDE_STEP: u64 = 20;
+
+/// Steps that finding the next place of a search counts for: the nodes of an integral take two exponentials.
+const STEPS_OF_A_PLACE: u64 = 4;
+
+/// Units of work of a step.
+pub(super) fn weight<S: Scalar>() -> u64 {
+    if S::ROUNDOFF < 1e-20 { WIDE_STEP } else { 1 }
+}
 
 /// The state of a run.
 pub(super) struct Machine<'a, S, I: ?Sized> {
@@ -16,19 +25,15 @@ pub(super) struct Machine<'a, S, I: ?Sized> {
     inputs: &'a I,
     registers: &'a mut [S],
     pub(super) doubt: Doubt,
-    /// Steps that searches may still take.
-    fuel: u64,
 }
 
 impl<'a, S: Scalar, I: Inputs<S> + ?Sized> Machine<'a, S, I> {
     pub(super) fn new(program: &'a Program, inputs: &'a I, registers: &'a mut [S]) -> Self {
-        let fuel = MOST_STEPS[usize::from(S::ROUNDOFF < 1e-20)];
         Self {
             program,
             inputs,
             registers,
             doubt: Doubt::default(),
-            fuel,
         }
     }
 
@@ -200,12 +205,8 @@ impl<S: Scalar, I: Inputs<S> + ?Sized> search::Curve<S> for Body<'_, '_, S, I> {
     }
 
     fn value(&mut self, x: &S) -> Result<S, Stop> {
-        let steps = u64::from(self.search.end - self.start) + 1;
-        self.machine.fuel = self
-            .machine
-            .fuel
-            .checked_sub(steps)
-            .ok_or(Stop::Here(Undefined::TooLong))?;
+        let steps = u64::from(self.search.end - self.start) + STEPS_OF_A_PLACE;
+        work::spend(steps * weight::<S>()).map_err(|_| Stop::Here(Undefined::TooLong))?;
         self.machine.set(self.search.variable, x.clone());
         self.machine
             .run(self.start, self.search.end)

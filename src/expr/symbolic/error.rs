@@ -4,6 +4,7 @@ use thiserror::Error;
 
 use crate::expr::{Name, Path};
 use crate::source::Span;
+use crate::work::Exhausted;
 
 /// Why a formula has no derivative, substitution or normal form.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -38,6 +39,13 @@ pub enum SymbolicError {
     /// The result would grow beyond the bounds.
     #[error("the formula grows too large")]
     TooLarge,
+}
+
+/// What takes too long has grown too large on its way.
+impl From<Exhausted> for SymbolicError {
+    fn from(_: Exhausted) -> Self {
+        Self::TooLarge
+    }
 }
 
 impl SymbolicError {

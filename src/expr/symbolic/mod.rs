@@ -17,6 +17,7 @@ pub use normal::{Harmonic, Normal, Order};
 pub use substitute::Substitution;
 
 use super::Expr;
+use crate::work;
 
 /// Number of nodes, counted with repetition, beyond which a derived formula is refused.
 const LARGEST_SIZE: u32 = 50_000;
@@ -24,8 +25,12 @@ const LARGEST_SIZE: u32 = 50_000;
 /// Depth beyond which a derived formula is refused; recursion over formulas stays within any stack.
 const LARGEST_DEPTH: u32 = 600;
 
+/// Units of work of a node of a derived formula: it is looked at, and written anew.
+const UNITS_OF_A_NODE: u64 = 10;
+
 /// The formula, if it is not too large.
 fn bounded(expr: Expr) -> Result<Expr, SymbolicError> {
+    work::spend(UNITS_OF_A_NODE)?;
     if expr.size() > LARGEST_SIZE || expr.depth() > LARGEST_DEPTH {
         return Err(SymbolicError::TooLarge);
     }

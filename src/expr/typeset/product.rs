@@ -39,8 +39,17 @@ impl Setter<'_> {
     }
 
     /// Whether a sign stands in front, as where a negative number is put in for the first factor.
+    ///
+    /// Only what is set in one step can bear one: setting the factor to see would double the work at each level.
     fn begins_with_sign(&self, factors: &[Part]) -> bool {
-        matches!(factors.first(), Some(Part::Factor(first)) if self.piece(first).hold == Hold::Sign)
+        let Some(Part::Factor(first)) = factors.first() else {
+            return false;
+        };
+        match first.kind() {
+            Kind::Negate(_) => true,
+            Kind::Number(_) | Kind::Name(_) | Kind::Path(_) => self.piece(first).hold == Hold::Sign,
+            _ => false,
+        }
     }
 
     fn fraction(&self, above: &[Part], below: &[Part]) -> Math {
@@ -91,12 +100,6 @@ impl Setter<'_> {
 
     fn plain_factor(&self, expr: &Expr, is_first: bool, is_last: bool) -> Factor {
         let kind = self.symbol_kind(expr);
-        let piece = self.piece(expr);
-        let least = match piece.hold {
-            Hold::Sign if is_first => Hold::Sign,
-            Hold::Product if kind == SymbolKind::Quantity => Hold::Product,
-            _ => Hold::Fraction,
-        };
         let is_bare_call = !is_last
             && match expr.kind() {
                 Kind::Call(..) => true,
@@ -106,6 +109,12 @@ impl Setter<'_> {
         let math = if is_bare_call {
             self.call_before_factor(expr)
         } else {
+            let piece = self.piece(expr);
+            let least = match piece.hold {
+                Hold::Sign if is_first => Hold::Sign,
+                Hold::Product if kind == SymbolKind::Quantity => Hold::Product,
+                _ => Hold::Fraction,
+            };
             piece.at_least(least)
         };
         Factor {

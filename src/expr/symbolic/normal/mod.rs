@@ -28,10 +28,14 @@ pub(crate) use write::sum_of_signed_terms;
 use super::{SymbolicError, Variable};
 use crate::expr::{Expr, Kind, Name};
 use crate::numerics::Rational;
+use crate::work;
 use term::{Atom, Monomial, Polynomial};
 
 /// Elementary products and sums that one normal form may cost.
 const LARGEST_WORK: usize = 500_000;
+
+/// Units of work of an elementary product: it allocates.
+const UNITS: u64 = 10;
 
 /// What is left of the bound on a calculation.
 #[derive(Debug)]
@@ -45,6 +49,7 @@ impl Work {
     }
 
     fn spend(&mut self, amount: usize) -> Result<(), SymbolicError> {
+        work::spend(UNITS * amount as u64)?;
         self.left = self
             .left
             .checked_sub(amount)

@@ -1,5 +1,6 @@
 //! Sums of products written back as formulas, in the order of a textbook.
 
+use std::cell::RefCell;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -58,6 +59,36 @@ impl Order {
     }
 }
 
+/// Writes sums in one order, each that stands in others once.
+///
+/// A sum within a function is looked at several times (for its sign, for its place), and so would be written a number
+/// of times that doubles with each function around it.
+struct Writer<'o> {
+    order: &'o Order,
+    /// By where they stand in memory: what is written outlives the writer.
+    written: RefCell<BTreeMap<*const Polynomial, Expr>>,
+}
+
+impl<'o> Writer<'o> {
+    fn of(order: &'o Order) -> Self {
+        Self {
+            order,
+            written: RefCell::default(),
+        }
+    }
+
+    /// A sum that stands in others.
+    fn inner(&self, own: &Arc<Polynomial>) -> Expr {
+        let place = Arc::as_ptr(own);
+        let known = self.written.borrow().get(&place).cloned();
+        known.unwrap_or_else(|| {
+            let written = collected_sum(own, self);
+            self.written.borrow_mut().insert(place, written.clone());
+            written
+        })
+    }
+}
+
 /// Where a factor stands in a product.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 enum Place {
@@ -77,6 +108,17 @@ type Rank = (Reverse<Option<u8>>, usize, bool, Reverse<Monomial>);
 
 /// The sum, collected by what moves.
 pub(super) fn sum(sum: &Polynomial, order: &Order) -> Expr {
+    collected_sum(sum, &Writer::of(order))
+}
+
+/// A sum inside a function or denominator; it does not begin with a sign if it can be helped.
+pub(super) fn bracket(own: &Polynomial, order: &Order) -> Expr {
+    let writer = Writer::of(order);
+    unsigned(own, collected_sum(own, &writer), &writer)
+}
+
+fn collected_sum(sum: &Polynomial, writer: &Writer<'_>) -> Expr {
+    let order = writer.order;
     let moving = order.moving_names();
     let mut groups: BTreeMap<Monomial, Polynomial> = BTreeMap::new();
     for (monomial, coefficient) in &sum.0 {
@@ -96,10 +138,10 @@ pub(super) fn sum(sum: &Polynomial, order: &Order) -> Expr {
         .map(|at| groups.remove(at));
     let moving_terms = groups
         .iter()
-        .map(|(part, group)| collected(group, part, order));
+        .map(|(part, group)| collected(group, part, writer));
     let constant_terms = constants
         .iter()
-        .flat_map(|(_, group)| separate_terms(group, order));
+        .flat_map(|(_, group)| separate_terms(group, writer));
     sum_of_signed_terms(moving_terms.chain(constant_terms))
 }
 
@@ -155,12 +197,13 @@ fn rank(part: &Monomial, order: &Order) -> Rank {
 }
 
 /// A group of terms with the same moving part, as one product.
-fn collected(group: &Polynomial, part: &Monomial, order: &Order) -> (bool, Expr) {
+fn collected(group: &Polynomial, part: &Monomial, writer: &Writer<'_>) -> (bool, Expr) {
+    let order = writer.order;
     if let Some((monomial, coefficient)) = group.as_term() {
         let all = monomial.times(part).unwrap_or_else(|_| monomial.clone());
         return (
             coefficient.is_negative(),
-            product(coefficient.abs(), &all, None, order),
+            product(coefficient.abs(), &all, None, writer),
         );
     }
     let (content, below, mut rest) = parted(group);
@@ -177,10 +220,10 @@ fn collected(group: &Polynomial, part: &Monomial, order: &Order) -> (bool, Expr)
     let place = first.and_then(|factors| factors.into_iter().next());
     let sum = Bracket {
         place: place.map_or(Place::Root, |(place, ..)| place),
-        sum: sum_of_signed_terms(separate_terms(&rest, order)),
+        sum: sum_of_signed_terms(separate_terms(&rest, writer)),
     };
     let all = below.times(part).unwrap_or_else(|_| below.clone());
-    (is_negative, product(content.abs(), &all, Some(sum), order))
+    (is_negative, product(content.abs(), &all, Some(sum), writer))
 }
 
 /// A coefficient of several terms as number, common denominator and sum in brackets.
@@ -231,11 +274,11 @@ fn leaves_single_names(group: &Polynomial, common: &Monomial) -> bool {
 }
 
 /// Each term with its sign, positive ones first.
-fn separate_terms(sum: &Polynomial, order: &Order) -> Vec<(bool, Expr)> {
-    sorted_terms(sum, order)
+fn separate_terms(sum: &Polynomial, writer: &Writer<'_>) -> Vec<(bool, Expr)> {
+    sorted_terms(sum, writer.order)
         .into_iter()
         .map(|(monomial, coefficient)| {
-            let term = product(coefficient.abs(), monomial, None, order);
+            let term = product(coefficient.abs(), monomial, None, writer);
             (coefficient.is_negative(), term)
         })
         .collect()
@@ -290,7 +333,13 @@ struct Bracket {
 }
 
 /// A number, the powers of a monomial and perhaps a sum in brackets, as one product or fraction.
-fn product(number: Rational, monomial: &Monomial, bracket: Option<Bracket>, order: &Order) -> Expr {
+fn product(
+    number: Rational,
+    monomial: &Monomial,
+    bracket: Option<Bracket>,
+    writer: &Writer<'_>,
+) -> Expr {
+    let order = writer.order;
     let (mut above, mut below) = (Vec::new(), Vec::new());
     let (mut number, mut bracket) = (number, bracket);
     for (place, atom, exponent) in sorted_factors(monomial, order) {
@@ -307,7 +356,7 @@ fn product(number: Rational, monomial: &Monomial, bracket: Option<Bracket>, orde
         } else {
             &mut above
         };
-        side.push(power(&atom, exponent.abs(), order));
+        side.push(power(&atom, exponent.abs(), writer));
     }
     above.extend(bracket.map(|own| own.sum));
     if below.is_empty() {
@@ -391,8 +440,8 @@ fn fraction(value: Rational) -> Expr {
 }
 
 /// A power of an atom with a positive exponent.
-fn power(atom: &Atom, exponent: Rational, order: &Order) -> Expr {
-    let base = atom_expr(atom, order);
+fn power(atom: &Atom, exponent: Rational, writer: &Writer<'_>) -> Expr {
+    let base = atom_expr(atom, writer);
     if exponent == Rational::ONE {
         return base;
     }
@@ -402,34 +451,31 @@ fn power(atom: &Atom, exponent: Rational, order: &Order) -> Expr {
     binary(Operator::Power, base, fraction(exponent))
 }
 
-fn atom_expr(atom: &Atom, order: &Order) -> Expr {
+fn atom_expr(atom: &Atom, writer: &Writer<'_>) -> Expr {
+    let bracket = |own: &Arc<Polynomial>| unsigned(own, writer.inner(own), writer);
     match atom {
         Atom::Constant(constant) => Expr::constant(*constant),
         Atom::Variable(variable) => variable.to_expr(),
         Atom::Call(function, arguments) => {
             let is_even = matches!(function, Function::Cos | Function::Cosh | Function::Abs);
-            let argument = |own: &Arc<Polynomial>| match sum(own, order) {
-                written if is_even && begins_with_sign(&written) => {
-                    bracket(&(**own).clone().negated(), order)
+            let argument = |own: &Arc<Polynomial>| {
+                if is_even && begins_with_sign(&writer.inner(own)) {
+                    let opposite = (**own).clone().negated();
+                    return unsigned(&opposite, collected_sum(&opposite, writer), writer);
                 }
-                _ => bracket(own, order),
+                bracket(own)
             };
             let arguments: Vec<_> = arguments.iter().map(argument).collect();
             Expr::call(*function, arguments)
         }
-        Atom::Base(base) => bracket(base, order),
-        Atom::Power(base, exponent) => binary(
-            Operator::Power,
-            bracket(base, order),
-            bracket(exponent, order),
-        ),
+        Atom::Base(base) => bracket(base),
+        Atom::Power(base, exponent) => binary(Operator::Power, bracket(base), bracket(exponent)),
         Atom::Opaque(opaque) => opaque.expr.clone(),
     }
 }
 
-/// A sum inside a function or denominator; it does not begin with a sign if it can be helped.
-pub(super) fn bracket(own: &Polynomial, order: &Order) -> Expr {
-    let written = sum(own, order);
+/// A sum that was written, with a positive term first if it has one.
+fn unsigned(own: &Polynomial, written: Expr, writer: &Writer<'_>) -> Expr {
     if !begins_with_sign(&written) {
         return written;
     }
@@ -442,7 +488,7 @@ pub(super) fn bracket(own: &Polynomial, order: &Order) -> Expr {
         let terms = terms
             .into_iter()
             .map(|(monomial, own)| (monomial.clone(), own.abs()));
-        sum(&Polynomial(terms.collect()), order)
+        collected_sum(&Polynomial(terms.collect()), writer)
     };
     let negative = terms_of(&part(negative));
     let first = part(positive);

@@ -1,0 +1,133 @@
+//! How large an item may be, and how much work it may be to read it and to work it out.
+//!
+//! The largest item that comes with the program has a tenth to a hundredth of what is allowed here.
+
+use crate::diagnostic::{Code, Diagnose, Finding, Label};
+use crate::source::{Data, Source, Span, Value};
+
+/// Bytes of a file of a bank.
+pub(super) const LARGEST_FILE: usize = 1 << 18;
+
+/// Entries of a table or array of an item.
+const MOST_ENTRIES: usize = 500;
+
+/// Parts of an item: a sheet counts them by letters.
+const MOST_PARTS: usize = 100;
+
+/// Letters of a title.
+pub(crate) const LONGEST_TITLE: usize = 300;
+
+/// Findings about one file that are reported.
+const MOST_FINDINGS: usize = 100;
+
+/// Units of work that reading an item may take: about a second.
+pub(super) const READING: u64 = 100_000_000;
+
+/// Something that is larger than its bound.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub(super) enum Excess {
+    #[error("the file has {found} bytes, at most {LARGEST_FILE} are read")]
+    File { found: usize },
+    #[error("`{key}` has {found} entries, at most {most} are read")]
+    Entries {
+        key: String,
+        found: usize,
+        most: usize,
+        span: Span,
+    },
+    #[error("the title has {found} letters, at most {LONGEST_TITLE} are read")]
+    Title { found: usize, span: Span },
+    #[error(
+        "deriving and simplifying the formulas of this item takes more than {} million steps",
+        READING / 1_000_000
+    )]
+    Work,
+    #[error("{more} further findings about this file are not shown")]
+    Findings { more: usize },
+}
+
+/// What of a file's tree is larger than its bound.
+pub(super) fn excesses(tree: &Value) -> Vec<Excess> {
+    let mut found = Vec::new();
+    let mut open = vec![("", tree)];
+    while let Some((key, value)) = open.pop() {
+        let entries = match &value.data {
+            Data::Table(entries) => {
+                open.extend(entries.iter().map(|entry| (&*entry.key, &entry.value)));
+                entries.len()
+            }
+            Data::List(items) => {
+                open.extend(items.iter().map(|item| (key, item)));
+                items.len()
+            }
+            Data::Text(text) if key == "title" => {
+                let letters = text.chars().count();
+                if letters > LONGEST_TITLE {
+                    let span = value.span;
+                    found.push(Excess::Title {
+                        found: letters,
+                        span,
+                    });
+                }
+                continue;
+            }
+            _ => continue,
+        };
+        let most = if key == "part" {
+            MOST_PARTS
+        } else {
+            MOST_ENTRIES
+        };
+        if entries > most {
+            found.push(Excess::Entries {
+                key: if key.is_empty() { "the file" } else { key }.to_owned(),
+                found: entries,
+                most,
+                span: value.span,
+            });
+        }
+    }
+    found
+}
+
+/// The first findings, and how many there are besides.
+pub(super) fn shortened(mut findings: Vec<Finding>, source: &Source) -> Vec<Finding> {
+    if let Some(more) = findings
+        .len()
+        .checked_sub(MOST_FINDINGS)
+        .filter(|more| *more > 0)
+    {
+        findings.truncate(MOST_FINDINGS);
+        findings.push(Finding::of(&Excess::Findings { more }, source));
+    }
+    findings
+}
+
+impl Diagnose for Excess {
+    fn code(&self) -> Code {
+        Code::SIZE
+    }
+
+    fn labels(&self) -> Vec<Label> {
+        let span = match self {
+            Self::Entries { span, .. } | Self::Title { span, .. } => *span,
+            Self::File { .. } | Self::Work | Self::Findings { .. } => return Vec::new(),
+        };
+        vec![Label {
+            span,
+            text: String::new(),
+        }]
+    }
+
+    fn help(&self) -> Option<String> {
+        let help = match self {
+            Self::File { .. } | Self::Entries { .. } => "divide it into several items",
+            Self::Title { .. } => "shorten it, and say the rest in `notes`",
+            Self::Work => {
+                "give intermediate results a unit, so that they are numbers, or nest fewer functions"
+            }
+            Self::Findings { .. } => "mend those that are shown first",
+        };
+        Some(help.to_owned())
+    }
+}

@@ -1,0 +1,216 @@
+//! Bounds on work: what an item may cost is counted in units, the same on every machine, and each bound has a finding
+//! that names it.
+
+use vibank::bank::{Catalogue, embedded};
+use vibank::diagnostic::Finding;
+use vibank::instance::Instance;
+use vibank::scene::{Data, Scene, Undrawn, undrawn};
+use vibank::seed::Seed;
+use vibank::solution::{Solution, proof};
+use vibank::work::within;
+
+/// More than any bound.
+const MUCH: u64 = 1 << 50;
+
+fn bank(item: &str) -> (Catalogue, Vec<Finding>) {
+    Catalogue::load([
+        ("bank.toml", "format = 1\ntitle = 'Test'\n"),
+        ("ch1/_chapter.toml", "title = 'One'\nnumber = 1\n"),
+        ("ch1/x.toml", item),
+    ])
+}
+
+/// An item with other quantities, another statement and other parts.
+fn item(title: &str, quantities: &str, statement: &str, rest: &str) -> String {
+    format!(
+        "[item]\ntitle = '{title}'\nsource = 'by hand'\n\
+         [parameters]\n\
+         m = {{ value = '2 kg', range = '1 .. 5 kg', step = '0.5 kg' }}\n\
+         k = {{ value = '800 N/m', range = '200 .. 900 N/m', step = '50 N/m' }}\n\
+         [quantities]\n\
+         omega_n = {{ formula = 'sqrt(k/m)', unit = 'rad/s' }}\n{quantities}\n\
+         [statement]\ntext = '''{statement}'''\n\
+         [[part]]\nkey = 'omega_n'\nask = 'Find it.'\n{rest}\n"
+    )
+}
+
+/// What reading an item costs, and what is found.
+fn read(item: &str) -> (u64, Vec<String>) {
+    let read = within(MUCH, || bank(item).1);
+    (
+        read.units,
+        read.value.iter().map(ToString::to_string).collect(),
+    )
+}
+
+#[track_caller]
+fn one(found: &[String], code: &str, words: &str) {
+    assert!(
+        found.len() == 1 && found[0].contains(code) && found[0].contains(words),
+        "{found:#?}"
+    );
+}
+
+#[test]
+fn items_of_the_bank_stay_far_below_the_bounds() {
+    for (path, text) in embedded() {
+        if path.contains("/_") || !path.contains('/') {
+            continue;
+        }
+        let (units, _) = read(text);
+        assert!(units < 5_000_000, "reading {path} takes {units} units");
+    }
+}
+
+#[test]
+fn nested_functions_cost_what_they_are_long() {
+    let nested = |depth: usize| {
+        let text = include_str!("../fixtures/bounds/nested-sines.toml");
+        let sines = format!("{}x{}", "sin(".repeat(18), ")".repeat(18));
+        let deeper = format!("{}x{}", "sin(".repeat(depth), ")".repeat(depth));
+        assert!(text.contains(&sines));
+        let (units, found) = read(&text.replace(&sines, &deeper));
+        assert!(found.is_empty(), "{found:?}");
+        units
+    };
+    // The second derivative of n functions in each other has n² terms.
+    let (few, many) = (nested(6), nested(18));
+    assert!(many < 9 * few * 2, "{few} and {many} units");
+}
+
+#[test]
+fn nested_functions_before_factors_are_set_once() {
+    let (catalogue, findings) = bank(include_str!("../fixtures/bounds/nested-products.toml"));
+    assert!(findings.is_empty(), "{findings:?}");
+    let template = catalogue.items().next().expect("it is sound");
+    let instance = Instance::draw(template, Seed::new(7)).expect("it can be drawn");
+    let solution = Solution::of(instance);
+    // With each factor set twice this would be 4¹⁴ pieces.
+    let key = Scene::of(&solution, Data::Both).key(0);
+    assert!(key.is_ok());
+}
+
+#[test]
+fn a_plot_that_takes_too_long_is_not_drawn_and_found() {
+    let (catalogue, findings) = bank(include_str!("../fixtures/bounds/plot-of-integrals.toml"));
+    assert!(findings.is_empty(), "{findings:?}");
+    let template = catalogue.items().next().expect("it is sound");
+    let solution = Solution::of(Instance::of_source(template));
+    let drawn = within(MUCH, || Scene::of(&solution, Data::Both).plot("p"));
+    assert!(matches!(drawn.value, Err(Undrawn::Work)));
+    assert!(drawn.units <= 20_000_000, "{} units", drawn.units);
+    let found: Vec<String> = undrawn(template).iter().map(ToString::to_string).collect();
+    one(&found, "[bank::size]", "more than 20 million steps");
+}
+
+#[test]
+fn values_of_one_set_of_data_share_their_bound() {
+    let integrals: String = (0..300)
+        .map(|number| {
+            format!(
+                "q{number} = {{ formula = 'integral(integral(sin(x*y) + {number}, x, 0, 1), y, 0, 1)', unit = '1' }}\n"
+            )
+        })
+        .collect();
+    let (catalogue, findings) = bank(&item("t", &integrals, "A block.", ""));
+    assert!(findings.is_empty(), "{findings:?}");
+    let template = catalogue.items().next().expect("it is sound");
+    let checked = within(MUCH, || proof::findings(template, 5));
+    assert!(checked.units <= 200_000_000, "{} units", checked.units);
+    let found: Vec<String> = checked.value.iter().map(ToString::to_string).collect();
+    one(&found, "[bank::size]", "more than 20 million steps");
+}
+
+#[test]
+fn chains_are_bounded_whichever_way_they_are_written() {
+    let link = |number: usize| {
+        format!(
+            "q{number} = {{ formula = 'q{} + 1', unit = '1' }}\n",
+            number - 1
+        )
+    };
+    let first = "q0 = { formula = 'm/1[kg]', unit = '1' }\n";
+    let ascending: String = (1..250).map(link).collect();
+    let descending: String = (1..250).rev().map(link).collect();
+    for chain in [first.to_owned() + &ascending, descending + first] {
+        let (_, found) = read(&item("t", &chain, "A block.", ""));
+        one(
+            &found,
+            "[bank::cycle]",
+            "on more than 200 quantities in a row",
+        );
+    }
+    let short: String = (1..200).map(link).collect();
+    let (_, found) = read(&item("t", &(first.to_owned() + &short), "A block.", ""));
+    assert!(found.is_empty(), "{found:?}");
+}
+
+#[test]
+fn what_is_larger_than_its_bound_is_found_and_not_read() {
+    let parts: String = (0..5000)
+        .map(|number| {
+            format!("[[part]]\nid = 'p{number}'\nkey = 'omega_n'\nask = 'x'\nunit = 'rad/s'\n")
+        })
+        .collect();
+    let quantities: String = (0..501)
+        .map(|number| format!("q{number} = '{number}'\n"))
+        .collect();
+    let cases = [
+        (
+            item("t", "", "A block.", &parts[..200_000]),
+            "entries, at most 100 are read",
+        ),
+        (
+            item("t", "", "A block.", &parts),
+            "bytes, at most 262144 are read",
+        ),
+        (
+            item("t", &quantities, "A block.", ""),
+            "`quantities` has 502 entries, at most 500",
+        ),
+        (
+            item(&"t".repeat(301), "", "A block.", ""),
+            "the title has 301 letters, at most 300",
+        ),
+        (
+            item(&"t".repeat(1_000_000), "", "A block.", ""),
+            "the file has 10",
+        ),
+    ];
+    for (item, words) in cases {
+        let (units, found) = read(&item);
+        let found = found
+            .iter()
+            .filter(|finding| !finding.contains("[bank::syntax]"));
+        one(&found.cloned().collect::<Vec<_>>(), "[bank::size]", words);
+        assert_eq!(units, 0);
+    }
+    let (_, found) = read(&item("t", "", &"<< m >> ".repeat(20_000), ""));
+    one(&found, "[text::markup]", "at most 65536 are read");
+    // Findings themselves are counted.
+    let (_, found) = read(&item("t", "", &"$ ".repeat(9_000), ""));
+    assert_eq!(found.len(), 101);
+    assert!(
+        found
+            .iter()
+            .any(|finding| finding.contains("further findings"))
+    );
+}
+
+#[test]
+fn a_constraint_that_never_holds_is_an_error() {
+    let never = item(
+        "t",
+        "",
+        "A block.",
+        "[constraints]\nheavy = 'm > 100[kg]'\n",
+    );
+    let (catalogue, findings) = bank(&never);
+    assert!(findings.is_empty(), "{findings:?}");
+    let template = catalogue.items().next().expect("it is sound");
+    let checked = within(MUCH, || proof::findings(template, 200));
+    let found: Vec<String> = checked.value.iter().map(ToString::to_string).collect();
+    one(&found, "[check::draws]", "`heavy` was broken 1000 times");
+    assert!(found[0].contains("error"), "{found:?}");
+    assert!(checked.units < 2_000_000, "{} units", checked.units);
+}
