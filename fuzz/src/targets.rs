@@ -161,7 +161,7 @@ fn prose(text: &str) -> u64 {
     }
     written(&reading.document, &Vec::new());
     if let Ok(math) = read_math(text) {
-        let _ = (math.mathml(Display::Block), math.latex(), math.typst());
+        let _ = (math.mathml(Display::Block), math.latex(), math.typst(Display::Block));
         let _ = (math.plain(), math.spoken());
     }
     saw(&reading.errors.iter().map(ToString::to_string).collect::<Vec<_>>())

@@ -180,6 +180,20 @@ pub enum BlueprintError {
     /// No `[[question]]`.
     #[error("the blueprint has no question")]
     NoQuestion,
+    /// More of something than a sheet can have.
+    #[error("{what} has {found} {of}, at most {most} are read")]
+    TooMany {
+        /// What it is in.
+        what: &'static str,
+        /// What there are many of.
+        of: &'static str,
+        /// How many.
+        found: usize,
+        /// The most.
+        most: usize,
+        /// Where.
+        span: Span,
+    },
 }
 
 impl Diagnose for BlueprintError {
@@ -189,7 +203,10 @@ impl Diagnose for BlueprintError {
 
     fn labels(&self) -> Vec<Label> {
         match self {
-            Self::Either(_, _, span) | Self::Columns(span) | Self::Word { span, .. } => {
+            Self::Either(_, _, span)
+            | Self::Columns(span)
+            | Self::Word { span, .. }
+            | Self::TooMany { span, .. } => {
                 vec![Label {
                     span: *span,
                     text: String::new(),
@@ -205,12 +222,19 @@ impl Diagnose for BlueprintError {
             Self::Word { known, .. } => format!("it can be {}", known.join(", ")),
             Self::Columns(_) => "name the list with `students`, or remove `columns`".to_owned(),
             Self::NoQuestion => "add a `[[question]]` with an `item`".to_owned(),
+            Self::TooMany { of, .. } => format!("write fewer {of}"),
         })
     }
 }
 
 /// Most variants that one run makes.
 const MOST_VARIANTS: i64 = 100_000;
+
+/// Most questions of a sheet.
+const MOST_QUESTIONS: usize = 200;
+
+/// Most letters of a title.
+const LONGEST_TITLE: usize = 300;
 
 impl Blueprint {
     /// Reads a blueprint.
@@ -282,15 +306,38 @@ impl Faults<'_> {
 fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>, Faults<'s>) {
     let line = |key| table.text(key).map(|text| text.value).unwrap_or_default();
     let keys = keys(&table, &mut faults);
-    let questions: Vec<Question> = table
-        .tables("question")
+    let tables = table.tables("question");
+    if let Some(first) = tables.get(MOST_QUESTIONS) {
+        faults.add(&BlueprintError::TooMany {
+            what: "the blueprint",
+            of: "questions",
+            found: tables.len(),
+            most: MOST_QUESTIONS,
+            span: first.span(),
+        });
+    }
+    let questions: Vec<Question> = tables
         .into_iter()
+        .take(MOST_QUESTIONS)
         .filter_map(|t| question(t, &mut faults))
         .collect();
     if !table.has("question") {
         faults.add(&BlueprintError::NoQuestion);
     }
-    let title = table.required_text("title").map(|text| text.value);
+    let title = table.required_text("title");
+    if let Some(title) = &title {
+        let found = title.value.chars().count();
+        if found > LONGEST_TITLE {
+            faults.add(&BlueprintError::TooMany {
+                what: "the title",
+                of: "letters",
+                found,
+                most: LONGEST_TITLE,
+                span: title.span,
+            });
+        }
+    }
+    let title = title.map(|text| text.value);
     let audience = audience(&table, &mut faults);
     if let Some(value) = table.value("columns")
         && !table.has("students")
