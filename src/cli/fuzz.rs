@@ -3,11 +3,13 @@
 use std::path::PathBuf;
 use std::sync::LazyLock;
 
+use vibank::worksheet::Columns;
+
 use super::{Failure, class_list, files, grade, responses};
 
 /// A class list, as `sheet` reads it: the number of students, or the message.
 pub fn class_list(bytes: &[u8]) -> Result<usize, String> {
-    let students = class_list::read(&input(bytes, "csv"));
+    let students = class_list::read(&input(bytes, "csv"), &Columns::default());
     students
         .map(|students| students.len())
         .map_err(|failure| told(&failure))

@@ -181,10 +181,8 @@ pub enum BlueprintError {
     #[error("the blueprint has no question")]
     NoQuestion,
     /// More of something than a sheet can have.
-    #[error("{what} has {found} {of}, at most {most} are read")]
+    #[error("there are {found} {of}, at most {most} are read")]
     TooMany {
-        /// What it is in.
-        what: &'static str,
         /// What there are many of.
         of: &'static str,
         /// How many.
@@ -277,6 +275,19 @@ impl Faults<'_> {
         self.findings.push(Finding::of(error, self.source));
     }
 
+    /// Notes more of something than is read.
+    fn at_most(&mut self, most: usize, found: usize, of: &'static str, place: Option<Span>) {
+        if found > most {
+            let span = place.unwrap_or(Span::NONE);
+            self.add(&BlueprintError::TooMany {
+                of,
+                found,
+                most,
+                span,
+            });
+        }
+    }
+
     /// The meaning of a word out of a short list.
     fn word<T: Copy>(
         &mut self,
@@ -307,15 +318,9 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
     let line = |key| table.text(key).map(|text| text.value).unwrap_or_default();
     let keys = keys(&table, &mut faults);
     let tables = table.tables("question");
-    if let Some(first) = tables.get(MOST_QUESTIONS) {
-        faults.add(&BlueprintError::TooMany {
-            what: "the blueprint",
-            of: "questions",
-            found: tables.len(),
-            most: MOST_QUESTIONS,
-            span: first.span(),
-        });
-    }
+    let place = tables.get(MOST_QUESTIONS).map(Table::span);
+    let of = "questions";
+    faults.at_most(MOST_QUESTIONS, tables.len(), of, place);
     let questions: Vec<Question> = tables
         .into_iter()
         .take(MOST_QUESTIONS)
@@ -326,16 +331,9 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
     }
     let title = table.required_text("title");
     if let Some(title) = &title {
-        let found = title.value.chars().count();
-        if found > LONGEST_TITLE {
-            faults.add(&BlueprintError::TooMany {
-                what: "the title",
-                of: "letters",
-                found,
-                most: LONGEST_TITLE,
-                span: title.span,
-            });
-        }
+        let letters = title.value.chars().count();
+        let of = "letters in the title";
+        faults.at_most(LONGEST_TITLE, letters, of, Some(title.span));
     }
     let title = title.map(|text| text.value);
     let audience = audience(&table, &mut faults);
