@@ -110,7 +110,7 @@ impl<'a> Reader<'a> {
             self.item()?;
         }
         loop {
-            let kept = (self.scanner, self.builder.clone());
+            let kept = (self.scanner, self.builder);
             let may_end = self.is_front && self.depth == 0;
             let between = self.between();
             match self.further(between, kept.0, divisor) {
