@@ -415,7 +415,7 @@ fn remarks() -> Vec<Remark> {
         let at = Some(At::Behind("k/".to_owned()));
         remarks.push(Remark::Unreadable(Unreadable {
             at,
-            why,
+            why: Box::new(why),
             example: None,
         }));
     }

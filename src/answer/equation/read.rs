@@ -60,13 +60,13 @@ impl Setup {
 }
 
 /// The equations `a = b = c` is.
-fn of_chain(chain: &Chain) -> Result<Vec<Equation>, Why> {
+fn of_chain(chain: &Chain) -> Result<Vec<Equation>, Unreadable> {
     if chain
         .relations
         .iter()
         .any(|relation| *relation != Relation::Equal)
     {
-        return Err(Why::NotInequality);
+        return Err(Why::NotInequality.into());
     }
     let pair = |sides: &[Expr]| Equation {
         left: sides[0].clone(),

@@ -139,7 +139,7 @@ impl Prepared {
     }
 
     /// The numbers of entries without names in SI units, or why they have none.
-    fn numbers(&self, entries: &[Expr], stated: Option<&Unit>) -> Result<Vec<f64>, Why> {
+    fn numbers(&self, entries: &[Expr], stated: Option<&Unit>) -> Result<Vec<f64>, Unreadable> {
         let value = |(place, entry): (usize, &Expr)| {
             let number = crate::expr::Program::compile(entry, &crate::expr::Slots(&[]))
                 .ok()
@@ -156,7 +156,7 @@ impl Prepared {
             if number == 0.0 || shown.dimension() == unit.dimension() {
                 Ok(shown.to_si(number))
             } else {
-                Err(Why::UnitOfEntries(shown))
+                Err(Why::UnitOfEntries(shown).into())
             }
         };
         entries.iter().enumerate().map(value).collect()

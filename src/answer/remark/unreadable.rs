@@ -11,7 +11,7 @@ pub struct Unreadable {
     /// Where, if it is a place.
     pub at: Option<At>,
     /// Why.
-    pub why: Why,
+    pub why: Box<Why>,
     /// What is shown for imitation.
     pub example: Option<Example>,
 }
@@ -283,7 +283,7 @@ impl Unreadable {
     pub fn of(why: Why) -> Self {
         Self {
             at: None,
-            why,
+            why: Box::new(why),
             example: None,
         }
     }
@@ -292,7 +292,7 @@ impl Unreadable {
     pub fn at(place: impl Into<String>, why: Why) -> Self {
         Self {
             at: Some(At::Here(place.into())),
-            why,
+            why: Box::new(why),
             example: None,
         }
     }
@@ -310,7 +310,7 @@ impl TypedError {
     pub(in crate::answer) fn remark(&self, text: &str) -> Unreadable {
         Unreadable {
             at: Some(self.at(text)),
-            why: Why::Formula(self.trouble.clone()),
+            why: Box::new(Why::Formula(self.trouble.clone())),
             example: None,
         }
     }
