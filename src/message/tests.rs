@@ -50,8 +50,8 @@ fn slips() -> Vec<Slip> {
         Slip::CountedComplex { right: 1, of: 2 },
     ];
     let cycles = TwoPi::Cycles {
-        typed: unit("Hz"),
-        asked: unit("rad/s"),
+        typed: Box::new(unit("Hz")),
+        asked: Box::new(unit("rad/s")),
     };
     let two_pi = [
         TwoPi::Formula,
@@ -270,6 +270,7 @@ fn troubles() -> Vec<Trouble> {
     ]
 }
 
+#[expect(clippy::too_many_lines, reason = "a list of them all")]
 fn reasons() -> Vec<Why> {
     let text = || "5".to_owned();
     let turn = Quantity::parse("360 °").expect("a quantity");

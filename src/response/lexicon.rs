@@ -5,8 +5,9 @@ use std::sync::{Arc, OnceLock};
 
 use super::Trouble;
 use super::letters::Letters;
+use super::near::typable;
 use super::vocabulary::{Piece, Words};
-use crate::expr::{Expr, Name, Notation, Symbol};
+use crate::expr::{Expr, Name, Notation, Substitution, Symbol};
 use crate::math::{Math, symbol};
 
 /// The names that a response may use.
@@ -63,6 +64,22 @@ impl Lexicon {
         self.symbols.insert(name.clone(), math);
     }
 
+    /// A name as it is printed, in signs that can be typed: `k2` for k₂.
+    pub(crate) fn typable(&self, name: &Name) -> String {
+        typable(&self.name(name).math.plain())
+    }
+
+    /// A formula in the formula language with the names as they are printed.
+    pub(crate) fn written(&self, formula: &Expr) -> String {
+        let names = formula.names().free.into_iter();
+        let printed = names.fold(Substitution::new(), |put, variable| {
+            let printed = Expr::name(self.typable(&variable.name).as_str());
+            put.with(variable.name, printed)
+        });
+        let printed = printed.apply(formula);
+        printed.map_or_else(|_| formula.to_string(), |printed| printed.to_string())
+    }
+
     /// That a name of the item may not be used, with those that may.
     pub(super) fn not_allowed(&self) -> Trouble {
         Trouble::NotAllowed(self.listed())
@@ -71,10 +88,11 @@ impl Lexicon {
     /// That a word is no name, with the name that is nearest to it or all that there are.
     pub(super) fn unknown(&self, word: &str) -> Trouble {
         let near = self.words().nearest(word);
-        Trouble::Unknown {
-            letters: near.is_none().then(|| self.listed()).unwrap_or_default(),
-            near: near.map(|near| near.to_string()),
-        }
+        let letters = match near {
+            Some(_) => Vec::new(),
+            None => self.listed(),
+        };
+        Trouble::Unknown { near, letters }
     }
 
     /// The names that may be used, unless they are too many to be read.
@@ -82,7 +100,7 @@ impl Lexicon {
         const MOST_LISTED: usize = 12;
         let allowed = self.words().allowed();
         if (1..=MOST_LISTED).contains(&allowed.len()) {
-            allowed.iter().map(ToString::to_string).collect()
+            allowed.to_vec()
         } else {
             Vec::new()
         }

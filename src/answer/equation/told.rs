@@ -5,7 +5,10 @@ use super::points::Choice;
 use super::terms::{Coefficients, Match, Nature, Term, is_nearly, is_same, terms as of_unknowns};
 use crate::answer::meaning::ORDERS;
 use crate::answer::{Coefficient, Fault, Linearity, Term as Named, TermKind, Terms};
-use crate::expr::{Name, Notation, Precise, Program};
+use crate::expr::{Name, Precise, Program};
+
+/// What is wrong with which term.
+type Faults = Vec<(Named, Fault)>;
 
 /// Most data that are named.
 const MOST_NAMED: usize = 3;
@@ -95,7 +98,7 @@ impl Pair<'_> {
     }
 
     /// What is wrong with an equation for small motions, which has still to be linearized besides.
-    fn besides_curves(&self) -> Option<(Vec<(Named, Fault)>, Option<Linearity>)> {
+    fn besides_curves(&self) -> Option<(Faults, Option<Linearity>)> {
         let flat = self.typed.1.linearized();
         let pair = Pair {
             typed: (self.typed.0, &flat),
@@ -106,7 +109,7 @@ impl Pair<'_> {
         Some((faults, Some(Linearity::DueBesides)))
     }
 
-    fn faults(&self, matched: &Match) -> Option<Vec<(Named, Fault)>> {
+    fn faults(&self, matched: &Match) -> Option<Faults> {
         if !matched.is_telling() {
             return None;
         }
@@ -249,11 +252,6 @@ impl Pair<'_> {
 
     /// A name as it is typed: `k2` for k₂.
     fn symbol(&self, name: &Name) -> String {
-        let digit = |char: char| match char {
-            '₀'..='₉' => char::from(b'0' + (u32::from(char) - u32::from('₀')) as u8),
-            char => char,
-        };
-        let plain = self.setup.lexicon.name(name).math.plain();
-        plain.chars().map(digit).collect()
+        self.setup.lexicon.typable(name)
     }
 }

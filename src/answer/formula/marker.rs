@@ -125,8 +125,8 @@ impl Prepared {
             .filter(|other| other.expr != first.expr)
             .find(is_more)?;
         Some(Marking::unreadable(Why::TwoReadings(
-            first.expr.typeset(&self.setup.lexicon).plain(),
-            other.expr.typeset(&self.setup.lexicon).plain(),
+            self.setup.lexicon.written(&first.expr),
+            self.setup.lexicon.written(&other.expr),
         )))
     }
 

@@ -42,7 +42,7 @@ impl Ends<'_> {
         if has_names && !found.fits(&compared(self.setup)) {
             return Err(Misfit::Bound {
                 typed: side.to_owned(),
-                read: expr.typeset(&self.setup.lexicon).plain(),
+                read: self.setup.lexicon.written(&expr),
                 symbol,
             }
             .into());

@@ -71,8 +71,8 @@ impl Numbers {
             return TwoPi::Number;
         }
         TwoPi::Cycles {
-            typed: *typed,
-            asked: self.unit,
+            typed: Box::new(*typed),
+            asked: Box::new(self.unit),
         }
     }
 }

@@ -104,9 +104,9 @@ pub enum TwoPi {
     /// Between a unit that counts cycles and the one that is asked.
     Cycles {
         /// As it was typed.
-        typed: Unit,
+        typed: Box<Unit>,
         /// As it is asked.
-        asked: Unit,
+        asked: Box<Unit>,
     },
     /// In the argument of a sine or cosine.
     Wave,

@@ -109,6 +109,7 @@ fn note(note: &Note) -> String {
     }
 }
 
+#[expect(clippy::too_many_lines, reason = "a table")]
 fn slip(slip: &Slip) -> String {
     match slip {
         Slip::TwoPi(slip) => return two_pi(slip),

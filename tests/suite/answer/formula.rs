@@ -272,7 +272,7 @@ fn slips_are_told_by_what_they_are() {
         &[
             ("m g", "wrong two-pi: It is off by a factor of 2π."),
             ("0", "wrong other: This is zero"),
-            ("2 m g", "wrong other: The symbols fit"),
+            ("2 m g", "wrong other: off by a constant factor"),
             ("6.2832 m g", "wrong near"),
             ("2π m q g", "unreadable: At `q`"),
             ("2π mgQ", "unreadable: At `Q`"),
