@@ -36,6 +36,9 @@ pub trait Declare {
     /// The equations of a model that a path names, `model.equation.x1`; `None`, with a finding, where there are none.
     fn equations(&mut self, text: &Text) -> Option<Vec<Equation>>;
 
+    /// The constraints of the item, which its data meet.
+    fn constraints(&self) -> Vec<Expr>;
+
     /// All names of the item.
     fn known(&self) -> Vec<Known>;
 
@@ -76,6 +79,8 @@ pub enum Role {
         node: NodeId,
         /// Whether it may be negative.
         is_signed: bool,
+        /// Whether it is an integer by its meaning, such as a number of cycles.
+        is_integer: bool,
     },
     /// A letter that only answers use.
     Symbol,

@@ -1,8 +1,9 @@
 //! What the names of an answer stand for: data, free symbols, and formulas in these.
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
+use super::equality::Condition;
 use super::{Declare, Known, Role};
 use crate::expr::{
     Binder, Binding, CompileError, Expr, Form, Name, Precise, Program, Scope, Substitution, Type,
@@ -17,6 +18,10 @@ use crate::source::Text;
 pub(super) struct Meaning {
     pub(super) inputs: Vec<Input>,
     formulas: BTreeMap<Name, (Expr, Type)>,
+    /// What the data of the item have to meet.
+    constraints: Vec<Expr>,
+    /// The same over the inputs, once it was compiled.
+    conditions: OnceLock<Vec<Condition>>,
 }
 
 /// A name that varies freely.
@@ -29,6 +34,8 @@ pub(super) struct Input {
     /// Where its value for an instance is to be had.
     node: Option<NodeId>,
     pub(super) is_signed: bool,
+    /// Whether it is an integer by its meaning, such as a number of cycles.
+    pub(super) is_integer: bool,
     /// Whether its time derivatives vary freely, too.
     pub(super) is_moving: bool,
 }
@@ -52,6 +59,8 @@ impl Meaning {
         let mut meaning = Self {
             inputs: Vec::new(),
             formulas: BTreeMap::new(),
+            constraints: declare.constraints(),
+            conditions: OnceLock::new(),
         };
         let is_named_twice = |own: &Known| {
             known
@@ -76,6 +85,7 @@ impl Meaning {
                 kind: Type::real(crate::unit::Dimension::TIME),
                 node: None,
                 is_signed: false,
+                is_integer: false,
                 is_moving: false,
             });
         }
@@ -89,12 +99,18 @@ impl Meaning {
             kind: own.kind.clone(),
             node,
             is_signed,
+            is_integer: false,
             is_moving,
         };
         match own.role {
-            Role::Parameter { node, is_signed } => {
-                self.inputs.push(input(Some(node), is_signed, false));
-            }
+            Role::Parameter {
+                node,
+                is_signed,
+                is_integer,
+            } => self.inputs.push(Input {
+                is_integer,
+                ..input(Some(node), is_signed, false)
+            }),
             Role::Symbol => self.inputs.push(input(None, true, false)),
             Role::Coordinate => self.inputs.push(input(None, true, true)),
             Role::Quantity { node, .. } => {
@@ -118,6 +134,7 @@ impl Meaning {
             kind: Type::real(None),
             node: None,
             is_signed: true,
+            is_integer: false,
             is_moving: false,
         });
     }
@@ -131,14 +148,22 @@ impl Meaning {
                 kind,
                 node: None,
                 is_signed: true,
+                is_integer: false,
                 is_moving: true,
             });
         }
         if let Some(input) = self.inputs.iter_mut().find(|input| input.name == *name) {
             input.is_moving = true;
             input.node = None;
+            input.is_integer = false;
             input.is_signed = true;
         }
+    }
+
+    /// The conditions that the data of the item have to meet.
+    pub(super) fn conditions(&self) -> &[Condition] {
+        let compile = || Condition::of(self, &self.constraints);
+        self.conditions.get_or_init(compile)
     }
 
     /// A point with the data of another.

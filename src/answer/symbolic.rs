@@ -15,7 +15,7 @@ pub(super) fn formula(graph: &Graph, node: NodeId) -> Expr {
 }
 
 /// A formula with those of models in place of their paths, where they have one.
-pub(super) fn without_paths(graph: &Graph, expr: &Expr) -> Expr {
+pub(crate) fn without_paths(graph: &Graph, expr: &Expr) -> Expr {
     if !expr.has_paths() {
         return expr.clone();
     }

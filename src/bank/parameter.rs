@@ -119,6 +119,13 @@ impl Grid {
         })
     }
 
+    /// Whether all its values are integers.
+    pub fn is_integer(&self) -> bool {
+        [self.lo, self.step]
+            .iter()
+            .all(|own| own.to_f64().fract() == 0.0)
+    }
+
     /// How many values it has.
     pub fn count(&self) -> u64 {
         self.count
@@ -171,6 +178,11 @@ pub(crate) enum Field {
 }
 
 impl Parameter {
+    /// Whether it is an integer by its meaning, such as a number of cycles: a pure number that is drawn from integers.
+    pub fn is_integer(&self) -> bool {
+        self.unit.is_one() && self.grid.is_some_and(|grid| grid.is_integer())
+    }
+
     /// A parameter from its texts; each error names the text it is about.
     pub(crate) fn of(
         name: &Name,

@@ -1,7 +1,9 @@
 //! `vibank mark`
 
-use serde_json::{Value as Json, json};
-use vibank::grade::request;
+use serde_json::{Map, Value as Json};
+use vibank::answer::Verdict;
+use vibank::grade::request::{self, Request};
+use vibank::solution::Session;
 
 use super::bank::BankArgument;
 use super::{Failure, Outcome, lines, solve};
@@ -46,46 +48,48 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let catalogue = arguments.bank.catalogue()?;
+    let mut session = Session::new(&catalogue);
     if arguments.jsonl {
-        return lines::answer(|line| request::answer(&catalogue, line));
+        return lines::answer(|line| request::answer(&mut session, line));
     }
-    let line = json!({
-        "id": arguments.item,
-        "part": arguments.part,
-        "response": arguments.response,
-        "set": solve::settings(&arguments.set)?,
-        "earlier": earlier(&arguments.earlier)?,
-        "seed": arguments.seed,
-    });
-    let reply = request::answer(&catalogue, &line.to_string());
-    let value: Json = serde_json::from_str(&reply).expect("the reply is JSON");
-    if let Some(error) = value.get("error") {
-        return Err(Failure::new(error["message"].as_str().unwrap_or_default()));
-    }
+    let request = Request {
+        id: arguments.item.clone().unwrap_or_default(),
+        set: solve::settings(&arguments.set)?,
+        seed: arguments.seed,
+        part: arguments.part.clone().unwrap_or_default(),
+        response: arguments.response.clone().unwrap_or_default(),
+        earlier: earlier(&arguments.earlier)?,
+        tag: None,
+    };
+    let reply = request::reply(&mut session, request);
+    let marked = match &reply.outcome {
+        request::Outcome::Marked(marked) => marked,
+        request::Outcome::Refused { error } => return Err(Failure::new(error.message.as_str())),
+    };
     if arguments.json {
-        println!("{reply}");
+        let text = serde_json::to_string(&reply).expect("a reply is plain data");
+        println!("{text}");
     } else {
         println!(
             "{}, credit {}",
-            value["verdict"].as_str().unwrap_or_default(),
-            value["credit"]
+            marked.verdict.name(),
+            Json::from(marked.credit.share().to_f64())
         );
-        if let Some(text) = value["text"].as_str() {
+        if let Some(text) = &marked.text {
             println!("read as {text}");
         }
-        for feedback in value["feedback"].as_array().into_iter().flatten() {
-            println!("{}", feedback.as_str().unwrap_or_default());
+        for remark in &marked.feedback {
+            println!("{}", remark.plain());
         }
     }
-    Ok(if value["verdict"] == "right" {
-        Outcome::Done
-    } else {
-        Outcome::Findings
+    Ok(match marked.verdict {
+        Verdict::Right => Outcome::Done,
+        _ => Outcome::Findings,
     })
 }
 
 /// Answers to earlier parts, by part.
-fn earlier(given: &[String]) -> Result<Json, Failure> {
+fn earlier(given: &[String]) -> Result<Map<String, Json>, Failure> {
     let pair = |text: &String| {
         let (part, response) = text.split_once('=').ok_or_else(|| {
             Failure::new(format!("`{text}` is no answer to a part"))
@@ -93,9 +97,5 @@ fn earlier(given: &[String]) -> Result<Json, Failure> {
         })?;
         Ok((part.trim().to_owned(), Json::from(response.trim())))
     };
-    given
-        .iter()
-        .map(pair)
-        .collect::<Result<_, _>>()
-        .map(Json::Object)
+    given.iter().map(pair).collect()
 }

@@ -1,7 +1,9 @@
 //! `vibank solve`
 
+use serde::Serialize;
 use serde_json::{Map, Value as Json, json};
-use vibank::solution::request::{self, Request};
+use vibank::solution::request::{self, Request, Solved};
+use vibank::solution::{Entry, Nested, Session};
 
 use super::bank::BankArgument;
 use super::{Failure, Outcome, lines};
@@ -42,7 +44,8 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let catalogue = arguments.bank.catalogue()?;
     if arguments.jsonl {
-        return lines::answer(|line| request::answer(&catalogue, line));
+        let mut session = Session::new(&catalogue);
+        return lines::answer(|line| request::answer(&mut session, line));
     }
     let request = Request {
         id: arguments.item.clone().unwrap_or_default(),
@@ -56,23 +59,18 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         want: (!arguments.want.is_empty()).then(|| arguments.want.clone()),
         tag: None,
     };
-    let (reply, trace) = request::reply_traced(&catalogue, &request);
+    let (reply, trace) = request::reply(&mut Session::new(&catalogue), request);
     if arguments.json {
-        println!("{}", Json::Object(reply.clone()));
+        let text = serde_json::to_string(&reply).expect("a reply is plain data");
+        println!("{text}");
     }
-    if let Some(error) = reply.get("error") {
-        let message = error
-            .get("message")
-            .and_then(Json::as_str)
-            .unwrap_or_default();
-        return if arguments.json {
-            Ok(Outcome::Findings)
-        } else {
-            Err(Failure::new(message))
-        };
-    }
-    if !arguments.json {
-        print(&reply);
+    match &reply.outcome {
+        request::Outcome::Refused { error } if !arguments.json => {
+            return Err(Failure::new(error.message.as_str()));
+        }
+        request::Outcome::Refused { .. } => return Ok(Outcome::Findings),
+        request::Outcome::Solved(solved) if !arguments.json => print(&reply.id, solved),
+        request::Outcome::Solved(_) => {}
     }
     if let Some(trace) = trace.filter(|_| arguments.trace) {
         eprintln!("computed: {}", trace.computed.join(", "));
@@ -92,36 +90,43 @@ pub(crate) fn settings(pairs: &[String]) -> Result<Map<String, Json>, Failure> {
     pairs.iter().map(pair).collect()
 }
 
-fn print(reply: &Map<String, Json>) {
-    let objects = |key: &str| {
-        reply
-            .get(key)
-            .and_then(Json::as_object)
-            .cloned()
-            .unwrap_or_default()
-    };
-    println!("{}\n\ngiven", reply["id"].as_str().unwrap_or_default());
-    for (name, value) in objects("parameters") {
-        println!("  {name:<12} {} {}", value["value"], unit(&value["unit"]));
+fn print(id: &str, solved: &Solved) {
+    println!("{id}\n\ngiven");
+    for (name, given) in &solved.parameters {
+        let unit = Nested::One(given.unit.clone());
+        println!("  {name:<12} {} {}", Json::from(given.value), shown_unit(&unit));
     }
     println!("\nanswers");
-    for (id, entry) in objects("answers") {
-        let shown = match (entry.get("si"), entry.get("value"), entry.get("text")) {
-            (Some(Json::Null), ..) => format!("– {}", entry["reason"].as_str().unwrap_or_default()),
-            (Some(si), ..) => format!("{si} {}", unit(&entry["unit"])),
-            (_, Some(Json::String(value)), _) | (_, _, Some(Json::String(value))) => value.clone(),
-            (_, Some(value), _) => value.to_string(),
-            _ => String::new(),
-        };
-        println!("  {id:<12} {shown}");
+    for (id, entry) in &solved.answers {
+        println!("  {id:<12} {}", shown(entry));
     }
 }
 
-fn unit(unit: &Json) -> String {
-    match unit {
-        Json::String(unit) if unit == "1" => String::new(),
-        Json::String(unit) => unit.clone(),
-        Json::Null => String::new(),
-        other => other.to_string(),
+/// An answer on one line.
+fn shown(entry: &Entry) -> String {
+    if let Some(reason) = &entry.reason {
+        return format!("– {reason}");
     }
+    match (&entry.si, &entry.value, &entry.text) {
+        (Some(si), ..) => {
+            let unit = entry.unit.as_ref().map_or_else(String::new, shown_unit);
+            format!("{} {unit}", nested(si))
+        }
+        (None, Some(Nested::One(option)), _) => option.clone(),
+        (None, Some(options), _) => nested(options),
+        (None, None, text) => text.clone().unwrap_or_default(),
+    }
+}
+
+fn shown_unit(unit: &Nested<String>) -> String {
+    match unit {
+        Nested::One(unit) if unit == "1" => String::new(),
+        Nested::One(unit) => unit.clone(),
+        units => nested(units),
+    }
+}
+
+/// Values as a program would get them.
+fn nested<T: Serialize>(values: &Nested<T>) -> String {
+    serde_json::to_string(values).expect("values are plain data")
 }

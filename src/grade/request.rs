@@ -5,13 +5,14 @@
 //! {"id":"ch4/p3-base-excited-relative","part":"omega_n","response":"1.095 rad/s","earlier":{"k_eq":"k1*k2/(k1 + k2)"}}
 //! ```
 
-use serde::Deserialize;
-use serde_json::{Map, Value as Json, json};
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value as Json};
 
-use super::{Grade, remarks};
-use crate::bank::{Catalogue, Template};
-use crate::solution::Solution;
-use crate::solution::request::{Refusal, find, instance, read};
+use super::{Grade, Comment, remarks};
+use crate::answer::{Credit, Reason, Verdict};
+use crate::bank::Template;
+use crate::solution::Session;
+use crate::solution::request::{Refusal, read};
 
 /// A response to be marked.
 #[derive(Clone, Debug, Deserialize)]
@@ -37,24 +38,74 @@ pub struct Request {
     pub tag: Option<Json>,
 }
 
-/// Answers one line; the reply has no line break.
-pub fn answer(catalogue: &Catalogue, line: &str) -> String {
-    let reply = read(line).map_or_else(
-        |refused| refused,
-        |request: Request| {
-            let mut reply = marked(catalogue, &request)
-                .unwrap_or_else(|refusal| Map::from_iter([("error".to_owned(), json!(refusal))]));
-            if let Some(tag) = request.tag {
-                reply.insert("tag".to_owned(), tag);
-            }
-            reply
-        },
-    );
-    Json::Object(reply).to_string()
+/// What became of a response, or why there is no mark.
+#[derive(Clone, Debug, Serialize)]
+pub struct Reply {
+    /// Either of them.
+    #[serde(flatten)]
+    pub outcome: Outcome,
+    /// The tag of the request.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tag: Option<Json>,
 }
 
-fn marked(catalogue: &Catalogue, request: &Request) -> Result<Map<String, Json>, Refusal> {
-    let template = find(catalogue, &request.id)?;
+/// A mark, or a refusal.
+#[derive(Clone, Debug, Serialize)]
+#[serde(untagged)]
+pub enum Outcome {
+    /// The mark.
+    Marked(Marked),
+    /// Why there is none.
+    Refused {
+        /// Its code and what is wrong.
+        error: Refusal,
+    },
+}
+
+/// The mark of a response.
+#[derive(Clone, Debug, Serialize)]
+pub struct Marked {
+    /// How it fared.
+    pub verdict: Verdict,
+    /// The share of the points.
+    pub credit: Credit,
+    /// How it was read, in LaTeX.
+    pub reading: Option<String>,
+    /// The same in the formula language.
+    pub text: Option<String>,
+    /// Its numbers in SI units.
+    pub si: Option<Vec<f64>>,
+    /// The codes of the reasons, the main one first.
+    pub reasons: Vec<String>,
+    /// What is said about it.
+    pub feedback: Vec<Comment>,
+}
+
+/// Answers one line; the reply has no line break.
+pub fn answer(session: &mut Session<'_>, line: &str) -> String {
+    match read(line) {
+        Ok(request) => {
+            let reply = reply(session, request);
+            serde_json::to_string(&reply).expect("a reply is plain data")
+        }
+        Err(refused) => Json::Object(refused).to_string(),
+    }
+}
+
+/// Answers one request.
+pub fn reply(session: &mut Session<'_>, request: Request) -> Reply {
+    let outcome = match marked(session, &request) {
+        Ok(marked) => Outcome::Marked(marked),
+        Err(error) => Outcome::Refused { error },
+    };
+    Reply {
+        outcome,
+        tag: request.tag,
+    }
+}
+
+fn marked(session: &mut Session<'_>, request: &Request) -> Result<Marked, Refusal> {
+    let template = session.find(&request.id)?;
     let place = place(template, &request.part)?;
     let mut responses = vec![(place, request.response.as_str())];
     for (part, response) in &request.earlier {
@@ -71,36 +122,19 @@ fn marked(catalogue: &Catalogue, request: &Request) -> Result<Map<String, Json>,
         }
         responses.push((earlier, response));
     }
-    let solution = Solution::of(instance(template, request.seed, &request.set)?);
+    let solution = session.solution(template, request.seed, &request.set)?;
     let grade = Grade::mark(&solution, responses);
     let marking = grade.part(place).expect("its response was marked");
-    let feedback = remarks(&solution, place, marking);
     let reading = marking.reading.as_ref();
-    Ok(Map::from_iter([
-        ("verdict".to_owned(), json!(marking.verdict)),
-        ("credit".to_owned(), json!(marking.credit)),
-        (
-            "reading".to_owned(),
-            json!(reading.map(|reading| reading.math.latex())),
-        ),
-        (
-            "text".to_owned(),
-            json!(reading.map(|reading| &reading.text)),
-        ),
-        (
-            "si".to_owned(),
-            json!(reading.map(|reading| reading.answered.si())),
-        ),
-        (
-            "reasons".to_owned(),
-            marking
-                .reasons()
-                .iter()
-                .map(|reason| Json::from(reason.code()))
-                .collect(),
-        ),
-        ("feedback".to_owned(), json!(feedback)),
-    ]))
+    Ok(Marked {
+        verdict: marking.verdict,
+        credit: marking.credit,
+        reading: reading.map(|reading| reading.math.latex()),
+        text: reading.map(|reading| reading.text.clone()),
+        si: reading.map(|reading| reading.answered.si()),
+        reasons: marking.reasons().iter().map(Reason::code).collect(),
+        feedback: remarks(&solution, place, marking),
+    })
 }
 
 /// The place of a part in its item.

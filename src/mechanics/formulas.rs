@@ -3,7 +3,7 @@
 use super::numbers::Single;
 use super::quantity::Quantity;
 use super::{Lack, Model};
-use crate::expr::{Constant, Equation, Expr, Function, Kind, Normal, Operator, SymbolicError};
+use crate::expr::{Equation, Expr, Function, Kind, Normal, Operator, Substitution};
 
 impl Model {
     /// A quantity as a formula in the names of the model, where it has one.
@@ -68,41 +68,25 @@ impl Model {
     /// A number of one degree of freedom in terms of m, c and k.
     fn formula_of_single(&self, single: Single) -> Result<Expr, Lack> {
         let [mass, damping, stiffness] = self.coefficients()?;
-        let two = Normal::of(&Expr::number(2))?;
-        let root = |formula: &Normal| Expr::call(Function::Sqrt, [self.written(formula)]);
-        let square = || stiffness.over(&mass);
-        let decay = || damping.over(&two.times(&mass)?);
-        let angular = |damped: i32| -> Result<Expr, SymbolicError> {
-            let rate = decay()?;
-            let less = rate
-                .times(&rate)?
-                .times(&Normal::of(&Expr::number(-damped))?)?;
-            Ok(root(&square()?.plus(&less)?))
-        };
-        let turn = || product(Expr::number(2), Expr::constant(Constant::Pi));
-        let geometric = || -> Result<Expr, SymbolicError> { Ok(root(&stiffness.times(&mass)?)) };
-        Ok(match single {
-            Single::Mass => self.written(&mass),
-            Single::Damping => self.written(&damping),
-            Single::Stiffness => self.written(&stiffness),
-            Single::NaturalAngularFrequency => root(&square()?),
-            Single::NaturalFrequency => ratio(root(&square()?), turn()),
-            Single::Period => product(turn(), root(&mass.over(&stiffness)?)),
-            Single::DecayRate => self.written(&decay()?),
-            Single::DampingRatio => {
-                let below = product(Expr::number(2), geometric()?);
-                ratio(self.written(&damping), below)
-            }
-            Single::CriticalDamping => product(Expr::number(2), geometric()?),
-            Single::DampedAngularFrequency => angular(1)?,
-            Single::DampedPeriod => ratio(turn(), angular(1)?),
-            Single::LogarithmicDecrement => {
-                let above = product(turn(), self.written(&decay()?));
-                ratio(above, angular(1)?)
-            }
-            Single::QualityFactor => ratio(geometric()?, self.written(&damping)),
-            Single::ResonanceAngularFrequency => angular(2)?,
-        })
+        let expr = |coefficient: &Normal| self.written(coefficient);
+        let put = Substitution::new()
+            .with("m", expr(&mass))
+            .with("c", expr(&damping))
+            .with("k", expr(&stiffness));
+        let definition = Expr::read(single.definition()).map_err(|_| Lack::NoFormula)?;
+        self.in_normal_form(&definition, &put)
+    }
+
+    /// A definition with the coefficients put in; what has no root and no number like π is written in normal form.
+    fn in_normal_form(&self, definition: &Expr, put: &Substitution) -> Result<Expr, Lack> {
+        let mut is_rational = !definition.names().free.is_empty();
+        definition.walk(&mut |node| {
+            is_rational &= !matches!(node.kind(), Kind::Call(..) | Kind::Constant(_));
+        });
+        if is_rational {
+            return Ok(self.written(&Normal::of(&put.apply(definition)?)?));
+        }
+        definition.try_map_children(&mut |child| self.in_normal_form(child, put))
     }
 }
 
@@ -110,6 +94,3 @@ fn product(a: Expr, b: Expr) -> Expr {
     Expr::derived(Kind::Binary(Operator::Multiply, a, b))
 }
 
-fn ratio(a: Expr, b: Expr) -> Expr {
-    Expr::derived(Kind::Binary(Operator::Divide, a, b))
-}

@@ -24,6 +24,7 @@ mod numbers;
 mod order;
 mod programs;
 mod quantity;
+mod relation;
 mod squares;
 
 pub use definition::{Coordinate, Definition, Friction, Initial};

@@ -397,6 +397,10 @@ fn reasons() -> Vec<Why> {
         Why::TwoFunctions("x1".to_owned()),
         Why::FunctionMissing,
         Why::Undifferentiable,
+        Why::TooManyConstants {
+            most: 16,
+            needed: 4,
+        },
     ];
     all.extend(troubles().into_iter().map(Why::Formula));
     all

@@ -272,6 +272,14 @@ impl Graph {
             .collect()
     }
 
+    /// The data on which a node depends.
+    pub fn parameters(&self, id: NodeId) -> Vec<NodeId> {
+        let nodes = self.reach(id).iter().filter_map(|name| self.find(name));
+        nodes
+            .filter(|datum| matches!(self.node(*datum).role, Role::Parameter(_)))
+            .collect()
+    }
+
     pub(super) fn node(&self, id: NodeId) -> &Node {
         &self.nodes[id.index()]
     }

@@ -1,15 +1,79 @@
 //! An answer as a program gets it: the entries of `solve`.
 
-use serde_json::{Map, Value as Json, json};
+use serde::Serialize;
 
 use super::Solution;
 use crate::answer::KeyValue;
 use crate::bank::{QuantityInfo, Units};
-use crate::expr::{Field, Form, Precise, Shape, Value};
+use crate::expr::{Field, Form, Name, Precise, Shape, Type, Value};
 use crate::quantity::{Absent, NodeId};
+use crate::unit::Unit;
 
-/// One answer as a JSON object.
-pub type Entry = Json;
+/// One answer. What it has depends on its kind; `si` is `null` with a reason where the answer does not exist.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Entry {
+    /// The kind of its part, or `quantity`.
+    pub kind: &'static str,
+    /// The coherent units of its numbers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unit: Option<Nested<String>>,
+    /// The times of the samples of a function, in seconds.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub at: Option<Vec<f64>>,
+    /// Its numbers in SI units.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub si: Option<Nested<Number>>,
+    /// Why there are none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reason: Option<String>,
+    /// The right options of a choice.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub value: Option<Nested<String>>,
+    /// A formula in the formula language, or intervals as inequalities.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub text: Option<String>,
+    /// A formula in LaTeX.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub latex: Option<String>,
+}
+
+/// Values nested as the entries of a vector or matrix, or the samples of a function.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Nested<T> {
+    /// One value.
+    One(T),
+    /// Several.
+    List(Vec<Nested<T>>),
+    /// None, `null`.
+    None(()),
+}
+
+/// A number as a program gets it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Number {
+    /// A real number.
+    Real(f64),
+    /// What is true or false.
+    Truth(bool),
+    /// A complex number.
+    Complex {
+        /// Its real part.
+        re: f64,
+        /// Its imaginary part.
+        im: f64,
+    },
+    /// An interval.
+    Interval {
+        /// Its lower end, if it has one.
+        from: Option<f64>,
+        /// Its upper end, if it has one.
+        to: Option<f64>,
+        /// Whether the ends are left out.
+        open: [bool; 2],
+    },
+}
 
 impl Solution<'_> {
     /// The entry of an answer id: a quantity with a unit, or a part. Functions of time are given at the times `at`.
@@ -19,7 +83,7 @@ impl Solution<'_> {
         let kind = part.map_or("quantity", |place| {
             template.parts[place].answer.kind().name()
         });
-        let named = template.graph.find(&crate::expr::Name::new(id));
+        let named = template.graph.find(&Name::new(id));
         let quantity = named.and_then(|node| Some((node, template.info(node)?)));
         if let Some((node, info)) = quantity.filter(|(_, info)| info.units.is_some()) {
             return Some(self.quantity_entry(kind, node, info, at));
@@ -29,149 +93,162 @@ impl Solution<'_> {
 
     fn quantity_entry(
         &self,
-        kind: &str,
+        kind: &'static str,
         node: NodeId,
         info: &QuantityInfo,
         at: &[Precise],
     ) -> Entry {
-        let variables = self.template().graph.variables(node);
-        let mut entry = Map::new();
-        entry.insert("kind".into(), kind.into());
+        let graph = &self.template().graph;
+        let variables = graph.variables(node);
         if variables.iter().any(|name| name.as_str() != "t") {
-            let text = self.template().graph.expr(node).map(ToString::to_string);
-            entry.insert("text".into(), text.into());
-            return Json::Object(entry);
+            let text = graph.expr(node).map(ToString::to_string);
+            return Entry {
+                text,
+                ..Entry::of(kind)
+            };
         }
+        let unit = |shape| info.units.as_ref().map(|own| units(own, shape));
         if !variables.is_empty() {
-            let unit = info
-                .units
-                .as_ref()
-                .map(|units| units_json(units, Shape::Scalar));
-            entry.insert("unit".into(), unit.into());
-            entry.insert(
-                "at".into(),
-                at.iter().map(|time| json!(time.high())).collect(),
-            );
-            let samples = self.evaluation().function(node).map(|function| {
-                at.iter()
-                    .map(|time| {
-                        function
-                            .at(&[*time])
-                            .map_or(Json::Null, |value| numbers_json(&value))
-                    })
-                    .collect()
+            let function = self.evaluation().function(node);
+            let samples = function.map(|function| {
+                let sample = |time: &Precise| match function.at(&[*time]) {
+                    Ok(value) => numbers(&value),
+                    Err(_) => Nested::None(()),
+                };
+                Nested::List(at.iter().map(sample).collect())
             });
-            insert_value(&mut entry, samples);
-            return Json::Object(entry);
+            let entry = Entry {
+                unit: unit(Shape::Scalar),
+                at: Some(at.iter().map(|time| time.high()).collect()),
+                ..Entry::of(kind)
+            };
+            return entry.with_value(samples);
         }
-        let value = self.evaluation().value(node);
-        let shape = self
-            .template()
-            .graph
-            .kind(node)
-            .map_or(Shape::Scalar, crate::expr::Type::shape);
-        entry.insert(
-            "unit".into(),
-            info.units
-                .as_ref()
-                .map(|units| units_json(units, shape))
-                .into(),
-        );
-        insert_value(&mut entry, value.map(numbers_json));
-        Json::Object(entry)
+        let shape = graph.kind(node).map_or(Shape::Scalar, Type::shape);
+        let entry = Entry {
+            unit: unit(shape),
+            ..Entry::of(kind)
+        };
+        entry.with_value(self.evaluation().value(node).map(numbers))
     }
 
-    fn part_entry(&self, kind: &str, place: usize) -> Entry {
-        let mut entry = Map::new();
-        entry.insert("kind".into(), kind.into());
-        let part = &self.template().parts[place];
+    fn part_entry(&self, kind: &'static str, place: usize) -> Entry {
+        let entry = Entry::of(kind);
+        let unit = || {
+            let unit = self.template().parts[place].answer.unit();
+            let unit = unit.map_or_else(|| "1".to_owned(), |unit| unit.coherent().to_string());
+            Some(Nested::One(unit))
+        };
         match self.marker(place).map(|marker| marker.key().value) {
             Ok(KeyValue::Numbers { form, si }) => {
-                let unit = part
-                    .answer
-                    .unit()
-                    .map_or_else(|| "1".to_owned(), |unit| unit.coherent().to_string());
-                entry.insert("unit".into(), unit.into());
                 let bounds = vec![0.0; si.len()];
-                entry.insert(
-                    "si".into(),
-                    Value::new(form, si, bounds).map_or(Json::Null, |value| numbers_json(&value)),
-                );
+                let value = Value::new(form, si, bounds);
+                Entry {
+                    unit: unit(),
+                    si: Some(value.map_or(Nested::None(()), |value| numbers(&value))),
+                    ..entry
+                }
             }
-            Ok(KeyValue::Options { ids, is_list: true }) => {
-                entry.insert("value".into(), ids.into());
-            }
-            Ok(KeyValue::Options {
-                ids,
-                is_list: false,
-            }) => {
-                entry.insert("value".into(), ids.into_iter().next().into());
+            Ok(KeyValue::Options { ids, is_list }) => {
+                let mut ids = ids.into_iter().map(Nested::One);
+                let value = if is_list {
+                    Nested::List(ids.collect())
+                } else {
+                    ids.next().unwrap_or(Nested::None(()))
+                };
+                Entry {
+                    value: Some(value),
+                    ..entry
+                }
             }
             Ok(KeyValue::Intervals { pieces, text }) => {
-                let unit = part
-                    .answer
-                    .unit()
-                    .map_or_else(|| "1".to_owned(), |unit| unit.coherent().to_string());
-                entry.insert("unit".into(), unit.into());
-                let piece = |([from, to], open): ([Option<f64>; 2], [bool; 2])| json!({ "from": from, "to": to, "open": open });
-                entry.insert("si".into(), pieces.into_iter().map(piece).collect());
-                entry.insert("text".into(), text.into());
+                let piece = |([from, to], open): ([Option<f64>; 2], [bool; 2])| {
+                    Nested::One(Number::Interval { from, to, open })
+                };
+                Entry {
+                    unit: unit(),
+                    si: Some(Nested::List(pieces.into_iter().map(piece).collect())),
+                    text: Some(text),
+                    ..entry
+                }
             }
-            Ok(KeyValue::Formula { text, latex }) => {
-                entry.insert("text".into(), text.into());
-                entry.insert("latex".into(), latex.into());
-            }
-            Err(absent) => insert_value(&mut entry, Err(absent)),
+            Ok(KeyValue::Formula { text, latex }) => Entry {
+                text: Some(text),
+                latex: Some(latex),
+                ..entry
+            },
+            Err(absent) => entry.with_value(Err(absent)),
         }
-        Json::Object(entry)
     }
 }
 
-/// `si`, or `null` with the reason.
-fn insert_value(entry: &mut Map<String, Json>, value: Result<Json, Absent>) {
-    match value {
-        Ok(value) => {
-            entry.insert("si".into(), value);
+impl Entry {
+    fn of(kind: &'static str) -> Self {
+        Self {
+            kind,
+            ..Self::default()
         }
-        Err(absent) => {
-            entry.insert("si".into(), Json::Null);
-            entry.insert("reason".into(), absent.to_string().into());
+    }
+
+    /// The value, or none with the reason.
+    fn with_value(self, value: Result<Nested<Number>, Absent>) -> Self {
+        match value {
+            Ok(value) => Self {
+                si: Some(value),
+                ..self
+            },
+            Err(absent) => Self {
+                si: Some(Nested::None(())),
+                reason: Some(absent.to_string()),
+                ..self
+            },
         }
     }
 }
 
 /// One unit, or units nested as the entries are.
-fn units_json(units: &Units, shape: Shape) -> Json {
-    let coherent = |unit: &crate::unit::Unit| Json::from(unit.coherent().to_string());
+fn units(units: &Units, shape: Shape) -> Nested<String> {
+    let coherent = |unit: &Unit| Nested::One(unit.coherent().to_string());
     match (units, shape) {
         (Units::One(unit), _) => coherent(unit),
-        (Units::Each(units), Shape::Matrix(_, columns)) => units
-            .chunks(columns)
-            .map(|row| Json::Array(row.iter().map(coherent).collect()))
-            .collect(),
-        (Units::Each(units), _) => units.iter().map(coherent).collect(),
+        (Units::Each(units), Shape::Matrix(_, columns)) => Nested::List(
+            units
+                .chunks(columns)
+                .map(|row| Nested::List(row.iter().map(coherent).collect()))
+                .collect(),
+        ),
+        (Units::Each(units), _) => Nested::List(units.iter().map(coherent).collect()),
     }
 }
 
 /// Numbers nested as their shape has them.
-fn numbers_json(value: &Value) -> Json {
+fn numbers(value: &Value) -> Nested<Number> {
     let Form { field, shape } = value.form();
-    let entry = |position: usize| match field {
-        Field::Boolean => Json::Bool(value.entry(position).re != 0.0),
-        Field::Real => json!(value.entry(position).re),
-        Field::Complex => json!({ "re": value.entry(position).re, "im": value.entry(position).im }),
+    let entry = |position: usize| {
+        let own = value.entry(position);
+        Nested::One(match field {
+            Field::Boolean => Number::Truth(own.re != 0.0),
+            Field::Real => Number::Real(own.re),
+            Field::Complex => Number::Complex {
+                re: own.re,
+                im: own.im,
+            },
+        })
     };
     match shape {
         Shape::Scalar => entry(0),
-        Shape::Vector(length) => (0..length).map(entry).collect(),
-        Shape::Matrix(rows, columns) => (0..rows)
-            .map(|row| {
-                Json::Array(
-                    (0..columns)
-                        .map(|column| entry(row * columns + column))
+        Shape::Vector(length) => Nested::List((0..length).map(entry).collect()),
+        Shape::Matrix(rows, columns) => {
+            let row = |row: usize| {
+                let columns = 0..columns;
+                Nested::List(
+                    columns
+                        .clone()
+                        .map(|column| entry(row * columns.len() + column))
                         .collect(),
                 )
-            })
-            .collect(),
+            };
+            Nested::List((0..rows).map(row).collect())
+        }
     }
 }

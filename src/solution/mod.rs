@@ -3,13 +3,15 @@
 mod entry;
 pub mod proof;
 pub mod request;
+mod session;
 
 use std::cell::{Cell, OnceCell};
 use std::collections::BTreeMap;
 
-pub use entry::Entry;
+pub use entry::{Entry, Nested, Number};
+pub use session::Session;
 
-use crate::answer::{Context, Key, Marker, Mistaken};
+use crate::answer::{Context, Credit, Key, Marker, Mistaken};
 use crate::bank::{Mistake, MistakeAnswer, Part, Template};
 use crate::expr::{Expr, Name, Value};
 use crate::instance::Instance;
@@ -28,6 +30,8 @@ pub struct Solution<'t> {
     /// The keys that a scene writes in its own way.
     written: Vec<OnceCell<Option<Math>>>,
     standing: BTreeMap<Name, Expr>,
+    /// Whether the values of a student stand in for quantities.
+    is_following: bool,
     mark: DecimalMark,
     is_drawn: Cell<bool>,
 }
@@ -54,6 +58,7 @@ impl<'t> Solution<'t> {
             instance,
             evaluation,
             standing: BTreeMap::new(),
+            is_following: false,
             mark,
             is_drawn: Cell::new(false),
         }
@@ -70,6 +75,7 @@ impl<'t> Solution<'t> {
             instance: self.instance.clone(),
             evaluation: self.evaluation.replacing(values),
             standing: formulas,
+            is_following: true,
             mark: self.mark,
             is_drawn: Cell::new(false),
         }
@@ -215,7 +221,9 @@ impl<'t> Solution<'t> {
         let applies = mistake
             .when
             .is_none_or(|when| self.evaluation.holds(when) == Ok(true));
-        if !applies {
+        // What follows from a mistake may be what another one gives; such a mistake neither counts nor narrows a tolerance.
+        let is_superseded = self.is_following && mistake.credit == Credit::NONE;
+        if !applies || is_superseded {
             return None;
         }
         let (given, replaced) = match &mistake.answer {

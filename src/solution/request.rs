@@ -5,11 +5,11 @@
 //! ```
 
 use serde::de::DeserializeOwned;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 use serde_json::{Map, Value as Json, json};
 
-use super::Solution;
-use crate::bank::{Catalogue, ParameterError, Template};
+use super::{Entry, Session, Solution};
+use crate::bank::{ParameterError, Template};
 use crate::expr::Precise;
 use crate::instance::{Instance, InstanceError};
 use crate::quantity::Trace;
@@ -39,6 +39,62 @@ pub struct Request {
     pub tag: Option<Json>,
 }
 
+/// The answers to a request, or why there are none.
+#[derive(Clone, Debug, Serialize)]
+pub struct Reply {
+    /// The item.
+    pub id: String,
+    /// The tag of the request.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tag: Option<Json>,
+    /// Either of them.
+    #[serde(flatten)]
+    pub outcome: Outcome,
+}
+
+/// Answers, or a refusal.
+#[derive(Clone, Debug, Serialize)]
+#[serde(untagged)]
+pub enum Outcome {
+    /// The answers.
+    Solved(Solved),
+    /// Why there are none.
+    Refused {
+        /// Its code and what is wrong.
+        error: Refusal,
+    },
+}
+
+/// What was solved, and for which data.
+#[derive(Clone, Debug, Serialize)]
+pub struct Solved {
+    /// The data by name, in the order of the item.
+    #[serde(serialize_with = "as_object")]
+    pub parameters: Vec<(String, Given)>,
+    /// The answers by identity, in the order of the request or the item.
+    #[serde(serialize_with = "as_object")]
+    pub answers: Vec<(String, Entry)>,
+}
+
+/// A datum.
+#[derive(Clone, Debug, Serialize)]
+pub struct Given {
+    /// Its value in its unit.
+    pub value: f64,
+    /// Its unit; `1` for a pure number.
+    pub unit: String,
+    /// Its value in SI units.
+    pub si: f64,
+}
+
+/// Pairs as an object that keeps their order.
+fn as_object<S: Serializer, T: Serialize>(
+    pairs: &[(String, T)],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(pairs.iter().map(|(name, value)| (name, value)))
+}
+
 /// Why a request has no answer.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Refusal {
@@ -64,9 +120,14 @@ impl Refusal {
 }
 
 /// Answers one line; the reply has no line break.
-pub fn answer(catalogue: &Catalogue, line: &str) -> String {
-    let reply = read(line).map_or_else(|refused| refused, |request| reply(catalogue, &request));
-    Json::Object(reply).to_string()
+pub fn answer(session: &mut Session<'_>, line: &str) -> String {
+    match read(line) {
+        Ok(request) => {
+            let (reply, _) = reply(session, request);
+            serde_json::to_string(&reply).expect("a reply is plain data")
+        }
+        Err(refused) => Json::Object(refused).to_string(),
+    }
 }
 
 /// The request in a line, or the reply that refuses it, with identity and tag where they could be read.
@@ -95,51 +156,34 @@ pub(crate) fn read<T: DeserializeOwned>(line: &str) -> Result<T, Map<String, Jso
     Err(known.chain([error]).collect())
 }
 
-/// Answers one request.
-pub fn reply(catalogue: &Catalogue, request: &Request) -> Map<String, Json> {
-    reply_traced(catalogue, request).0
+/// Answers one request, and says what was computed for it.
+pub fn reply(session: &mut Session<'_>, request: Request) -> (Reply, Option<Trace>) {
+    let (outcome, trace) = match solve(session, &request) {
+        Ok((solved, trace)) => (Outcome::Solved(solved), Some(trace)),
+        Err(error) => (Outcome::Refused { error }, None),
+    };
+    let reply = Reply {
+        id: request.id,
+        tag: request.tag,
+        outcome,
+    };
+    (reply, trace)
 }
 
-/// Answers one request, and tells what was computed for it.
-pub fn reply_traced(
-    catalogue: &Catalogue,
-    request: &Request,
-) -> (Map<String, Json>, Option<Trace>) {
-    let mut reply = Map::new();
-    reply.insert("id".to_owned(), request.id.clone().into());
-    if let Some(tag) = &request.tag {
-        reply.insert("tag".to_owned(), tag.clone());
-    }
-    match solve(catalogue, request) {
-        Ok((parameters, answers, trace)) => {
-            reply.insert("parameters".to_owned(), Json::Object(parameters));
-            reply.insert("answers".to_owned(), Json::Object(answers));
-            (reply, Some(trace))
-        }
-        Err(refusal) => {
-            reply.insert("error".to_owned(), json!(refusal));
-            (reply, None)
-        }
-    }
-}
-
-type Objects = (Map<String, Json>, Map<String, Json>, Trace);
-
-fn solve(catalogue: &Catalogue, request: &Request) -> Result<Objects, Refusal> {
-    let template = find(catalogue, &request.id)?;
+fn solve(session: &mut Session<'_>, request: &Request) -> Result<(Solved, Trace), Refusal> {
+    let template = session.find(&request.id)?;
     let at = times(&request.at)?;
-    let solution = Solution::of(instance(template, request.seed, &request.set)?);
-    let mut answers = Map::new();
+    let solution = session.solution(template, request.seed, &request.set)?;
+    let mut answers: Vec<(String, Entry)> = Vec::new();
     match &request.want {
         Some(ids) => {
             for id in ids {
-                if answers.contains_key(id) {
+                if answers.iter().any(|(known, _)| known == id) {
                     continue;
                 }
-                let entry = solution
-                    .entry(id, &at)
-                    .ok_or_else(|| unknown_answer(template, id))?;
-                answers.insert(id.clone(), entry);
+                let entry = solution.entry(id, &at);
+                let entry = entry.ok_or_else(|| unknown_answer(template, id))?;
+                answers.push((id.clone(), entry));
             }
         }
         None => {
@@ -148,26 +192,11 @@ fn solve(catalogue: &Catalogue, request: &Request) -> Result<Objects, Refusal> {
             }
         }
     }
-    Ok((parameters(&solution), answers, solution.trace()))
-}
-
-/// The item of a request.
-///
-/// # Errors
-///
-/// A refusal with the nearest known item.
-pub fn find<'c>(catalogue: &'c Catalogue, id: &str) -> Result<&'c Template, Refusal> {
-    catalogue.find(id).ok_or_else(|| {
-        if catalogue.ids().any(|own| own.as_str() == id) {
-            let message = format!("the item `{id}` has findings that `vibank check` shows");
-            return Refusal::new("unknown-item", message);
-        }
-        let near = catalogue
-            .nearest(id)
-            .map(|near| format!(", did you mean `{near}`?"))
-            .unwrap_or_default();
-        Refusal::new("unknown-item", format!("there is no item `{id}`{near}"))
-    })
+    let solved = Solved {
+        parameters: parameters(&solution),
+        answers,
+    };
+    Ok((solved, solution.trace()))
 }
 
 /// The instance of a request.
@@ -229,14 +258,16 @@ fn times(at: &[Json]) -> Result<Vec<Precise>, Refusal> {
     at.iter().map(time).collect()
 }
 
-fn parameters(solution: &Solution<'_>) -> Map<String, Json> {
+fn parameters(solution: &Solution<'_>) -> Vec<(String, Given)> {
     let template = solution.template();
     let values = template.parameters.iter().zip(solution.instance().values());
     let entry = |(parameter, value): (&crate::bank::Parameter, &crate::unit::Quantity)| {
-        let (si, _) = parameter.si_pair(value);
-        let shown =
-            json!({ "value": value.value.to_f64(), "unit": unit_text(&value.unit), "si": si });
-        (parameter.name.to_string(), shown)
+        let given = Given {
+            value: value.value.to_f64(),
+            unit: unit_text(&value.unit),
+            si: parameter.si_pair(value).0,
+        };
+        (parameter.name.to_string(), given)
     };
     values.map(entry).collect()
 }

@@ -10,7 +10,7 @@ use vibank::grade;
 use vibank::instance::Instance;
 use vibank::output::{self, Kind, Pages, Run};
 use vibank::seed::Seed;
-use vibank::solution::{Solution, proof, request};
+use vibank::solution::{Session, Solution, proof, request};
 use vibank::source::Source;
 use vibank::suitability;
 use vibank::worksheet::{Blueprint, Plan, Sheet};
@@ -197,8 +197,9 @@ fn solved(catalogue: &Catalogue, case: &Json) -> Vec<String> {
     let mut want: Vec<&str> = expected.keys().map(|key| timed(key).0).collect();
     want.dedup();
     let line = json!({"id": case["id"], "set": case["set"], "at": at, "want": want});
-    let reply: Json =
-        serde_json::from_str(&request::answer(catalogue, &line.to_string())).expect("JSON");
+    let mut session = Session::new(catalogue);
+    let reply = request::answer(&mut session, &line.to_string());
+    let reply: Json = serde_json::from_str(&reply).expect("JSON");
     if reply.get("error").is_some() {
         return vec![reply["error"].to_string()];
     }

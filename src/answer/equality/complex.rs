@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use super::super::meaning::Meaning;
+use super::super::meaning::{Meaning, ORDERS};
 use crate::expr::{Approx, Expr, Name, Precise, Program, Registers};
 
 /// Points that are turned.
@@ -27,12 +27,17 @@ pub(super) fn program(
         .then(|| meaning.compile_complex(expr, replaced).ok())?
 }
 
-/// Whether two formulas differ at complex points near these.
-pub(super) fn differ(key: &Program, other: &Program, points: &[Vec<Precise>]) -> bool {
+/// Whether two formulas differ at complex points near these; integers stay what they are.
+pub(super) fn differ(
+    key: &Program,
+    other: &Program,
+    points: &[Vec<Precise>],
+    are_integers: &[bool],
+) -> bool {
     let mut room = Registers::<Approx<f64>>::default();
     let mut differing = 0;
     for point in points.iter().take(POINTS) {
-        let turned = turned(point);
+        let turned = turned(point, are_integers);
         let mut value = |program: &Program| {
             let outcome = program.run(&turned[..], &mut room).ok()?;
             let mut numbers = outcome.numbers();
@@ -53,12 +58,15 @@ pub(super) fn differ(key: &Program, other: &Program, points: &[Vec<Precise>]) ->
 }
 
 /// A point with each value turned in the complex plane; two numbers for each.
-fn turned(point: &[Precise]) -> Vec<Precise> {
+fn turned(point: &[Precise], are_integers: &[bool]) -> Vec<Precise> {
     let values = point.iter().enumerate();
     values
         .flat_map(|(place, value)| {
-            let angle = ANGLES[place % ANGLES.len()];
             let size = value.high();
+            if are_integers.get(place / ORDERS) == Some(&true) {
+                return [Precise::exact(size), Precise::exact(0.0)];
+            }
+            let angle = ANGLES[place % ANGLES.len()];
             [
                 Precise::exact(size * crate::numerics::cos(angle)),
                 Precise::exact(size * crate::numerics::sin(angle)),

@@ -1,8 +1,9 @@
 //! Points around the data of an instance, from a fixed seed: a verdict can be repeated.
 
 use super::super::meaning::{Meaning, ORDERS};
-use crate::expr::Precise;
-use crate::numerics::pow;
+use super::domain::Condition;
+use crate::expr::{Approx, Precise, Registers};
+use crate::numerics::exp2;
 use crate::quantity::Evaluation;
 
 /// Numbers from a fixed seed (SplitMix64).
@@ -31,11 +32,23 @@ pub(super) fn mixed(mut bits: u64) -> u64 {
     bits ^ (bits >> 31)
 }
 
-/// The inputs around the data of an instance.
+/// What does not vary freely in the domain of an item.
+#[derive(Debug)]
+pub(super) struct Ties {
+    /// By input, whether it is an integer.
+    pub(super) are_integers: Vec<bool>,
+    /// Whether a constraint says that something equals something else.
+    pub(super) is_some_equal: bool,
+}
+
+/// The inputs around the data of an instance, inside the domain of the item.
 pub(in crate::answer) struct Around<'a> {
     meaning: &'a Meaning,
     centres: Vec<Option<f64>>,
+    /// The conditions that the instance meets itself; data that were set by hand need not meet all.
+    conditions: Vec<&'a Condition>,
     draws: Draws,
+    room: Registers<Approx<f64>>,
 }
 
 impl<'a> Around<'a> {
@@ -43,21 +56,52 @@ impl<'a> Around<'a> {
         let centres = (0..meaning.inputs.len())
             .map(|place| meaning.value(place, evaluation))
             .collect();
+        let (data, mut room) = (meaning.data(evaluation), Registers::default());
+        let conditions = meaning.conditions().iter();
+        let met = conditions.filter(|condition| condition.holds(&data, &mut room));
         Self {
             meaning,
             centres,
+            conditions: met.collect(),
             draws: Draws::new(),
+            room,
         }
     }
 
-    /// A point within `spread` decades of the data; data keep their sign unless `flips`, and pure whole data stay whole
-    /// if asked for.
+    /// The inputs that do not vary freely: integers, and what equals something else; none where nothing is equal.
+    pub(super) fn ties(&self) -> Ties {
+        let inputs = self.meaning.inputs.iter();
+        Ties {
+            are_integers: inputs.map(|input| input.is_integer).collect(),
+            is_some_equal: self.conditions.iter().any(|own| own.is_solved()),
+        }
+    }
+
+    /// A point within `spread` decades of the data, if it lies in the domain. Data keep their sign unless one that is
+    /// positive `flips`; those that are integers by their meaning stay integers, and all that seem whole if asked for.
     pub(in crate::answer) fn point(
         &mut self,
         spread: f64,
         flips: bool,
         keeps_whole: bool,
-    ) -> Vec<Precise> {
+    ) -> Option<Vec<Precise>> {
+        let mut point = self.drawn(spread, flips, keeps_whole);
+        for condition in &self.conditions {
+            condition.solve(&mut point, &mut self.room)?;
+        }
+        let mut conditions = self.conditions.iter();
+        conditions
+            .all(|condition| condition.holds(&point, &mut self.room))
+            .then_some(point)
+    }
+
+    /// A point within `spread` decades of the data, wherever that is.
+    pub(in crate::answer) fn free_point(&mut self, spread: f64) -> Vec<Precise> {
+        self.drawn(spread, false, false)
+    }
+
+    fn drawn(&mut self, spread: f64, flips: bool, keeps_whole: bool) -> Vec<Precise> {
+        let octaves = spread * std::f64::consts::LOG2_10;
         let mut point = Vec::with_capacity(self.centres.len() * ORDERS);
         for (input, centre) in self.meaning.inputs.iter().zip(&self.centres) {
             for order in 0..ORDERS {
@@ -66,13 +110,20 @@ impl<'a> Around<'a> {
                     continue;
                 }
                 let size = centre.map_or(0.6, f64::abs);
-                let size = if size == 0.0 { 1.0 } else { size };
-                let mut value = size * pow(10.0, spread * self.draws.signed());
+                // What is zero on the sheet may be anything, but near the sheet it is near zero.
+                let size = match size == 0.0 {
+                    true if spread > 0.0 => spread.min(1.0),
+                    true => 1.0,
+                    false => size,
+                };
+                let mut value = size * exp2(octaves * self.draws.signed());
                 let is_negative = match centre {
-                    Some(centre) if !(flips && input.is_signed) => *centre < 0.0,
+                    Some(centre) if *centre < 0.0 => true,
+                    Some(centre) if *centre > 0.0 && !flips => false,
                     _ => input.is_signed && self.draws.signed() < 0.0,
                 };
-                if keeps_whole && centre.is_some_and(|centre| centre == centre.round()) {
+                let seems_whole = || keeps_whole && centre.is_some_and(|own| own == own.round());
+                if input.is_integer || seems_whole() {
                     value = value.round().max(1.0);
                 }
                 point.push(Precise::exact(if is_negative { -value } else { value }));

@@ -2,8 +2,11 @@
 //!
 //! 1. Rational formulas that differ [modulo two primes](residue) are different; those that agree are the same
 //!    unless the points find them different.
-//! 2. All formulas are evaluated at points that are drawn around the data of the instance, over a decade and a
-//!    half, with both signs where a name may be negative, and with a running bound on the rounding errors.
+//! 2. All formulas are evaluated at points that are drawn around the data of the instance, a decade to either side, where
+//!    the [constraints](domain) of the item hold: at real numbers between the steps of the grid, at integers where a
+//!    datum is one by its meaning. A datum that is negative
+//!    on the sheet stays so; one that may be negative, and letters without data, have both signs.
+//!    Each value comes with a running bound on the rounding errors.
 //!    At a point two values are the same where they differ by less than four times the sum of their bounds,
 //!    and the bounds are small; where the bounds are not, the point is computed again with twice the digits,
 //!    and then passed over. Values that differ by more than their bounds are different, however near: only
@@ -16,12 +19,15 @@
 //! The points follow from a fixed seed: a verdict can be repeated.
 
 mod complex;
+mod domain;
 mod draw;
 mod judge;
 mod residue;
 
 use std::collections::BTreeMap;
 
+pub(super) use self::domain::Condition;
+use self::draw::Ties;
 pub(super) use self::draw::{Around, Draws};
 use self::judge::{AtPoint, DIFFERENT, Rooms};
 use self::residue::Residue;
@@ -36,9 +42,10 @@ const DRAWN: usize = 12;
 /// Points that have to decide.
 const LEAST: usize = 4;
 /// Draws until as many points have a key.
-const MOST_DRAWS: usize = 120;
-/// Half the width of the draws, in decades.
-const WIDEST: f64 = 0.75;
+const MOST_DRAWS: usize = 240;
+/// Half the width of the draws, in decades: what holds for the data holds for data ten times as large or small, as long
+/// as the constraints of the item do.
+const WIDEST: f64 = 1.0;
 /// A decimal with as many digits may stand for a constant that has no end.
 const LONG: i128 = 1_000_000_000;
 
@@ -93,7 +100,10 @@ impl Comparable {
 
 /// The points at which answers are compared with a key.
 #[derive(Debug)]
-pub(super) struct Points(Vec<Vec<Precise>>);
+pub(super) struct Points {
+    points: Vec<Vec<Precise>>,
+    ties: Ties,
+}
 
 /// How two functions compare.
 #[derive(Clone, Debug, PartialEq)]
@@ -122,35 +132,45 @@ impl Points {
     ) -> Self {
         let mut around = Around::new(meaning, evaluation);
         let mut rooms = Rooms::default();
+        let mut is_defined = |point: &Vec<Precise>| {
+            let mut keys = keys.iter();
+            keys.all(|key| key.program.run(&point[..], &mut rooms.first).is_ok())
+        };
         let mut points = Vec::new();
         for attempt in 0..MOST_DRAWS {
             // What has no value far from the data may have one near to them.
             let share = attempt as f64 / MOST_DRAWS as f64;
             let spread = WIDEST * (1.0 - share).max(0.02);
             let point = around.point(spread, share < 0.5, attempt % 4 == 3 || share > 0.6);
-            let is_defined = keys
-                .iter()
-                .all(|key| key.program.run(&point[..], &mut rooms.first).is_ok());
-            if is_defined {
-                points.push(point);
-            }
+            points.extend(point.filter(&mut is_defined));
             if points.len() == DRAWN {
                 break;
             }
         }
-        Self(points)
+        // Constraints that hardly any data meet leave no points: then those around the data have to do.
+        for attempt in 0..MOST_DRAWS {
+            if points.len() >= LEAST {
+                break;
+            }
+            let point = around.free_point(WIDEST * (1.0 - attempt as f64 / MOST_DRAWS as f64));
+            points.extend(Some(point).filter(&mut is_defined));
+        }
+        let ties = around.ties();
+        Self { points, ties }
     }
 
     /// Compares a function with a key.
     pub(super) fn compare(&self, key: &Comparable, other: &Comparable) -> Comparison {
-        let residues = key.residues(other);
-        let is_certain = key.is_rational_beside(other);
+        // What is equal to something else is no variable of its own: then points alone decide.
+        let is_tied = self.ties.is_some_equal;
+        let residues = key.residues(other).filter(|same| *same || !is_tied);
+        let is_certain = key.is_rational_beside(other) && !is_tied;
         let sampled = self.sample(key, other);
         let is_found_different = sampled.differs || sampled.is_close;
         if is_certain && residues == Some(true) && !is_found_different {
             return Comparison::Same;
         }
-        if sampled.decided() < LEAST.min(self.0.len()) || self.0.is_empty() {
+        if sampled.decided() < LEAST.min(self.points.len()) || self.points.is_empty() {
             return match residues {
                 Some(true) if !is_found_different => Comparison::Same,
                 _ if sampled.undefined > 0 => Comparison::Undefined,
@@ -162,7 +182,7 @@ impl Points {
         }
         let is_different = sampled.differs
             || (sampled.is_close || is_certain) && !other.has_long_decimals
-            || self.differ_off_the_axis(key, other);
+            || !is_tied && self.differ_off_the_axis(key, other);
         if !is_different {
             return Comparison::Same;
         }
@@ -175,7 +195,7 @@ impl Points {
     fn sample(&self, key: &Comparable, other: &Comparable) -> Sampled {
         let mut rooms = Rooms::default();
         let mut sampled = Sampled::default();
-        for point in &self.0 {
+        for point in &self.points {
             sampled.take(rooms.at(&key.program, &other.program, point));
             if sampled.decided() == POINTS {
                 break;
@@ -186,7 +206,7 @@ impl Points {
 
     fn differ_off_the_axis(&self, key: &Comparable, other: &Comparable) -> bool {
         match (&key.complex, &other.complex) {
-            (Some(key), Some(other)) => complex::differ(key, other, &self.0),
+            (Some(key), Some(other)) => complex::differ(key, other, &self.points, &self.ties.are_integers),
             _ => false,
         }
     }

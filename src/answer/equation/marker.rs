@@ -16,10 +16,10 @@ use crate::numerics::Rational;
 /// A prepared key.
 pub(super) struct Prepared {
     pub(super) setup: Arc<Setup>,
-    pub(super) key: Vec<Program>,
+    pub(super) key: Arc<Vec<Program>>,
     /// For each choice of data, points that differ in all else; the last choice is that of the instance.
     pub(super) points: Vec<Choice>,
-    pub(super) mistakes: Vec<(usize, Vec<Program>, Credit)>,
+    pub(super) mistakes: Vec<(usize, Arc<Vec<Program>>, Credit)>,
 }
 
 impl Prepared {
@@ -41,11 +41,11 @@ impl Prepared {
     /// without roots.
     fn compared(&self, equations: Vec<Equation>) -> Option<(Vec<Equation>, Vec<Program>, Rows)> {
         let typed = self.setup.compile(&equations, &BTreeMap::new())?;
-        let rows = self.compare(&self.key, &typed);
+        let rows = self.compare(&*self.key, &typed);
         match self.without_roots(&equations) {
             Some(squared) if rows != Rows::Same => {
                 let typed = self.setup.compile(&squared, &BTreeMap::new())?;
-                let rows = self.compare(&self.key, &typed);
+                let rows = self.compare(&*self.key, &typed);
                 Some((squared, typed, rows))
             }
             _ => Some((equations, typed, rows)),
@@ -108,7 +108,7 @@ impl Prepared {
     ) -> Marking {
         if !others.is_empty() && self.follows(typed, others) {
             if matches!(
-                self.compare(typed, &self.key),
+                self.compare(typed, &*self.key),
                 Rows::Same | Rows::Fewer { .. }
             ) {
                 let note = Remark::from(Note::OthersBelongElsewhere);
@@ -193,7 +193,7 @@ impl Marker for Prepared {
         let named = self
             .mistakes
             .iter()
-            .find(|(_, given, _)| self.compare(given, &typed) == Rows::Same);
+            .find(|(_, given, _)| self.compare(&**given, &typed) == Rows::Same);
         if let Some((number, _, credit)) = named {
             return Marking::mistake(reading, *number, *credit);
         }

@@ -30,6 +30,7 @@ use std::sync::{Arc, OnceLock};
 
 use self::marker::Prepared;
 use super::meaning::{Meaning, Prefer, lexicon};
+use super::shared::{self, Shared};
 use super::{Answer, AnswerError, Context, Declare, Key, Marker, Role, symbolic};
 use crate::expr::{Equation, Expr, Name, Program};
 use crate::quantity::{Absent, NodeId};
@@ -48,6 +49,8 @@ struct Setup {
     unknowns: Vec<Name>,
     meaning: Meaning,
     lexicon: Lexicon,
+    /// The key and the named mistakes, compiled once for all data.
+    compiled: Shared<Vec<Program>>,
     /// As it is printed, once it was.
     printed: OnceLock<Key>,
 }
@@ -92,6 +95,7 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
             unknowns: names,
             meaning,
             lexicon,
+            compiled: Shared::default(),
             printed: OnceLock::new(),
         }),
         mistakes: Vec::new(),
@@ -183,9 +187,13 @@ impl Answer for Asked {
             label: "key".into(),
             of: Vec::new(),
         };
-        let key = setup
-            .compile(&setup.key, &context.standing)
-            .ok_or_else(absent)?;
+        let compile = || setup.compile(&setup.key, &context.standing);
+        let key = if context.standing.is_empty() {
+            setup.compiled.get(shared::KEY, compile)
+        } else {
+            compile().map(Arc::new)
+        };
+        let key = key.ok_or_else(absent)?;
         let points = points::points(setup, &key, context.evaluation);
         let mut mistakes = Vec::new();
         for mistaken in &context.mistakes {
@@ -193,11 +201,12 @@ impl Answer for Asked {
                 .mistakes
                 .iter()
                 .find(|(number, _)| *number == mistaken.number);
-            let given = match own {
+            let compile = || match own {
                 Some((_, equations)) => setup.compile(equations, &none),
                 None => setup.compile(&setup.key, &symbolic::replaced(graph, mistaken)),
             };
-            if let Some(programs) = given {
+            let number = shared::of_mistake(mistaken.number);
+            if let Some(programs) = setup.compiled.get(number, compile) {
                 mistakes.push((mistaken.number, programs, mistaken.credit));
             }
         }

@@ -14,6 +14,8 @@ use crate::quantity::Evaluation;
 const DATA_POINTS: usize = 4;
 /// Points for each of them, beyond two for each equation of the key.
 const SPARE: usize = 10;
+/// Draws until data lie in the domain of the item; later ones are nearer to those of the instance.
+const MOST_DRAWS: usize = 40;
 /// The largest and, inverted, the least factor by which a term is brought to size.
 const MOST: f64 = 1e4;
 
@@ -27,10 +29,10 @@ pub(super) fn points(setup: &Setup, key: &[Program], evaluation: &Evaluation<'_>
     let mut choices = Vec::with_capacity(DATA_POINTS + 1);
     for place in 0..=DATA_POINTS {
         let spread = 0.3 * (1.0 - place as f64 / DATA_POINTS as f64);
-        let data = around.point(spread, false, false);
+        let data = data(&mut around, spread);
         let factors = factors(setup, key, &data);
         let points = (0..count).map(|_| {
-            let mut point = around.point(0.6, false, false);
+            let mut point = around.free_point(0.6);
             for (value, factor) in point.iter_mut().zip(&factors) {
                 *value = Precise::exact(value.high() * factor);
             }
@@ -39,6 +41,13 @@ pub(super) fn points(setup: &Setup, key: &[Program], evaluation: &Evaluation<'_>
         choices.push(points.collect());
     }
     choices
+}
+
+/// Data within `spread` decades of those of the instance, where the constraints hold.
+fn data(around: &mut Around<'_>, spread: f64) -> Vec<Precise> {
+    let mut spreads = (0..MOST_DRAWS).map(|draw| spread * (1.0 - draw as f64 / MOST_DRAWS as f64));
+    let found = spreads.find_map(|spread| around.point(spread, false, false));
+    found.unwrap_or_else(|| around.free_point(0.0))
 }
 
 /// For each slot the factor that brings its term to the size of the key; 1 for all but time derivatives.

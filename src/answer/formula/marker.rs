@@ -18,7 +18,7 @@ use crate::unit::DecimalMark;
 /// A prepared key.
 pub(super) struct Prepared {
     pub(super) setup: Arc<Setup>,
-    pub(super) key: Comparable,
+    pub(super) key: Arc<Comparable>,
     pub(super) points: Points,
     pub(super) mistakes: Vec<Mistake>,
     pub(super) mark: DecimalMark,
@@ -26,7 +26,7 @@ pub(super) struct Prepared {
 
 pub(super) struct Mistake {
     pub(super) number: usize,
-    pub(super) formula: Comparable,
+    pub(super) formula: Arc<Comparable>,
     pub(super) credit: Credit,
 }
 

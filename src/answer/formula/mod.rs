@@ -1,7 +1,7 @@
 //! `formula`: a formula in the symbols of the item.
 //!
 //! The student types `sqrt(3k/(2m))`, `√(3k/2m)` or `(3*k/2/m)^0.5`: any form of the same function of the
-//! data is right. Products need no sign, Greek letters come as words or signs, simple LaTeX is read.
+//! data is right, as long as the constraints of the item hold. Products need no sign, Greek letters come as words or signs, simple LaTeX is read.
 //! `in` lists the names that the answer may use: by default all parameters, symbols and coordinates, and
 //! the quantities of earlier parts. A formula of another dimension is told so.
 //!
@@ -24,6 +24,7 @@ use std::sync::{Arc, OnceLock};
 use self::marker::{Mistake, Prepared};
 use super::equality::{Comparable, Points};
 use super::meaning::{Meaning, Prefer, lexicon};
+use super::shared::{self, Shared};
 use super::{Answer, AnswerError, Context, Declare, Key, Marker, symbolic};
 use crate::expr::{Expr, Field, Name, Shape, Type};
 use crate::quantity::{Absent, NodeId};
@@ -47,6 +48,8 @@ struct Setup {
     unit: Option<Unit>,
     meaning: Meaning,
     lexicon: Lexicon,
+    /// The key and the named mistakes, compiled once for all data.
+    compiled: Shared<Comparable>,
     /// As it is printed, once it was.
     printed: OnceLock<Key>,
 }
@@ -112,6 +115,7 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
             unit,
             meaning,
             lexicon,
+            compiled: Shared::default(),
             printed: OnceLock::new(),
         };
         Box::new(Formula {
@@ -144,31 +148,34 @@ impl Answer for Formula {
         context.evaluation.exists_for(self.key)?;
         let none = BTreeMap::new();
         let compile = |expr: &Expr, replaced: &BTreeMap<Name, Expr>| {
-            Comparable::of(&setup.meaning, expr, replaced).map_err(|_| Absent::Function {
-                label: "key".into(),
-                of: Vec::new(),
-            })
+            Comparable::of(&setup.meaning, expr, replaced).ok()
         };
         let own = context.standing.get(&Name::new(graph.label(self.key)));
         let key = match own {
-            Some(own) => compile(own, &none)?,
-            None => compile(&setup.expr, &context.standing)?,
+            Some(own) => compile(own, &none).map(Arc::new),
+            None if context.standing.is_empty() => setup
+                .compiled
+                .get(shared::KEY, || compile(&setup.expr, &none)),
+            None => compile(&setup.expr, &context.standing).map(Arc::new),
         };
+        let key = key.ok_or_else(|| Absent::Function {
+            label: "key".into(),
+            of: Vec::new(),
+        })?;
         let points = Points::around(&setup.meaning, context.evaluation, &[&key]);
-        let mut mistakes = Vec::new();
-        for mistaken in &context.mistakes {
-            let formula = match mistaken.given.first() {
+        let mistakes = context.mistakes.iter().filter_map(|mistaken| {
+            let compile = || match mistaken.given.first() {
                 Some(node) => compile(&symbolic::formula(graph, *node), &none),
                 None => compile(&setup.expr, &symbolic::replaced(graph, mistaken)),
             };
-            if let Ok(formula) = formula {
-                mistakes.push(Mistake {
-                    number: mistaken.number,
-                    formula,
-                    credit: mistaken.credit,
-                });
-            }
-        }
+            let number = shared::of_mistake(mistaken.number);
+            Some(Mistake {
+                number: mistaken.number,
+                formula: setup.compiled.get(number, compile)?,
+                credit: mistaken.credit,
+            })
+        });
+        let mistakes = mistakes.collect();
         Ok(Box::new(Prepared {
             setup: Arc::clone(setup),
             key,

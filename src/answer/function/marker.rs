@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::Setup;
 use super::around::without_condition;
+use super::late::Window;
 use crate::answer::meaning::ORDERS;
 use crate::answer::trial::typed as typed_number;
 use crate::answer::{
@@ -28,6 +29,8 @@ pub(super) struct Prepared {
     pub(super) setup: Arc<Setup>,
     pub(super) times: Vec<Precise>,
     pub(super) values: Vec<f64>,
+    /// Where data show that do not show on the span.
+    pub(super) windows: Vec<Window>,
     pub(super) halves: Vec<f64>,
     /// Whether the item states the tolerance.
     pub(super) is_stated: bool,
@@ -38,13 +41,17 @@ pub(super) struct Prepared {
 impl Prepared {
     /// The values of a typed function at the times.
     pub(super) fn values_of(&self, expr: &Expr) -> Option<Vec<f64>> {
+        self.values_at(expr, &self.times)
+    }
+
+    fn values_at(&self, expr: &Expr, times: &[Precise]) -> Option<Vec<f64>> {
         let setup = &self.setup;
         let program = setup.meaning.compile(expr, &BTreeMap::new()).ok()?;
         let slot = setup.meaning.place(&setup.variable)? * ORDERS;
         let mut data = self.data.clone();
         let mut room = Workspace::default();
-        let mut values = Vec::with_capacity(self.times.len());
-        for time in &self.times {
+        let mut values = Vec::with_capacity(times.len());
+        for time in times {
             data[slot] = *time;
             values.push(program.evaluate(&data[..], &mut room).ok()?.as_real()?);
         }
@@ -163,7 +170,8 @@ impl Prepared {
         if response.values.is_empty() {
             return wrong(response, Some(Slip::NoValueOnSpan.into()));
         }
-        if self.fits(&response.values, &self.values) {
+        let begins_rightly = self.fits(&response.values, &self.values);
+        if begins_rightly && self.fits_late(&response) {
             // What is all in letters needs no tolerance.
             if self.has_tolerance_for(&response) {
                 return Marking::right(response.reading);
@@ -176,6 +184,9 @@ impl Prepared {
         {
             return Marking::mistake(response.reading, *number, *credit);
         }
+        if begins_rightly {
+            return wrong(response, Some(Slip::RunsAway.into()));
+        }
         if let Some(found) = self.dimension_trouble(&response.expr) {
             let misfit = Misfit::Comes {
                 entry: None,
@@ -187,6 +198,20 @@ impl Prepared {
         }
         let slip = self.slip(&response);
         wrong(response, slip.map(Remark::from))
+    }
+
+    /// Whether a function that fits on the span has the size of the key behind it, where the windows ask for it.
+    fn fits_late(&self, response: &Response) -> bool {
+        let in_si = |unit: &Unit, values: &[f64]| -> Vec<f64> {
+            values.iter().map(|value| unit.to_si(*value)).collect()
+        };
+        self.windows.iter().all(|window| {
+            let values = self.values_at(&response.expr, &window.times);
+            values.is_none_or(|values| {
+                let mut units = response.units.iter();
+                units.any(|unit| window.admits(&in_si(unit, &values)))
+            })
+        })
     }
 
     fn has_tolerance_for(&self, response: &Response) -> bool {

@@ -9,6 +9,9 @@
 //! half-width(t) = 0.005 · 10^(3−s) · ( max|x| + Σ |z ∂x/∂z|(t) )     over the steps z between data and answer.
 //! ```
 //!
+//! Where a datum of the key does not show on the span, as light damping does not over three periods, the sizes of both
+//! functions are compared once more behind the span, where it does.
+//!
 //! A response all in letters has nothing to be rounded: unless a tolerance is stated, it has to be exact.
 //!
 //! ```toml
@@ -38,6 +41,7 @@
 mod around;
 mod general;
 mod label;
+mod late;
 mod marker;
 mod read;
 mod samples;
@@ -48,8 +52,9 @@ mod units;
 use std::sync::{Arc, OnceLock};
 
 use self::label::Labels;
+use self::late::OnSpan;
 use self::marker::Prepared;
-use self::samples::{derived, samples};
+use self::samples::{derived, rounding, samples};
 use self::span::{Extent, spans, times};
 use super::meaning::{Meaning, Prefer, lexicon};
 use super::{Answer, AnswerError, Context, Declare, Key, Marker, Tolerance, symbolic};
@@ -77,6 +82,8 @@ struct Setup {
     kind: Type,
     unit: Option<Unit>,
     variable: Name,
+    /// Whether the key is another function in different pieces of its span.
+    is_in_pieces: bool,
     meaning: Meaning,
     lexicon: Lexicon,
     labels: Labels,
@@ -140,7 +147,9 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
     lexicon.allow(&variable, crate::math::symbol(variable.as_str()), false);
     names.push(variable.clone());
     let meaning = Meaning::of(declare, Prefer::Quantities);
-    let shown = meaning.expanded(&symbolic::formula(declare.graph(), key), &names);
+    let formula = symbolic::formula(declare.graph(), key);
+    let shown = meaning.expanded(&formula, &names);
+    let in_data = meaning.expanded(&formula, std::slice::from_ref(&variable));
     Some(Box::new(Motion {
         key,
         span,
@@ -151,6 +160,7 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
             kind,
             unit,
             labels: Labels::of(declare, named.as_ref(), &variable),
+            is_in_pieces: late::is_in_pieces(&in_data, &variable),
             variable,
             meaning,
             lexicon,
@@ -180,7 +190,8 @@ impl Answer for Motion {
 
     fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
         let evaluation = context.evaluation;
-        let times = times(self.span.ends(evaluation)?);
+        let ends = self.span.ends(evaluation)?;
+        let times = times(ends);
         let values = samples(evaluation, self.key, &times)?;
         let largest = values
             .iter()
@@ -209,8 +220,24 @@ impl Answer for Motion {
                 mistakes.push((mistaken.number, given, mistaken.credit));
             }
         }
+        let on_span = OnSpan {
+            evaluation,
+            key: self.key,
+            ends,
+            times: &times,
+            values: &values,
+            halves: &halves,
+            share: rounding(self.digits),
+            stated: (!self.tolerance.is_derived()).then_some((&self.tolerance, self.digits)),
+        };
+        let windows = if self.setup.is_in_pieces {
+            Vec::new()
+        } else {
+            on_span.windows()
+        };
         Ok(Box::new(Prepared {
             setup: Arc::clone(&self.setup),
+            windows,
             times,
             values,
             halves,

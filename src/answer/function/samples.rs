@@ -23,6 +23,11 @@ fn sample(function: &Function<'_, '_>, time: Precise) -> Result<f64, Absent> {
     Ok(value.as_real().unwrap_or(f64::NAN))
 }
 
+/// The share of a value by which rounding to so many figures moves it at most.
+pub(super) fn rounding(digits: u32) -> f64 {
+    0.005 * crate::numerics::powi(10.0, 3 - digits as i32)
+}
+
 /// How far rounding in the steps moves the function, time by time.
 pub(super) fn derived(
     evaluation: &Evaluation<'_>,
@@ -72,6 +77,6 @@ pub(super) fn derived(
     if let Ok(moved) = samples(evaluation, key, &later) {
         add(&moved);
     }
-    let share = 0.005 * crate::numerics::powi(10.0, 3 - digits as i32);
+    let share = rounding(digits);
     spread.into_iter().map(|sum| share * sum).collect()
 }

@@ -19,7 +19,7 @@ use crate::unit::{Decimal, Unit};
 pub(super) struct Prepared {
     pub(super) setup: Arc<Setup>,
     /// The entries as formulas, where they can be compared as such.
-    pub(super) formulas: Option<(Vec<Comparable>, Points)>,
+    pub(super) formulas: Option<(Arc<Vec<Comparable>>, Points)>,
     pub(super) value: Value,
     pub(super) halves: Vec<f64>,
     pub(super) mistakes: Vec<Mistake>,
@@ -27,7 +27,7 @@ pub(super) struct Prepared {
 
 pub(super) struct Mistake {
     pub(super) number: usize,
-    pub(super) formulas: Vec<Comparable>,
+    pub(super) formulas: Option<Arc<Vec<Comparable>>>,
     pub(super) numbers: Vec<f64>,
     pub(super) credit: Credit,
 }
@@ -55,8 +55,9 @@ impl Prepared {
             .collect();
         let named = || {
             self.mistakes.iter().find(|mistake| {
-                mistake.formulas.len() == typed.len()
-                    && compare(&mistake.formulas).iter().all(is_same)
+                mistake.formulas.as_ref().is_some_and(|formulas| {
+                    formulas.len() == typed.len() && compare(formulas).iter().all(is_same)
+                })
             })
         };
         self.marking(reading, &wrong, named, || {

@@ -23,6 +23,7 @@ use std::sync::Arc;
 use self::marker::{Mistake, Prepared};
 use super::equality::{Comparable, Points};
 use super::meaning::{Meaning, Prefer, lexicon};
+use super::shared::{self, Shared};
 use super::{Answer, AnswerError, Context, Declare, Marker, Tolerance, symbolic};
 use crate::expr::{Expr, Field, Form, Name, Shape};
 use crate::math::Math;
@@ -75,6 +76,8 @@ struct Setup {
     written: Written,
     meaning: Meaning,
     lexicon: Lexicon,
+    /// The entries of the key and of the named mistakes, compiled once for all data.
+    compiled: Shared<Vec<Comparable>>,
 }
 
 /// Reads the keys of a part that belong to this kind; what is wrong is noted.
@@ -115,6 +118,7 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         written,
         meaning: Meaning::of(declare, Prefer::Quantities),
         lexicon,
+        compiled: Shared::default(),
     };
     Some(Box::new(Matrix {
         key,
@@ -207,8 +211,14 @@ impl Answer for Matrix {
         let entries = symbolic::entries(&setup.expr, setup.shape());
         let own = context.standing.get(&Name::new(graph.label(self.key)));
         let formulas = match own {
-            Some(own) => setup.compile(&symbolic::entries(own, setup.shape()), &none),
-            None => setup.compile(&entries, &context.standing),
+            Some(own) => {
+                let entries = symbolic::entries(own, setup.shape());
+                setup.compile(&entries, &none).map(Arc::new)
+            }
+            None if context.standing.is_empty() => setup
+                .compiled
+                .get(shared::KEY, || setup.compile(&entries, &none)),
+            None => setup.compile(&entries, &context.standing).map(Arc::new),
         };
         let formulas = formulas.map(|formulas| {
             let points = Points::around(
@@ -220,17 +230,18 @@ impl Answer for Matrix {
         });
         let mistakes = context.mistakes.iter().map(|mistaken| {
             let own = mistaken.given.first();
-            let formulas = match own {
+            let compile = || match own {
                 Some(node) => {
                     let expr = symbolic::formula(graph, *node);
                     setup.compile(&symbolic::entries(&expr, setup.shape()), &none)
                 }
                 None => setup.compile(&entries, &symbolic::replaced(graph, mistaken)),
             };
+            let number = shared::of_mistake(mistaken.number);
             let numbers = own.and_then(|node| evaluation.value(*node).ok());
             Mistake {
                 number: mistaken.number,
-                formulas: formulas.unwrap_or_default(),
+                formulas: setup.compiled.get(number, compile),
                 numbers: numbers.map_or(Vec::new(), |value| value.numbers().to_vec()),
                 credit: mistaken.credit,
             }

@@ -1,5 +1,7 @@
 //! Slips that a whole matrix gives away: a common factor, another order of the coordinates, a dimension.
 
+use std::sync::Arc;
+
 use super::marker::Prepared;
 use crate::answer::equality::{Comparable, Comparison, Points};
 use crate::answer::{Decades, Misfit, Negated, Slip};
@@ -31,7 +33,7 @@ impl Prepared {
     /// The same for formulas, which compare with the key like this.
     pub(super) fn slip_of_formulas(
         &self,
-        (keys, points): &(Vec<Comparable>, Points),
+        (keys, points): &(Arc<Vec<Comparable>>, Points),
         typed: &[Comparable],
         comparisons: &[Comparison],
     ) -> Option<Slip> {

@@ -276,6 +276,13 @@ pub enum Why {
     FunctionMissing,
     /// Functions that cannot be differentiated.
     Undifferentiable,
+    /// More free constants than a response may use.
+    TooManyConstants {
+        /// How many it may use.
+        most: usize,
+        /// How many would do.
+        needed: usize,
+    },
 }
 
 impl Unreadable {

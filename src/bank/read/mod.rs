@@ -48,6 +48,8 @@ struct Reader<'s> {
     free: Vec<Known>,
     /// What the parts that were read ask for.
     asked: Vec<NodeId>,
+    /// The constraints.
+    constraints: Vec<NodeId>,
     /// The part that is being read.
     part: String,
 }
@@ -114,6 +116,7 @@ impl<'s> Reader<'s> {
             has_figure: false,
             free: Vec::new(),
             asked: Vec::new(),
+            constraints: Vec::new(),
             part: String::new(),
         }
     }
@@ -136,6 +139,7 @@ impl<'s> Reader<'s> {
         self.quantities(table);
         let plots = self.plots(table);
         let constraints = self.constraints(table);
+        self.constraints = constraints.iter().map(|own| own.node).collect();
         let (figure, caption) = self.figure(table);
         let statement = table.required_table("statement").map(|statement| {
             let passage = statement

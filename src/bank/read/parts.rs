@@ -295,12 +295,21 @@ impl Declare for Reader<'_> {
         equations
     }
 
+    fn constraints(&self) -> Vec<Expr> {
+        let formula = |node: &NodeId| {
+            let expr = self.graph.expr(*node)?;
+            Some(crate::answer::without_paths(&self.graph, expr))
+        };
+        self.constraints.iter().filter_map(formula).collect()
+    }
+
     fn known(&self) -> Vec<Known> {
         let named = self.quantities.iter().filter_map(|(node, info)| {
             let role = match info.parameter {
                 Some(place) => Role::Parameter {
                     node: *node,
                     is_signed: self.parameters[place].domain == Domain::Any,
+                    is_integer: self.parameters[place].is_integer(),
                 },
                 None => Role::Quantity {
                     node: *node,

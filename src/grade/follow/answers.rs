@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{guard, oscillator, related, shapes, system};
+use super::{driven, guard, inside, oscillator, related, shapes, system};
 use crate::answer::{Answered, Kind, Marking, Reading, Reason, Verdict};
 use crate::expr::{
     Equation, Expr, Field, Name, Precise, Program, Shape, Slots, Substitution, Value, Workspace,
@@ -44,8 +44,13 @@ pub(super) struct Answers {
 }
 
 impl Answers {
-    /// What the responses with these markings stand for; of several for one quantity the last one.
-    pub(super) fn given(solution: &Solution<'_>, earlier: &[(usize, Marking)]) -> Self {
+    /// What the responses with these markings stand for, and what follows from them for the part at a place; of several
+    /// for one quantity the last one.
+    pub(super) fn given(
+        solution: &Solution<'_>,
+        earlier: &[(usize, Marking)],
+        later: usize,
+    ) -> Self {
         let mut answers = Self {
             right: BTreeMap::new(),
             own: Vec::new(),
@@ -92,6 +97,8 @@ impl Answers {
         system::extend(solution, &mut answers, &equations);
         shapes::extend(solution, &mut answers);
         related::extend(solution, &mut answers);
+        driven::extend(solution, &mut answers, &equations);
+        inside::extend(solution, &mut answers, later);
         answers
     }
 

@@ -11,7 +11,9 @@
 //! long as it does not make the later part easier than it is ([`guard`]).
 
 mod answers;
+mod driven;
 mod guard;
+mod inside;
 mod matrices;
 mod oscillator;
 mod related;
@@ -21,7 +23,7 @@ mod system;
 use std::collections::BTreeMap;
 
 use super::mark;
-use crate::answer::{Marking, Remark, Verdict};
+use crate::answer::{KeyValue, Marking, Reason, Remark, Verdict};
 use crate::math::Math;
 use crate::solution::Solution;
 
@@ -35,22 +37,59 @@ pub(super) fn follow(
     first: &Marking,
     earlier: &[(usize, Marking)],
 ) -> Option<Marking> {
-    if !matches!(first.verdict, Verdict::Wrong | Verdict::Partial) {
+    let is_open = matches!(first.verdict, Verdict::Wrong | Verdict::Partial);
+    if !is_open || earlier.is_empty() {
         return None;
     }
-    let answers = Answers::given(solution, earlier);
+    let answers = Answers::given(solution, earlier, place);
     let own: Vec<&Own> = answers
         .own()
         .filter(|own| is_needed(solution, place, own))
         .collect();
-    let together = Some(own.clone()).filter(|own| !own.is_empty());
+    // First what was given; then also what follows from it for others that were not asked, which may not have been used.
+    let keys = solution.template().parts[place].answer.keys();
+    let is_given = |own: &&Own| own.source != Source::Related || keys.contains(&own.node);
+    let given: Vec<&Own> = own.iter().copied().filter(is_given).collect();
+    let has_more = given.len() < own.len();
+    let all = Some(own.clone()).filter(|_| has_more);
     // Who was wrong twice may have gone on from one of the answers alone.
     let alone = own.iter().filter(|_| own.len() > 1).map(|own| vec![*own]);
-    together
+    [given]
         .into_iter()
+        .chain(all)
         .chain(alone)
-        .filter_map(|own| again(solution, place, response, &answers, &own))
+        .filter(|own| !own.is_empty())
+        .filter_map(|own| again(solution, place, response, &answers, &own, first))
         .find(|marking| marking.credit > first.credit)
+}
+
+/// Whether the marking explains a response otherwise: it is a named mistake, or the key up to a slip.
+fn is_explained(first: &Marking) -> bool {
+    let reasons = first.reasons();
+    reasons.iter().any(|reason| {
+        matches!(
+            reason,
+            Reason::Mistake(_) | Reason::Sign | Reason::TwoPi | Reason::PowerOfTen
+        )
+    })
+}
+
+/// Whether the numbers of a response are near those of a key by more than the width of its tolerance, which is wide
+/// where the steps cancel: within a quarter of it.
+fn is_close(other: &Solution<'_>, place: usize, marking: &Marking) -> bool {
+    const SHARE: f64 = 0.25;
+    let (Ok(marker), Some(reading)) = (other.marker(place), &marking.reading) else {
+        return true;
+    };
+    let KeyValue::Numbers { si, .. } = marker.key().value else {
+        return true;
+    };
+    let (halves, typed) = (marker.half_widths(), reading.answered.si());
+    if halves.len() != si.len() || typed.len() != si.len() {
+        return true;
+    }
+    let mut numbers = typed.iter().zip(si).zip(halves);
+    numbers.all(|((own, key), half)| (own - key).abs() <= SHARE * half)
 }
 
 /// Whether the key of a part depends on what an answer stands for, so that another answer makes another key.
@@ -74,6 +113,7 @@ fn again(
     response: &str,
     answers: &Answers,
     own: &[&Own],
+    first: &Marking,
 ) -> Option<Marking> {
     let right = solution.following(answers.right_values(solution, own), BTreeMap::new());
     let other = solution.following(answers.values(own), Answers::formulas(own));
@@ -82,6 +122,9 @@ fn again(
         return None;
     }
     let mut marking = mark(&other, place, response);
+    if is_explained(first) && !is_close(&other, place, &marking) {
+        return None;
+    }
     marking.remarks.insert(0, Remark::Followed(symbols(own)));
     Some(marking)
 }

@@ -7,10 +7,10 @@ use crate::mechanics::{Model, Quantity, Single};
 use crate::quantity::{Graph, NodeId};
 
 /// The coefficients of m x'' + c x' + k x = f(t).
-struct Coefficients {
-    mass: Expr,
-    damping: Expr,
-    stiffness: Expr,
+pub(super) struct Coefficients {
+    pub(super) mass: Expr,
+    pub(super) damping: Expr,
+    pub(super) stiffness: Expr,
 }
 
 /// The quantities of an item that are, by their formula or their second route, a number of a model of one
@@ -67,7 +67,7 @@ pub(super) fn right(template: &Template, coordinate: &Name, single: Single) -> O
 
 impl Coefficients {
     /// The coefficients, if the equation is linear in the coordinate and they are constant.
-    fn of(equation: &Equation, coordinate: &Name) -> Option<Self> {
+    pub(super) fn of(equation: &Equation, coordinate: &Name) -> Option<Self> {
         let difference = equation.difference();
         let coefficient = |order| {
             let slope = differentiate(&difference, Variable::of(coordinate, order)).ok()?;
@@ -88,26 +88,6 @@ impl Coefficients {
             .with("m", self.mass.clone())
             .with("c", self.damping.clone())
             .with("k", self.stiffness.clone());
-        put.apply(&Expr::read(written(single)).ok()?).ok()
-    }
-}
-
-/// The formulas of the textbooks; the sign of an equation that was multiplied by −1 drops out of all but the first three.
-fn written(single: Single) -> &'static str {
-    match single {
-        Single::Mass => "m",
-        Single::Damping => "c",
-        Single::Stiffness => "k",
-        Single::NaturalAngularFrequency => "sqrt(k/m)",
-        Single::NaturalFrequency => "sqrt(k/m)/(2*pi)",
-        Single::Period => "2*pi/sqrt(k/m)",
-        Single::DecayRate => "c/(2*m)",
-        Single::DampingRatio => "c/m/(2*sqrt(k/m))",
-        Single::CriticalDamping => "2*m*sqrt(k/m)",
-        Single::DampedAngularFrequency => "sqrt(k/m - (c/(2*m))^2)",
-        Single::DampedPeriod => "2*pi/sqrt(k/m - (c/(2*m))^2)",
-        Single::LogarithmicDecrement => "c/(2*m)*2*pi/sqrt(k/m - (c/(2*m))^2)",
-        Single::QualityFactor => "m*sqrt(k/m)/c",
-        Single::ResonanceAngularFrequency => "sqrt(k/m - 2*(c/(2*m))^2)",
+        put.apply(&Expr::read(single.definition()).ok()?).ok()
     }
 }

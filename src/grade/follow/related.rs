@@ -9,47 +9,6 @@ use crate::mechanics::Single;
 use crate::quantity::NodeId;
 use crate::solution::Solution;
 
-/// How the textbooks get a number of an oscillator from others, by [`LETTERS`]; tried in order.
-const RULES: &[(Single, &str)] = &[
-    (Single::NaturalAngularFrequency, "sqrt(k/m)"),
-    (Single::NaturalAngularFrequency, "2*pi*f"),
-    (Single::NaturalAngularFrequency, "2*pi/T"),
-    (Single::NaturalFrequency, "w/(2*pi)"),
-    (Single::NaturalFrequency, "1/T"),
-    (Single::Period, "2*pi/w"),
-    (Single::Period, "1/f"),
-    (Single::CriticalDamping, "2*sqrt(k*m)"),
-    (Single::CriticalDamping, "2*m*w"),
-    (Single::DampingRatio, "a/w"),
-    (Single::DampingRatio, "c/(2*sqrt(k*m))"),
-    (Single::DampingRatio, "c/(2*m*w)"),
-    (Single::DampingRatio, "1/(2*Q)"),
-    (Single::DecayRate, "z*w"),
-    (Single::DecayRate, "c/(2*m)"),
-    (Single::DampedAngularFrequency, "w*sqrt(1 - z^2)"),
-    (Single::DampedAngularFrequency, "sqrt(w^2 - a^2)"),
-    (Single::DampedAngularFrequency, "2*pi/P"),
-    (Single::DampedPeriod, "2*pi/d"),
-    (Single::LogarithmicDecrement, "a*P"),
-    (Single::LogarithmicDecrement, "2*pi*z/sqrt(1 - z^2)"),
-    (Single::QualityFactor, "1/(2*z)"),
-];
-
-/// The letters of the rules.
-const LETTERS: &[(&str, Single)] = &[
-    ("m", Single::Mass),
-    ("c", Single::Damping),
-    ("k", Single::Stiffness),
-    ("w", Single::NaturalAngularFrequency),
-    ("f", Single::NaturalFrequency),
-    ("T", Single::Period),
-    ("a", Single::DecayRate),
-    ("z", Single::DampingRatio),
-    ("d", Single::DampedAngularFrequency),
-    ("P", Single::DampedPeriod),
-    ("Q", Single::QualityFactor),
-];
-
 /// A number of an oscillator that the item has a quantity for.
 struct Known {
     node: NodeId,
@@ -69,11 +28,21 @@ pub(super) fn extend(solution: &Solution<'_>, answers: &mut Answers) {
             single,
         })
         .collect();
-    for (single, rule) in RULES {
-        for target in known.iter().filter(|own| own.single == *single) {
-            if !answers.has(target.node) {
-                follow(solution, answers, &known, target, rule);
+    // What follows may lead further, by a relation to a number that stands before it.
+    const ROUNDS: usize = 3;
+    for _ in 0..ROUNDS {
+        let count = answers.own().count();
+        for single in Single::ALL {
+            for target in known.iter().filter(|own| own.single == single) {
+                for rule in single.relations() {
+                    if !answers.has(target.node) {
+                        follow(solution, answers, &known, target, rule);
+                    }
+                }
             }
+        }
+        if answers.own().count() == count {
+            break;
         }
     }
 }
@@ -148,12 +117,10 @@ impl Taken {
         name: &Name,
     ) -> Option<Self> {
         let evaluation = solution.evaluation();
-        let (_, single) = LETTERS
-            .iter()
-            .find(|(letter, _)| *letter == name.as_str())?;
-        let is_it = |own: &&Known| own.coordinate == target.coordinate && own.single == *single;
+        let single = Single::of_letter(name.as_str())?;
+        let is_it = |own: &&Known| own.coordinate == target.coordinate && own.single == single;
         let Some(quantity) = known.iter().find(is_it) else {
-            let formula = oscillator::right(solution.template(), &target.coordinate, *single)?;
+            let formula = oscillator::right(solution.template(), &target.coordinate, single)?;
             let number = answers::number(&formula, evaluation)?;
             return Some(Self {
                 number,

@@ -242,6 +242,9 @@ fn why(why: &Why) -> String {
         }
         Why::TwoFunctions(symbol) => format!("there are two functions for {symbol}."),
         Why::FunctionMissing => "a function is missing.".to_owned(),
+        Why::TooManyConstants { most, needed } => {
+            format!("use at most {most} constants; {needed} would do.")
+        }
         Why::Undifferentiable => {
             "these functions cannot be differentiated; write them in a simpler form.".to_owned()
         }

@@ -4,6 +4,7 @@ mod bank;
 mod choice;
 mod complex;
 mod corpus;
+mod domain;
 mod equation;
 mod formula;
 mod function;

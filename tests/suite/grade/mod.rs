@@ -1,3 +1,4 @@
 //! Grading of whole instances.
 
 mod follow;
+mod relations;

@@ -43,7 +43,7 @@ impl Prepared {
                 .collect()
         };
         let mut basis: Vec<Vec<f64>> = Vec::new();
-        for place in 0..constants.len() {
+        for place in solution.used.iter().copied() {
             let mut moved = constants.clone();
             moved[place] += STEP;
             let after = state(&moved)?;
@@ -81,7 +81,11 @@ impl Prepared {
             constants.map(|_| 1.0 + 0.5 * draws.signed()).collect()
         };
         let (constants, others) = (draw(), draw());
-        let roles = (0..constants.len()).map(|place| self.role(solution, &constants, place));
+        let role = |place: usize| match solution.used.contains(&place) {
+            true => self.role(solution, &constants, place),
+            false => Some(Role::Factor),
+        };
+        let roles = (0..constants.len()).map(role);
         let Some(roles) = roles.collect::<Option<Vec<Role>>>() else {
             return false;
         };

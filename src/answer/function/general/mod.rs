@@ -26,6 +26,8 @@ const LETTERS: [&str; 30] = [
     "A", "B", "C", "D", "E", "F", "G", "H", "a", "b", "c", "d", "phi", "psi", "alpha", "beta",
     "delta", "theta", "p", "q", "u", "v", "K", "P", "Q", "R", "gamma", "epsilon", "eta", "chi",
 ];
+/// Constants that a response may use: a few more than are needed.
+const MOST_USED: usize = 16;
 /// Highest number behind such a letter.
 const MOST_NUMBERED: usize = 6;
 
@@ -38,6 +40,8 @@ struct Setup {
     coordinates: Vec<Name>,
     symbols: Vec<Math>,
     constants: Vec<Name>,
+    /// Where their values stand in a point.
+    slots: Vec<usize>,
     frequencies: Option<NodeId>,
     shapes: Option<NodeId>,
     meaning: Meaning,
@@ -88,6 +92,8 @@ pub(super) fn read(
         }
     }
     lexicon.allow(&Name::new("t"), crate::math::symbol("t"), false);
+    let places = constants.iter().filter_map(|name| meaning.place(name));
+    let slots = places.map(|place| place * ORDERS).collect();
     let frequencies = declare.formula("frequencies", &of("natural_angular_frequencies"));
     let shapes = declare.formula("shapes", &of("mode_shapes"));
     Some(Box::new(General(Arc::new(Setup {
@@ -98,6 +104,7 @@ pub(super) fn read(
             .map(|own| Math::clone(&own.symbol))
             .collect(),
         constants,
+        slots,
         frequencies,
         shapes,
         meaning,
@@ -145,6 +152,8 @@ struct Solution {
     residuals: Vec<Program>,
     /// Left minus right of the equations with positions as inputs.
     bare: Vec<Program>,
+    /// The constants that occur in it, as places.
+    used: Vec<usize>,
     has_decimals: bool,
 }
 
@@ -219,7 +228,13 @@ impl Setup {
             .iter()
             .map(|name| Expr::name(name.clone()).prime(1))
             .collect();
+        let names: Vec<_> = typed.iter().map(Expr::names).collect();
+        let is_used = |place: &usize| {
+            let mut names = names.iter();
+            names.any(|names| names.uses(&self.constants[*place]))
+        };
         Some(Solution {
+            used: (0..self.constants.len()).filter(is_used).collect(),
             positions: all(typed.to_vec(), &none)?,
             velocities: all(rates, &replaced)?,
             residuals: all(differences(), &replaced)?,
@@ -238,10 +253,8 @@ impl Prepared {
     fn point(&self, constants: &[f64], time: f64) -> Vec<Precise> {
         let mut point = self.data.clone();
         let setup = &self.setup;
-        for (name, value) in setup.constants.iter().zip(constants) {
-            if let Some(slot) = setup.slot(name) {
-                point[slot] = Precise::exact(*value);
-            }
+        for (slot, value) in setup.slots.iter().zip(constants) {
+            point[*slot] = Precise::exact(*value);
         }
         if let Some(slot) = setup.slot(&Name::new("t")) {
             point[slot] = Precise::exact(time);
@@ -409,6 +422,12 @@ impl Marker for Prepared {
         let Some(solution) = setup.solution(&typed) else {
             return Marking::unreadable(Why::Undifferentiable);
         };
+        if solution.used.len() > MOST_USED {
+            return Marking::unreadable(Why::TooManyConstants {
+                most: MOST_USED,
+                needed: 2 * setup.coordinates.len(),
+            });
+        }
         match self.satisfies(&solution) {
             None => return wrong(reading, Slip::NoValueAtTimes),
             Some(false) => return wrong(reading, Slip::Unsatisfied),
@@ -421,11 +440,7 @@ impl Marker for Prepared {
         if !self.are_factors_and_phases(&solution) {
             return wrong(reading, Slip::NotFactors);
         }
-        let used = setup.constants.iter().filter(|name| {
-            let mut all = typed.iter();
-            all.any(|formula| formula.names().uses(name))
-        });
-        let count = used.count();
+        let count = solution.used.len();
         let found = count;
         let note = (count > needed).then_some(Note::ConstantsToSpare { needed, found });
         Marking::read(reading, Credit::FULL, note.map(Remark::from))

@@ -1,0 +1,178 @@
+//! What shows late: windows behind the span, in which functions are compared by their size.
+//!
+//! Light damping hardly shows over three periods, so that a motion without it is as near to the key as rounding allows.
+//! Many periods later the damping shows, but there a frequency of three figures has lost the phase. So where a datum of
+//! the key does not show on the span, the function is compared once more in a window behind it, by its root mean square
+//! under a Hann weight, which the phase does not change:
+//!
+//! ```text
+//! size² = Σ w(s) x(s)² / Σ w(s),   w(s) = sin²(π s),   0 < s < 1 over the window.
+//! ```
+//!
+//! Its tolerance is derived as that of the values is. A key in pieces is not compared beyond its span, where the
+//! response need not hold.
+
+use super::SAMPLES;
+use super::samples::samples;
+use crate::answer::Tolerance;
+use crate::expr::{Expr, Function, Kind, Name, Precise, Value};
+use crate::numerics::sin;
+use crate::quantity::{Evaluation, NodeId};
+
+/// A datum shows where its own size moves the function by so many half-widths: an error of an eighth is seen.
+const SHOWS: f64 = 8.0;
+/// Windows that are tried; each lies twice as far behind the span as the one before.
+const MOST_DOUBLINGS: i32 = 12;
+/// Every so many times of the span tell whether a datum shows.
+const STRIDE: usize = 4;
+/// The relative step of the derivatives.
+const STEP: f64 = 1e-6;
+
+/// A window behind the span.
+#[derive(Clone, Debug)]
+pub(super) struct Window {
+    pub(super) times: Vec<Precise>,
+    size: f64,
+    half: f64,
+}
+
+/// What is known of a key when the windows are chosen.
+pub(super) struct OnSpan<'a> {
+    pub(super) evaluation: &'a Evaluation<'a>,
+    pub(super) key: NodeId,
+    pub(super) ends: [f64; 2],
+    pub(super) times: &'a [Precise],
+    pub(super) values: &'a [f64],
+    pub(super) halves: &'a [f64],
+    /// The share by which rounding moves a value.
+    pub(super) share: f64,
+    /// The tolerance that the item states, with the figures of the answer.
+    pub(super) stated: Option<(&'a Tolerance, u32)>,
+}
+
+impl Window {
+    /// Whether a function with these values at its times has the size of the key there.
+    pub(super) fn admits(&self, values: &[f64]) -> bool {
+        (size(values) - self.size).abs() <= self.half
+    }
+}
+
+impl OnSpan<'_> {
+    /// The windows in which those data of the key show that do not show on its span.
+    pub(super) fn windows(&self) -> Vec<Window> {
+        let graph = self.evaluation.graph();
+        let data = graph.parameters(self.key).into_iter();
+        let mut hidden: Vec<NodeId> = data.filter(|datum| !self.shows(*datum)).collect();
+        let mut windows = Vec::new();
+        for doubling in 0..MOST_DOUBLINGS {
+            if hidden.is_empty() {
+                break;
+            }
+            let Some(window) = self.window(doubling) else {
+                break;
+            };
+            let count = hidden.len();
+            hidden.retain(|datum| {
+                let moved = self.size_with(*datum, &window.times);
+                let slope = moved.map_or(0.0, |moved| (moved - window.size).abs() / STEP);
+                slope < SHOWS * window.half
+            });
+            if hidden.len() < count {
+                windows.push(window);
+            }
+        }
+        windows
+    }
+
+    /// Whether a datum shows on the span.
+    fn shows(&self, datum: NodeId) -> bool {
+        let every = |place: &usize| place % STRIDE == STRIDE / 2;
+        let places: Vec<usize> = (0..self.times.len()).filter(every).collect();
+        let times: Vec<Precise> = places.iter().map(|place| self.times[*place]).collect();
+        let Some(moved) = self.moved(datum, &times) else {
+            return true;
+        };
+        places.iter().zip(moved).any(|(place, moved)| {
+            (moved - self.values[*place]).abs() / STEP >= SHOWS * self.halves[*place]
+        })
+    }
+
+    /// The window that lies `2^doubling` spans behind the span.
+    fn window(&self, doubling: i32) -> Option<Window> {
+        let [from, to] = self.ends;
+        let start = to + (to - from) * (crate::numerics::powi(2.0, doubling) - 1.0);
+        let times = super::span::times([start, start + to - from]);
+        let own = size(&samples(self.evaluation, self.key, &times).ok()?);
+        let half = match self.stated {
+            Some((tolerance, figures)) => {
+                let largest = own.max(size(self.values));
+                tolerance.half_width(largest, || 0.0, figures, self.evaluation)
+            }
+            None => {
+                let steps = self.evaluation.graph().steps(self.key).into_iter();
+                let steps = steps.filter(|step| self.is_number(*step));
+                let moved = steps.filter_map(|step| self.size_with(step, &times));
+                let spread: f64 = moved.map(|moved| (moved - own).abs() / STEP).sum();
+                self.share * (own.max(size(self.values)) + spread)
+            }
+        };
+        half.is_finite().then_some(Window {
+            times,
+            size: own,
+            half,
+        })
+    }
+
+    fn is_number(&self, step: NodeId) -> bool {
+        self.evaluation.graph().variables(step).is_empty()
+    }
+
+    fn size_with(&self, node: NodeId, times: &[Precise]) -> Option<f64> {
+        Some(size(&self.moved(node, times)?))
+    }
+
+    /// The values of the key where a datum or step is a little larger; `None` where it is zero or no number.
+    fn moved(&self, node: NodeId, times: &[Precise]) -> Option<Vec<f64>> {
+        let given = self.evaluation.real(node).ok().filter(|own| *own != 0.0)?;
+        let moved = Value::real(given * (1.0 + STEP), 0.0);
+        let evaluation = self.evaluation.replacing(vec![(node, moved)]);
+        samples(&evaluation, self.key, times).ok()
+    }
+}
+
+/// The root mean square of a function under a Hann weight.
+fn size(values: &[f64]) -> f64 {
+    let (mut sum, mut weights) = (0.0, 0.0);
+    for (place, value) in values.iter().enumerate() {
+        let share = (place as f64 + 0.5) / SAMPLES as f64;
+        let weight = sin(std::f64::consts::PI * share);
+        let weight = weight * weight;
+        sum += weight * value * value;
+        weights += weight;
+    }
+    (sum / weights).sqrt()
+}
+
+/// Whether a function is another one in different pieces of its variable.
+pub(super) fn is_in_pieces(expr: &Expr, variable: &Name) -> bool {
+    let mut found = false;
+    let moves = |inner: &Expr| inner.reaches(|name| name == variable);
+    expr.walk(&mut |node| {
+        found |= match node.kind() {
+            Kind::If(condition, ..) => moves(condition),
+            Kind::Call(
+                Function::Floor
+                | Function::Ceil
+                | Function::Round
+                | Function::Mod
+                | Function::Sign
+                | Function::Abs
+                | Function::Min
+                | Function::Max,
+                of,
+            ) => of.iter().any(moves),
+            _ => false,
+        };
+    });
+    found
+}
