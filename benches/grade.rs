@@ -1,10 +1,12 @@
 //! Marking one response, with the solution and its tolerance at hand and without.
 
+use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
+use vibank::answer::KeyValue;
 use vibank::bank::{Catalogue, embedded};
 use vibank::grade;
 use vibank::instance::Instance;
-use vibank::solution::Solution;
+use vibank::solution::{Session, Solution};
 
 fn main() {
     divan::main();
@@ -88,4 +90,44 @@ fn formula(bencher: Bencher, response: &str) {
     ));
     let _ = solution.marker(0);
     bencher.bench_local(|| grade::mark(&solution, 0, black_box(response)).verdict);
+}
+
+/// Right responses to all parts of one kind of the whole bank, one request a line as `mark --jsonl` reads them; the keys
+/// are prepared by a first round. Items are responses.
+#[divan::bench(args = ["numeric", "formula", "equation", "function", "matrix"])]
+fn stream(bencher: Bencher, kind: &str) {
+    let (catalogue, _) = Catalogue::load(embedded());
+    let mut lines = Vec::new();
+    for template in catalogue.items() {
+        let solution = Solution::of(Instance::of_source(template));
+        for (place, part) in template.parts.iter().enumerate() {
+            if part.answer.kind().name() != kind || !solution.asks(place) {
+                continue;
+            }
+            let Ok(key) = solution.marker(place).map(|marker| marker.key()) else {
+                continue;
+            };
+            let response = match key.value {
+                KeyValue::Formula { text, .. } => text,
+                KeyValue::Numbers { si, .. } if si.len() == 1 => {
+                    let unit = part.answer.unit().map(|unit| unit.coherent().to_string());
+                    format!("{} {}", si[0], unit.unwrap_or_default())
+                }
+                _ => key.math.plain(),
+            };
+            let line = serde_json::json!({
+                "id": template.id.to_string(), "part": part.id, "response": response,
+            });
+            lines.push(line.to_string());
+        }
+    }
+    let mut session = Session::new(&catalogue);
+    let mut round = || {
+        for line in &lines {
+            black_box(grade::request::answer(&mut session, black_box(line)));
+        }
+    };
+    round();
+    let count = ItemsCount::new(lines.len());
+    bencher.counter(count).bench_local(round);
 }

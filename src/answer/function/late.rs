@@ -116,6 +116,12 @@ impl OnSpan<'_> {
                 self.share * (own.max(size(self.values)) + spread)
             }
         };
+        // A factor that the span admits is admitted here, too.
+        let shares = self.values.iter().zip(self.halves);
+        let factor = shares
+            .map(|(value, half)| half / value.abs())
+            .fold(f64::INFINITY, f64::min);
+        let half = half.max(factor * own);
         half.is_finite().then_some(Window {
             times,
             size: own,

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use vibank::answer::{KeyValue, Verdict};
+use vibank::answer::{KeyValue, Reason, Verdict};
 use vibank::bank::{Catalogue, embedded};
 use vibank::expr::{Expr, Kind, Name, Operator, Precise, Program, Slots, Substitution, Workspace};
 use vibank::grade;
@@ -149,7 +149,10 @@ fn no_slip_in_a_formula_of_the_bank_is_right() {
             };
             for slip in slips(&key, &letters).iter().filter(|slip| differs(slip)) {
                 count += 1;
-                if grade::mark(&solution, place, &slip.to_string()).verdict == Verdict::Right {
+                let marking = grade::mark(&solution, place, &slip.to_string());
+                // Where the item itself names a form that is right for some data, it says so.
+                let is_named = matches!(marking.reasons()[..], [Reason::Mistake(_), ..]);
+                if marking.verdict == Verdict::Right && !is_named {
                     faults.push(format!("{} {}: {slip} for {key}", template.id, part.id));
                 }
             }
