@@ -94,7 +94,11 @@ fn print(id: &str, solved: &Solved) {
     println!("{id}\n\ngiven");
     for (name, given) in &solved.parameters {
         let unit = Nested::One(given.unit.clone());
-        println!("  {name:<12} {} {}", Json::from(given.value), shown_unit(&unit));
+        println!(
+            "  {name:<12} {} {}",
+            Json::from(given.value),
+            shown_unit(&unit)
+        );
     }
     println!("\nanswers");
     for (id, entry) in &solved.answers {

@@ -8,7 +8,7 @@
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value as Json};
 
-use super::{Grade, Comment, remarks};
+use super::{Comment, Grade, remarks};
 use crate::answer::{Credit, Reason, Verdict};
 use crate::bank::Template;
 use crate::solution::Session;

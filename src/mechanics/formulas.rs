@@ -93,4 +93,3 @@ impl Model {
 fn product(a: Expr, b: Expr) -> Expr {
     Expr::derived(Kind::Binary(Operator::Multiply, a, b))
 }
-

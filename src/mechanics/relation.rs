@@ -64,7 +64,14 @@ impl Single {
     pub fn relations(self) -> &'static [&'static str] {
         match self {
             Self::Mass => &["m", "k/w^2", "c/(2*a)"],
-            Self::Damping => &["c", "2*m*a", "2*z*m*w", "2*z*sqrt(k*m)", "sqrt(k*m)/Q", "z*C"],
+            Self::Damping => &[
+                "c",
+                "2*m*a",
+                "2*z*m*w",
+                "2*z*sqrt(k*m)",
+                "sqrt(k*m)/Q",
+                "z*C",
+            ],
             Self::Stiffness => &["k", "m*w^2", "4*pi^2*m/T^2"],
             Self::NaturalAngularFrequency => &[
                 "sqrt(k/m)",
@@ -99,9 +106,7 @@ impl Single {
                 "2*pi*z/sqrt(1 - z^2)",
             ],
             Self::QualityFactor => &["sqrt(k*m)/c", "1/(2*z)"],
-            Self::ResonanceAngularFrequency => {
-                &["sqrt(k/m - 2*(c/(2*m))^2)", "w*sqrt(1 - 2*z^2)"]
-            }
+            Self::ResonanceAngularFrequency => &["sqrt(k/m - 2*(c/(2*m))^2)", "w*sqrt(1 - 2*z^2)"],
         }
     }
 }

@@ -135,7 +135,9 @@ mod tests {
     fn a_solution_is_kept_by_item_seed_and_data_and_their_number_is_bounded() {
         let (catalogue, _) = Catalogue::load(embedded());
         let mut session = Session::new(&catalogue);
-        let template = session.find("ch2/e8-springs-parallel-series").expect("an item");
+        let template = session
+            .find("ch2/e8-springs-parallel-series")
+            .expect("an item");
         let none = Map::new();
         let mut of = |seed, set: &Map<String, Json>| {
             session.solution(template, seed, set).expect("a solution")

@@ -206,7 +206,9 @@ impl Points {
 
     fn differ_off_the_axis(&self, key: &Comparable, other: &Comparable) -> bool {
         match (&key.complex, &other.complex) {
-            (Some(key), Some(other)) => complex::differ(key, other, &self.points, &self.ties.are_integers),
+            (Some(key), Some(other)) => {
+                complex::differ(key, other, &self.points, &self.ties.are_integers)
+            }
             _ => false,
         }
     }

@@ -50,7 +50,9 @@ pub(super) fn extend(solution: &Solution<'_>, answers: &mut Answers, equations: 
         });
         let found: Vec<(NodeId, Value)> = routes
             .filter(|(quantity, _)| !answers.has(*quantity))
-            .filter_map(|(quantity, route)| Some((quantity, changed(solution, &evaluation, route)?)))
+            .filter_map(|(quantity, route)| {
+                Some((quantity, changed(solution, &evaluation, route)?))
+            })
             .collect();
         for (quantity, value) in found {
             answers.add_following(solution, quantity, source.as_ref(), value, None);
@@ -80,14 +82,21 @@ fn own(
     let answered = |single: Single| {
         let mut known = known.iter();
         let (node, _) = known.find(|(_, own)| *own == single)?;
-        answers.last(*node).filter(|own| own.source != Source::Related).cloned()
+        answers
+            .last(*node)
+            .filter(|own| own.source != Source::Related)
+            .cloned()
     };
     let frequency = answered(Single::NaturalAngularFrequency);
     let ratio = answered(Single::DampingRatio);
     let source = frequency.clone().or_else(|| ratio.clone())?;
-    let value = |own: &Option<Own>, right: f64| own.as_ref().map_or(Some(right), |own| own.value.as_real());
+    let value =
+        |own: &Option<Own>, right: f64| own.as_ref().map_or(Some(right), |own| own.value.as_real());
     let w = value(&frequency, (right.stiffness / right.mass).sqrt())?;
-    let z = value(&ratio, right.damping / (2.0 * (right.stiffness * right.mass).sqrt()))?;
+    let z = value(
+        &ratio,
+        right.damping / (2.0 * (right.stiffness * right.mass).sqrt()),
+    )?;
     let own = Driven {
         stiffness: right.mass * w * w,
         damping: 2.0 * z * right.mass * w,
@@ -105,7 +114,9 @@ impl Driven {
         };
         let coefficients = Coefficients::of(equation, coordinate)?;
         let still = Substitution::new().with(coordinate.clone(), Expr::number(0));
-        let rest = still.apply(&(equation.right.clone() - equation.left.clone())).ok()?;
+        let rest = still
+            .apply(&(equation.right.clone() - equation.left.clone()))
+            .ok()?;
         let (_, harmonics) = Normal::of(&rest).ok()?.harmonics(&Name::new("t")).ok()??;
         let (mut force, mut frequency) = (Complex::new(0.0, 0.0), None);
         for harmonic in &harmonics {

@@ -25,7 +25,8 @@ const LARGEST: usize = 400;
 pub(super) fn extend(solution: &Solution<'_>, answers: &mut Answers, place: usize) {
     for key in solution.template().parts[place].answer.keys() {
         if !answers.has(key) {
-            let found = by_parts(solution, answers, key).or_else(|| by_route(solution, answers, key));
+            let found =
+                by_parts(solution, answers, key).or_else(|| by_route(solution, answers, key));
             if let Some((source, value, formula)) = found {
                 answers.add_following(solution, key, Some(&source), value, formula);
             }
@@ -45,7 +46,8 @@ fn by_parts(
     let (mut source, mut symbols, mut values) = (None, Substitution::new(), Vec::new());
     let mut has_formulas = true;
     for own in answers.own() {
-        let goes_on = !graph.depends(key, &own.name) && own.node != key && own.source != Source::Related;
+        let goes_on =
+            !graph.depends(key, &own.name) && own.node != key && own.source != Source::Related;
         let (Some(value), Some(asked)) = (own.value.as_real(), graph.expr(own.node)) else {
             continue;
         };
@@ -116,7 +118,12 @@ impl Data {
             .collect();
         names.sort();
         let is_known = |name: &Name| names.contains(name);
-        if formula.names().free.iter().any(|free| !is_known(&free.name)) {
+        if formula
+            .names()
+            .free
+            .iter()
+            .any(|free| !is_known(&free.name))
+        {
             return None;
         }
         let value = |name: &Name| solution.evaluation().real(graph.find(name)?).ok();
@@ -146,7 +153,12 @@ impl Data {
     /// The value of a formula for the instance, with these values of further names.
     fn at(solution: &Solution<'_>, formula: &Expr, further: &[(Name, f64)]) -> Option<f64> {
         let graph: &Graph = &solution.template().graph;
-        let names: Vec<Name> = formula.names().free.into_iter().map(|free| free.name).collect();
+        let names: Vec<Name> = formula
+            .names()
+            .free
+            .into_iter()
+            .map(|free| free.name)
+            .collect();
         let texts: Vec<&str> = names.iter().map(Name::as_str).collect();
         let program = Program::compile(formula, &Slots(&texts)).ok()?;
         let value = |name: &Name| match further.iter().find(|(own, _)| own == name) {
@@ -155,7 +167,10 @@ impl Data {
         };
         let data = names.iter().map(|name| value(name).map(Precise::exact));
         let data = data.collect::<Option<Vec<_>>>()?;
-        program.evaluate(&data[..], &mut Workspace::default()).ok()?.as_real()
+        program
+            .evaluate(&data[..], &mut Workspace::default())
+            .ok()?
+            .as_real()
     }
 }
 
@@ -191,7 +206,9 @@ impl Search<'_> {
     /// The power of the letter that a part is, with the number before it.
     fn power(&self, part: &Expr) -> Option<Expr> {
         let values = self.data.values(part)?;
-        let is_moving = values.iter().any(|value| (value - values[0]).abs() > ROUNDING * value.abs());
+        let is_moving = values
+            .iter()
+            .any(|value| (value - values[0]).abs() > ROUNDING * value.abs());
         if !is_moving {
             return None;
         }

@@ -192,7 +192,11 @@ fn add(
 }
 
 /// The value of a route, if it is another one than the right one.
-pub(super) fn changed(solution: &Solution<'_>, other: &Evaluation<'_>, route: NodeId) -> Option<Value> {
+pub(super) fn changed(
+    solution: &Solution<'_>,
+    other: &Evaluation<'_>,
+    route: NodeId,
+) -> Option<Value> {
     let due = solution.evaluation().value(route).ok()?;
     let found = other.value(route).ok()?;
     (due.form() == found.form() && !guard::is_same(due, found)).then(|| found.clone())

@@ -29,7 +29,11 @@ fn forms_that_are_equal_where_the_constraints_hold_are_right() {
         ("ch2/t3-unknown-mass-added", "k", "4*pi^2*dm/|T2^2 - T1^2|"),
         ("ch2/t3-unknown-mass-added", "m", "|dm*T1^2/(T1^2 - T2^2)|"),
     ] {
-        assert_eq!(verdict(item, part, &[], response), Verdict::Right, "{item} {part} {response}");
+        assert_eq!(
+            verdict(item, part, &[], response),
+            Verdict::Right,
+            "{item} {part} {response}"
+        );
     }
 }
 
@@ -59,7 +63,13 @@ fn an_equality_among_the_constraints_is_solved() {
         [[part]]\nid = 'p'\nkind = 'formula'\nkey = 'l'\nask = 'Find it.'\n";
     super::check(
         item,
-        &[("a + b", "right"), ("b + b/2", "right"), ("3*a", "right"), ("2*a", "wrong"), ("2*b - a/2", "wrong")],
+        &[
+            ("a + b", "right"),
+            ("b + b/2", "right"),
+            ("3*a", "right"),
+            ("2*a", "wrong"),
+            ("2*b - a/2", "wrong"),
+        ],
     );
 }
 
@@ -71,7 +81,12 @@ fn a_number_of_cycles_is_an_integer_and_a_mass_is_not() {
         [[part]]\nid = 'p'\nkind = 'formula'\nkey = 'q'\nask = 'Find it.'\n";
     super::check(
         item,
-        &[("m*cos(n*pi)", "right"), ("m*(-1)^(n+2)", "right"), ("m*(-1)^(n+1)", "wrong"), ("m*cos(2*n*pi)", "wrong")],
+        &[
+            ("m*cos(n*pi)", "right"),
+            ("m*(-1)^(n+2)", "right"),
+            ("m*(-1)^(n+1)", "wrong"),
+            ("m*cos(2*n*pi)", "wrong"),
+        ],
     );
 }
 
@@ -81,9 +96,16 @@ fn value(expr: &Expr, solution: &Solution<'_>) -> Option<f64> {
     let texts: Vec<&str> = names.iter().map(Name::as_str).collect();
     let program = Program::compile(expr, &Slots(&texts)).ok()?;
     let graph = &solution.template().graph;
-    let number = |name: &Name| Some(Precise::exact(solution.evaluation().real(graph.find(name)?).ok()?));
+    let number = |name: &Name| {
+        Some(Precise::exact(
+            solution.evaluation().real(graph.find(name)?).ok()?,
+        ))
+    };
     let data = names.iter().map(number).collect::<Option<Vec<_>>>()?;
-    program.evaluate(&data[..], &mut Workspace::default()).ok()?.as_real()
+    program
+        .evaluate(&data[..], &mut Workspace::default())
+        .ok()?
+        .as_real()
 }
 
 /// A formula changed at one place in each way that a hand slips: terms dropped, signs, factors, exponents and letters.
@@ -91,14 +113,26 @@ fn slips(expr: &Expr, letters: &[Name]) -> Vec<Expr> {
     let mut found = Vec::new();
     match expr.kind() {
         Kind::Binary(operator, a, b) => {
-            let make = |operator, a: &Expr, b: &Expr| Expr::derived(Kind::Binary(operator, a.clone(), b.clone()));
+            let make = |operator, a: &Expr, b: &Expr| {
+                Expr::derived(Kind::Binary(operator, a.clone(), b.clone()))
+            };
             match operator {
                 Operator::Add | Operator::Subtract => {
-                    let other = if *operator == Operator::Add { Operator::Subtract } else { Operator::Add };
+                    let other = if *operator == Operator::Add {
+                        Operator::Subtract
+                    } else {
+                        Operator::Add
+                    };
                     found.extend([a.clone(), b.clone(), make(other, a, b)]);
                 }
-                Operator::Multiply => found.extend([a.clone(), b.clone(), make(Operator::Divide, a, b)]),
-                Operator::Divide => found.extend([a.clone(), make(Operator::Multiply, a, b), make(Operator::Divide, b, a)]),
+                Operator::Multiply => {
+                    found.extend([a.clone(), b.clone(), make(Operator::Divide, a, b)])
+                }
+                Operator::Divide => found.extend([
+                    a.clone(),
+                    make(Operator::Multiply, a, b),
+                    make(Operator::Divide, b, a),
+                ]),
                 Operator::Power => found.push(a.clone()),
             }
             found.extend(slips(a, letters).iter().map(|a| make(*operator, a, b)));
@@ -108,7 +142,11 @@ fn slips(expr: &Expr, letters: &[Name]) -> Vec<Expr> {
         }
         Kind::Negate(inner) => {
             found.push(inner.clone());
-            found.extend(slips(inner, letters).into_iter().map(|inner| Expr::derived(Kind::Negate(inner))));
+            found.extend(
+                slips(inner, letters)
+                    .into_iter()
+                    .map(|inner| Expr::derived(Kind::Negate(inner))),
+            );
         }
         Kind::Call(function, arguments) if arguments.len() == 1 => {
             found.push(arguments[0].clone());
@@ -122,7 +160,10 @@ fn slips(expr: &Expr, letters: &[Name]) -> Vec<Expr> {
         Kind::Number(number) => found.push(Expr::number(*number) + Expr::number(1)),
         _ => {}
     }
-    found.extend([Expr::number(2) * expr.clone(), expr.clone() / Expr::number(2)]);
+    found.extend([
+        Expr::number(2) * expr.clone(),
+        expr.clone() / Expr::number(2),
+    ]);
     found
 }
 
@@ -137,14 +178,20 @@ fn no_slip_in_a_formula_of_the_bank_is_right() {
             if part.answer.kind().name() != "formula" {
                 continue;
             }
-            let Ok(marker) = solution.marker(place) else { continue };
-            let KeyValue::Formula { text, .. } = marker.key().value else { continue };
+            let Ok(marker) = solution.marker(place) else {
+                continue;
+            };
+            let KeyValue::Formula { text, .. } = marker.key().value else {
+                continue;
+            };
             let Ok(key) = Expr::read(&text) else { continue };
             let letters: Vec<Name> = key.names().free.into_iter().map(|own| own.name).collect();
             let differs = |slip: &Expr| {
-                drawn.iter().chain([&solution]).any(|solution| match (value(&key, solution), value(slip, solution)) {
-                    (Some(a), Some(b)) => (a - b).abs() > 1e-6 * a.abs().max(b.abs()),
-                    _ => false,
+                drawn.iter().chain([&solution]).any(|solution| {
+                    match (value(&key, solution), value(slip, solution)) {
+                        (Some(a), Some(b)) => (a - b).abs() > 1e-6 * a.abs().max(b.abs()),
+                        _ => false,
+                    }
                 })
             };
             for slip in slips(&key, &letters).iter().filter(|slip| differs(slip)) {
@@ -159,13 +206,25 @@ fn no_slip_in_a_formula_of_the_bank_is_right() {
         }
     }
     assert!(count > 2000, "{count} slips");
-    assert!(faults.is_empty(), "{} of {count}:\n{}", faults.len(), faults.join("\n"));
+    assert!(
+        faults.is_empty(),
+        "{} of {count}:\n{}",
+        faults.len(),
+        faults.join("\n")
+    );
 }
 
 #[test]
 fn light_damping_is_seen_behind_the_span() {
     let item = "ch2/p1-pinned-bar-block";
-    let light = [("m", "1.5 kg"), ("l", "0.45 m"), ("c", "0.125 N s/m"), ("k", "250 N/m"), ("theta0", "0 rad"), ("thetadot0", "10 rad/s")];
+    let light = [
+        ("m", "1.5 kg"),
+        ("l", "0.45 m"),
+        ("c", "0.125 N s/m"),
+        ("k", "250 N/m"),
+        ("theta0", "0 rad"),
+        ("thetadot0", "10 rad/s"),
+    ];
     for (response, due) in [
         ("0.6325*sin(15.81*t)", Verdict::Wrong),
         ("0.6325*exp(-0.0125*t)*sin(15.81*t)", Verdict::Right),
@@ -186,8 +245,15 @@ fn in_numbers(key: &Expr, solution: &Solution<'_>, scaled: &Name, factor: f64) -
         if variable.name.as_str() == "t" {
             continue;
         }
-        let number = solution.evaluation().real(graph.find(&variable.name)?).ok()?;
-        let number = if variable.name == *scaled { factor * number } else { number };
+        let number = solution
+            .evaluation()
+            .real(graph.find(&variable.name)?)
+            .ok()?;
+        let number = if variable.name == *scaled {
+            factor * number
+        } else {
+            number
+        };
         let digits = vibank::unit::Decimal::rounded(number, 4)?;
         put = put.with(variable.name, Expr::read(&format!("({digits})")).ok()?);
     }
@@ -199,17 +265,27 @@ fn a_motion_with_a_wrong_datum_is_wrong_across_the_bank() {
     let (mut count, mut faults) = (0, Vec::new());
     for template in BANK.items() {
         for seed in 0..3 {
-            let Ok(instance) = Instance::draw(template, Seed::new(seed)) else { continue };
+            let Ok(instance) = Instance::draw(template, Seed::new(seed)) else {
+                continue;
+            };
             let solution = Solution::of(instance);
             for (place, part) in template.parts.iter().enumerate() {
                 if part.answer.kind().name() != "function" || !solution.asks(place) {
                     continue;
                 }
-                let Ok(marker) = solution.marker(place) else { continue };
-                let KeyValue::Formula { text, .. } = marker.key().value else { continue };
+                let Ok(marker) = solution.marker(place) else {
+                    continue;
+                };
+                let KeyValue::Formula { text, .. } = marker.key().value else {
+                    continue;
+                };
                 let Ok(key) = Expr::read(&text) else { continue };
-                let [node] = part.answer.keys()[..] else { continue };
-                let Some(key) = branch(&key, &solution) else { continue };
+                let [node] = part.answer.keys()[..] else {
+                    continue;
+                };
+                let Some(key) = branch(&key, &solution) else {
+                    continue;
+                };
                 for datum in template.graph.parameters(node) {
                     let name = Name::new(template.graph.label(datum));
                     for factor in [0.5, 2.0] {
@@ -223,13 +299,18 @@ fn a_motion_with_a_wrong_datum_is_wrong_across_the_bank() {
                             continue;
                         };
                         // What hardly changes the motion is no slip, and what cannot be typed is none either.
-                        if !differ(&right, &wrong) || grade::mark(&solution, place, &right).verdict != Verdict::Right {
+                        if !differ(&right, &wrong)
+                            || grade::mark(&solution, place, &right).verdict != Verdict::Right
+                        {
                             continue;
                         }
                         count += 1;
                         let marking = grade::mark(&solution, place, &wrong);
                         if marking.verdict == Verdict::Right {
-                            faults.push(format!("{} {} seed {seed}: {factor} {name}: {wrong}", template.id, part.id));
+                            faults.push(format!(
+                                "{} {} seed {seed}: {factor} {name}: {wrong}",
+                                template.id, part.id
+                            ));
                         }
                     }
                 }
@@ -237,7 +318,12 @@ fn a_motion_with_a_wrong_datum_is_wrong_across_the_bank() {
         }
     }
     assert!(count > 200, "{count} motions");
-    assert!(faults.is_empty(), "{} of {count}:\n{}", faults.len(), faults.join("\n"));
+    assert!(
+        faults.is_empty(),
+        "{} of {count}:\n{}",
+        faults.len(),
+        faults.join("\n")
+    );
 }
 
 /// Whether two functions of time differ by a sixth of the larger one's largest value, at some time.
@@ -247,11 +333,18 @@ fn differ(first: &str, second: &str) -> bool {
         let program = Program::compile(&expr, &Slots(&["t"])).expect("it compiles");
         let time = |place: i32| Precise::exact(1e-3 * 10_f64.powf(f64::from(place) / 80.0));
         let mut room = Workspace::default();
-        let value = |place| program.evaluate(&[time(place)][..], &mut room).ok()?.as_real();
+        let value = |place| {
+            program
+                .evaluate(&[time(place)][..], &mut room)
+                .ok()?
+                .as_real()
+        };
         (0..400).filter_map(value).collect()
     };
     let (first, second) = (values(first), values(second));
-    let largest = first.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    let largest = first
+        .iter()
+        .fold(0.0_f64, |most, value| most.max(value.abs()));
     let mut pairs = first.iter().zip(&second);
     first.len() == second.len() && pairs.any(|(a, b)| (a - b).abs() > largest / 6.0)
 }
@@ -261,7 +354,11 @@ fn branch(expr: &Expr, solution: &Solution<'_>) -> Option<Expr> {
     let Kind::If(condition, first, second) = expr.kind() else {
         return Some(expr.clone());
     };
-    let number = Expr::derived(Kind::If(condition.clone(), Expr::number(1), Expr::number(0)));
+    let number = Expr::derived(Kind::If(
+        condition.clone(),
+        Expr::number(1),
+        Expr::number(0),
+    ));
     let holds = value(&number, solution)?;
     branch(if holds == 1.0 { first } else { second }, solution)
 }

@@ -31,7 +31,11 @@ fn last(item: &str, set: &[(&str, &str)], responses: &[(&str, &str)]) -> Marking
 #[track_caller]
 fn follows(item: &str, responses: &[(&str, &str)]) {
     let marking = last(item, &[], responses);
-    assert_eq!(marking.verdict, Verdict::Right, "{responses:?}: {marking:?}");
+    assert_eq!(
+        marking.verdict,
+        Verdict::Right,
+        "{responses:?}: {marking:?}"
+    );
     assert_eq!(marking.reasons()[0], Reason::FollowThrough, "{marking:?}");
     let alone = last(item, &[], &responses[responses.len() - 1..]);
     assert_ne!(alone.verdict, Verdict::Right, "{alone:?}");
@@ -40,7 +44,10 @@ fn follows(item: &str, responses: &[(&str, &str)]) {
 #[test]
 fn what_was_asked_goes_on_where_the_author_goes_back_to_the_data() {
     // k = m ω₀².
-    follows("ch2/t1-stiffness-from-period", &[("omega0", "5 rad/s"), ("k_value", "10 N/m")]);
+    follows(
+        "ch2/t1-stiffness-from-period",
+        &[("omega0", "5 rad/s"), ("k_value", "10 N/m")],
+    );
     // v_max = ω₀ A, and √(2 E/m).
     let energy = "ch2/t6-energy-of-free-motion";
     follows(energy, &[("omega0", "10 rad/s"), ("v_max", "0.5916 m/s")]);
@@ -49,11 +56,20 @@ fn what_was_asked_goes_on_where_the_author_goes_back_to_the_data() {
     // Ω_p = ω₀/√(1 − 2ζ²).
     let rotor = "ch4/t1-rotating-unbalance";
     follows(rotor, &[("zeta", "0.4"), ("Omega_pk", "24.25 rad/s")]);
-    follows(rotor, &[("omega_n", "25 rad/s"), ("Omega_pk", "26.06 rad/s")]);
+    follows(
+        rotor,
+        &[("omega_n", "25 rad/s"), ("Omega_pk", "26.06 rad/s")],
+    );
     // Z = U r²/√((1 − r²)² + (2ζr)²), r = Ω/ω₀.
-    follows("ch4/p3-base-excited-relative", &[("omega_n", "1.8 rad/s"), ("Z", "0.3885 m")]);
+    follows(
+        "ch4/p3-base-excited-relative",
+        &[("omega_n", "1.8 rad/s"), ("Z", "0.3885 m")],
+    );
     // n half-periods.
-    follows("ch3/p3-two-springs-coulomb", &[("T", "2*pi*sqrt(m/k)"), ("t_stop", "1.777 s")]);
+    follows(
+        "ch3/p3-two-springs-coulomb",
+        &[("T", "2*pi*sqrt(m/k)"), ("t_stop", "1.777 s")],
+    );
 }
 
 #[test]
@@ -74,8 +90,20 @@ fn a_named_mistake_does_not_beat_what_follows() {
 
 #[test]
 fn a_named_mistake_is_not_taken_for_what_follows_within_a_wide_tolerance() {
-    let set = [("mu_k", "0.3"), ("x0", "0.2 m"), ("v0", "0.5 m/s"), ("m", "2 kg"), ("k", "200 N/m")];
-    let of = |response| last("ch3/t6-coulomb-general", &set, &[("delta", "38.26 mm"), ("x_rest", response)]);
+    let set = [
+        ("mu_k", "0.3"),
+        ("x0", "0.2 m"),
+        ("v0", "0.5 m/s"),
+        ("m", "2 kg"),
+        ("k", "200 N/m"),
+    ];
+    let of = |response| {
+        last(
+            "ch3/t6-coulomb-general",
+            &set,
+            &[("delta", "38.26 mm"), ("x_rest", response)],
+        )
+    };
     // It follows to 24.4 mm; 28.8 mm is the right distance on the wrong side.
     assert_ne!(of("28.8 mm").verdict, Verdict::Right);
     assert_eq!(of("24.4 mm").verdict, Verdict::Right);
@@ -97,30 +125,47 @@ fn nothing_is_credited_that_does_not_follow() {
         let number = |place: usize, factor: f64| {
             let part = &template.parts[place];
             let entry = solution.entry(&part.id, &[])?;
-            let (Some(Nested::One(Number::Real(si))), Some(Nested::One(unit))) = (entry.si, entry.unit) else {
+            let (Some(Nested::One(Number::Real(si))), Some(Nested::One(unit))) =
+                (entry.si, entry.unit)
+            else {
                 return None;
             };
             let unit = if unit == "1" { String::new() } else { unit };
             let is_numeric = part.answer.kind().name() == "numeric" && si != 0.0;
             is_numeric.then(|| format!("{} {unit}", factor * si))
         };
-        let earlier: Vec<Option<String>> = (0..template.parts.len()).map(|place| number(place, 1.21)).collect();
+        let earlier: Vec<Option<String>> = (0..template.parts.len())
+            .map(|place| number(place, 1.21))
+            .collect();
         for place in 1..template.parts.len() {
             // Far from the powers of the factor of the earlier answers.
             for factor in [0.537, 1.713, 2.389] {
-                let Some(response) = number(place, factor) else { continue };
+                let Some(response) = number(place, factor) else {
+                    continue;
+                };
                 let before = (0..place).filter_map(|at| Some((at, earlier[at].as_deref()?)));
                 let grade = Grade::mark(&solution, before.chain([(place, response.as_str())]));
                 count += 1;
-                if grade.part(place).is_some_and(|marking| marking.verdict == Verdict::Right) {
-                    faults.push(format!("{} {}: {response}", template.id, template.parts[place].id));
+                if grade
+                    .part(place)
+                    .is_some_and(|marking| marking.verdict == Verdict::Right)
+                {
+                    faults.push(format!(
+                        "{} {}: {response}",
+                        template.id, template.parts[place].id
+                    ));
                 }
             }
         }
     }
     assert!(count > 500, "{count} responses");
     // A number may follow by chance, as 2.389 does from 1.21 to the fifth power within two per cent.
-    assert!(faults.len() * 100 <= count, "{} of {count}:\n{}", faults.len(), faults.join("\n"));
+    assert!(
+        faults.len() * 100 <= count,
+        "{} of {count}:\n{}",
+        faults.len(),
+        faults.join("\n")
+    );
 }
 
 #[test]
@@ -140,7 +185,11 @@ fn the_relations_of_one_degree_of_freedom_agree_with_each_other() {
         let value = program.evaluate(&data[..], &mut Workspace::default());
         value.expect("a value").as_real().expect("a real value")
     };
-    let mut known = vec![(Single::Mass, 1.7), (Single::Damping, 0.9), (Single::Stiffness, 23.0)];
+    let mut known = vec![
+        (Single::Mass, 1.7),
+        (Single::Damping, 0.9),
+        (Single::Stiffness, 23.0),
+    ];
     let defined: Vec<(Single, f64)> = Single::ALL[3..]
         .iter()
         .map(|single| (*single, of(single.definition(), &known)))
@@ -149,20 +198,41 @@ fn the_relations_of_one_degree_of_freedom_agree_with_each_other() {
     for (single, due) in known.clone() {
         for relation in single.relations() {
             let found = of(relation, &known);
-            assert!((found - due).abs() <= 1e-12 * due, "{single:?} = {relation}: {found}, not {due}");
+            assert!(
+                (found - due).abs() <= 1e-12 * due,
+                "{single:?} = {relation}: {found}, not {due}"
+            );
         }
     }
     // The numbers of the solver are the same.
     let oscillator = vibank::vibration::Oscillator::new(1.7, 0.9, 23.0).expect("an oscillator");
     for (single, solved) in [
-        (Single::NaturalAngularFrequency, oscillator.natural_angular_frequency()),
+        (
+            Single::NaturalAngularFrequency,
+            oscillator.natural_angular_frequency(),
+        ),
         (Single::DecayRate, oscillator.decay_rate()),
         (Single::DampingRatio, oscillator.damping_ratio()),
         (Single::CriticalDamping, oscillator.critical_damping()),
-        (Single::DampedAngularFrequency, oscillator.damped_angular_frequency().expect("it oscillates")),
-        (Single::QualityFactor, oscillator.quality_factor().expect("it is damped")),
+        (
+            Single::DampedAngularFrequency,
+            oscillator
+                .damped_angular_frequency()
+                .expect("it oscillates"),
+        ),
+        (
+            Single::QualityFactor,
+            oscillator.quality_factor().expect("it is damped"),
+        ),
     ] {
-        let due = known.iter().find(|(own, _)| *own == single).expect("known").1;
-        assert!((solved - due).abs() <= 1e-14 * due, "{single:?}: {solved}, not {due}");
+        let due = known
+            .iter()
+            .find(|(own, _)| *own == single)
+            .expect("known")
+            .1;
+        assert!(
+            (solved - due).abs() <= 1e-14 * due,
+            "{single:?}: {solved}, not {due}"
+        );
     }
 }
