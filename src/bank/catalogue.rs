@@ -21,6 +21,8 @@ pub struct Catalogue {
     pub chapters: Vec<Chapter>,
     pub(super) entries: Vec<Entry>,
     pub(super) by_id: BTreeMap<Arc<str>, usize>,
+    /// Whether its items were taken out of their bank, so that nobody knows its topics.
+    pub(super) is_loose: bool,
 }
 
 /// The file of an item, and what came of reading it.
@@ -85,7 +87,7 @@ impl Catalogue {
     /// if it can be used, and what is wrong with its file.
     pub fn read_apart(&self, id: &ItemId) -> (Option<Template>, Vec<Finding>) {
         let place = self.by_id.get(id.as_str());
-        let reading = place.map(|place| read(&self.entries[*place], &self.bank));
+        let reading = place.map(|place| read(&self.entries[*place], Some(&self.bank)));
         let reading = reading.unwrap_or_default();
         (reading.template, reading.findings)
     }
@@ -101,7 +103,9 @@ impl Catalogue {
     }
 
     fn reading<'c>(&'c self, entry: &'c Entry) -> &'c Reading {
-        entry.reading.get_or_init(|| read(entry, &self.bank))
+        entry
+            .reading
+            .get_or_init(|| read(entry, (!self.is_loose).then_some(&self.bank)))
     }
 
     /// The identity that is nearest to a mistyped one; the slug alone is enough.
@@ -131,6 +135,6 @@ impl Catalogue {
 
 /// Without the readers of texts no catalogue has an entry.
 #[cfg(not(feature = "render"))]
-fn read(_: &Entry, _: &BankFile) -> Reading {
+fn read(_: &Entry, _: Option<&BankFile>) -> Reading {
     Reading::default()
 }

@@ -8,7 +8,7 @@ use sha2::{Digest, Sha256};
 
 /// The identity of an item: its path in the bank without extension, `ch4/p1-rolling-disk-hub-moment`.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(transparent)]
+#[serde(try_from = "String", into = "String")]
 pub struct ItemId(Arc<str>);
 
 /// The text of an item file: the first 8 hexadecimal digits of its SHA-256 with LF line ends.
@@ -86,6 +86,25 @@ impl fmt::Display for Revision {
         self.0
             .iter()
             .try_for_each(|byte| write!(formatter, "{byte:02x}"))
+    }
+}
+
+impl From<ItemId> for String {
+    fn from(id: ItemId) -> Self {
+        id.0.as_ref().to_owned()
+    }
+}
+
+impl TryFrom<String> for ItemId {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<Self, String> {
+        Self::of_path(&format!("{text}.toml")).ok_or_else(|| {
+            format!(
+                "`{}` is no item, expected `chapter/name`",
+                text.escape_debug()
+            )
+        })
     }
 }
 

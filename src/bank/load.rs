@@ -61,6 +61,16 @@ impl Catalogue {
         (catalogue, findings)
     }
 
+    /// Items that were taken out of their bank: files without `bank.toml` and chapters, each with its path inside the
+    /// bank. A run keeps those that it used.
+    pub fn of_items<'f>(files: impl IntoIterator<Item = (&'f str, &'f str)>) -> Self {
+        let (catalogue, _) = Self::open(files);
+        Self {
+            is_loose: true,
+            ..catalogue
+        }
+    }
+
     /// What is wrong with the items, all of which are read for it.
     pub fn findings(&self) -> Vec<Finding> {
         let mut findings = self.item_findings();
@@ -132,7 +142,7 @@ impl Catalogue {
 }
 
 /// Reads the file of an item.
-pub(super) fn read(entry: &Entry, bank: &BankFile) -> Reading {
+pub(super) fn read(entry: &Entry, bank: Option<&BankFile>) -> Reading {
     let found = entry.source.text.len();
     if found > bounds::LARGEST_FILE {
         let excess = bounds::Excess::File { found };
@@ -147,7 +157,7 @@ pub(super) fn read(entry: &Entry, bank: &BankFile) -> Reading {
         revision: entry.revision,
         source: &entry.source,
         tree: &toml::read(&entry.source, &problems),
-        topics: Some(&bank.topics),
+        topics: bank.map(|bank| &bank.topics),
     };
     let (template, findings) = read::item(item, &problems, &mut read::Parsers);
     Reading { template, findings }

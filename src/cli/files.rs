@@ -1,9 +1,10 @@
-//! Reading with a bound, writing without half-written files.
+//! Reading files with a bound, and writing a single file that somebody named.
+//!
+//! What a run writes into its folder goes through [`super::folder`].
 
 use std::fs;
 use std::io::{self, Read, Write};
-use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::path::Path;
 
 use sha2::{Digest, Sha256};
 
@@ -34,7 +35,7 @@ pub(crate) fn read(path: &Path) -> Result<String, Failure> {
 pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
     let fail =
         |error: io::Error| Failure::new(format!("cannot read `{}`: {error}", path.display()));
-    let file = fs::File::open(path).map_err(fail)?;
+    let file = open(path)?;
     let mut bytes = Vec::new();
     file.take(LIMIT + 1).read_to_end(&mut bytes).map_err(fail)?;
     if bytes.len() as u64 > LIMIT {
@@ -47,142 +48,86 @@ pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
     Ok(bytes)
 }
 
-/// Writes a file so that it is there whole or not at all.
-pub(crate) fn write(path: &Path, content: &[u8]) -> Result<(), Failure> {
-    let mut draft = Draft::begin(path)?;
-    draft.write(content)?;
-    draft.finish().map(|_| ())
+/// Opens a file to be read: a pipe or a device has no end to wait for, and a folder no bytes.
+pub(crate) fn open(path: &Path) -> Result<fs::File, Failure> {
+    let fail =
+        |error: io::Error| Failure::new(format!("cannot read `{}`: {error}", path.display()));
+    let kind = fs::metadata(path).map_err(fail)?.file_type();
+    if !kind.is_file() {
+        let what = if kind.is_dir() {
+            "a folder"
+        } else {
+            "a pipe or a device"
+        };
+        return Err(
+            Failure::new(format!("`{}` is {what}, not a file", path.display()))
+                .help("save what it gives to a file, and give that"),
+        );
+    }
+    fs::File::open(path).map_err(fail)
 }
 
-/// Drafts of files that are written at once, for their names.
-static DRAFTS: AtomicU64 = AtomicU64::new(0);
-
-/// A file that is written piece by piece beside its place, and moved there when it is complete.
-pub(crate) struct Draft {
-    path: PathBuf,
-    draft: PathBuf,
-    file: Option<io::BufWriter<fs::File>>,
-    length: u64,
-    digest: Sha256,
-    /// Whether it stays where it is when it is dropped unfinished, to be gone on with.
-    stays: bool,
+/// Who may read a file that is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Access {
+    /// Whoever the system lets read new files.
+    Usual,
+    /// The owner alone, where the system knows that.
+    Private,
 }
 
-impl Draft {
-    /// Begins the file that will stand at `path`; its folder is made.
-    ///
-    /// Dropped before it is finished it leaves nothing behind.
-    pub(crate) fn begin(path: &Path) -> Result<Self, Failure> {
-        let number = DRAFTS.fetch_add(1, Ordering::Relaxed);
-        let draft = beside(path, &format!("{}-{number}.part", std::process::id()));
-        make_folder(path)?;
-        let file = fs::File::create(&draft).map_err(|error| unwritable(path, &error))?;
-        Ok(Self::over(path, draft, file, false))
-    }
-
-    /// Goes on with the file that will stand at `path` after its first `length` bytes; what was written beyond is
-    /// dropped.
-    ///
-    /// It stays when the program ends before it is finished, so that a later run can go on.
-    pub(crate) fn go_on(path: &Path, length: u64) -> Result<Self, Failure> {
-        let fail = |error: io::Error| unwritable(path, &error);
-        let draft = beside(path, "part");
-        make_folder(path)?;
-        let mut options = fs::OpenOptions::new();
-        let options = options.read(true).write(true).create(true).truncate(false);
-        let mut file = options.open(&draft).map_err(fail)?;
-        file.set_len(length).map_err(fail)?;
-        let digest = hash(&mut file).map_err(fail)?;
-        let mut going = Self::over(path, draft, file, true);
-        (going.length, going.digest) = (length, digest);
-        Ok(going)
-    }
-
-    /// How much of the file that will stand at `path` an earlier run has left.
-    pub(crate) fn left(path: &Path) -> u64 {
-        fs::metadata(beside(path, "part")).map_or(0, |file| file.len())
-    }
-
-    /// Removes what an earlier run has left of the file that would stand at `path`.
-    pub(crate) fn discard(path: &Path) {
-        let _ = fs::remove_file(beside(path, "part"));
-    }
-
-    fn over(path: &Path, draft: PathBuf, file: fs::File, stays: bool) -> Self {
-        Self {
-            path: path.to_owned(),
-            draft,
-            file: Some(io::BufWriter::with_capacity(1 << 16, file)),
-            length: 0,
-            digest: Sha256::new(),
-            stays,
-        }
-    }
-
-    /// Writes a piece.
-    pub(crate) fn write(&mut self, piece: &[u8]) -> Result<(), Failure> {
-        self.digest.update(piece);
-        self.length += piece.len() as u64;
-        let file = self.open();
-        file.write_all(piece)
-            .map_err(|error| unwritable(&self.path, &error))
-    }
-
-    /// Hands everything to the system; how long the file is now.
-    pub(crate) fn flush(&mut self) -> Result<u64, Failure> {
-        let flushed = self.open().flush();
-        flushed.map_err(|error| unwritable(&self.path, &error))?;
-        Ok(self.length)
-    }
-
-    fn open(&mut self) -> &mut io::BufWriter<fs::File> {
-        self.file
-            .as_mut()
-            .expect("a draft is open until it is finished")
-    }
-
-    /// All that was written, which is not moved to its place.
-    pub(crate) fn take(mut self) -> Result<String, Failure> {
-        self.flush()?;
-        self.stays = false;
-        read(&self.draft)
-    }
-
-    /// Moves the file to its place; its digest is told.
-    pub(crate) fn finish(mut self) -> Result<String, Failure> {
-        let file = self.file.take().expect("a draft is finished once");
-        let done = file
-            .into_inner()
-            .map_err(io::IntoInnerError::into_error)
-            .and_then(|file| file.sync_data());
-        done.and_then(|()| fs::rename(&self.draft, &self.path))
-            .map_err(|error| unwritable(&self.path, &error))?;
-        Ok(hexadecimal(self.digest.clone()))
-    }
+/// Writes a file so that it is there whole or not at all; its folder is made.
+pub(crate) fn write(path: &Path, content: &[u8], access: Access) -> Result<(), Failure> {
+    let fail = |error: io::Error| unwritable(path, &error);
+    let folder = path
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty())
+        .unwrap_or(Path::new("."));
+    fs::create_dir_all(folder).map_err(fail)?;
+    let mut draft = new_draft(folder, &file_name(path), access).map_err(fail)?;
+    draft.write_all(content).map_err(fail)?;
+    draft.as_file().sync_data().map_err(fail)?;
+    draft
+        .persist(path)
+        .map_err(|error| unwritable(path, &error.error))?;
+    Ok(())
 }
 
-impl Drop for Draft {
-    fn drop(&mut self) {
-        // After `finish` the draft has moved, and there is nothing to remove.
-        if !self.stays && (self.file.is_some() || self.draft.exists()) {
-            let _ = fs::remove_file(&self.draft);
-        }
+/// A new file with a name that nobody can guess, beside the file `name` that it will become.
+pub(crate) fn new_draft(
+    folder: &Path,
+    name: &str,
+    access: Access,
+) -> io::Result<tempfile::NamedTempFile> {
+    let prefix = format!(".{name}.");
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(&prefix).suffix(DRAFT);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        let mode = match access {
+            Access::Usual => 0o666,
+            Access::Private => 0o600,
+        };
+        builder.permissions(fs::Permissions::from_mode(mode));
     }
+    #[cfg(not(unix))]
+    let _ = access;
+    builder.tempfile_in(folder)
 }
 
-/// Where the draft of a file stands: beside it and hidden.
-fn beside(path: &Path, ending: &str) -> PathBuf {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    path.with_file_name(format!(".{name}.{ending}"))
-}
+/// How the names of drafts end.
+pub(crate) const DRAFT: &str = ".part";
 
-fn make_folder(path: &Path) -> Result<(), Failure> {
-    let folder = path.parent().unwrap_or(Path::new(""));
-    fs::create_dir_all(folder).map_err(|error| unwritable(path, &error))
+fn file_name(path: &Path) -> String {
+    path.file_name()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned()
 }
 
 /// The hash over what is left to read of a file.
-fn hash(file: &mut fs::File) -> io::Result<Sha256> {
+pub(crate) fn hash(file: &mut fs::File) -> io::Result<Sha256> {
     let mut digest = Sha256::new();
     io::copy(file, &mut Hashing(&mut digest))?;
     Ok(digest)
@@ -202,12 +147,6 @@ impl Write for Hashing<'_> {
     }
 }
 
-/// Whether a file is there and has this digest.
-pub(crate) fn is_intact(path: &Path, digest: &str) -> bool {
-    let hashed = fs::File::open(path).and_then(|mut file| hash(&mut file));
-    hashed.is_ok_and(|found| hexadecimal(found) == digest)
-}
-
 /// SHA-256 of some bytes, in hexadecimal digits.
 pub(crate) fn digest(bytes: &[u8]) -> String {
     hexadecimal(Sha256::new_with_prefix(bytes))
@@ -215,8 +154,7 @@ pub(crate) fn digest(bytes: &[u8]) -> String {
 
 /// SHA-256 of a file of any size, in hexadecimal digits.
 pub(crate) fn digest_of(path: &Path) -> Result<String, Failure> {
-    let hashed = fs::File::open(path).and_then(|mut file| hash(&mut file));
-    hashed
+    hash(&mut open(path)?)
         .map(hexadecimal)
         .map_err(|error| Failure::new(format!("cannot read `{}`: {error}", path.display())))
 }
@@ -229,6 +167,6 @@ pub(crate) fn hexadecimal(hash: Sha256) -> String {
         .collect()
 }
 
-fn unwritable(path: &Path, error: &io::Error) -> Failure {
+pub(crate) fn unwritable(path: &Path, error: &io::Error) -> Failure {
     Failure::new(format!("cannot write `{}`: {error}", path.display()))
 }

@@ -5,10 +5,12 @@
 
 /// Prints a line to standard output; a reader that has left, as `head` does, is no failure.
 macro_rules! println {
-    ($($piece:tt)*) => {{
-        use std::io::Write as _;
-        let _ = writeln!(std::io::stdout().lock(), $($piece)*);
-    }};
+    () => {
+        $crate::cli::print_line(format_args!(""))
+    };
+    ($($piece:tt)+) => {
+        $crate::cli::print_line(format_args!($($piece)+))
+    };
 }
 
 /// Prints a line to standard error, in the same way.
@@ -28,6 +30,7 @@ mod explain;
 mod failure;
 mod files;
 mod filter;
+mod folder;
 #[cfg(feature = "fuzzing")]
 #[allow(
     missing_docs,
@@ -54,8 +57,10 @@ mod solve;
 mod survey;
 mod table;
 
-use std::io::Write as _;
+use std::fmt;
+use std::io::{self, Write as _};
 use std::process::ExitCode;
+use std::sync::OnceLock;
 
 use clap::{Parser, Subcommand};
 
@@ -103,6 +108,20 @@ pub(crate) enum Format {
     Json,
 }
 
+/// Why something could not be printed, once it could not.
+static UNPRINTED: OnceLock<String> = OnceLock::new();
+
+/// Prints a line; what a full disk does not take is noted, and the program fails in the end.
+fn print_line(line: fmt::Arguments<'_>) {
+    let mut out = io::stdout().lock();
+    let printed = writeln!(out, "{line}").and_then(|()| out.flush());
+    if let Err(error) = printed
+        && error.kind() != io::ErrorKind::BrokenPipe
+    {
+        UNPRINTED.get_or_init(|| error.to_string());
+    }
+}
+
 /// Runs the command that the arguments name.
 pub(crate) fn run() -> ExitCode {
     let arguments = match Arguments::try_parse() {
@@ -129,7 +148,13 @@ pub(crate) fn run() -> ExitCode {
         Command::Schema(arguments) => schema::run(&arguments),
     };
     match outcome {
-        Ok(outcome) => outcome.into(),
+        Ok(outcome) => match UNPRINTED.get() {
+            Some(error) => {
+                eprintln!("error: cannot write to standard output: {error}");
+                ExitCode::from(2)
+            }
+            None => outcome.into(),
+        },
         Err(failure) => {
             let _ = write!(std::io::stderr().lock(), "{failure}");
             ExitCode::from(2)

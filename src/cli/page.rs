@@ -7,8 +7,9 @@ use vibank::source::Source;
 use vibank::worksheet::{Blueprint, Plan, Practice};
 
 use super::bank::{self, BankArgument};
+use super::files::{self, Access};
 use super::filter::Filter;
-use super::{Failure, Outcome, files};
+use super::{Failure, Outcome};
 
 /// Write a page on which students practise and check themselves: one file, which works without a network.
 ///
@@ -47,7 +48,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let page = vibank::output::practice(&practice, &items)
         .map_err(|error| Failure::new(error.to_string()))?;
-    files::write(&arguments.out, page.as_bytes())?;
+    files::write(&arguments.out, page.as_bytes(), Access::Usual)?;
     println!(
         "{}: {} questions, {} kB",
         arguments.out.display(),

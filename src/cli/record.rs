@@ -9,8 +9,11 @@ use vibank::worksheet::{
     letter,
 };
 
+use serde_json::json;
+
 use super::Failure;
-use super::files::{self, Draft};
+use super::files;
+use super::folder::{Draft, Folder, Left};
 use super::sheet::{FormatChoice, Mark, PROGRAM, Shard, Stamp};
 use super::table::Dialect;
 
@@ -18,14 +21,16 @@ use super::table::Dialect;
 pub(crate) struct Record {
     name: String,
     manifest: Draft,
-    /// Only the whole run has a form.
+    /// Only the whole run has a form, which is left as it is where somebody has filled it in.
     responses: Option<Draft>,
     dialect: Dialect,
+    /// Digest of the form as it was made.
+    form: String,
     is_first: bool,
 }
 
 /// The name of the form.
-const FORM: &str = "responses.csv";
+pub(crate) const FORM: &str = "responses.csv";
 
 /// The columns of a response form.
 const COLUMNS: [&str; 7] = [
@@ -95,18 +100,20 @@ pub(crate) fn entry(sheet: &Sheet<'_>) -> VariantEntry {
 impl Record {
     /// The files of a run that goes on at `mark`.
     pub(crate) fn open(
-        out: &Path,
+        out: &Folder,
         shard: Shard,
         stamp: &Stamp,
         plan: &Plan<'_>,
         choice: &FormatChoice,
         catalogue: &Catalogue,
         mark: &Mark,
+        kept_form: Option<String>,
     ) -> Result<Self, Failure> {
         let name = shard.named("manifest", "json");
-        let draft = |name: &str| Draft::go_on(&out.join(name), mark.length(name));
+        let draft = |name: &str| out.go_on(name, mark.left(name));
         let mut manifest = draft(&name)?;
-        let mut responses = shard.is_whole().then(|| draft(FORM)).transpose()?;
+        let makes_form = shard.is_whole() && kept_form.is_none();
+        let mut responses = makes_form.then(|| draft(FORM)).transpose()?;
         let dialect = Dialect::new(plan.blueprint.csv, plan.blueprint.decimal);
         let is_first = mark.done == 0;
         if is_first {
@@ -120,6 +127,7 @@ impl Record {
             manifest,
             responses,
             dialect,
+            form: kept_form.unwrap_or_default(),
             is_first,
         })
     }
@@ -140,8 +148,8 @@ impl Record {
         }
     }
 
-    /// Hands everything to the system; how long the files are now.
-    pub(crate) fn flush(&mut self) -> Result<Vec<(String, u64)>, Failure> {
+    /// Hands everything to the system; what a later run would go on with.
+    pub(crate) fn flush(&mut self) -> Result<Vec<(String, Left)>, Failure> {
         let mut lengths = vec![(self.name.clone(), self.manifest.flush()?)];
         if let Some(form) = &mut self.responses {
             lengths.push((FORM.to_owned(), form.flush()?));
@@ -149,22 +157,26 @@ impl Record {
         Ok(lengths)
     }
 
-    /// Ends both files, the manifest last, with the digests of the `files` of the run; what they are is told.
+    /// Ends both files, the manifest last, with the items that were used and the digests of the `files` of the run.
     ///
     /// The form is not among them: it is there to be filled in.
     pub(crate) fn finish(
         mut self,
+        items: &BTreeMap<String, String>,
         files: &BTreeMap<String, String>,
     ) -> Result<Vec<(String, &'static str)>, Failure> {
-        let files = serde_json::to_string(files).expect("digests are plain data");
-        let foot = format!("\n],\"files\":{files}}}\n");
-        self.manifest.write(foot.as_bytes())?;
         let mut shown = Vec::new();
+        let mut digest = self.form;
         if let Some(form) = self.responses {
-            form.finish()?;
+            digest = form.finish()?;
             let what = "form for the answers, filled in and given to `vibank grade`";
             shown.push((FORM.to_owned(), what));
         }
+        let foot = json!({ "items": items, "form": digest, "files": files }).to_string();
+        let foot = foot
+            .strip_prefix('{')
+            .expect("an object begins with a brace");
+        self.manifest.write(format!("\n],{foot}\n").as_bytes())?;
         self.manifest.finish()?;
         shown.push((self.name, "what marking needs; keep it to yourself"));
         Ok(shown)
@@ -221,7 +233,7 @@ fn head(
         },
         title: blueprint.title.clone(),
         data: blueprint.data,
-        language: blueprint.language.clone(),
+        language: blueprint.language.value.clone(),
         decimal: blueprint.decimal,
         csv: blueprint.csv,
         keyed: plan.secret.is_some(),
@@ -231,6 +243,8 @@ fn head(
         formats: choice.made.clone(),
         press: choice.press.as_ref().map(|press| press.digest().to_owned()),
         variants: Vec::new(),
+        items: BTreeMap::new(),
+        form: String::new(),
         files: BTreeMap::new(),
     };
     let head = serde_json::to_string(&head).expect("a manifest is plain data");

@@ -81,9 +81,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         .iter()
         .find(|variant| variant.code == code.to_string());
     let entry = entry.ok_or_else(|| Failure::new(format!("the manifest has no sheet {code}")))?;
+    let items = super::grade::RunItems::of(&[manifest.items.clone()], &catalogue, false);
     for question in &entry.questions {
         println!("Question {}", question.number);
-        let solution = super::grade::solution(&catalogue, question, manifest.decimal, false)?;
+        let solution = super::grade::solution(&items, question, manifest.decimal)?;
         let parts = &solution.template().parts;
         let place = |part: &PartEntry| parts.iter().position(|found| found.id == part.id);
         let places: Vec<usize> = question.parts.iter().filter_map(place).collect();

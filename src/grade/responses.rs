@@ -1,6 +1,7 @@
 //! Rows of a response file, sorted out: one response for each part of each sheet.
 
 use std::cmp::Ordering;
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use crate::seed::Variant;
@@ -156,6 +157,12 @@ impl Responses {
     pub fn get(&self, place: &Place) -> Option<&str> {
         let found = self.find(place).ok()?;
         Some(self.slice(&self.rows[found].response))
+    }
+
+    /// The codes of the sheets that somebody answered.
+    pub fn codes(&self) -> BTreeSet<&str> {
+        let answered = self.rows.iter().filter(|row| !row.response.is_empty());
+        answered.map(|row| self.slice(&row.code)).collect()
     }
 
     /// Notes that a place was handed out.

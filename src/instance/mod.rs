@@ -234,11 +234,17 @@ impl<'t> Instance<'t> {
 
     /// `item @ revision # seed`: what has to be known to make it again.
     pub fn identity(&self) -> String {
-        let Template { id, revision, .. } = self.template;
+        let item = self.origin();
         match self.seed {
-            Some(seed) => format!("{id} @ {revision} # {seed}"),
-            None => format!("{id} @ {revision}"),
+            Some(seed) => format!("{item} # {seed}"),
+            None => item,
         }
+    }
+
+    /// `item @ revision`: where it comes from, for pages that must not tell the seed.
+    pub fn origin(&self) -> String {
+        let Template { id, revision, .. } = self.template;
+        format!("{id} @ {revision}")
     }
 }
 

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::unit::{Decimal, DecimalMark};
-use crate::worksheet::{Fairness, ItemFairness, QuestionFairness, Range};
+use crate::worksheet::{Alike, Fairness, ItemFairness, QuestionFairness, Range};
 
 /// How alike the variants are, as the layout sees it.
 #[derive(Serialize)]
@@ -12,6 +12,9 @@ pub(super) struct FairnessView<'f> {
     is_fair: bool,
     neighbours: u64,
     alike_neighbours: u64,
+    /// Pairs of neighbours who share something, a line each.
+    alike: Vec<String>,
+    gave_way: String,
     questions: Vec<QuestionView<'f>>,
 }
 
@@ -43,13 +46,25 @@ struct RangeView<'f> {
 }
 
 impl<'f> FairnessView<'f> {
-    pub(super) fn of(fairness: &'f Fairness, mark: DecimalMark) -> Self {
+    /// `written` writes the words of class lists in the notation of the page.
+    pub(super) fn of(
+        fairness: &'f Fairness,
+        mark: DecimalMark,
+        written: impl Fn(&str) -> String,
+    ) -> Self {
         let questions = fairness.questions.iter().enumerate();
         Self {
             variants: fairness.variants,
             is_fair: fairness.is_fair(),
             neighbours: fairness.neighbours,
             alike_neighbours: fairness.alike_neighbours,
+            alike: fairness
+                .alike
+                .iter()
+                .map(pair)
+                .map(|line| written(&line))
+                .collect(),
+            gave_way: written(&fairness.gave_way.join(", ")),
             questions: questions
                 .map(|(place, one)| QuestionView::of(place + 1, one, mark))
                 .collect(),
@@ -83,6 +98,14 @@ impl<'f> QuestionView<'f> {
             items: items.collect(),
         }
     }
+}
+
+/// Two neighbours, and in which questions they share something.
+fn pair(alike: &Alike) -> String {
+    let [one, other] = &alike.students;
+    let questions: Vec<String> = alike.questions.iter().map(usize::to_string).collect();
+    let s = if questions.len() == 1 { "" } else { "s" };
+    format!("{one} and {other}: question{s} {}", questions.join(", "))
 }
 
 fn three_figures(number: f64, mark: DecimalMark) -> String {

@@ -2,6 +2,8 @@
 
 use serde_json::{Value as Json, json};
 
+use crate::scene::{Data, Scene};
+use crate::solution::Solution;
 use crate::worksheet::{Sheet, SheetQuestion, letter};
 
 /// A sheet with its data and keys.
@@ -34,8 +36,22 @@ fn question(question: &SheetQuestion<'_>) -> Json {
                 "id": part.id,
                 "kind": part.answer.kind().name(),
                 "points": points.to_f64(),
-                "key": solution.entry(&part.id, &[]),
+                "key": key(solution, *place),
             })
         }).collect::<Vec<_>>(),
     })
+}
+
+/// A key, with its text as key pages print it. Values of functions need times, which a sheet does not ask for.
+fn key(solution: &Solution<'_>, place: usize) -> Json {
+    let id = &solution.template().parts[place].id;
+    let mut entry = solution.entry(id, &[]).unwrap_or_default();
+    let scene = Scene::of(solution, Data::Both);
+    if let Json::Object(entry) = &mut entry {
+        entry.retain(|_, value| !value.is_null() && *value != json!([]));
+        if let Ok(Some(math)) = scene.key(place) {
+            entry.insert("printed".to_owned(), math.plain().into());
+        }
+    }
+    entry
 }

@@ -56,6 +56,9 @@ pub struct Run {
     pub(super) figures: bool,
     #[serde(skip)]
     pub(super) mark: DecimalMark,
+    /// Whether the seeds are keyed with a secret, so that pages that are handed out must not tell them.
+    #[serde(skip)]
+    pub(super) is_keyed: bool,
 }
 
 /// Fills the layouts of one format.
@@ -107,6 +110,7 @@ impl Run {
             data: Data::Both,
             hints: false,
             figures: true,
+            is_keyed: true,
             mark: if decimal == ',' {
                 DecimalMark::Comma
             } else {
@@ -135,11 +139,12 @@ impl Run {
                 AnswerSpace::Boxes => "boxes",
                 AnswerSpace::None => "none",
             },
-            language: blueprint.language.clone(),
+            language: blueprint.language.value.clone(),
             paper: blueprint.paper,
             data: blueprint.data,
             hints: blueprint.hints,
             figures: blueprint.figures,
+            is_keyed: blueprint.secret.is_some(),
             mark: if blueprint.decimal == ',' {
                 DecimalMark::Comma
             } else {
@@ -338,7 +343,7 @@ impl Pages {
             "fairness",
             &Content {
                 run: &self.run,
-                fairness: FairnessView::of(fairness, self.run.mark),
+                fairness: FairnessView::of(fairness, self.run.mark, |words| self.placed(words)),
             },
         )
     }

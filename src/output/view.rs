@@ -113,7 +113,7 @@ impl<'p> View<'p> {
             questions: sheet
                 .questions
                 .iter()
-                .map(|question| self.question(question))
+                .map(|question| self.question(sheet, question))
                 .collect(),
         }
     }
@@ -147,9 +147,10 @@ impl<'p> View<'p> {
         }
     }
 
-    fn question(&self, question: &SheetQuestion<'_>) -> QuestionView {
+    fn question(&self, sheet: &Sheet<'_>, question: &SheetQuestion<'_>) -> QuestionView {
         let template = question.solution.template();
-        let scene = Scene::of(&question.solution, self.run.data);
+        let scope = format!("s-{}-{}", sheet.variant, question.number);
+        let scene = Scene::of(&question.solution, self.run.data).within(scope);
         let texts = |passage| self.texts(&scene, passage);
         let mut view = QuestionView {
             number: question.number,
@@ -175,9 +176,13 @@ impl<'p> View<'p> {
         if self.kind == Kind::Key && !template.notes.is_empty() {
             view.notes = texts(&template.notes);
         }
-        if self.kind != Kind::Sheet {
-            view.identity = question.solution.instance().identity();
-        }
+        let instance = question.solution.instance();
+        view.identity = match self.kind {
+            Kind::Sheet => String::new(),
+            // Solutions are handed out, and a keyed seed would give the keys of items with the same seed away.
+            Kind::Solutions if self.run.is_keyed => instance.origin(),
+            Kind::Solutions | Kind::Key => instance.identity(),
+        };
         let parts = question.parts.iter().zip(&question.points).enumerate();
         view.parts = parts
             .map(|(position, (place, points))| self.part(&scene, position, *place, *points))

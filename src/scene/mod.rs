@@ -14,6 +14,8 @@ mod proof;
 pub use plot::Undrawn;
 pub use proof::undrawn;
 
+use sha2::{Digest, Sha256};
+
 use crate::answer::Kind;
 use crate::bank::{Passage, Piece};
 use crate::document::{Document, Filling};
@@ -39,6 +41,8 @@ pub struct Scene<'s, 't> {
     solution: &'s Solution<'t>,
     data: Data,
     is_drawn: bool,
+    /// Begins the identities in its figures and plots.
+    scope: Option<String>,
 }
 
 /// A text that is shown, with what fills its holes.
@@ -59,6 +63,17 @@ impl<'s, 't> Scene<'s, 't> {
             solution,
             data,
             is_drawn: true,
+            scope: None,
+        }
+    }
+
+    /// The same on a page that shows other instances, too: the identities in its figures and plots begin with `scope`,
+    /// which is letters, digits and hyphens.
+    #[must_use]
+    pub fn within(self, scope: String) -> Self {
+        Self {
+            scope: Some(scope),
+            ..self
         }
     }
 
@@ -74,6 +89,25 @@ impl<'s, 't> Scene<'s, 't> {
     /// The solution that it shows.
     pub fn solution(&self) -> &'s Solution<'t> {
         self.solution
+    }
+
+    /// The beginning of the identities in its figures and plots.
+    ///
+    /// It follows from what is printed anyway, never from the seed: a sheet is handed out, and a seed that is keyed with
+    /// a secret gives its key away.
+    fn scope(&self) -> String {
+        if let Some(scope) = &self.scope {
+            return scope.clone();
+        }
+        let instance = self.solution.instance();
+        let mut hash = Sha256::new();
+        for value in instance.values() {
+            hash.update(format!(";{value}"));
+        }
+        let digest = hash.finalize();
+        let digest = digest.iter().take(4).map(|byte| format!("{byte:02x}"));
+        let item = instance.template().id.as_str().replace('/', "-");
+        format!("{item}-{}", digest.collect::<String>())
     }
 
     /// The pieces of a text whose conditions hold.

@@ -10,18 +10,7 @@ impl Scene<'_, '_> {
     pub fn picture(&self) -> Option<Picture> {
         let figure = self.solution.template().figure.as_ref()?;
         self.solution.note_figure();
-        figure.picture(self, &self.picture_id()).ok()
-    }
-
-    /// The beginning of the identities in the figure: the item's identity, and the seed, which differs from that
-    /// of any other instance on a page.
-    fn picture_id(&self) -> String {
-        let instance = self.solution.instance();
-        let item = instance.template().id.as_str().replace('/', "-");
-        match instance.seed() {
-            Some(seed) => format!("{item}-{seed}"),
-            None => item,
-        }
+        figure.picture(self, &self.scope()).ok()
     }
 }
 

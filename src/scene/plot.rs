@@ -75,7 +75,7 @@ impl Scene<'_, '_> {
 
     /// Letters, digits and hyphens that no other plot of a page has.
     fn plot_id(&self, name: &str) -> String {
-        let identity = format!("{}-plot-{name}", self.solution.instance().identity());
+        let identity = format!("{}-plot-{name}", self.scope());
         let is_plain = |letter: char| letter.is_ascii_alphanumeric();
         identity
             .chars()

@@ -4,7 +4,8 @@
 //! and an exact map to integers), so a sheet printed today can be drawn again on any machine, in any
 //! later version, and in the browser.
 //!
-//! - A blueprint's seed and an index give a [`Variant`], the seed of one sheet, printed as a short code.
+//! - A blueprint's seed and an index, or the identity of a student, give a [`Variant`], the seed of one sheet, printed
+//!   as a short code.
 //! - A variant and an item's id give the [`Seed`] of that item, and nothing else does: adding an item to
 //!   a sheet changes no other.
 //! - An item's seed and a parameter's name give a [`Stream`]: adding a parameter changes no other.
@@ -18,6 +19,8 @@
 //! stream key          = SHA-256(encode("vibank 1", seed, item, name))
 //! item's seed         = first  8 bytes of H(encode("vibank 1 item", variant, item))
 //! variant             = first 40 bits  of H(encode("vibank 1 variant", seed, index, attempt))
+//! student's variant   = first 40 bits  of H(encode("vibank 1 student", seed, id, attempt))
+//! student's rank      = first  8 bytes of H(encode("vibank 1 rank", seed, id))
 //! H                   = SHA-256, or HMAC-SHA256 keyed with the secret
 //! ```
 //!

@@ -53,6 +53,38 @@ impl Variant {
         Self(derive(&fields, secret) >> 24)
     }
 
+    /// The variant of a student of a class list: it follows from the identity alone, wherever in the list it stands.
+    ///
+    /// Each further `attempt`, from 0, gives another one.
+    ///
+    /// ```
+    /// use vibank::seed::{Seed, Variant};
+    ///
+    /// let of = |id: &str| Variant::of_student(Seed::new(2026), id, 0, None);
+    /// assert_ne!(of("17"), of("18"));
+    /// ```
+    pub fn of_student(seed: Seed, id: &str, attempt: u64, secret: Option<&Secret>) -> Self {
+        let fields = [
+            Field::Text("vibank 1 student"),
+            Field::Number(seed.number()),
+            Field::Text(id),
+            Field::Number(attempt),
+        ];
+        Self(derive(&fields, secret) >> 24)
+    }
+
+    /// Who goes first where two students of a class list would get what only one can have: the lower rank.
+    ///
+    /// It follows from the identity, so that the order of the rows means nothing.
+    pub fn rank(seed: Seed, id: &str, secret: Option<&Secret>) -> u64 {
+        let fields = [
+            Field::Text("vibank 1 rank"),
+            Field::Number(seed.number()),
+            Field::Text(id),
+        ];
+        derive(&fields, secret)
+    }
+
     /// Its number.
     pub const fn number(self) -> u64 {
         self.0
@@ -144,6 +176,27 @@ mod tests {
             Seed::new(13_315_167_042_510_114_139)
         );
         assert_ne!(variant.item(ITEM, None), variant.item(ITEM, Some(&secret)));
+    }
+
+    #[test]
+    fn variants_of_students_are_frozen() {
+        let secret = Secret::new(b"correct horse battery staple\n").unwrap();
+        let seed = Seed::new(2026);
+        for (id, attempt, plain, keyed) in [
+            ("17", 0, 549_599_083_366, 10_682_325_688),
+            ("17", 1, 20_614_334_365, 904_158_744_053),
+            ("Noether", 0, 717_571_920_994, 725_695_665_671),
+        ] {
+            let of = |secret| Variant::of_student(seed, id, attempt, secret).number();
+            assert_eq!(
+                (of(None), of(Some(&secret))),
+                (plain, keyed),
+                "{id} {attempt}"
+            );
+        }
+        let rank = |secret| Variant::rank(seed, "17", secret);
+        assert_eq!(rank(None), 12_726_727_404_351_534_609);
+        assert_eq!(rank(Some(&secret)), 17_925_984_975_129_265_588);
     }
 
     #[test]

@@ -173,7 +173,7 @@ impl<'s> Table<'s> {
                 .filter(|number: &f64| number.is_finite()),
             _ => None,
         };
-        number.or_else(|| self.wrong(key, "a number", value))
+        number.or_else(|| self.out_of_range(key, "a finite number", value))
     }
 
     /// A whole number of a range.
@@ -188,19 +188,22 @@ impl<'s> Table<'s> {
             Data::Number { number } => number.parse().ok().filter(|number| range.contains(number)),
             _ => None,
         };
-        integer.or_else(|| {
-            let found = match &value.data {
-                Data::Number { number } => format!("`{number}`"),
-                other => other.describe().to_owned(),
-            };
-            self.problems.add(Problem::Kind {
-                key: key.to_owned(),
-                expected,
-                found,
-                span: value.span,
-            });
-            None
-        })
+        integer.or_else(|| self.out_of_range(key, expected, value))
+    }
+
+    /// Notes a value that is no number, or a number that cannot be taken, which is then quoted.
+    fn out_of_range<T>(&self, key: &str, expected: &'static str, value: &Value) -> Option<T> {
+        let found = match &value.data {
+            Data::Number { number } => format!("`{number}`"),
+            other => other.describe().to_owned(),
+        };
+        self.problems.add(Problem::Kind {
+            key: key.to_owned(),
+            expected,
+            found,
+            span: value.span,
+        });
+        None
     }
 
     /// A table.

@@ -67,6 +67,8 @@ pub struct Blueprint {
     pub columns: Columns,
     /// How tables are written.
     pub csv: Csv,
+    /// Sheets without a name beside those of a class list.
+    pub spares: usize,
     /// Output formats, by name; HTML where none is named.
     pub formats: Vec<Text>,
     /// Whether formats are named. If not, PDF is made too where there is a press.
@@ -74,7 +76,7 @@ pub struct Blueprint {
     /// `a4` or `letter`.
     pub paper: Paper,
     /// Language of the texts.
-    pub language: String,
+    pub language: Text,
     /// Decimal sign.
     pub decimal: char,
     /// Data as numbers or symbols.
@@ -192,6 +194,18 @@ pub enum BlueprintError {
         /// Where.
         span: Span,
     },
+    /// A public number and a file that keys the seeds.
+    #[error("a blueprint has either `seed` or `secret`")]
+    SeedAndSecret(Span),
+    /// Sheets beside a class list that is not there.
+    #[error("`spares` stands beside `students` alone")]
+    SparesWithoutList(Span),
+    /// No output format.
+    #[error("`formats` is empty, so that no sheet would be written")]
+    NoFormat(Span),
+    /// An output format that is listed twice.
+    #[error("the format `{0}` is listed twice")]
+    FormatTwice(String, Span),
 }
 
 impl Diagnose for BlueprintError {
@@ -204,12 +218,14 @@ impl Diagnose for BlueprintError {
             Self::Either(_, _, span)
             | Self::Columns(span)
             | Self::Word { span, .. }
-            | Self::TooMany { span, .. } => {
-                vec![Label {
-                    span: *span,
-                    text: String::new(),
-                }]
-            }
+            | Self::TooMany { span, .. }
+            | Self::SeedAndSecret(span)
+            | Self::SparesWithoutList(span)
+            | Self::NoFormat(span)
+            | Self::FormatTwice(_, span) => vec![Label {
+                span: *span,
+                text: String::new(),
+            }],
             Self::NoQuestion => Vec::new(),
         }
     }
@@ -221,6 +237,15 @@ impl Diagnose for BlueprintError {
             Self::Columns(_) => "name the list with `students`, or remove `columns`".to_owned(),
             Self::NoQuestion => "add a `[[question]]` with an `item`".to_owned(),
             Self::TooMany { of, .. } => format!("write fewer {of}"),
+            Self::SeedAndSecret(_) => {
+                "for an exam keep `secret` and remove `seed`; `vibank new secret FILE` makes a secret"
+                    .to_owned()
+            }
+            Self::SparesWithoutList(_) => "raise `variants` instead".to_owned(),
+            Self::NoFormat(_) => {
+                "list at least one of html, md, pdf, tex, json, or remove the key for html".to_owned()
+            }
+            Self::FormatTwice(..) => "list each format once".to_owned(),
         })
     }
 }
@@ -342,17 +367,19 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
     {
         faults.add(&BlueprintError::Columns(value.span));
     }
+    let spares = spares(&table, &mut faults);
     let secret = table.text("secret");
     let seed = table.integer("seed", "a whole number, 0 or larger", 0..=i64::MAX);
     if seed.is_none() && secret.is_none() && !table.has("seed") {
         table.required("seed");
     }
     let names_formats = table.has("formats");
-    let formats = if names_formats {
-        table.texts("formats")
-    } else {
-        vec![word("html")]
-    };
+    if seed.is_some()
+        && let Some(secret) = &secret
+    {
+        faults.add(&BlueprintError::SeedAndSecret(secret.span));
+    }
+    let formats = formats(&table, &mut faults);
     let decimal = faults.word(&table, "decimal", &[".", ","], &['.', ',']);
     // A class with a decimal comma opens its files with spreadsheets that part cells by semicolons.
     let csv = match (table.has("csv"), decimal) {
@@ -377,6 +404,7 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
         audience: audience.unwrap_or(Audience::Variants(0)),
         columns: table.table("columns").map(columns).unwrap_or_default(),
         csv,
+        spares,
         formats,
         names_formats,
         paper: faults.word(
@@ -385,9 +413,7 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
             &["a4", "letter"],
             &[Paper::A4, Paper::Letter],
         ),
-        language: table
-            .text("language")
-            .map_or_else(|| "en".to_owned(), |text| text.value),
+        language: table.text("language").unwrap_or_else(|| word("en")),
         decimal,
         data: faults.word(
             &table,
@@ -428,6 +454,15 @@ fn word(value: &str) -> Text {
     }
 }
 
+/// Sheets without a name, which only a class list leaves room for.
+fn spares(table: &Table<'_>, faults: &mut Faults<'_>) -> usize {
+    let spares = table.integer("spares", "an integer from 0 to 1000", 0..=1000);
+    if let Some(value) = table.value("spares").filter(|_| table.has("variants")) {
+        faults.add(&BlueprintError::SparesWithoutList(value.span));
+    }
+    spares.unwrap_or(0) as usize
+}
+
 fn audience(table: &Table<'_>, faults: &mut Faults<'_>) -> Option<Audience> {
     let variants = table.integer(
         "variants",
@@ -463,6 +498,27 @@ fn columns(table: Table<'_>) -> Columns {
     let headings = roles.into_iter().filter_map(heading).collect();
     table.finish();
     Columns { headings }
+}
+
+/// The output formats, each once; HTML where none is asked for.
+fn formats(table: &Table<'_>, faults: &mut Faults<'_>) -> Vec<Text> {
+    let Some(value) = table.value("formats") else {
+        return vec![word("html")];
+    };
+    let span = value.span;
+    let formats = table.texts("formats");
+    let is_empty_list = matches!(&value.data, crate::source::Data::List(items) if items.is_empty());
+    if is_empty_list {
+        faults.add(&BlueprintError::NoFormat(span));
+    }
+    for (place, format) in formats.iter().enumerate() {
+        let mut earlier = formats[..place].iter();
+        if earlier.any(|other| other.value == format.value) {
+            let name = format.value.clone();
+            faults.add(&BlueprintError::FormatTwice(name, format.span));
+        }
+    }
+    formats
 }
 
 fn keys(table: &Table<'_>, faults: &mut Faults<'_>) -> Keys {

@@ -17,6 +17,25 @@ pub struct Fairness {
     pub neighbours: u64,
     /// How many of these pairs share the data or an answer of a question.
     pub alike_neighbours: u64,
+    /// These pairs, by identity, with the numbers of the questions in the blueprint; the first of them if there are many.
+    pub alike: Vec<Alike>,
+    /// Who has another variant than the first of their own, since it repeats what another has: these may move when
+    /// students come or go.
+    pub gave_way: Vec<String>,
+}
+
+/// Two students in neighbouring seats who share something.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Alike {
+    /// Who they are.
+    pub students: [String; 2],
+    /// The questions, from 1 in the order of the blueprint.
+    pub questions: Vec<usize>,
+}
+
+impl Fairness {
+    /// Pairs of neighbours that are listed.
+    pub(super) const MOST_LISTED: usize = 500;
 }
 
 /// How alike the variants of one question are.

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::bank::{ItemId, Revision};
 use crate::scene::Data;
+use crate::seed::Variant;
 
 /// The version of the manifest that this program writes and reads.
 pub const FORMAT: u32 = 1;
@@ -61,6 +62,12 @@ pub struct Manifest {
     pub press: Option<String>,
     /// The sheets, in order.
     pub variants: Vec<VariantEntry>,
+    /// The files of the items that were used, by identity: marking reads these, whatever becomes of the bank.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub items: BTreeMap<String, String>,
+    /// Digest of the form for the answers as it was written.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub form: String,
     /// The files of the run that are no single sheet's, each with its digest; but for the form, which is filled in.
     #[serde(default)]
     pub files: BTreeMap<String, String>,
@@ -134,4 +141,49 @@ pub struct PartEntry {
     /// The options of a choice, in the order printed.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub options: Vec<String>,
+}
+
+/// Why an entry of a manifest cannot be one.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum EntryError {
+    /// Not as codes are printed.
+    #[error("`{0}` is no code of a sheet")]
+    Code(String),
+    /// Not as the parts of a sheet are lettered.
+    #[error("`{0}` is no letter of a part")]
+    Letter(String),
+    /// Not as parts are named in items.
+    #[error("`{0}` is no name of a part")]
+    Part(String),
+}
+
+impl VariantEntry {
+    /// Whether its code, letters and names have the form that this program gives them; they become names of files and
+    /// cells of tables.
+    ///
+    /// # Errors
+    ///
+    /// [`EntryError`] for the first that has not.
+    pub fn check(&self) -> Result<(), EntryError> {
+        let shown = |text: &str| text.chars().take(40).flat_map(char::escape_debug).collect();
+        let code = self.code.parse::<Variant>().ok();
+        if code.is_none_or(|code| code.to_string() != self.code) {
+            return Err(EntryError::Code(shown(&self.code)));
+        }
+        for part in self.questions.iter().flat_map(|question| &question.parts) {
+            let is_letter = (1..=4).contains(&part.letter.len())
+                && part.letter.bytes().all(|byte| byte.is_ascii_lowercase());
+            if !is_letter {
+                return Err(EntryError::Letter(shown(&part.letter)));
+            }
+            let is_name = !part.id.is_empty()
+                && part.id.len() <= 200
+                && !part.id.contains(|char: char| char.is_control());
+            if !is_name {
+                return Err(EntryError::Part(shown(&part.id)));
+            }
+        }
+        Ok(())
+    }
 }

@@ -27,13 +27,13 @@ pub use blueprint::{
     AnswerSpace, Audience, Blueprint, BlueprintError, Choice, Columns, Filter, Keys, Paper,
     Question,
 };
-pub use fairness::{Fairness, ItemFairness, QuestionFairness, Range};
+pub use fairness::{Alike, Fairness, ItemFairness, QuestionFairness, Range};
 pub use manifest::{
-    BankStamp, Csv, FORMAT, FileStamp, Manifest, PartEntry, QuestionEntry, VariantEntry,
+    BankStamp, Csv, EntryError, FORMAT, FileStamp, Manifest, PartEntry, QuestionEntry, VariantEntry,
 };
 #[cfg(feature = "render")]
 pub use plan::{Plan, Planned};
 pub use practice::{Practice, PracticeError, PracticeQuestion};
 pub use sheet::{Sheet, SheetQuestion, Student, letter};
 #[cfg(feature = "render")]
-pub use variants::{Candidate, Chooser, SheetError};
+pub use variants::{Candidate, Chooser, Fixed, SheetError};

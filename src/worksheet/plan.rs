@@ -1,8 +1,11 @@
 //! A plan: a blueprint whose items were found in the bank.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::blueprint::{Blueprint, Choice, Filter, Question};
+use super::fairness::Fairness;
 use super::points;
-use crate::bank::{Catalogue, Chapter, Template};
+use crate::bank::{Catalogue, Chapter, ItemId, Template};
 use crate::diagnostic::{Code, Diagnose, Finding, Label};
 use crate::numerics::Rational;
 use crate::seed::{Secret, Seed, Streams, Variant};
@@ -81,6 +84,12 @@ enum PlanError {
     Sum { stated: String, span: Span },
     #[error("the chapters of these items have no formulas")]
     NoFormulas { span: Span },
+    #[error("the texts of the bank are in `{bank}`, not in `{found}`")]
+    Language {
+        found: String,
+        bank: String,
+        span: Span,
+    },
 }
 
 impl<'c> Plan<'c> {
@@ -100,6 +109,7 @@ impl<'c> Plan<'c> {
             findings: Vec::new(),
             questions: Vec::new(),
         };
+        planner.language();
         for (place, question) in blueprint.questions.iter().enumerate() {
             planner.question(place, question);
         }
@@ -116,14 +126,38 @@ impl<'c> Plan<'c> {
         Err(planner.findings)
     }
 
-    /// The variant at a place of the run, and an attempt at it.
+    /// The variant at a place of a run without a class list, and an attempt at it.
     pub fn variant(&self, index: u64, attempt: u64) -> Variant {
-        Variant::of(
-            Seed::new(self.blueprint.seed),
-            index,
-            attempt,
-            self.secret.as_ref(),
-        )
+        let seed = Seed::new(self.blueprint.seed);
+        Variant::of(seed, index, attempt, self.secret.as_ref())
+    }
+
+    /// The variant of a student, and an attempt at it.
+    pub fn variant_of_student(&self, id: &str, attempt: u64) -> Variant {
+        let seed = Seed::new(self.blueprint.seed);
+        Variant::of_student(seed, id, attempt, self.secret.as_ref())
+    }
+
+    /// The files of the items that variants have, by identity: what marking needs when the bank has moved on.
+    pub fn used(&self, fairness: &Fairness) -> BTreeMap<String, String> {
+        let used = fairness
+            .questions
+            .iter()
+            .flat_map(|question| question.items.keys());
+        let used: BTreeSet<&ItemId> = used.collect();
+        let candidates = self
+            .questions
+            .iter()
+            .flat_map(|planned| &planned.candidates);
+        candidates
+            .filter(|item| used.contains(&item.id))
+            .map(|item| (item.id.to_string(), item.source.text.to_string()))
+            .collect()
+    }
+
+    /// Who goes first among students: the lower number.
+    pub(super) fn rank(&self, id: &str) -> u64 {
+        Variant::rank(Seed::new(self.blueprint.seed), id, self.secret.as_ref())
     }
 }
 
@@ -156,6 +190,18 @@ struct Planner<'c> {
 }
 
 impl<'c> Planner<'c> {
+    /// Texts are printed as the bank has them: another language cannot be had by asking for it.
+    fn language(&mut self) {
+        let asked = &self.blueprint.language;
+        let bank = &self.catalogue.bank.language;
+        // `en-GB` is `en`, as far as texts are concerned.
+        let primary = |tag: &str| tag.split('-').next().map(str::to_lowercase);
+        if asked.span != Span::NONE && primary(&asked.value) != primary(bank) {
+            let (found, bank, span) = (asked.value.clone(), bank.clone(), asked.span);
+            self.find(&PlanError::Language { found, bank, span });
+        }
+    }
+
     fn question(&mut self, place: usize, question: &'c Question) {
         let points = question.points.map(positive);
         if points == Some(None) {
@@ -399,7 +445,8 @@ impl Diagnose for PlanError {
         | Self::PartPoints { span }
         | Self::NotAsked { span, .. }
         | Self::Sum { span, .. }
-        | Self::NoFormulas { span }) = self;
+        | Self::NoFormulas { span }
+        | Self::Language { span, .. }) = self;
         vec![Label {
             span: *span,
             text: String::new(),
@@ -426,6 +473,9 @@ impl Diagnose for PlanError {
             Self::Sum { .. } => {
                 Some("leave `points` of the question out, or let the sums agree".to_owned())
             }
+            Self::Language { bank, .. } => Some(format!(
+                "write `language = \"{bank}\"`, or remove the key; a bank in another language is given with `--bank`"
+            )),
             Self::Value { .. } | Self::Points { .. } => None,
         }
     }

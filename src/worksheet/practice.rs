@@ -121,7 +121,7 @@ impl Practice {
         let blueprint = plan.blueprint;
         let (mut practice, mut compiled) = Self::of_items(catalogue, &[], &blueprint.title);
         practice.instructions = Document::read(&blueprint.instructions.value).document;
-        practice.language.clone_from(&blueprint.language);
+        practice.language.clone_from(&blueprint.language.value);
         practice.decimal = blueprint.decimal;
         practice.data = blueprint.data;
         for planned in &plan.questions {

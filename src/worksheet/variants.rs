@@ -9,7 +9,8 @@ use std::sync::OnceLock;
 
 use sha2::{Digest, Sha256};
 
-use super::fairness::{Fairness, ItemFairness, QuestionFairness, Range};
+use super::fairness::{Alike, Fairness, ItemFairness, QuestionFairness, Range};
+use super::manifest::QuestionEntry;
 use super::plan::{Plan, Planned};
 use super::points;
 use super::seat::Seat;
@@ -29,12 +30,19 @@ pub struct Chooser<'p, 'c> {
     /// By place in the plan.
     questions: Vec<Taken>,
     codes: BTreeSet<Variant>,
+    /// By place in the run.
+    taken: BTreeMap<u64, Variant>,
+    has_pseudonyms: bool,
+    /// The identities of the students, by place in the run.
+    students: Vec<String>,
+    /// What they have already, by place in the run.
+    fixed: BTreeMap<u64, Fixed>,
     /// The seats of the students, by place in the run.
     seats: Vec<Option<Seat>>,
     /// Who has a seat.
     room: BTreeMap<Seat, Vec<usize>>,
-    /// What neighbours must not share, of those that were taken.
-    marks: Vec<BTreeSet<u64>>,
+    /// What neighbours must not share, of those that were taken, by place in the run.
+    marks: BTreeMap<u64, Vec<BTreeSet<u64>>>,
     /// Seeds that were tried and not taken.
     rejected: u64,
     fairness: Fairness,
@@ -50,12 +58,37 @@ struct Taken {
     usual: Vec<OnceLock<Usual>>,
 }
 
+/// A sheet that a student has already.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fixed {
+    variant: Variant,
+    /// Digests of its questions, which are not judged again.
+    questions: BTreeSet<u64>,
+    /// Whether the student has another seat now, and so other neighbours.
+    has_moved: bool,
+}
+
+impl Fixed {
+    /// The sheet of this variant with these questions; it is looked at again if the student has another seat now.
+    pub fn new(variant: Variant, questions: &[QuestionEntry], has_moved: bool) -> Self {
+        Self {
+            variant,
+            questions: questions.iter().map(entry_mark).collect(),
+            has_moved,
+        }
+    }
+}
+
 /// A variant that can be taken.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Candidate {
     index: u64,
     attempt: u64,
     variant: Variant,
+    /// Whether it was there before, so that nothing speaks against it.
+    is_fixed: bool,
+    /// Whether an earlier attempt repeated what another has.
+    gave_way: bool,
     /// By place in the plan.
     questions: Vec<Asked>,
 }
@@ -109,8 +142,13 @@ const TRIES_FOR_FAIRNESS: u64 = 60;
 const MOST_TRIES: u64 = 400;
 
 impl<'p, 'c> Chooser<'p, 'c> {
-    /// A chooser at the first variant of a plan; `students` are those of the class list, if there is one.
-    pub fn new(plan: &'p Plan<'c>, students: &[Student]) -> Self {
+    /// A chooser at the first variant of a plan; `students` are those of the class list, if there is one, of whom some
+    /// have a sheet already.
+    pub fn new(
+        plan: &'p Plan<'c>,
+        students: &[Student],
+        mut fixed: BTreeMap<String, Fixed>,
+    ) -> Self {
         let taken = |planned: &Planned<'_>| Taken {
             instances: planned.instances(),
             data: BTreeSet::new(),
@@ -131,9 +169,16 @@ impl<'p, 'c> Chooser<'p, 'c> {
             plan,
             questions: questions.clone().map(taken).collect(),
             codes: BTreeSet::new(),
+            taken: BTreeMap::new(),
+            has_pseudonyms: false,
+            fixed: (0..)
+                .zip(students)
+                .filter_map(|(place, student)| Some((place, fixed.remove(&student.id)?)))
+                .collect(),
+            students: students.iter().map(|student| student.id.clone()).collect(),
             seats,
             room,
-            marks: Vec::new(),
+            marks: BTreeMap::new(),
             rejected: 0,
             fairness: Fairness {
                 questions: questions.map(|_| QuestionFairness::default()).collect(),
@@ -142,9 +187,64 @@ impl<'p, 'c> Chooser<'p, 'c> {
         }
     }
 
+    /// The places of a run of `count` sheets in the order in which they are to be taken: first those that are fixed, then
+    /// the students by a keyed order of their identities, then what stands beside the list.
+    ///
+    /// So it does not matter in which rows students stand, and one who is added moves only those who rank behind and
+    /// would have the same.
+    pub fn order(&self, count: usize) -> Vec<u64> {
+        let mut order: Vec<u64> = (0..count as u64).collect();
+        order.sort_by_cached_key(|place| match self.students.get(*place as usize) {
+            Some(id) => {
+                let fixed = self.fixed.get(place);
+                let is_free = fixed.is_none_or(|fixed| fixed.has_moved);
+                (0, is_free, self.plan.rank(id))
+            }
+            None => (1, true, *place),
+        });
+        order
+    }
+
+    /// The variant at a place of the run, and an attempt at it.
+    fn variant(&self, index: u64, attempt: u64) -> Variant {
+        match self.students.get(index as usize) {
+            Some(id) => self.plan.variant_of_student(id, attempt),
+            None => self
+                .plan
+                .variant(index - self.students.len() as u64, attempt),
+        }
+    }
+
+    /// The same, but what it reports of students names the codes of their sheets.
+    #[must_use]
+    pub fn with_pseudonyms(self) -> Self {
+        Self {
+            has_pseudonyms: true,
+            ..self
+        }
+    }
+
+    /// What a page calls the sheet at a place of the run, which has been taken.
+    fn name(&self, place: u64) -> String {
+        let id = self.students.get(place as usize);
+        match id.filter(|_| !self.has_pseudonyms) {
+            Some(id) => id.clone(),
+            None => self
+                .taken
+                .get(&place)
+                .map(Variant::to_string)
+                .unwrap_or_default(),
+        }
+    }
+
     /// How many seeds were tried and not taken so far.
     pub fn rejected(&self) -> u64 {
         self.rejected
+    }
+
+    /// The variants that were taken so far, by place in the run.
+    pub fn taken(&self) -> impl Iterator<Item = Variant> + '_ {
+        self.taken.values().copied()
     }
 
     /// How alike the variants are that were taken so far.
@@ -159,19 +259,51 @@ impl<'p, 'c> Chooser<'p, 'c> {
     ///
     /// [`SheetError`].
     pub fn propose(&self, index: u64, from: u64) -> Result<Candidate, SheetError> {
+        if from == 0
+            && let Some(candidate) = self.fixed(index)
+            && self.accepts(&candidate).is_ok()
+        {
+            return Ok(candidate);
+        }
         let mut last = None;
+        // Whoever proposes again does so because another has what was proposed before.
+        let mut gave_way = from > 0;
         for attempt in from..MOST_TRIES {
-            let variant = self.plan.variant(index, attempt);
+            let variant = self.variant(index, attempt);
             let sheet = Sheet::draw(self.plan, variant, None)?;
             match self.judge(index, attempt, &sheet) {
-                Ok(candidate) => return Ok(candidate),
-                Err(objection) => last = Some(objection),
+                Ok(candidate) => {
+                    return Ok(Candidate {
+                        gave_way,
+                        ..candidate
+                    });
+                }
+                Err(objection) => {
+                    gave_way |= matches!(objection, Objection::Repeats | Objection::Neighbour);
+                    last = Some(objection);
+                }
             }
         }
         Err(SheetError::NoVariant {
             attempts: MOST_TRIES,
             reason: last.map_or_else(String::new, |objection| objection.to_string()),
         })
+    }
+
+    /// What a place has already, if that can still be drawn and what is new in it is suitable.
+    fn fixed(&self, index: u64) -> Option<Candidate> {
+        let fixed = self.fixed.get(&index)?;
+        let sheet = Sheet::draw(self.plan, fixed.variant, None).ok()?;
+        let mut candidate = self.candidate(index, 0, &sheet);
+        candidate.is_fixed = !fixed.has_moved;
+        for question in &sheet.questions {
+            if !fixed.questions.contains(&question_mark(question)) {
+                suitability::judge(&question.solution, &question.parts).ok()?;
+            }
+            let data = candidate.questions[question.place].data;
+            candidate.questions[question.place] = self.asked(question, data);
+        }
+        Some(candidate)
     }
 
     /// Takes a candidate, unless it repeats what was taken since it was proposed; then another has to be proposed,
@@ -183,35 +315,45 @@ impl<'p, 'c> Chooser<'p, 'c> {
             return false;
         }
         self.codes.insert(candidate.variant);
+        self.taken.insert(candidate.index, candidate.variant);
         self.rejected += candidate.attempt;
         self.fairness.variants += 1;
         let neighbours = self.neighbours(candidate.index);
-        let alike = neighbours.clone().filter(|marks| candidate.shares(marks));
-        let (alike, neighbours) = (alike.count(), neighbours.count());
-        self.fairness.neighbours += neighbours as u64;
-        self.fairness.alike_neighbours += alike as u64;
+        let count = neighbours.clone().count();
+        let alike: Vec<(u64, Vec<usize>)> = neighbours
+            .map(|(place, marks)| (place, candidate.shared(marks)))
+            .filter(|(_, questions)| !questions.is_empty())
+            .collect();
+        self.fairness.neighbours += count as u64;
+        self.fairness.alike_neighbours += alike.len() as u64;
+        let room = Fairness::MOST_LISTED.saturating_sub(self.fairness.alike.len());
+        let own = self.name(candidate.index);
+        for (place, questions) in alike.into_iter().take(room) {
+            let students = [self.name(place), own.clone()];
+            self.fairness.alike.push(Alike {
+                students,
+                questions,
+            });
+        }
+        if candidate.gave_way && (candidate.index as usize) < self.students.len() {
+            self.fairness.gave_way.push(own);
+        }
         for (place, asked) in candidate.questions.iter().enumerate() {
             let item = self.plan.questions[place].candidates[asked.item];
             let is_new = self.questions[place].data.insert(asked.data);
             self.fairness.questions[place].add(item, asked, is_new);
         }
         if !self.seats.is_empty() {
-            self.marks.push(candidate.marks().collect());
+            let marks = candidate.questions.iter();
+            let marks = marks.map(|asked| asked.marks.iter().copied().collect());
+            self.marks.insert(candidate.index, marks.collect());
         }
         true
     }
 
     /// Whether a sheet can be taken; the cheapest questions come first.
     fn judge(&self, index: u64, attempt: u64, sheet: &Sheet<'c>) -> Result<Candidate, Objection> {
-        let mut candidate = Candidate {
-            index,
-            attempt,
-            variant: sheet.variant,
-            questions: vec![Asked::default(); sheet.questions.len()],
-        };
-        for question in &sheet.questions {
-            candidate.questions[question.place].data = digest(&question.solution);
-        }
+        let mut candidate = self.candidate(index, attempt, sheet);
         self.accepts(&candidate)?;
         for question in &sheet.questions {
             suitability::judge(&question.solution, &question.parts)?;
@@ -225,12 +367,28 @@ impl<'p, 'c> Chooser<'p, 'c> {
         Ok(candidate)
     }
 
+    /// A candidate of which nothing is known but its data.
+    fn candidate(&self, index: u64, attempt: u64, sheet: &Sheet<'c>) -> Candidate {
+        let mut candidate = Candidate {
+            index,
+            attempt,
+            variant: sheet.variant,
+            is_fixed: false,
+            gave_way: false,
+            questions: vec![Asked::default(); sheet.questions.len()],
+        };
+        for question in &sheet.questions {
+            candidate.questions[question.place].data = digest(&question.solution);
+        }
+        candidate
+    }
+
     /// Whether a candidate repeats nothing, or has to be taken anyway.
     fn accepts(&self, candidate: &Candidate) -> Result<(), Objection> {
         if self.codes.contains(&candidate.variant) {
             return Err(Objection::Repeats);
         }
-        if candidate.attempt >= TRIES_FOR_FAIRNESS {
+        if candidate.is_fixed || candidate.attempt >= TRIES_FOR_FAIRNESS {
             return Ok(());
         }
         let mut pairs = self.questions.iter().zip(&candidate.questions);
@@ -239,7 +397,7 @@ impl<'p, 'c> Chooser<'p, 'c> {
         }
         if self
             .neighbours(candidate.index)
-            .any(|marks| candidate.shares(marks))
+            .any(|(_, marks)| !candidate.shared(marks).is_empty())
         {
             return Err(Objection::Neighbour);
         }
@@ -247,12 +405,12 @@ impl<'p, 'c> Chooser<'p, 'c> {
     }
 
     /// What the neighbours of a place have, of those that were taken.
-    fn neighbours(&self, index: u64) -> impl Iterator<Item = &BTreeSet<u64>> + Clone {
+    fn neighbours(&self, index: u64) -> impl Iterator<Item = (u64, &Vec<BTreeSet<u64>>)> + Clone {
         let seat = self.seats.get(index as usize).copied().flatten();
         let around = seat.into_iter().flat_map(Seat::around);
         let near = around.filter_map(|seat| self.room.get(&seat)).flatten();
         near.filter(move |place| **place as u64 != index)
-            .filter_map(|place| self.marks.get(*place))
+            .filter_map(|place| Some((*place as u64, self.marks.get(&(*place as u64))?)))
     }
 
     fn asked(&self, question: &SheetQuestion<'_>, data: u64) -> Asked {
@@ -322,15 +480,48 @@ impl Candidate {
         self.attempt + 1
     }
 
-    fn marks(&self) -> impl Iterator<Item = u64> {
-        self.questions
-            .iter()
-            .flat_map(|asked| asked.marks.iter().copied())
+    /// The questions, from 1, in which it shares something with what another has.
+    ///
+    /// The same item may be asked by different questions, so each is compared with all.
+    fn shared(&self, marks: &[BTreeSet<u64>]) -> Vec<usize> {
+        let is_shared = |asked: &Asked| {
+            let mut own = asked.marks.iter();
+            own.any(|mark| marks.iter().any(|other| other.contains(mark)))
+        };
+        let questions = (1..).zip(&self.questions);
+        questions
+            .filter(|(_, asked)| is_shared(asked))
+            .map(|(number, _)| number)
+            .collect()
     }
+}
 
-    fn shares(&self, marks: &BTreeSet<u64>) -> bool {
-        self.marks().any(|mark| marks.contains(&mark))
+/// A digest of a question that was handed out: its item and its data.
+fn entry_mark(entry: &QuestionEntry) -> u64 {
+    let values = entry.values.iter();
+    let values = values.map(|(name, value)| (name.clone(), value.clone()));
+    item_mark(
+        &format!("{} @ {}", entry.item, entry.revision),
+        values.collect(),
+    )
+}
+
+/// The same of a question of a sheet.
+fn question_mark(question: &SheetQuestion<'_>) -> u64 {
+    let instance = question.solution.instance();
+    let parameters = instance.template().parameters.iter();
+    let values = parameters.zip(instance.values());
+    let values = values.map(|(parameter, value)| (parameter.name.to_string(), value.to_string()));
+    item_mark(&instance.origin(), values.collect())
+}
+
+fn item_mark(origin: &str, values: BTreeMap<String, String>) -> u64 {
+    let mut hash = Sha256::new();
+    hash.update(origin);
+    for (name, value) in values {
+        hash.update(format!(";{name}={value}"));
     }
+    first_word(hash)
 }
 
 impl QuestionFairness {

@@ -1,7 +1,6 @@
 //! The report of a run: what could not be read, and the item analysis, as a page, JSON and CSV.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 
 use serde_json::json;
 use vibank::answer::Verdict;
@@ -11,8 +10,10 @@ use vibank::report::{Observation, PartSummary, Report};
 
 use super::Layout;
 use super::outcome::Outcome;
+use crate::cli::Failure;
+use crate::cli::folder::Folder;
+use crate::cli::sheet::PROGRAM;
 use crate::cli::table::Dialect;
-use crate::cli::{Failure, files};
 
 /// What the report is made of.
 #[derive(Default)]
@@ -115,7 +116,7 @@ impl Analysis {
     /// Writes `report.html`, `report.json` and `report.csv`.
     pub(super) fn write(
         &self,
-        out: &Path,
+        out: &Folder,
         catalogue: &Catalogue,
         layout: &Layout,
         dialect: Dialect,
@@ -124,17 +125,18 @@ impl Analysis {
         let summary = self.report.summary(Some(catalogue));
         let unreadable = self.count(Verdict::Unreadable);
         let json = json!({
+            "program": PROGRAM,
             "unreadable": self.lost,
             "rows_left_out": faults,
             "summary": summary,
         });
         let text = serde_json::to_string_pretty(&json).expect("a report is plain data");
-        files::write(&out.join("report.json"), format!("{text}\n").as_bytes())?;
+        out.write("report.json", format!("{text}\n").as_bytes())?;
         let mut table = dialect.head(&COLUMNS)?;
         for part in &summary.parts {
             table.extend(dialect.line(&row(part, dialect).each_ref().map(String::as_str))?);
         }
-        files::write(&out.join("report.csv"), &table)?;
+        out.write("report.csv", &table)?;
         let analysed = Analysed {
             summary: &summary,
             lost: &self.lost,
@@ -149,10 +151,8 @@ impl Analysis {
             .pages
             .begin("item analysis")
             .map_err(|error| Failure::new(error.to_string()))?;
-        files::write(
-            &out.join("report.html"),
-            format!("{begin}{page}{}", layout.end).as_bytes(),
-        )
+        let whole = format!("{begin}{page}{}", layout.end);
+        out.write("report.html", whole.as_bytes()).map(drop)
     }
 }
 

@@ -1,36 +1,40 @@
 //! What a manifest holds, seen before anything is marked.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use vibank::bank::Catalogue;
 
+use super::items::Items;
 use super::manifest::Sheets;
 use super::tables::Column;
 use crate::cli::Failure;
 
 /// What a manifest holds.
-pub(super) struct Census {
+pub(super) struct Census<'c> {
+    /// The items that the sheets are marked with.
+    pub(super) items: Items<'c>,
     pub(super) sheets: usize,
     /// All parts, in the order of the sheets.
     pub(super) columns: Vec<Column>,
-    /// Items whose text is another one than when the sheets were made.
+    /// Items whose text in the bank is another one than when the sheets were made.
     pub(super) changed: Vec<String>,
 }
 
-impl Census {
-    /// Looks through all sheets; changed items are refused unless they are accepted, all at once.
+impl<'c> Census<'c> {
+    /// Looks through all sheets; items that nobody has any more are refused.
     pub(super) fn take(
         sheets: &mut Sheets,
-        catalogue: &Catalogue,
+        catalogue: &'c Catalogue,
         accepts: bool,
     ) -> Result<Self, Failure> {
         let mut census = Self {
+            items: Items::of(&[], catalogue, accepts),
             sheets: 0,
             columns: Vec::new(),
             changed: Vec::new(),
         };
         let mut columns = BTreeSet::new();
-        let mut changed = BTreeMap::new();
+        let mut used = BTreeSet::new();
         let mut codes = BTreeSet::new();
         loop {
             let chunk = sheets.chunk(super::CHUNK)?;
@@ -49,36 +53,19 @@ impl Census {
                 for part in &question.parts {
                     columns.insert((question.number, part.letter.len(), part.letter.clone()));
                 }
-                let found = catalogue
-                    .find(question.item.as_str())
-                    .map(|item| item.revision);
-                if found != Some(question.revision) {
-                    let now = found.map_or_else(
-                        || "no such item".to_owned(),
-                        |own| format!("revision {own}"),
-                    );
-                    changed.insert(
-                        question.item.to_string(),
-                        format!("revision {}, the bank has {now}", question.revision),
-                    );
-                }
+                used.insert((question.item.clone(), question.revision));
             }
         }
         census.columns = columns
             .into_iter()
             .map(|(question, _, letter)| (question, letter))
             .collect();
-        census.changed = changed.keys().cloned().collect();
-        if !changed.is_empty() && !accepts {
-            let list: Vec<String> = changed
-                .iter()
-                .map(|(item, how)| format!("`{item}` ({how})"))
-                .collect();
-            return Err(Failure::new(format!(
-                "items have changed since the sheets were made: {}",
-                list.join(", ")
-            ))
-            .help("mark with the bank of that time (`--bank`), or add `--accept-revisions`"));
+        census.items = Items::of(&sheets.items, catalogue, accepts);
+        for (item, revision) in &used {
+            census.items.find(item, *revision)?;
+            if census.items.has_moved_on(item, *revision) {
+                census.changed.push(item.to_string());
+            }
         }
         Ok(census)
     }

@@ -1,7 +1,6 @@
 //! Marks that differ from those of an earlier run.
 
 use std::collections::BTreeMap;
-use std::fs::File;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 
@@ -9,6 +8,7 @@ use serde::Deserialize;
 use vibank::grade;
 
 use super::outcome::{Outcome, PartOutcome};
+use crate::cli::folder::Folder;
 use crate::cli::table::Dialect;
 use crate::cli::{Failure, files};
 
@@ -16,6 +16,8 @@ use crate::cli::{Failure, files};
 pub(super) struct Changes {
     earlier: BTreeMap<(String, usize, String), (f64, String)>,
     changed: Vec<[String; 8]>,
+    /// The program and version that marked the earlier run.
+    pub(super) program: Option<String>,
 }
 
 #[derive(Deserialize)]
@@ -40,11 +42,19 @@ const COLUMNS: [&str; 8] = [
 ];
 
 impl Changes {
-    /// The marks in a `results.json`; none if there is no such file.
-    pub(super) fn since(path: &Path) -> Result<Option<Self>, Failure> {
-        let Ok(file) = File::open(path) else {
-            return Ok(None);
+    /// The marks in a `results.json`, or in that of a folder.
+    pub(super) fn since(path: &Path) -> Result<Self, Failure> {
+        let path = &if path.is_dir() {
+            path.join("results.json")
+        } else {
+            path.to_owned()
         };
+        let file = files::open(path)?;
+        let report = path.with_file_name("report.json");
+        let report = report.is_file().then(|| files::read(&report)).transpose()?;
+        let program = report
+            .and_then(|report| serde_json::from_str::<serde_json::Value>(&report).ok())
+            .and_then(|report| Some(report.get("program")?.as_str()?.to_owned()));
         let mut earlier = BTreeMap::new();
         for line in BufReader::new(file).lines() {
             let fail = |why: &dyn std::fmt::Display| {
@@ -62,10 +72,11 @@ impl Changes {
                 earlier.insert(place, (entry.points, entry.verdict));
             }
         }
-        Ok(Some(Self {
+        Ok(Self {
             earlier,
             changed: Vec::new(),
-        }))
+            program,
+        })
     }
 
     pub(super) fn add(&mut self, sheet: &Outcome) {
@@ -82,8 +93,8 @@ impl Changes {
         }
     }
 
-    /// Writes the changed marks; says how many they are.
-    pub(super) fn finish(self, path: &Path, dialect: Dialect) -> Result<usize, Failure> {
+    /// Writes the changed marks; a line for each.
+    pub(super) fn finish(self, out: &Folder, dialect: Dialect) -> Result<Vec<String>, Failure> {
         let mut table = dialect.head(&COLUMNS)?;
         for row in &self.changed {
             let mut row = row.clone();
@@ -92,8 +103,17 @@ impl Changes {
                 .for_each(|at| row[at] = dialect.number(&row[at]));
             table.extend(dialect.line(&row.each_ref().map(String::as_str))?);
         }
-        files::write(path, &table)?;
-        Ok(self.changed.len())
+        out.write("changes.csv", &table)?;
+        let line = |row: &[String; 8]| {
+            let [code, student, question, part, before, points, verdict, now] = row;
+            let student = if student.is_empty() {
+                ""
+            } else {
+                &format!(" ({student})")
+            };
+            format!("{code}{student} {question}{part}: {before} {points} -> {verdict} {now}")
+        };
+        Ok(self.changed.iter().map(line).collect())
     }
 }
 

@@ -3,47 +3,50 @@
 //! Its first line names the input; each further line is a sheet that was marked and whose page is written. It is
 //! removed when the tables are complete.
 
-use std::fs::{self, File, OpenOptions};
+use std::fs::File;
 use std::io::{BufRead, BufReader, BufWriter, Seek, SeekFrom, Write};
-use std::path::{Path, PathBuf};
 
 use super::outcome::Outcome;
 use crate::cli::Failure;
+use crate::cli::folder::Folder;
 
-/// The journal of a run.
+/// The journal of a run; while it is open no other run marks into the folder.
 pub(super) struct Journal {
-    path: PathBuf,
+    folder: Folder,
     /// What an earlier run of the same input marked, in its order.
     earlier: Option<BufReader<File>>,
     file: BufWriter<File>,
     done: usize,
 }
 
+/// The name of the journal.
+const NAME: &str = ".grading.jsonl";
+
 impl Journal {
-    /// Opens the journal of a folder; what was marked from another input is forgotten.
-    pub(super) fn open(out: &Path, input: &str) -> Result<Self, Failure> {
-        let path = out.join(".grading.jsonl");
+    /// Opens the journal of a folder; what was marked from another input is forgotten, and what an interrupted run has
+    /// left beside it is removed.
+    pub(super) fn open(folder: &Folder, input: &str) -> Result<Self, Failure> {
+        let shown = folder.root().display();
         let fail = |error: std::io::Error| {
-            Failure::new(format!("cannot write `{}`: {error}", path.display()))
+            Failure::new(format!("cannot write `{NAME}` in `{shown}`: {error}"))
         };
-        fs::create_dir_all(out).map_err(fail)?;
-        let mut file = OpenOptions::new()
-            .read(true)
-            .append(true)
-            .create(true)
-            .open(&path)
-            .map_err(fail)?;
+        let Some(mut file) = folder.claim(NAME)? else {
+            return Err(Failure::new(format!("another run marks into `{shown}`"))
+                .help("wait for it, or give another folder with `--out`"));
+        };
+        folder.sweep(&["", "feedback"], &std::collections::BTreeSet::new());
         let (end, done) = sound(&file, input).map_err(fail)?;
         file.set_len(end).map_err(fail)?;
+        file.seek(SeekFrom::End(0)).map_err(fail)?;
         if end == 0 {
             writeln!(file, "{input}").map_err(fail)?;
         }
-        let mut earlier = BufReader::new(File::open(&path).map_err(fail)?);
+        let mut earlier = BufReader::new(folder.open(NAME)?);
         earlier.read_line(&mut String::new()).map_err(fail)?;
         Ok(Self {
             earlier: Some(earlier).filter(|_| done > 0),
             file: BufWriter::new(file),
-            path,
+            folder: folder.clone(),
             done,
         })
     }
@@ -69,14 +72,15 @@ impl Journal {
             self.file.write_all(b"\n")
         });
         written.and_then(|()| self.file.flush()).map_err(|error| {
-            Failure::new(format!("cannot write `{}`: {error}", self.path.display()))
+            let shown = self.folder.root().display();
+            Failure::new(format!("cannot write `{NAME}` in `{shown}`: {error}"))
         })
     }
 
     /// Removes the journal of a run that is complete.
     pub(super) fn finish(self) {
         drop(self.file);
-        let _ = fs::remove_file(&self.path);
+        let _ = self.folder.remove(NAME);
     }
 }
 

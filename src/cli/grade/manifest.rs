@@ -1,20 +1,26 @@
 //! Manifests: whole, or one sheet after the other.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use vibank::bank::Catalogue;
+use serde::Deserialize;
 use vibank::instance::Instance;
 use vibank::seed::Seed;
 use vibank::solution::Solution;
 use vibank::unit::DecimalMark;
 use vibank::worksheet::{FORMAT, Manifest, QuestionEntry, VariantEntry};
 
+use super::items::Items;
+use crate::cli::folder::Folder;
+use crate::cli::sheet::MANIFESTS;
 use crate::cli::{Failure, files};
 
 /// Longest line of a manifest: what is recorded of one sheet.
 const LONGEST_LINE: u64 = 4 << 20;
+/// Longest foot of a manifest: the items that were used.
+const LONGEST_FOOT: u64 = 64 << 20;
 
 /// A manifest.
 pub(crate) fn manifest(path: &Path) -> Result<Manifest, Failure> {
@@ -31,6 +37,10 @@ fn read(path: &Path, text: &str) -> Result<Manifest, Failure> {
             manifest.format
         )));
     }
+    for entry in &manifest.variants {
+        let checked = entry.check();
+        checked.map_err(|error| no_manifest(path, &error.to_string()))?;
+    }
     Ok(manifest)
 }
 
@@ -41,10 +51,19 @@ fn no_manifest(path: &Path, why: &str) -> Failure {
 
 /// The sheets of a manifest, read one after the other as they are asked for.
 pub(crate) struct Sheets {
-    path: std::path::PathBuf,
-    /// What holds for all sheets; its own list of them is empty.
+    path: PathBuf,
+    /// What holds for all sheets of the manifest; its own list of them is empty.
     pub(crate) head: Manifest,
+    /// The decimal sign of the sheets that were read last.
+    pub(crate) decimal: char,
+    /// The items of the manifests that were read to their ends.
+    pub(crate) items: Vec<BTreeMap<String, String>>,
     rest: Rest,
+    /// Manifests of earlier runs in the same folder.
+    earlier: Vec<PathBuf>,
+    /// The sheets of earlier runs that are asked for: not yet printed anew, and answered.
+    wanted: BTreeSet<String>,
+    is_first: bool,
 }
 
 enum Rest {
@@ -55,42 +74,80 @@ enum Rest {
 }
 
 impl Sheets {
-    /// Opens a manifest and reads its head.
-    pub(crate) fn open(path: &Path) -> Result<Self, Failure> {
-        let fail = |error: std::io::Error| {
-            Failure::new(format!("cannot read `{}`: {error}", path.display()))
+    /// Opens a manifest, and after it those of earlier runs beside it, of which the sheets with the codes `wanted` count.
+    pub(crate) fn open(path: &Path, wanted: &BTreeSet<&str>) -> Result<Self, Failure> {
+        let folder = Folder::at(path.parent().unwrap_or(Path::new("")));
+        let earlier = folder.names(MANIFESTS).into_iter();
+        let earlier = earlier
+            .filter(|name| name.ends_with(".json"))
+            .map(|name| folder.path(&format!("{MANIFESTS}/{name}")));
+        let mut sheets = Self::of_file(path)?;
+        sheets.earlier = earlier.collect::<Result<_, _>>()?;
+        sheets.earlier.reverse();
+        sheets.wanted = wanted.iter().map(|code| (*code).to_owned()).collect();
+        Ok(sheets)
+    }
+
+    /// The manifests of earlier runs that are read after the first one.
+    pub(crate) fn earlier(&self) -> &[PathBuf] {
+        &self.earlier
+    }
+
+    fn of_file(path: &Path) -> Result<Self, Failure> {
+        let of = |mut head: Manifest, rest: Rest| Self {
+            path: path.to_owned(),
+            decimal: head.decimal,
+            items: match &rest {
+                Rest::Lines(..) => Vec::new(),
+                Rest::All(_) => vec![std::mem::take(&mut head.items)],
+            },
+            head,
+            rest,
+            earlier: Vec::new(),
+            wanted: BTreeSet::new(),
+            is_first: true,
         };
-        let mut file = BufReader::new(File::open(path).map_err(fail)?);
+        let mut file = BufReader::new(files::open(path)?);
         let mut first = String::new();
         let is_text = (&mut file).take(LONGEST_LINE).read_line(&mut first).is_ok();
         let begins_list = first.trim_end().ends_with('[');
         if is_text && begins_list {
             let head = read(path, &format!("{}]}}", first.trim_end()))?;
-            return Ok(Self {
-                path: path.to_owned(),
-                head,
-                rest: Rest::Lines(file, 1),
-            });
+            return Ok(of(head, Rest::Lines(file, 1)));
         }
         let mut head = manifest(path)?;
         let all = std::mem::take(&mut head.variants).into_iter();
-        Ok(Self {
-            path: path.to_owned(),
-            head,
-            rest: Rest::All(all),
-        })
+        Ok(of(head, Rest::All(all)))
     }
 
-    /// The next sheets, at most so many; none at the end.
+    /// The next sheets, at most so many and all of one manifest; none at the end.
     pub(crate) fn chunk(&mut self, most: usize) -> Result<Vec<VariantEntry>, Failure> {
         let mut chunk = Vec::new();
         while chunk.len() < most {
             match self.next()? {
-                Some(variant) => chunk.push(variant),
-                None => break,
+                Some(variant) => {
+                    let is_wanted = self.wanted.remove(&variant.code);
+                    if self.is_first || is_wanted {
+                        chunk.push(variant);
+                    }
+                }
+                None if !chunk.is_empty() => break,
+                None => match self.earlier.pop() {
+                    Some(path) => self.go_on(&path)?,
+                    None => break,
+                },
             }
         }
         Ok(chunk)
+    }
+
+    /// Goes on with another manifest.
+    fn go_on(&mut self, path: &Path) -> Result<(), Failure> {
+        let next = Self::of_file(path)?;
+        self.items.extend(next.items);
+        (self.path, self.rest, self.decimal) = (next.path, next.rest, next.decimal);
+        self.is_first = false;
+        Ok(())
     }
 
     fn next(&mut self) -> Result<Option<VariantEntry>, Failure> {
@@ -109,33 +166,37 @@ impl Sheets {
             let why = "it ends before its end; make the sheets again";
             return Err(fail(why.to_owned()));
         }
-        if entry.starts_with(']') {
+        if let Some(begun) = entry.strip_prefix(']') {
+            let mut foot = begun.trim_start_matches(',').to_owned();
+            let rest = file.take(LONGEST_FOOT).read_to_string(&mut foot);
+            rest.map_err(|error| fail(error.to_string()))?;
+            let foot: Foot = serde_json::from_str(&format!("{{{foot}"))
+                .map_err(|error| fail(error.to_string()))?;
+            self.items.push(foot.items);
             self.rest = Rest::All(Vec::new().into_iter());
             return Ok(None);
         }
-        let entry = serde_json::from_str(entry).map_err(|error| fail(error.to_string()))?;
+        let entry: VariantEntry =
+            serde_json::from_str(entry).map_err(|error| fail(error.to_string()))?;
+        entry.check().map_err(|error| fail(error.to_string()))?;
         Ok(Some(entry))
     }
 }
 
+/// What stands behind the sheets.
+#[derive(Deserialize)]
+struct Foot {
+    #[serde(default)]
+    items: BTreeMap<String, String>,
+}
+
 /// The solution of a question as it was handed out.
-pub(crate) fn solution<'c>(
-    catalogue: &'c Catalogue,
+pub(crate) fn solution<'i>(
+    items: &'i Items<'_>,
     question: &QuestionEntry,
     decimal: char,
-    accept: bool,
-) -> Result<Solution<'c>, Failure> {
-    let id = &question.item;
-    let template = catalogue
-        .find(id.as_str())
-        .ok_or_else(|| Failure::new(format!("the bank has no item `{id}` any more")))?;
-    if template.revision != question.revision && !accept {
-        return Err(Failure::new(format!(
-            "`{id}` has changed: the sheets have revision {}, the bank has {}",
-            question.revision, template.revision
-        ))
-        .help("mark with the bank of that time, or add `--accept-revisions`"));
-    }
+) -> Result<Solution<'i>, Failure> {
+    let template = items.find(&question.item, question.revision)?;
     let known: Vec<(&str, &str)> = question
         .values
         .iter()

@@ -1,7 +1,7 @@
 //! Marking one sheet.
 
 use vibank::answer::{Credit, Verdict};
-use vibank::bank::{Catalogue, Template};
+use vibank::bank::Template;
 use vibank::grade::{
     self, Comment, Feedback, Grade, PartFeedback, Place, QuestionFeedback, Responses,
 };
@@ -9,6 +9,7 @@ use vibank::numerics::Rational;
 use vibank::solution::Solution;
 use vibank::worksheet::{PartEntry, QuestionEntry, VariantEntry};
 
+use super::items::Items;
 use super::manifest::solution;
 use super::outcome::{Fraction, Outcome, PartOutcome, sum};
 use super::overrides::{Override, Overrides};
@@ -16,9 +17,8 @@ use crate::cli::Failure;
 
 /// What all sheets of a run are marked with.
 pub(super) struct Marker<'a> {
-    pub(super) catalogue: &'a Catalogue,
+    pub(super) items: &'a Items<'a>,
     pub(super) decimal: char,
-    pub(super) accepts_revisions: bool,
     pub(super) responses: &'a Responses,
     pub(super) overrides: &'a Overrides,
 }
@@ -73,12 +73,7 @@ impl Marker<'_> {
         code: &str,
         question: &QuestionEntry,
     ) -> Result<(Vec<PartOutcome>, QuestionFeedback), Failure> {
-        let solution = solution(
-            self.catalogue,
-            question,
-            self.decimal,
-            self.accepts_revisions,
-        )?;
+        let solution = solution(self.items, question, self.decimal)?;
         let answered = self.answered(code, question, solution.template())?;
         let responses = answered.iter().map(|part| (part.place, part.response()));
         let grade = Grade::mark(&solution, responses);

@@ -3,6 +3,7 @@
 mod analysis;
 mod census;
 mod changes;
+mod items;
 mod journal;
 mod manifest;
 mod marking;
@@ -19,11 +20,13 @@ use vibank::grade::{Feedback, Place, Responses};
 use vibank::output::{self, Pages, Run};
 use vibank::worksheet::VariantEntry;
 
+pub(crate) use self::items::Items as RunItems;
 pub(crate) use self::manifest::{manifest, solution};
 
 use self::analysis::Analysis;
 use self::census::Census;
 use self::changes::Changes;
+use self::items::Items;
 use self::journal::Journal;
 use self::manifest::Sheets;
 use self::marking::Marker;
@@ -31,7 +34,9 @@ use self::outcome::Outcome;
 use self::overrides::Overrides;
 use self::tables::Tables;
 use super::bank::BankArgument;
+use super::folder::Folder;
 use super::press::{Missing, Press, Printed};
+use super::sheet::PROGRAM;
 use super::table::Dialect;
 use super::{Failure, files, progress, responses};
 
@@ -53,11 +58,11 @@ pub(crate) struct Arguments {
     /// A CSV file that settles single marks: code, question, part, and response, points or feedback.
     #[arg(long, value_name = "FILE")]
     overrides: Option<PathBuf>,
-    /// Mark also with items whose text has changed since the sheets were made; changed marks are listed.
+    /// Mark with the items of the bank where they have changed since the sheets were made; changed marks are listed.
     #[arg(long)]
     accept_revisions: bool,
-    /// The `results.json` of an earlier run, to list changed marks; that in the output folder if left out.
-    #[arg(long, value_name = "FILE")]
+    /// The folder or `results.json` of an earlier run, to list changed marks; that in the output folder if omitted.
+    #[arg(long, value_name = "OLD")]
     compare: Option<PathBuf>,
     /// The format of the feedback pages, as of sheets: html, md, pdf, tex.
     #[arg(long, value_name = "FORMAT", default_value = "html")]
@@ -71,19 +76,16 @@ pub(crate) struct Arguments {
 
 /// Sheets that are marked at once; memory holds no more.
 const CHUNK: usize = 256;
+/// Changed marks that are printed; all are in `changes.csv`.
+const MOST_CHANGES: usize = 40;
 
 pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     let catalogue = arguments.bank.catalogue()?;
     let beside = arguments.manifest.parent().unwrap_or(Path::new("."));
-    let out = arguments
-        .out
-        .clone()
-        .unwrap_or_else(|| beside.join("marks"));
-    let census = Census::take(
-        &mut Sheets::open(&arguments.manifest)?,
-        &catalogue,
-        arguments.accept_revisions,
-    )?;
+    let out = match &arguments.out {
+        Some(out) => Folder::at(out),
+        None => Folder::at(&beside.join("marks")),
+    };
     let (responses, mut faults) = responses::read(&arguments.responses)?;
     let overrides = match &arguments.overrides {
         Some(path) => {
@@ -93,23 +95,27 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
         }
         None => Overrides::default(),
     };
-    let earlier = arguments
-        .compare
-        .clone()
-        .unwrap_or_else(|| out.join("results.json"));
-    let sheets = Sheets::open(&arguments.manifest)?;
+    let open = || Sheets::open(&arguments.manifest, &responses.codes());
+    let census = Census::take(&mut open()?, &catalogue, arguments.accept_revisions)?;
+    let sheets = open()?;
+    let changes = match &arguments.compare {
+        Some(path) => Some(Changes::since(path)?),
+        None if out.has("results.json") => Some(Changes::since(&out.path("results.json")?)?),
+        None => None,
+    };
     let dialect = Dialect::new(sheets.head.csv, sheets.head.decimal);
     let mut job = Job {
-        journal: Journal::open(&out, &input(arguments, &catalogue.digest())?)?,
+        journal: Journal::open(&out, &input(arguments, &sheets, &catalogue.digest())?)?,
         pages: layout(&sheets, "html")?,
         feedback: layout(&sheets, &arguments.feedback)?,
         tables: Tables::begin(&out, census.columns, dialect)?,
         dialect,
-        changes: Changes::since(&earlier)?,
+        changes,
         analysis: Analysis::default(),
         unprinted: Mutex::default(),
         arguments,
         catalogue: &catalogue,
+        items: &census.items,
         out: &out,
         sheets,
         responses,
@@ -122,11 +128,17 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
 }
 
 /// What the outcome depends on, in one line.
-fn input(arguments: &Arguments, bank: &str) -> Result<String, Failure> {
+fn input(arguments: &Arguments, sheets: &Sheets, bank: &str) -> Result<String, Failure> {
     let digest = |path: &Path| files::digest_of(path);
     let overrides = arguments.overrides.as_deref().map(digest).transpose()?;
+    let earlier: Vec<String> = sheets
+        .earlier()
+        .iter()
+        .map(|path| digest(path))
+        .collect::<Result<_, _>>()?;
+    let earlier = earlier.concat();
     Ok(format!(
-        "vibank {} {} {} {} {bank} {} {} {}",
+        "vibank {} {}{earlier} {} {} {bank} {} {} {}",
         env!("CARGO_PKG_VERSION"),
         digest(&arguments.manifest)?,
         digest(&arguments.responses)?,
@@ -184,7 +196,8 @@ impl Layout {
 struct Job<'a> {
     arguments: &'a Arguments,
     catalogue: &'a vibank::bank::Catalogue,
-    out: &'a Path,
+    items: &'a Items<'a>,
+    out: &'a Folder,
     sheets: Sheets,
     responses: Responses,
     overrides: Overrides,
@@ -234,9 +247,8 @@ impl Job<'_> {
     /// Marks sheets and writes their pages.
     fn chunk(&self, variants: &[VariantEntry]) -> Result<Vec<Outcome>, Failure> {
         let marker = Marker {
-            catalogue: self.catalogue,
-            decimal: self.sheets.head.decimal,
-            accepts_revisions: self.arguments.accept_revisions,
+            items: self.items,
+            decimal: self.sheets.decimal,
             responses: &self.responses,
             overrides: &self.overrides,
         };
@@ -247,7 +259,9 @@ impl Job<'_> {
                 let extension = layout.pages.writer().extension();
                 let name = format!("{}.{extension}", variant.code);
                 match layout.file(&feedback)? {
-                    Ok(file) => files::write(&self.out.join("feedback").join(name), &file)?,
+                    Ok(file) => {
+                        self.out.write(&format!("feedback/{name}"), &file)?;
+                    }
                     Err(why) => {
                         let line = format!("`feedback/{name}` could not be printed: {why}");
                         self.unprinted().push(line);
@@ -292,27 +306,49 @@ impl Job<'_> {
         let has_earlier = self.changes.is_some();
         let makes_feedback = self.makes_feedback();
         let unprinted = std::mem::take(&mut *self.unprinted());
-        let changes = self.changes.map_or(Ok(0), |changes| {
-            changes.finish(&self.out.join("changes.csv"), self.dialect)
+        let before = self
+            .changes
+            .as_ref()
+            .and_then(|changes| changes.program.clone());
+        let before = before.map_or_else(String::new, |before| {
+            format!(", which {before} marked; this is {PROGRAM}")
+        });
+        let listed = self.changes.map_or(Ok(Vec::new()), |changes| {
+            changes.finish(self.out, self.dialect)
         })?;
+        let changes = listed.len();
         self.analysis
             .write(self.out, self.catalogue, &self.pages, self.dialect, faults)?;
         self.tables.finish()?;
         self.journal.finish();
         told(&self.analysis, faults);
         if !changed.is_empty() {
-            eprintln!("marked with changed items: {}", changed.join(", "));
-            if !has_earlier {
+            let list = changed.join(", ");
+            if self.arguments.accept_revisions {
+                eprintln!("marked with changed items: {list}");
+            } else {
+                eprintln!(
+                    "marked as handed out, though the bank has moved on: {list}; `--accept-revisions` marks with its items"
+                );
+            }
+            if !has_earlier && self.arguments.accept_revisions {
                 eprintln!(
                     "there are no earlier marks to compare with; give them with `--compare results.json`"
                 );
             }
         }
         if has_earlier {
-            println!("{changes} marks differ from the earlier run");
+            println!("{} marks differ from the earlier run{before}", listed.len());
+            for row in listed.iter().take(MOST_CHANGES) {
+                println!("  {row}");
+            }
+            if listed.len() > MOST_CHANGES {
+                println!("  and {} more, in changes.csv", listed.len() - MOST_CHANGES);
+            }
         }
-        let file =
-            |name: &str, what: &str| println!("  {:<28} {what}", self.out.join(name).display());
+        let file = |name: &str, what: &str| {
+            println!("  {:<28} {what}", self.out.root().join(name).display());
+        };
         let counts: Vec<String> = self
             .analysis
             .verdicts()

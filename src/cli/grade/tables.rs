@@ -1,7 +1,5 @@
 //! The tables of a grading run: `marks.csv`, `details.csv`, `results.json` and `unreadable.csv`.
 
-use std::path::Path;
-
 use serde_json::json;
 use vibank::answer::Verdict;
 use vibank::grade;
@@ -9,7 +7,7 @@ use vibank::numerics::Rational;
 
 use super::outcome::{Outcome, PartOutcome};
 use crate::cli::Failure;
-use crate::cli::files::Draft;
+use crate::cli::folder::{Draft, Folder};
 use crate::cli::table::Dialect;
 
 /// A column of the marks: number of the question, letter of the part.
@@ -39,12 +37,12 @@ const UNREADABLE: [&str; 9] = [
 
 impl Tables {
     pub(super) fn begin(
-        out: &Path,
+        out: &Folder,
         columns: Vec<Column>,
         dialect: Dialect,
     ) -> Result<Self, Failure> {
         let draft = |name: &str, head: &[&str]| {
-            let mut draft = Draft::begin(&out.join(name))?;
+            let mut draft = out.begin(name)?;
             draft.write(&dialect.head(head)?)?;
             Ok::<_, Failure>(draft)
         };
@@ -57,7 +55,7 @@ impl Tables {
             .into_iter()
             .chain(names.iter().map(String::as_str))
             .collect();
-        let mut results = Draft::begin(&out.join("results.json"))?;
+        let mut results = out.begin("results.json")?;
         results.write(b"[")?;
         Ok(Self {
             marks: draft("marks.csv", &head)?,

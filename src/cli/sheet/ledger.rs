@@ -2,28 +2,27 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::io::{Read, Seek, Write};
-use std::path::{Path, PathBuf};
+use std::io::{Seek, Write};
 
 use serde::{Deserialize, Serialize};
 
 use super::shard::Shard;
 use crate::cli::Failure;
-use crate::cli::files::Draft;
+use crate::cli::folder::{self, Folder, Left};
 
 /// How far a run has come.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct Mark {
     /// Sheets of its share that are written.
     pub(crate) done: usize,
-    /// The length of each draft then, by the name of its file.
-    pub(crate) bytes: BTreeMap<String, u64>,
+    /// What is left of each file then, by its name.
+    pub(crate) files: BTreeMap<String, Left>,
 }
 
 impl Mark {
-    /// How much of a draft is to be kept.
-    pub(crate) fn length(&self, name: &str) -> u64 {
-        self.bytes.get(name).copied().unwrap_or(0)
+    /// What is left of a file.
+    pub(crate) fn left(&self, name: &str) -> Option<&Left> {
+        self.files.get(name)
     }
 }
 
@@ -35,9 +34,13 @@ struct Line {
     mark: Mark,
 }
 
+/// The folders that a run writes drafts to.
+const FOLDERS: [&str; 6] = ["", "sheets", "keys", "solutions", "figures", "manifests"];
+
 /// The ledger of a run; while it is open no other run writes to the folder.
 pub(crate) struct Ledger {
-    path: PathBuf,
+    folder: Folder,
+    name: String,
     file: fs::File,
     inputs: String,
 }
@@ -45,24 +48,23 @@ pub(crate) struct Ledger {
 impl Ledger {
     /// Opens the ledger of a folder, and tells how far an interrupted run with the same inputs has come.
     ///
-    /// What another run has left is removed.
-    pub(crate) fn open(out: &Path, shard: Shard, inputs: &str) -> Result<(Self, Mark), Failure> {
-        let path = out.join(shard.named(".sheet", "run"));
+    /// What another run has left is removed, and what an interrupted one has left without noting it.
+    pub(crate) fn open(
+        folder: &Folder,
+        shard: Shard,
+        inputs: &str,
+    ) -> Result<(Self, Mark), Failure> {
+        let name = shard.named(".sheet", "run");
+        let shown = folder.root().display();
         let fail = |error: std::io::Error| {
-            Failure::new(format!("cannot write `{}`: {error}", path.display()))
+            Failure::new(format!("cannot write `{name}` in `{shown}`: {error}"))
         };
-        fs::create_dir_all(out).map_err(fail)?;
-        let mut options = fs::OpenOptions::new();
-        let options = options.read(true).write(true).create(true).truncate(false);
-        let mut file = options.open(&path).map_err(fail)?;
-        if file.try_lock().is_err() {
-            let folder = out.display();
-            return Err(Failure::new(format!("another run writes to `{folder}`"))
+        let Some(mut file) = folder.claim(&name)? else {
+            return Err(Failure::new(format!("another run writes to `{shown}`"))
                 .help("wait for it, or give another folder with `--out`"));
-        }
-        let mut text = String::new();
+        };
         // A ledger that is no text is none.
-        let _ = file.read_to_string(&mut text);
+        let text = folder::text(&file);
         let lines = text
             .split_inclusive('\n')
             .filter(|line| line.ends_with('\n'));
@@ -70,29 +72,49 @@ impl Ledger {
             .filter_map(|line| serde_json::from_str::<Line>(line).ok())
             .next_back();
         let is_whole = |line: &Line| {
-            let mut bytes = line.mark.bytes.iter();
-            line.inputs == inputs
-                && bytes.all(|(name, length)| Draft::left(&out.join(name)) >= *length)
+            let mut files = line.mark.files.iter();
+            line.inputs == inputs && files.all(|(name, left)| folder.left(name, left).is_some())
         };
         let mark = match last {
             Some(line) if is_whole(&line) => line.mark,
             Some(line) => {
-                line.mark
-                    .bytes
-                    .keys()
-                    .for_each(|name| Draft::discard(&out.join(name)));
+                let files = line.mark.files.iter();
+                let stale = files.filter_map(|(name, left)| {
+                    folder.left(
+                        name,
+                        &Left {
+                            length: 0,
+                            ..left.clone()
+                        },
+                    )
+                });
+                stale.for_each(|draft| drop(fs::remove_file(draft)));
                 Mark::default()
             }
             None => Mark::default(),
         };
         file.set_len(0).and_then(|()| file.rewind()).map_err(fail)?;
         let mut ledger = Self {
-            path,
+            folder: folder.clone(),
+            name,
             file,
             inputs: inputs.to_owned(),
         };
         ledger.note(mark.clone())?;
+        if shard.is_whole() && !ledger.has_company() {
+            let drafts = mark.files.values().map(|left| left.draft.clone());
+            folder.sweep(&FOLDERS, &drafts.collect());
+        }
         Ok((ledger, mark))
+    }
+
+    /// Whether parts of the run are being made at the same time, whose drafts are none of ours.
+    fn has_company(&self) -> bool {
+        let names = self.folder.names("");
+        let mut others = names
+            .iter()
+            .filter(|name| name.starts_with(".sheet-") && name.ends_with(".run"));
+        others.any(|name| !matches!(self.folder.claim(name), Ok(Some(_))))
     }
 
     /// Notes how far the run has come; its drafts have been flushed.
@@ -102,12 +124,13 @@ impl Ledger {
         line.push('\n');
         let written = self.file.write_all(line.as_bytes());
         written.map_err(|error| {
-            Failure::new(format!("cannot write `{}`: {error}", self.path.display()))
+            let (name, root) = (&self.name, self.folder.root().display());
+            Failure::new(format!("cannot write `{name}` in `{root}`: {error}"))
         })
     }
 
     /// The run is complete.
     pub(crate) fn close(self) {
-        let _ = fs::remove_file(&self.path);
+        let _ = self.folder.remove(&self.name);
     }
 }

@@ -1,7 +1,7 @@
-//! Making the sheets: chosen in order, written by all cores, kept in order.
+//! Making the sheets: all are chosen, then written by all cores and kept in the order of the run.
 //!
 //! A sheet is written when it is taken, never before: what repeats an earlier one leaves no trace. While a chunk of sheets
-//! is written, the one before is kept and the one after is proposed.
+//! is written, the one before is kept.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -9,13 +9,15 @@ use std::path::Path;
 
 use indicatif::ProgressBar;
 use rayon::prelude::*;
+use vibank::seed::Variant;
 use vibank::worksheet::{
-    Candidate, Chooser, Fairness, Plan, Sheet, SheetError, Student, VariantEntry,
+    Candidate, Chooser, Fairness, Fixed, Plan, Sheet, SheetError, Student, VariantEntry,
 };
 
 use super::known::Alike;
 use super::ledger::{Ledger, Mark};
 use super::outputs::{Finished, Format, Outputs, Written, write_fairness};
+use crate::cli::folder::Folder;
 use crate::cli::record::{self, Record};
 use crate::cli::{Failure, progress};
 
@@ -26,9 +28,15 @@ const CHUNK: usize = 64;
 pub(super) struct Job<'a, 'c> {
     pub(super) plan: &'a Plan<'c>,
     pub(super) students: &'a [Student],
+    /// How many sheets the whole run has.
+    pub(super) count: usize,
+    /// Whether nothing that is written names a student.
+    pub(super) has_pseudonyms: bool,
+    /// What students have already, by identity.
+    pub(super) fixed: BTreeMap<String, Fixed>,
     pub(super) formats: &'a [Format],
     pub(super) known: Alike<'a>,
-    pub(super) out: &'a Path,
+    pub(super) out: &'a Folder,
     pub(super) layouts: Option<&'a Path>,
     /// Whether all variants are there, so that it can be told how alike they are.
     pub(super) tell_fairness: bool,
@@ -49,6 +57,8 @@ pub(super) struct Made {
     pub(super) fairness: Fairness,
     /// Files that could not be printed, and why.
     pub(super) unprinted: Vec<String>,
+    /// All variants of the run, by place.
+    pub(super) variants: Vec<Variant>,
     /// What to report of them, each with what it is.
     pub(super) shown: Vec<(String, &'static str)>,
 }
@@ -62,70 +72,74 @@ struct Page {
 impl Job<'_, '_> {
     /// Makes the sheets of a share, from where an interrupted run has stopped.
     ///
-    /// All sheets before are chosen again, which is quick, since what is taken depends on what was taken before.
+    /// All variants are chosen first, which takes a small share of the time: who goes first is not who is written first.
     pub(super) fn make(
         &self,
         share: Range<usize>,
         mark: &Mark,
         mut store: Store<'_>,
     ) -> Result<Made, Failure> {
+        // What is taken depends on what was taken before: with a list on all of it, else on what comes before.
+        let count = if self.students.is_empty() {
+            share.end
+        } else {
+            self.count
+        };
+        let mut chooser = Chooser::new(self.plan, self.students, self.fixed.clone());
+        if self.has_pseudonyms {
+            chooser = chooser.with_pseudonyms();
+        }
+        choose(&mut chooser, count)?;
+        let variants: Vec<Variant> = chooser.taken().collect();
         let bar = progress::bar(share.len() as u64, "sheets");
-        let mut chooser = Chooser::new(self.plan, self.students);
-        let first = share.start + mark.done;
         let mut made = Made {
             sheets: share.len(),
             unchanged: 0,
-            rejected: 0,
-            fairness: Fairness::default(),
+            rejected: chooser.rejected(),
+            fairness: chooser.fairness().clone(),
             unprinted: Vec::new(),
             shown: Vec::new(),
+            variants: variants.clone(),
         };
         bar.inc(mark.done as u64);
-        let mut candidates = propose(&chooser, chunk(0, first, share.end))?;
-        let (mut taken, mut written, mut pages) = (0, 0, Vec::new());
-        while !(candidates.is_empty() && pages.is_empty()) {
-            let own = settle(&mut chooser, candidates)?;
-            taken += own.len();
-            let next = chunk(taken, first, share.end);
-            let (kept, (own, proposed)) = rayon::join(
-                || store.keep(pages, written, &mut made),
-                || rayon::join(|| self.pages(own, first, &bar), || propose(&chooser, next)),
+        let mut pages = Vec::new();
+        let mut begin = share.start + mark.done;
+        while begin < share.end || !pages.is_empty() {
+            let end = share.end.min(begin + CHUNK);
+            let (kept, written) = rayon::join(
+                || store.keep(pages, begin - share.start, &mut made),
+                || self.pages(begin..end, &variants, &bar),
             );
             kept?;
-            (pages, candidates) = (own?, proposed?);
-            written = taken.saturating_sub(share.start);
+            (pages, begin) = (written?, end);
         }
         bar.finish_and_clear();
-        made.rejected = chooser.rejected();
-        made.fairness = chooser.fairness().clone();
         let fairness = self
             .tell_fairness
             .then(|| write_fairness(self.plan, self.layouts, &made.fairness, self.out));
-        store.finish(fairness.transpose()?, &mut made)?;
+        store.finish(self.out, fairness.transpose()?, self.plan, &mut made)?;
         Ok(made)
     }
 
-    /// Writes the sheets of some candidates, but those before the place `first`, which are another run's or an earlier
-    /// one's.
+    /// Writes the sheets at some places.
     fn pages(
         &self,
-        candidates: Vec<Candidate>,
-        first: usize,
+        places: Range<usize>,
+        variants: &[Variant],
         bar: &ProgressBar,
     ) -> Result<Vec<Page>, Failure> {
-        let is_own = |candidate: &Candidate| candidate.index() as usize >= first;
-        let write = |candidate: Candidate| {
-            let student = self.students.get(candidate.index() as usize).cloned();
-            let sheet = Sheet::draw(self.plan, candidate.variant(), student);
+        let write = |place: usize| {
+            let student = self
+                .students
+                .get(place)
+                .filter(|_| !self.has_pseudonyms)
+                .cloned();
+            let sheet = Sheet::draw(self.plan, variants[place], student);
             let page = self.page(&sheet.map_err(|error| refuse(&error))?)?;
             bar.inc(1);
             Ok(page)
         };
-        candidates
-            .into_par_iter()
-            .filter(is_own)
-            .map(write)
-            .collect()
+        places.into_par_iter().map(write).collect()
     }
 
     fn page(&self, sheet: &Sheet<'_>) -> Result<Page, Failure> {
@@ -148,39 +162,26 @@ impl Job<'_, '_> {
     }
 }
 
-/// Looks for a suitable seed for each of some places.
-fn propose(chooser: &Chooser<'_, '_>, places: Range<usize>) -> Result<Vec<Candidate>, Failure> {
-    let propose = |place: usize| candidate(chooser, place as u64, 0);
-    places.into_par_iter().map(propose).collect()
-}
-
-/// Takes candidates in order; one that repeats another of them gives way to the next attempt.
-fn settle(
-    chooser: &mut Chooser<'_, '_>,
-    candidates: Vec<Candidate>,
-) -> Result<Vec<Candidate>, Failure> {
-    let mut taken = Vec::with_capacity(candidates.len());
-    for mut own in candidates {
-        while !chooser.take(&own) {
-            own = candidate(chooser, own.index(), own.next_attempt())?;
+/// Chooses the variant of each of `count` places.
+fn choose(chooser: &mut Chooser<'_, '_>, count: usize) -> Result<(), Failure> {
+    let order = chooser.order(count);
+    let propose = |chooser: &Chooser<'_, '_>, places: &[u64]| {
+        let candidates = places.par_iter().map(|place| candidate(chooser, *place, 0));
+        candidates.collect::<Result<Vec<_>, Failure>>()
+    };
+    for places in order.chunks(CHUNK) {
+        // One that repeats another of them gives way to the next attempt.
+        for mut own in propose(chooser, places)? {
+            while !chooser.take(&own) {
+                own = candidate(chooser, own.index(), own.next_attempt())?;
+            }
         }
-        taken.push(own);
     }
-    Ok(taken)
+    Ok(())
 }
 
 fn candidate(chooser: &Chooser<'_, '_>, index: u64, from: u64) -> Result<Candidate, Failure> {
     chooser.propose(index, from).map_err(|error| refuse(&error))
-}
-
-/// The next places from `done` on: whole chunks from `first`, so that a run that goes on has the same ones.
-fn chunk(done: usize, first: usize, end: usize) -> Range<usize> {
-    let last = if done < first {
-        first.min(done + CHUNK)
-    } else {
-        done + CHUNK
-    };
-    done..last.min(end)
 }
 
 impl Store<'_> {
@@ -200,17 +201,23 @@ impl Store<'_> {
             self.record.add(&entry)?;
         }
         self.outputs.add_tables(&tables)?;
-        let mut bytes = self.outputs.flush()?;
-        bytes.extend(self.record.flush()?);
-        self.ledger.note(Mark { done, bytes })
+        let mut files = self.outputs.flush()?;
+        files.extend(self.record.flush()?);
+        self.ledger.note(Mark { done, files })
     }
 
     /// Completes all files, the manifest last.
-    fn finish(self, fairness: Option<Finished>, made: &mut Made) -> Result<(), Failure> {
+    fn finish(
+        self,
+        out: &Folder,
+        fairness: Option<Finished>,
+        plan: &Plan<'_>,
+        made: &mut Made,
+    ) -> Result<(), Failure> {
         let mut digests = BTreeMap::new();
         for finished in self
             .outputs
-            .finish(&mut made.unprinted)?
+            .finish(out, &mut made.unprinted)?
             .into_iter()
             .chain(fairness)
         {
@@ -219,7 +226,8 @@ impl Store<'_> {
             }
             made.shown.push((finished.name, finished.what));
         }
-        made.shown.extend(self.record.finish(&digests)?);
+        let items = plan.used(&made.fairness);
+        made.shown.extend(self.record.finish(&items, &digests)?);
         self.ledger.close();
         Ok(())
     }

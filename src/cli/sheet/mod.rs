@@ -1,6 +1,7 @@
 //! `vibank sheet BLUEPRINT`
 
 mod choice;
+mod guard;
 mod known;
 mod ledger;
 mod make;
@@ -17,6 +18,7 @@ use vibank::source::Source;
 use vibank::worksheet::{Audience, Blueprint, Choice, Fairness, Plan, Student};
 
 pub(crate) use self::choice::FormatChoice;
+pub(crate) use self::guard::MANIFESTS;
 pub(crate) use self::ledger::Mark;
 pub(crate) use self::shard::Shard;
 pub(crate) use self::stamp::{PROGRAM, Stamp};
@@ -26,7 +28,10 @@ use self::ledger::Ledger;
 use self::make::{Job, Made};
 use self::outputs::Outputs;
 use super::bank::{self, BankArgument};
+use super::files::Access;
+use super::folder::Folder;
 use super::record::Record;
+use super::table::Dialect;
 use super::{Failure, Format, Outcome, class_list, files};
 
 /// Make the sheets of a blueprint, with keys, worked solutions, a response form and a manifest.
@@ -51,6 +56,12 @@ pub(crate) struct Arguments {
     /// A folder with page layouts of your own, `FORMAT/worksheet.EXT` and so on.
     #[arg(long, value_name = "FOLDER")]
     layouts: Option<PathBuf>,
+    /// Overwrite files that were edited, and a run that has answers or marks; a copy of them is kept.
+    #[arg(long)]
+    force: bool,
+    /// Print codes alone, no names, and write which student has which code to this file and nowhere else.
+    #[arg(long, value_name = "FILE")]
+    pseudonyms: Option<PathBuf>,
     /// How many threads work; all cores if left out.
     #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u16).range(1..=512))]
     threads: Option<u16>,
@@ -71,6 +82,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Ok(blueprint) => blueprint,
         Err(findings) => return bank::refuse(&findings),
     };
+    check_pseudonyms(arguments, &blueprint)?;
     let catalogue = arguments.bank.catalogue()?;
     let mut choices = blueprint.questions.iter().map(|question| &question.choice);
     if choices.any(|choice| matches!(choice, Choice::Pick { .. })) {
@@ -85,7 +97,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let choice = FormatChoice::of(&blueprint, arguments.shard)?;
     let count = match blueprint.audience {
         Audience::Variants(count) => count,
-        Audience::Students(_) => students.len(),
+        Audience::Students(_) => students.len() + blueprint.spares,
     };
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(arguments.threads.map_or(0, usize::from))
@@ -96,7 +108,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         plan: &plan,
         choice: &choice,
         students: &students,
-        out: &out(arguments),
+        out: &Folder::make(&out(arguments))?,
         is_split: arguments.split || !arguments.shard.is_whole(),
     };
     let summary = pool.install(|| run.make(&catalogue, count))?;
@@ -118,7 +130,7 @@ struct Run<'a, 'c> {
     plan: &'a Plan<'c>,
     choice: &'a FormatChoice,
     students: &'a [Student],
-    out: &'a Path,
+    out: &'a Folder,
     is_split: bool,
 }
 
@@ -127,14 +139,28 @@ impl Run<'_, '_> {
         let shard = self.arguments.shard;
         let layouts = self.arguments.layouts.as_deref();
         let formats = outputs::formats(self.plan, self.choice, layouts, self.is_split)?;
-        let stamp =
-            Stamp::of(self.plan, self.students, catalogue, &formats).for_run(self.is_split, shard);
+        let stamp = Stamp::of(self.plan, self.students, catalogue, &formats).for_run(
+            self.is_split,
+            shard,
+            self.arguments.pseudonyms.is_some(),
+        );
         let known = Known::in_folder(self.out);
-        if known.is_current(self.out, shard, &stamp) {
+        let has_key = self
+            .arguments
+            .pseudonyms
+            .as_ref()
+            .is_none_or(|path| path.is_file());
+        if has_key && known.is_current(self.out, shard, &stamp) {
             return Ok(Summary::unchanged(self.out, shard.share(count).len()));
         }
         let share = shard.share(count);
         let (ledger, mark) = Ledger::open(self.out, shard, &stamp.inputs)?;
+        let held = known.of(shard);
+        guard::make_room(self.out, held, &stamp, shard, self.arguments.force)?;
+        let keeps_form = guard::keeps_form(self.out, held, &stamp)?;
+        let form = held
+            .map(|held| held.form().to_owned())
+            .filter(|_| keeps_form);
         let outputs = Outputs::open(&formats, self.out, shard, &mark)?;
         let record = Record::open(
             self.out,
@@ -144,10 +170,14 @@ impl Run<'_, '_> {
             self.choice,
             catalogue,
             &mark,
+            form,
         )?;
         let job = Job {
             plan: self.plan,
             students: self.students,
+            count,
+            has_pseudonyms: self.arguments.pseudonyms.is_some(),
+            fixed: known.fixed(self.plan, self.students),
             formats: &formats,
             known: known.for_look(&stamp.look),
             out: self.out,
@@ -164,8 +194,53 @@ impl Run<'_, '_> {
             },
         )?;
         let kept = known.tidy(self.out, shard, self.choice.kept());
+        if let Some(path) = &self.arguments.pseudonyms {
+            self.write_key(path, &made)?;
+        }
         Ok(Summary::of(self.out, made, kept))
     }
+}
+
+impl Run<'_, '_> {
+    /// Writes which student has which code.
+    fn write_key(&self, path: &Path, made: &Made) -> Result<(), Failure> {
+        let blueprint = self.plan.blueprint;
+        let dialect = Dialect::new(blueprint.csv, blueprint.decimal);
+        let mut table = dialect.head(&["code", "id", "name", "group", "seat"])?;
+        for (student, variant) in self.students.iter().zip(&made.variants) {
+            let Student {
+                id,
+                name,
+                group,
+                seat,
+                ..
+            } = student;
+            table.extend(dialect.line(&[&variant.to_string(), id, name, group, seat])?);
+        }
+        files::write(path, &table, Access::Private)
+    }
+}
+
+/// Pseudonyms are refused where they would hide nothing.
+fn check_pseudonyms(arguments: &Arguments, blueprint: &Blueprint) -> Result<(), Failure> {
+    let Some(path) = &arguments.pseudonyms else {
+        return Ok(());
+    };
+    if blueprint.secret.is_none() {
+        return Err(Failure::new(
+            "without a secret everybody can tell by trying which student has which code",
+        )
+        .help("make one with `vibank new secret FILE`, and name it in the blueprint"));
+    }
+    if matches!(blueprint.audience, Audience::Variants(_)) {
+        return Err(Failure::new("there are no students to give pseudonyms to")
+            .help("name a class list with `students`, or remove `--pseudonyms`"));
+    }
+    if path.starts_with(out(arguments)) {
+        return Err(Failure::new("the run is to know no names")
+            .help("write the file of pseudonyms to another folder"));
+    }
+    Ok(())
 }
 
 /// What a run tells in the end.
@@ -186,9 +261,9 @@ struct Summary {
 }
 
 impl Summary {
-    fn of(out: &Path, made: Made, kept: usize) -> Self {
+    fn of(out: &Folder, made: Made, kept: usize) -> Self {
         Self {
-            folder: out.to_owned(),
+            folder: out.root().to_owned(),
             sheets: made.sheets,
             unchanged: made.unchanged,
             rejected: made.rejected,
@@ -199,9 +274,9 @@ impl Summary {
         }
     }
 
-    fn unchanged(out: &Path, count: usize) -> Self {
+    fn unchanged(out: &Folder, count: usize) -> Self {
         Self {
-            folder: out.to_owned(),
+            folder: out.root().to_owned(),
             sheets: count,
             unchanged: count,
             rejected: 0,
@@ -239,6 +314,27 @@ impl Summary {
         );
         for (file, what) in &self.files {
             println!("  {file:<18} {what}");
+        }
+        let gave_way = self.fairness.iter().flat_map(|fairness| &fairness.gave_way);
+        let gave_way: Vec<&str> = gave_way.map(String::as_str).collect();
+        if !gave_way.is_empty() {
+            /// Students who are named here; the page on fairness names all.
+            const MOST: usize = 12;
+            let more = gave_way.len().saturating_sub(MOST);
+            let names = gave_way[..gave_way.len() - more].join(", ");
+            let more = if more > 0 {
+                format!(" and {more} more")
+            } else {
+                String::new()
+            };
+            eprintln!(
+                "gave way, since their first variant repeats what another student has: {names}{more}; without this manifest they may get other sheets when the list changes"
+            );
+        }
+        if plan.secret.is_none() {
+            eprintln!(
+                "whoever has this program can turn a printed code into its key; for an exam use a secret: `vibank new secret FILE`"
+            );
         }
         if self.unchanged > 0 {
             eprintln!("{} unchanged", counted(self.unchanged, "sheet"));
@@ -310,7 +406,9 @@ pub(crate) fn secret(blueprint: &Blueprint) -> Result<Option<Secret>, Failure> {
         return Ok(None);
     };
     let path = Path::new(&*blueprint.source.path).with_file_name(&file.value);
-    let secret = Secret::new(&files::read_bytes(&path)?);
-    let secret = secret.map_err(|error| Failure::new(format!("`{}`: {error}", path.display())));
+    let help = || format!("`vibank new secret {}` makes one", path.display());
+    let bytes = files::read_bytes(&path).map_err(|failure| failure.help(help()))?;
+    let secret = Secret::new(&bytes)
+        .map_err(|error| Failure::new(format!("`{}`: {error}", path.display())).help(help()));
     secret.map(Some)
 }

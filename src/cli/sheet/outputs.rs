@@ -1,7 +1,7 @@
 //! The files of a run: one for all sheets of a format and kind, or one for each sheet.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use vibank::output::{self, KeyRow, KeyTable, Kind, Pages, Run};
@@ -11,7 +11,8 @@ use super::choice::FormatChoice;
 use super::ledger::Mark;
 use super::shard::Shard;
 use crate::cli::Failure;
-use crate::cli::files::{self, Draft};
+use crate::cli::files;
+use crate::cli::folder::{Draft, Folder, Left};
 use crate::cli::press::{Press, Printed};
 
 /// How sheets are written in one format.
@@ -101,7 +102,7 @@ impl Format {
         &self,
         sheet: &Sheet<'_>,
         is_kept: bool,
-        out: &Path,
+        out: &Folder,
     ) -> Result<Written, Failure> {
         let laid = match self {
             Self::Json => return Ok(Written::Json(format!("{}\n", output::json(sheet)))),
@@ -157,7 +158,7 @@ impl Laid {
         kind: Kind,
         begin: &str,
         sheet: &Sheet<'_>,
-        out: &Path,
+        out: &Folder,
     ) -> Result<Leaf, Failure> {
         let page = self.pages.page(kind, sheet).map_err(unfilled)?;
         let (mut files, mut unprinted) = (BTreeMap::new(), Vec::new());
@@ -186,10 +187,8 @@ impl Laid {
                 });
             }
         };
-        // Under a name that does not change, so that a run that goes on leaves no draft of the one that was killed.
-        let mut draft = Draft::go_on(&out.join(&inside), 0)?;
-        draft.write(&bytes)?;
-        files.insert(inside, draft.finish()?);
+        let digest = out.write(&inside, &bytes)?;
+        files.insert(inside, digest);
         Ok(Leaf {
             text: Vec::new(),
             files,
@@ -212,7 +211,7 @@ impl Laid {
         &self,
         name: &str,
         svg: &str,
-        out: &Path,
+        out: &Folder,
         unprinted: &mut Vec<String>,
     ) -> Result<String, Failure> {
         if let Some(digest) = self.placed().get(name) {
@@ -231,8 +230,7 @@ impl Laid {
         if let Some(digest) = placed.get(name) {
             return Ok(digest.clone());
         }
-        files::write(&out.join(name), &bytes)?;
-        let digest = files::digest(&bytes);
+        let digest = out.write(name, &bytes)?;
         placed.insert(name.to_owned(), digest.clone());
         Ok(digest)
     }
@@ -247,7 +245,7 @@ pub(super) fn write_fairness(
     plan: &Plan<'_>,
     layouts: Option<&Path>,
     fairness: &Fairness,
-    out: &Path,
+    out: &Folder,
 ) -> Result<Finished, Failure> {
     let mut formats = plan.blueprint.formats.iter();
     let is_markdown = formats.all(|format| ["md", "json"].contains(&&*format.value));
@@ -258,10 +256,9 @@ pub(super) fn write_fairness(
     let begin = laid.pages.begin("fairness").map_err(unfilled)?;
     let whole = format!("{begin}{page}{}", laid.end);
     let file = format!("fairness.{name}");
-    files::write(&out.join(&file), whole.as_bytes())?;
     Ok(Finished {
+        digest: Some(out.write(&file, whole.as_bytes())?),
         name: file,
-        digest: Some(files::digest(whole.as_bytes())),
         what,
     })
 }
@@ -291,7 +288,6 @@ enum Files<'f> {
 
 /// A file that grows with each sheet.
 struct Stream {
-    path: PathBuf,
     name: String,
     draft: Draft,
 }
@@ -300,7 +296,7 @@ impl<'f> Outputs<'f> {
     /// The files of a run that goes on at `mark`.
     pub(super) fn open(
         formats: &'f [Format],
-        out: &Path,
+        out: &Folder,
         shard: Shard,
         mark: &Mark,
     ) -> Result<Self, Failure> {
@@ -385,17 +381,21 @@ impl<'f> Outputs<'f> {
         Ok(())
     }
 
-    /// Hands everything to the system; how long each file is now.
-    pub(super) fn flush(&mut self) -> Result<BTreeMap<String, u64>, Failure> {
-        let mut lengths = BTreeMap::new();
+    /// Hands everything to the system; what a later run would go on with.
+    pub(super) fn flush(&mut self) -> Result<BTreeMap<String, Left>, Failure> {
+        let mut left = BTreeMap::new();
         for stream in self.formats.iter_mut().flat_map(Files::streams) {
-            lengths.insert(stream.name.clone(), stream.draft.flush()?);
+            left.insert(stream.name.clone(), stream.draft.flush()?);
         }
-        Ok(lengths)
+        Ok(left)
     }
 
     /// Completes the files: each with what it is, and with its digest where it belongs to the whole run.
-    pub(super) fn finish(self, unprinted: &mut Vec<String>) -> Result<Vec<Finished>, Failure> {
+    pub(super) fn finish(
+        self,
+        out: &Folder,
+        unprinted: &mut Vec<String>,
+    ) -> Result<Vec<Finished>, Failure> {
         let mut finished = Vec::new();
         for files in self.formats {
             let (laid, streams, table) = match files {
@@ -425,7 +425,7 @@ impl<'f> Outputs<'f> {
             }
             if let Some(table) = table {
                 finished.push(if laid.pages.writer().is_bound() {
-                    table.bind(laid, unprinted)?
+                    table.bind(laid, out, unprinted)?
                 } else {
                     table.finish(&laid.end, TABLE)?
                 });
@@ -455,14 +455,12 @@ impl Files<'_> {
 
 impl Stream {
     /// The file of this name, with its beginning where it is new.
-    fn open(out: &Path, name: String, begin: &str, mark: &Mark) -> Result<Self, Failure> {
-        let length = mark.length(&name);
-        let path = out.join(&name);
-        let mut draft = Draft::go_on(&path, length)?;
-        if length == 0 {
+    fn open(out: &Folder, name: String, begin: &str, mark: &Mark) -> Result<Self, Failure> {
+        let mut draft = out.go_on(&name, mark.left(&name))?;
+        if draft.length() == 0 {
             draft.write(begin.as_bytes())?;
         }
-        Ok(Self { path, name, draft })
+        Ok(Self { name, draft })
     }
 
     fn finish(mut self, end: &str, what: &'static str) -> Result<Finished, Failure> {
@@ -477,14 +475,16 @@ impl Stream {
 
 impl Stream {
     /// The table of keys of a format whose finished text is not yet the file.
-    fn bind(mut self, laid: &Laid, unprinted: &mut Vec<String>) -> Result<Finished, Failure> {
+    fn bind(
+        mut self,
+        laid: &Laid,
+        out: &Folder,
+        unprinted: &mut Vec<String>,
+    ) -> Result<Finished, Failure> {
         self.draft.write(laid.end.as_bytes())?;
         let text = self.draft.take()?;
         let digest = match laid.bind(text) {
-            Ok(bytes) => {
-                files::write(&self.path, &bytes)?;
-                files::digest(&bytes)
-            }
+            Ok(bytes) => out.write(&self.name, &bytes)?,
             Err(why) => {
                 unprinted.push(format!("`{}` could not be printed: {why}", self.name));
                 UNPRINTED.to_owned()

@@ -53,10 +53,13 @@ impl Stamp {
     }
 
     /// The stamp of one part of the run.
-    pub(crate) fn for_run(mut self, is_split: bool, shard: Shard) -> Self {
+    pub(crate) fn for_run(mut self, is_split: bool, shard: Shard, has_pseudonyms: bool) -> Self {
         let mut inputs = Fields::default();
         inputs.add(&self.inputs);
         inputs.add(&format!("{is_split} {shard}"));
+        if has_pseudonyms {
+            inputs.add("pseudonyms");
+        }
         self.inputs = inputs.digest();
         self
     }

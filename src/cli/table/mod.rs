@@ -143,7 +143,7 @@ fn named_delimiter(text: &str) -> Option<(usize, u8)> {
 }
 
 /// The delimiter of the first line with words: spreadsheets write semicolons where the comma is the decimal sign.
-fn delimiter(text: &str) -> u8 {
+pub(crate) fn delimiter(text: &str) -> u8 {
     let is_blank = |line: &&str| line.trim_matches([',', ';', '\t', ' ']).is_empty();
     let mut lines = text.split(['\n', '\r']).skip_while(is_blank);
     let header = lines.next().unwrap_or_default();

@@ -1,0 +1,394 @@
+//! The folder that a run writes to: the one place where paths for output are made.
+//!
+//! Names come from manifests and blueprints, so each is checked: nothing leaves the folder, and no link in it is
+//! followed, neither to a file nor to a folder. What is written is the owner's alone, since it holds marks, keys and
+//! names; it is written under a name that nobody can guess, and moved to its place when it is complete.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+use super::Failure;
+use super::files::{self, Access, unwritable};
+
+/// A folder that a run writes to.
+#[derive(Clone, Debug)]
+pub(crate) struct Folder {
+    root: PathBuf,
+}
+
+/// What an interrupted run leaves of a file, to be gone on with.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct Left {
+    /// How many of its bytes count.
+    pub(crate) length: u64,
+    /// The name of the draft, which stands beside the file.
+    pub(crate) draft: String,
+}
+
+impl Folder {
+    /// The folder `root`, which is made if it is not there.
+    pub(crate) fn make(root: &Path) -> Result<Self, Failure> {
+        let folder = Self::at(root);
+        make_private(&folder.root).map_err(|error| unwritable(root, &error))?;
+        Ok(folder)
+    }
+
+    /// The folder `root`, whether it is there or not.
+    pub(crate) fn at(root: &Path) -> Self {
+        let is_here = root.as_os_str().is_empty();
+        Self {
+            root: if is_here { Path::new(".") } else { root }.to_owned(),
+        }
+    }
+
+    /// The folder itself.
+    pub(crate) fn root(&self) -> &Path {
+        &self.root
+    }
+
+    /// The path of a file in it, by its name with `/` between folders.
+    ///
+    /// Refused is what is no plain name, and what stands behind a link.
+    pub(crate) fn path(&self, name: &str) -> Result<PathBuf, Failure> {
+        if !is_plain(name) {
+            return Err(Failure::new(format!(
+                "`{}` cannot be the name of a file in `{}`",
+                name.escape_debug(),
+                self.root.display()
+            ))
+            .help("give the manifest as `vibank sheet` wrote it"));
+        }
+        let mut path = self.root.clone();
+        for step in name.split('/') {
+            path.push(step);
+            let found = fs::symlink_metadata(&path);
+            if found.is_ok_and(|found| found.file_type().is_symlink()) {
+                return Err(Failure::new(format!(
+                    "`{}` is a link, and none is followed",
+                    path.display()
+                ))
+                .help("remove the link, or give another folder with `--out`"));
+            }
+        }
+        Ok(path)
+    }
+
+    /// Begins a file. Dropped before it is finished it leaves nothing behind.
+    pub(crate) fn begin(&self, name: &str) -> Result<Draft, Failure> {
+        let path = self.path(name)?;
+        let fail = |error: io::Error| unwritable(&path, &error);
+        let folder = path.parent().unwrap_or(&self.root);
+        make_private(folder).map_err(fail)?;
+        let own = path.file_name().unwrap_or_default().to_string_lossy();
+        let draft = files::new_draft(folder, &own, Access::Private).map_err(fail)?;
+        let (file, draft) = draft.keep().map_err(|error| fail(error.error))?;
+        Ok(Draft {
+            path,
+            draft,
+            file: Some(BufWriter::with_capacity(1 << 16, file)),
+            length: 0,
+            digest: Sha256::new(),
+            stays: false,
+        })
+    }
+
+    /// Goes on with a file of which an interrupted run has left something; begins it where nothing is left.
+    ///
+    /// It stays when the program ends before it is finished, so that a later run can go on.
+    pub(crate) fn go_on(&self, name: &str, left: Option<&Left>) -> Result<Draft, Failure> {
+        let Some(left) = left else {
+            let mut draft = self.begin(name)?;
+            draft.stays = true;
+            return Ok(draft);
+        };
+        let path = self.path(name)?;
+        let fail = |error: io::Error| unwritable(&path, &error);
+        let draft = self
+            .left(name, left)
+            .ok_or_else(|| fail(io::Error::other("what an interrupted run has left is gone")))?;
+        let mut file = open_own(&draft).map_err(fail)?;
+        file.set_len(left.length).map_err(fail)?;
+        let digest = files::hash(&mut file).map_err(fail)?;
+        file.seek(SeekFrom::End(0)).map_err(fail)?;
+        Ok(Draft {
+            path,
+            draft,
+            file: Some(BufWriter::with_capacity(1 << 16, file)),
+            length: left.length,
+            digest,
+            stays: true,
+        })
+    }
+
+    /// The draft of a file that an interrupted run has left, if it is there as far as it counts.
+    pub(crate) fn left(&self, name: &str, left: &Left) -> Option<PathBuf> {
+        let path = self.path(name).ok()?;
+        let own = path.file_name()?.to_string_lossy().into_owned();
+        let is_draft = is_plain(&left.draft)
+            && !left.draft.contains('/')
+            && left.draft.starts_with(&format!(".{own}."))
+            && left.draft.ends_with(files::DRAFT);
+        let draft = is_draft.then(|| path.with_file_name(&left.draft))?;
+        let found = fs::symlink_metadata(&draft).ok()?;
+        (found.is_file() && found.len() >= left.length).then_some(draft)
+    }
+
+    /// Writes a file so that it is there whole or not at all; its digest is returned.
+    pub(crate) fn write(&self, name: &str, content: &[u8]) -> Result<String, Failure> {
+        let mut draft = self.begin(name)?;
+        draft.write(content)?;
+        draft.finish()
+    }
+
+    /// A file to be read.
+    pub(crate) fn open(&self, name: &str) -> Result<fs::File, Failure> {
+        files::open(&self.path(name)?)
+    }
+
+    /// Whether something of this name is there.
+    pub(crate) fn has(&self, name: &str) -> bool {
+        is_plain(name) && fs::symlink_metadata(self.root.join(name)).is_ok()
+    }
+
+    /// Whether a file is there and has this digest.
+    pub(crate) fn is_intact(&self, name: &str, digest: &str) -> bool {
+        let file = self.open(name);
+        let hashed = file.is_ok_and(|mut file| {
+            files::hash(&mut file).is_ok_and(|found| files::hexadecimal(found) == digest)
+        });
+        hashed
+    }
+
+    /// Removes a file, if it is there.
+    pub(crate) fn remove(&self, name: &str) -> Result<(), Failure> {
+        let path = self.path(name)?;
+        match fs::remove_file(&path) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => Err(Failure::new(format!(
+                "cannot remove `{}`: {error}",
+                path.display()
+            ))),
+            _ => Ok(()),
+        }
+    }
+
+    /// Moves a file or a folder to another name, which must be free.
+    pub(crate) fn rename(&self, from: &str, to: &str) -> Result<(), Failure> {
+        let (from, to) = (self.path(from)?, self.path(to)?);
+        let fail = |error: io::Error| unwritable(&to, &error);
+        if fs::symlink_metadata(&to).is_ok() {
+            return Err(fail(io::ErrorKind::AlreadyExists.into()));
+        }
+        make_private(to.parent().unwrap_or(&self.root)).map_err(fail)?;
+        fs::rename(&from, &to).map_err(fail)
+    }
+
+    /// The names of what stands in one of its folders, `""` for itself, in order.
+    pub(crate) fn names(&self, inside: &str) -> Vec<String> {
+        let folder = if inside.is_empty() {
+            Ok(self.root.clone())
+        } else {
+            self.path(inside)
+        };
+        let entries = folder.ok().and_then(|folder| fs::read_dir(folder).ok());
+        let mut names: Vec<String> = entries
+            .into_iter()
+            .flatten()
+            .flatten()
+            .filter_map(|entry| entry.file_name().into_string().ok())
+            .collect();
+        names.sort();
+        names
+    }
+
+    /// Removes the drafts that interrupted runs have left in its folders `inside`, but those that are gone on with.
+    ///
+    /// A link is removed itself, not what it points to.
+    pub(crate) fn sweep(&self, inside: &[&str], kept: &BTreeSet<String>) {
+        for folder in inside {
+            let is_left = |name: &String| name.starts_with('.') && name.ends_with(files::DRAFT);
+            for name in self.names(folder).into_iter().filter(is_left) {
+                if !kept.contains(&name) {
+                    let _ = fs::remove_file(self.root.join(folder).join(name));
+                }
+            }
+        }
+    }
+
+    /// A file for the run alone, which other runs find by its name, and which nobody else writes to while it is open.
+    ///
+    /// `None` where another run has it.
+    pub(crate) fn claim(&self, name: &str) -> Result<Option<fs::File>, Failure> {
+        let path = self.path(name)?;
+        let opened = make_private(&self.root).and_then(|()| own(&path));
+        let file = opened.map_err(|error| unwritable(&path, &error))?;
+        Ok(file.try_lock().is_ok().then_some(file))
+    }
+}
+
+/// A file that is written piece by piece beside its place, and moved there when it is complete.
+pub(crate) struct Draft {
+    path: PathBuf,
+    draft: PathBuf,
+    file: Option<BufWriter<fs::File>>,
+    length: u64,
+    digest: Sha256,
+    /// Whether it stays where it is when it is dropped unfinished, to be gone on with.
+    stays: bool,
+}
+
+impl Draft {
+    /// Writes a piece.
+    pub(crate) fn write(&mut self, piece: &[u8]) -> Result<(), Failure> {
+        self.digest.update(piece);
+        self.length += piece.len() as u64;
+        let file = self.open();
+        file.write_all(piece)
+            .map_err(|error| unwritable(&self.path, &error))
+    }
+
+    /// How many bytes were written.
+    pub(crate) fn length(&self) -> u64 {
+        self.length
+    }
+
+    /// Hands everything to the system; what a later run would go on with.
+    pub(crate) fn flush(&mut self) -> Result<Left, Failure> {
+        let flushed = self.open().flush();
+        flushed.map_err(|error| unwritable(&self.path, &error))?;
+        let draft = self.draft.file_name().unwrap_or_default();
+        Ok(Left {
+            length: self.length,
+            draft: draft.to_string_lossy().into_owned(),
+        })
+    }
+
+    fn open(&mut self) -> &mut BufWriter<fs::File> {
+        self.file
+            .as_mut()
+            .expect("a draft is open until it is finished")
+    }
+
+    /// All that was written, which is not moved to its place.
+    pub(crate) fn take(mut self) -> Result<String, Failure> {
+        self.flush()?;
+        self.stays = false;
+        files::read(&self.draft)
+    }
+
+    /// Moves the file to its place; its digest is returned.
+    pub(crate) fn finish(mut self) -> Result<String, Failure> {
+        let file = self.file.take().expect("a draft is finished once");
+        let done = file
+            .into_inner()
+            .map_err(io::IntoInnerError::into_error)
+            .and_then(|file| file.sync_data());
+        done.and_then(|()| fs::rename(&self.draft, &self.path))
+            .map_err(|error| unwritable(&self.path, &error))?;
+        Ok(files::hexadecimal(self.digest.clone()))
+    }
+}
+
+impl Drop for Draft {
+    fn drop(&mut self) {
+        // After `finish` the draft has moved, and there is nothing to remove.
+        if !self.stays && (self.file.is_some() || self.draft.exists()) {
+            let _ = fs::remove_file(&self.draft);
+        }
+    }
+}
+
+/// Whether a name consists of plain steps: none leads up, to a root, a drive or a device, or breaks a line.
+pub(crate) fn is_plain(name: &str) -> bool {
+    /// Longest name of a file on the usual systems, less what a draft adds.
+    const LONGEST: usize = 200;
+    let is_step = |step: &str| {
+        !matches!(step, "" | "." | "..")
+            && step.len() <= LONGEST
+            && !step.contains(|char: char| char.is_control() || "\\:*?\"<>|".contains(char))
+            && !step.ends_with(['.', ' '])
+    };
+    name.split('/').all(is_step)
+}
+
+/// Makes a folder with those that it stands in: its owner's alone where the system knows that.
+fn make_private(folder: &Path) -> io::Result<()> {
+    let mut builder = fs::DirBuilder::new();
+    builder.recursive(true);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::DirBuilderExt;
+        builder.mode(0o700);
+    }
+    builder.create(folder)
+}
+
+/// Opens a file of the run for reading and writing, or makes it.
+fn own(path: &Path) -> io::Result<fs::File> {
+    let mut options = fs::OpenOptions::new();
+    options.read(true).write(true).create_new(true);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::OpenOptionsExt;
+        options.mode(0o600);
+    }
+    match options.open(path) {
+        Err(error) if error.kind() == io::ErrorKind::AlreadyExists => open_own(path),
+        opened => opened,
+    }
+}
+
+/// Opens a file that an earlier run has left, for reading and writing: no link, and no second name of another file.
+fn open_own(path: &Path) -> io::Result<fs::File> {
+    let seen = fs::symlink_metadata(path)?;
+    let foreign = || io::Error::other("it is a link, or no file that a run has left; remove it");
+    if !seen.is_file() {
+        return Err(foreign());
+    }
+    let file = fs::OpenOptions::new().read(true).write(true).open(path)?;
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt;
+        // The one that was looked at, not what was slipped in since.
+        let opened = file.metadata()?;
+        let is_same = (opened.dev(), opened.ino()) == (seen.dev(), seen.ino());
+        if !is_same || opened.nlink() != 1 {
+            return Err(foreign());
+        }
+    }
+    Ok(file)
+}
+
+/// All that a file of a run holds, if it is text; a file that is none counts as empty.
+pub(crate) fn text(mut file: &fs::File) -> String {
+    let mut text = String::new();
+    let read = file.read_to_string(&mut text);
+    read.map_or_else(|_| String::new(), |_| text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_plain;
+
+    #[test]
+    fn names_that_leave_the_folder_are_refused() {
+        for name in [
+            "sheets.html",
+            "sheets/3PZ-HEN-YFB.html",
+            "marks/feedback/a.html",
+        ] {
+            assert!(is_plain(name), "{name}");
+        }
+        let long = "x".repeat(201);
+        for name in [
+            "", ".", "..", "../x", "a/../b", "/abs/x", "a//b", "a/", "C:x", "a\\..\\b", "a\0b",
+            "a\nb", "nul.", &long,
+        ] {
+            assert!(!is_plain(name), "{name:?}");
+        }
+    }
+}

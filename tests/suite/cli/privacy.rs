@@ -1,0 +1,412 @@
+//! What a run gives away, what it follows and what it leaves: nothing that it should not.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+use super::{blueprint, content, folder, put, small, text_of, vibank};
+
+/// All files below a folder.
+fn all(folder: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).expect("the folder is there") {
+        let path = entry.expect("it can be listed").path();
+        if path.is_dir() {
+            found.extend(all(&path));
+        } else {
+            found.push(path);
+        }
+    }
+    found
+}
+
+fn json(path: &Path) -> Value {
+    serde_json::from_str(&content(path)).expect("it is JSON")
+}
+
+/// A number in the notations in which a page could carry it.
+fn notations(number: u64) -> Vec<String> {
+    let in_base = |digits: &[u8]| {
+        let (mut rest, mut text) = (number, Vec::new());
+        while rest > 0 {
+            text.push(digits[(rest % 32) as usize]);
+            rest /= 32;
+        }
+        text.reverse();
+        String::from_utf8(text).expect("digits are ASCII")
+    };
+    vec![
+        number.to_string(),
+        format!("{number:x}"),
+        in_base(b"0123456789abcdefghjkmnpqrstvwxyz"),
+        in_base(b"abcdefghijklmnopqrstuvwxyz234567"),
+        in_base(b"0123456789abcdefghijklmnopqrstuv"),
+    ]
+}
+
+/// The seeds of all items in a manifest.
+fn seeds(manifest: &Value) -> BTreeSet<u64> {
+    let variants = manifest["variants"].as_array().expect("it has sheets");
+    let questions = variants
+        .iter()
+        .flat_map(|variant| variant["questions"].as_array().expect("it has questions"));
+    questions
+        .map(|question| question["seed"].as_u64().expect("it has a seed"))
+        .collect()
+}
+
+/// A run with a secret whose items have figures and plots.
+fn keyed(folder: &Path, split: bool) -> PathBuf {
+    let key = text_of(&folder.join("exam.key"));
+    let _ = fs::remove_file(&key);
+    vibank(&["new", "secret", &key]).ends(0);
+    let plan = "title = 'T'\nsecret = 'exam.key'\nvariants = 12\nformats = ['html', 'md']\nhints = true\n\
+        [[question]]\nitem = 'ch3/e4-underdamped-response'\n\
+        [[question]]\nitem = 'ch4/e2-amplitude-resonance'\n\
+        [[question]]\nitem = 'ch1/e9-pendulum-equilibrium-stability'\n";
+    let plan = put(folder, "exam.toml", plan);
+    let out = folder.join(if split { "split" } else { "whole" });
+    let mut arguments = vec!["sheet", &plan, "--out"];
+    let text = text_of(&out);
+    arguments.push(&text);
+    if split {
+        arguments.push("--split");
+    }
+    vibank(&arguments).ends(0);
+    out
+}
+
+#[test]
+fn nothing_that_is_handed_out_tells_a_seed() {
+    let folder = folder("handed-out");
+    for split in [false, true] {
+        let out = keyed(&folder, split);
+        let manifest = out.join("manifest.json");
+        let seeds = seeds(&json(&manifest));
+        assert_eq!(seeds.len(), 36);
+        let form = content(out.join("responses.csv"));
+        // Every part is answered with something that gets a remark.
+        let answered: Vec<String> = form
+            .lines()
+            .enumerate()
+            .map(|(at, row)| {
+                if at == 0 {
+                    row.to_owned()
+                } else {
+                    format!("{row}1.5")
+                }
+            })
+            .collect();
+        let responses = put(&folder, "responses.csv", answered.join("\n"));
+        let marks = text_of(&folder.join(if split { "marks-split" } else { "marks" }));
+        let manifest = text_of(&manifest);
+        vibank(&["grade", &manifest, &responses, "--out", &marks]);
+        let is_handed_out = |path: &PathBuf| {
+            let inside = text_of(path);
+            ["sheets", "solutions", "feedback"]
+                .iter()
+                .any(|kind| inside.contains(&format!("/{kind}")))
+        };
+        let (given, kept): (Vec<PathBuf>, Vec<PathBuf>) = all(&out)
+            .into_iter()
+            .chain(all(Path::new(&marks)))
+            .partition(is_handed_out);
+        assert!(
+            given.len() >= 16,
+            "sheets, solutions and feedback were made"
+        );
+        for path in given {
+            let text = content(&path).to_lowercase();
+            for seed in &seeds {
+                for notation in notations(*seed) {
+                    assert!(
+                        !text.contains(&notation),
+                        "{} holds the seed {seed} as {notation}",
+                        path.display()
+                    );
+                }
+            }
+        }
+        // What the teacher keeps has them: the search does find seeds.
+        let kept = kept.iter().find(|path| path.ends_with("manifest.json"));
+        let kept = content(kept.expect("there is a manifest"));
+        assert!(seeds.iter().all(|seed| kept.contains(&seed.to_string())));
+    }
+}
+
+#[test]
+fn a_page_of_a_secret_blueprint_is_that_of_any_other() {
+    let folder = folder("secret-page");
+    let question = "[[question]]\nitem = 'ch3/e5-log-decrement'\n";
+    let page = |top: &str| {
+        let plan = put(
+            &folder,
+            "exam.toml",
+            format!("title = 'T'\nvariants = 2\n{top}\n{question}"),
+        );
+        let out = text_of(&folder.join("page.html"));
+        vibank(&["page", &plan, "--out", &out]).ends(0);
+        content(&out)
+    };
+    put(&folder, "exam.key", "0123456789abcdef0123456789abcdef");
+    assert_eq!(page("secret = 'exam.key'"), page("seed = 4"));
+}
+
+#[test]
+fn a_plain_run_says_that_its_codes_give_the_sheets_back() {
+    let folder = folder("plain");
+    let plan = put(&folder, "t.toml", blueprint("seed = 3\nvariants = 2"));
+    let out = text_of(&folder.join("out"));
+    small(&["sheet", &plan, "--out", &out])
+        .ends(0)
+        .complains("vibank new secret");
+}
+
+#[test]
+fn a_seed_and_a_secret_are_not_taken_together() {
+    let folder = folder("seed-and-secret");
+    put(&folder, "exam.key", "0123456789abcdef0123456789abcdef");
+    let plan = put(
+        &folder,
+        "t.toml",
+        blueprint("seed = 3\nsecret = 'exam.key'\nvariants = 2"),
+    );
+    small(&["sheet", &plan])
+        .ends(2)
+        .complains("t.toml:3:10")
+        .complains("either `seed` or `secret`")
+        .complains("remove `seed`");
+}
+
+#[test]
+fn a_secret_is_made_once_and_named_where_one_is_missing() {
+    let folder = folder("new-secret");
+    let key = text_of(&folder.join("exam.key"));
+    vibank(&["new", "secret", &key])
+        .ends(0)
+        .says("secret = \"exam.key\"");
+    let secret = content(&key);
+    assert_eq!(secret.trim_end().len(), 64);
+    vibank(&["new", "secret", &key])
+        .ends(2)
+        .complains("exists already");
+    assert_eq!(content(&key), secret);
+    let other = text_of(&folder.join("other.key"));
+    vibank(&["new", "secret", &other]).ends(0);
+    assert_ne!(content(&other), secret);
+    for (name, text) in [("none.key", None), ("short.key", Some("1234"))] {
+        if let Some(text) = text {
+            put(&folder, name, text);
+        }
+        let top = format!("secret = '{name}'\nvariants = 2");
+        let plan = put(&folder, "t.toml", blueprint(&top));
+        small(&["sheet", &plan])
+            .ends(2)
+            .complains("vibank new secret");
+    }
+}
+
+/// A run of two sheets in a folder, and its manifest.
+fn plain(folder: &Path) -> (PathBuf, String) {
+    let plan = put(folder, "t.toml", blueprint("seed = 3\nvariants = 2"));
+    let out = folder.join("out");
+    small(&["sheet", &plan, "--out", &text_of(&out)]).ends(0);
+    let manifest = content(out.join("manifest.json"));
+    (out, manifest)
+}
+
+#[test]
+fn no_manifest_names_a_file_outside_of_its_folder() {
+    let folder = folder("outside");
+    let (out, manifest) = plain(&folder);
+    let code = json(&out.join("manifest.json"))["variants"][0]["code"]
+        .as_str()
+        .expect("it has a code")
+        .to_owned();
+    let outside = folder.join("escaped");
+    let bad = [
+        "../../escaped/x".to_owned(),
+        text_of(&outside.join("x")),
+        "..".to_owned(),
+        "a/b".to_owned(),
+        String::new(),
+        code.to_lowercase(),
+        "3PZ-HEN-YFA".to_owned(),
+    ];
+    for form in ["lines", "pretty"] {
+        for bad in &bad {
+            let quoted = serde_json::to_string(bad).expect("a text");
+            let mut forged = manifest.replace(&format!("\"{code}\""), &quoted);
+            if form == "pretty" {
+                let value: Value = serde_json::from_str(&forged).expect("it is JSON");
+                forged = serde_json::to_string_pretty(&value).expect("it is JSON");
+            }
+            let forged = put(&folder, "forged.json", forged);
+            let responses = text_of(&out.join("responses.csv"));
+            let marks = text_of(&folder.join("a/b/marks"));
+            small(&["grade", &forged, &responses, "--out", &marks])
+                .ends(2)
+                .complains("no code of a sheet");
+            assert!(!outside.exists() && !folder.join("a/escaped").exists());
+            let shown = small(&["show", &code, "--manifest", &forged]).ends(2);
+            assert!(shown.err.contains("no code of a sheet"), "{}", shown.err);
+        }
+    }
+}
+
+#[cfg(unix)]
+mod on_unix {
+    use std::fs;
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    use std::path::Path;
+
+    use super::super::{blueprint, content, folder, put, small, text_of};
+    use super::{all, plain};
+
+    fn mode(path: &Path) -> u32 {
+        fs::metadata(path)
+            .expect("it is there")
+            .permissions()
+            .mode()
+            & 0o777
+    }
+
+    #[test]
+    fn what_a_run_writes_is_its_owners_alone() {
+        let folder = folder("modes");
+        let (out, _) = plain(&folder);
+        let manifest = text_of(&out.join("manifest.json"));
+        let responses = text_of(&out.join("responses.csv"));
+        small(&["grade", &manifest, &responses]).ends(0);
+        for path in all(&out) {
+            assert_eq!(mode(&path), 0o600, "{}", path.display());
+        }
+        for inside in ["", "marks", "marks/feedback"] {
+            assert_eq!(mode(&out.join(inside)), 0o700, "{inside}");
+        }
+        let key = text_of(&folder.join("exam.key"));
+        super::vibank(&["new", "secret", &key]).ends(0);
+        assert_eq!(mode(Path::new(&key)), 0o600);
+    }
+
+    #[test]
+    fn no_link_is_followed() {
+        let folder = folder("links");
+        let victim = folder.join("victim.txt");
+        let elsewhere = folder.join("elsewhere");
+        fs::create_dir_all(&elsewhere).expect("a folder");
+        let plan = put(&folder, "t.toml", blueprint("seed = 3\nvariants = 2"));
+        let out = folder.join("out");
+        for (name, target) in [
+            (".manifest.json.part", &victim),
+            (".sheet.run", &victim),
+            ("manifest.json", &victim),
+            ("sheets.html", &victim),
+            ("sheets", &elsewhere),
+            ("keys", &elsewhere),
+        ] {
+            let _ = fs::remove_dir_all(&out);
+            fs::create_dir_all(&out).expect("a folder");
+            put(&folder, "victim.txt", "precious");
+            symlink(target, out.join(name)).expect("a link");
+            let split = if name == "sheets" || name == "keys" {
+                "--split"
+            } else {
+                "--trace"
+            };
+            let ran = small(&["sheet", &plan, "--out", &text_of(&out), split]);
+            if name != ".manifest.json.part" {
+                let ran = ran.ends(2);
+                assert!(ran.err.contains("link"), "{name}: {}", ran.err);
+            }
+            assert_eq!(content(&victim), "precious", "{name}");
+            assert!(all(&elsewhere).is_empty(), "{name}");
+        }
+        // A second name of a file is no ledger of ours, either.
+        let _ = fs::remove_dir_all(&out);
+        fs::create_dir_all(&out).expect("a folder");
+        fs::hard_link(&victim, out.join(".sheet.run")).expect("a second name");
+        small(&["sheet", &plan, "--out", &text_of(&out)]).ends(2);
+        assert_eq!(content(&victim), "precious");
+    }
+
+    #[test]
+    fn marking_follows_no_link() {
+        let folder = folder("grade-links");
+        let (out, _) = plain(&folder);
+        let victim = folder.join("victim.txt");
+        let elsewhere = folder.join("elsewhere");
+        fs::create_dir_all(&elsewhere).expect("a folder");
+        let manifest = text_of(&out.join("manifest.json"));
+        let responses = text_of(&out.join("responses.csv"));
+        for (name, target) in [
+            ("marks.csv", &victim),
+            (".grading.jsonl", &victim),
+            ("feedback", &elsewhere),
+        ] {
+            let marks = folder.join("marks");
+            let _ = fs::remove_dir_all(&marks);
+            fs::create_dir_all(&marks).expect("a folder");
+            put(&folder, "victim.txt", "precious");
+            symlink(target, marks.join(name)).expect("a link");
+            small(&["grade", &manifest, &responses, "--out", &text_of(&marks)])
+                .ends(2)
+                .complains("link");
+            assert_eq!(content(&victim), "precious", "{name}");
+            assert!(all(&elsewhere).is_empty(), "{name}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_file_is_refused_at_once() {
+        let folder = folder("pipes");
+        let pipe = folder.join("class.csv");
+        let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+        assert!(made.is_ok_and(|made| made.success()), "a pipe can be made");
+        let plan = put(
+            &folder,
+            "t.toml",
+            blueprint("seed = 3\nstudents = 'class.csv'"),
+        );
+        small(&["sheet", &plan])
+            .ends(2)
+            .complains("a pipe or a device");
+        small(&["sheet", &text_of(&folder)])
+            .ends(2)
+            .complains("is a folder, not a file");
+    }
+}
+
+#[test]
+fn what_an_interrupted_run_has_left_is_removed() {
+    let folder = folder("left-over");
+    let (out, _) = plain(&folder);
+    fs::create_dir_all(out.join("sheets")).expect("a folder");
+    let left = [
+        ".manifest.json.AbC123.part",
+        ".sheets.html.part",
+        "sheets/.3PZ-HEN-YFB.html.x.part",
+    ];
+    for name in left {
+        put(&out, name, "left");
+    }
+    fs::remove_file(out.join("sheets.html")).expect("it is there");
+    let plan = text_of(&folder.join("t.toml"));
+    small(&["sheet", &plan, "--out", &text_of(&out)]).ends(0);
+    let manifest = text_of(&out.join("manifest.json"));
+    let responses = text_of(&out.join("responses.csv"));
+    small(&["grade", &manifest, &responses]).ends(0);
+    let marks = [".details.csv.17-3.part", "feedback/.x.html.y.part"];
+    for name in marks {
+        put(&out.join("marks"), name, "left");
+    }
+    small(&["grade", &manifest, &responses]).ends(0);
+    let hidden = |path: &PathBuf| {
+        let name = path.file_name().expect("it has a name").to_string_lossy();
+        name.starts_with('.')
+    };
+    let found: Vec<PathBuf> = all(&out).into_iter().filter(hidden).collect();
+    assert!(found.is_empty(), "{found:?}");
+}
