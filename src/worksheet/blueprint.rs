@@ -339,21 +339,27 @@ impl Faults<'_> {
     }
 }
 
-fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>, Faults<'s>) {
-    let line = |key| table.text(key).map(|text| text.value).unwrap_or_default();
-    let keys = keys(&table, &mut faults);
+/// The questions, as many as a sheet can have.
+fn questions(table: &Table<'_>, faults: &mut Faults<'_>) -> Vec<Question> {
     let tables = table.tables("question");
     let place = tables.get(MOST_QUESTIONS).map(Table::span);
     let of = "questions";
     faults.at_most(MOST_QUESTIONS, tables.len(), of, place);
-    let questions: Vec<Question> = tables
+    let questions = tables
         .into_iter()
         .take(MOST_QUESTIONS)
-        .filter_map(|t| question(t, &mut faults))
+        .filter_map(|t| question(t, faults))
         .collect();
     if !table.has("question") {
         faults.add(&BlueprintError::NoQuestion);
     }
+    questions
+}
+
+fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>, Faults<'s>) {
+    let line = |key| table.text(key).map(|text| text.value).unwrap_or_default();
+    let keys = keys(&table, &mut faults);
+    let questions = questions(&table, &mut faults);
     let title = table.required_text("title");
     if let Some(title) = &title {
         let letters = title.value.chars().count();
