@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use include_dir::{Dir, include_dir};
 use serde::Serialize;
-use tera::{Context, Delimiters, Tera};
+use tera::{Context, Delimiters, Kwargs, State, Tera, Value};
 
 use super::Writer;
 
@@ -56,6 +56,9 @@ impl Layouts {
     /// [`OutputError::Layouts`].
     pub fn of(writer: &dyn Writer, own: &[(String, String)]) -> Result<Self, OutputError> {
         let mut tera = Tera::default();
+        tera.register_filter("css", |text: &str, _: Kwargs, _: &State<'_>| {
+            Value::safe_string(&css(text))
+        });
         match writer.escape() {
             Some(escape) => {
                 tera.set_escape_fn(escape);
@@ -138,6 +141,20 @@ pub(super) fn text(path: &str) -> &'static str {
         .unwrap_or_default()
 }
 
+/// Words within the quotes of a string of CSS: whatever could end the string, or the element around it, is written by its
+/// code, and so is what an HTML reader would take for markup.
+fn css(words: &str) -> String {
+    let mut out = String::with_capacity(words.len());
+    for sign in words.chars() {
+        if sign.is_control() || "\"'\\<>&".contains(sign) {
+            out.push_str(&format!("\\{:x} ", u32::from(sign).max(1)));
+        } else {
+            out.push(sign);
+        }
+    }
+    out
+}
+
 /// Base 64 with padding, RFC 4648, section 4.
 pub(super) fn base64(bytes: &[u8]) -> String {
     const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -189,7 +206,7 @@ pub(super) fn base93(bytes: &[u8]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{base64, base93};
+    use super::{base64, base93, css};
 
     /// The test vectors of RFC 4648, section 10.
     #[test]
@@ -203,6 +220,14 @@ mod tests {
         ] {
             assert_eq!(base64(bytes.as_bytes()), text);
         }
+    }
+
+    /// Titles and names stay within the string of CSS and the `style` element that they stand in.
+    #[test]
+    fn words_do_not_leave_a_string_of_css() {
+        assert_eq!(css("Midterm – Übung 1: √2"), "Midterm – Übung 1: √2");
+        assert_eq!(css("\"; } </style>"), "\\22 ; } \\3c /style\\3e ");
+        assert_eq!(css("a\\b\nc"), "a\\5c b\\a c");
     }
 
     /// Read back as the page reads it.

@@ -2,6 +2,7 @@
 
 mod commands;
 mod crash;
+mod golden;
 mod grading;
 mod hostile;
 mod practice;
