@@ -83,8 +83,8 @@ fn prepared() -> &'static (PathBuf, String) {
         let midterm: String = include_str!("../../../../examples/midterm.toml")
             .lines()
             .map(|line| {
-                if line.starts_with("formats") {
-                    "formats = [\"html\"]\n".to_owned()
+                if line.starts_with("variants") {
+                    format!("{line}\nformats = [\"html\"]\n")
                 } else {
                     format!("{line}\n")
                 }
