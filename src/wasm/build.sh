@@ -2,6 +2,7 @@
 # Builds the grader of the self-check page from the sources of the library: a WebAssembly module, deflated.
 # Needs the target wasm32-unknown-unknown and zopfli, which deflates better than what a page could afford to run; with
 # binaryen's wasm-opt the module becomes a tenth smaller.
+# With `--fresh`, the module alone, for tests: neither made smaller nor committed.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
@@ -13,12 +14,15 @@ target="${CARGO_TARGET_DIR:-target}"
 cargo rustc --locked --release --lib --crate-type cdylib --no-default-features --target wasm32-unknown-unknown
 
 module="$target/wasm32-unknown-unknown/release/vibank.wasm"
+if [ "${1-}" = --fresh ]; then
+    echo "$module"
+    exit
+fi
 if command -v wasm-opt >/dev/null; then
     wasm-opt --flatten --rereloop -Os --all-features "$module" -o "$module.small"
     module="$module.small"
 fi
 zopfli --deflate --i60 -c "$module" >src/wasm/grader.deflate
-# What it was built from: `cargo test` says when the sources have changed since.
-find src -name '*.rs' -not -path 'src/cli/*' -not -path 'src/output/*' -not -path src/main.rs -print0 |
-    LC_ALL=C sort -z | xargs -0 cat | sha256sum | cut -c 1-64 >src/wasm/grader.sources
+# What it was built from: `cargo test` says when that has changed since.
+src/wasm/digest.sh >src/wasm/grader.sources
 wc -c src/wasm/grader.deflate
