@@ -336,7 +336,10 @@ fn tests_are_no_part_of_the_modules_sources() {
     let mut files = Vec::new();
     sources(Path::new("src"), &mut files);
     files.sort_by(|a, b| a.as_os_str().cmp(b.as_os_str()));
-    let files: String = files.iter().map(|path| format!("{}\n", path.display())).collect();
+    let files: String = files
+        .iter()
+        .map(|path| format!("{}\n", path.display()))
+        .collect();
     assert_eq!(listed, files);
     let source = "fn a() {}\n#[cfg(test)]\nmod tests;\nfn b() {}\n#[cfg(test)]\nmod more {\n    fn c() {}\n}\n";
     assert_eq!(without_tests(source), "fn a() {}\nfn b() {}\n");

@@ -109,9 +109,19 @@ fn runs_of_earlier_versions_are_marked_with_the_same_result() {
         .ends(0);
         let pair = |name: &str| (content(version.join(name)), content(out.join(name)));
         let (old, new) = pair("results.json");
-        keeps([&*old].into_iter(), [&*new].into_iter(), Kept::Values, "results.json");
+        keeps(
+            [&*old].into_iter(),
+            [&*new].into_iter(),
+            Kept::Values,
+            "results.json",
+        );
         let (old, new) = pair("report.json");
-        keeps([&*old].into_iter(), [&*new].into_iter(), Kept::Fields, "report.json");
+        keeps(
+            [&*old].into_iter(),
+            [&*new].into_iter(),
+            Kept::Fields,
+            "report.json",
+        );
         let (old, new) = pair("marks.csv");
         let column = |text: &str, name: &str| -> Vec<String> {
             let mut lines = text.lines().map(|line| line.split(',').map(str::to_owned));
@@ -181,7 +191,10 @@ fn losses_are_seen() {
     let more = r#"{"a":1,"b":["x"],"text":"better","c":3}"#;
     assert_eq!(losses(old, more, Kept::Values), 0);
     assert_eq!(losses(old, r#"{"a":1,"b":["x"]}"#, Kept::Fields), 1);
-    assert_eq!(losses(old, r#"{"a":"1","b":["x"],"text":null}"#, Kept::Fields), 2);
+    assert_eq!(
+        losses(old, r#"{"a":"1","b":["x"],"text":null}"#, Kept::Fields),
+        2
+    );
     assert_eq!(losses(old, r#"{"a":2,"b":[],"text":"s"}"#, Kept::Values), 2);
     assert_eq!(losses(old, r#"{"a":2,"b":[],"text":"s"}"#, Kept::Fields), 0);
 }
