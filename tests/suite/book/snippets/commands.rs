@@ -75,7 +75,7 @@ fn the_commands_of_the_workflows_run() {
         let questions = "[[question]]\nitem = \"free/spring-mass\"\n";
         put(
             place.join("sheets/midterm.toml"),
-            &format!("title = \"T\"\nseed = 1\nvariants = 3\n{questions}"),
+            &format!("title = \"T\"\nseed = 1\nvariants = 3\nformats = [\"html\"]\n{questions}"),
         );
         let lines = block
             .text
