@@ -173,7 +173,11 @@ impl<'s> Table<'s> {
                 .filter(|number: &f64| number.is_finite()),
             _ => None,
         };
-        number.or_else(|| self.out_of_range(key, "a finite number", value))
+        let expected = match &value.data {
+            Data::Number { .. } => "a finite number",
+            _ => "a number",
+        };
+        number.or_else(|| self.out_of_range(key, expected, value))
     }
 
     /// A whole number of a range.

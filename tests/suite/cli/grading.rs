@@ -458,7 +458,7 @@ fn journal_of(exam: &Exam, manifest: &str, form: &str) -> String {
 }
 
 #[test]
-fn a_changed_item_is_refused_unless_asked_for_and_changed_marks_are_listed() {
+fn a_changed_item_counts_when_it_is_asked_for_and_changed_marks_are_listed() {
     let mut exam = Exam::new("revisions", "seed = 7\nvariants = 2");
     for variant in 0..2 {
         exam.answer(variant, "1a", format!("{:.4} rad/s", exam.omega(variant)));
@@ -501,10 +501,22 @@ fn a_changed_item_is_refused_unless_asked_for_and_changed_marks_are_listed() {
     let (manifest, form) = (text_of(&manifest), text_of(&form));
     let (out, bank) = (text_of(&exam.folder.join("marks")), text_of(&bank));
     let arguments = ["grade", &manifest, &form, "--out", &out, "--bank", &bank];
+    // The run has kept what it handed out.
     super::vibank(&arguments)
+        .ends(0)
+        .complains("the bank has moved on: free/spring-mass")
+        .says("0 marks differ");
+    // One of the first version has not.
+    let text = content(&manifest);
+    let (entries, _) = text.split_once("\n],").expect("it has a foot");
+    let old = put(
+        &exam.folder,
+        "old.json",
+        format!("{entries}\n],\"files\":{{}}}}\n"),
+    );
+    super::vibank(&["grade", &old, &form, "--out", &out, "--bank", &bank])
         .ends(2)
-        .complains("items have changed")
-        .complains("free/spring-mass");
+        .complains("`free/spring-mass` has changed since the sheets were made");
     super::vibank(&[&arguments[..], &["--accept-revisions"]].concat())
         .ends(0)
         .complains("marked with changed items: free/spring-mass")
