@@ -111,11 +111,8 @@ impl<'a> Around<'a> {
                 }
                 let size = centre.map_or(0.6, f64::abs);
                 // What is zero on the sheet may be anything, but near the sheet it is near zero.
-                let size = match size == 0.0 {
-                    true if spread > 0.0 => spread.min(1.0),
-                    true => 1.0,
-                    false => size,
-                };
+                let near_zero = if spread > 0.0 { spread.min(1.0) } else { 1.0 };
+                let size = if size == 0.0 { near_zero } else { size };
                 let mut value = size * exp2(octaves * self.draws.signed());
                 let is_negative = match centre {
                     Some(centre) if *centre < 0.0 => true,

@@ -81,9 +81,12 @@ impl Prepared {
             constants.map(|_| 1.0 + 0.5 * draws.signed()).collect()
         };
         let (constants, others) = (draw(), draw());
-        let role = |place: usize| match solution.used.contains(&place) {
-            true => self.role(solution, &constants, place),
-            false => Some(Role::Factor),
+        let role = |place: usize| {
+            if solution.used.contains(&place) {
+                self.role(solution, &constants, place)
+            } else {
+                Some(Role::Factor)
+            }
         };
         let roles = (0..constants.len()).map(role);
         let Some(roles) = roles.collect::<Option<Vec<Role>>>() else {
