@@ -129,9 +129,9 @@ impl Press {
 
     fn print(&self, job: &Job) -> Printed {
         let mut lost = String::new();
-        // A process that fails is replaced once: what fails in a fresh one as well fails for this job.
-        for _ in 0..2 {
-            let idle = self.idle().pop();
+        // A process that fails is replaced once, by a fresh one: what fails there as well fails for this job.
+        for is_replaced in [false, true] {
+            let idle = (!is_replaced).then(|| self.idle().pop()).flatten();
             let mut printer = match idle {
                 Some(printer) => printer,
                 None => match Printer::start(&self.program) {

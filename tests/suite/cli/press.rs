@@ -10,7 +10,13 @@ fn scripted() -> String {
     let program = Path::new(env!("CARGO_BIN_EXE_vibank"));
     let folder = program.parent().expect("it is in a folder");
     let name = format!("scripted_press{}", std::env::consts::EXE_SUFFIX);
-    text_of(&folder.join("examples").join(name))
+    let program = folder.join("examples").join(name);
+    assert!(
+        program.is_file(),
+        "`cargo test` builds the scripted press; where one test is picked by `--test suite`, \
+         `cargo build --example scripted_press` has to come first"
+    );
+    text_of(&program)
 }
 
 /// Runs the program with a press that plays a part.
@@ -82,7 +88,7 @@ fn sheets_that_cannot_be_printed_are_named_and_the_run_goes_on() {
         ("babbles", "it answers with what is no reply"),
         ("hangs", "no answer in"),
     ] {
-        let top = "seed = 7\nvariants = 1\nformats = [\"html\", \"pdf\"]\nsolutions = false\nkeys = { each = false, table = false }";
+        let top = "seed = 7\nvariants = 1\nformats = [\"html\", \"pdf\"]\nsolutions = false\nkeys = []";
         let (folder, run) = plan(&format!("press-{script}"), top);
         sheet(script, &run)
             .ends(3)
