@@ -88,7 +88,8 @@ fn sheets_that_cannot_be_printed_are_named_and_the_run_goes_on() {
         ("babbles", "it answers with what is no reply"),
         ("hangs", "no answer in"),
     ] {
-        let top = "seed = 7\nvariants = 1\nformats = [\"html\", \"pdf\"]\nsolutions = false\nkeys = []";
+        let top =
+            "seed = 7\nvariants = 1\nformats = [\"html\", \"pdf\"]\nsolutions = false\nkeys = []";
         let (folder, run) = plan(&format!("press-{script}"), top);
         sheet(script, &run)
             .ends(3)
