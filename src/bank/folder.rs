@@ -2,10 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use crate::document::Document;
+
 #[cfg(feature = "render")]
 use crate::{
     diagnostic::{Code, Diagnose, Finding, Label},
-    source::{Problems, Source, Span, Table, toml},
+    source::{Problems, Source, Span, Table, Text, toml},
 };
 
 /// The version of the bank format that this program reads.
@@ -36,7 +38,7 @@ pub struct Chapter {
     /// What it is about.
     pub text: String,
     /// Its formulas, for sheets that come with them; may be empty.
-    pub formulas: String,
+    pub formulas: Document,
 }
 
 #[cfg(feature = "render")]
@@ -134,8 +136,9 @@ impl Chapter {
             title: folder.to_owned(),
             number: i64::MAX,
             text: String::new(),
-            formulas: String::new(),
+            formulas: Document::default(),
         };
+        let mut findings = Vec::new();
         if let Some(table) = Table::of(source, &problems, "", &value) {
             if let Some(title) = table.required_text("title") {
                 chapter.title = title.value;
@@ -143,17 +146,23 @@ impl Chapter {
             if let Some(number) = table.integer("number", "a whole number", 0..=i64::MAX) {
                 chapter.number = number;
             }
-            let text = |key| table.text(key).map(|text| text.value).unwrap_or_default();
-            (chapter.text, chapter.formulas) = (text("text"), text("formulas"));
+            let mut bare = |text: &Text| {
+                let (document, mut found) = Document::read_bare(text, source);
+                findings.append(&mut found);
+                document
+            };
+            if let Some(text) = table.text("text") {
+                bare(&text);
+                chapter.text = text.value;
+            }
+            if let Some(formulas) = table.text("formulas") {
+                chapter.formulas = bare(&formulas);
+            }
             table.finish();
         }
-        let findings = problems.take();
-        (
-            chapter,
-            findings
-                .iter()
-                .map(|problem| Finding::of(problem, source))
-                .collect(),
-        )
+        let problems = problems.take();
+        let problems = problems.iter().map(|problem| Finding::of(problem, source));
+        findings.extend(problems);
+        (chapter, findings)
     }
 }

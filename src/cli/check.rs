@@ -7,17 +7,19 @@ use vibank::bank::Catalogue;
 use vibank::diagnostic::{Finding, Severity};
 use vibank::scene;
 use vibank::solution::proof;
+use vibank::source::Source;
 use vibank::survey::Survey;
+use vibank::worksheet::{Blueprint, Plan};
 
 use super::bank::{self, BankArgument};
 use super::{Failure, Format, Outcome, files, progress, survey};
 
-/// Look over a bank: form, names, dimensions, texts, and the known results of each item.
+/// Look over a bank, or blueprints: form, names, dimensions, texts, and the known results of each item.
 ///
 /// Example: vibank check --report ch4/p1-rolling-disk-hub-moment
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
-    /// The items to look over, or files of items; all of the bank without any.
+    /// The items to look over, or files of items, chapters and blueprints; all of the bank without any.
     items: Vec<String>,
     #[command(flatten)]
     bank: BankArgument,
@@ -32,15 +34,44 @@ pub(crate) struct Arguments {
     format: Format,
 }
 
-impl Arguments {
+/// What is to be looked over.
+struct Wanted {
+    /// Items, or files of them.
+    items: Vec<String>,
+    blueprints: Vec<Source>,
+    is_all: bool,
+}
+
+impl Wanted {
+    /// Tells the blueprints among the files from items.
+    fn of(names: &[String]) -> Result<Self, Failure> {
+        let (mut items, mut blueprints) = (Vec::new(), Vec::new());
+        for name in names {
+            let path = Path::new(name);
+            let source = path
+                .is_file()
+                .then(|| Ok::<_, Failure>(Source::new(name.as_str(), files::read(path)?)))
+                .transpose()?;
+            match source {
+                Some(source) if Blueprint::is_meant(&source) => blueprints.push(source),
+                _ => items.push(name.clone()),
+            }
+        }
+        Ok(Self {
+            items,
+            blueprints,
+            is_all: names.is_empty(),
+        })
+    }
+
     /// Whether a file of the bank is to be looked over.
     fn wants(&self, path: &str) -> bool {
         let wanted = |item: &String| path.contains(inside(item).trim_end_matches(".toml"));
-        self.items.is_empty() || self.items.iter().any(wanted)
+        self.is_all || self.items.iter().any(wanted)
     }
 
     /// The bank with the files that are named added to it; a name that leads to nothing is misuse.
-    fn load(&self) -> Result<(Catalogue, Vec<Finding>), Failure> {
+    fn load(&self, bank: &BankArgument) -> Result<(Catalogue, Vec<Finding>), Failure> {
         let files: Vec<&Path> = self.items.iter().map(Path::new).collect();
         let files = files.into_iter().filter(|file| file.is_file());
         let texts = files.map(|file| {
@@ -48,13 +79,13 @@ impl Arguments {
             Ok((path, files::read(file)?))
         });
         let texts = texts.collect::<Result<Vec<(String, String)>, Failure>>()?;
-        let (catalogue, findings) = self.bank.load_with(&texts)?;
+        let (catalogue, findings) = bank.load_with(&texts)?;
         let is_known = |item: &&String| {
             let path = inside(item);
             let path = path.trim_end_matches(".toml");
             let items = catalogue.items().map(|item| &*item.source.path);
             let broken = findings.iter().map(|finding| &*finding.source.path);
-            items.chain(broken).any(|known| known.contains(path))
+            items.chain(broken).any(|known| known.contains(path)) || Path::new(item).is_file()
         };
         match self.items.iter().find(|item| !is_known(item)) {
             None => Ok((catalogue, findings)),
@@ -66,6 +97,20 @@ impl Arguments {
                 })
             }
         }
+    }
+
+    /// What is wrong with the blueprints, by themselves and with this bank.
+    fn look_over_blueprints(&self, catalogue: &Catalogue) -> Vec<Finding> {
+        let findings = |source: &Source| {
+            let blueprint = match Blueprint::read(source) {
+                Ok(blueprint) => blueprint,
+                Err(findings) => return findings,
+            };
+            Plan::of(&blueprint, catalogue, None)
+                .err()
+                .unwrap_or_default()
+        };
+        self.blueprints.iter().flat_map(findings).collect()
     }
 }
 
@@ -87,13 +132,13 @@ fn inside(item: &str) -> String {
 type Looked = (Vec<Finding>, Option<Survey>);
 
 /// What the known results and the second routes of the items disprove, and what their draws look like.
-fn look_over(catalogue: &Catalogue, arguments: &Arguments) -> Vec<Looked> {
-    let wanted: Vec<_> = catalogue
+fn look_over(catalogue: &Catalogue, wanted: &Wanted, arguments: &Arguments) -> Vec<Looked> {
+    let items: Vec<_> = catalogue
         .items()
-        .filter(|item| arguments.wants(&item.source.path))
+        .filter(|item| wanted.wants(&item.source.path))
         .collect();
-    let progress = progress::bar(wanted.len() as u64, "items");
-    let looked = wanted.par_iter().map(|item| {
+    let progress = progress::bar(items.len() as u64, "items");
+    let looked = items.par_iter().map(|item| {
         let mut findings = proof::findings(item, arguments.seeds);
         findings.extend(scene::undrawn(item));
         let survey = arguments
@@ -108,16 +153,16 @@ fn look_over(catalogue: &Catalogue, arguments: &Arguments) -> Vec<Looked> {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let (catalogue, mut findings) = arguments.load()?;
+    let wanted = Wanted::of(&arguments.items)?;
+    let (catalogue, mut findings) = wanted.load(&arguments.bank)?;
     let mut surveys = Vec::new();
-    for (found, survey) in look_over(&catalogue, arguments) {
+    for (found, survey) in look_over(&catalogue, &wanted, arguments) {
         findings.extend(found);
         surveys.extend(survey);
     }
+    findings.retain(|finding| wanted.wants(&finding.source.path));
+    findings.extend(wanted.look_over_blueprints(&catalogue));
     Finding::sort(&mut findings);
-    if !arguments.items.is_empty() {
-        findings.retain(|finding| arguments.wants(&finding.source.path));
-    }
     match arguments.format {
         Format::Text => {
             bank::print(&findings);
@@ -139,9 +184,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             .count()
     };
     let (errors, warnings) = (count(Severity::Error), count(Severity::Warning));
+    let things = match wanted.blueprints.len() {
+        count if count == arguments.items.len() && count > 0 => counted(count, "blueprint"),
+        _ => counted(catalogue.items().count(), "item"),
+    };
     eprintln!(
-        "{}, {}, {}",
-        counted(catalogue.items().count(), "item"),
+        "{things}, {}, {}",
         counted(errors, "error"),
         counted(warnings, "warning")
     );

@@ -9,7 +9,7 @@ use sha2::{Digest, Sha256};
 
 use super::fill::InMath;
 use super::{Alignment, Block, Document, Fill, Fills, Inline};
-use crate::math::{Display, Math, Sign, greek_name};
+use crate::math::{Display, Math, Sign, greek_name, is_invisible};
 
 impl Document {
     /// As LaTeX.
@@ -38,8 +38,18 @@ pub(crate) fn picture_name(svg: &str) -> String {
 /// Appends words so that they mean themselves.
 pub(crate) fn write_words(out: &mut String, words: &str) {
     let mut before = ' ';
-    for char in words.chars() {
+    let mut rest = words.chars().filter(|char| !is_invisible(*char)).peekable();
+    while let Some(char) = rest.next() {
+        // An accent on its own stands behind its letter, and its command before.
+        let marks = std::iter::from_fn(|| rest.next_if(|mark| is_combining(*mark)));
+        let accents: Vec<&str> = marks.filter_map(accent).collect();
+        for accent in accents.iter().rev() {
+            out.push_str(accent);
+            out.push('{');
+        }
         match char {
+            // Without a letter there is nothing to accent.
+            char if is_combining(char) => {}
             '#' | '$' | '%' | '&' | '_' | '{' | '}' => {
                 out.push('\\');
                 out.push(char);
@@ -59,8 +69,35 @@ pub(crate) fn write_words(out: &mut String, words: &str) {
             char if char.is_control() => out.push(' '),
             char => sign(out, char),
         }
+        accents.iter().for_each(|_| out.push('}'));
         before = char;
     }
+}
+
+fn is_combining(char: char) -> bool {
+    matches!(char, '\u{300}'..='\u{36f}')
+}
+
+/// The command of an accent; one that LaTeX does not have is dropped.
+fn accent(mark: char) -> Option<&'static str> {
+    Some(match mark {
+        '\u{300}' => r"\`",
+        '\u{301}' => r"\'",
+        '\u{302}' => r"\^",
+        '\u{303}' => r"\~",
+        '\u{304}' => r"\=",
+        '\u{306}' => r"\u",
+        '\u{307}' => r"\.",
+        '\u{308}' => r#"\""#,
+        '\u{30a}' => r"\r",
+        '\u{30b}' => r"\H",
+        '\u{30c}' => r"\v",
+        '\u{323}' => r"\d",
+        '\u{327}' => r"\c",
+        '\u{328}' => r"\k",
+        '\u{331}' => r"\b",
+        _ => return None,
+    })
 }
 
 /// A character; what no text font of LaTeX has becomes mathematics.
@@ -253,5 +290,30 @@ impl Writer<'_> {
             }
             None => write_words(self.out, "□"),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::write_words;
+
+    fn words(words: &str) -> String {
+        let mut out = String::new();
+        write_words(&mut out, words);
+        out
+    }
+
+    #[test]
+    fn accents_on_their_own_become_commands() {
+        assert_eq!(words("Ze\u{301}lie"), r"Z\'{e}lie");
+        assert_eq!(words("a\u{323}\u{302}"), r"\^{\d{a}}");
+        // An accent that LaTeX does not have, and one without a letter.
+        assert_eq!(words("x\u{337}y"), "xy");
+        assert_eq!(words("\u{301}a"), "a");
+    }
+
+    #[test]
+    fn characters_without_ink_are_dropped() {
+        assert_eq!(words("a\u{202e}b\u{200b}c\u{feff}_"), r"abc\_");
     }
 }

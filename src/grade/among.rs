@@ -1,6 +1,6 @@
 //! Marking of parts that are looked at together.
 
-use super::{LONGEST_RESPONSE, mark};
+use super::{LONGEST_RESPONSE, mark, silence};
 use crate::answer::{Beside, Marking};
 use crate::response::Folded;
 use crate::solution::Solution;
@@ -33,7 +33,10 @@ pub fn mark_among(solution: &Solution<'_>, place: usize, responses: &[&str]) -> 
         })
         .collect();
     match solution.marker(place) {
-        Ok(marker) => marker.mark_beside(folded.text().trim(), &others),
+        Ok(marker) => {
+            let marking = marker.mark_beside(folded.text().trim(), &others);
+            silence::heard(response, marking)
+        }
         Err(_) => mark(solution, place, response),
     }
 }

@@ -10,11 +10,12 @@ mod pattern;
 mod points;
 pub mod request;
 mod responses;
+mod silence;
 
 pub use among::mark_among;
 pub use feedback::{Comment, Feedback, PartFeedback, QuestionFeedback, remarks};
 pub use pattern::pattern;
-pub use points::{of_marking, rounded};
+pub use points::{of_marking, rounded, standing};
 pub use responses::{Place, Responses, Row, RowError};
 
 use crate::answer::{Marking, Why};
@@ -24,7 +25,7 @@ use crate::solution::Solution;
 /// Longest response that is read.
 pub const LONGEST_RESPONSE: usize = 4000;
 
-/// Marks a response to a part; an empty one is missing.
+/// Marks a response to a part; an empty one, or one that says that there is no answer, is missing.
 ///
 /// ```
 /// # #[cfg(feature = "render")] {
@@ -50,10 +51,10 @@ pub fn mark(solution: &Solution<'_>, place: usize, response: &str) -> Marking {
     }
     let folded = match Folded::of(response) {
         Ok(folded) => folded,
-        Err(dollar) => return Marking::unreadable(dollar),
+        Err(dollar) => return silence::heard(response, Marking::unreadable(dollar)),
     };
     match solution.marker(place) {
-        Ok(marker) => marker.mark(folded.text().trim()),
+        Ok(marker) => silence::heard(response, marker.mark(folded.text().trim())),
         Err(absent) => Marking::unreadable(Why::NoKey(absent.clone())),
     }
 }

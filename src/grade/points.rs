@@ -15,6 +15,25 @@ pub fn of_marking(marking: &Marking, of: Rational) -> Rational {
     }
 }
 
+/// Points of which some are not decided yet, `14.95 + ?2.5`.
+///
+/// ```
+/// use vibank::grade::standing;
+/// use vibank::numerics::Rational;
+///
+/// let points = |a, b| Rational::new(a, b).unwrap();
+/// assert_eq!(standing(points(299, 20), points(5, 2)), "14.95 + ?2.5");
+/// assert_eq!(standing(points(299, 20), points(0, 1)), "14.95");
+/// ```
+pub fn standing(points: Rational, undecided: Rational) -> String {
+    let points = rounded(points);
+    if undecided.is_zero() {
+        points
+    } else {
+        format!("{points} + ?{}", rounded(undecided))
+    }
+}
+
 /// Points as a decimal of at most two places, halves rounded up.
 ///
 /// ```

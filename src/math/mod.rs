@@ -52,6 +52,18 @@ pub(crate) use typst::quote;
 
 use serde::{Deserialize, Serialize};
 
+/// Whether a character leaves no ink: marks of direction, of byte order, and others without width.
+///
+/// In the words of others they reverse what follows, or stop a typesetter whose fonts do not have them.
+pub fn is_invisible(char: char) -> bool {
+    matches!(
+        char,
+        '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}'
+            | '\u{2060}' | '\u{2066}'..='\u{206f}' | '\u{fe00}'..='\u{fe0f}' | '\u{feff}'
+            | '\u{fff9}'..='\u{fffb}' | '\u{e0000}'..='\u{e0fff}'
+    )
+}
+
 /// What stands in the holes of a tree.
 ///
 /// A filling has no holes of its own: one that it has anyway stays empty.

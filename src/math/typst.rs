@@ -81,7 +81,7 @@ pub(crate) fn quote(out: &mut String, text: &str) {
                 out.push(char);
             }
             '\n' => out.push_str("\\n"),
-            char if char.is_control() => {}
+            char if char.is_control() || super::is_invisible(char) => {}
             char => out.push(char),
         }
     }

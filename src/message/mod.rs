@@ -43,6 +43,13 @@ impl Language {
         }
     }
 
+    /// What students read of an answer that could not be read, until their teacher decides.
+    pub fn undecided(self) -> &'static str {
+        match self {
+            Self::English => en::UNDECIDED,
+        }
+    }
+
     /// What went wrong, by the code of a reason, for statistics over many responses; nothing of what the item words.
     pub fn slip(self, code: &str) -> Option<&'static str> {
         match self {

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::layouts::OutputError;
 use super::pages::{Pages, Run};
+use crate::answer::Verdict;
 use crate::grade::{Comment, Feedback, PartFeedback, QuestionFeedback};
 use crate::message::Language;
 use crate::numerics::Rational;
@@ -56,7 +57,16 @@ impl Pages {
             code: feedback.code.clone(),
             name: self.placed(&feedback.name),
             student: self.placed(&feedback.student),
-            total: self.reached(feedback.points, feedback.max),
+            total: self.reached(
+                feedback.points,
+                open(
+                    feedback
+                        .questions
+                        .iter()
+                        .flat_map(|question| &question.parts),
+                ),
+                feedback.max,
+            ),
             questions: feedback
                 .questions
                 .iter()
@@ -71,7 +81,7 @@ impl Pages {
         QuestionView {
             number: question.number,
             title: self.placed(&question.title),
-            points: self.reached(question.points, question.max),
+            points: self.reached(question.points, open(&question.parts), question.max),
             parts: question
                 .parts
                 .iter()
@@ -90,8 +100,14 @@ impl Pages {
         PartView {
             letter: part.letter.clone(),
             verdict: part.verdict.name(),
-            words: Language::default().heading(part.verdict),
-            points: self.reached(part.points, part.max),
+            words: match part.verdict {
+                Verdict::Unreadable => Language::default().undecided(),
+                verdict => Language::default().heading(verdict),
+            },
+            points: match part.verdict {
+                Verdict::Unreadable => format!("? of {}", self.points(part.max)),
+                _ => self.reached(part.points, Rational::ZERO, part.max),
+            },
             response: self.placed(&part.response),
             reading: part
                 .reading
@@ -101,8 +117,18 @@ impl Pages {
         }
     }
 
-    /// `2.5 of 4 points`.
-    fn reached(&self, points: Rational, max: Rational) -> String {
-        format!("{} of {}", self.run.number(points), self.points(max))
+    /// `2.5 of 4 points`, or `2.5 + ?1 of 4 points` where one of them is not decided yet.
+    fn reached(&self, points: Rational, open: Rational, max: Rational) -> String {
+        let reached = self.run.marked(&crate::grade::standing(points, open));
+        format!("{reached} of {}", self.points(max))
     }
+}
+
+/// The points that hang on parts which nobody has decided yet.
+fn open<'a>(parts: impl IntoIterator<Item = &'a PartFeedback>) -> Rational {
+    let parts = parts.into_iter();
+    let open = parts.filter(|part| part.verdict == Verdict::Unreadable);
+    open.fold(Rational::ZERO, |sum, part| {
+        sum.checked_add(part.max).unwrap_or(sum)
+    })
 }

@@ -45,7 +45,8 @@ fn question(question: &SheetQuestion<'_>) -> Json {
 /// A key, with its text as key pages print it. Values of functions need times, which a sheet does not ask for.
 fn key(solution: &Solution<'_>, place: usize) -> Json {
     let id = &solution.template().parts[place].id;
-    let mut entry = solution.entry(id, &[]).unwrap_or_default();
+    let entry = solution.entry(id, &[]).unwrap_or_default();
+    let mut entry = serde_json::to_value(entry).unwrap_or_default();
     let scene = Scene::of(solution, Data::Both);
     if let Json::Object(entry) = &mut entry {
         entry.retain(|_, value| !value.is_null() && *value != json!([]));

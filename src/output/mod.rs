@@ -22,7 +22,7 @@ pub use key_table::{KeyRow, KeyTable};
 pub use layouts::{Layouts, OutputError};
 pub use page::practice;
 pub use pages::{Kind, Page, Pages, Run};
-pub use report::{Analysed, Lost};
+pub use report::{Analysed, Lost, LostSheet};
 
 use crate::document::{Block, Document};
 use crate::math::Math;

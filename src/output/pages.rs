@@ -121,7 +121,7 @@ impl Run {
 
     /// What the pages of a blueprint have in common, in one notation.
     pub fn of(blueprint: &Blueprint, writer: &dyn Writer) -> Self {
-        let instructions = Document::read(&blueprint.instructions.value).document;
+        let instructions = &blueprint.instructions;
         let is_empty = instructions.is_empty();
         Self {
             title: blueprint.title.clone(),
@@ -131,7 +131,7 @@ impl Run {
             instructions: if is_empty {
                 String::new()
             } else {
-                writer.line(&instructions)
+                writer.line(instructions)
             },
             formulas: String::new(),
             answer_space: match blueprint.answer_space {
@@ -161,10 +161,10 @@ impl Run {
                 level: 3,
                 content: vec![Inline::Text(chapter.title.clone())],
             };
-            let formulas = Document::read(&chapter.formulas).document;
-            for document in [Document::of(vec![title], Vec::new()), formulas] {
+            let title = Document::of(vec![title], Vec::new());
+            for document in [&title, &chapter.formulas] {
                 let shown = Shown {
-                    document: &document,
+                    document,
                     fillings: Vec::new(),
                 };
                 self.formulas.push_str(&writer.texts(&[shown]));
@@ -186,11 +186,15 @@ impl Run {
 
     /// Points as a decimal of at most two places.
     pub(super) fn number(&self, points: Rational) -> String {
-        let text = crate::grade::rounded(points);
+        self.marked(&crate::grade::rounded(points))
+    }
+
+    /// Decimals with the sign of the run.
+    pub(super) fn marked(&self, decimals: &str) -> String {
         if self.mark == DecimalMark::Comma {
-            text.replace('.', ",")
+            decimals.replace('.', ",")
         } else {
-            text
+            decimals.to_owned()
         }
     }
 }

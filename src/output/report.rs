@@ -11,7 +11,7 @@ use crate::report::{Common, Distribution, PartSummary, Summary};
 pub struct Analysed<'a> {
     /// The statistics.
     pub summary: &'a Summary,
-    /// Responses that could not be read; perhaps not all of them.
+    /// Responses that could not be read, like ones together.
     pub lost: &'a [Lost],
     /// How many responses could not be read.
     pub unreadable: u64,
@@ -19,28 +19,80 @@ pub struct Analysed<'a> {
     pub faults: &'a [String],
 }
 
-/// A response that could not be read.
+/// Responses to one part of an item that could not be read, and are alike.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Lost {
-    /// Code of the sheet.
+    /// Number of the question on the first of the sheets.
+    pub question: usize,
+    /// Letter of the part there.
+    pub letter: String,
+    /// The item.
+    pub item: String,
+    /// The part of the item.
+    pub id: String,
+    /// What was answered.
+    pub response: String,
+    /// Why it could not be read.
+    pub why: String,
+    /// Whose they are.
+    pub sheets: Vec<LostSheet>,
+}
+
+/// A sheet with an answer that could not be read.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct LostSheet {
+    /// Its code.
     pub code: String,
     /// Identity of the student; may be empty.
     pub student: String,
-    /// Question and part, `2b`.
-    pub place: String,
-    /// What was handed in.
-    pub response: String,
-    /// What was said about it.
-    pub why: String,
+    /// Name of the student; may be empty.
+    pub name: String,
+}
+
+impl LostSheet {
+    /// Whose it is: name and identity, as far as they are known.
+    pub fn who(&self) -> String {
+        let words = [&*self.name, &*self.student].into_iter();
+        words
+            .filter(|word| !word.is_empty())
+            .collect::<Vec<_>>()
+            .join(" ")
+    }
+}
+
+/// A row of the list.
+#[derive(Serialize)]
+struct LostView {
+    place: String,
+    response: String,
+    why: String,
+    times: usize,
+    who: Vec<String>,
+}
+
+impl LostView {
+    fn of(lost: &Lost) -> Self {
+        // The table of decisions has all words, a page shows where they begin.
+        let who = |sheet: &LostSheet| match sheet.who() {
+            who if who.is_empty() => sheet.code.clone(),
+            who => format!("{who} ({})", sheet.code),
+        };
+        Self {
+            place: format!("{}{}", lost.question, lost.letter),
+            response: lost.response.chars().take(200).collect(),
+            why: lost.why.clone(),
+            times: lost.sheets.len(),
+            who: lost.sheets.iter().map(who).collect(),
+        }
+    }
 }
 
 #[derive(Serialize)]
 struct Page<'a> {
     run: &'a Run,
     sheets: usize,
-    lost: &'a [Lost],
+    lost: Vec<LostView>,
     unreadable: u64,
-    more: u64,
     faults: &'a [String],
     facts: Vec<[String; 2]>,
     bars: Vec<Bar>,
@@ -102,11 +154,8 @@ impl Pages {
         let page = Page {
             run: &self.run,
             sheets: summary.sheets,
-            lost: analysed.lost,
+            lost: analysed.lost.iter().map(LostView::of).collect(),
             unreadable: analysed.unreadable,
-            more: analysed
-                .unreadable
-                .saturating_sub(analysed.lost.len() as u64),
             faults: analysed.faults,
             facts: facts(summary),
             bars: summary.shares.as_ref().map_or(Vec::new(), bars),
@@ -139,6 +188,13 @@ fn facts(summary: &Summary) -> Vec<[String; 2]> {
             "reliability",
             "needs the same parts on all sheets".to_owned(),
         ),
+    }
+    if summary.undecided > 0 {
+        let sheets = format!(
+            "on {} of {} sheets; their open parts are left out, and the sheets of the reliability",
+            summary.undecided, summary.sheets
+        );
+        fact("not yet decided", sheets);
     }
     if let Some(error) = summary.measurement_error {
         fact("error of measurement", format!("{error:.1} points"));

@@ -53,6 +53,8 @@ pub struct Report {
     parts: BTreeMap<(String, String), Tally>,
     /// Share of the points of each sheet.
     shares: Vec<f64>,
+    sheets: usize,
+    /// Of sheets on which all is decided.
     points: Moments,
     max: Moments,
 }
@@ -62,6 +64,8 @@ pub struct Report {
 pub struct Summary {
     /// How many sheets.
     pub sheets: usize,
+    /// How many of them have parts that nobody has decided yet.
+    pub undecided: usize,
     /// Points of a sheet, if all have the same.
     pub max: Option<f64>,
     /// The shares of the points that were reached.
@@ -126,18 +130,32 @@ impl Report {
         report
     }
 
-    /// Adds a sheet.
+    /// Adds a sheet. Parts that nobody has decided yet are left out of all that is computed: of the share of the
+    /// points of the sheet, and of the rest of the sheet for other parts; the reliability is that of the sheets on
+    /// which all is decided.
     pub fn add(&mut self, sheet: &[Observation<'_>]) {
-        let points: f64 = sheet.iter().map(|seen| seen.points).sum();
-        let max: f64 = sheet.iter().map(|seen| seen.max).sum();
+        let is_decided = |seen: &&Observation<'_>| seen.verdict != Verdict::Unreadable;
+        let decided = || sheet.iter().filter(is_decided);
+        let points: f64 = decided().map(|seen| seen.points).sum();
+        let max: f64 = decided().map(|seen| seen.max).sum();
+        let is_settled = decided().count() == sheet.len();
         for seen in sheet {
-            let rest = max - seen.max;
-            let rest = (rest > 0.0).then(|| (points - seen.points) / rest);
+            let (own_points, own_max) = if is_decided(&seen) {
+                (seen.points, seen.max)
+            } else {
+                (0.0, 0.0)
+            };
+            let rest = max - own_max;
+            let rest = (rest > 0.0).then(|| (points - own_points) / rest);
             let key = (seen.item.to_owned(), seen.part.to_owned());
-            self.parts.entry(key).or_default().add(seen, rest);
+            let part = self.parts.entry(key).or_default();
+            part.add(seen, rest, is_settled);
         }
-        self.points.add(points);
-        self.max.add(max);
+        self.sheets += 1;
+        if is_settled {
+            self.points.add(points);
+        }
+        self.max.add(sheet.iter().map(|seen| seen.max).sum());
         if max > 0.0 {
             self.shares.push(points / max);
         }
@@ -151,7 +169,8 @@ impl Report {
         let reliability = self.reliability();
         let has_one_max = self.max.variance().is_none_or(|variance| variance < 1e-18);
         Summary {
-            sheets: self.points.count() as usize,
+            sheets: self.sheets,
+            undecided: self.sheets - self.points.count() as usize,
             max: self.max.mean().filter(|_| has_one_max),
             shares: self.distribution(),
             reliability,
@@ -168,7 +187,7 @@ impl Report {
         let is_complete = self
             .parts
             .values()
-            .all(|part| part.asked() == self.points.count());
+            .all(|part| part.settled() == self.points.count());
         let variances: Option<Vec<f64>> = self.parts.values().map(Tally::variance).collect();
         alpha(&variances.filter(|_| is_complete)?, self.points.variance()?)
     }

@@ -20,7 +20,8 @@ pub(super) struct Tally {
     shares: Moments,
     /// The same against the rest of the sheet.
     against_rest: Pairs,
-    /// Points, as they count in the sum.
+    asked: u64,
+    /// Points, on sheets on which all is decided.
     points: Moments,
     mistakes: Counts,
     others: Counts,
@@ -65,11 +66,15 @@ pub struct PartSummary {
 const TOLD: usize = 5;
 
 impl Tally {
-    /// Adds a marked response; `rest` is the share of points of the other parts of the sheet, if there are any.
-    pub(super) fn add(&mut self, seen: &Observation<'_>, rest: Option<f64>) {
+    /// Adds a marked response; `rest` is the share of points of the other decided parts of the sheet, if there are any,
+    /// and `is_settled` says whether all parts of it are decided.
+    pub(super) fn add(&mut self, seen: &Observation<'_>, rest: Option<f64>, is_settled: bool) {
         self.places.insert((seen.question, seen.letter.to_owned()));
         self.verdicts[seen.verdict as usize] += 1;
-        self.points.add(seen.points);
+        self.asked += 1;
+        if is_settled {
+            self.points.add(seen.points);
+        }
         if seen.verdict != Verdict::Unreadable && seen.max > 0.0 {
             let share = seen.points / seen.max;
             self.shares.add(share);
@@ -95,7 +100,8 @@ impl Tally {
         self.points.variance()
     }
 
-    pub(super) fn asked(&self) -> u64 {
+    /// How many sheets that ask it are decided.
+    pub(super) fn settled(&self) -> u64 {
         self.points.count()
     }
 
@@ -117,7 +123,7 @@ impl Tally {
                 .iter()
                 .map(|(question, letter)| format!("{question}{letter}"))
                 .collect(),
-            asked: self.asked(),
+            asked: self.asked,
             right: of(Verdict::Right),
             partial: of(Verdict::Partial),
             wrong: of(Verdict::Wrong),

@@ -2,6 +2,7 @@
 
 use super::manifest::Csv;
 use crate::diagnostic::{Code, Diagnose, Finding, Label};
+use crate::document::Document;
 use crate::scene;
 use crate::source::{Data, Problems, Source, Span, Table, Text, toml};
 
@@ -55,8 +56,8 @@ pub struct Blueprint {
     pub date: String,
     /// Duration as it is printed; may be empty.
     pub duration: String,
-    /// Instructions in Markdown; may be empty.
-    pub instructions: Text,
+    /// Instructions; may be empty.
+    pub instructions: Document,
     /// The number from which all seeds are derived.
     pub seed: u64,
     /// A file that keys the seeds.
@@ -260,6 +261,17 @@ const MOST_QUESTIONS: usize = 200;
 const LONGEST_TITLE: usize = 300;
 
 impl Blueprint {
+    /// Whether a file is meant to be a blueprint, sound or not: it asks questions, which items do not.
+    pub fn is_meant(source: &Source) -> bool {
+        let problems = Problems::default();
+        let value = toml::read(source, &problems);
+        let table = Table::of(source, &problems, "", &value);
+        table.is_some_and(|table| {
+            let has = |keys: &[&'static str]| keys.iter().any(|key| table.has(key));
+            has(&["question", "variants", "students"]) && !has(&["item", "part", "statement"])
+        })
+    }
+
     /// Reads a blueprint.
     ///
     /// # Errors
@@ -397,6 +409,12 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
             &[Csv::Plain, Csv::Excel],
         ),
     };
+    let instructions = table.text("instructions").map(|text| {
+        let (document, mut found) = Document::read_bare(&text, faults.source);
+        faults.findings.append(&mut found);
+        document
+    });
+    let instructions = instructions.unwrap_or_default();
     let is_whole = title.is_some() && audience.is_some();
     let read = Blueprint {
         source: table.source().clone(),
@@ -404,7 +422,7 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
         course: line("course"),
         date: line("date"),
         duration: line("duration"),
-        instructions: table.text("instructions").unwrap_or_else(|| word("")),
+        instructions,
         seed: seed.unwrap_or(0).unsigned_abs(),
         secret,
         audience: audience.unwrap_or(Audience::Variants(0)),

@@ -120,7 +120,7 @@ impl Practice {
     pub fn of_plan(plan: &super::Plan<'_>, catalogue: &Catalogue) -> (Self, Vec<Compiled>) {
         let blueprint = plan.blueprint;
         let (mut practice, mut compiled) = Self::of_items(catalogue, &[], &blueprint.title);
-        practice.instructions = Document::read(&blueprint.instructions.value).document;
+        practice.instructions.clone_from(&blueprint.instructions);
         practice.language.clone_from(&blueprint.language.value);
         practice.decimal = blueprint.decimal;
         practice.data = blueprint.data;

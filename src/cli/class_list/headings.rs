@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use vibank::math::is_invisible;
 use vibank::worksheet::{Columns, Student};
 
 use crate::cli::table::Row;
@@ -262,11 +263,11 @@ impl Places {
             .iter()
             .enumerate()
             .filter(|(at, heading)| !is_used(*at) && !heading.is_empty())
-            .map(|(at, heading)| (heading.to_lowercase(), row.cell(at).to_owned()))
+            .map(|(at, heading)| (heading.to_lowercase(), visible(row.cell(at))))
             .collect();
         for (what, places) in &self.given {
-            let words = places.iter().map(|at| row.cell(*at));
-            let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+            let words = places.iter().map(|at| visible(row.cell(*at)));
+            let words: Vec<String> = words.filter(|word| !word.is_empty()).collect();
             if !places.is_empty() {
                 columns.insert((*what).to_owned(), words.join(" "));
             }
@@ -280,6 +281,19 @@ impl Places {
             columns,
         }
     }
+}
+
+/// A cell as it is seen: marks of direction and byte order, which would reverse what stands behind a name, are dropped, those
+/// that join letters of some scripts are kept.
+fn visible(cell: &str) -> String {
+    let joins = |char| matches!(char, '\u{200c}' | '\u{200d}' | '\u{fe0e}' | '\u{fe0f}');
+    let seen = cell
+        .chars()
+        .filter(|char| joins(*char) || !is_invisible(*char));
+    let seen: String = seen
+        .map(|char| if char.is_control() { ' ' } else { char })
+        .collect();
+    seen.trim().to_owned()
 }
 
 /// A heading in small letters without accents, signs between words as one blank.

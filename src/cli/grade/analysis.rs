@@ -5,11 +5,11 @@ use std::collections::BTreeMap;
 use serde_json::json;
 use vibank::answer::Verdict;
 use vibank::bank::Catalogue;
-use vibank::output::{Analysed, Lost};
+use vibank::output::Analysed;
 use vibank::report::{Observation, PartSummary, Report};
 
-use super::Layout;
 use super::outcome::Outcome;
+use super::{Findings, Layout};
 use crate::cli::Failure;
 use crate::cli::folder::Folder;
 use crate::cli::sheet::PROGRAM;
@@ -20,13 +20,8 @@ use crate::cli::table::Dialect;
 pub(super) struct Analysis {
     report: Report,
     verdicts: BTreeMap<Verdict, u64>,
-    /// The first responses that could not be read.
-    lost: Vec<Lost>,
     sheets: usize,
 }
-
-/// Unreadable responses that stand in the report; all are in `unreadable.csv`.
-const MOST_LOST: usize = 500;
 
 /// The columns of `report.csv`.
 const COLUMNS: [&str; 16] = [
@@ -74,15 +69,6 @@ impl Analysis {
         self.report.add(&seen.collect::<Vec<_>>());
         for part in &sheet.parts {
             *self.verdicts.entry(part.verdict).or_default() += 1;
-            if part.verdict == Verdict::Unreadable && self.lost.len() < MOST_LOST {
-                self.lost.push(Lost {
-                    code: sheet.code.clone(),
-                    student: sheet.column("id").to_owned(),
-                    place: format!("{}{}", part.question, part.letter),
-                    response: part.response.chars().take(200).collect(),
-                    why: part.feedback.clone(),
-                });
-            }
         }
     }
 
@@ -100,19 +86,6 @@ impl Analysis {
         self.verdicts.get(&verdict).copied().unwrap_or(0)
     }
 
-    /// What could not be read, a line each.
-    pub(super) fn unreadable(&self) -> impl Iterator<Item = String> + '_ {
-        self.lost.iter().map(|lost| {
-            let response: String = lost
-                .response
-                .chars()
-                .take(60)
-                .filter(|char| !char.is_control())
-                .collect();
-            format!("{} {}: `{response}`", lost.code, lost.place)
-        })
-    }
-
     /// Writes `report.html`, `report.json` and `report.csv`.
     pub(super) fn write(
         &self,
@@ -120,14 +93,14 @@ impl Analysis {
         catalogue: &Catalogue,
         layout: &Layout,
         dialect: Dialect,
-        faults: &[String],
+        findings: &Findings<'_>,
     ) -> Result<(), Failure> {
         let summary = self.report.summary(Some(catalogue));
         let unreadable = self.count(Verdict::Unreadable);
         let json = json!({
             "program": PROGRAM,
-            "unreadable": self.lost,
-            "rows_left_out": faults,
+            "unreadable": findings.lost,
+            "rows_left_out": findings.faults,
             "summary": summary,
         });
         let text = serde_json::to_string_pretty(&json).expect("a report is plain data");
@@ -139,9 +112,9 @@ impl Analysis {
         out.write("report.csv", &table)?;
         let analysed = Analysed {
             summary: &summary,
-            lost: &self.lost,
+            lost: findings.lost,
             unreadable,
-            faults,
+            faults: findings.faults,
         };
         let page = layout
             .pages

@@ -14,7 +14,7 @@ use crate::cli::{Failure, files};
 
 /// The marks of an earlier run, and those that have changed since.
 pub(super) struct Changes {
-    earlier: BTreeMap<(String, usize, String), (f64, String)>,
+    earlier: BTreeMap<(String, usize, String), (Option<f64>, String)>,
     changed: Vec<[String; 8]>,
     /// The program and version that marked the earlier run.
     pub(super) program: Option<String>,
@@ -25,7 +25,8 @@ struct Entry {
     code: String,
     question: usize,
     part: String,
-    points: f64,
+    /// Nothing where it was not decided.
+    points: Option<f64>,
     verdict: String,
 }
 
@@ -85,8 +86,11 @@ impl Changes {
             let Some((points, verdict)) = self.earlier.remove(&place) else {
                 continue;
             };
-            let is_same =
-                (points - part.points.0.to_f64()).abs() < 1e-9 && verdict == part.verdict.name();
+            let now = (!part.is_undecided()).then(|| part.points.0.to_f64());
+            let is_same = match (points, now) {
+                (Some(before), Some(now)) => (before - now).abs() < 1e-9,
+                (before, now) => before.is_none() && now.is_none(),
+            } && verdict == part.verdict.name();
             if !is_same {
                 self.changed.push(row(sheet, part, points, verdict));
             }
@@ -117,15 +121,21 @@ impl Changes {
     }
 }
 
-fn row(sheet: &Outcome, part: &PartOutcome, points: f64, verdict: String) -> [String; 8] {
+fn row(sheet: &Outcome, part: &PartOutcome, points: Option<f64>, verdict: String) -> [String; 8] {
     [
         sheet.code.clone(),
         sheet.column("id").to_owned(),
         part.question.to_string(),
         part.letter.clone(),
         verdict,
-        ((points * 100.0).round() / 100.0).to_string(),
+        points.map_or_else(String::new, |points| {
+            ((points * 100.0).round() / 100.0).to_string()
+        }),
         part.verdict.name().to_owned(),
-        grade::rounded(part.points.0),
+        if part.is_undecided() {
+            String::new()
+        } else {
+            grade::rounded(part.points.0)
+        },
     ]
 }

@@ -13,6 +13,7 @@ use super::items::Items;
 use super::manifest::solution;
 use super::outcome::{Fraction, Outcome, PartOutcome, sum};
 use super::overrides::{Override, Overrides};
+use super::undecided::Alike;
 use crate::cli::Failure;
 
 /// What all sheets of a run are marked with.
@@ -118,12 +119,14 @@ impl Marker<'_> {
                 question: question.number,
                 part: entry.letter.clone(),
             };
+            let given = self.responses.get(&at).unwrap_or_default();
+            let alike = Alike::new(template.id.as_str(), &entry.id, given);
             Answered {
                 entry,
                 place,
                 max: exact(entry.points),
-                given: self.responses.get(&at).unwrap_or_default(),
-                decision: self.overrides.find(&at),
+                given,
+                decision: self.overrides.find(&at, &alike),
             }
         });
         Ok(answered.collect())

@@ -10,6 +10,7 @@ mod marking;
 mod outcome;
 mod overrides;
 mod tables;
+mod undecided;
 
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -17,7 +18,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use rayon::prelude::*;
 use vibank::answer::Verdict;
 use vibank::grade::{Feedback, Place, Responses};
-use vibank::output::{self, Pages, Run};
+use vibank::output::{self, Lost, Pages, Run};
 use vibank::worksheet::VariantEntry;
 
 pub(crate) use self::items::Items as RunItems;
@@ -33,6 +34,7 @@ use self::marking::Marker;
 use self::outcome::Outcome;
 use self::overrides::Overrides;
 use self::tables::Tables;
+use self::undecided::{Alike, Undecided};
 use super::bank::BankArgument;
 use super::folder::Folder;
 use super::press::{Missing, Press, Printed};
@@ -42,8 +44,8 @@ use super::{Failure, files, progress, responses};
 
 /// Mark the responses to the sheets of a run: marks, reasons, a feedback page for each sheet, item analysis.
 ///
-/// What could not be read costs nothing and comes first in the report; settle it in `unreadable.csv` and
-/// give that file with `--overrides`. A run that was interrupted goes on where it stopped.
+/// What could not be read is not decided: it comes first in the report, sums show what hangs on it
+/// (`14.95 + ?2.5`), and `unreadable.csv`, filled in and given with `--overrides`, settles it. A run that was interrupted goes on where it stopped.
 ///
 /// Example: vibank grade midterm/manifest.json midterm/responses.csv --out midterm/marks
 #[derive(clap::Args)]
@@ -113,6 +115,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
         changes,
         analysis: Analysis::default(),
         unprinted: Mutex::default(),
+        undecided: Undecided::default(),
         arguments,
         catalogue: &catalogue,
         items: &census.items,
@@ -210,6 +213,13 @@ struct Job<'a> {
     analysis: Analysis,
     /// Feedback pages that could not be printed, and why.
     unprinted: Mutex<Vec<String>>,
+    undecided: Undecided,
+}
+
+/// What the report says beside its statistics.
+struct Findings<'a> {
+    lost: &'a [Lost],
+    faults: &'a [String],
 }
 
 impl Job<'_> {
@@ -287,6 +297,7 @@ impl Job<'_> {
     fn count(&mut self, outcome: &Outcome) -> Result<(), Failure> {
         self.tables.add(outcome)?;
         self.analysis.add(outcome);
+        self.undecided.add(outcome);
         if let Some(changes) = &mut self.changes {
             changes.add(outcome);
         }
@@ -297,7 +308,7 @@ impl Job<'_> {
                 part: part.letter.clone(),
             };
             self.responses.claim(&place);
-            self.overrides.claim(&place, part.max.0);
+            self.overrides.claim(&place, &Alike::of(part), part.max.0);
         }
         Ok(())
     }
@@ -317,11 +328,21 @@ impl Job<'_> {
             changes.finish(self.out, self.dialect)
         })?;
         let changes = listed.len();
-        self.analysis
-            .write(self.out, self.catalogue, &self.pages, self.dialect, faults)?;
+        let lost = self.undecided.groups();
+        undecided::write(&lost, self.out, self.dialect)?;
+        self.analysis.write(
+            self.out,
+            self.catalogue,
+            &self.pages,
+            self.dialect,
+            &Findings {
+                lost: &lost,
+                faults,
+            },
+        )?;
         self.tables.finish()?;
         self.journal.finish();
-        told(&self.analysis, faults);
+        told(&self.analysis, &lost, faults);
         if !changed.is_empty() {
             let list = changed.join(", ");
             if self.arguments.accept_revisions {
@@ -358,7 +379,7 @@ impl Job<'_> {
         if self.analysis.count(Verdict::Unreadable) > 0 {
             file(
                 "unreadable.csv",
-                "what could not be read; fill it in and give it with `--overrides`",
+                "what could not be read, like answers in one row; fill it in and give it with `--overrides`",
             );
         }
         file(
@@ -394,7 +415,7 @@ impl Job<'_> {
 }
 
 /// What needs a teacher's eye, on standard error.
-fn told(analysis: &Analysis, faults: &[String]) {
+fn told(analysis: &Analysis, lost: &[Lost], faults: &[String]) {
     let list = |title: &str, lines: &mut dyn Iterator<Item = String>, count: usize| {
         const MOST: usize = 40;
         if count == 0 {
@@ -406,15 +427,27 @@ fn told(analysis: &Analysis, faults: &[String]) {
             eprintln!("  and {} more", count - MOST);
         }
     };
-    let unreadable = analysis.count(Verdict::Unreadable) as usize;
-    list(
-        "could not be read, and cost nothing:",
-        &mut analysis.unreadable(),
-        unreadable,
-    );
+    let unreadable = analysis.count(Verdict::Unreadable);
+    let title = format!("{unreadable} could not be read, and are not yet decided:");
+    list(&title, &mut lost.iter().map(line_of), lost.len());
     list(
         "rows that were left out:",
         &mut faults.iter().cloned(),
         faults.len(),
     );
+}
+
+/// Answers that are alike, in a line.
+fn line_of(lost: &Lost) -> String {
+    let response: String = lost
+        .response
+        .chars()
+        .take(60)
+        .filter(|char| !char.is_control())
+        .collect();
+    let place = format!("{}{}", lost.question, lost.letter);
+    match lost.sheets.as_slice() {
+        [one] => format!("{} {place} {}: `{response}`", one.code, one.who()).replace(" : ", ": "),
+        sheets => format!("{} times {place}: `{response}`", sheets.len()),
+    }
 }

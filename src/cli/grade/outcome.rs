@@ -48,8 +48,21 @@ impl Outcome {
         sum(self.parts.iter().map(|part| part.points.0))
     }
 
+    /// How many parts nobody has decided yet, and the points that hang on them.
+    pub(super) fn undecided(&self) -> (usize, Rational) {
+        let parts = || self.parts.iter().filter(|part| part.is_undecided());
+        (parts().count(), sum(parts().map(|part| part.max.0)))
+    }
+
     pub(super) fn max(&self) -> Rational {
         sum(self.parts.iter().map(|part| part.max.0))
+    }
+}
+
+impl PartOutcome {
+    /// What could not be read is neither right nor wrong until somebody decides.
+    pub(super) fn is_undecided(&self) -> bool {
+        self.verdict == Verdict::Unreadable
     }
 }
 

@@ -1,8 +1,9 @@
 //! Overrides: a file in which a teacher settles what could not be read, and changes any other mark.
 //!
 //! CSV with the columns `code`, `question`, `part`, and any of `response` (what to read instead), `points` and
-//! `feedback`; other columns are ignored. A code `*` stands for all sheets. The file `unreadable.csv` of a grading
-//! run is such a file, with the last three columns to be filled in.
+//! `feedback`. A code `*` stands for all sheets; with `given`, `item` and `id` for those that gave these words to this
+//! part of the item. Other columns are ignored. The file `unreadable.csv` of a grading run is such a file, with the
+//! last three columns to be filled in.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -12,6 +13,7 @@ use vibank::numerics::Rational;
 use vibank::seed::Variant;
 
 use super::outcome::fraction;
+use super::undecided::Alike;
 use crate::cli::table::{Row, Table};
 use crate::cli::{Failure, responses};
 
@@ -31,10 +33,14 @@ pub(super) struct Override {
 
 /// The decisions of a file.
 #[derive(Debug, Default)]
-pub(super) struct Overrides(BTreeMap<Place, Override>);
+pub(super) struct Overrides {
+    places: BTreeMap<Place, Override>,
+    /// For all sheets with the same words.
+    alike: BTreeMap<Alike, Override>,
+}
 
 /// The code that stands for all sheets.
-const ALL: &str = "*";
+pub(super) const ALL: &str = "*";
 
 impl Overrides {
     /// Reads a file; what is wrong with single lines is told, and the rest counts.
@@ -55,6 +61,7 @@ impl Overrides {
             );
         };
         let [response, points, feedback] = ["response", "points", "feedback"].map(column);
+        let words = ["item", "id", "given"].map(column);
         let (mut overrides, mut faults) = (Self::default(), Vec::new());
         let begins_row =
             |row: &Row<'_>| responses::begins_sheet(row, code) || row.cell(code) == ALL;
@@ -74,6 +81,11 @@ impl Overrides {
                 continue;
             }
             let fault = match field(question).parse() {
+                _ if field(code) == ALL && words.iter().all(|at| filled(*at).is_some()) => {
+                    let [item, id, given] = words.map(|at| filled(at).unwrap_or_default());
+                    let alike = Alike::new(item, id, given);
+                    settle(&mut overrides.alike, alike, line, decided).err()
+                }
                 Err(_) => Some(format!("question `{}` is no number", field(question))),
                 Ok(question) => {
                     let place = Place {
@@ -81,7 +93,7 @@ impl Overrides {
                         question,
                         part: field(part).to_lowercase(),
                     };
-                    overrides.add(place, line, decided).err()
+                    settle(&mut overrides.places, place, line, decided).err()
                 }
             };
             faults.extend(fault.map(|fault| format!("overrides, line {line}: {fault}")));
@@ -89,62 +101,46 @@ impl Overrides {
         Ok((overrides, faults))
     }
 
-    fn add(&mut self, place: Place, line: usize, decided: [Option<&str>; 3]) -> Result<(), String> {
-        let [response, points, feedback] = decided;
-        let points = match points.map(|text| (text, fraction(&text.replace(',', ".")))) {
-            None => None,
-            Some((_, Some(points))) if points >= Rational::ZERO => Some(points),
-            Some((text, _)) => return Err(format!("`{text}` is no number of points")),
-        };
-        let decision = Override {
-            line,
-            is_claimed: false,
-            exceeded: None,
-            response: response.map(str::to_owned),
-            points,
-            feedback: feedback.map(str::to_owned),
-        };
-        match self.0.insert(place, decision) {
-            Some(earlier) => Err(format!(
-                "this part was already settled in line {}; the last one counts",
-                earlier.line
-            )),
-            None => Ok(()),
-        }
+    /// What was decided about a part: for its own sheet, else for all with these words, else for all.
+    pub(super) fn find(&self, place: &Place, alike: &Alike) -> Option<&Override> {
+        let own = self.places.get(place);
+        own.or_else(|| self.alike.get(alike))
+            .or_else(|| self.places.get(&everywhere(place)))
     }
 
-    /// What was decided about a part: for its own sheet, else for all.
-    pub(super) fn find(&self, place: &Place) -> Option<&Override> {
-        self.0.get(place).or_else(|| {
-            self.0.get(&Place {
-                code: ALL.to_owned(),
-                ..place.clone()
-            })
-        })
-    }
-
-    /// Notes that a part of so many points was handed out.
-    pub(super) fn claim(&mut self, place: &Place, most: Rational) {
-        let all = Place {
-            code: ALL.to_owned(),
-            ..place.clone()
-        };
-        for place in [place, &all] {
-            if let Some(decision) = self.0.get_mut(place) {
-                decision.is_claimed = true;
-                if decision.points.is_some_and(|points| points > most) {
-                    decision.exceeded = Some(most);
-                }
-            }
+    /// Notes that a part was handed out, with so many points at most.
+    pub(super) fn claim(&mut self, place: &Place, alike: &Alike, most: Rational) {
+        let decisions = [self.places.get_mut(place), self.alike.get_mut(alike)];
+        decisions
+            .into_iter()
+            .flatten()
+            .for_each(|decision| decision.claim(most));
+        if let Some(decision) = self.places.get_mut(&everywhere(place)) {
+            decision.claim(most);
         }
     }
 
     /// What looks like a slip, by line: a decision about a part that was not handed out, or more points than it has.
     pub(super) fn doubts(&self) -> Vec<String> {
-        let mut doubts: Vec<(usize, String)> = self
-            .0
-            .iter()
-            .filter_map(|(place, decision)| Some((decision.line, decision.doubt(place)?)))
+        let places = self.places.iter().map(|(place, decision)| {
+            let Place {
+                code,
+                question,
+                part,
+            } = place;
+            let unknown = format!("no part {question}{part} of a sheet {code} was handed out");
+            (decision, format!("{question}{part}"), unknown)
+        });
+        let alike = self.alike.iter().map(|(alike, decision)| {
+            let Alike { item, id, .. } = alike;
+            let unknown = format!("nobody gave this answer to part `{id}` of `{item}`");
+            (decision, format!("`{id}`"), unknown)
+        });
+        let mut doubts: Vec<(usize, String)> = places
+            .chain(alike)
+            .filter_map(|(decision, part, unknown)| {
+                Some((decision.line, decision.doubt(&part, unknown)?))
+            })
             .collect();
         doubts.sort();
         let told = doubts.into_iter();
@@ -153,21 +149,60 @@ impl Overrides {
     }
 }
 
+/// The same part on all sheets.
+fn everywhere(place: &Place) -> Place {
+    Place {
+        code: ALL.to_owned(),
+        ..place.clone()
+    }
+}
+
+/// Keeps a decision; one that cannot be read, or replaces another, is diagnosed.
+fn settle<K: Ord>(
+    decisions: &mut BTreeMap<K, Override>,
+    place: K,
+    line: usize,
+    decided: [Option<&str>; 3],
+) -> Result<(), String> {
+    let [response, points, feedback] = decided;
+    let points = match points.map(|text| (text, fraction(&text.replace(',', ".")))) {
+        None => None,
+        Some((_, Some(points))) if points >= Rational::ZERO => Some(points),
+        Some((text, _)) => return Err(format!("`{text}` is no number of points")),
+    };
+    let decision = Override {
+        line,
+        is_claimed: false,
+        exceeded: None,
+        response: response.map(str::to_owned),
+        points,
+        feedback: feedback.map(str::to_owned),
+    };
+    match decisions.insert(place, decision) {
+        Some(earlier) => Err(format!(
+            "this part was already settled in line {}; the last one counts",
+            earlier.line
+        )),
+        None => Ok(()),
+    }
+}
+
 impl Override {
-    fn doubt(&self, place: &Place) -> Option<String> {
-        let Place {
-            code,
-            question,
-            part,
-        } = place;
+    /// Notes that its part was handed out, with so many points.
+    fn claim(&mut self, most: Rational) {
+        self.is_claimed = true;
+        if self.points.is_some_and(|points| points > most) {
+            self.exceeded = Some(most);
+        }
+    }
+
+    fn doubt(&self, part: &str, unknown: String) -> Option<String> {
         if !self.is_claimed {
-            return Some(format!(
-                "no part {question}{part} of a sheet {code} was handed out"
-            ));
+            return Some(unknown);
         }
         let (points, most) = (self.points?, self.exceeded?);
         Some(format!(
-            "{} points were given for part {question}{part}, which has {}; they count as given",
+            "{} points were given for part {part}, which has {}; they count as given",
             rounded(points),
             rounded(most)
         ))

@@ -1,7 +1,6 @@
-//! The tables of a grading run: `marks.csv`, `details.csv`, `results.json` and `unreadable.csv`.
+//! The tables of a grading run: `marks.csv`, `details.csv` and `results.json`.
 
 use serde_json::json;
-use vibank::answer::Verdict;
 use vibank::grade;
 use vibank::numerics::Rational;
 
@@ -18,7 +17,6 @@ pub(super) struct Tables {
     marks: Draft,
     details: Draft,
     results: Draft,
-    unreadable: Draft,
     columns: Vec<Column>,
     dialect: Dialect,
     is_first: bool,
@@ -28,11 +26,6 @@ pub(super) struct Tables {
 const DETAILS: [&str; 14] = [
     "code", "student", "question", "part", "item", "id", "response", "reading", "verdict",
     "credit", "points", "max", "reasons", "feedback",
-];
-
-/// The columns of what could not be read; the last three are for the teacher, see `overrides`.
-const UNREADABLE: [&str; 9] = [
-    "code", "student", "question", "part", "given", "why", "response", "points", "feedback",
 ];
 
 impl Tables {
@@ -50,7 +43,16 @@ impl Tables {
             .iter()
             .map(|(question, letter)| format!("{question}{letter}"))
             .collect();
-        let head = ["code", "student", "name", "group", "points", "max"];
+        let head = [
+            "code",
+            "student",
+            "name",
+            "group",
+            "points",
+            "max",
+            "undecided",
+            "undecided points",
+        ];
         let head: Vec<&str> = head
             .into_iter()
             .chain(names.iter().map(String::as_str))
@@ -60,7 +62,6 @@ impl Tables {
         Ok(Self {
             marks: draft("marks.csv", &head)?,
             details: draft("details.csv", &DETAILS)?,
-            unreadable: draft("unreadable.csv", &UNREADABLE)?,
             results,
             columns,
             dialect,
@@ -73,9 +74,6 @@ impl Tables {
         for part in &sheet.parts {
             self.detail(sheet, part)?;
             self.result(sheet, part)?;
-            if part.verdict == Verdict::Unreadable {
-                self.could_not_be_read(sheet, part)?;
-            }
         }
         Ok(())
     }
@@ -84,9 +82,14 @@ impl Tables {
         let cell = |(question, letter): &Column| {
             let mut parts = sheet.parts.iter();
             let found = parts.find(|part| part.question == *question && part.letter == *letter);
-            found.map_or_else(String::new, |part| self.points(part.points.0))
+            found.map_or_else(String::new, |part| self.part(part))
         };
-        let (points, max) = (self.points(sheet.points()), self.points(sheet.max()));
+        let (undecided, open) = sheet.undecided();
+        let (points, max) = (
+            self.dialect.number(&grade::standing(sheet.points(), open)),
+            self.points(sheet.max()),
+        );
+        let (undecided, open) = (undecided.to_string(), self.points(open));
         let cells: Vec<String> = self.columns.iter().map(cell).collect();
         let mut row = vec![
             sheet.code.as_str(),
@@ -95,9 +98,20 @@ impl Tables {
             sheet.column("group"),
             &points,
             &max,
+            &undecided,
+            &open,
         ];
         row.extend(cells.iter().map(String::as_str));
         self.marks.write(&self.dialect.line(&row)?)
+    }
+
+    /// The points of a part; with a question mark those that are not decided.
+    fn part(&self, part: &PartOutcome) -> String {
+        if part.is_undecided() {
+            format!("?{}", self.points(part.max.0))
+        } else {
+            self.points(part.points.0)
+        }
     }
 
     fn points(&self, points: Rational) -> String {
@@ -105,7 +119,13 @@ impl Tables {
     }
 
     fn detail(&mut self, sheet: &Outcome, part: &PartOutcome) -> Result<(), Failure> {
-        let (points, max) = (self.points(part.points.0), self.points(part.max.0));
+        let (points, max) = (self.part(part), self.points(part.max.0));
+        let credit = part.credit.0.to_f64().to_string();
+        let credit = if part.is_undecided() {
+            String::new()
+        } else {
+            self.dialect.number(&credit)
+        };
         self.details.write(&self.dialect.line(&[
             &sheet.code,
             sheet.column("id"),
@@ -116,7 +136,7 @@ impl Tables {
             &part.response,
             &part.reading,
             part.verdict.name(),
-            &self.dialect.number(&part.credit.0.to_f64().to_string()),
+            &credit,
             &points,
             &max,
             &part.reasons.join(" "),
@@ -125,6 +145,7 @@ impl Tables {
     }
 
     fn result(&mut self, sheet: &Outcome, part: &PartOutcome) -> Result<(), Failure> {
+        let settled = |number: f64| (!part.is_undecided()).then_some(number);
         let entry = json!({
             "code": sheet.code,
             "student": sheet.column("id"),
@@ -135,8 +156,8 @@ impl Tables {
             "response": part.response,
             "reading": if part.reading.is_empty() { None } else { Some(&part.reading) },
             "verdict": part.verdict,
-            "credit": part.credit.0.to_f64(),
-            "points": part.points.0.to_f64(),
+            "credit": settled(part.credit.0.to_f64()),
+            "points": settled(part.points.0.to_f64()),
             "max": part.max.0.to_f64(),
             "reasons": part.reasons,
             "feedback": part.feedback,
@@ -150,24 +171,10 @@ impl Tables {
         self.results.write(entry.to_string().as_bytes())
     }
 
-    fn could_not_be_read(&mut self, sheet: &Outcome, part: &PartOutcome) -> Result<(), Failure> {
-        self.unreadable.write(&self.dialect.line(&[
-            &sheet.code,
-            sheet.column("id"),
-            &part.question.to_string(),
-            &part.letter,
-            &part.response,
-            &part.feedback,
-            "",
-            "",
-            "",
-        ])?)
-    }
-
     /// Moves the tables to their places.
     pub(super) fn finish(mut self) -> Result<(), Failure> {
         self.results.write(b"\n]\n")?;
-        for table in [self.marks, self.details, self.results, self.unreadable] {
+        for table in [self.marks, self.details, self.results] {
             table.finish()?;
         }
         Ok(())

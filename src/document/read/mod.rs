@@ -17,6 +17,8 @@ pub use error::TextError;
 pub use tex::read_math;
 
 use super::Document;
+use crate::diagnostic::Finding;
+use crate::source::{Source, Text};
 
 /// A text as it was read: what could be read of it, and what is wrong with it.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,5 +47,21 @@ impl Document {
     /// ```
     pub fn read(text: &str) -> Reading {
         text::read(text)
+    }
+
+    /// Reads a text of a file that has no data to show: instructions, formulas of a chapter. All that cannot be set is
+    /// found, placeholders included.
+    pub fn read_bare(text: &Text, source: &Source) -> (Self, Vec<Finding>) {
+        let reading = Self::read(&text.value);
+        let holes = reading.document.placeholders().iter();
+        let misplaced = holes.map(|hole| TextError::MisplacedPlaceholder {
+            place: "a text without data",
+            span: hole.span,
+        });
+        let errors = reading.errors.iter().cloned().chain(misplaced);
+        let findings = errors
+            .map(|error| Finding::within(&error, source, text))
+            .collect();
+        (reading.document, findings)
     }
 }

@@ -46,6 +46,9 @@ pub(super) fn heading(verdict: Verdict) -> &'static str {
     }
 }
 
+/// Of an answer that nobody could read yet.
+pub(super) const UNDECIDED: &str = "Not yet decided";
+
 /// A slip in short, by the code of its reason.
 pub(super) fn slip_in_short(code: &str) -> Option<&'static str> {
     Some(match code {

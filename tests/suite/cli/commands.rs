@@ -1,6 +1,6 @@
 //! Commands that show, list, explain and begin.
 
-use super::{BANK, content, folder, put, small, text_of, vibank};
+use super::{BANK, blueprint, content, folder, put, small, text_of, vibank};
 
 #[test]
 fn help_and_version_are_no_misuse() {
@@ -220,4 +220,56 @@ fn reports_tell_what_the_draws_look_like() {
     assert_eq!(item["draws"], 20);
     assert!(item["disagreement"]["share"].as_f64().unwrap() < 1e-12);
     assert!(item["answers"][0]["tightest"].as_f64().unwrap() > 0.0);
+}
+
+#[test]
+fn texts_of_chapters_and_blueprints_lose_nothing_in_silence() {
+    let folder = folder("bare-texts");
+    let bank = folder.join("bank");
+    put(&bank, "bank.toml", content(format!("{BANK}/bank.toml")));
+    let chapter = "title = \"C\"\nnumber = 1\ntext = \"See [the page](javascript:x).\"\n\
+                   formulas = '''\n- Complex amplitude: $\\fancy{X} = 1$, << m >>.\n'''\n";
+    put(&bank, "c/_chapter.toml", chapter);
+    vibank(&["check", "--bank", &text_of(&bank)])
+        .ends(1)
+        .complains("_chapter.toml:3:")
+        .complains("the link `javascript:x`")
+        .complains("_chapter.toml:5:23")
+        .complains("unknown command `\\fancy`")
+        .complains("a placeholder cannot stand in a text without data");
+    let sheet = |instructions: &str| {
+        let top = format!("seed = 1\nvariants = 1\ninstructions = {instructions}");
+        put(&folder, "test.toml", blueprint(&top))
+    };
+    let out = text_of(&folder.join("out"));
+    for (instructions, words) in [
+        ("'Use $\\fancy{X}$.'", "test.toml:4:24"),
+        ("'Use << m >>.'", "a text without data"),
+        ("'Price: 5$ or 6$'", "dollar"),
+        (
+            &*format!("'{}'", "word ".repeat(14_000)),
+            "at most 65536 are read",
+        ),
+    ] {
+        let plan = sheet(instructions);
+        small(&["sheet", &plan, "--out", &out])
+            .ends(2)
+            .complains(words);
+        small(&["check", &plan]).ends(1).complains(words);
+    }
+    let plan = sheet("'Use $\\hat{X}$ and [the page](https://x.org).'");
+    small(&["check", &plan])
+        .ends(0)
+        .complains("1 blueprint, 0 errors");
+    small(&["sheet", &plan, "--out", &out]).ends(0);
+    assert!(content(folder.join("out/sheets.html")).contains("the page"));
+    // A blueprint that does not fit the bank.
+    let plan = put(
+        &folder,
+        "test.toml",
+        "title = \"T\"\nseed = 1\nvariants = 1\n[[question]]\nitem = \"free/spring\"\n",
+    );
+    small(&["check", &plan])
+        .ends(1)
+        .complains("the bank has no item `free/spring`");
 }

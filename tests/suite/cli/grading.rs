@@ -192,7 +192,7 @@ fn sums_agree(exam: &Exam, details: &BTreeMap<(String, String), Json>) {
     assert_eq!(
         columns.iter().collect::<Vec<_>>(),
         [
-            "code", "student", "name", "group", "points", "max", "1a", "1b", "2a", "2b", "2c",
+            "code", "student", "name", "group", "points", "max", "undecided", "undecided points", "1a", "1b", "2a", "2b", "2c",
             "3a", "3b"
         ]
     );
@@ -202,9 +202,11 @@ fn sums_agree(exam: &Exam, details: &BTreeMap<(String, String), Json>) {
         let sum: f64 = details
             .iter()
             .filter(|((code, _), _)| *code == row[0])
-            .map(|(_, entry)| entry["points"].as_f64().expect("points are a number"))
+            .filter_map(|(_, entry)| entry["points"].as_f64())
             .sum();
-        assert_eq!(row[4].parse::<f64>().expect("points are a number"), sum);
+        // What is not decided stands behind the sum of what is.
+        let points = row[4].split(" + ?").next().expect("it begins with points");
+        assert_eq!(points.parse::<f64>().expect("points are a number"), sum);
         assert_eq!(&row[5], "8");
     }
     let text = content(exam.folder.join("marks/details.csv"));
@@ -331,34 +333,43 @@ fn what_could_not_be_read_comes_first_and_is_settled_by_the_overrides() {
     }
     exam.answer(0, "2a", "nonsense");
     let (ran, _) = exam.grade("");
-    ran.ends(0).says("4 unreadable").says("unreadable.csv");
+    ran.ends(0)
+        .says("4 unreadable")
+        .says("unreadable.csv")
+        .complains("3 times 1a: `about twenty, I think`");
     let report: Json =
         serde_json::from_str(&content(exam.folder.join("marks/report.json"))).expect("JSON");
-    assert_eq!(report["unreadable"].as_array().map(Vec::len), Some(4));
-    assert!(content(exam.folder.join("marks/report.html")).contains("Could not be read (4)"));
-    // The table of what could not be read, filled in: read by hand, marked by hand, and left as it is.
+    // Like answers are one entry.
+    let lost = report["unreadable"].as_array().expect("a list");
+    let times = |lost: &Json| lost["sheets"].as_array().map(Vec::len);
+    assert_eq!(
+        lost.iter().map(times).collect::<Vec<_>>(),
+        [Some(3), Some(1)]
+    );
+    assert!(content(exam.folder.join("marks/report.html")).contains("Not yet decided (4)"));
+    // The table of what could not be read, filled in: one row settles those that are alike, another row a single one.
     let table = content(exam.folder.join("marks/unreadable.csv"));
     let mut reader = csv::Reader::from_reader(table.as_bytes());
     let mut filled = csv::Writer::from_writer(Vec::new());
     filled
         .write_record(reader.headers().expect("it has a header"))
         .expect("it is in memory");
-    for row in reader.records() {
-        let row = row.expect("a row");
+    let rows: Vec<csv::StringRecord> = reader.records().map(|row| row.expect("a row")).collect();
+    assert_eq!(rows.len(), 2, "{table}");
+    for row in &rows {
         let mut cells: Vec<String> = row.iter().map(str::to_owned).collect();
-        let is = |variant: usize, part: &str| {
-            row[0] == exam.code(variant) && &row[3] == part && &row[2] == "1"
-        };
-        if is(0, "a") {
-            cells[6] = format!("{:.4} rad/s", exam.omega(0));
-        } else if is(1, "a") {
-            cells[7] = "1/3".to_owned();
-            cells[8] = "Well meant, <b>but</b> no.".to_owned();
+        if &row[0] == "*" {
+            assert_eq!((&row[3], &row[4], &row[8]), ("1", "a", "3"));
+            cells[11] = "1/3".to_owned();
+            cells[12] = "Well meant, <b>but</b> no.".to_owned();
         }
         filled.write_record(&cells).expect("it is in memory");
     }
     let mut filled = filled.into_inner().expect("it is in memory");
-    filled.extend_from_slice(b"*,,2,c,,,,2,Given to all\nZZZ,,1,a,,,,1,\nx,,one,a,,,,1,\n");
+    let own = format!("{},,,1,a,,,,,,{:.4} rad/s,,\n", exam.code(0), exam.omega(0));
+    filled.extend_from_slice(own.as_bytes());
+    let wrong = "*,,,2,c,,,,,,,2,Given to all\nZZZ,,,1,a,,,,,,,1,\nx,,,one,a,,,,,,,1,\n*,,,1,a,free/spring-mass,omega_n,never said,,,,1,\n";
+    filled.extend_from_slice(wrong.as_bytes());
     let overrides = put(&exam.folder, "overrides.csv", filled);
     let manifest = text_of(&exam.folder.join("out/manifest.json"));
     let form = text_of(&exam.folder.join("form.csv"));
@@ -375,7 +386,8 @@ fn what_could_not_be_read_comes_first_and_is_settled_by_the_overrides() {
     .ends(1)
     .complains("no part 1a of a sheet ZZZ was handed out")
     .complains("question `one` is no number")
-    .says("2 unreadable")
+    .complains("nobody gave this answer to part `omega_n`")
+    .says("1 unreadable")
     .says("marks differ from the earlier run");
     let results: Vec<Json> =
         serde_json::from_str(&content(exam.folder.join("marks/results.json"))).expect("JSON");
@@ -391,17 +403,82 @@ fn what_could_not_be_read_comes_first_and_is_settled_by_the_overrides() {
     assert_eq!(of(0, 1, "a")["reasons"][0], "override");
     assert_eq!(of(1, 1, "a")["verdict"], "partial");
     assert_eq!(of(1, 1, "a")["points"], 1.0 / 3.0);
-    assert_eq!(of(2, 1, "a")["verdict"], "unreadable");
+    assert_eq!(of(2, 1, "a")["points"], 1.0 / 3.0);
+    assert_eq!(of(0, 2, "a")["verdict"], "unreadable");
+    assert_eq!(of(0, 2, "a")["points"], Json::Null);
     for variant in 0..3 {
         assert_eq!(of(variant, 2, "c")["points"], 2.0);
     }
     let changes = content(exam.folder.join("marks/changes.csv"));
-    assert_eq!(changes.lines().count(), 1 + 2 + 3, "{changes}");
+    assert_eq!(changes.lines().count(), 1 + 3 + 3, "{changes}");
     let page = content(
         exam.folder
             .join(format!("marks/feedback/{}.html", exam.code(1))),
     );
     assert!(page.contains("Well meant, &lt;b&gt;but&lt;/b&gt; no."));
+}
+
+#[test]
+fn undecided_is_not_wrong() {
+    let mut exam = Exam::new("undecided", "seed = 7\nvariants = 4");
+    for variant in 0..4 {
+        exam.answer(
+            variant,
+            "1b",
+            format!("{:.4} Hz", exam.omega(variant) / TAU),
+        );
+    }
+    exam.answer(0, "1a", "about twenty, I think");
+    let silent = ["?", "-", "n/a", "Je ne sais pas."];
+    for (variant, words) in silent.into_iter().enumerate() {
+        exam.answer(variant, "2a", words);
+    }
+    let (ran, details) = exam.grade("");
+    ran.ends(0).says("1 unreadable");
+    for variant in 0..4 {
+        let part = &details[&(exam.code(variant), "2a".to_owned())];
+        assert_eq!(part["verdict"], "missing", "{part}");
+    }
+    let marks = content(exam.folder.join("marks/marks.csv"));
+    let mut marks = csv::Reader::from_reader(marks.as_bytes());
+    let names: Vec<String> = marks
+        .headers()
+        .expect("a header")
+        .iter()
+        .map(str::to_owned)
+        .collect();
+    let rows: Vec<Vec<String>> = marks
+        .records()
+        .map(|row| row.expect("a row").iter().map(str::to_owned).collect())
+        .collect();
+    let cell = |row: usize, name: &str| {
+        let at = names.iter().position(|own| own == name).expect("a column");
+        rows[row][at].as_str()
+    };
+    let read = |row: usize| {
+        ["points", "undecided", "undecided points", "1a", "1b"].map(|name| cell(row, name))
+    };
+    assert_eq!(read(0), ["2 + ?1", "1", "1", "?1", "2"]);
+    assert_eq!(read(1), ["2", "0", "0", "0", "2"]);
+    let page = content(
+        exam.folder
+            .join(format!("marks/feedback/{}.html", exam.code(0))),
+    );
+    for words in ["2 + ?1 of", "? of 1 point", "Not yet decided"] {
+        assert!(page.contains(words), "{words}");
+    }
+    // The share of the first sheet is that of its decided parts.
+    let report: Json =
+        serde_json::from_str(&content(exam.folder.join("marks/report.json"))).expect("JSON");
+    let summary = &report["summary"];
+    assert_eq!(
+        (&summary["sheets"], &summary["undecided"]),
+        (&4.into(), &1.into())
+    );
+    let max: f64 = cell(0, "max").parse().expect("a number");
+    let mean = (2.0 / (max - 1.0) + 3.0 * 2.0 / max) / 4.0;
+    let found = summary["shares"]["mean"].as_f64().expect("a number");
+    assert!((found - mean).abs() < 1e-12, "{found} {mean}");
 }
 
 #[test]

@@ -58,6 +58,19 @@ fn class_lists_are_read_as_spreadsheets_save_them() {
 }
 
 #[test]
+fn characters_without_ink_are_no_part_of_a_name() {
+    let folder = folder("class-invisible");
+    let list = "id,name\n\u{feff}7,\u{202e}Ze\u{301}\u{200b} Doe\u{202c}\u{200f}\n";
+    let top = TOP.replace("\"md\"", "\"md\", \"html\"");
+    assert_eq!(
+        students(&folder, list.as_bytes(), &top),
+        ["7 | Ze\u{301} Doe | "]
+    );
+    let page = content(folder.join("out/sheets.html"));
+    assert!(page.contains("Ze\u{301} Doe") && !page.contains('\u{202e}'));
+}
+
+#[test]
 fn a_blueprint_says_what_its_class_list_calls_things() {
     let folder = folder("class-columns");
     let list = "Nr;Wer;Rufname;Team\n1;Doe;Ada;x\n";

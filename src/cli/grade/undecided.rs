@@ -1,0 +1,117 @@
+//! What nobody has decided yet: answers that could not be read, like ones together, so that one decision settles all.
+
+use std::collections::BTreeMap;
+
+use vibank::answer::Verdict;
+use vibank::output::{Lost, LostSheet};
+
+use super::outcome::{Outcome, PartOutcome};
+use crate::cli::table::Dialect;
+use crate::cli::Failure;
+use crate::cli::folder::Folder;
+
+/// The columns of `unreadable.csv`; the last three are for the teacher, see `overrides`.
+const COLUMNS: [&str; 13] = [
+    "code", "student", "name", "question", "part", "item", "id", "given", "times", "why",
+    "response", "points", "feedback",
+];
+
+/// The same words to the same part of an item, whatever the data of the sheet are.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Alike {
+    pub(super) item: String,
+    pub(super) id: String,
+    given: String,
+}
+
+impl Alike {
+    /// Blanks do not count, nor does the apostrophe that keeps a spreadsheet from running a cell.
+    pub(super) fn new(item: &str, id: &str, given: &str) -> Self {
+        let given = match given.strip_prefix('\'') {
+            Some(rest) if rest.starts_with(['=', '+', '-', '@']) => rest,
+            _ => given,
+        };
+        Self {
+            item: item.to_owned(),
+            id: id.to_owned(),
+            given: given.split_whitespace().collect::<Vec<_>>().join(" "),
+        }
+    }
+
+    pub(super) fn of(part: &PartOutcome) -> Self {
+        Self::new(&part.item, &part.id, &part.response)
+    }
+}
+
+/// The answers that could not be read, in the order in which the first of them came.
+#[derive(Debug, Default)]
+pub(super) struct Undecided {
+    places: BTreeMap<Alike, usize>,
+    groups: Vec<Lost>,
+}
+
+impl Undecided {
+    /// Adds those of a sheet.
+    pub(super) fn add(&mut self, sheet: &Outcome) {
+        let lost = sheet.parts.iter();
+        for part in lost.filter(|part| part.verdict == Verdict::Unreadable) {
+            let new = self.groups.len();
+            let place = *self.places.entry(Alike::of(part)).or_insert(new);
+            if place == new {
+                self.groups.push(Lost {
+                    question: part.question,
+                    letter: part.letter.clone(),
+                    item: part.item.clone(),
+                    id: part.id.clone(),
+                    response: part.response.clone(),
+                    why: part.feedback.clone(),
+                    sheets: Vec::new(),
+                });
+            }
+            self.groups[place].sheets.push(LostSheet {
+                code: sheet.code.clone(),
+                student: sheet.column("id").to_owned(),
+                name: sheet.column("name").to_owned(),
+            });
+        }
+    }
+
+    /// Those that were given most often first.
+    pub(super) fn groups(mut self) -> Vec<Lost> {
+        self.groups
+            .sort_by_key(|group| std::cmp::Reverse(group.sheets.len()));
+        self.groups
+    }
+}
+
+/// Writes them to be settled, with a row for each decision.
+pub(super) fn write(groups: &[Lost], out: &Folder, dialect: Dialect) -> Result<(), Failure> {
+    let mut table = dialect.head(&COLUMNS)?;
+    for group in groups {
+        let joined = |word: fn(&LostSheet) -> &str| {
+            let words = group.sheets.iter().map(word);
+            let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+            words.join("; ")
+        };
+        let code = match group.sheets.as_slice() {
+            [one] => &one.code,
+            _ => super::overrides::ALL,
+        };
+        table.extend(dialect.line(&[
+            code,
+            &joined(|sheet| &sheet.student),
+            &joined(|sheet| &sheet.name),
+            &group.question.to_string(),
+            &group.letter,
+            &group.item,
+            &group.id,
+            &group.response,
+            &group.sheets.len().to_string(),
+            &group.why,
+            "",
+            "",
+            "",
+        ])?);
+    }
+    out.write("unreadable.csv", &table).map(drop)
+}
