@@ -243,7 +243,7 @@ fn texts_of_chapters_and_blueprints_lose_nothing_in_silence() {
     };
     let out = text_of(&folder.join("out"));
     for (instructions, words) in [
-        ("'Use $\\fancy{X}$.'", "test.toml:4:24"),
+        ("'Use $\\fancy{X}$.'", "test.toml:4:22"),
         ("'Use << m >>.'", "a text without data"),
         ("'Price: 5$ or 6$'", "dollar"),
         (

@@ -164,7 +164,12 @@ fn a_filled_form_is_marked_row_by_row_and_nothing_is_lost() {
             "{entry}"
         );
         assert_ne!(entry["feedback"], "", "each has its line: {entry}");
-        assert_eq!(entry["points"], if verdict == "right" { 2.0 } else { 0.0 });
+        let points = match verdict {
+            "right" => Json::from(2.0),
+            "unreadable" => Json::Null,
+            _ => Json::from(0.0),
+        };
+        assert_eq!(entry["points"], points);
     }
     assert_eq!(of(5, "1b")["feedback"], "There is one spring only.");
     assert!(

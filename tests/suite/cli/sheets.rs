@@ -254,7 +254,7 @@ fn a_class_list_gives_each_student_a_sheet() {
     assert_eq!(manifest["variants"][0]["student"]["colour"], "red");
     assert_eq!(
         manifest["variants"][2]["student"]["name"],
-        "a \"quoted\"\nname"
+        "a \"quoted\" name"
     );
     assert!(
         content(out.join("responses.csv"))
