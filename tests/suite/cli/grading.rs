@@ -197,8 +197,21 @@ fn sums_agree(exam: &Exam, details: &BTreeMap<(String, String), Json>) {
     assert_eq!(
         columns.iter().collect::<Vec<_>>(),
         [
-            "code", "student", "name", "group", "points", "max", "undecided", "undecided points", "1a", "1b", "2a", "2b", "2c",
-            "3a", "3b"
+            "code",
+            "student",
+            "name",
+            "group",
+            "points",
+            "max",
+            "undecided",
+            "undecided points",
+            "1a",
+            "1b",
+            "2a",
+            "2b",
+            "2c",
+            "3a",
+            "3b"
         ]
     );
     let rows: Vec<csv::StringRecord> = marks.records().map(|row| row.expect("a row")).collect();
