@@ -6,9 +6,9 @@ use vibank::answer::Verdict;
 use vibank::output::{Lost, LostSheet};
 
 use super::outcome::{Outcome, PartOutcome};
-use crate::cli::table::Dialect;
 use crate::cli::Failure;
 use crate::cli::folder::Folder;
+use crate::cli::table::Dialect;
 
 /// The columns of `unreadable.csv`; the last three are for the teacher, see `overrides`.
 const COLUMNS: [&str; 13] = [
