@@ -88,6 +88,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
         Some(out) => Folder::at(out),
         None => Folder::at(&beside.join("marks")),
     };
+    // The manifest first: without it nothing else matters.
+    drop(files::open(&arguments.manifest)?);
     let (responses, mut faults) = responses::read(&arguments.responses)?;
     let overrides = match &arguments.overrides {
         Some(path) => {
