@@ -53,7 +53,7 @@ fn input(bytes: &[u8], end: &str) -> PathBuf {
         folder.join(format!("vibank-fuzz-{}", std::process::id()))
     });
     let path = FOLDER.join(end);
-    let written = files::write(&path, bytes);
+    let written = files::write(&path, bytes, files::Access::Private);
     assert!(written.is_ok(), "no room for inputs of the campaign");
     path
 }
