@@ -111,6 +111,9 @@ impl<'t> Folded<'t> {
             .map_or(self.text.len(), |(text, _)| *text as usize);
         // A piece that was kept as it is maps byte by byte.
         if next - text as usize == end - typed as usize {
+            // The last byte of a range may lie within a sign.
+            let begins = |at: &usize| self.text.is_char_boundary(*at);
+            let at = (0..=at).rev().find(begins).unwrap_or(at);
             let place = typed as usize + at - text as usize;
             let length = self.text[at..].chars().next().map_or(1, char::len_utf8);
             return Some((place, (place + length).min(end)));
