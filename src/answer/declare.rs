@@ -107,6 +107,8 @@ pub struct Context<'a> {
     pub order: Vec<usize>,
     /// The decimal sign of the sheet.
     pub mark: DecimalMark,
+    /// What to do where readings of a response differ.
+    pub doubt: super::Doubt,
 }
 
 /// A named mistake for these data.

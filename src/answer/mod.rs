@@ -25,6 +25,7 @@ mod meaning;
 mod mode_shape;
 mod numeric;
 mod remark;
+mod settle;
 mod shared;
 mod symbolic;
 mod tolerance;
@@ -39,6 +40,7 @@ pub use remark::{
     Close, Coefficient, Decades, Example, Fault, Linearity, Misfit, Negated, Note, Remark, Scaling,
     Shape, Slip, Term, TermKind, Terms, TwoPi, Unreadable, Why,
 };
+pub use settle::Doubt;
 pub(crate) use symbolic::without_paths;
 pub use tolerance::Tolerance;
 pub use trial::{Nature, Trial};

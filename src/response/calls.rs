@@ -130,12 +130,18 @@ impl Parser<'_> {
     fn goes_on_bare(&mut self, first: Expr, is_sign: bool) -> Result<Expr> {
         let mut argument = first;
         while self.begins_factor() {
+            if let Some(Item::Unit(unit)) = self.item() {
+                // `sin 30°`, but `√25 m`.
+                if is_sign || !unit.dimension().is_pure() {
+                    break;
+                }
+            }
             let is_tight = self.is_tight();
             let by_rule = match self.item() {
                 Some(Item::Function(_)) => break,
                 // `sin x (a + b)`.
                 Some(Item::Sign(_)) if !is_tight => break,
-                Some(Item::Leaf(_)) => is_tight || !is_sign,
+                Some(Item::Leaf(_) | Item::Unit(_)) => is_tight || !is_sign,
                 _ => !is_sign,
             };
             if !self.ways.choose(by_rule) {

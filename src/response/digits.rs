@@ -64,7 +64,7 @@ impl Lexer<'_> {
 
     /// Whether a comma here parts the arguments of a function of several, `max(5,1)`; with semicolons in its brackets
     /// these do.
-    fn parts_arguments(&self) -> bool {
+    pub(super) fn parts_arguments(&self) -> bool {
         let mut closed = 0_usize;
         let opens = |token: &Token| match token.item {
             Item::Sign(')' | ']' | '}') => {

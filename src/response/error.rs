@@ -59,6 +59,8 @@ pub enum Trouble {
     UnitOrLetter,
     /// Symbols before the entries that do not ascend.
     Order,
+    /// What stands in the way of reading a number.
+    Value(ValueTrouble),
     /// Rows of different lengths.
     Ragged,
 }
@@ -70,6 +72,31 @@ pub enum At {
     Here(String),
     /// Behind these signs.
     Behind(String),
+}
+
+/// What stands in the way of reading a number with its unit.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ValueTrouble {
+    /// No number where one is due.
+    Missing,
+    /// A number or unit that cannot be read.
+    Quantity(crate::unit::Error),
+    /// Two signs before a number.
+    TwoSigns,
+    /// The letter e without an exponent.
+    NoExponent,
+    /// `19-21`.
+    Range,
+    /// A number behind a unit.
+    UnitLast,
+    /// A bracket behind a number.
+    Bracketed,
+    /// Units that do not fit together.
+    Units,
+    /// A term with a unit and one without.
+    UnitOfOne,
+    /// An angle in degrees beside a number.
+    MixedAngles,
 }
 
 /// What stands in the way, and where in the response.

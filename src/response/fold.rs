@@ -128,7 +128,7 @@ fn is_plain(typed: &str) -> bool {
         |byte: u8| byte == b'\n' || (b' '..=b'~').contains(&byte) && !b"$\\`~".contains(&byte);
     let mut may_run = false;
     let is_kept_all = typed.bytes().all(|byte| {
-        may_run |= b"=*&".contains(&byte);
+        may_run |= b"=*&{".contains(&byte);
         is_kept(byte)
     });
     is_kept_all

@@ -187,19 +187,3 @@ pub(super) fn balanced(text: &str) -> Result<(), TypedError> {
         None => Ok(()),
     }
 }
-
-/// Where the bracket closes with which a text begins.
-pub(crate) fn first_bracket(text: &str) -> Option<usize> {
-    let mut depth = 0_usize;
-    for (at, char) in text.char_indices() {
-        match char {
-            '[' | '(' | '{' => depth += 1,
-            ']' | ')' | '}' => depth = depth.saturating_sub(1),
-            _ => {}
-        }
-        if depth == 0 {
-            return (at > 0).then_some(at);
-        }
-    }
-    None
-}

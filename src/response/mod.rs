@@ -18,6 +18,7 @@
 //! rules have it. A text has all its [other](Typed::others) readings, too: a kind takes one where only that has the
 //! right dimension, and asks back where one is right that was not taken.
 
+mod amount;
 mod behind;
 mod calls;
 mod differential;
@@ -32,27 +33,31 @@ mod letters;
 mod lexicon;
 mod list;
 mod near;
+mod number;
 mod parser;
 mod sides;
 mod signs;
 mod token;
+mod values;
 mod vocabulary;
 mod ways;
 mod words;
 
+pub(crate) use amount::{Amount, Number, has_pi};
 pub(crate) use behind::with_unit;
 pub(crate) use error::TypedError;
-pub use error::{At, Trouble};
+pub use error::{At, Trouble, ValueTrouble};
 pub use fold::{Folded, LoneDollar};
-pub(crate) use frame::first_bracket;
 pub(crate) use lexicon::Lexicon;
 pub(crate) use list::{Listed, cut, list_of_form};
 pub(crate) use sides::sides;
+pub(crate) use values::{Part, Style, Values};
 
 use self::parser::Parser;
 use self::token::tokens;
 use self::ways::readings;
 use crate::expr::{Expr, Relation};
+use crate::unit::DecimalMark;
 
 /// Longest response that is read, in bytes.
 const LONGEST: usize = 2_000;
@@ -66,6 +71,8 @@ pub(crate) struct Manner {
     pub(crate) comma_is_decimal: bool,
     /// Whether `i` and `j` are the imaginary unit.
     pub(crate) has_imaginary_unit: bool,
+    /// For values: units stand behind numbers, and decimals are exact, with this decimal sign.
+    pub(crate) values: Option<DecimalMark>,
 }
 
 /// What was read.

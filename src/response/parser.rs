@@ -2,7 +2,7 @@
 
 use super::token::{Item, Token};
 use super::ways::Ways;
-use super::{Chain, DEEPEST, Trouble, TypedError};
+use super::{Chain, DEEPEST, Trouble, TypedError, ValueTrouble};
 use crate::expr::{Constant, Expr, Function, Kind, Name, Operator, Relation};
 use crate::numerics::Rational;
 use crate::source::Span;
@@ -17,6 +17,8 @@ pub(super) struct Parser<'a> {
     depth: u32,
     /// Open bars of absolute values within the innermost bracket.
     pub(super) bars: u32,
+    /// Whether it reads numbers with units.
+    has_units: bool,
 }
 
 pub(super) type Result<T> = std::result::Result<T, TypedError>;
@@ -33,6 +35,15 @@ impl<'a> Parser<'a> {
             ways,
             depth: 0,
             bars: 0,
+            has_units: false,
+        }
+    }
+
+    /// A parser of numbers with units.
+    pub(super) fn of_values(tokens: &'a [Token], end: usize, ways: &'a mut Ways) -> Self {
+        Self {
+            has_units: true,
+            ..Self::new(tokens, end, ways)
         }
     }
 
@@ -68,6 +79,10 @@ impl<'a> Parser<'a> {
     fn finish(&self) -> Result<()> {
         match self.tokens.get(self.at) {
             None => Ok(()),
+            Some(Token {
+                item: Item::Unread(error),
+                ..
+            }) => Err((**error).clone()),
             Some(token) => Err(TypedError {
                 trouble: match token.item {
                     Item::Sign(',' | ';' | '&') => Trouble::List,
@@ -136,6 +151,7 @@ impl<'a> Parser<'a> {
             match self.item() {
                 Some(Item::Sign('*')) => {
                     self.at += 1;
+                    self.bare_behind_unit()?;
                     let right = self.signed()?;
                     left = Self::binary(Operator::Multiply, left, right)?;
                 }
@@ -152,12 +168,53 @@ impl<'a> Parser<'a> {
                     left = Self::binary(Operator::Multiply, left, right)?;
                 }
                 _ if self.begins_factor() => {
+                    self.bracket_behind_value()?;
                     let right = self.power()?;
                     left = Self::binary(Operator::Multiply, left, right)?;
                 }
                 _ => return Ok(left),
             }
         }
+    }
+
+    fn before(&self, places: usize) -> Option<&'a Token> {
+        self.tokens.get(self.at.checked_sub(places)?)
+    }
+
+    /// Refuses `3 m * 4`: the unit stands last.
+    fn bare_behind_unit(&self) -> Result<()> {
+        let is_unit = |token: Option<&Token>| matches!(token, Some(token) if matches!(token.item, Item::Unit(_)));
+        let is_bare =
+            matches!(self.item(), Some(Item::Number(_))) && !is_unit(self.tokens.get(self.at + 1));
+        if self.has_units && is_bare && is_unit(self.before(2)) {
+            return self.error(Trouble::Value(ValueTrouble::UnitLast));
+        }
+        Ok(())
+    }
+
+    /// Refuses a bracket of which it is not clear whether it is a factor or another value: behind a unit, a number
+    /// alone behind another, arithmetic behind a space.
+    fn bracket_behind_value(&self) -> Result<()> {
+        let (Some(Item::Sign('(' | '[' | '{')), Some(before), true) =
+            (self.item(), self.before(1), self.has_units)
+        else {
+            return Ok(());
+        };
+        let open = self.tokens.get(self.at);
+        let inner = self.tokens.get(self.at + 1).map(|token| &token.item);
+        let behind = self.tokens.get(self.at + 2).map(|token| &token.item);
+        let is_number = matches!(inner, Some(Item::Number(_)));
+        let is_alone = is_number && matches!(behind, Some(Item::Sign(')' | ']' | '}')));
+        let is_arithmetic = is_number || matches!(inner, Some(Item::Sign('+' | '-')));
+        let is_doubtful = match before.item {
+            Item::Unit(_) => true,
+            Item::Number(_) => is_alone || is_arithmetic && open.is_some_and(|open| open.is_spaced),
+            _ => false,
+        };
+        if is_doubtful {
+            return self.error(Trouble::Value(ValueTrouble::Bracketed));
+        }
+        Ok(())
     }
 
     /// Whether a number may stand here without a sign, as in `j100`.
@@ -195,7 +252,17 @@ impl<'a> Parser<'a> {
         );
         let mut divisor = self.signed()?;
         let mut has_spaced = false;
+        let is_bare = self.has_units && !has_unit(numerator);
         while !is_closed && self.begins_factor() {
+            if let Some(Item::Unit(_)) = self.item() {
+                // In `1/2 m` the unit is that of the fraction, in `5 m/2 s` each number has its own.
+                if is_bare && is_number(&divisor) {
+                    break;
+                }
+                let unit = self.power()?;
+                divisor = Self::binary(Operator::Multiply, divisor, unit)?;
+                break;
+            }
             let is_tight = self.is_tight();
             let is_fraction = is_number(numerator) && is_number(&divisor);
             // `1/2 m` can be read in one way only; of `k mm` all belongs to the divisor or nothing.
@@ -225,7 +292,12 @@ impl<'a> Parser<'a> {
                 matches!(sign, '(' | '[' | '{') || *sign == '|' && self.bars == 0
             }
             Some(
-                Item::Leaf(_) | Item::Function(_) | Item::Root | Item::Radical | Item::Fraction,
+                Item::Leaf(_)
+                | Item::Function(_)
+                | Item::Root
+                | Item::Radical
+                | Item::Fraction
+                | Item::Unit(_),
             ) => true,
             _ => false,
         }
@@ -334,6 +406,8 @@ impl<'a> Parser<'a> {
                 }
                 Ok(Expr::new(Kind::Number(*value), span))
             }
+            Item::Unit(unit) => Ok(Expr::new(Kind::Measure(Rational::ONE, unit.clone()), span)),
+            Item::Unread(error) => Err((**error).clone()),
             Item::Leaf(leaf) => {
                 self.skip_time(leaf);
                 Ok(Expr::new(leaf.kind().clone(), span))
@@ -457,6 +531,13 @@ fn is_time(token: &Token) -> bool {
 
 pub(super) fn number(value: i128) -> Kind {
     Kind::Number(Rational::new(value, 1).unwrap_or(Rational::ZERO))
+}
+
+/// Whether a unit stands in a formula.
+fn has_unit(expr: &Expr) -> bool {
+    let mut is_there = false;
+    expr.walk(&mut |node| is_there |= matches!(node.kind(), Kind::Measure(..)));
+    is_there
 }
 
 fn is_number(expr: &Expr) -> bool {

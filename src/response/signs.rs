@@ -88,6 +88,8 @@ pub(super) const RUNS: &[(&str, &str)] = &[
     (":=", "="),
     ("**", "^"),
     ("&&", "∩"),
+    // The decimal comma of LaTeX.
+    ("{,}", ","),
 ];
 
 /// Commands of LaTeX, by their name. What is not listed is a name, a function, or is read by the grammar.

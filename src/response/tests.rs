@@ -23,6 +23,7 @@ fn lexicon() -> Lexicon {
 const MANNER: Manner = Manner {
     comma_is_decimal: true,
     has_imaginary_unit: true,
+    values: None,
 };
 
 fn reads(text: &str, expected: &str) {

@@ -8,7 +8,7 @@ use super::{Lexicon, Manner, Trouble, TypedError};
 use crate::expr::{Constant, Expr, Function};
 use crate::numerics::Rational;
 use crate::source::Span;
-use crate::unit::Unit;
+use crate::unit::{Decimal, Unit};
 
 /// A piece of a response.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,6 +31,20 @@ pub(super) enum Item {
     Degree,
     /// An operator, bracket or other sign.
     Sign(char),
+    /// A unit.
+    Unit(Box<Unit>),
+    /// A word that joins values.
+    Word(&'static str),
+    /// What cannot be read, among values, and why.
+    Unread(Box<TypedError>),
+}
+
+/// A number as it was typed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Literal {
+    pub(super) value: Decimal,
+    /// With the other meaning of its comma.
+    pub(super) other: Option<Decimal>,
 }
 
 /// A token with its place.
@@ -40,6 +54,8 @@ pub(super) struct Token {
     pub(super) span: Span,
     /// Whether a space stands before it.
     pub(super) is_spaced: bool,
+    /// The decimal that a number among values is.
+    pub(super) literal: Option<Literal>,
 }
 
 /// The tokens of `text[from..to]`.
@@ -59,7 +75,15 @@ pub(super) fn tokens(
         tokens: Vec::new(),
     };
     while let Some(char) = lexer.peek() {
-        lexer.token(char)?;
+        let start = lexer.at;
+        let Err(error) = lexer.token(char) else {
+            continue;
+        };
+        if manner.values.is_none() {
+            return Err(error);
+        }
+        lexer.at = (lexer.at.max(error.span.range().end)).max(start + char.len_utf8());
+        lexer.push(Item::Unread(Box::new(error)), start);
     }
     Ok(lexer.tokens)
 }
@@ -87,6 +111,7 @@ impl Lexer<'_> {
             item,
             span: Span::new(start, self.at),
             is_spaced: std::mem::take(&mut self.is_spaced),
+            literal: None,
         });
     }
 
@@ -103,12 +128,18 @@ impl Lexer<'_> {
 
     fn token(&mut self, char: char) -> Result<(), TypedError> {
         let width = char.len_utf8();
+        if self.value(char)? {
+            return Ok(());
+        }
         if char.is_whitespace() || matches!(char, '$' | '~' | '\u{2061}' | '\u{2062}') {
             self.at += width;
             self.is_spaced = true;
             return Ok(());
         }
-        if self.derivative_over_time() || self.degrees() || self.end_of_sentence(char) {
+        if self.derivative_over_time()
+            || self.manner.values.is_none() && self.degrees()
+            || self.end_of_sentence(char)
+        {
             return Ok(());
         }
         if self.module() || self.product_by_point(char) {
@@ -176,7 +207,8 @@ impl Lexer<'_> {
 
     /// The point, comma or semicolon behind the last sign; whether it stands here.
     fn end_of_sentence(&mut self, char: char) -> bool {
-        let is_last = matches!(char, '.' | ',' | ';') && self.rest()[1..].trim().is_empty();
+        let is_last = (char == '.' || matches!(char, ',' | ';') && self.manner.values.is_none())
+            && self.rest()[1..].trim().is_empty();
         let ends = is_last && !self.tokens.is_empty();
         if ends {
             self.at = self.text.len();
@@ -438,6 +470,9 @@ impl Lexer<'_> {
         }
         let pieces = match self.lexicon.split(letters, end, primes, has_bracket) {
             Ok(pieces) => pieces,
+            Err(_) if self.manner.values.is_some() && primes == 0 => {
+                return self.unit_or_unknown(letters, start, end);
+            }
             Err(_) if self.is_unit(start, end) => {
                 return Err(TypedError::new(Trouble::Unit, start, end));
             }
@@ -491,6 +526,7 @@ impl Lexer<'_> {
                 item,
                 span,
                 is_spaced: std::mem::take(&mut self.is_spaced),
+                literal: None,
             });
         }
         Ok(())

@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 pub use entry::{Entry, Nested, Number};
 pub use session::Session;
 
-use crate::answer::{Context, Credit, Key, Marker, Mistaken};
+use crate::answer::{Context, Credit, Doubt, Key, Marker, Mistaken};
 use crate::bank::{Mistake, MistakeAnswer, Part, Template};
 use crate::expr::{Expr, Name, Value};
 use crate::instance::Instance;
@@ -33,6 +33,7 @@ pub struct Solution<'t> {
     /// Whether the values of a student stand in for quantities.
     is_following: bool,
     mark: DecimalMark,
+    doubt: Doubt,
     is_drawn: Cell<bool>,
 }
 
@@ -60,7 +61,18 @@ impl<'t> Solution<'t> {
             standing: BTreeMap::new(),
             is_following: false,
             mark,
+            doubt: Doubt::default(),
             is_drawn: Cell::new(false),
+        }
+    }
+
+    /// Settles doubts about responses in this way; without it whoever answers is asked.
+    #[must_use]
+    pub fn settling(self, doubt: Doubt) -> Self {
+        Self {
+            markers: cells(self.template()),
+            doubt,
+            ..self
         }
     }
 
@@ -77,6 +89,7 @@ impl<'t> Solution<'t> {
             standing: formulas,
             is_following: true,
             mark: self.mark,
+            doubt: self.doubt,
             is_drawn: Cell::new(false),
         }
     }
@@ -213,6 +226,7 @@ impl<'t> Solution<'t> {
             standing: self.standing.clone(),
             order: self.order(place),
             mark: self.mark,
+            doubt: self.doubt,
         }
     }
 

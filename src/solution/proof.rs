@@ -11,6 +11,7 @@ use crate::expr::{Form, Name, Precise, Shape, Undefined, Value};
 use crate::instance::{Instance, InstanceError};
 use crate::numerics::Complex;
 use crate::quantity::{Absent, Evaluation, NodeId};
+use crate::response::Folded;
 use crate::seed::Seed;
 use crate::source::Span;
 use crate::unit::{Decimal, Quantity, Unit};
@@ -299,7 +300,9 @@ fn respond(
         let units = part.answer.unit().map(Units::One);
         agree(id, check, &written, &found, units.as_ref())?;
     }
-    match marker.mark(&expected.response.value).verdict {
+    let folded = Folded::of(&expected.response.value);
+    let typed = folded.as_ref().map_or("", Folded::text);
+    match marker.mark(typed.trim()).verdict {
         Verdict::Right => Ok(()),
         verdict => Err(Disproof::Response {
             id: id.clone(),

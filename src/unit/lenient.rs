@@ -81,6 +81,9 @@ pub(super) fn front(text: &str) -> Result<(Unit, usize), Error> {
     };
     reader.product()?;
     let end = reader.scanner.at();
+    if reader.builder.len() == 0 {
+        return Err(reader.scanner.error(ErrorKind::UnitMissing));
+    }
     let unit = reader.builder.finish();
     Ok((unit.map_err(|kind| Error::new(kind, 0..end))?, end))
 }

@@ -112,7 +112,7 @@ pub(super) static ROWS: [Row; 38] = [
     row(&["cd"],                 "cd",  &["candela", "candelas"],                         [ 0,  0,  0,  0, 0, 0, 1], [ 0,  0,  0, 0, 0], Still,   YES, NOT, ""),
     row(&["sr"],                 "sr",  &["steradian", "steradians"],                     [ 0,  0,  0,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   NOT, NOT, ""),
     row(&["deg", "°"],           "°",   &["degree", "degrees", "degs", "º"],                   [ 0,  0,  0,  0, 0, 0, 0], [-2, -2, -1, 0, 1], Radians, NOT, NOT, "rad"),
-    row(&["rev"],                "rev", &["revolution", "revolutions", "revs", "turn", "turns", "cycle", "cycles"],
+    row(&["rev"],                "rev", &["revolution", "revolutions", "revs", "turn", "turns", "cycle", "cycles", "tr", "tour", "tours"],
                                                                                           [ 0,  0,  0,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Cycles,  NOT, NOT, ""),
     row(&["rpm"],                "rpm", &["revolution per minute", "revolutions per minute", "rpm"],
                                                                                           [ 0,  0, -1,  0, 0, 0, 0], [-2, -1, -1, 0, 0], Cycles,  NOT, NOT, "Hz"),
@@ -132,7 +132,7 @@ pub(super) static ROWS: [Row; 38] = [
 ];
 
 /// The prefixes.
-pub(super) static PREFIXES: [Prefix; 12] = [
+pub(super) static PREFIXES: [Prefix; 14] = [
     Prefix {
         symbols: &["k"],
         print: "k",
@@ -204,6 +204,18 @@ pub(super) static PREFIXES: [Prefix; 12] = [
         print: "T",
         word: "tera",
         power: 12,
+    },
+    Prefix {
+        symbols: &["f"],
+        print: "f",
+        word: "femto",
+        power: -15,
+    },
+    Prefix {
+        symbols: &["P"],
+        print: "P",
+        word: "peta",
+        power: 15,
     },
 ];
 

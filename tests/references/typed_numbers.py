@@ -95,6 +95,12 @@ for asked, responses in {
 }.items():
     for response in responses:
         row(asked, response, "dimension")
+# Two readings, the likelier first.
+for response, value in {
+    "162·10-3 m": 0.162, "5.0×10−3": 0.005, "162.10^-3 m": 0.162, "25.2*10-3 m": 0.0252, "25.2x10-3 m": 0.0252,
+    "1.25×103 m": 1250, "1,234": 1.234, "1,250 m": 1.25, "12,500": 12.5,
+}.items():
+    row("m", response, value)
 # Two meanings of one run of letters, slash or sign.
 for asked, responses in {
     "m/s": ["2.5 ms^-1", "2.5 ms-1", "2.5 ms⁻¹", "9 kmh"],
@@ -102,14 +108,14 @@ for asked, responses in {
     "rad/s": ["10 rads^-1", "ω <= 10", "ω ≥ 10", "ω != 10", "ω not = 10", "ω = 9; ω = 10", "ω = 9, ω = 10", "99 rad/s = 10 rad/s", "f (Hz) = 1.59", "ω (rad/s) = 10", "f in Hz = 1.59", "ω² = 10", "sqrt(ω) = 10", "2ω = 20", "-ω = -10", "ω/2 = 5", "ω = 9 k = 10", "sin ω = 10", "10 = 2ω", "π:3", "10 rad/s (1.59 Hz)", "10 rad/s or 1.59 Hz", "10 rad/s approx", "10(1) rad/s"],
     "N s/m": ["6 N/m/s"],
     "rad": ["180°-10°", "18.7°-180°", "180° + 10", "60 Grad", "66.67 grad", "60°30'", "60° 0′", "60°0'0\""],
-    "m": ["162·10-3 m", "5.0×10−3", "162.10^-3 m", "25.2*10-3 m", "25.2x10-3 m", "1.25×103 m", "1.25 10^3 m", "0.29 (2/7)", "0.(285714)", "7.78(1)", "100 1", "10 mm-5 mm", "3 m-2 m", "5 inch", "2*3 m * 4"],
+    "m": ["1.25 10^3 m", "0.29 (2/7)", "0.(285714)", "7.78(1)", "100 1", "10 mm-5 mm", "3 m-2 m", "5 inch", "2*3 m * 4"],
     "1": ["2 cycles", "2 periods", "3 degrees of freedom"],
 }.items():
     for response in responses:
         row(asked, response, "unreadable")
 # Not to be read, or only by guessing.
 for response in [
-    "m", "x", "twelve", "1,234", "1,250 m", "12,500", "1.2.3", "1,2,3", "1 2", "5 m 3", "5 mm 3 cm", "5 ± 0.1", "5 +/- 0.1 m", "4-5 m", "19-21", "2e", "2e m", "5e- m", "5 furlong", "5 N/m s", "5 J/kg·K",
+    "m", "x", "twelve", "1.2.3", "1,2,3", "1 2", "5 m 3", "5 mm 3 cm", "5 ± 0.1", "5 +/- 0.1 m", "4-5 m", "19-21", "2e", "2e m", "5e- m", "5 furlong", "5 N/m s", "5 J/kg·K",
     "5 kgs", "5 m)", "(5 m", "5 m^x", "5 m^0", "--", "1/0", "1/0 m", "sqrt(-1) m", "5 i", "3 - 4i", "inf", "∞ m", "NaN", "1e999", "10^400 m", "5 m?", "about 5", "5 m or 6 m", "5; 6", "[5]", "3 1/2 m", "2**", "sqrt() m",
     "m 5", "5 m/", "5 per", "x = ", "=", "ln(0)", "pi pi pi m n", "5..6", "1 .. 2 m",
 ]:

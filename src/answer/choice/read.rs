@@ -1,6 +1,7 @@
 //! Reads what was chosen: letters as printed, words of options.
 
 use super::marker::Chosen;
+use crate::math::greek_name;
 
 /// Words without regard to case and spacing.
 pub(super) fn normalized(text: &str) -> String {
@@ -23,6 +24,33 @@ fn joined(text: &str) -> Option<String> {
         .all(|char| char.is_alphabetic() || is_gap(char));
     let word: String = text.chars().filter(|char| !is_gap(*char)).collect();
     (is_of_words && word.chars().count() >= SHORTEST).then_some(word)
+}
+
+/// A formula by its letters and signs alone: no spaces and signs of products, raised and lowered digits on the line,
+/// Greek letters as words. Nothing for words.
+fn spelled(text: &str) -> Option<String> {
+    const RAISED: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+    let is_sign = |char: char| "+-/^=<>≤≥√".contains(char) || char.is_numeric();
+    let mut plain = String::new();
+    for char in text.to_lowercase().chars() {
+        if let Some(digit) = RAISED.chars().position(|raised| raised == char) {
+            plain.push('^');
+            plain.push(char::from(b'0' + digit as u8));
+            continue;
+        }
+        match char {
+            ' ' | '*' | '\u{2009}' | '\u{a0}' | '_' | '{' | '}' | '\\' | '·' | '⋅' => {}
+            '−' => plain.push('-'),
+            '₀'..='₉' => {
+                plain.push(char::from(b'0' + (u32::from(char) - u32::from('₀')) as u8))
+            }
+            _ => match greek_name(char) {
+                Some(name) => plain.push_str(name),
+                None => plain.push(char),
+            },
+        }
+    }
+    text.contains(is_sign).then_some(plain)
 }
 
 /// What stands behind words that say that an answer comes: `option b`, `answer: b`.
@@ -62,6 +90,16 @@ impl Chosen {
             .or_else(|| self.of_words(&whole))
             .or_else(|| self.of_words(&bare))
             .or_else(|| self.of_first_words(&bare))
+            .or_else(|| self.of_formula(typed))
+    }
+
+    /// The only option that is this formula, however its signs are put.
+    fn of_formula(&self, typed: &str) -> Option<usize> {
+        let spelled = spelled(typed)?;
+        let is_it = |place: &usize| self::spelled(&self.words[*place]).as_ref() == Some(&spelled);
+        let mut found = (0..self.words.len()).filter(is_it);
+        let first = found.next()?;
+        found.next().is_none().then_some(first)
     }
 
     /// The option that bears a letter.
@@ -134,5 +172,23 @@ impl Chosen {
         (self.is_several || self.is_ranking)
             && letters.iter().all(|letter| (b'a'..=last).contains(letter))
             && letters.windows(2).all(|pair| pair[0] != pair[1])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::spelled;
+
+    #[test]
+    fn a_formula_is_spelled_by_its_signs() {
+        for (typed, printed) in [
+            ("q^2/(2C)", "q²/(2 C)"),
+            ("1/2*m*v^2", "1/2 m v²"),
+            ("omega_0 - 1", "ω₀ − 1"),
+        ] {
+            assert_eq!(spelled(typed), spelled(printed), "{typed}");
+        }
+        assert_eq!(spelled("overdamped"), None);
+        assert_ne!(spelled("q^2/(2C)"), spelled("q^2/2"));
     }
 }

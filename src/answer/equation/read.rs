@@ -13,6 +13,7 @@ impl Setup {
         let manner = Manner {
             comma_is_decimal: true,
             has_imaginary_unit: false,
+            values: None,
         };
         let mut found = Vec::new();
         for place in pieces(response) {

@@ -13,6 +13,7 @@ impl Prepared {
             let manner = Manner {
                 comma_is_decimal: true,
                 has_imaginary_unit,
+                values: None,
             };
             response::formula(response, &self.setup.lexicon, manner)
         };

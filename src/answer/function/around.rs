@@ -6,6 +6,7 @@ use crate::response::Manner;
 pub(super) const MANNER: Manner = Manner {
     comma_is_decimal: true,
     has_imaginary_unit: false,
+    values: None,
 };
 
 /// Without the times for which a function is meant to hold: `…, t >= 0` or `… for t > 0`.

@@ -82,6 +82,7 @@ impl Ends<'_> {
         let manner = Manner {
             comma_is_decimal: true,
             has_imaginary_unit: false,
+            values: None,
         };
         response::formula(side, &self.setup.lexicon, manner)
             .map(|typed| typed.value)

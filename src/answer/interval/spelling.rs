@@ -9,46 +9,17 @@ pub(super) fn normalized(response: &str) -> String {
         .filter(|inner| inner.contains(['<', '>', '≤', '≥']) && !inner.contains(['(', ')']));
     let mut text = format!(" {} ", inner.unwrap_or(response));
     for (from, to) in [
-        ("\\left", ""),
-        ("\\right", ""),
-        ("<=", "≤"),
-        ("=<", "≤"),
-        (">=", "≥"),
-        ("=>", "≥"),
-        ("\\leqslant", "≤"),
-        ("\\leq", "≤"),
-        ("\\le", "≤"),
-        ("\\geqslant", "≥"),
-        ("\\geq", "≥"),
-        ("\\ge", "≥"),
-        ("\\lt", "<"),
-        ("\\gt", ">"),
-        ("\\cup", "∪"),
-        ("\\cap", "∩"),
-        ("\\infty", "∞"),
         ("||", " ∪ "),
-        ("&&", " ∩ "),
-        ("∨", " ∪ "),
-        ("∧", " ∩ "),
-        (" OR ", " ∪ "),
-        (" AND ", " ∩ "),
-        (" Or ", " ∪ "),
-        (" And ", " ∩ "),
-        ("\\in ", " ∈ "),
         (" or ", " ∪ "),
         (" and ", " ∩ "),
-        (" U ", " ∪ "),
-        (" u ", " ∪ "),
         (" in ", " ∈ "),
-        ("⩽", "≤"),
-        ("⩾", "≥"),
     ] {
         text = text.replace(from, to);
     }
     // A comma between two intervals or inequalities joins them as well.
     for close in [")", "]", "["] {
         for open in ["(", "[", "]"] {
-            for join in [", ", ",", "; ", ";", "U", "u"] {
+            for join in [", ", ",", "; ", ";", "U", "u", " U ", " u "] {
                 text = text.replace(
                     &format!("{close}{join}{open}"),
                     &format!("{close} ∪ {open}"),

@@ -4,13 +4,12 @@ use super::super::{
     Answered, Credit, Decades, Example, Key, KeyValue, Marker, Marking, Misfit, Mistaken, Negated,
     Reading, Remark, Slip, Trial, Unreadable, Why,
 };
-use super::arithmetic::{Arithmetic, LONGEST};
-use super::{doubt, read};
-use crate::expr::{Expr, Form, Kind};
+use super::list::parted;
+use super::read::explained;
+use crate::expr::{Constant, Expr, Form, Kind};
 use crate::math::Math;
-use crate::numerics::{Complex, powi};
-use crate::response::cut;
-use crate::source::Span;
+use crate::numerics::{Complex, Rational, powi};
+use crate::response::{Amount, Folded, Number as Typed, Part, Style, Values};
 use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
 
 /// With an example of a complex number.
@@ -39,7 +38,7 @@ pub(super) struct Numbers {
 }
 
 /// A typed number in SI units; without a unit that of the answer was taken.
-struct Typed {
+struct Given {
     value: Complex,
     math: Math,
     text: String,
@@ -63,86 +62,101 @@ fn is_off_by_ten(target: &Target, typed: Complex) -> bool {
     (1..=9).any(|power| fits(power) || fits(-power))
 }
 
-/// The complex number that a text is, before its unit; the unit, where one is written.
-fn number(text: &str, mark: DecimalMark) -> Result<(Complex, Option<Unit>, Expr), Unreadable> {
-    let polar = ["∠", " at ", " cis ", "\\angle"]
-        .iter()
-        .find_map(|sign| text.split_once(sign));
-    if let Some((modulus, angle)) = polar {
-        return of_polar(modulus, angle, mark);
+/// A complex number as it was typed: before its unit, with the unit where one is written, and as a formula.
+type Written = (Complex, Option<Unit>, Expr);
+
+/// The complex number that a part of a response is.
+fn number(values: &Values<'_>, part: &Part) -> Result<Written, Unreadable> {
+    if let Some((modulus, angle)) = values.polar(part) {
+        return of_polar(values, &modulus, &angle);
     }
-    if let Some(question) = doubt::question(text, mark) {
-        return Err(question);
-    }
-    // `4iΩ`, `4*I`.
-    let spaced = text.replace("iΩ", "i Ω").replace("jΩ", "j Ω");
-    let text = spaced.replace("*I", "*i");
-    let text = text.as_str();
-    let arithmetic = Arithmetic::read(text.trim(), mark, true)
-        .or_else(|error| Arithmetic::read(&once(text).ok_or(error)?, mark, true))
-        .map_err(|_| like_complex(Why::Form))?;
-    let value = arithmetic.value().and_then(|value| value.as_complex());
+    let amount = amount(values, part)?;
+    let value = amount.value().and_then(|value| value.as_complex());
     let value = value.ok_or_else(|| like_complex(Why::Form))?;
-    Ok((value, arithmetic.unit, arithmetic.expr))
+    Ok((value, stated(&amount), formula(&amount)))
 }
 
-/// A text with its unit at the end alone, where it stands behind both parts, `3 ohm + 4i ohm`.
-fn once(text: &str) -> Option<String> {
-    let text = text.trim();
-    let start = text.rfind(|char: char| !char.is_alphabetic())?;
-    let unit = text[start..].trim_start_matches(|char: char| !char.is_alphabetic());
-    let before = &text[..text.len() - unit.len()];
-    let is_repeated = Unit::read(unit).is_ok() && before.contains(unit);
-    is_repeated.then(|| format!("({}) {unit}", before.replace(unit, "")))
+/// The amount that a part is; one that may be meant otherwise is asked back.
+fn amount(values: &Values<'_>, part: &Part) -> Result<Amount, Unreadable> {
+    let amount = values
+        .amount(part)
+        .map_err(|error| explained(&error, values, values.text(part)).like(Example::Complex))?;
+    if amount.others.is_empty() {
+        Ok(amount)
+    } else {
+        let typed = values.text(part).to_owned();
+        Err(Why::LostPower(typed).into())
+    }
+}
+
+/// The unit that is written with an amount.
+fn stated(amount: &Amount) -> Option<Unit> {
+    Some(amount.unit).filter(|unit| !unit.is_one())
+}
+
+/// An amount as a formula of bare numbers.
+fn formula(amount: &Amount) -> Expr {
+    match &amount.number {
+        Typed::Formula(formula) => formula.clone(),
+        Typed::Decimal(decimal) => Rational::from_decimal(&decimal.to_string())
+            .map_or_else(|| Expr::number(0), Expr::number),
+    }
 }
 
 /// The complex number and the unit that a text is, as a response would be read.
 pub(in crate::answer) fn complex_number(text: &str) -> Option<(Complex, Option<Unit>)> {
-    let is_short = text.len() <= LONGEST;
-    let (value, unit, _) = number(text, DecimalMark::Point).ok().filter(|_| is_short)?;
+    let folded = Folded::of(text).ok()?;
+    let style = Style {
+        mark: DecimalMark::Point,
+        comma_is_decimal: true,
+        is_complex: true,
+    };
+    let values = Values::read(folded.text(), style).ok()?;
+    let (value, unit, _) = number(&values, &values.all()).ok()?;
     Some((value, unit))
 }
 
 /// Modulus and angle; the unit stands behind either.
-fn of_polar(
-    modulus: &str,
-    angle: &str,
-    mark: DecimalMark,
-) -> Result<(Complex, Option<Unit>, Expr), Unreadable> {
-    let (angle, behind) = match angle.find('°') {
-        Some(at) => angle.split_at(at + '°'.len_utf8()),
-        None => (angle, ""),
+fn of_polar(values: &Values<'_>, modulus: &Part, angle: &Part) -> Result<Written, Unreadable> {
+    let (angle, behind) = values.unit_behind_angle(angle);
+    let size = amount(values, modulus)?;
+    let turn = amount(values, &angle)?;
+    let real = |amount: &Amount| amount.value().and_then(|value| value.as_real());
+    let (Some(size_value), Some(turn_value)) = (real(&size), real(&turn)) else {
+        return Err(like_complex(Why::Form));
     };
-    let modulus = read::quantity(&format!("{} {}", modulus.trim(), behind.trim()), mark)?;
-    let angle = read::quantity(angle, mark)?;
-    if angle.unit.is_one() && angle.value.to_f64().abs() > std::f64::consts::TAU {
-        return Err(Why::AngleWithoutUnit(angle.value.to_string()).into());
+    if turn.unit.is_one() && turn_value.abs() > std::f64::consts::TAU {
+        let typed = values.text(&angle);
+        return Err(Why::AngleWithoutUnit(typed.to_owned()).into());
     }
     let radian = Unit::parse("rad").unwrap_or(Unit::ONE);
-    let radians = angle.si_for(&radian).map_err(|_| Why::AngleUnit)?;
-    let unit = Some(modulus.unit).filter(|unit| !unit.is_one());
-    let value = Complex::from_polar(modulus.value.to_f64(), radians);
-    let number = |decimal: &Decimal| {
-        crate::numerics::Rational::from_decimal(&decimal.to_string())
-            .map_or_else(|| Expr::number(0), Expr::number)
-    };
-    let imaginary = Expr::constant(crate::expr::Constant::ImaginaryUnit);
-    let angle = if angle.unit.is_one() {
-        number(&angle.value)
+    let taken = if turn.unit.is_one() {
+        radian
     } else {
-        crate::numerics::Rational::from_decimal(&angle.value.to_string()).map_or_else(
-            || Expr::number(0),
-            |value| Expr::derived(Kind::Measure(value, Box::new(angle.unit))),
-        )
+        turn.unit
     };
-    let power = Expr::constant(crate::expr::Constant::E).power(imaginary * angle);
-    Ok((value, unit, number(&modulus.value) * power))
+    let conversion = taken.conversion(&radian).map_err(|_| Why::AngleUnit)?;
+    let unit = stated(&size).or(behind);
+    let value = Complex::from_polar(size_value, conversion.apply(turn_value));
+    let imaginary = Expr::constant(Constant::ImaginaryUnit);
+    let angle = match formula(&turn) {
+        own if turn.unit.is_one() => own,
+        own => {
+            let one = Kind::Measure(Rational::ONE, Box::new(turn.unit));
+            match own.as_number() {
+                Some(number) => Expr::derived(Kind::Measure(number, Box::new(turn.unit))),
+                None => own * Expr::derived(one),
+            }
+        }
+    };
+    let power = Expr::constant(Constant::E).power(imaginary * angle);
+    Ok((value, unit, formula(&size) * power))
 }
 
 impl Numbers {
-    fn read(&self, text: &str) -> Result<Typed, Box<Marking>> {
+    fn read(&self, values: &Values<'_>, part: &Part) -> Result<Given, Box<Marking>> {
         let (value, stated, expr) =
-            number(text, self.mark).map_err(|why| Box::new(Marking::unreadable(why)))?;
+            number(values, part).map_err(|words| Box::new(Marking::unreadable(words)))?;
         let unit = stated.unwrap_or(self.unit);
         let formula = expr.typeset(&crate::expr::PlainNotation);
         let (math, text) = if unit.is_one() {
@@ -162,7 +176,7 @@ impl Numbers {
         }
         let value = Complex::new(unit.to_si(value.re), unit.to_si(value.im));
         let is_bare = stated.is_none() && !self.unit.is_one() && value != Complex::new(0.0, 0.0);
-        Ok(Typed {
+        Ok(Given {
             value,
             math,
             text,
@@ -195,23 +209,35 @@ impl Numbers {
         count
     }
 
-    /// Where the numbers of a response stand.
-    fn places(&self, response: &str) -> Result<Vec<Span>, Unreadable> {
-        let start = response.rfind('=').map_or(0, |at| at + 1);
-        let all = Span::new(start, response.len());
-        let values = cut(response, Span::new(0, response.len()), &[',', ';']);
-        let are_named = values.len() > 1
-            && values
-                .iter()
-                .all(|place| response[place.range()].contains('='));
-        if are_named && !self.is_list {
+    /// The numbers of a response, each as a part of it.
+    fn parts(&self, values: &Values<'_>) -> Result<Vec<Part>, Unreadable> {
+        let mut all = values.all();
+        if self.is_list
+            && let Some((inner, behind)) = values.front_bracket(&all)
+            && behind.is_empty()
+            && values.statements(&inner).len() > 1
+        {
+            all = inner;
+        }
+        let pieces = values.statements(&all);
+        let pieces: Vec<Part> = pieces
+            .into_iter()
+            .filter(|piece| !piece.is_empty())
+            .collect();
+        if pieces.is_empty() || !self.is_list && pieces.len() > 1 {
             return Err(like_complex(Why::SeveralComplex));
         }
-        Ok(match (self.is_list, response.contains(';')) {
-            (false, _) => vec![all],
-            (true, true) => cut(response, all, &[';']),
-            (true, false) => cut(response, all, &[',']),
-        })
+        let mut parts = Vec::with_capacity(pieces.len());
+        for piece in pieces {
+            let statement = values.statement(&piece);
+            if let Some(sign) = statement.unequal {
+                return Err(
+                    Unreadable::at(sign.to_string(), Why::Inequality).like(Example::Complex)
+                );
+            }
+            parts.extend(statement.sides.into_iter().next_back());
+        }
+        Ok(parts)
     }
 
     /// A slip that one number alone gives away.
@@ -279,16 +305,24 @@ impl Marker for Numbers {
     }
 
     fn mark(&self, response: &str) -> Marking {
-        if response.len() > LONGEST {
-            return Marking::unreadable(Why::TooLong);
-        }
-        let places = match self.places(response) {
-            Ok(places) => places,
-            Err(why) => return Marking::unreadable(why),
+        let values = if self.is_list {
+            parted(response, self.mark, true)
+        } else {
+            let style = Style {
+                mark: self.mark,
+                comma_is_decimal: true,
+                is_complex: true,
+            };
+            Values::read(response, style).map_err(|error| error.remark(response))
+        };
+        let read = values.and_then(|values| self.parts(&values).map(|parts| (values, parts)));
+        let (values, parts) = match read {
+            Ok(read) => read,
+            Err(help) => return Marking::unreadable(help),
         };
         let mut items = Vec::new();
-        for place in places {
-            match self.read(&response[place.range()]) {
+        for part in parts {
+            match self.read(&values, &part) {
                 Ok(typed) => items.push(typed),
                 Err(marking) => return *marking,
             }

@@ -1,19 +1,15 @@
 //! Lists of numbers as people type them, and how they are marked: `5; 8.7 rad/s`, `0, ±180°`, `ω1 = 5, ω2 = 8.7`.
 
-use super::super::{Credit, Marking, Remark, Slip, Unreadable, Why};
+use super::super::{Credit, Example, Marking, Remark, Slip, Unreadable, Why};
 use super::marker::Numbers;
-use super::read::{Number, number};
-use super::sides::{self, Sides, index, names};
+use super::read::{Number, amount, statement};
 use super::target::{Typed, pair};
 use crate::numerics::Rational;
-use crate::response::{cut, first_bracket};
-use crate::source::Span;
-use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
+use crate::response::{Part, Style, Values};
+use crate::unit::{DecimalMark, Quantity, Unit};
 
 /// The most numbers of a list.
 const MOST_ITEMS: usize = 100;
-/// The longest list, in bytes.
-const LONGEST: usize = 2_000;
 
 /// The numbers of a list where `count` are asked; numbers whose names have indices come in their order. A unit at
 /// the end of the last one, or behind the bracket, serves for all that have none.
@@ -26,44 +22,51 @@ pub(super) fn list(
     count: usize,
     mark: DecimalMark,
 ) -> Result<Vec<Number>, Unreadable> {
-    if response.len() > LONGEST {
-        return Err(Why::TooLong.into());
-    }
-    let response = response
-        .trim()
-        .replace('\n', "; ")
-        .replace("\\{", "{")
-        .replace("\\}", "}");
-    let response = sides::plain(&response);
+    let values = parted(response, mark, false)?;
+    let all = values.all();
     // `ω1, ω2 = 5, 8.7` has one equals sign for all, else each number has its own.
-    let (labels, all) = match sides::equal_sides(&response)[..] {
-        [before, all] if names(before).is_some() => (names(before).unwrap_or_default(), all),
-        _ => (Vec::new(), response.trim().trim_start_matches('=')),
+    let whole = values.statement(&all).sides;
+    let (labels, all) = match &whole[..] {
+        [before, behind] => match values.names(before) {
+            Some(names) => (names, behind.clone()),
+            None => (Vec::new(), all),
+        },
+        [only] => (Vec::new(), only.clone()),
+        _ => (Vec::new(), all),
     };
-    let (inner, unit) = unframed(all);
-    let is_framed = inner.len() < all.trim().len();
-    let pieces = match separated(inner, mark)[..] {
-        [one] if is_framed && are_decimals(one, mark) => one.split_whitespace().collect(),
-        _ => separated(inner, mark),
+    let (inner, unit) = unframed(&values, &all);
+    let is_framed = inner != all;
+    let pieces: Vec<Part> = match values.spaced(&inner).filter(|_| is_framed) {
+        Some(pieces) => pieces,
+        None => values.statements(&inner),
     };
+    let pieces: Vec<Part> = pieces
+        .into_iter()
+        .filter(|piece| !piece.is_empty())
+        .collect();
+    if pieces.is_empty() {
+        return Err(Unreadable::of(Why::Form).like(Example::Number));
+    }
     if pieces.len() > MOST_ITEMS {
         return Err(Why::MostNumbers(MOST_ITEMS).into());
     }
     let mut items: Vec<(Option<u32>, Number)> = Vec::new();
     for piece in &pieces {
-        let label = index(Sides::of(piece)?.name());
-        items.extend(
-            both_signs(piece, mark)?
-                .into_iter()
-                .map(|item| (label, item)),
-        );
+        let first = &values.statement(piece).sides[0];
+        let label = values.index(first).filter(|_| values.is_name(first));
+        let both = both_signs(&values, piece)?;
+        items.extend(both.into_iter().map(|item| (label, item)));
     }
-    if has_tight_comma(inner, mark) && items.len() != count {
+    if values.has_tight_comma(&inner)
+        && mark == DecimalMark::Point
+        && !values.has(&inner, ';')
+        && items.len() != count
+    {
         return Err(Why::TightComma.into());
     }
     if labels.len() == items.len() {
-        for (item, label) in items.iter_mut().zip(labels) {
-            item.0 = index(label);
+        for (item, label) in items.iter_mut().zip(&labels) {
+            item.0 = values.index(label);
         }
     }
     let unit = unit.or_else(|| items.last().map(|(_, last)| last.quantity.unit));
@@ -79,97 +82,57 @@ pub(super) fn list(
     Ok(items.into_iter().map(|(_, item)| item).collect())
 }
 
-/// The number that an item of a list is, or the two that it is with `±`.
-fn both_signs(piece: &str, mark: DecimalMark) -> Result<Vec<Number>, Unreadable> {
-    let all = Sides::of(piece)?;
-    let size = ["±", "+-", "+/-", "\\pm"]
-        .iter()
-        .find_map(|sign| all.value().strip_prefix(sign));
-    let Some(size) = size else {
-        return Ok(vec![number(piece, mark)?]);
+/// The values of a list. A comma between digits parts them, unless something else does.
+pub(super) fn parted(
+    response: &str,
+    mark: DecimalMark,
+    is_complex: bool,
+) -> Result<Values<'_>, Unreadable> {
+    let read = |comma_is_decimal| {
+        let style = Style {
+            mark,
+            comma_is_decimal,
+            is_complex,
+        };
+        Values::read(response, style).map_err(|error| error.remark(response))
     };
-    let plus = number(size, mark)?;
+    let values = read(true)?;
+    if mark == DecimalMark::Comma || values.is_parted() {
+        return Ok(values);
+    }
+    read(false)
+}
+
+/// The number that an item of a list is, or the two that it is with `±`.
+fn both_signs(values: &Values<'_>, piece: &Part) -> Result<Vec<Number>, Unreadable> {
+    let sides = values.statement(piece).sides;
+    let size = sides.last().and_then(|value| values.both_signs(value));
+    let Some(size) = size else {
+        return Ok(vec![statement(values, piece)?]);
+    };
+    let plus = amount(values, &size)?;
     let minus = Number {
         quantity: Quantity::new(plus.quantity.value.negated(), plus.quantity.unit),
         arithmetic: plus.arithmetic.clone().map(|expr| -expr),
+        others: Vec::new(),
     };
     Ok(vec![plus, minus])
 }
 
 /// Without the brackets around a whole list, and the unit that stands behind them.
-fn unframed(text: &str) -> (&str, Option<Unit>) {
-    let Some(close) = first_bracket(text) else {
-        return (text, None);
-    };
-    let (inner, behind) = (&text[1..close], text[close + 1..].trim());
-    let is_list = || separated(inner, DecimalMark::Point).len() > 1;
-    if behind.is_empty() {
-        (inner, None)
-    } else if behind.starts_with(|char: char| char.is_alphabetic() || char == '°') && is_list() {
-        Unit::read(behind).map_or((text, None), |unit| (inner, Some(unit)))
-    } else {
-        (text, None)
-    }
-}
-
-/// Cut at semicolons, at the words `and` and `or`, or at commas that cannot be decimal signs; none in brackets.
-fn separated(text: &str, mark: DecimalMark) -> Vec<&str> {
-    let all = Span::new(0, text.len());
-    if text.contains(';') {
-        let places = cut(text, all, &[';']);
-        return kept(places.into_iter().map(|place| &text[place.range()]));
-    }
-    let pieces: Vec<&str> = text
-        .split(" and ")
-        .flat_map(|piece| piece.split(" or "))
-        .collect();
-    // Between spaced commas or words, a comma between digits is a decimal sign.
-    let needs_space = mark == DecimalMark::Comma || text.contains(", ") || pieces.len() > 1;
-    kept(
-        pieces
-            .into_iter()
-            .flat_map(|piece| at_commas(piece, needs_space)),
-    )
-}
-
-/// Whether spaces alone part numbers that have no unit, `[5 8.7]`.
-fn are_decimals(text: &str, mark: DecimalMark) -> bool {
-    let is_decimal =
-        |word: &str| Decimal::read(word, mark).is_ok_and(|(_, length)| length == word.len());
-    let words = || text.split_whitespace();
-    // `1 200` is one number.
-    words().count() > 1
-        && words().all(is_decimal)
-        && Decimal::read(text, mark).is_ok_and(|(_, length)| length < text.len())
-}
-
-/// The pieces of a text between commas outside of brackets, or between those with a space behind.
-fn at_commas(text: &str, needs_space: bool) -> Vec<&str> {
-    let (mut pieces, mut start) = (Vec::new(), 0);
-    for place in cut(text, Span::new(0, text.len()), &[',']) {
-        let end = place.range().end;
-        let is_end = end == text.len() || text[end + 1..].trim().is_empty();
-        if is_end || !needs_space || text[end + 1..].starts_with(' ') {
-            pieces.push(&text[start..end]);
-            start = (end + 1).min(text.len());
+fn unframed(values: &Values<'_>, part: &Part) -> (Part, Option<Unit>) {
+    match values.front_bracket(part) {
+        Some((inner, behind)) if behind.is_empty() => (inner, None),
+        Some((inner, behind))
+            if values.statements(&inner).len() > 1 || values.spaced(&inner).is_some() =>
+        {
+            match values.unit(&behind) {
+                Some(unit) => (inner, Some(unit)),
+                None => (part.clone(), None),
+            }
         }
+        _ => (part.clone(), None),
     }
-    pieces
-}
-
-/// Whether a comma stands between two digits where it is not known to be a decimal sign.
-fn has_tight_comma(text: &str, mark: DecimalMark) -> bool {
-    let is_digit = |char: char| char.is_ascii_digit();
-    mark == DecimalMark::Point
-        && !text.contains(';')
-        && text
-            .match_indices(',')
-            .any(|(at, _)| text[..at].ends_with(is_digit) && text[at + 1..].starts_with(is_digit))
-}
-
-fn kept<'t>(pieces: impl Iterator<Item = &'t str>) -> Vec<&'t str> {
-    let pieces = pieces.map(str::trim);
-    pieces.filter(|piece| !piece.is_empty()).collect()
 }
 
 impl Numbers {

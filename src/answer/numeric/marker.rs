@@ -1,10 +1,10 @@
 //! Marks numbers: right, a named mistake, or a slip that can be told from the number alone.
 
+use super::super::settle::{Candidate, settle};
 use super::super::{
-    Answered, Credit, Key, KeyValue, Marker, Marking, Misfit, Mistaken, Note, Reading, Remark,
-    Trial, Why,
+    Answered, Credit, Doubt, Key, KeyValue, Marker, Marking, Misfit, Mistaken, Note, Reading,
+    Remark, Trial, Why,
 };
-use super::arithmetic::has_pi;
 use super::list::list;
 use super::read::{self, Number};
 use super::slip::mixes_energy_and_moment;
@@ -13,6 +13,7 @@ use super::words::{counts, miswritten};
 use crate::expr::{Form, Shape};
 use crate::math::Math;
 use crate::numerics::Dd;
+use crate::response::has_pi;
 use crate::unit::{Decimal, DecimalMark, DimensionMismatch, Quantity, Unit};
 
 /// What a named mistake gives, in SI units.
@@ -34,6 +35,7 @@ pub(super) struct Numbers {
     pub(super) digits_penalty: Credit,
     pub(super) digits: u32,
     pub(super) mark: DecimalMark,
+    pub(super) doubt: Doubt,
     pub(super) targets: Vec<Target>,
     pub(super) mistakes: Vec<Mistake>,
 }
@@ -235,6 +237,25 @@ impl Numbers {
         Marking::wrong(reading, Remark::from(misfit))
     }
 
+    /// The marking of numbers that may be meant otherwise.
+    fn settled(
+        &self,
+        items: &[Number],
+        other: Option<&[Number]>,
+        mark: impl Fn(&[Number]) -> Marking,
+    ) -> Marking {
+        let first = mark(items);
+        let Some(other) = other else {
+            return first;
+        };
+        let candidate = |items: &[Number], marking| Candidate {
+            shown: Self::reading(items, &[], self.mark).math.plain(),
+            marking,
+        };
+        let others = vec![candidate(other, mark(other))];
+        settle(self.doubt, candidate(items, first), others)
+    }
+
     /// With radians for its unit, where degrees are asked and a number has none, but π in it.
     fn with_radians(&self, mut number: Number) -> Number {
         let has_pi = number.arithmetic.as_ref().is_some_and(has_pi);
@@ -317,14 +338,25 @@ impl Marker for Numbers {
                         .into_iter()
                         .map(|item| self.with_radians(item))
                         .collect();
-                    self.mark_list(&items)
+                    // One convention holds for the whole list.
+                    let otherwise: Vec<Number> = items.iter().map(Number::otherwise).collect();
+                    let is_doubtful = items.iter().any(|item| !item.others.is_empty());
+                    let other = is_doubtful.then_some(&otherwise[..]);
+                    self.settled(&items, other, |items| self.mark_list(items))
                 }
                 Err(why) => Marking::unreadable(why),
             };
         }
         match read::number(response, self.mark) {
-            Ok(number) => self.mark_one(&self.with_radians(number)),
-            Err(why) => Marking::unreadable(why),
+            Ok(number) => {
+                let number = self.with_radians(number);
+                let other = number.otherwise();
+                let other = (!number.others.is_empty()).then_some(std::slice::from_ref(&other));
+                self.settled(std::slice::from_ref(&number), other, |items| {
+                    self.mark_one(&items[0])
+                })
+            }
+            Err(help) => Marking::unreadable(help),
         }
     }
 

@@ -16,13 +16,10 @@
 //! ask       = "Find the natural angular frequency."
 //! ```
 
-mod arithmetic;
 mod complex;
-mod doubt;
 mod list;
 mod marker;
 mod read;
-mod sides;
 mod slip;
 mod target;
 mod trial;
@@ -212,6 +209,7 @@ impl Answer for Numeric {
             digits_penalty: self.digits_penalty,
             digits: self.digits,
             mark: context.mark,
+            doubt: context.doubt,
             targets,
             mistakes,
         };

@@ -1,13 +1,12 @@
-//! Numbers with units as people type them.
+//! Numbers with units: what a response says that its name is, and how that is shown.
 
 use super::super::{Example, Unreadable, Why};
-use super::arithmetic::{Arithmetic, is_arithmetic};
-use super::doubt::{question, short};
-use super::sides::{self, Sides};
 use crate::expr::{Expr, PlainNotation};
 use crate::math::Math;
-use crate::response::first_bracket;
-use crate::unit::{Decimal, DecimalMark, ErrorKind, Quantity, Unit};
+use crate::response::{
+    Amount, Number as Typed, Part, Style, Trouble, TypedError, ValueTrouble, Values,
+};
+use crate::unit::{Decimal, DecimalMark, Quantity};
 
 /// A number with its unit as it was typed.
 #[derive(Clone, Debug)]
@@ -15,9 +14,28 @@ pub(super) struct Number {
     pub(super) quantity: Quantity,
     /// What was typed instead of a decimal.
     pub(super) arithmetic: Option<Expr>,
+    /// What else may have been meant.
+    pub(super) others: Vec<Quantity>,
 }
 
 impl Number {
+    /// The number that an amount is, if it has a real value.
+    fn of(amount: &Amount) -> Option<Self> {
+        let (value, arithmetic) = match &amount.number {
+            Typed::Decimal(decimal) => (*decimal, None),
+            Typed::Formula(formula) => {
+                let value = amount.value()?.as_real()?;
+                (Decimal::shortest(value)?, Some(formula.clone()))
+            }
+        };
+        let others = amount.others.iter().filter_map(Self::of);
+        Some(Self {
+            quantity: Quantity::new(value, amount.unit),
+            arithmetic,
+            others: others.map(|other| other.quantity).collect(),
+        })
+    }
+
     /// Typeset; arithmetic with what it comes to.
     pub(super) fn math(&self, mark: DecimalMark) -> Math {
         const DIGITS: u32 = 5;
@@ -43,6 +61,24 @@ impl Number {
             Some(expr) => format!("({expr}) {}", self.quantity.unit),
         }
     }
+
+    /// Its other reading, where it has one.
+    pub(super) fn otherwise(&self) -> Self {
+        match self.others.first() {
+            None => self.clone(),
+            Some(other) => Self {
+                quantity: *other,
+                arithmetic: None,
+                others: Vec::new(),
+            },
+        }
+    }
+
+    /// The question that is asked where the number may be meant otherwise.
+    pub(super) fn question(&self, mark: DecimalMark) -> Option<Unreadable> {
+        let other = self.others.first()?;
+        Some(Why::TwoReadings(self.quantity.text(mark), other.text(mark)).into())
+    }
 }
 
 /// The number that a response is, beside its name and what it is said to equal.
@@ -51,51 +87,100 @@ impl Number {
 ///
 /// What cannot be read, and why.
 pub(super) fn number(response: &str, mark: DecimalMark) -> Result<Number, Unreadable> {
-    if sides::is_alone(response) {
-        return alone(response, mark);
+    let style = Style {
+        mark,
+        comma_is_decimal: true,
+        is_complex: false,
+    };
+    let values = Values::read(response, style).map_err(|error| error.remark(response))?;
+    let all = values.all();
+    if values.statements(&all).len() > 1 {
+        return Err(Unreadable::at(short(response), Why::Inequality).like(Example::OneValue));
     }
-    let response = sides::plain(response);
-    let sides = Sides::of(&response)?;
-    let number = alone(sides.value(), mark)?;
-    sides.check(&number, mark, |side| alone(side, mark).ok())?;
+    statement(&values, &all)
+}
+
+/// The number that a statement gives.
+pub(super) fn statement(values: &Values<'_>, part: &Part) -> Result<Number, Unreadable> {
+    let statement = values.statement(part);
+    if let Some(sign) = statement.unequal {
+        return Err(Unreadable::at(sign.to_string(), Why::Inequality).like(Example::OneValue));
+    }
+    let sides = statement.sides;
+    let is_value = |side: &Part| values.has_number(side) && !values.is_name(side);
+    let value = sides.iter().rposition(is_value).unwrap_or(sides.len() - 1);
+    let number = amount(values, &sides[value])?;
+    let is_named = values.is_name(&sides[0]);
+    if number.quantity.unit.is_one()
+        && is_named
+        && let Some(unit) = values.unit_of_name(&sides[0])
+    {
+        return Err(Why::UnitBesideName {
+            value: short(values.text(&sides[value])),
+            unit: unit.text(),
+        }
+        .into());
+    }
+    let others = sides.iter().enumerate();
+    for (at, side) in others.filter(|(at, side)| *at != value && !values.is_name(side)) {
+        let is_between = 0 < at && at < value && is_named;
+        match amount(values, side).ok() {
+            Some(other) if are_equal(&number, &other) => {}
+            Some(_) => {
+                let (one, other) = (values.text(side), values.text(&sides[value]));
+                return Err(Why::UnequalSides(short(one), short(other)).into());
+            }
+            None if is_between && !values.goes_on_in_words(side) => {}
+            None => {
+                return Err(Unreadable::at(short(values.text(side)), Why::UnclearSide));
+            }
+        }
+    }
     Ok(number)
 }
 
-/// The number that a text is.
-fn alone(text: &str, mark: DecimalMark) -> Result<Number, Unreadable> {
-    let value = unenclosed(unmarked(text));
-    if has_two_signs(value) {
-        return Err(Why::TwoSigns(short(value)).into());
+/// The number that a part is.
+pub(super) fn amount(values: &Values<'_>, part: &Part) -> Result<Number, Unreadable> {
+    let typed = values.text(part);
+    let amount = values
+        .amount(part)
+        .map_err(|error| explained(&error, values, typed))?;
+    Number::of(&amount).ok_or_else(|| Why::NoValue(short(typed)).into())
+}
+
+/// Why a number cannot be read.
+pub(super) fn explained(error: &TypedError, values: &Values<'_>, typed: &str) -> Unreadable {
+    if let Some(word) = counted(typed) {
+        return Why::Counted(word.to_owned()).into();
     }
-    let error = match Quantity::read(value, mark) {
-        Ok(quantity) => {
-            return Ok(Number {
-                quantity,
-                arithmetic: None,
-            });
+    let place = short(values.typed(error));
+    let whole = || typed.trim().to_owned();
+    match &error.trouble {
+        Trouble::Unknown { .. } | Trouble::NotAllowed(_) if !place.is_empty() => {
+            Unreadable::at(place, Why::Letters).like(Example::UnitLast)
         }
-        Err(error) => error,
-    };
-    if let Some(question) = question(value, mark) {
-        return Err(question);
-    }
-    let is_plain = matches!(
-        error.kind,
-        ErrorKind::AmbiguousComma { .. } | ErrorKind::TooLong { .. } | ErrorKind::OutOfRange
-    );
-    if is_plain || !is_arithmetic(value) {
-        return Err(explained(value, &error));
-    }
-    computed(value, mark).or_else(|words| {
-        summed(value, mark).ok_or_else(|| {
-            // A decimal with a unit that cannot be read is told by its unit.
-            if is_number_then_unit(value, mark) {
-                explained(value, &error)
-            } else {
-                words
+        Trouble::Value(trouble) => match trouble {
+            ValueTrouble::Missing => Unreadable::at(place, Why::Form).like(Example::UnitLast),
+            ValueTrouble::Quantity(error) => {
+                let unreadable = Unreadable::at(place, Why::Quantity(error.clone()));
+                if error.help().is_some() {
+                    unreadable
+                } else {
+                    unreadable.like(Example::Number)
+                }
             }
-        })
-    })
+            ValueTrouble::TwoSigns => Why::TwoSigns(short(typed)).into(),
+            ValueTrouble::NoExponent => Why::ExponentMissing(whole()).into(),
+            ValueTrouble::Range => Why::RangeOrDifference(whole()).into(),
+            ValueTrouble::UnitLast | ValueTrouble::UnitOfOne => {
+                Unreadable::at(place, Why::UnitNotLast).like(Example::UnitLast)
+            }
+            ValueTrouble::Bracketed => Unreadable::at(place, Why::BracketAfterNumber),
+            ValueTrouble::Units => Unreadable::of(Why::TwoUnits).like(Example::UnitLast),
+            ValueTrouble::MixedAngles => Why::MixedDegrees.into(),
+        },
+        _ => error.remark(values.whole()).like(Example::UnitLast),
+    }
 }
 
 /// The quantity that a response is.
@@ -104,105 +189,11 @@ fn alone(text: &str, mark: DecimalMark) -> Result<Number, Unreadable> {
 ///
 /// As for [`number`].
 pub(crate) fn quantity(response: &str, mark: DecimalMark) -> Result<Quantity, Unreadable> {
-    number(response, mark).map(|number| number.quantity)
-}
-
-/// What arithmetic comes to.
-fn computed(text: &str, mark: DecimalMark) -> Result<Number, Unreadable> {
-    let arithmetic = Arithmetic::read(text, mark, false)?;
-    let value = arithmetic.value().and_then(|value| value.as_real());
-    let decimal = value.and_then(Decimal::shortest);
-    let decimal = decimal.ok_or_else(|| Why::NoValue(short(text)))?;
-    let unit = arithmetic.unit.unwrap_or(Unit::ONE);
-    Ok(Number {
-        quantity: Quantity::new(decimal, unit),
-        arithmetic: Some(arithmetic.expr),
-    })
-}
-
-/// Whether a text begins with a decimal that a letter follows, so that the rest can only be its unit.
-fn is_number_then_unit(text: &str, mark: DecimalMark) -> bool {
-    Decimal::read(text, mark).is_ok_and(|(_, length)| {
-        let rest = text.get(length..).unwrap_or_default().trim_start();
-        rest.starts_with(char::is_alphabetic) && !rest.starts_with("pi") && !rest.starts_with('π')
-    })
-}
-
-fn explained(value: &str, error: &crate::unit::Error) -> Unreadable {
-    if let Some(counted) = counted(value) {
-        return Why::Counted(counted.to_owned()).into();
+    let number = number(response, mark)?;
+    match number.question(mark) {
+        Some(question) => Err(question),
+        None => Ok(number.quantity),
     }
-    let place = value
-        .get(error.span.clone())
-        .filter(|place| !place.is_empty() && *place != value);
-    let why = Why::Quantity(error.clone());
-    let unreadable = match place {
-        Some(place) => Unreadable::at(short(place), why),
-        None => why.into(),
-    };
-    if error.help().is_some() {
-        unreadable
-    } else {
-        unreadable.like(Example::Number)
-    }
-}
-
-/// The sum of several numbers that have their own units, `50 N/m + 25 N/m`, in the unit of the first.
-fn summed(text: &str, mark: DecimalMark) -> Option<Number> {
-    let is_spaced = |at: usize| text[..at].ends_with(' ');
-    let mut terms = Vec::new();
-    let (mut start, mut is_less) = (0, false);
-    for (at, char) in text.char_indices().chain([(text.len(), '+')]) {
-        if "+-−–".contains(char) && (at == text.len() || at > 0 && is_spaced(at)) {
-            let term = Quantity::read(text[start..at].trim_end(), mark).ok()?;
-            terms.push((is_less, term));
-            (start, is_less) = (at + char.len_utf8(), char != '+');
-        }
-    }
-    let unit = terms.first()?.1.unit;
-    let mut sum = 0.0;
-    for (is_less, term) in &terms {
-        let has_unit = !unit.is_one() && !term.unit.is_one();
-        let value = unit.of_si(term.si_for(&unit).ok().filter(|_| has_unit)?);
-        sum += if *is_less { -value } else { value };
-    }
-    let quantity = Quantity::new(Decimal::shortest(sum)?, unit);
-    (terms.len() > 1).then_some(Number {
-        quantity,
-        arithmetic: None,
-    })
-}
-
-/// Without brackets or dollars around the whole of a number and its unit.
-fn unenclosed(text: &str) -> &str {
-    let inner = text
-        .strip_prefix('$')
-        .and_then(|text| text.strip_suffix('$'));
-    let text = inner.map_or(text, str::trim);
-    match first_bracket(text) {
-        Some(close) if close + 1 == text.len() && text.starts_with('(') => text[1..close].trim(),
-        _ => text,
-    }
-}
-
-/// Whether two signs stand before a number.
-fn has_two_signs(text: &str) -> bool {
-    let is_sign = |char: char| "+-−–±∓".contains(char);
-    let mut signs = text.chars().filter(|char| !char.is_whitespace());
-    signs.next().is_some_and(is_sign) && signs.next().is_some_and(is_sign)
-}
-
-/// Without marks behind a number: the end of a sentence, and the sign of a number that has no unit.
-fn unmarked(text: &str) -> &str {
-    let text = text.trim();
-    let text = match text.strip_suffix('.') {
-        Some(rest) if rest.contains('.') => rest,
-        _ => text,
-    };
-    ["[-]", "(-)", "[–]", "[1]"]
-        .iter()
-        .find_map(|sign| text.strip_suffix(sign))
-        .map_or(text, str::trim_end)
 }
 
 /// The word for what is counted, behind a number: `2 periods`.
@@ -229,4 +220,35 @@ fn counted(value: &str) -> Option<&str> {
     WORDS
         .contains(&word.to_lowercase().as_str())
         .then_some(word)
+}
+
+/// Whether two numbers differ by no more than their rounding.
+fn are_equal(one: &Number, other: &Number) -> bool {
+    const SHARE: f64 = 0.01;
+    let last_place = |number: &Number| match &number.arithmetic {
+        Some(_) => 0.0,
+        None => number.quantity.value.last_place().to_f64(),
+    };
+    let are_near =
+        |a: f64, b: f64, places: f64| (a - b).abs() <= SHARE * a.abs().max(b.abs()) + 0.5 * places;
+    let (a, b) = (&one.quantity, &other.quantity);
+    let (place, other_place) = (last_place(one), last_place(other));
+    let are_bare = a.unit.is_one() || b.unit.is_one();
+    let is_same_number = || are_near(a.value.to_f64(), b.value.to_f64(), place.max(other_place));
+    are_bare && is_same_number()
+        || b.conversion(&a.unit).is_ok_and(|conversion| {
+            let places = a.unit.to_si(place).max(conversion.apply(other_place));
+            are_near(a.si(), conversion.apply_decimal(&b.value), places)
+        })
+}
+
+/// As much of a text as a message can quote.
+pub(super) fn short(text: &str) -> String {
+    const MOST: usize = 40;
+    let start: String = text.trim().chars().take(MOST).collect();
+    if start.len() < text.trim().len() {
+        format!("{start}…")
+    } else {
+        start
+    }
 }

@@ -93,6 +93,13 @@ pub enum Misfit {
 pub enum Note {
     /// Numbers without a unit were taken in this one.
     TakenIn(Unit),
+    /// Of two readings this one counts.
+    TakenAs {
+        /// The one that counts.
+        taken: String,
+        /// The other.
+        other: String,
+    },
     /// A number of significant figures is asked.
     Figures {
         /// How many.

@@ -6,6 +6,7 @@ use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
+use vibank::answer::Doubt;
 use vibank::instance::Instance;
 use vibank::seed::Seed;
 use vibank::solution::Solution;
@@ -210,5 +211,6 @@ pub(crate) fn solution<'i>(
     } else {
         DecimalMark::Point
     };
-    Ok(Solution::with_mark(instance, mark))
+    // On paper nobody can be asked.
+    Ok(Solution::with_mark(instance, mark).settling(Doubt::Benefit))
 }

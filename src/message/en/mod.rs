@@ -87,6 +87,9 @@ fn followed(symbols: &[Math]) -> Document {
 fn note(note: &Note) -> String {
     match note {
         Note::TakenIn(unit) => format!("Taken in {}.", unit.text()),
+        Note::TakenAs { taken, other } => {
+            format!("This can be read as {taken} or as {other}; it was taken as {taken}.")
+        }
         Note::Figures { asked, typed: None } => {
             format!("A decimal with {asked} significant figures is asked.")
         }

@@ -305,6 +305,7 @@ fn formula(trouble: &Trouble) -> String {
         }
         Trouble::Order => "give them in the order of the question, as a list without names.",
         Trouble::Ragged => "the rows have different lengths.",
+        Trouble::Value(_) => "this is no number.",
     }
     .to_owned()
 }

@@ -13,6 +13,7 @@ mod interval;
 mod matrix;
 mod mode_shape;
 mod number;
+mod spellings;
 mod trials;
 mod typed;
 mod typing;

@@ -70,8 +70,8 @@ fn slips_are_told() {
                 "unreadable: `MM` is not a known unit. Type a number",
             ),
             ("sqrt(k/m)", "unreadable: At `k`: a number is asked"),
-            ("2 kg * 9.81 m/s^2", "unreadable"),
-            ("5 m (16 ft)", "unreadable: At `1`"),
+            ("2 kg * 9.81 m/s^2", "wrong dimension"),
+            ("5 m (16 ft)", "unreadable: At `(`"),
         ],
     );
 }

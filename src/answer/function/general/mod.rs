@@ -163,6 +163,7 @@ impl Setup {
         let manner = Manner {
             comma_is_decimal: true,
             has_imaginary_unit: false,
+            values: None,
         };
         let all = Span::new(0, response.len());
         let mut places = cut(response, all, &[';', '\n']);

@@ -1,0 +1,118 @@
+//! What becomes of a response with more than one reading: the one function that chooses, when an answer is submitted.
+
+use super::{Marking, Note, Verdict, Why};
+
+/// What to do where readings of a response have different verdicts.
+///
+/// | response to 15.811 rad/s | `benefit` | `ask` | `undecided` |
+/// | --- | --- | --- | --- |
+/// | `15,811 rad/s` | right, with a remark | handed back with both readings | to the teacher |
+/// | `17,300 rad/s` | wrong | wrong | wrong |
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize,
+)]
+#[serde(rename_all = "lowercase")]
+pub enum Doubt {
+    /// The reading that is right counts, with a remark: on paper nobody can be asked.
+    Benefit,
+    /// The response is handed back with its readings, and no attempt is spent.
+    #[default]
+    Ask,
+    /// It goes to the teacher.
+    Undecided,
+}
+
+/// A reading of a response: how it is shown, and what it comes to.
+pub(super) struct Candidate {
+    pub(super) shown: String,
+    pub(super) marking: Marking,
+}
+
+/// The marking of a response by those of its readings, the conventional one first; at least one.
+/// If none is right, or all come to the same, the first counts.
+pub(super) fn settle(doubt: Doubt, first: Candidate, others: Vec<Candidate>) -> Marking {
+    let differs = |other: &Candidate| other.marking.verdict != first.marking.verdict;
+    let Some(other) = others.into_iter().find(differs) else {
+        return first.marking;
+    };
+    match doubt {
+        Doubt::Benefit => {
+            let is_better = other.marking.credit > first.marking.credit;
+            let (taken, left) = if is_better {
+                (other, first)
+            } else {
+                (first, other)
+            };
+            let mut marking = taken.marking;
+            if marking.verdict == Verdict::Right || is_better {
+                let note = Note::TakenAs {
+                    taken: taken.shown,
+                    other: left.shown,
+                };
+                marking.remarks.push(note.into());
+            }
+            marking
+        }
+        // An unreadable response goes to whoever marks.
+        Doubt::Ask | Doubt::Undecided => {
+            Marking::unreadable(Why::TwoReadings(first.shown, other.shown))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::answer::{Answered, Credit, Reading};
+    use crate::math::Math;
+
+    fn candidate(shown: &str, credit: Credit) -> Candidate {
+        let reading = Reading {
+            math: Math::text(shown),
+            text: shown.to_owned(),
+            answered: Answered::Complex(Vec::new()),
+        };
+        Candidate {
+            shown: shown.to_owned(),
+            marking: Marking::read(reading, credit, None),
+        }
+    }
+
+    fn verdict(doubt: Doubt, first: Credit, other: Credit) -> Verdict {
+        settle(
+            doubt,
+            candidate("1.25", first),
+            vec![candidate("1250", other)],
+        )
+        .verdict
+    }
+
+    #[test]
+    fn a_doubt_is_settled_by_its_policy() {
+        let (none, full) = (Credit::NONE, Credit::FULL);
+        for (doubt, first, other, due) in [
+            (Doubt::Benefit, none, full, Verdict::Right),
+            (Doubt::Benefit, full, none, Verdict::Right),
+            (Doubt::Benefit, none, none, Verdict::Wrong),
+            (Doubt::Ask, none, full, Verdict::Unreadable),
+            (Doubt::Ask, full, none, Verdict::Unreadable),
+            (Doubt::Ask, full, full, Verdict::Right),
+            (Doubt::Ask, none, none, Verdict::Wrong),
+            (Doubt::Undecided, none, full, Verdict::Unreadable),
+            (Doubt::Undecided, none, none, Verdict::Wrong),
+        ] {
+            assert_eq!(verdict(doubt, first, other), due, "{doubt:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_given_the_benefit_says_so() {
+        let marking = settle(
+            Doubt::Benefit,
+            candidate("1.25", Credit::NONE),
+            vec![candidate("1250", Credit::FULL)],
+        );
+        let said = format!("{:?}", marking.remarks);
+        assert!(said.contains("TakenAs"), "{said}");
+    }
+}
