@@ -39,7 +39,7 @@ fn main() -> io::Result<()> {
         };
         match script.as_str() {
             "refuses" => {
-                Reply::Refused("unknown variable in line 3".to_owned()).send(&mut replies)?
+                Reply::Refused("unknown variable in line 3".to_owned()).send(&mut replies)?;
             }
             "dies" if done == 2 => return Ok(()),
             "dies-always" => return Ok(()),

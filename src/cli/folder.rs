@@ -158,10 +158,10 @@ impl Folder {
     /// Whether a file is there and has this digest.
     pub(crate) fn is_intact(&self, name: &str, digest: &str) -> bool {
         let file = self.open(name);
-        let hashed = file.is_ok_and(|mut file| {
+
+        file.is_ok_and(|mut file| {
             files::hash(&mut file).is_ok_and(|found| files::hexadecimal(found) == digest)
-        });
-        hashed
+        })
     }
 
     /// Removes a file, if it is there.

@@ -122,7 +122,7 @@ impl<'t> Values<'t> {
     pub(crate) fn is_parted(&self) -> bool {
         let mut before = None;
         self.tokens.iter().any(|token| {
-            let behind = std::mem::replace(&mut before, Some(&token.item));
+            let behind = before.replace(&token.item);
             matches!(token.item, Item::Sign(';') | Item::Word("and" | "or"))
                 || token.is_spaced && behind == Some(&Item::Sign(','))
         })
@@ -374,7 +374,7 @@ impl<'t> Values<'t> {
             ] if word.item == Item::Word("in") => (unit, *span),
             _ => return None,
         };
-        (self.text[before.range()].chars().count() > 1).then(|| **unit)
+        (self.text[before.range()].chars().count() > 1).then_some(**unit)
     }
 
     /// The names that a part lists, `ω1, ω2`, alone or in brackets; nothing if it is something else. `ω1,2` has two.
@@ -417,10 +417,9 @@ impl<'t> Values<'t> {
         if let Some(inner) = self
             .unbracketed(part)
             .filter(|_| *self.first(part) == Item::Sign('('))
+            && let Some(amount) = self.literal(&inner)
         {
-            if let Some(amount) = self.literal(&inner) {
-                return Ok(amount);
-            }
+            return Ok(amount);
         }
         let span = self.span(part);
         let error = |trouble| Err(TypedError { trouble, span });

@@ -294,7 +294,7 @@ impl<'p, 'c> Chooser<'p, 'c> {
     fn fixed(&self, index: u64) -> Option<Candidate> {
         let fixed = self.fixed.get(&index)?;
         let sheet = Sheet::draw(self.plan, fixed.variant, None).ok()?;
-        let mut candidate = self.candidate(index, 0, &sheet);
+        let mut candidate = Candidate::of(index, 0, &sheet);
         candidate.is_fixed = !fixed.has_moved;
         for question in &sheet.questions {
             if !fixed.questions.contains(&question_mark(question)) {
@@ -353,7 +353,7 @@ impl<'p, 'c> Chooser<'p, 'c> {
 
     /// Whether a sheet can be taken; the cheapest questions come first.
     fn judge(&self, index: u64, attempt: u64, sheet: &Sheet<'c>) -> Result<Candidate, Objection> {
-        let mut candidate = self.candidate(index, attempt, sheet);
+        let mut candidate = Candidate::of(index, attempt, sheet);
         self.accepts(&candidate)?;
         for question in &sheet.questions {
             suitability::judge(&question.solution, &question.parts)?;
@@ -365,22 +365,6 @@ impl<'p, 'c> Chooser<'p, 'c> {
         }
         self.accepts(&candidate)?;
         Ok(candidate)
-    }
-
-    /// A candidate of which nothing is known but its data.
-    fn candidate(&self, index: u64, attempt: u64, sheet: &Sheet<'c>) -> Candidate {
-        let mut candidate = Candidate {
-            index,
-            attempt,
-            variant: sheet.variant,
-            is_fixed: false,
-            gave_way: false,
-            questions: vec![Asked::default(); sheet.questions.len()],
-        };
-        for question in &sheet.questions {
-            candidate.questions[question.place].data = digest(&question.solution);
-        }
-        candidate
     }
 
     /// Whether a candidate repeats nothing, or has to be taken anyway.
@@ -465,6 +449,22 @@ impl Taken {
 }
 
 impl Candidate {
+    /// A candidate of which nothing is known but its data.
+    fn of(index: u64, attempt: u64, sheet: &Sheet<'_>) -> Self {
+        let mut candidate = Self {
+            index,
+            attempt,
+            variant: sheet.variant,
+            is_fixed: false,
+            gave_way: false,
+            questions: vec![Asked::default(); sheet.questions.len()],
+        };
+        for question in &sheet.questions {
+            candidate.questions[question.place].data = digest(&question.solution);
+        }
+        candidate
+    }
+
     /// Its place in the run, from 0.
     pub fn index(&self) -> u64 {
         self.index

@@ -42,7 +42,7 @@ fn spelled(text: &str) -> Option<String> {
             ' ' | '*' | '\u{2009}' | '\u{a0}' | '_' | '{' | '}' | '\\' | '·' | '⋅' => {}
             '−' => plain.push('-'),
             '₀'..='₉' => {
-                plain.push(char::from(b'0' + (u32::from(char) - u32::from('₀')) as u8))
+                plain.push(char::from(b'0' + (u32::from(char) - u32::from('₀')) as u8));
             }
             _ => match greek_name(char) {
                 Some(name) => plain.push_str(name),

@@ -11,7 +11,7 @@ use vibank_press_protocol::{Greeting, Job, Reply};
 
 /// A process has this long for a greeting and for any job: a page takes some 40 ms, and a slow machine may be ten times as
 /// slow and busy.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_mins(1);
 
 /// Bytes of text for which it has a second more: a key table of 300 variants, 4 MB, takes less than a minute.
 const BYTES_A_SECOND: usize = 20_000;

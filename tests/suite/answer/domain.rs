@@ -126,7 +126,7 @@ fn slips(expr: &Expr, letters: &[Name]) -> Vec<Expr> {
                     found.extend([a.clone(), b.clone(), make(other, a, b)]);
                 }
                 Operator::Multiply => {
-                    found.extend([a.clone(), b.clone(), make(Operator::Divide, a, b)])
+                    found.extend([a.clone(), b.clone(), make(Operator::Divide, a, b)]);
                 }
                 Operator::Divide => found.extend([
                     a.clone(),
