@@ -336,7 +336,7 @@ mod tests {
                 "\\begin{cases}1\\\\2\\end{cases}",
                 "\\begin{cases}1\\\\2\\end{cases}",
             ),
-            ("x < 1 \\text{ or } x > 2", "x < 1   or   x > 2"),
+            ("x < 1 \\text{ or } x > 2", "x < 1    or   x > 2"),
             ("1 et 2 ou 3", "1 and 2 or 3"),
             ("30^{\\circ}", "30°"),
         ] {
