@@ -99,6 +99,10 @@ pub(crate) fn entry(sheet: &Sheet<'_>) -> VariantEntry {
 
 impl Record {
     /// The files of a run that goes on at `mark`.
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "each is a different thing that the head of a manifest names"
+    )]
     pub(crate) fn open(
         out: &Folder,
         shard: Shard,

@@ -81,7 +81,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         .iter()
         .find(|variant| variant.code == code.to_string());
     let entry = entry.ok_or_else(|| Failure::new(format!("the manifest has no sheet {code}")))?;
-    let items = super::grade::RunItems::of(&[manifest.items.clone()], &catalogue, false);
+    let items =
+        super::grade::RunItems::of(std::slice::from_ref(&manifest.items), &catalogue, false);
     for question in &entry.questions {
         println!("Question {}", question.number);
         let solution = super::grade::solution(&items, question, manifest.decimal)?;

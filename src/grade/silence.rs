@@ -60,7 +60,10 @@ fn is_no_answer(response: &str) -> bool {
         .to_lowercase()
         .replace('’', "'");
     let words = words.split_whitespace().collect::<Vec<_>>().join(" ");
-    words.is_empty() || WORDS.contains(&&*words)
+    // Signs alone are a dash or a row of dots; more of them than a blank has room for are something mistyped.
+    const MAX_SIGNS: usize = 40;
+    let are_signs = words.is_empty() && response.chars().count() <= MAX_SIGNS;
+    are_signs || WORDS.contains(&&*words)
 }
 
 #[cfg(test)]

@@ -45,6 +45,15 @@ pub(crate) enum Missing {
     },
 }
 
+/// A variable of the environment.
+#[expect(
+    clippy::disallowed_methods,
+    reason = "where the press is found and how long it may take is the user's setting; no byte of a sheet depends on it"
+)]
+fn setting(name: &str) -> Option<std::ffi::OsString> {
+    std::env::var_os(name)
+}
+
 /// A file, or why there is none.
 pub(crate) type Printed = Result<Vec<u8>, String>;
 
@@ -52,7 +61,7 @@ impl Press {
     /// The press of this machine: the one that `VIBANK_PRESS` names, else the one beside the program, else the first
     /// one on the PATH, which is mentioned, since it may be another version's.
     pub(crate) fn find() -> Result<Self, Missing> {
-        if let Some(named) = std::env::var_os(VARIABLE) {
+        if let Some(named) = setting(VARIABLE) {
             return if named.is_empty() {
                 Err(Missing::Nowhere)
             } else {
@@ -67,7 +76,7 @@ impl Press {
         {
             return Self::at(program);
         }
-        let path = std::env::var_os("PATH").unwrap_or_default();
+        let path = setting("PATH").unwrap_or_default();
         let found = std::env::split_paths(&path)
             .map(|folder| folder.join(&name))
             .find(|program| program.is_file());

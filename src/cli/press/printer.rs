@@ -135,9 +135,9 @@ fn talk(
 
 /// How long a process may take for a text of so many bytes.
 fn patience(bytes: usize) -> Duration {
-    let named = std::env::var(VARIABLE).ok();
+    let named = super::setting(VARIABLE);
     let least = named
-        .and_then(|seconds| seconds.parse().ok())
+        .and_then(|seconds| seconds.to_str()?.parse().ok())
         .map_or(PATIENCE, Duration::from_secs);
     least + Duration::from_secs((bytes / BYTES_A_SECOND) as u64)
 }

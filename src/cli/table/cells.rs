@@ -170,7 +170,7 @@ impl<'t> Cursor<'t> {
                 words.push('\n');
                 self.end_of_line();
                 if self.line - first > MOST_LINES {
-                    return Err(Fault::Open { line });
+                    return Err(Fault::Open { line: first });
                 }
                 continue;
             }

@@ -136,7 +136,7 @@ fn sample(text: &str) -> String {
 /// The delimiter that a first line `sep=;` names for a spreadsheet, and where that line ends.
 fn named_delimiter(text: &str) -> Option<(usize, u8)> {
     let end = text.find(['\n', '\r'])?;
-    match text[..end].as_bytes().split_at_checked(4)? {
+    match text.as_bytes()[..end].split_at_checked(4)? {
         (word, [delimiter]) if word.eq_ignore_ascii_case(b"sep=") => Some((end, *delimiter)),
         _ => None,
     }
