@@ -3,7 +3,7 @@
 use vibank::answer::Verdict;
 use vibank::bank::{Catalogue, embedded};
 use vibank::document::{Document, Fill, Fills};
-use vibank::grade::{Feedback, PartFeedback, QuestionFeedback, Remark};
+use vibank::grade::{Comment, Feedback, PartFeedback, QuestionFeedback};
 use vibank::math::{Display, Math, TYPST_PRELUDE};
 use vibank::numerics::Rational;
 use vibank::output::{self, KeyTable, Kind, Pages, Run};
@@ -139,7 +139,7 @@ fn nothing_typed_is_read_as_markup() {
         max,
         response: typed.to_owned(),
         reading: None,
-        remarks: vec![Remark::sentence("Not `5 m`.")],
+        remarks: vec![Comment::sentence("Not `5 m`.")],
     };
     let feedback = Feedback {
         code: "X".to_owned(),

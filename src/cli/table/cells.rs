@@ -294,6 +294,6 @@ mod tests {
         );
         let read = rows(&text);
         assert_eq!(read[0], "line 1: a quote is not closed");
-        assert_eq!(read.len(), 504);
+        assert_eq!(read.len(), text.lines().count());
     }
 }

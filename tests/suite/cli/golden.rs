@@ -33,10 +33,17 @@ const WORDS: [&str; 7] = [
 
 /// What later versions changed on purpose, by the end of the place and version; `CHANGELOG.md` names each under
 /// *Changed*.
-const EXCEPTIONS: [(&str, &str); 4] = [
+const EXCEPTIONS: [(&str, &str); 9] = [
     // A response that could not be read is undecided, which is not the same as 0 points.
     (".credit was 0.0, is null", "0.1.0"),
     (".points was 0.0, is null", "0.1.0"),
+    // Like unreadable responses are one entry, with the sheets that gave them.
+    (".unreadable[0].code is gone", "0.1.0"),
+    (".unreadable[0].student is gone", "0.1.0"),
+    (".unreadable[0].place is gone", "0.1.0"),
+    // Sheets with undecided parts are left out of the reliability: of two sheets none is left.
+    (".reliability was 0.9292929292929292, is null", "0.1.0"),
+    (".measurement_error was 2.068278940998478, is null", "0.1.0"),
     // The key of a function of time had empty lists of values, and has its text now.
     (".key.at is gone", "0.1.0"),
     (".key.si is gone", "0.1.0"),
