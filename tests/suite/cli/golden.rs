@@ -150,8 +150,21 @@ fn runs_of_earlier_versions_are_marked_with_the_same_result() {
                 .unwrap_or_else(|| panic!("marks.csv has no column {name}"));
             lines.map(|mut cells| cells.nth(place).unwrap()).collect()
         };
+        // Points that are still open stand behind those that are settled, `27 + ?1`; they counted as none in 0.1.0.
+        let settled = |cells: Vec<String>| -> Vec<String> {
+            let settle = |cell: String| match cell.split_once('?') {
+                Some(("", _)) => "0".to_owned(),
+                Some((settled, _)) => settled.trim_end_matches([' ', '+']).to_owned(),
+                None => cell,
+            };
+            cells.into_iter().map(settle).collect()
+        };
         for name in ["code", "points", "max", "1a", "5k"] {
-            assert_eq!(column(&old, name), column(&new, name), "column {name}");
+            assert_eq!(
+                column(&old, name),
+                settled(column(&new, name)),
+                "column {name}"
+            );
         }
     }
 }
