@@ -15,7 +15,7 @@
 //! # Other readings
 //!
 //! How far a divisor reaches, a root or a function without brackets, an exponent, may be meant otherwise than the
-//! rules have it. A text has all its [other](Typed::others) readings, too: a kind takes one where only that has the
+//! rules have it. A text has all its other readings, too: a kind takes one where only that has the
 //! right dimension, and asks back where one is right that was not taken.
 
 mod amount;
