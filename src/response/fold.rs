@@ -165,9 +165,25 @@ impl Folder<'_> {
 
     fn plain(&mut self, plain: Plain, length: usize) {
         match plain {
-            Plain::Text(text) => self.write(text, length),
+            Plain::Text(text) => self.sign(text, length),
             Plain::Nothing => self.write("", length),
         }
+    }
+
+    /// Writes one sign. Signs that were typed as different ones are no run: `*·` is not a power.
+    fn sign(&mut self, text: &str, length: usize) {
+        if self.would_run(text) {
+            self.write(" ", 0);
+        }
+        self.write(text, length);
+    }
+
+    /// Whether a sign would make a run with what stands before it.
+    fn would_run(&self, sign: &str) -> bool {
+        RUNS.iter().any(|(run, _)| {
+            let before = run.strip_suffix(sign).unwrap_or_default();
+            !before.is_empty() && self.text.ends_with(before)
+        })
     }
 
     fn piece(&mut self) {
@@ -197,7 +213,7 @@ impl Folder<'_> {
             return self.plain(plain, width);
         }
         let letter = unstyled(char);
-        self.write(letter.encode_utf8(&mut [0; 4]), width);
+        self.sign(letter.encode_utf8(&mut [0; 4]), width);
     }
 
     /// The word between spaces that stands here, if another one stands for it.
