@@ -303,6 +303,6 @@ fn answer(text: &str) -> u64 {
                 assert_eq!(again.text, reading.text, "the echo of `{typed}` is read differently");
             }
         }
-        saw(&(place, marking.verdict, &marking.reasons))
+        saw(&(place, marking.verdict, &marking.reasons()))
     })
 }
