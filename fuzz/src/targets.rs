@@ -193,6 +193,7 @@ thread_local! {
             instructions: Document::default(),
             language: "en".into(),
             decimal: '.',
+            doubt: Doubt::default(),
             data: Data::Both,
             questions: vec![PracticeQuestion::of(item, 0, "Kinds")],
         };

@@ -9,14 +9,15 @@
 //! ask  = "How many half-cycles does it make?"
 //! ```
 
+use super::settle::{Candidate, Rule, settle};
 use super::{
-    Answer, AnswerError, Answered, Context, Credit, Declare, Key, KeyValue, Marker, Marking,
+    Answer, AnswerError, Answered, Context, Credit, Declare, Doubt, Key, KeyValue, Marker, Marking,
     Misfit, Nature, Reading, Remark, Slip, Trial, Why, numeric,
 };
 use crate::expr::Form;
 use crate::math::Math;
 use crate::quantity::{Absent, NodeId};
-use crate::unit::{Decimal, DecimalMark};
+use crate::unit::{Decimal, DecimalMark, Quantity};
 
 #[derive(Debug)]
 struct Integer {
@@ -27,6 +28,7 @@ struct Whole {
     key: f64,
     mistakes: Vec<(usize, f64, Credit)>,
     mark: DecimalMark,
+    doubt: Doubt,
 }
 
 /// Reads the keys of a part that belong to this kind; what is wrong is noted.
@@ -74,6 +76,7 @@ impl Answer for Integer {
             key,
             mistakes: numbers.collect(),
             mark: context.mark,
+            doubt: context.doubt,
         }))
     }
 }
@@ -107,10 +110,22 @@ impl Marker for Whole {
     }
 
     fn mark(&self, response: &str) -> Marking {
-        let quantity = match numeric::quantity(response, self.mark) {
-            Ok(quantity) => quantity,
+        let (first, others) = match numeric::readings(response, self.mark) {
+            Ok(readings) => readings,
             Err(why) => return Marking::unreadable(why),
         };
+        let candidate = |quantity: Quantity| Candidate {
+            shown: quantity.text(self.mark),
+            marking: self.judged(&quantity),
+        };
+        let others = others.into_iter().map(candidate);
+        settle(self.doubt, Rule::None, candidate(first), others)
+    }
+}
+
+impl Whole {
+    /// The marking of a reading.
+    fn judged(&self, quantity: &Quantity) -> Marking {
         let number = quantity.value.to_f64();
         if quantity.unit.text() == "rev" {
             return Marking::unreadable(Why::CountedUnit);

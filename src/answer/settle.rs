@@ -9,7 +9,17 @@ use super::{Marking, Note, Verdict, Why};
 /// | `15,811 rad/s` | right, with a remark | handed back with both readings | to the teacher |
 /// | `17,300 rad/s` | wrong | wrong | wrong |
 #[derive(
-    Clone, Copy, Debug, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize,
+    Clone,
+    Copy,
+    Debug,
+    Default,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Hash,
+    serde::Serialize,
+    serde::Deserialize,
 )]
 #[serde(rename_all = "lowercase")]
 pub enum Doubt {
@@ -22,17 +32,70 @@ pub enum Doubt {
     Undecided,
 }
 
+impl Doubt {
+    /// The policies.
+    pub const ALL: [Self; 3] = [Self::Benefit, Self::Ask, Self::Undecided];
+
+    /// Its name, as in blueprints and requests.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Benefit => "benefit",
+            Self::Ask => "ask",
+            Self::Undecided => "undecided",
+        }
+    }
+
+    /// The policy with this name.
+    ///
+    /// ```
+    /// use vibank::answer::Doubt;
+    /// assert_eq!(Doubt::of_name("ask"), Some(Doubt::Ask));
+    /// ```
+    pub fn of_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|own| own.name() == name)
+    }
+}
+
 /// A reading of a response: how it is shown, and what it comes to.
 pub(super) struct Candidate {
     pub(super) shown: String,
     pub(super) marking: Marking,
 }
 
-/// The marking of a response by those of its readings, the conventional one first; at least one.
+/// Whether the rules that students are given say which of several readings is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Rule {
+    /// They do, as for products without signs: by them the conventional reading is right without a doubt.
+    Stated,
+    /// Nothing tells, as for three digits behind a comma.
+    None,
+}
+
+/// The most readings of a response that are looked at, the conventional one among them.
+const MOST_READINGS: usize = 4;
+
+/// The marking of a response by those of its readings, the conventional one first.
 /// If none is right, or all come to the same, the first counts.
-pub(super) fn settle(doubt: Doubt, first: Candidate, others: Vec<Candidate>) -> Marking {
+pub(super) fn settle(
+    doubt: Doubt,
+    rule: Rule,
+    first: Candidate,
+    others: impl IntoIterator<Item = Candidate>,
+) -> Marking {
+    if rule == Rule::Stated && first.marking.verdict == Verdict::Right {
+        return first.marking;
+    }
     let differs = |other: &Candidate| other.marking.verdict != first.marking.verdict;
-    let Some(other) = others.into_iter().find(differs) else {
+    let others = others.into_iter().take(MOST_READINGS - 1);
+    let differing = others.filter(differs);
+    // The best of them, and the first of several that are as good.
+    let Some(other) = differing.reduce(|best, other| {
+        if other.marking.credit > best.marking.credit {
+            other
+        } else {
+            best
+        }
+    }) else {
         return first.marking;
     };
     match doubt {
@@ -81,6 +144,7 @@ mod tests {
     fn verdict(doubt: Doubt, first: Credit, other: Credit) -> Verdict {
         settle(
             doubt,
+            Rule::None,
             candidate("1.25", first),
             vec![candidate("1250", other)],
         )
@@ -106,9 +170,20 @@ mod tests {
     }
 
     #[test]
+    fn a_stated_rule_leaves_no_doubt_about_what_is_right_by_it() {
+        let of = |first, other| {
+            let other = vec![candidate("k/m*2", other)];
+            settle(Doubt::Ask, Rule::Stated, candidate("k/(m*2)", first), other).verdict
+        };
+        assert_eq!(of(Credit::FULL, Credit::NONE), Verdict::Right);
+        assert_eq!(of(Credit::NONE, Credit::FULL), Verdict::Unreadable);
+    }
+
+    #[test]
     fn what_is_given_the_benefit_says_so() {
         let marking = settle(
             Doubt::Benefit,
+            Rule::None,
             candidate("1.25", Credit::NONE),
             vec![candidate("1250", Credit::FULL)],
         );

@@ -1,11 +1,12 @@
 //! `vibank mark`
 
 use serde_json::{Map, Value as Json};
-use vibank::answer::Verdict;
+use vibank::answer::{Doubt, Verdict};
 use vibank::grade::request::{self, Request};
 use vibank::solution::Session;
 
 use super::bank::BankArgument;
+use super::doubt::doubt;
 use super::{Failure, Outcome, lines, solve};
 
 /// Mark one response, or those of a script.
@@ -36,11 +37,15 @@ pub(crate) struct Arguments {
     /// Draw what is not set from this seed.
     #[arg(long)]
     seed: Option<u64>,
+    /// What becomes of a response with two readings of which one is right: it is asked back, or the right one counts
+    /// as on paper, or it is left to the teacher.
+    #[arg(long, value_name = "POLICY", default_value = "ask", value_parser = doubt())]
+    doubt: Doubt,
     /// Print JSON.
     #[arg(long)]
     json: bool,
     /// Read requests from standard input, one JSON object a line.
-    #[arg(long, conflicts_with_all = ["item", "part", "response", "set", "earlier", "seed"])]
+    #[arg(long, conflicts_with_all = ["item", "part", "response", "set", "earlier", "seed", "doubt"])]
     jsonl: bool,
     #[command(flatten)]
     bank: BankArgument,
@@ -59,6 +64,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         part: arguments.part.clone().unwrap_or_default(),
         response: arguments.response.clone().unwrap_or_default(),
         earlier: earlier(&arguments.earlier)?,
+        doubt: arguments.doubt,
         tag: None,
     };
     let reply = request::reply(&mut session, request);

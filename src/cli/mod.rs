@@ -26,6 +26,7 @@ mod check;
 mod class_list;
 mod completions;
 mod compute;
+mod doubt;
 mod explain;
 mod failure;
 mod files;

@@ -2,11 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
+use vibank::answer::Doubt;
 use vibank::bank::{Catalogue, Compiled, Template};
 use vibank::source::Source;
 use vibank::worksheet::{Blueprint, Plan, Practice};
 
 use super::bank::{self, BankArgument};
+use super::doubt::doubt;
 use super::files::{self, Access};
 use super::filter::Filter;
 use super::{Failure, Outcome};
@@ -23,6 +25,10 @@ pub(crate) struct Arguments {
     /// The title of the page; else that of the blueprint or the bank.
     #[arg(long)]
     title: Option<String>,
+    /// What becomes of an answer with two readings of which one is right; else as the blueprint says, or it is asked
+    /// back.
+    #[arg(long, value_name = "POLICY", value_parser = doubt())]
+    doubt: Option<Doubt>,
     /// The file to write.
     #[arg(long, value_name = "FILE", default_value = "practice.html")]
     out: PathBuf,
@@ -45,6 +51,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     };
     if let Some(title) = &arguments.title {
         practice.title.clone_from(title);
+    }
+    if let Some(doubt) = arguments.doubt {
+        practice.doubt = doubt;
     }
     let page = vibank::output::practice(&practice, &items)
         .map_err(|error| Failure::new(error.to_string()))?;

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use vibank::answer::Doubt;
 use vibank::bank::Catalogue;
 use vibank::worksheet::{
     BankStamp, FORMAT, FileStamp, Manifest, PartEntry, Plan, QuestionEntry, Sheet, VariantEntry,
@@ -239,6 +240,7 @@ fn head(
         data: blueprint.data,
         language: blueprint.language.value.clone(),
         decimal: blueprint.decimal,
+        doubt: blueprint.doubt.unwrap_or(Doubt::Benefit),
         csv: blueprint.csv,
         keyed: plan.secret.is_some(),
         shard: shard.to_string(),

@@ -85,7 +85,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         super::grade::RunItems::of(std::slice::from_ref(&manifest.items), &catalogue, false);
     for question in &entry.questions {
         println!("Question {}", question.number);
-        let solution = super::grade::solution(&items, question, manifest.decimal)?;
+        let solution = super::grade::solution(&items, question, manifest.decimal, manifest.doubt)?;
         let parts = &solution.template().parts;
         let place = |part: &PartEntry| parts.iter().position(|found| found.id == part.id);
         let places: Vec<usize> = question.parts.iter().filter_map(place).collect();

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value as Json};
 
 use super::{Comment, Grade, remarks};
-use crate::answer::{Credit, Reason, Verdict};
+use crate::answer::{Credit, Doubt, Reason, Verdict};
 use crate::bank::Template;
 use crate::solution::Session;
 use crate::solution::request::{Refusal, read};
@@ -33,6 +33,9 @@ pub struct Request {
     /// Responses to other parts, by part: earlier ones for follow-through, equations that are asked beside this one.
     #[serde(default)]
     pub earlier: Map<String, Json>,
+    /// What becomes of it where it has two readings with different verdicts; if absent whoever answers is asked.
+    #[serde(default)]
+    pub doubt: Doubt,
     /// Any value, returned.
     #[serde(default)]
     pub tag: Option<Json>,
@@ -122,7 +125,7 @@ fn marked(session: &mut Session<'_>, request: &Request) -> Result<Marked, Refusa
         }
         responses.push((earlier, response));
     }
-    let solution = session.solution(template, request.seed, &request.set)?;
+    let solution = session.solution(template, request.seed, &request.set, request.doubt)?;
     let grade = Grade::mark(&solution, responses);
     let marking = grade.part(place).expect("its response was marked");
     let reading = marking.reading.as_ref();

@@ -306,7 +306,6 @@ fn reasons() -> Vec<Why> {
             thousands: "1250".to_owned(),
         },
         Why::PointOrProduct(text()),
-        Why::LostPower(text()),
         Why::BracketAfterNumber,
         Why::Minutes,
         Why::Inequality,

@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize, Serializer};
 use serde_json::{Map, Value as Json, json};
 
 use super::{Entry, Session, Solution};
+use crate::answer::Doubt;
 use crate::bank::{ParameterError, Template};
 use crate::expr::Precise;
 use crate::instance::{Instance, InstanceError};
@@ -173,7 +174,8 @@ pub fn reply(session: &mut Session<'_>, request: Request) -> (Reply, Option<Trac
 fn solve(session: &mut Session<'_>, request: &Request) -> Result<(Solved, Trace), Refusal> {
     let template = session.find(&request.id)?;
     let at = times(&request.at)?;
-    let solution = session.solution(template, request.seed, &request.set)?;
+    let doubt = Doubt::default();
+    let solution = session.solution(template, request.seed, &request.set, doubt)?;
     let mut answers: Vec<(String, Entry)> = Vec::new();
     match &request.want {
         Some(ids) => {

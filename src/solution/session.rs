@@ -7,6 +7,7 @@ use serde_json::{Map, Value as Json};
 
 use super::Solution;
 use super::request::{Refusal, instance};
+use crate::answer::Doubt;
 use crate::bank::{Catalogue, Template};
 
 /// Solutions that are kept. One with all its parts prepared takes up to half a megabyte, so that these are the whole bank
@@ -38,12 +39,13 @@ pub struct Session<'c> {
     is_lost: bool,
 }
 
-/// What makes an instance: the item by its place in the catalogue, the seed, and what is set, as it was written.
+/// What makes a solution: the item, the seed, what is set as it was written, and how doubts are settled.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 struct Data {
     item: String,
     seed: Option<u64>,
     set: String,
+    doubt: Doubt,
 }
 
 struct Kept<'c> {
@@ -93,6 +95,7 @@ impl<'c> Session<'c> {
         template: &'c Template,
         seed: Option<u64>,
         set: &Map<String, Json>,
+        doubt: Doubt,
     ) -> Result<Rc<Solution<'c>>, Refusal> {
         self.count += 1;
         let data = Data {
@@ -103,12 +106,13 @@ impl<'c> Session<'c> {
             } else {
                 Json::Object(set.clone()).to_string()
             },
+            doubt,
         };
         if let Some(kept) = self.kept.get_mut(&data) {
             kept.last = self.count;
             return Ok(Rc::clone(&kept.solution));
         }
-        let solution = Rc::new(Solution::of(instance(template, seed, set)?));
+        let solution = Rc::new(Solution::of(instance(template, seed, set)?).settling(doubt));
         if data.set.len() <= LONGEST_DATA {
             self.keep(data, Rc::clone(&solution));
         }
@@ -140,7 +144,10 @@ mod tests {
             .expect("an item");
         let none = Map::new();
         let mut of = |seed, set: &Map<String, Json>| {
-            session.solution(template, seed, set).expect("a solution")
+            {
+            let solution = session.solution(template, seed, set, Doubt::Ask);
+            solution.expect("a solution")
+        }
         };
         let first = of(Some(1), &none);
         assert!(Rc::ptr_eq(&first, &of(Some(1), &none)));

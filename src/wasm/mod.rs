@@ -95,7 +95,7 @@ impl Grader {
     /// let item = catalogue.find("ch3/e5-log-decrement").unwrap();
     /// let practice = Practice {
     ///     program: "doc".into(), title: "Practice".into(), instructions: Document::default(),
-    ///     language: "en".into(), decimal: '.', data: Default::default(),
+    ///     language: "en".into(), decimal: '.', doubt: Default::default(), data: Default::default(),
     ///     questions: vec![PracticeQuestion::of(item, 0, "Damping")],
     /// };
     /// let grader = Grader::of(&practice.lines(&[Compiled::of(item)])).unwrap();
@@ -165,7 +165,7 @@ impl Grader {
         } else {
             DecimalMark::Point
         };
-        Ok(Solution::with_mark(instance, mark))
+        Ok(Solution::with_mark(instance, mark).settling(self.practice.doubt))
     }
 
     fn scene<'s, 't>(&self, solution: &'s Solution<'t>) -> Scene<'s, 't> {

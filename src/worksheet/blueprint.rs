@@ -1,6 +1,7 @@
 //! A blueprint: what a sheet is made of, as a teacher writes it.
 
 use super::manifest::Csv;
+use crate::answer::Doubt;
 use crate::diagnostic::{Code, Diagnose, Finding, Label};
 use crate::document::Document;
 use crate::scene;
@@ -80,6 +81,8 @@ pub struct Blueprint {
     pub language: Text,
     /// Decimal sign.
     pub decimal: char,
+    /// What becomes of answers with two readings, where that is stated.
+    pub doubt: Option<Doubt>,
     /// Data as numbers or symbols.
     pub data: scene::Data,
     /// Whether figures are shown.
@@ -409,6 +412,14 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
             &[Csv::Plain, Csv::Excel],
         ),
     };
+    let doubt = table.has("doubt").then(|| {
+        faults.word(
+            &table,
+            "doubt",
+            &["benefit", "ask", "undecided"],
+            &[Doubt::Benefit, Doubt::Ask, Doubt::Undecided],
+        )
+    });
     let instructions = table.text("instructions").map(|text| {
         let (document, mut found) = Document::read_bare(&text, faults.source);
         faults.findings.append(&mut found);
@@ -439,6 +450,7 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
         ),
         language: table.text("language").unwrap_or_else(|| word("en")),
         decimal,
+        doubt,
         data: faults.word(
             &table,
             "data",

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use crate::answer::Doubt;
 use crate::bank::{ItemId, Revision};
 use crate::scene::Data;
 use crate::seed::Variant;
@@ -41,6 +42,9 @@ pub struct Manifest {
     pub language: String,
     /// Decimal sign.
     pub decimal: char,
+    /// What becomes of answers with two readings; on paper nobody can be asked.
+    #[serde(default = "benefit")]
+    pub doubt: Doubt,
     /// How its tables are written.
     #[serde(default)]
     pub csv: Csv,
@@ -71,6 +75,11 @@ pub struct Manifest {
     /// The files of the run that are no single sheet's, each with its digest; but for the form, which is filled in.
     #[serde(default)]
     pub files: BTreeMap<String, String>,
+}
+
+/// How doubts of earlier manifests are settled, which do not say.
+fn benefit() -> Doubt {
+    Doubt::Benefit
 }
 
 /// A bank, by title and digest.

@@ -5,6 +5,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::answer::Doubt;
 #[cfg(feature = "render")]
 use crate::bank::Catalogue;
 use crate::bank::{Compiled, ItemId, Template};
@@ -24,6 +25,9 @@ pub struct Practice {
     pub language: String,
     /// Decimal sign.
     pub decimal: char,
+    /// What becomes of answers with two readings.
+    #[serde(default)]
+    pub doubt: Doubt,
     /// Data as numbers or symbols.
     pub data: Data,
     /// The questions in order.
@@ -106,6 +110,7 @@ impl Practice {
             instructions: Document::default(),
             language: catalogue.bank.language.clone(),
             decimal: '.',
+            doubt: Doubt::Ask,
             data: Data::default(),
             questions: Vec::new(),
         };
@@ -123,6 +128,7 @@ impl Practice {
         practice.instructions.clone_from(&blueprint.instructions);
         practice.language.clone_from(&blueprint.language.value);
         practice.decimal = blueprint.decimal;
+        practice.doubt = blueprint.doubt.unwrap_or_default();
         practice.data = blueprint.data;
         for planned in &plan.questions {
             for item in &planned.candidates {

@@ -6,8 +6,9 @@ use std::sync::Arc;
 use super::Setup;
 use super::slip::slip;
 use crate::answer::equality::{Comparable, Comparison, Points};
+use crate::answer::settle::{Candidate, Rule, settle};
 use crate::answer::{
-    Answered, Credit, Key, Marker, Marking, Misfit, Nature, Note, Reading, Reason, Remark, Trial,
+    Answered, Credit, Doubt, Key, Marker, Marking, Misfit, Nature, Note, Reading, Reason, Remark, Trial,
     Verdict, Why,
 };
 use crate::expr::Expr;
@@ -22,6 +23,7 @@ pub(super) struct Prepared {
     pub(super) points: Points,
     pub(super) mistakes: Vec<Mistake>,
     pub(super) mark: DecimalMark,
+    pub(super) doubt: Doubt,
 }
 
 pub(super) struct Mistake {
@@ -40,29 +42,44 @@ struct Read {
 impl Prepared {
     /// The marking of a formula alone, without a unit behind it.
     pub(super) fn mark_alone(&self, response: &str) -> Result<Marking, TypedError> {
+        let mut readings = self.readings(response)?.into_iter();
+        let Some(first) = readings.next() else {
+            return Ok(Marking::unreadable(Why::Incomparable));
+        };
+        let is_number = first.expr.names().free.is_empty() && !first.expr.is_zero();
+        let is_number = is_number || first.misfit.is_some() && self.is_number(response);
+        if self.has_names() && is_number {
+            return Ok(Marking::unreadable(Why::FormulaNotNumber));
+        }
+        let candidate = |read: Read| Candidate {
+            shown: self.setup.lexicon.written(&read.expr),
+            marking: self.judged(&read),
+        };
+        let marking = settle(self.doubt, Rule::Stated, candidate(first), readings.map(candidate));
+        Ok(match marking.verdict {
+            Verdict::Right if self.contradicts_itself(response) => {
+                Marking::unreadable(Why::UnequalFormulas)
+            }
+            _ => marking,
+        })
+    }
+
+    /// The readings of a formula, the conventional one first: those of the right dimension, if one has it.
+    fn readings(&self, response: &str) -> Result<Vec<Read>, TypedError> {
         let typed = self.read(response)?;
-        let readings = [typed.value].into_iter().chain(typed.others);
-        let mut readings: Vec<Read> = readings
+        let all = [typed.value].into_iter().chain(typed.others);
+        let mut all: Vec<Read> = all
             .map(|expr| Read {
                 misfit: self.misfit(&expr),
                 expr,
             })
             .collect();
-        let fitting = readings.iter().position(|read| read.misfit.is_none());
-        let read = readings.swap_remove(fitting.unwrap_or(0));
-        let is_number = read.expr.names().free.is_empty() && !read.expr.is_zero();
-        let is_number = is_number || read.misfit.is_some() && self.is_number(response);
-        if self.has_names() && is_number {
-            return Ok(Marking::unreadable(Why::FormulaNotNumber));
+        if all.iter().any(|read| read.misfit.is_none()) {
+            all.retain(|read| read.misfit.is_none());
+        } else {
+            all.truncate(1);
         }
-        let marking = self.judged(&read);
-        Ok(match marking.verdict {
-            Verdict::Right if self.contradicts_itself(response) => {
-                Marking::unreadable(Why::UnequalFormulas)
-            }
-            Verdict::Right => marking,
-            _ => self.question(&read, &marking, &readings).unwrap_or(marking),
-        })
+        Ok(all)
     }
 
     /// The marking of a reading by what it comes to.
@@ -109,25 +126,6 @@ impl Prepared {
         let is_it =
             |mistake: &&Mistake| self.points.compare(&mistake.formula, typed) == Comparison::Same;
         self.mistakes.iter().find(is_it)
-    }
-
-    /// The question that is asked back where a reading was marked wrong and another one of the dimension is right, or
-    /// a mistake that has a name.
-    fn question(&self, first: &Read, marking: &Marking, others: &[Read]) -> Option<Marking> {
-        let is_named =
-            |marking: &Marking| matches!(marking.reason(), Reason::Mistake(_) | Reason::TwoPi);
-        let is_more = |other: &&Read| {
-            let other = self.judged(other);
-            other.verdict == Verdict::Right || is_named(&other) && !is_named(marking)
-        };
-        let fitting = others.iter().filter(|other| other.misfit.is_none());
-        let other = fitting
-            .filter(|other| other.expr != first.expr)
-            .find(is_more)?;
-        Some(Marking::unreadable(Why::TwoReadings(
-            self.setup.lexicon.written(&first.expr),
-            self.setup.lexicon.written(&other.expr),
-        )))
     }
 
     /// Whether another side of the equals signs is a formula that is not the same as the last one.

@@ -182,6 +182,7 @@ impl Answer for Formula {
             points,
             mistakes,
             mark: context.mark,
+            doubt: context.doubt,
         }))
     }
 }

@@ -1,9 +1,10 @@
 //! Complex numbers as people type them, and how they are marked: `3 - 4i ohm`, `-100j ohm`, `5 ohm at -53 deg`, `5∠-53°`.
 
 use super::super::{
-    Answered, Credit, Decades, Example, Key, KeyValue, Marker, Marking, Misfit, Mistaken, Negated,
+    Answered, Credit, Decades, Doubt, Example, Key, KeyValue, Marker, Marking, Misfit, Mistaken, Negated,
     Reading, Remark, Slip, Trial, Unreadable, Why,
 };
+use super::super::settle::{Candidate, Rule, settle};
 use super::list::parted;
 use super::read::explained;
 use crate::expr::{Constant, Expr, Form, Kind};
@@ -31,6 +32,7 @@ pub(super) struct Numbers {
     pub(super) form: Form,
     pub(super) digits: u32,
     pub(super) mark: DecimalMark,
+    pub(super) doubt: Doubt,
     pub(super) targets: Vec<Target>,
     pub(super) mistakes: Vec<Mistaken>,
     pub(super) is_list: bool,
@@ -65,28 +67,33 @@ fn is_off_by_ten(target: &Target, typed: Complex) -> bool {
 /// A complex number as it was typed: before its unit, with the unit where one is written, and as a formula.
 type Written = (Complex, Option<Unit>, Expr);
 
+/// Which reading is taken of numbers that may be meant otherwise: one convention holds for the whole response.
+#[derive(Clone, Copy, PartialEq)]
+enum Way {
+    Conventional,
+    Other,
+}
+
 /// The complex number that a part of a response is.
-fn number(values: &Values<'_>, part: &Part) -> Result<Written, Unreadable> {
+fn number(values: &Values<'_>, part: &Part, way: Way) -> Result<Written, Unreadable> {
     if let Some((modulus, angle)) = values.polar(part) {
-        return of_polar(values, &modulus, &angle);
+        return of_polar(values, &modulus, &angle, way);
     }
-    let amount = amount(values, part)?;
+    let amount = amount(values, part, way)?;
     let value = amount.value().and_then(|value| value.as_complex());
     let value = value.ok_or_else(|| like_complex(Why::Form))?;
     Ok((value, stated(&amount), formula(&amount)))
 }
 
-/// The amount that a part is; one that may be meant otherwise is asked back.
-fn amount(values: &Values<'_>, part: &Part) -> Result<Amount, Unreadable> {
-    let amount = values
+/// The amount that a part is.
+fn amount(values: &Values<'_>, part: &Part, way: Way) -> Result<Amount, Unreadable> {
+    let mut amount = values
         .amount(part)
         .map_err(|error| explained(&error, values, values.text(part)).like(Example::Complex))?;
-    if amount.others.is_empty() {
-        Ok(amount)
-    } else {
-        let typed = values.text(part).to_owned();
-        Err(Why::LostPower(typed).into())
+    if way == Way::Other && !amount.others.is_empty() {
+        amount = amount.others.swap_remove(0);
     }
+    Ok(amount)
 }
 
 /// The unit that is written with an amount.
@@ -112,15 +119,20 @@ pub(in crate::answer) fn complex_number(text: &str) -> Option<(Complex, Option<U
         is_complex: true,
     };
     let values = Values::read(folded.text(), style).ok()?;
-    let (value, unit, _) = number(&values, &values.all()).ok()?;
+    let (value, unit, _) = number(&values, &values.all(), Way::Conventional).ok()?;
     Some((value, unit))
 }
 
 /// Modulus and angle; the unit stands behind either.
-fn of_polar(values: &Values<'_>, modulus: &Part, angle: &Part) -> Result<Written, Unreadable> {
+fn of_polar(
+    values: &Values<'_>,
+    modulus: &Part,
+    angle: &Part,
+    way: Way,
+) -> Result<Written, Unreadable> {
     let (angle, behind) = values.unit_behind_angle(angle);
-    let size = amount(values, modulus)?;
-    let turn = amount(values, &angle)?;
+    let size = amount(values, modulus, way)?;
+    let turn = amount(values, &angle, way)?;
     let real = |amount: &Amount| amount.value().and_then(|value| value.as_real());
     let (Some(size_value), Some(turn_value)) = (real(&size), real(&turn)) else {
         return Err(like_complex(Why::Form));
@@ -154,9 +166,9 @@ fn of_polar(values: &Values<'_>, modulus: &Part, angle: &Part) -> Result<Written
 }
 
 impl Numbers {
-    fn read(&self, values: &Values<'_>, part: &Part) -> Result<Given, Box<Marking>> {
+    fn read(&self, values: &Values<'_>, part: &Part, way: Way) -> Result<Given, Box<Marking>> {
         let (value, stated, expr) =
-            number(values, part).map_err(|words| Box::new(Marking::unreadable(words)))?;
+            number(values, part, way).map_err(|words| Box::new(Marking::unreadable(words)))?;
         let unit = stated.unwrap_or(self.unit);
         let formula = expr.typeset(&crate::expr::PlainNotation);
         let (math, text) = if unit.is_one() {
@@ -320,9 +332,25 @@ impl Marker for Numbers {
             Ok(read) => read,
             Err(help) => return Marking::unreadable(help),
         };
+        let candidate = |way| {
+            let marking = self.judged(&values, &parts, way);
+            let read = marking.reading.as_ref();
+            let shown = read.map_or_else(String::new, |reading| reading.math.plain());
+            Candidate { shown, marking }
+        };
+        let first = candidate(Way::Conventional);
+        let other = candidate(Way::Other);
+        let is_doubtful = other.shown != first.shown;
+        settle(self.doubt, Rule::None, first, is_doubtful.then_some(other))
+    }
+}
+
+impl Numbers {
+    /// The marking of one reading of the parts of a response.
+    fn judged(&self, values: &Values<'_>, parts: &[Part], way: Way) -> Marking {
         let mut items = Vec::new();
         for part in parts {
-            match self.read(&values, &part) {
+            match self.read(values, part, way) {
                 Ok(typed) => items.push(typed),
                 Err(marking) => return *marking,
             }

@@ -1,6 +1,6 @@
 //! Marks numbers: right, a named mistake, or a slip that can be told from the number alone.
 
-use super::super::settle::{Candidate, settle};
+use super::super::settle::{Candidate, Rule, settle};
 use super::super::{
     Answered, Credit, Doubt, Key, KeyValue, Marker, Marking, Misfit, Mistaken, Note, Reading,
     Remark, Trial, Why,
@@ -253,7 +253,7 @@ impl Numbers {
             marking,
         };
         let others = vec![candidate(other, mark(other))];
-        settle(self.doubt, candidate(items, first), others)
+        settle(self.doubt, Rule::None, candidate(items, first), others)
     }
 
     /// With radians for its unit, where degrees are asked and a number has none, but π in it.

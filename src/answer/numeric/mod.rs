@@ -35,7 +35,7 @@ use self::marker::{Mistake, Numbers};
 use self::target::Target;
 
 pub(super) use self::complex::complex_number;
-pub(super) use self::read::quantity;
+pub(super) use self::read::{quantity, readings};
 
 /// What a part asks for.
 #[derive(Debug)]
@@ -243,6 +243,7 @@ impl Numeric {
             form: key.form(),
             digits: self.digits,
             mark: context.mark,
+            doubt: context.doubt,
             targets: (0..key.shape().len()).map(target).collect(),
             mistakes: context.mistakes.clone(),
             is_list: self.is_list,

@@ -183,7 +183,20 @@ pub(super) fn explained(error: &TypedError, values: &Values<'_>, typed: &str) ->
     }
 }
 
-/// The quantity that a response is.
+/// The quantity that a response is, by its conventional reading, and what else may be meant.
+///
+/// # Errors
+///
+/// As for [`number`].
+pub(crate) fn readings(
+    response: &str,
+    mark: DecimalMark,
+) -> Result<(Quantity, Vec<Quantity>), Unreadable> {
+    let number = number(response, mark)?;
+    Ok((number.quantity, number.others))
+}
+
+/// The quantity that a response is without a doubt.
 ///
 /// # Errors
 ///

@@ -84,8 +84,6 @@ pub enum Why {
     },
     /// `162.10^-3`, a decimal sign or a product, and the number before it.
     PointOrProduct(String),
-    /// `162·10-3`: the exponent.
-    LostPower(String),
     /// `0.29 (2/7)`.
     BracketAfterNumber,
     /// `60°30'`.

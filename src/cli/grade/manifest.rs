@@ -57,6 +57,8 @@ pub(crate) struct Sheets {
     pub(crate) head: Manifest,
     /// The decimal sign of the sheets that were read last.
     pub(crate) decimal: char,
+    /// What becomes of answers with two readings on the sheets that were read last.
+    pub(crate) doubt: Doubt,
     /// The items of the manifests that were read to their ends.
     pub(crate) items: Vec<BTreeMap<String, String>>,
     rest: Rest,
@@ -98,6 +100,7 @@ impl Sheets {
         let of = |mut head: Manifest, rest: Rest| Self {
             path: path.to_owned(),
             decimal: head.decimal,
+            doubt: head.doubt,
             items: match &rest {
                 Rest::Lines(..) => Vec::new(),
                 Rest::All(_) => vec![std::mem::take(&mut head.items)],
@@ -146,7 +149,8 @@ impl Sheets {
     fn go_on(&mut self, path: &Path) -> Result<(), Failure> {
         let next = Self::of_file(path)?;
         self.items.extend(next.items);
-        (self.path, self.rest, self.decimal) = (next.path, next.rest, next.decimal);
+        (self.path, self.rest) = (next.path, next.rest);
+        (self.decimal, self.doubt) = (next.decimal, next.doubt);
         self.is_first = false;
         Ok(())
     }
@@ -196,6 +200,7 @@ pub(crate) fn solution<'i>(
     items: &'i Items<'_>,
     question: &QuestionEntry,
     decimal: char,
+    doubt: Doubt,
 ) -> Result<Solution<'i>, Failure> {
     let template = items.find(&question.item, question.revision)?;
     let known: Vec<(&str, &str)> = question
@@ -211,6 +216,5 @@ pub(crate) fn solution<'i>(
     } else {
         DecimalMark::Point
     };
-    // On paper nobody can be asked.
-    Ok(Solution::with_mark(instance, mark).settling(Doubt::Benefit))
+    Ok(Solution::with_mark(instance, mark).settling(doubt))
 }

@@ -1,6 +1,6 @@
 //! Marking one sheet.
 
-use vibank::answer::{Credit, Verdict};
+use vibank::answer::{Credit, Doubt, Verdict};
 use vibank::bank::Template;
 use vibank::grade::{
     self, Comment, Feedback, Grade, PartFeedback, Place, QuestionFeedback, Responses,
@@ -20,6 +20,7 @@ use crate::cli::Failure;
 pub(super) struct Marker<'a> {
     pub(super) items: &'a Items<'a>,
     pub(super) decimal: char,
+    pub(super) doubt: Doubt,
     pub(super) responses: &'a Responses,
     pub(super) overrides: &'a Overrides,
 }
@@ -74,7 +75,7 @@ impl Marker<'_> {
         code: &str,
         question: &QuestionEntry,
     ) -> Result<(Vec<PartOutcome>, QuestionFeedback), Failure> {
-        let solution = solution(self.items, question, self.decimal)?;
+        let solution = solution(self.items, question, self.decimal, self.doubt)?;
         let answered = self.answered(code, question, solution.template())?;
         let responses = answered.iter().map(|part| (part.place, part.response()));
         let grade = Grade::mark(&solution, responses);

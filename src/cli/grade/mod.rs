@@ -261,6 +261,7 @@ impl Job<'_> {
         let marker = Marker {
             items: self.items,
             decimal: self.sheets.decimal,
+            doubt: self.sheets.doubt,
             responses: &self.responses,
             overrides: &self.overrides,
         };

@@ -8,6 +8,7 @@ use std::hash::{BuildHasher, RandomState};
 use std::io::IsTerminal;
 use std::path::PathBuf;
 
+use vibank::answer::Doubt;
 use vibank::bank::{Catalogue, Template};
 use vibank::instance::Instance;
 use vibank::seed::{Seed, Streams};
@@ -18,6 +19,7 @@ use self::log::Log;
 use self::screen::Screen;
 use self::session::{End, Session};
 use super::bank::{self, BankArgument};
+use super::doubt::doubt;
 use super::filter::Filter;
 use super::{Failure, Outcome};
 
@@ -36,6 +38,9 @@ pub(crate) struct Arguments {
     /// Repeat the session of this seed.
     #[arg(long)]
     seed: Option<u64>,
+    /// What becomes of an answer with two readings of which one is right.
+    #[arg(long, value_name = "POLICY", default_value = "ask", value_parser = doubt())]
+    doubt: Doubt,
     /// Stop after so many exercises.
     #[arg(long, value_name = "COUNT")]
     count: Option<usize>,
@@ -65,7 +70,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             if number == most {
                 break 'rounds;
             }
-            let solution = instance(items[at], seed, number)?;
+            let solution = instance(items[at], seed, number)?.settling(arguments.doubt);
             if let End::Session = session.exercise(&solution)? {
                 break 'rounds;
             }

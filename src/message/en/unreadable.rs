@@ -82,9 +82,6 @@ fn why(why: &Why) -> String {
         Why::PointOrProduct(number) => format!(
             "the point may be a decimal sign or stand for a product. Write a power of ten as in `{number}e3` or `{number}*10^3`."
         ),
-        Why::LostPower(exponent) => format!(
-            "a power of ten is written `10^{exponent}`. If another number is meant, work it out."
-        ),
         Why::BracketAfterNumber => "it is not clear whether this is a factor or another value. Type one number; a product needs its sign, `*`.".to_owned(),
         Why::Minutes => "type an angle with decimals of a degree, `60.5°` for 60° 30′.".to_owned(),
         Why::Inequality => "one value is asked.".to_owned(),

@@ -1,4 +1,5 @@
 //! Grading of whole instances.
 
+mod doubt;
 mod follow;
 mod relations;
