@@ -144,10 +144,8 @@ mod tests {
             .expect("an item");
         let none = Map::new();
         let mut of = |seed, set: &Map<String, Json>| {
-            {
             let solution = session.solution(template, seed, set, Doubt::Ask);
             solution.expect("a solution")
-        }
         };
         let first = of(Some(1), &none);
         assert!(Rc::ptr_eq(&first, &of(Some(1), &none)));

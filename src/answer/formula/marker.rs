@@ -8,8 +8,8 @@ use super::slip::slip;
 use crate::answer::equality::{Comparable, Comparison, Points};
 use crate::answer::settle::{Candidate, Rule, settle};
 use crate::answer::{
-    Answered, Credit, Doubt, Key, Marker, Marking, Misfit, Nature, Note, Reading, Reason, Remark, Trial,
-    Verdict, Why,
+    Answered, Credit, Doubt, Key, Marker, Marking, Misfit, Nature, Note, Reading, Reason, Remark,
+    Trial, Verdict, Why,
 };
 use crate::expr::Expr;
 use crate::response::{self, Trouble, TypedError};
@@ -55,7 +55,12 @@ impl Prepared {
             shown: self.setup.lexicon.written(&read.expr),
             marking: self.judged(&read),
         };
-        let marking = settle(self.doubt, Rule::Stated, candidate(first), readings.map(candidate));
+        let marking = settle(
+            self.doubt,
+            Rule::Stated,
+            candidate(first),
+            readings.map(candidate),
+        );
         Ok(match marking.verdict {
             Verdict::Right if self.contradicts_itself(response) => {
                 Marking::unreadable(Why::UnequalFormulas)

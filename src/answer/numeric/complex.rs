@@ -1,10 +1,10 @@
 //! Complex numbers as people type them, and how they are marked: `3 - 4i ohm`, `-100j ohm`, `5 ohm at -53 deg`, `5∠-53°`.
 
-use super::super::{
-    Answered, Credit, Decades, Doubt, Example, Key, KeyValue, Marker, Marking, Misfit, Mistaken, Negated,
-    Reading, Remark, Slip, Trial, Unreadable, Why,
-};
 use super::super::settle::{Candidate, Rule, settle};
+use super::super::{
+    Answered, Credit, Decades, Doubt, Example, Key, KeyValue, Marker, Marking, Misfit, Mistaken,
+    Negated, Reading, Remark, Slip, Trial, Unreadable, Why,
+};
 use super::list::parted;
 use super::read::explained;
 use crate::expr::{Constant, Expr, Form, Kind};

@@ -22,7 +22,11 @@ fn doubts_are_settled_as_the_book_says() {
             panic!("cells: {row}");
         };
         let quoted = |cell: &str| -> Vec<String> {
-            cell.split('`').skip(1).step_by(2).map(str::to_owned).collect()
+            cell.split('`')
+                .skip(1)
+                .step_by(2)
+                .map(str::to_owned)
+                .collect()
         };
         if let [item, id] = &quoted(place)[..] {
             part = Some((item.clone(), id.clone()));
@@ -39,7 +43,9 @@ fn doubts_are_settled_as_the_book_says() {
             count += 1;
             if marking.verdict.name() != *due {
                 let found = marking.verdict.name();
-                faults.push(format!("{item} {id} `{response}` {doubt:?}: {found}, not {due}"));
+                faults.push(format!(
+                    "{item} {id} `{response}` {doubt:?}: {found}, not {due}"
+                ));
             }
         }
     }
@@ -50,8 +56,13 @@ fn doubts_are_settled_as_the_book_says() {
 #[test]
 fn a_decimal_comma_that_is_set_is_no_doubt() {
     let (bank, _) = Catalogue::load(embedded());
-    let template = bank.find("ch2/p2-centre-pinned-bar-cable").expect("an item");
-    let place = template.parts.iter().position(|own| own.id == "omega_n_value");
+    let template = bank
+        .find("ch2/p2-centre-pinned-bar-cable")
+        .expect("an item");
+    let place = template
+        .parts
+        .iter()
+        .position(|own| own.id == "omega_n_value");
     let place = place.expect("a part of the item");
     for doubt in Doubt::ALL {
         let instance = Instance::of_source(template);
