@@ -10,7 +10,7 @@ use vibank::answer::{KeyValue, Verdict};
 use vibank::bank::{Catalogue, Compiled, Template, embedded};
 use vibank::diagnostic::Finding;
 use vibank::document::{Document, Filling, read_math};
-use vibank::grade::Grade;
+use vibank::grade::{Grade, mark};
 use vibank::instance::Instance;
 use vibank::math::Display;
 use vibank::scene::{Data, Scene};
@@ -272,7 +272,7 @@ fn printed_keys_are_right(solution: &Solution<'_>) {
             // A list of cases is for the eye alone.
             continue;
         }
-        let marking = marker.mark(&printed);
+        let marking = mark(solution, place, &printed);
         let id = &solution.template().parts[place].id;
         assert_eq!(marking.verdict, Verdict::Right, "`{printed}` of `{id}`");
     }
@@ -294,12 +294,9 @@ fn answer(text: &str) -> u64 {
             let verdicts = (0..count).map(|place| grade.part(place).map(|part| part.verdict));
             return saw(&verdicts.collect::<Vec<_>>());
         }
-        let Ok(marker) = solution.marker(place) else {
-            return 1;
-        };
-        let marking = marker.mark(typed);
+        let marking = mark(solution, place, typed);
         if let Some(reading) = &marking.reading {
-            let again = marker.mark(&reading.text);
+            let again = mark(solution, place, &reading.text);
             if let Some(again) = &again.reading {
                 assert_eq!(again.text, reading.text, "the echo of `{typed}` is read differently");
             }

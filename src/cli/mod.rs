@@ -32,6 +32,7 @@ mod failure;
 mod files;
 mod filter;
 mod folder;
+mod forget;
 #[cfg(feature = "fuzzing")]
 #[allow(
     missing_docs,
@@ -89,6 +90,7 @@ enum Command {
     Mark(mark::Arguments),
     Sheet(sheet::Arguments),
     Grade(grade::Arguments),
+    Forget(forget::Arguments),
     Practice(practice::Arguments),
     Compute(compute::Arguments),
     Check(check::Arguments),
@@ -137,6 +139,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Show(arguments) => show::run(&arguments),
         Command::Mark(arguments) => mark::run(&arguments),
         Command::Grade(arguments) => grade::run(&arguments),
+        Command::Forget(arguments) => forget::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Sheet(arguments) => sheet::run(&arguments),
         Command::Practice(arguments) => practice::run(&arguments),

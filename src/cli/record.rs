@@ -30,6 +30,16 @@ pub(crate) struct Record {
     is_first: bool,
 }
 
+/// What the head of a manifest names.
+#[derive(Clone, Copy)]
+pub(crate) struct Origin<'a> {
+    pub(crate) plan: &'a Plan<'a>,
+    pub(crate) catalogue: &'a Catalogue,
+    pub(crate) choice: &'a FormatChoice,
+    pub(crate) shard: Shard,
+    pub(crate) stamp: &'a Stamp,
+}
+
 /// The name of the form.
 pub(crate) const FORM: &str = "responses.csv";
 
@@ -94,26 +104,20 @@ pub(crate) fn entry(sheet: &Sheet<'_>) -> VariantEntry {
             .as_ref()
             .map(|student| student.columns.clone()),
         files: BTreeMap::new(),
+        pages: BTreeMap::new(),
         questions: sheet.questions.iter().map(question).collect(),
     }
 }
 
 impl Record {
-    /// The files of a run that goes on at `mark`.
-    #[expect(
-        clippy::too_many_arguments,
-        reason = "each is a different thing that the head of a manifest names"
-    )]
+    /// The files of a run that goes on at `mark`; of a form that is filled in, `kept_form` is the digest.
     pub(crate) fn open(
         out: &Folder,
-        shard: Shard,
-        stamp: &Stamp,
-        plan: &Plan<'_>,
-        choice: &FormatChoice,
-        catalogue: &Catalogue,
+        origin: Origin<'_>,
         mark: &Mark,
         kept_form: Option<String>,
     ) -> Result<Self, Failure> {
+        let Origin { plan, shard, .. } = origin;
         let name = shard.named("manifest", "json");
         let draft = |name: &str| out.go_on(name, mark.left(name));
         let mut manifest = draft(&name)?;
@@ -122,7 +126,7 @@ impl Record {
         let dialect = Dialect::new(plan.blueprint.csv, plan.blueprint.decimal);
         let is_first = mark.done == 0;
         if is_first {
-            manifest.write(head(plan, choice, catalogue, shard, stamp).as_bytes())?;
+            manifest.write(head(origin).as_bytes())?;
             if let Some(form) = &mut responses {
                 form.write(&dialect.head(&COLUMNS)?)?;
             }
@@ -177,11 +181,7 @@ impl Record {
             let what = "form for the answers, filled in and given to `vibank grade`";
             shown.push((FORM.to_owned(), what));
         }
-        let foot = json!({ "items": items, "form": digest, "files": files }).to_string();
-        let foot = foot
-            .strip_prefix('{')
-            .expect("an object begins with a brace");
-        self.manifest.write(format!("\n],{foot}\n").as_bytes())?;
+        self.manifest.write(end(items, &digest, files).as_bytes())?;
         self.manifest.finish()?;
         shown.push((self.name, "what marking needs; keep it to yourself"));
         Ok(shown)
@@ -214,13 +214,14 @@ fn rows(form: &mut Draft, dialect: Dialect, variant: &VariantEntry) -> Result<()
 }
 
 /// What stands before the variants.
-fn head(
-    plan: &Plan<'_>,
-    choice: &FormatChoice,
-    catalogue: &Catalogue,
-    shard: Shard,
-    stamp: &Stamp,
-) -> String {
+fn head(origin: Origin<'_>) -> String {
+    let Origin {
+        plan,
+        catalogue,
+        choice,
+        shard,
+        stamp,
+    } = origin;
     let blueprint = plan.blueprint;
     let name = Path::new(&*blueprint.source.path)
         .file_name()
@@ -253,8 +254,37 @@ fn head(
         form: String::new(),
         files: BTreeMap::new(),
     };
-    let head = serde_json::to_string(&head).expect("a manifest is plain data");
+    begin(&head)
+}
+
+/// What stands before the sheets of a manifest, which has none yet.
+fn begin(bare: &Manifest) -> String {
+    let head = serde_json::to_string(bare).expect("a manifest is plain data");
     head.strip_suffix("],\"files\":{}}")
         .expect("variants and files come last, and there are none")
         .to_owned()
+}
+
+/// What stands behind the sheets of a manifest.
+fn end(items: &BTreeMap<String, String>, form: &str, files: &BTreeMap<String, String>) -> String {
+    let end = json!({ "items": items, "form": form, "files": files }).to_string();
+    let end = end
+        .strip_prefix('{')
+        .expect("an object begins with a brace");
+    format!("\n],{end}\n")
+}
+
+/// A manifest as a run writes it, line by line.
+pub(crate) fn written(mut manifest: Manifest) -> String {
+    let variants = std::mem::take(&mut manifest.variants);
+    let items = std::mem::take(&mut manifest.items);
+    let form = std::mem::take(&mut manifest.form);
+    let files = std::mem::take(&mut manifest.files);
+    let lines: Vec<String> = variants
+        .iter()
+        .map(|variant| serde_json::to_string(variant).expect("an entry is plain data"))
+        .collect();
+    let before = if lines.is_empty() { "" } else { "\n" };
+    let (begin, end) = (begin(&manifest), end(&items, &form, &files));
+    format!("{begin}{before}{}{end}", lines.join(",\n"))
 }

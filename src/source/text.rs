@@ -114,16 +114,14 @@ fn plain(rest: &str) -> (usize, usize) {
     (length, if rest.starts_with("\r\n") { 0 } else { length })
 }
 
-/// Bytes read and bytes of value written for one escape.
+/// Bytes read and bytes of value written for one escape, sound or not.
 fn escape(rest: &str) -> (usize, usize) {
     let digits = |count: usize| {
-        let code = rest
-            .get(2..2 + count)
-            .and_then(|text| u32::from_str_radix(text, 16).ok());
-        (
-            2 + count,
-            code.and_then(char::from_u32).map_or(1, char::len_utf8),
-        )
+        let digits = rest.bytes().skip(2).take(count);
+        let end = 2 + digits.take_while(u8::is_ascii_hexdigit).count();
+        let code = u32::from_str_radix(&rest[2..end], 16).ok();
+        let written = code.and_then(char::from_u32).map_or(1, char::len_utf8);
+        (end, written)
     };
     match rest.as_bytes().get(1) {
         Some(b'u') => digits(4),
@@ -132,7 +130,10 @@ fn escape(rest: &str) -> (usize, usize) {
         Some(b'\n' | b'\r' | b' ' | b'\t') => {
             (1 + rest[1..].len() - rest[1..].trim_start().len(), 0)
         }
-        _ => (2, 1),
+        _ => {
+            let escaped = rest.chars().nth(1);
+            (1 + escaped.map_or(0, char::len_utf8), 1)
+        }
     }
 }
 
@@ -170,5 +171,30 @@ mod tests {
             ),
             "x"
         );
+    }
+
+    #[test]
+    fn a_place_behind_a_broken_escape_is_one() {
+        for broken in ["\\é", "\\王", "\\u00é1", "\\u12", "\\U王", "\\x", "\\"] {
+            let literal = format!("\"a {broken} $x$\"");
+            let file = format!("a = {literal}");
+            // What the value is then, the reader of TOML decides.
+            for value in [
+                format!("a {broken} $x$"),
+                "a é $x$".to_owned(),
+                "a  $x$".to_owned(),
+            ] {
+                for (at, char) in value.char_indices() {
+                    let source = Source::new("t.toml", file.as_str());
+                    let span = Span::new(4, 4 + literal.len());
+                    let text = Text {
+                        value: value.clone(),
+                        span,
+                    };
+                    let place = source.place(&text, Span::new(at, at + char.len_utf8()));
+                    assert!(file.get(place.range()).is_some(), "{file}: {place:?}");
+                }
+            }
+        }
     }
 }

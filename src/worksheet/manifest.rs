@@ -111,6 +111,9 @@ pub struct VariantEntry {
     pub student: Option<BTreeMap<String, String>>,
     /// The files made for it, each with its digest; one that could not be printed has none.
     pub files: BTreeMap<String, String>,
+    /// Where it stands in the files that it shares with other sheets: its first byte there, and how many are its own.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub pages: BTreeMap<String, (u64, u64)>,
     /// Its questions.
     pub questions: Vec<QuestionEntry>,
 }

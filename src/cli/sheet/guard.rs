@@ -12,9 +12,9 @@ use crate::cli::{Failure, files, table};
 /// Where manifests of earlier runs are kept, under their digests.
 pub(crate) const MANIFESTS: &str = "manifests";
 /// Where copies of what was overwritten are kept.
-const KEPT: &str = "kept";
+pub(crate) const KEPT: &str = "kept";
 /// Where `vibank grade` writes to if it is given no other folder.
-const MARKS: &str = "marks";
+pub(crate) const MARKS: &str = "marks";
 
 /// Makes room for a run: keeps what is to be kept, or refuses.
 ///

@@ -271,10 +271,11 @@ impl Alike<'_> {
     }
 }
 
-/// The digest of an entry without its files.
+/// The digest of an entry without its files and places.
 fn digest(entry: &VariantEntry) -> String {
     let bare = VariantEntry {
         files: BTreeMap::new(),
+        pages: BTreeMap::new(),
         ..entry.clone()
     };
     let text = serde_json::to_string(&bare).expect("an entry is plain data");

@@ -194,10 +194,8 @@ impl Store<'_> {
         for page in pages {
             let mut entry = page.entry;
             made.unchanged += usize::from(page.is_kept);
-            let files = self
-                .outputs
-                .add(page.written, &mut tables, &mut made.unprinted)?;
-            entry.files.extend(files);
+            self.outputs
+                .add(page.written, &mut entry, &mut tables, &mut made.unprinted)?;
             self.record.add(&entry)?;
         }
         self.outputs.add_tables(&tables)?;

@@ -18,7 +18,7 @@ use vibank::source::Source;
 use vibank::worksheet::{Audience, Blueprint, Choice, Fairness, Plan, Student};
 
 pub(crate) use self::choice::FormatChoice;
-pub(crate) use self::guard::MANIFESTS;
+pub(crate) use self::guard::{KEPT, MANIFESTS, MARKS};
 pub(crate) use self::ledger::Mark;
 pub(crate) use self::shard::Shard;
 pub(crate) use self::stamp::{PROGRAM, Stamp};
@@ -30,7 +30,7 @@ use self::outputs::Outputs;
 use super::bank::{self, BankArgument};
 use super::files::Access;
 use super::folder::Folder;
-use super::record::Record;
+use super::record::{Origin, Record};
 use super::table::Dialect;
 use super::{Failure, Format, Outcome, class_list, files};
 
@@ -162,16 +162,14 @@ impl Run<'_, '_> {
             .map(|held| held.form().to_owned())
             .filter(|_| keeps_form);
         let outputs = Outputs::open(&formats, self.out, shard, &mark)?;
-        let record = Record::open(
-            self.out,
-            shard,
-            &stamp,
-            self.plan,
-            self.choice,
+        let origin = Origin {
+            plan: self.plan,
             catalogue,
-            &mark,
-            form,
-        )?;
+            choice: self.choice,
+            shard,
+            stamp: &stamp,
+        };
+        let record = Record::open(self.out, origin, &mark, form)?;
         let job = Job {
             plan: self.plan,
             students: self.students,

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use vibank::output::{self, KeyRow, KeyTable, Kind, Pages, Run};
-use vibank::worksheet::{Fairness, Plan, Sheet};
+use vibank::worksheet::{Fairness, Plan, Sheet, VariantEntry};
 
 use super::choice::FormatChoice;
 use super::ledger::Mark;
@@ -328,28 +328,28 @@ impl<'f> Outputs<'f> {
         })
     }
 
-    /// Keeps what a sheet gives, by format; the files that were written for it are returned, with their digests, and what
-    /// could not be printed is added to `unprinted`.
+    /// Keeps what a sheet gives, by format, and notes its files in `entry`; what could not be printed is added to
+    /// `unprinted`.
     pub(super) fn add(
         &mut self,
         written: Vec<Written>,
+        entry: &mut VariantEntry,
         tables: &mut [KeyTable],
         unprinted: &mut Vec<String>,
-    ) -> Result<BTreeMap<String, String>, Failure> {
-        let mut own = BTreeMap::new();
+    ) -> Result<(), Failure> {
         let formats = self.formats.iter_mut().zip(written).zip(tables);
         for ((files, written), collected) in formats {
             match (files, written) {
                 (Files::Json(stream), Written::Json(line)) => {
-                    stream.draft.write(line.as_bytes())?;
+                    stream.add(line.as_bytes(), entry)?;
                 }
                 (Files::Pages { streams, .. }, Written::Pages(leaves, row)) => {
                     row.into_iter().for_each(|row| collected.add(row));
                     for (stream, leaf) in streams.iter_mut().zip(leaves) {
-                        own.extend(leaf.files);
+                        entry.files.extend(leaf.files);
                         unprinted.extend(leaf.unprinted);
                         if let Some(stream) = stream {
-                            stream.draft.write(&leaf.text)?;
+                            stream.add(&leaf.text, entry)?;
                         }
                     }
                 }
@@ -357,7 +357,7 @@ impl<'f> Outputs<'f> {
                 (Files::Json(_), Written::Pages(..)) | (Files::Pages { .. }, Written::Json(_)) => {}
             }
         }
-        Ok(own)
+        Ok(())
     }
 
     /// Empty tables of keys, one for each format.
@@ -461,6 +461,13 @@ impl Stream {
             draft.write(begin.as_bytes())?;
         }
         Ok(Self { name, draft })
+    }
+
+    /// Adds the page of a sheet, and notes in its entry where it stands.
+    fn add(&mut self, page: &[u8], entry: &mut VariantEntry) -> Result<(), Failure> {
+        let place = (self.draft.length(), page.len() as u64);
+        entry.pages.insert(self.name.clone(), place);
+        self.draft.write(page)
     }
 
     fn finish(mut self, end: &str, what: &'static str) -> Result<Finished, Failure> {

@@ -78,6 +78,11 @@ impl<'t> Cursor<'t> {
         }
     }
 
+    /// The byte that is read next.
+    pub(super) fn at(&self) -> usize {
+        self.at
+    }
+
     /// Reads the next row, if there is one; behind a row with a fault, reading goes on in the next line.
     ///
     /// `begins_row` says whether cells look like those of a row of their own: a quoted cell that has such a line in it

@@ -12,6 +12,16 @@ use std::path::Path;
 use self::cells::Cursor;
 use super::{Failure, files};
 
+/// What becomes of a row.
+pub(crate) enum Edit {
+    /// It stays as it is.
+    Keep,
+    /// It goes.
+    Drop,
+    /// Another line, with its end, takes its place.
+    Replace(String),
+}
+
 /// A table with a row of headings.
 #[derive(Debug)]
 pub(crate) struct Table {
@@ -19,8 +29,13 @@ pub(crate) struct Table {
     pub(crate) headings: Vec<String>,
     /// What the reader should look at, if the encoding had to be guessed.
     pub(crate) doubt: Option<String>,
+    /// Whether it began with a mark of byte order, or needs one to be read as UTF-8 by the program that wrote it.
+    pub(crate) has_mark: bool,
     body: Body,
 }
+
+/// UTF-8 with a mark of byte order begins like this.
+const MARK: &[u8] = "\u{feff}".as_bytes();
 
 #[derive(Debug)]
 enum Body {
@@ -38,6 +53,8 @@ impl Table {
                     .help("save it as CSV (UTF-8)"),
             );
         }
+        let has_mark =
+            bytes.starts_with(MARK) || bytes.contains(&0) || std::str::from_utf8(&bytes).is_err();
         let decoded = decode::decode(bytes).map_err(|error| {
             Failure::new(format!("`{shown}`, line {}: {}", error.line, error.found))
                 .help("save the file as CSV in UTF-8")
@@ -58,6 +75,7 @@ impl Table {
         let mut table = Self {
             headings: Vec::new(),
             doubt,
+            has_mark,
             body,
         };
         let header = match table.all(&|_| false).next() {
@@ -96,6 +114,40 @@ impl Table {
                 Err(Fault::Wide { line, delimiter })
             }
         })
+    }
+
+    /// What stands between two cells.
+    pub(crate) fn delimiter(&self) -> u8 {
+        let Body::Text { delimiter, .. } = &self.body;
+        *delimiter
+    }
+
+    /// The text of the table with other rows, and how many are other ones; what is not changed keeps its bytes, and a row
+    /// that cannot be read stays.
+    pub(crate) fn edited(
+        &self,
+        edit: &mut dyn FnMut(&Row<'_>) -> Result<Edit, Failure>,
+    ) -> Result<(String, usize), Failure> {
+        let Body::Text { text, delimiter } = &self.body;
+        let mut cursor = Cursor::new(text, *delimiter);
+        let (mut edited, mut count) = (String::new(), 0);
+        loop {
+            let start = cursor.at();
+            let Some(row) = cursor.row(&|_| false) else {
+                return Ok((edited, count));
+            };
+            let own = &text[start..cursor.at()];
+            let edit = match row {
+                Ok(row) => edit(&row)?,
+                Err(_) => Edit::Keep,
+            };
+            count += usize::from(!matches!(edit, Edit::Keep));
+            match edit {
+                Edit::Keep => edited.push_str(own),
+                Edit::Replace(line) => edited.push_str(&line),
+                Edit::Drop => {}
+            }
+        }
     }
 
     /// All rows that are not blank.

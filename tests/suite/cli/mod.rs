@@ -2,6 +2,8 @@
 
 mod commands;
 mod crash;
+mod desk;
+mod forget;
 mod golden;
 mod grading;
 mod hostile;

@@ -6,21 +6,8 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use super::{blueprint, content, folder, put, small, text_of, vibank};
-
-/// All files below a folder.
-fn all(folder: &Path) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    for entry in fs::read_dir(folder).expect("the folder is there") {
-        let path = entry.expect("it can be listed").path();
-        if path.is_dir() {
-            found.extend(all(&path));
-        } else {
-            found.push(path);
-        }
-    }
-    found
-}
+use super::desk::{Desk, all, answered};
+use super::{content, folder, put, small, text_of, vibank};
 
 fn json(path: &Path) -> Value {
     serde_json::from_str(&content(path)).expect("it is JSON")
@@ -86,20 +73,9 @@ fn nothing_that_is_handed_out_tells_a_seed() {
         let manifest = out.join("manifest.json");
         let seeds = seeds(&json(&manifest));
         assert_eq!(seeds.len(), 36);
-        let form = content(out.join("responses.csv"));
         // Every part is answered with something that gets a remark.
-        let answered: Vec<String> = form
-            .lines()
-            .enumerate()
-            .map(|(at, row)| {
-                if at == 0 {
-                    row.to_owned()
-                } else {
-                    format!("{row}1.5")
-                }
-            })
-            .collect();
-        let responses = put(&folder, "responses.csv", answered.join("\n"));
+        let answered = answered(&content(out.join("responses.csv")), "1.5");
+        let responses = put(&folder, "responses.csv", answered);
         let marks = text_of(&folder.join(if split { "marks-split" } else { "marks" }));
         let manifest = text_of(&manifest);
         vibank(&["grade", &manifest, &responses, "--out", &marks]);
@@ -156,24 +132,18 @@ fn a_page_of_a_secret_blueprint_is_that_of_any_other() {
 
 #[test]
 fn a_plain_run_says_that_its_codes_give_the_sheets_back() {
-    let folder = folder("plain");
-    let plan = put(&folder, "t.toml", blueprint("seed = 3\nvariants = 2"));
-    let out = text_of(&folder.join("out"));
-    small(&["sheet", &plan, "--out", &out])
+    let desk = Desk::new("plain");
+    desk.sheet(&desk.plan("seed = 3\nvariants = 2"), &[])
         .ends(0)
         .complains("vibank new secret");
 }
 
 #[test]
 fn a_seed_and_a_secret_are_not_taken_together() {
-    let folder = folder("seed-and-secret");
-    put(&folder, "exam.key", "0123456789abcdef0123456789abcdef");
-    let plan = put(
-        &folder,
-        "t.toml",
-        blueprint("seed = 3\nsecret = 'exam.key'\nvariants = 2"),
-    );
-    small(&["sheet", &plan])
+    let desk = Desk::new("seed-and-secret");
+    desk.secret();
+    let plan = desk.plan("seed = 3\nsecret = 'exam.key'\nvariants = 2");
+    desk.sheet(&plan, &[])
         .ends(2)
         .complains("t.toml:3:10")
         .complains("either `seed` or `secret`")
@@ -182,8 +152,8 @@ fn a_seed_and_a_secret_are_not_taken_together() {
 
 #[test]
 fn a_secret_is_made_once_and_named_where_one_is_missing() {
-    let folder = folder("new-secret");
-    let key = text_of(&folder.join("exam.key"));
+    let desk = Desk::new("new-secret");
+    let key = text_of(&desk.folder.join("exam.key"));
     vibank(&["new", "secret", &key])
         .ends(0)
         .says("secret = \"exam.key\"");
@@ -193,35 +163,33 @@ fn a_secret_is_made_once_and_named_where_one_is_missing() {
         .ends(2)
         .complains("exists already");
     assert_eq!(content(&key), secret);
-    let other = text_of(&folder.join("other.key"));
+    let other = text_of(&desk.folder.join("other.key"));
     vibank(&["new", "secret", &other]).ends(0);
     assert_ne!(content(&other), secret);
     for (name, text) in [("none.key", None), ("short.key", Some("1234"))] {
         if let Some(text) = text {
-            put(&folder, name, text);
+            put(&desk.folder, name, text);
         }
-        let top = format!("secret = '{name}'\nvariants = 2");
-        let plan = put(&folder, "t.toml", blueprint(&top));
-        small(&["sheet", &plan])
+        let plan = desk.plan(&format!("secret = '{name}'\nvariants = 2"));
+        desk.sheet(&plan, &[])
             .ends(2)
             .complains("vibank new secret");
     }
 }
 
-/// A run of two sheets in a folder, and its manifest.
-fn plain(folder: &Path) -> (PathBuf, String) {
-    let plan = put(folder, "t.toml", blueprint("seed = 3\nvariants = 2"));
-    let out = folder.join("out");
-    small(&["sheet", &plan, "--out", &text_of(&out)]).ends(0);
-    let manifest = content(out.join("manifest.json"));
-    (out, manifest)
+/// A run of two sheets.
+fn plain(name: &str) -> Desk {
+    let desk = Desk::new(name);
+    desk.sheet(&desk.plan("seed = 3\nvariants = 2"), &[])
+        .ends(0);
+    desk
 }
 
 #[test]
 fn no_manifest_names_a_file_outside_of_its_folder() {
-    let folder = folder("outside");
-    let (out, manifest) = plain(&folder);
-    let code = json(&out.join("manifest.json"))["variants"][0]["code"]
+    let desk = plain("outside");
+    let (folder, manifest) = (&desk.folder, desk.text("manifest.json"));
+    let code = desk.manifest()["variants"][0]["code"]
         .as_str()
         .expect("it has a code")
         .to_owned();
@@ -243,8 +211,8 @@ fn no_manifest_names_a_file_outside_of_its_folder() {
                 let value: Value = serde_json::from_str(&forged).expect("it is JSON");
                 forged = serde_json::to_string_pretty(&value).expect("it is JSON");
             }
-            let forged = put(&folder, "forged.json", forged);
-            let responses = text_of(&out.join("responses.csv"));
+            let forged = put(folder, "forged.json", forged);
+            let responses = desk.path("responses.csv");
             let marks = text_of(&folder.join("a/b/marks"));
             small(&["grade", &forged, &responses, "--out", &marks])
                 .ends(2)
@@ -262,8 +230,8 @@ mod on_unix {
     use std::os::unix::fs::{PermissionsExt, symlink};
     use std::path::Path;
 
-    use super::super::{blueprint, content, folder, put, small, text_of};
-    use super::{all, plain};
+    use super::super::{content, put, small, text_of};
+    use super::{Desk, all, plain};
 
     fn mode(path: &Path) -> u32 {
         fs::metadata(path)
@@ -275,30 +243,27 @@ mod on_unix {
 
     #[test]
     fn what_a_run_writes_is_its_owners_alone() {
-        let folder = folder("modes");
-        let (out, _) = plain(&folder);
-        let manifest = text_of(&out.join("manifest.json"));
-        let responses = text_of(&out.join("responses.csv"));
-        small(&["grade", &manifest, &responses]).ends(0);
-        for path in all(&out) {
+        let desk = plain("modes");
+        desk.grade(&[]).ends(0);
+        for path in all(&desk.out) {
             assert_eq!(mode(&path), 0o600, "{}", path.display());
         }
         for inside in ["", "marks", "marks/feedback"] {
-            assert_eq!(mode(&out.join(inside)), 0o700, "{inside}");
+            assert_eq!(mode(&desk.out.join(inside)), 0o700, "{inside}");
         }
-        let key = text_of(&folder.join("exam.key"));
+        let key = text_of(&desk.folder.join("exam.key"));
         super::vibank(&["new", "secret", &key]).ends(0);
         assert_eq!(mode(Path::new(&key)), 0o600);
     }
 
     #[test]
     fn no_link_is_followed() {
-        let folder = folder("links");
+        let desk = Desk::new("links");
+        let Desk { folder, out, .. } = &desk;
         let victim = folder.join("victim.txt");
         let elsewhere = folder.join("elsewhere");
         fs::create_dir_all(&elsewhere).expect("a folder");
-        let plan = put(&folder, "t.toml", blueprint("seed = 3\nvariants = 2"));
-        let out = folder.join("out");
+        let plan = desk.plan("seed = 3\nvariants = 2");
         for (name, target) in [
             (".manifest.json.part", &victim),
             (".sheet.run", &victim),
@@ -307,16 +272,16 @@ mod on_unix {
             ("sheets", &elsewhere),
             ("keys", &elsewhere),
         ] {
-            let _ = fs::remove_dir_all(&out);
-            fs::create_dir_all(&out).expect("a folder");
-            put(&folder, "victim.txt", "precious");
+            let _ = fs::remove_dir_all(out);
+            fs::create_dir_all(out).expect("a folder");
+            put(folder, "victim.txt", "precious");
             symlink(target, out.join(name)).expect("a link");
             let split = if name == "sheets" || name == "keys" {
                 "--split"
             } else {
                 "--trace"
             };
-            let ran = small(&["sheet", &plan, "--out", &text_of(&out), split]);
+            let ran = desk.sheet(&plan, &[split]);
             if name != ".manifest.json.part" {
                 let ran = ran.ends(2);
                 assert!(ran.err.contains("link"), "{name}: {}", ran.err);
@@ -325,22 +290,20 @@ mod on_unix {
             assert!(all(&elsewhere).is_empty(), "{name}");
         }
         // A second name of a file is no ledger of ours, either.
-        let _ = fs::remove_dir_all(&out);
-        fs::create_dir_all(&out).expect("a folder");
+        let _ = fs::remove_dir_all(out);
+        fs::create_dir_all(out).expect("a folder");
         fs::hard_link(&victim, out.join(".sheet.run")).expect("a second name");
-        small(&["sheet", &plan, "--out", &text_of(&out)]).ends(2);
+        desk.sheet(&plan, &[]).ends(2);
         assert_eq!(content(&victim), "precious");
     }
 
     #[test]
     fn marking_follows_no_link() {
-        let folder = folder("grade-links");
-        let (out, _) = plain(&folder);
+        let desk = plain("grade-links");
+        let folder = &desk.folder;
         let victim = folder.join("victim.txt");
         let elsewhere = folder.join("elsewhere");
         fs::create_dir_all(&elsewhere).expect("a folder");
-        let manifest = text_of(&out.join("manifest.json"));
-        let responses = text_of(&out.join("responses.csv"));
         for (name, target) in [
             ("marks.csv", &victim),
             (".grading.jsonl", &victim),
@@ -349,9 +312,9 @@ mod on_unix {
             let marks = folder.join("marks");
             let _ = fs::remove_dir_all(&marks);
             fs::create_dir_all(&marks).expect("a folder");
-            put(&folder, "victim.txt", "precious");
+            put(folder, "victim.txt", "precious");
             symlink(target, marks.join(name)).expect("a link");
-            small(&["grade", &manifest, &responses, "--out", &text_of(&marks)])
+            desk.grade(&["--out", &text_of(&marks)])
                 .ends(2)
                 .complains("link");
             assert_eq!(content(&victim), "precious", "{name}");
@@ -361,19 +324,14 @@ mod on_unix {
 
     #[test]
     fn what_is_no_file_is_refused_at_once() {
-        let folder = folder("pipes");
-        let pipe = folder.join("class.csv");
+        let desk = Desk::new("pipes");
+        let pipe = desk.folder.join("class.csv");
         let made = std::process::Command::new("mkfifo").arg(&pipe).status();
         assert!(made.is_ok_and(|made| made.success()), "a pipe can be made");
-        let plan = put(
-            &folder,
-            "t.toml",
-            blueprint("seed = 3\nstudents = 'class.csv'"),
-        );
-        small(&["sheet", &plan])
+        desk.sheet(&desk.plan("seed = 3\nstudents = 'class.csv'"), &[])
             .ends(2)
             .complains("a pipe or a device");
-        small(&["sheet", &text_of(&folder)])
+        small(&["sheet", &text_of(&desk.folder)])
             .ends(2)
             .complains("is a folder, not a file");
     }
@@ -381,8 +339,8 @@ mod on_unix {
 
 #[test]
 fn what_an_interrupted_run_has_left_is_removed() {
-    let folder = folder("left-over");
-    let (out, _) = plain(&folder);
+    let desk = plain("left-over");
+    let out = &desk.out;
     fs::create_dir_all(out.join("sheets")).expect("a folder");
     let left = [
         ".manifest.json.AbC123.part",
@@ -390,23 +348,21 @@ fn what_an_interrupted_run_has_left_is_removed() {
         "sheets/.3PZ-HEN-YFB.html.x.part",
     ];
     for name in left {
-        put(&out, name, "left");
+        put(out, name, "left");
     }
     fs::remove_file(out.join("sheets.html")).expect("it is there");
-    let plan = text_of(&folder.join("t.toml"));
-    small(&["sheet", &plan, "--out", &text_of(&out)]).ends(0);
-    let manifest = text_of(&out.join("manifest.json"));
-    let responses = text_of(&out.join("responses.csv"));
-    small(&["grade", &manifest, &responses]).ends(0);
+    desk.sheet(&desk.plan("seed = 3\nvariants = 2"), &[])
+        .ends(0);
+    desk.grade(&[]).ends(0);
     let marks = [".details.csv.17-3.part", "feedback/.x.html.y.part"];
     for name in marks {
         put(&out.join("marks"), name, "left");
     }
-    small(&["grade", &manifest, &responses]).ends(0);
+    desk.grade(&[]).ends(0);
     let hidden = |path: &PathBuf| {
         let name = path.file_name().expect("it has a name").to_string_lossy();
         name.starts_with('.')
     };
-    let found: Vec<PathBuf> = all(&out).into_iter().filter(hidden).collect();
+    let found: Vec<PathBuf> = all(out).into_iter().filter(hidden).collect();
     assert!(found.is_empty(), "{found:?}");
 }

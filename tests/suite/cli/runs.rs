@@ -6,12 +6,12 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use super::{BANK, blueprint, content, folder, put, small, text_of, vibank};
+use super::desk::{Desk, all, answered, ids};
+use super::{BANK, blueprint, content, folder, put, text_of, vibank};
 
-/// The codes in a manifest, by student.
-fn codes(out: &Path) -> BTreeMap<String, String> {
-    let manifest: Value =
-        serde_json::from_str(&content(out.join("manifest.json"))).expect("it is JSON");
+/// The codes in the manifest, by student.
+fn codes(desk: &Desk) -> BTreeMap<String, String> {
+    let manifest = desk.manifest();
     let variants = manifest["variants"].as_array().expect("it has sheets");
     let text = |value: &Value| value.as_str().unwrap_or_default().to_owned();
     variants
@@ -20,46 +20,18 @@ fn codes(out: &Path) -> BTreeMap<String, String> {
         .collect()
 }
 
-/// A class list with these students.
-fn class(folder: &Path, ids: &[String]) {
-    let rows: String = ids.iter().map(|id| format!("{id},Name {id}\n")).collect();
-    put(folder, "class.csv", format!("id,name\n{rows}"));
-}
-
-fn ids(numbers: impl IntoIterator<Item = usize>) -> Vec<String> {
-    numbers
-        .into_iter()
-        .map(|number| format!("s{number}"))
-        .collect()
-}
-
-/// A blueprint of one item for the class list.
-fn plan(folder: &Path, title: &str) -> String {
-    let plan = format!(
-        "title = '{title}'\nseed = 5\nstudents = 'class.csv'\nformats = ['md']\nsolutions = false\n\
-        [[question]]\nitem = 'free/spring-mass'\n"
-    );
-    put(folder, "t.toml", plan)
-}
-
-fn sheet(plan: &str, out: &Path, more: &[&str]) -> super::Ran {
-    small(&[&["sheet", plan, "--out", &text_of(out)], more].concat())
-}
-
 #[test]
 fn a_student_who_is_added_moves_nobody_whose_sheet_is_there() {
-    let folder = folder("added");
-    class(&folder, &ids(1..60));
-    let plan = plan(&folder, "T");
-    let out = folder.join("out");
-    sheet(&plan, &out, &[]).ends(0);
-    let before = codes(&out);
+    let desk = Desk::with_class("added", 59);
+    let plan = desk.short_plan("T");
+    desk.sheet(&plan, &[]).ends(0);
+    let before = codes(&desk);
     // Added in front, rows in another order, one gone.
     let mut now = ids((2..64).rev());
     now.insert(0, "a0".to_owned());
-    class(&folder, &now);
-    sheet(&plan, &out, &[]).ends(0);
-    let after = codes(&out);
+    desk.class(&now);
+    desk.sheet(&plan, &[]).ends(0);
+    let after = codes(&desk);
     assert_eq!(after.len(), 63);
     for (id, code) in &before {
         if id != "s1" {
@@ -70,20 +42,20 @@ fn a_student_who_is_added_moves_nobody_whose_sheet_is_there() {
 
 #[test]
 fn without_a_manifest_only_those_move_who_are_named() {
-    let folder = folder("moved");
-    class(&folder, &ids(1..60));
-    let plan = plan(&folder, "T");
-    let (one, two) = (folder.join("one"), folder.join("two"));
-    sheet(&plan, &one, &[]).ends(0);
-    class(&folder, &ids((0..60).rev()));
-    let ran = sheet(&plan, &two, &["--format", "json"]).ends(0);
+    let mut desk = Desk::with_class("moved", 59);
+    let plan = desk.short_plan("T");
+    desk.sheet(&plan, &[]).ends(0);
+    let before = codes(&desk);
+    desk.class(&ids((0..60).rev()));
+    desk.out = desk.folder.join("two");
+    let ran = desk.sheet(&plan, &["--format", "json"]).ends(0);
     let named: Vec<String> = ran.lines()[0]["fairness"]["gave_way"]
         .as_array()
         .expect("a list")
         .iter()
         .map(|id| id.as_str().expect("a text").to_owned())
         .collect();
-    let (before, after) = (codes(&one), codes(&two));
+    let after = codes(&desk);
     let moved: Vec<&String> = before
         .keys()
         .filter(|id| before[*id] != after[*id])
@@ -97,7 +69,7 @@ fn without_a_manifest_only_those_move_who_are_named() {
 
 #[test]
 fn a_changed_seat_judges_that_student_alone() {
-    let folder = folder("seat-changed");
+    let desk = Desk::new("seat-changed");
     let list = |seat: &str| {
         let rows: String = (1..13)
             .map(|id| {
@@ -109,16 +81,15 @@ fn a_changed_seat_judges_that_student_alone() {
                 format!("s{id},N,{own}\n")
             })
             .collect();
-        put(&folder, "class.csv", format!("id,name,seat\n{rows}"));
+        put(&desk.folder, "class.csv", format!("id,name,seat\n{rows}"));
     };
     list("1-5");
-    let plan = plan(&folder, "T");
-    let out = folder.join("out");
-    sheet(&plan, &out, &[]).ends(0);
-    let before = codes(&out);
+    let plan = desk.short_plan("T");
+    desk.sheet(&plan, &[]).ends(0);
+    let before = codes(&desk);
     list("2-9");
-    sheet(&plan, &out, &[]).ends(0);
-    let after = codes(&out);
+    desk.sheet(&plan, &[]).ends(0);
+    let after = codes(&desk);
     assert!(
         before
             .iter()
@@ -128,37 +99,13 @@ fn a_changed_seat_judges_that_student_alone() {
 
 #[test]
 fn spare_sheets_stand_beside_a_list() {
-    let folder = folder("spares");
-    class(&folder, &ids(1..4));
-    let top = "seed = 5\nstudents = 'class.csv'\nspares = 2";
-    let plan = put(&folder, "t.toml", blueprint(top));
-    let out = folder.join("out");
-    sheet(&plan, &out, &[]).ends(0).says("5 sheets");
-    let plan = put(
-        &folder,
-        "t.toml",
-        blueprint("seed = 5\nvariants = 3\nspares = 2"),
-    );
-    sheet(&plan, &out, &[])
+    let desk = Desk::with_class("spares", 3);
+    let plan = desk.plan("seed = 5\nstudents = 'class.csv'\nspares = 2");
+    desk.sheet(&plan, &[]).ends(0).says("5 sheets");
+    let plan = desk.plan("seed = 5\nvariants = 3\nspares = 2");
+    desk.sheet(&plan, &[])
         .ends(2)
         .complains("`spares` stands beside `students` alone");
-}
-
-/// Fills in every row of a form.
-fn fill(out: &Path) {
-    let form = content(out.join("responses.csv"));
-    let filled: Vec<String> = form
-        .lines()
-        .enumerate()
-        .map(|(at, row)| {
-            if at == 0 {
-                row.to_owned()
-            } else {
-                format!("{row}7")
-            }
-        })
-        .collect();
-    put(out, "responses.csv", filled.join("\n") + "\n");
 }
 
 fn copies(out: &Path) -> Vec<PathBuf> {
@@ -171,188 +118,118 @@ fn copies(out: &Path) -> Vec<PathBuf> {
 
 #[test]
 fn answers_and_marks_are_not_overwritten() {
-    let folder = folder("answers");
-    class(&folder, &ids(1..5));
-    let out = folder.join("out");
-    sheet(&plan(&folder, "T"), &out, &[]).ends(0);
-    fill(&out);
-    let filled = content(out.join("responses.csv"));
-    let manifest = content(out.join("manifest.json"));
+    let desk = Desk::with_class("answers", 4);
+    desk.sheet(&desk.short_plan("T"), &[]).ends(0);
+    desk.answer("7");
+    let filled = desk.text("responses.csv");
+    let manifest = desk.text("manifest.json");
     // The same run again leaves the answers alone, even if sheets have to be made.
-    fs::remove_file(out.join("sheets.md")).expect("it is there");
-    sheet(&plan(&folder, "T"), &out, &[]).ends(0);
-    assert_eq!(content(out.join("responses.csv")), filled);
-    assert_eq!(content(out.join("manifest.json")), manifest);
-    let path = text_of(&out.join("manifest.json"));
-    let responses = text_of(&out.join("responses.csv"));
-    small(&["grade", &path, &responses, "--no-feedback"]);
+    fs::remove_file(desk.path("sheets.md")).expect("it is there");
+    desk.sheet(&desk.short_plan("T"), &[]).ends(0);
+    assert_eq!(desk.text("responses.csv"), filled);
+    assert_eq!(desk.text("manifest.json"), manifest);
+    desk.grade(&["--no-feedback"]);
     // A corrected title, and one student more.
-    class(&folder, &ids(1..6));
-    let other = plan(&folder, "Corrected");
-    sheet(&other, &out, &[])
+    desk.class(&ids(1..6));
+    let other = desk.short_plan("Corrected");
+    desk.sheet(&other, &[])
         .ends(2)
         .complains("responses.csv: has answers")
         .complains("marks: holds marks")
         .complains("--force")
         .complains("--out");
-    assert_eq!(content(out.join("responses.csv")), filled);
-    assert_eq!(content(out.join("manifest.json")), manifest);
-    sheet(&other, &out, &["--force"])
-        .ends(0)
-        .complains("a copy");
-    let copies = copies(&out);
+    assert_eq!(desk.text("responses.csv"), filled);
+    assert_eq!(desk.text("manifest.json"), manifest);
+    desk.sheet(&other, &["--force"]).ends(0).complains("a copy");
+    let copies = copies(&desk.out);
     assert_eq!(copies.len(), 1);
     assert_eq!(content(copies[0].join("responses.csv")), filled);
     assert!(copies[0].join("marks/results.json").is_file());
     // The manifest of the printed sheets is there, and marks them.
-    let earlier = fs::read_dir(out.join("manifests"))
-        .expect("a folder")
-        .flatten();
-    let earlier: Vec<PathBuf> = earlier.map(|entry| entry.path()).collect();
+    let earlier = all(&desk.out.join("manifests"));
     assert_eq!(earlier.len(), 1);
     assert_eq!(content(&earlier[0]), manifest);
 }
 
 #[test]
 fn an_edited_file_is_not_overwritten() {
-    let folder = folder("edited");
-    class(&folder, &ids(1..3));
-    let out = folder.join("out");
-    let own = plan(&folder, "T");
-    sheet(&own, &out, &[]).ends(0);
-    let edited = content(out.join("sheets.md")) + "\nA word of my own.\n";
-    put(&out, "sheets.md", &edited);
-    sheet(&own, &out, &[])
+    let desk = Desk::with_class("edited", 2);
+    let own = desk.short_plan("T");
+    desk.sheet(&own, &[]).ends(0);
+    let edited = desk.text("sheets.md") + "\nA word of my own.\n";
+    put(&desk.out, "sheets.md", &edited);
+    desk.sheet(&own, &[])
         .ends(2)
         .complains("sheets.md: was edited");
-    assert_eq!(content(out.join("sheets.md")), edited);
-    sheet(&own, &out, &["--force"]).ends(0);
-    assert_eq!(content(copies(&out)[0].join("sheets.md")), edited);
-    assert!(!content(out.join("sheets.md")).contains("of my own"));
+    assert_eq!(desk.text("sheets.md"), edited);
+    desk.sheet(&own, &["--force"]).ends(0);
+    assert_eq!(content(copies(&desk.out)[0].join("sheets.md")), edited);
+    assert!(!desk.text("sheets.md").contains("of my own"));
 }
 
 #[test]
 fn a_code_is_found_in_the_manifest_of_any_run() {
-    let folder = folder("any-manifest");
-    class(&folder, &ids(1..4));
-    let out = folder.join("out");
-    let own = plan(&folder, "T");
-    sheet(&own, &out, &[]).ends(0);
-    let form = content(out.join("responses.csv"));
+    let desk = Desk::with_class("any-manifest", 3);
+    let own = desk.short_plan("T");
+    desk.sheet(&own, &[]).ends(0);
+    let old = answered(&desk.text("responses.csv"), "7");
     // Another seed: none of these codes is in the new manifest.
-    let other = put(
-        &folder,
-        "t.toml",
-        content(&own).replace("seed = 5", "seed = 6"),
-    );
-    sheet(&other, &out, &[]).ends(0);
-    let rows: Vec<String> = form
-        .lines()
-        .enumerate()
-        .map(|(at, row)| {
-            if at == 0 {
-                row.to_owned()
-            } else {
-                format!("{row}7")
-            }
-        })
-        .collect();
-    let old = put(&folder, "old.csv", rows.join("\n"));
-    let manifest = text_of(&out.join("manifest.json"));
-    let ran = small(&["grade", &manifest, &old, "--no-feedback"]);
+    let other = content(&own).replace("seed = 5", "seed = 6");
+    let other = put(&desk.folder, "t.toml", other);
+    desk.sheet(&other, &[]).ends(0);
+    put(&desk.out, "responses.csv", &old);
+    let ran = desk.grade(&["--no-feedback"]);
     assert!(!ran.err.contains("no sheet"), "{}", ran.err);
     ran.says("6 sheets");
-    let marks = content(out.join("marks/marks.csv"));
-    let code = rows[1].split(',').next().expect("a code");
+    let marks = desk.text("marks/marks.csv");
+    let row = old.lines().nth(1).expect("a row");
+    let code = row.split(',').next().expect("a code");
     assert!(marks.contains(code), "{code} is not in {marks}");
 }
 
 #[test]
 fn what_was_handed_out_is_marked_whatever_becomes_of_the_bank() {
-    let folder = folder("moved-on");
-    let bank = folder.join("bank");
-    for entry in walk(Path::new(BANK)) {
+    let mut desk = Desk::with_class("moved-on", 2);
+    let bank = desk.folder.join("bank");
+    for entry in all(Path::new(BANK)) {
         let inside = entry.strip_prefix(BANK).expect("it is inside");
         put(&bank, &text_of(inside), content(&entry));
     }
-    let bank_path = text_of(&bank);
-    class(&folder, &ids(1..3));
-    let own = plan(&folder, "T");
-    let out = folder.join("out");
-    let with = |arguments: &[&str]| vibank(&[arguments, &["--bank", &bank_path]].concat());
-    with(&["sheet", &own, "--out", &text_of(&out)]).ends(0);
-    fill(&out);
-    let manifest = text_of(&out.join("manifest.json"));
-    let responses = text_of(&out.join("responses.csv"));
-    let first = text_of(&folder.join("first"));
-    with(&[
-        "grade",
-        &manifest,
-        &responses,
-        "--no-feedback",
-        "--out",
-        &first,
-    ]);
+    desk.bank = text_of(&bank);
+    desk.sheet(&desk.short_plan("T"), &[]).ends(0);
+    desk.answer("7");
+    let marks = ["first", "second", "third"].map(|name| text_of(&desk.folder.join(name)));
+    let [first, second, third] = &marks;
+    desk.grade(&["--no-feedback", "--out", first]);
     let item = bank.join("free/spring-mass.toml");
     let changed = content(&item) + "\n# Another revision.\n";
     put(&bank, "free/spring-mass.toml", changed);
-    let second = text_of(&folder.join("second"));
-    let ran = with(&[
-        "grade",
-        &manifest,
-        &responses,
-        "--no-feedback",
-        "--out",
-        &second,
-        "--compare",
-        &first,
-    ]);
+    let ran = desk.grade(&["--no-feedback", "--out", second, "--compare", first]);
     let ran = ran
         .says("0 marks differ")
         .says(concat!("vibank ", env!("CARGO_PKG_VERSION")));
     assert!(ran.err.contains("the bank has moved on"), "{}", ran.err);
     fs::remove_file(&item).expect("it is there");
-    let third = text_of(&folder.join("third"));
-    with(&[
-        "grade",
-        &manifest,
-        &responses,
-        "--no-feedback",
-        "--out",
-        &third,
-    ])
-    .says("2 sheets");
-    let marks = |folder: &str| content(Path::new(folder).join("marks.csv"));
-    assert_eq!(marks(&first), marks(&second));
-    assert_eq!(marks(&first), marks(&third));
-    let code = codes(&out).into_values().next().expect("a code");
-    with(&["show", &code, "--manifest", &manifest]).ends(0);
-}
-
-fn walk(folder: &Path) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    for entry in fs::read_dir(folder).expect("a folder").flatten() {
-        let path = entry.path();
-        if path.is_dir() {
-            found.extend(walk(&path));
-        } else {
-            found.push(path);
-        }
-    }
-    found
+    desk.grade(&["--no-feedback", "--out", third])
+        .says("2 sheets");
+    let [first, second, third] = marks.map(|folder| content(Path::new(&folder).join("marks.csv")));
+    assert_eq!(first, second);
+    assert_eq!(first, third);
+    let code = codes(&desk).into_values().next().expect("a code");
+    desk.run(&["show", &code, "--manifest", &desk.path("manifest.json")])
+        .ends(0);
 }
 
 #[test]
 fn a_run_with_pseudonyms_knows_no_names() {
-    let folder = folder("pseudonyms");
-    class(&folder, &["id-4711".to_owned(), "id-4712".to_owned()]);
-    put(&folder, "exam.key", "0123456789abcdef0123456789abcdef");
+    let desk = Desk::new("pseudonyms");
+    desk.class(&["id-4711", "id-4712"].map(str::to_owned));
+    desk.secret();
     let top = "secret = 'exam.key'\nstudents = 'class.csv'\nformats = ['html', 'md', 'json']";
-    let plan = put(&folder, "t.toml", blueprint(top));
-    let out = folder.join("out");
-    let key = text_of(&folder.join("who.csv"));
-    sheet(&plan, &out, &["--pseudonyms", &key]).ends(0);
-    for path in walk(&out) {
+    let plan = desk.plan(top);
+    let key = text_of(&desk.folder.join("who.csv"));
+    desk.sheet(&plan, &["--pseudonyms", &key]).ends(0);
+    for path in all(&desk.out) {
         assert!(!content(&path).contains("id-471"), "{}", path.display());
     }
     let who = content(&key);
@@ -362,20 +239,13 @@ fn a_run_with_pseudonyms_knows_no_names() {
         .nth(1)
         .and_then(|row| row.split(',').next())
         .expect("a code");
-    assert!(content(out.join("responses.csv")).contains(code));
+    assert!(desk.text("responses.csv").contains(code));
     // A third student moves nobody, though the manifest knows no names.
-    class(
-        &folder,
-        &["id-4700", "id-4711", "id-4712"].map(str::to_owned),
-    );
-    sheet(&plan, &out, &["--pseudonyms", &key]).ends(0);
+    desk.class(&["id-4700", "id-4711", "id-4712"].map(str::to_owned));
+    desk.sheet(&plan, &["--pseudonyms", &key]).ends(0);
     assert!(content(&key).contains(&format!("{code},id-4711")));
-    let plain = put(
-        &folder,
-        "p.toml",
-        blueprint("seed = 1\nstudents = 'class.csv'"),
-    );
-    sheet(&plain, &out, &["--pseudonyms", &key])
+    let plain = desk.plan("seed = 1\nstudents = 'class.csv'");
+    desk.sheet(&plain, &["--pseudonyms", &key])
         .ends(2)
         .complains("vibank new secret");
 }
@@ -394,25 +264,18 @@ fn what_cannot_be_printed_is_a_failure() {
 
 #[test]
 fn a_blueprint_that_would_be_misunderstood_is_refused() {
-    let folder = folder("misunderstood");
+    let desk = Desk::new("misunderstood");
     for (top, words) in [
         ("formats = []", "`formats` is empty"),
         ("formats = ['md', 'md']", "`md` is listed twice"),
         ("language = 'fr'", "the texts of the bank are in `en`"),
     ] {
-        let plan = put(
-            &folder,
-            "t.toml",
-            blueprint(&format!("seed = 1\nvariants = 1\n{top}")),
-        );
-        small(&["sheet", &plan]).ends(2).complains(words);
+        let plan = desk.plan(&format!("seed = 1\nvariants = 1\n{top}"));
+        desk.sheet(&plan, &[]).ends(2).complains(words);
     }
-    let plan = put(
-        &folder,
-        "t.toml",
-        blueprint("seed = 1\nvariants = 1") + "points = nan\n",
-    );
-    small(&["sheet", &plan])
+    let plan = blueprint("seed = 1\nvariants = 1") + "points = nan\n";
+    let plan = put(&desk.folder, "t.toml", plan);
+    desk.sheet(&plan, &[])
         .ends(2)
         .complains("expected a finite number");
 }

@@ -234,7 +234,7 @@ fn names(value: &serde_json::Value, found: &mut Vec<String>) {
         serde_json::Value::Object(fields) => {
             for (name, field) in fields {
                 found.push(name.clone());
-                if !["files", "values", "items"].contains(&name.as_str()) {
+                if !["files", "pages", "values", "items"].contains(&name.as_str()) {
                     names(field, found);
                 }
             }

@@ -1,0 +1,183 @@
+//! The rows of a student in tables of answers and marks.
+
+use serde_json::Value;
+use vibank::worksheet::Csv;
+
+use super::Task;
+use crate::cli::folder::Folder;
+use crate::cli::record::FORM;
+use crate::cli::table::{Dialect, Edit, Row, Table};
+use crate::cli::{Failure, files};
+
+/// The tables of a run and of its marks.
+const TABLES: [&str; 5] = [
+    FORM,
+    "marks.csv",
+    "details.csv",
+    "changes.csv",
+    "unreadable.csv",
+];
+
+/// Pages about all, which `vibank sheet` and `vibank grade` make again, and the journal of a grading that was
+/// interrupted.
+const OVERVIEWS: [&str; 6] = [
+    "fairness.html",
+    "fairness.md",
+    "report.html",
+    "report.json",
+    "report.csv",
+    ".grading.jsonl",
+];
+
+/// Between those who gave the same answer.
+const BETWEEN: &str = "; ";
+
+impl Task {
+    /// Removes rows.
+    pub(super) fn tables(&mut self, folder: &Folder, inside: &str) -> Result<(), Failure> {
+        for name in TABLES {
+            let name = format!("{inside}{name}");
+            if !folder.has(&name) {
+                continue;
+            }
+            let path = folder.path(&name)?;
+            let before = files::digest_of(&path)?;
+            let table = Table::read(&path)?;
+            let place = |heading: &str| {
+                let mut headings = table.headings.iter();
+                headings.position(|own| own.eq_ignore_ascii_case(heading))
+            };
+            let places = Places {
+                code: place("code"),
+                student: place("student"),
+                name: place("name"),
+                times: place("times"),
+            };
+            let (text, count) = table.edited(&mut |row| self.edit(row, &places, &table))?;
+            if count == 0 {
+                continue;
+            }
+            let mark = if table.has_mark { "\u{feff}" } else { "" };
+            let text = format!("{mark}{text}");
+            self.write(folder, &name, text.as_bytes())?;
+            if name == FORM {
+                self.form = Some((before, files::digest(text.as_bytes())));
+            }
+            self.note(count, ["row", "rows"], &name);
+        }
+        let results = format!("{inside}results.json");
+        if folder.has(&results) {
+            self.results(folder, &results)?;
+        }
+        Ok(())
+    }
+
+    fn edit(&self, row: &Row<'_>, places: &Places, table: &Table) -> Result<Edit, Failure> {
+        let cell = |place: Option<usize>| place.map_or("", |at| row.cell(at));
+        let (code, student) = (cell(places.code), cell(places.student));
+        if self.is_own(code, student) {
+            return Ok(Edit::Drop);
+        }
+        let Some(id) = &self.person.id else {
+            return Ok(Edit::Keep);
+        };
+        // Like answers of several students are in one row.
+        let students: Vec<&str> = student.split(BETWEEN).collect();
+        let Some(at) = students.iter().position(|own| own == id) else {
+            return Ok(Edit::Keep);
+        };
+        let mut cells: Vec<String> = row.cells.iter().map(|cell| cell.to_string()).collect();
+        let mut put = |place: Option<usize>, text: String| {
+            if let Some(cell) = place.and_then(|at| cells.get_mut(at)) {
+                *cell = text;
+            }
+        };
+        let names: Vec<&str> = cell(places.name).split(BETWEEN).collect();
+        let is_paired = names.len() == students.len();
+        let names = names.iter().enumerate().filter(|(own, name)| {
+            !(is_paired && *own == at || !is_paired && self.person.is_named(name))
+        });
+        let names: Vec<&str> = names.map(|(_, name)| *name).collect();
+        put(places.name, names.join(BETWEEN));
+        let students = students.iter().filter(|own| *own != id);
+        put(
+            places.student,
+            students.copied().collect::<Vec<_>>().join(BETWEEN),
+        );
+        if let Ok(count) = cell(places.times).parse::<usize>() {
+            put(places.times, count.saturating_sub(1).to_string());
+        }
+        let cells: Vec<&str> = cells.iter().map(String::as_str).collect();
+        let csv = if table.delimiter() == b';' {
+            Csv::Excel
+        } else {
+            Csv::Plain
+        };
+        let line = Dialect::new(csv, '.').line(&cells)?;
+        Ok(Edit::Replace(String::from_utf8_lossy(&line).into_owned()))
+    }
+
+    /// Whether a row or an entry with this code and this student is theirs.
+    fn is_own(&self, code: &str, student: &str) -> bool {
+        match &self.person.id {
+            Some(id) if !student.is_empty() => id == student,
+            _ => self.person.codes.contains(code),
+        }
+    }
+
+    /// Removes entries of the marks for programs, which are in one line each.
+    fn results(&mut self, folder: &Folder, name: &str) -> Result<(), Failure> {
+        let path = folder.path(name)?;
+        let text = files::read(&path)?;
+        let entries: Vec<Value> = serde_json::from_str(&text).map_err(|error| {
+            Failure::new(format!("`{}` holds no marks: {error}", path.display()))
+                .help("give the folder that `vibank grade` wrote")
+        })?;
+        let before = entries.len();
+        let field = |entry: &Value, name: &str| entry[name].as_str().unwrap_or_default().to_owned();
+        let others = entries
+            .iter()
+            .filter(|entry| !self.is_own(&field(entry, "code"), &field(entry, "student")));
+        let lines: Vec<String> = others.map(ToString::to_string).collect();
+        let count = before - lines.len();
+        if count > 0 {
+            let text = format!("[\n{}\n]\n", lines.join(",\n"));
+            self.write(folder, name, text.as_bytes())?;
+            self.note(count, ["entry", "entries"], name);
+        }
+        Ok(())
+    }
+
+    /// Removes pages about all that tell of the student.
+    pub(super) fn overviews(&mut self, folder: &Folder, inside: &str) -> Result<(), Failure> {
+        for name in OVERVIEWS {
+            let name = format!("{inside}{name}");
+            if folder.has(&name) {
+                let bytes = files::read_bytes(&folder.path(&name)?)?;
+                if self
+                    .person
+                    .trace(&String::from_utf8_lossy(&bytes))
+                    .is_some()
+                {
+                    self.remove(folder, &name)?;
+                }
+            }
+        }
+        let feedback = format!("{inside}feedback");
+        for file in folder.names(&feedback) {
+            let code = file.split('.').next().unwrap_or_default();
+            if self.person.codes.contains(code) {
+                self.remove(folder, &format!("{feedback}/{file}"))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Where a table has what tells of a student.
+struct Places {
+    code: Option<usize>,
+    student: Option<usize>,
+    name: Option<usize>,
+    times: Option<usize>,
+}
