@@ -34,6 +34,9 @@ pub enum AnswerError {
         /// Where in the text.
         span: Span,
     },
+    /// An interval for an angle that is none.
+    #[error("`{0}` is no interval for an angle")]
+    Within(String),
     /// A choice without options, without a right one, or with too many.
     #[error("{0}")]
     Options(&'static str),
@@ -61,7 +64,7 @@ impl Diagnose for AnswerError {
                 Code::KEY
             }
             Self::NoUnit | Self::Unit { .. } => Code::DIMENSION,
-            Self::Tolerance { .. } => Code::TOLERANCE,
+            Self::Tolerance { .. } | Self::Within(_) => Code::TOLERANCE,
             Self::Options(_) | Self::OptionTwice(_) | Self::NoOption(_) => Code::OPTIONS,
         }
     }
@@ -81,6 +84,9 @@ impl Diagnose for AnswerError {
         Some(match self {
             Self::Tolerance { .. } => {
                 "write for example `2 %`, `0.05 rad`, `3 sf` or `1 % of omega2`".to_owned()
+            }
+            Self::Within(_) => {
+                "write `modulo = \"360 deg\"` and `within = \"(-180 deg, 180 deg]\"`".to_owned()
             }
             Self::NoUnit => "name a quantity that has a unit, or add `unit`".to_owned(),
             _ => return None,

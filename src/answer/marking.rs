@@ -151,6 +151,11 @@ impl Credit {
     /// Everything.
     pub const FULL: Self = Self(Rational::ONE);
 
+    /// What is worth half: right but for a convention that the item states.
+    pub fn half() -> Self {
+        Rational::new(1, 2).map_or(Self::NONE, Self)
+    }
+
     /// The fraction, if it lies from 0 to 1.
     pub fn new(share: Rational) -> Option<Self> {
         (Rational::ZERO..=Rational::ONE)

@@ -15,6 +15,10 @@ fn unit(text: &str) -> Unit {
     Unit::parse(text).expect("a unit")
 }
 
+fn quantity(text: &str) -> Quantity {
+    Quantity::parse(text).expect("a quantity")
+}
+
 fn slips() -> Vec<Slip> {
     let shapes = vec![
         Shape::OfMode { found: 2, asked: 1 },
@@ -27,6 +31,7 @@ fn slips() -> Vec<Slip> {
         Slip::Scale(Scaling::First),
         Slip::Scale(Scaling::Mass),
         Slip::Angle,
+        Slip::OutsideInterval(quantity("-180 deg"), quantity("180 deg")),
         Slip::NotInteger,
         Slip::NoValueForData,
         Slip::NoValueOnSpan,

@@ -233,7 +233,7 @@ impl Marker for Prepared {
         let Some(fault) = self.fault(&typed) else {
             return match self.other_scale(&typed) {
                 None => Marking::right(reading),
-                Some(scale) => Marking::read(reading, half(), Remark::from(Slip::Scale(scale))),
+                Some(scale) => Marking::read(reading, Credit::half(), Remark::from(Slip::Scale(scale))),
             };
         };
         let named = self
@@ -246,12 +246,6 @@ impl Marker for Prepared {
         let (credit, slip) = self.slip(&typed, &fault);
         Marking::read(reading, credit, slip.map(Remark::from))
     }
-}
-
-/// What a right shape in another scale than the one that is asked is worth.
-fn half() -> Credit {
-    let half = Rational::new(1, 2).and_then(Credit::new);
-    half.unwrap_or(Credit::NONE)
 }
 
 /// The component that is shown as one where any scale will do: the first, or the largest if the first is small.

@@ -3,7 +3,7 @@
 use super::super::settle::{Candidate, Rule, settle};
 use super::super::{
     Answered, Credit, Doubt, Key, KeyValue, Marker, Marking, Misfit, Mistaken, Note, Reading,
-    Remark, Trial, Why,
+    Remark, Slip, Trial, Why,
 };
 use super::list::list;
 use super::read::{self, Number};
@@ -29,6 +29,8 @@ pub(super) struct Mistake {
 pub(super) struct Numbers {
     pub(super) unit: Unit,
     pub(super) modulo: Option<f64>,
+    /// Where a cyclic answer is asked.
+    pub(super) within: Option<[f64; 2]>,
     pub(super) is_list: bool,
     pub(super) is_ordered: bool,
     pub(super) ask_digits: Option<u32>,
@@ -111,13 +113,29 @@ impl Numbers {
         }
         let reading = Self::reading(std::slice::from_ref(number), &[typed.hi()], self.mark);
         if target.accepts(typed, self.modulo) {
-            return self.right(reading, number);
+            return match self.outside(target, typed) {
+                Some(slip) => Marking::read(reading, Credit::half(), Remark::from(slip)),
+                None => self.right(reading, number),
+            };
         }
         if let Some(marking) = self.mistake(&reading, std::slice::from_ref(number), &[typed]) {
             return marking;
         }
         let slip = self.slip(&[typed], &quantity.unit);
         Marking::wrong(reading, slip.map(Remark::from))
+    }
+
+    /// What is said of an angle that is right but for whole turns, where it is asked within an interval.
+    fn outside(&self, target: &Target, typed: Typed) -> Option<Slip> {
+        let ends = self.within?;
+        let slack = target.half + target.slack();
+        let is_inside = ends[0] - slack <= typed.hi() && typed.hi() <= ends[1] + slack;
+        let quantity = |si: f64| {
+            let rounded = Decimal::rounded(self.unit.of_si(si), 4)?;
+            Some(Quantity::new(Decimal::shortest(rounded.to_f64())?, self.unit))
+        };
+        let [low, high] = ends.map(quantity);
+        (!is_inside).then_some(Slip::OutsideInterval(low?, high?))
     }
 
     /// The value in SI units; a number without a unit is taken in the unit that is asked for.

@@ -4,6 +4,8 @@
 //! `2*pi rad/s`, `sqrt(2)/2 m`; a list is `0, 180°`.
 //! A response is right if its value in the key's unit lies within the tolerance; units count by
 //! dimension. A number without a unit is taken in the unit that is printed behind the blank.
+//! An angle with `modulo = "360 deg"` is right with any number of turns; where the item asks for one interval,
+//! `within = "(-180 deg, 180 deg]"`, an angle outside of it has half the points.
 //! A complex number is `3 - 4i ohm`, `-100j ohm`, `5 ohm at -53 deg` or `5∠-53°`; it is right within a distance in the plane.
 //! The key is a number or a vector; a vector is a list, marked in any order unless `ordered = true`.
 //!
@@ -45,6 +47,8 @@ struct Numeric {
     tolerance: Tolerance,
     /// The period of a cyclic answer in SI units.
     modulo: Option<f64>,
+    /// Where the item asks for a cyclic answer, in SI units.
+    within: Option<[f64; 2]>,
     is_list: bool,
     is_ordered: bool,
     ask_digits: Option<u32>,
@@ -94,6 +98,10 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         Some(text) => Some(period(&text, &unit, declare)?),
         None => None,
     };
+    let within = match part.text("within") {
+        None => None,
+        Some(text) => Some(interval(&text, modulo.is_some(), &unit, declare)?),
+    };
     let digits_penalty = penalty
         .and_then(|text| Credit::read(&text.value))
         .unwrap_or(Credit::NONE);
@@ -102,6 +110,7 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         unit,
         tolerance,
         modulo,
+        within,
         is_list,
         is_ordered,
         ask_digits: ask_digits.map(|digits| digits as u32),
@@ -138,6 +147,25 @@ pub(super) fn unit(
         return None;
     }
     Some(unit)
+}
+
+/// Where a cyclic answer is asked, `(-180 deg, 180 deg]`. An answer has a tolerance, so that either end counts.
+fn interval(
+    text: &Text,
+    is_cyclic: bool,
+    unit: &Unit,
+    declare: &mut dyn Declare,
+) -> Option<[f64; 2]> {
+    let bare = text.value.trim().strip_prefix(['(', '[']);
+    let bare = bare.and_then(|bare| bare.strip_suffix([')', ']']));
+    let si = |end: &str| Quantity::parse(end.trim()).ok()?.si_for(unit).ok();
+    let ends = bare.and_then(|bare| bare.split_once(','));
+    let ends = ends.and_then(|(low, high)| Some([si(low)?, si(high)?]));
+    let ends = ends.filter(|[low, high]| low < high && is_cyclic);
+    if ends.is_none() {
+        declare.find(&AnswerError::Within(text.value.clone()), text);
+    }
+    ends
 }
 
 fn period(text: &Text, unit: &Unit, declare: &mut dyn Declare) -> Option<f64> {
@@ -203,6 +231,7 @@ impl Answer for Numeric {
         let marker = Numbers {
             unit: self.unit,
             modulo: self.modulo,
+            within: self.within,
             is_list: self.is_list,
             is_ordered: self.is_ordered,
             ask_digits: self.ask_digits,

@@ -2,7 +2,7 @@
 
 use super::Terms;
 use crate::answer::Reason;
-use crate::unit::Unit;
+use crate::unit::{Quantity, Unit};
 
 /// In what a response differs from the key.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,6 +23,8 @@ pub enum Slip {
     Scale(Scaling),
     /// The magnitude of a complex number is right, its angle is not.
     Angle,
+    /// An angle that is right but for whole turns, where it is asked within an interval with these ends.
+    OutsideInterval(Quantity, Quantity),
     /// No integer where one is asked.
     NotInteger,
     /// A function or formula without a value for data for which there is an answer.

@@ -9,7 +9,7 @@ use crate::answer::{
 use crate::document::{Block, Document, Inline};
 use crate::expr::{CheckError, Joint};
 use crate::math::Math;
-use crate::unit::{Dimension, Unit};
+use crate::unit::{DecimalMark, Dimension, Unit};
 
 /// What is said of a remark.
 pub(super) fn say(remark: &Remark) -> Option<Document> {
@@ -127,6 +127,13 @@ fn slip(slip: &Slip) -> String {
         }
         Slip::AngleUnit(unit) => {
             return format!("The number fits in another unit of angle, not in {}.", unit.text());
+        }
+        Slip::OutsideInterval(low, high) => {
+            return format!(
+                "The direction is right; give the angle from {} to {}.",
+                low.math(DecimalMark::Point).plain(),
+                high.math(DecimalMark::Point).plain()
+            );
         }
         Slip::Entries(places) => return entries(places),
         Slip::Shapes(shapes) => {

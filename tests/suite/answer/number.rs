@@ -1,5 +1,7 @@
 //! Numbers with units: the slips that are told, and what is asked back.
 
+use vibank::bank::Catalogue;
+
 use super::check;
 
 /// An item with one number.
@@ -26,6 +28,24 @@ fn angles_count_by_turns() {
             ("123°", "wrong other"),
             ("1e30", "unreadable: 100 times 360.0°"),
             ("36240°", "unreadable"),
+        ],
+    );
+    let within = "modulo = \"360 deg\"\nwithin = \"(-180 deg, 180 deg]\"\ntolerance = \"1 %\"\n";
+    check(
+        &number("-120", "deg", within),
+        &[
+            ("-120°", "right"),
+            ("-2*pi/3", "right"),
+            ("240°", "partial other: from −180"),
+            ("120°", "wrong sign: other sign"),
+        ],
+    );
+    check(
+        &number("180", "deg", within),
+        &[
+            ("180°", "right"),
+            ("-180°", "right"),
+            ("540°", "partial other"),
         ],
     );
     check(
@@ -151,4 +171,26 @@ fn counts_are_bare() {
             ("2.5", "wrong"),
         ],
     );
+}
+
+#[test]
+fn an_interval_for_angles_has_two_ends_and_a_period() {
+    for (modulo, within, is_sound) in [
+        ("modulo = '360 deg'", "(-180 deg, 180 deg]", true),
+        ("", "(-180 deg, 180 deg]", false),
+        ("modulo = '360 deg'", "(180 deg, -180 deg]", false),
+        ("modulo = '360 deg'", "-180 deg, 180 deg", false),
+        ("modulo = '360 deg'", "(-180 deg]", false),
+        ("modulo = '360 deg'", "(-1 m, 1 m]", false),
+    ] {
+        let part = number("1", "deg", &format!("{modulo}\nwithin = '{within}'\n"));
+        let item = format!("[item]\ntitle = 'T'\nsource = 'test'\n[statement]\ntext = 'T.'\n{part}");
+        let (_, findings) = Catalogue::load([
+            ("bank.toml", "format = 1\ntitle = 'T'\n"),
+            ("ch1/_chapter.toml", "title = 'T'\n"),
+            ("ch1/test.toml", item.as_str()),
+        ]);
+        let told = format!("{findings:?}");
+        assert_eq!(!told.contains("no interval"), is_sound, "{within}: {told}");
+    }
 }

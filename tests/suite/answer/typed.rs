@@ -47,14 +47,18 @@ fn answers_to_parts_of_the_bank_are_marked_as_they_were_meant() {
     let (mut faults, mut count) = (Vec::new(), 0);
     for line in ITEMS.lines().filter(|line| !line.starts_with('#')) {
         let fields: Vec<&str> = line.split('\t').collect();
-        let [item, part, verdict, response] = fields[..] else {
-            panic!("item, part, verdict, response: {line}");
+        let (fields, set) = match fields[..] {
+            [item, part, verdict, response] => ([item, part, verdict, response], None),
+            [item, part, verdict, response, set] => ([item, part, verdict, response], Some(set)),
+            _ => panic!("item, part, verdict, response, data: {line}"),
         };
+        let [item, part, verdict, response] = fields;
+        let set: Vec<(&str, &str)> = set.and_then(|set| set.split_once('=')).into_iter().collect();
         let template = bank.find(item).expect("an item of the bank");
         let place = template.parts.iter().position(|own| own.id == part);
         let place = place.expect("a part of the item");
-        let solution = Solution::of(Instance::of_source(template));
-        let marking = grade::mark(&solution, place, response);
+        let instance = Instance::of(template, None, &set).expect("an instance");
+        let marking = grade::mark(&Solution::of(instance), place, response);
         count += 1;
         if marking.verdict.name() != verdict {
             faults.push(format!(
