@@ -233,7 +233,9 @@ impl Marker for Prepared {
         let Some(fault) = self.fault(&typed) else {
             return match self.other_scale(&typed) {
                 None => Marking::right(reading),
-                Some(scale) => Marking::read(reading, Credit::half(), Remark::from(Slip::Scale(scale))),
+                Some(scale) => {
+                    Marking::read(reading, Credit::half(), Remark::from(Slip::Scale(scale)))
+                }
             };
         };
         let named = self

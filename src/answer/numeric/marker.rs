@@ -132,7 +132,10 @@ impl Numbers {
         let is_inside = ends[0] - slack <= typed.hi() && typed.hi() <= ends[1] + slack;
         let quantity = |si: f64| {
             let rounded = Decimal::rounded(self.unit.of_si(si), 4)?;
-            Some(Quantity::new(Decimal::shortest(rounded.to_f64())?, self.unit))
+            Some(Quantity::new(
+                Decimal::shortest(rounded.to_f64())?,
+                self.unit,
+            ))
         };
         let [low, high] = ends.map(quantity);
         (!is_inside).then_some(Slip::OutsideInterval(low?, high?))

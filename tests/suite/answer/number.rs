@@ -184,7 +184,8 @@ fn an_interval_for_angles_has_two_ends_and_a_period() {
         ("modulo = '360 deg'", "(-1 m, 1 m]", false),
     ] {
         let part = number("1", "deg", &format!("{modulo}\nwithin = '{within}'\n"));
-        let item = format!("[item]\ntitle = 'T'\nsource = 'test'\n[statement]\ntext = 'T.'\n{part}");
+        let item =
+            format!("[item]\ntitle = 'T'\nsource = 'test'\n[statement]\ntext = 'T.'\n{part}");
         let (_, findings) = Catalogue::load([
             ("bank.toml", "format = 1\ntitle = 'T'\n"),
             ("ch1/_chapter.toml", "title = 'T'\n"),

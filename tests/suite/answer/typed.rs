@@ -53,7 +53,10 @@ fn answers_to_parts_of_the_bank_are_marked_as_they_were_meant() {
             _ => panic!("item, part, verdict, response, data: {line}"),
         };
         let [item, part, verdict, response] = fields;
-        let set: Vec<(&str, &str)> = set.and_then(|set| set.split_once('=')).into_iter().collect();
+        let set: Vec<(&str, &str)> = set
+            .and_then(|set| set.split_once('='))
+            .into_iter()
+            .collect();
         let template = bank.find(item).expect("an item of the bank");
         let place = template.parts.iter().position(|own| own.id == part);
         let place = place.expect("a part of the item");
