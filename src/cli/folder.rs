@@ -31,19 +31,17 @@ pub(crate) struct Left {
 }
 
 impl Folder {
-    /// The folder `root`, which is made if it is not there.
-    pub(crate) fn make(root: &Path) -> Result<Self, Failure> {
-        let folder = Self::at(root);
-        make_private(&folder.root).map_err(|error| unwritable(root, &error))?;
-        Ok(folder)
-    }
-
     /// The folder `root`, whether it is there or not.
     pub(crate) fn at(root: &Path) -> Self {
         let is_here = root.as_os_str().is_empty();
         Self {
             root: if is_here { Path::new(".") } else { root }.to_owned(),
         }
+    }
+
+    /// Makes the folder if it is not there.
+    pub(crate) fn make(&self) -> Result<(), Failure> {
+        make_private(&self.root).map_err(|error| unwritable(&self.root, &error))
     }
 
     /// The folder itself.

@@ -108,7 +108,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         plan: &plan,
         choice: &choice,
         students: &students,
-        out: &Folder::make(&out(arguments))?,
+        out: &Folder::at(&out(arguments)),
         is_split: arguments.split || !arguments.shard.is_whole(),
     };
     let summary = pool.install(|| run.make(&catalogue, count))?;
@@ -154,6 +154,8 @@ impl Run<'_, '_> {
             return Ok(Summary::unchanged(self.out, shard.share(count).len()));
         }
         let share = shard.share(count);
+        // Not before: a run that is refused leaves no empty folder.
+        self.out.make()?;
         let (ledger, mark) = Ledger::open(self.out, shard, &stamp.inputs)?;
         let held = known.of(shard);
         guard::make_room(self.out, held, &stamp, shard, self.arguments.force)?;

@@ -278,6 +278,14 @@ fn a_blueprint_that_asks_for_what_is_not_there_is_refused_with_its_place() {
     refused(&blueprint("seed = 1\nvariants = 0")).complains("variants");
     refused(&blueprint("seed = 1\nvariants = 1\nformats = [\"docx\"]")).complains("docx");
     refused(&blueprint("seed = 1\nvariant = 1")).complains("did you mean `variants`?");
+    // What is refused late, by the layouts, leaves no empty folder either.
+    let plan = put(&folder, "test.toml", blueprint("seed = 1\nvariants = 1"));
+    let (layouts, out) = (folder.join("none"), folder.join("out"));
+    let more = ["--out", &text_of(&out), "--layouts", &text_of(&layouts)];
+    small(&[&["sheet", &plan][..], &more].concat())
+        .ends(2)
+        .complains("there is no folder");
+    assert!(!out.exists(), "a refused run made its folder");
     let _ = vibank(&["sheet", "/dev/null", "--bank", BANK]).ends(2);
 }
 
