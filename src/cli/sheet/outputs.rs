@@ -69,8 +69,10 @@ pub(super) fn formats(
     is_split: bool,
 ) -> Result<Vec<Format>, Failure> {
     if let Some(folder) = layouts.filter(|folder| !folder.is_dir()) {
-        return Err(Failure::new(format!("there is no folder `{}`", folder.display()))
-            .help("give the folder that holds your layouts as `FORMAT/worksheet.EXT`"));
+        return Err(
+            Failure::new(format!("there is no folder `{}`", folder.display()))
+                .help("give the folder that holds your layouts as `FORMAT/worksheet.EXT`"),
+        );
     }
     let format = |name: &String| {
         if name == "json" {
