@@ -11,8 +11,8 @@
 
 use super::settle::{Candidate, Rule, settle};
 use super::{
-    Answer, AnswerError, Answered, Context, Credit, Declare, Doubt, Key, KeyValue, Marker, Marking,
-    Misfit, Nature, Reading, Remark, Slip, Trial, Why, numeric,
+    Answer, AnswerError, Answered, Context, Credit, Declare, Doubt, Echo, Key, KeyValue, Marker, Marking,
+    Misfit, Nature, Reading, Remark, Slip, Trial, Unreadable, Why, numeric,
 };
 use crate::expr::Form;
 use crate::math::Math;
@@ -109,6 +109,12 @@ impl Marker for Whole {
         }
     }
 
+    fn echo(&self, response: &str) -> Result<Echo, Unreadable> {
+        let (first, others) = numeric::readings(response, self.mark)?;
+        let readings = [first].into_iter().chain(others);
+        Echo::of(readings.map(|own| self.reading(&own))).ok_or_else(|| Why::Form.into())
+    }
+
     fn mark(&self, response: &str) -> Marking {
         let (first, others) = match numeric::readings(response, self.mark) {
             Ok(readings) => readings,
@@ -124,19 +130,25 @@ impl Marker for Whole {
 }
 
 impl Whole {
+    fn reading(&self, quantity: &Quantity) -> Reading {
+        Reading {
+            math: quantity.math(self.mark),
+            text: quantity.to_string(),
+            answered: Answered::Number {
+                si: quantity.value.to_f64(),
+                unit: Some(quantity.unit).filter(|unit| !unit.is_one()),
+            },
+        }
+    }
+
     /// The marking of a reading.
     fn judged(&self, quantity: &Quantity) -> Marking {
         let number = quantity.value.to_f64();
         if quantity.unit.text() == "rev" {
             return Marking::unreadable(Why::CountedUnit);
         }
-        let unit = Some(quantity.unit).filter(|unit| !unit.is_one());
-        let reading = Reading {
-            math: quantity.math(self.mark),
-            text: quantity.to_string(),
-            answered: Answered::Number { si: number, unit },
-        };
-        if unit.is_some() {
+        let reading = self.reading(quantity);
+        if !quantity.unit.is_one() {
             return Marking::wrong(reading, Remark::from(Misfit::Count));
         }
         if !quantity.value.is_integer() {

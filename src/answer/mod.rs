@@ -11,6 +11,7 @@
 mod answered;
 mod choice;
 mod declare;
+mod echo;
 mod equality;
 mod equation;
 mod error;
@@ -33,6 +34,7 @@ mod trial;
 
 pub use answered::{Answered, Bounds};
 pub use declare::{Context, Declare, Known, Mistaken, Role};
+pub use echo::Echo;
 pub use error::AnswerError;
 pub use kind::Kind;
 pub use marking::{Credit, Key, KeyValue, Marking, Reading, Reason, Verdict};
@@ -125,6 +127,15 @@ pub trait Marker: Send + Sync {
 
     /// Marks a response that is not empty.
     fn mark(&self, response: &str) -> Marking;
+
+    /// How a response is read while it is typed, whatever the key.
+    ///
+    /// # Errors
+    ///
+    /// Why it cannot be read.
+    fn echo(&self, response: &str) -> Result<Echo, Unreadable> {
+        Echo::of_marking(self.mark(response))
+    }
 
     /// Marks a response with those to the item's other parts of this kind at hand.
     fn mark_beside(&self, response: &str, _others: &[Beside<'_>]) -> Marking {

@@ -18,7 +18,7 @@ pub use pattern::pattern;
 pub use points::{of_marking, rounded, standing};
 pub use responses::{Place, Responses, Row, RowError};
 
-use crate::answer::{Marking, Why};
+use crate::answer::{Echo, Marker, Marking, Unreadable, Why};
 use crate::response::Folded;
 use crate::solution::Solution;
 
@@ -46,17 +46,35 @@ pub fn mark(solution: &Solution<'_>, place: usize, response: &str) -> Marking {
     if response.is_empty() {
         return Marking::missing();
     }
-    if response.len() > LONGEST_RESPONSE {
-        return Marking::unreadable(Why::LongerThan(LONGEST_RESPONSE));
-    }
-    let folded = match Folded::of(response) {
-        Ok(folded) => folded,
-        Err(dollar) => return silence::heard(response, Marking::unreadable(dollar)),
+    let marking = match folded(solution, place, response) {
+        Ok((marker, folded)) => marker.mark(folded.text().trim()),
+        Err(why) => Marking::unreadable(why),
     };
-    match solution.marker(place) {
-        Ok(marker) => silence::heard(response, marker.mark(folded.text().trim())),
-        Err(absent) => Marking::unreadable(Why::NoKey(absent.clone())),
+    silence::heard(response, marking)
+}
+
+/// How a response to a part is read while it is typed: this tells nothing of the key.
+///
+/// # Errors
+///
+/// Why it cannot be read.
+pub fn echo(solution: &Solution<'_>, place: usize, response: &str) -> Result<Echo, Unreadable> {
+    let (marker, folded) = folded(solution, place, response.trim())?;
+    marker.echo(folded.text().trim())
+}
+
+/// What marks a response, and the response in one spelling.
+fn folded<'s, 'r>(
+    solution: &'s Solution<'_>,
+    place: usize,
+    response: &'r str,
+) -> Result<(&'s dyn Marker, Folded<'r>), Unreadable> {
+    if response.len() > LONGEST_RESPONSE {
+        return Err(Why::LongerThan(LONGEST_RESPONSE).into());
     }
+    let folded = Folded::of(response)?;
+    let marker = solution.marker(place).map_err(Why::NoKey)?;
+    Ok((marker, folded))
 }
 
 /// The markings of the parts of an instance.

@@ -8,7 +8,7 @@
 //! | --- | --- |
 //! | `{"do":"choose","question":0,"from":7}` | `{"code"}`: the first variant from there that is fit to be asked |
 //! | `{"do":"show","question":0,"code":"…"}` | `identity`, `statement`, `parts` |
-//! | `{"do":"read", … "part":"X","response":"2 m"}` | `reading`, or `problem` |
+//! | `{"do":"read", … "part":"X","response":"2 m"}` | `reading` and, where there is a doubt, `other`, whatever the key; or `problem` |
 //! | `{"do":"mark", … "part":"X","response":"2 m","earlier":{}}` | `verdict`, `credit`, `reading`, `feedback`, `reasons` |
 //! | `{"do":"hint", … "part":"X","number":0}` | `html` |
 //! | `{"do":"solve", … "part":"X"}` | `key`, `html` |
@@ -35,7 +35,7 @@ use crate::suitability;
 use crate::unit::DecimalMark;
 use crate::worksheet::{Practice, PracticeError, PracticeQuestion};
 
-use self::request::Request;
+use self::request::{Reply, Request};
 
 /// Answers the requests of one page.
 pub struct Grader {
@@ -107,8 +107,8 @@ impl Grader {
         let reply = serde_json::from_str::<Request>(request)
             .map_err(|error| error.to_string())
             .and_then(|request| self.reply(&request));
-        let reply = reply.unwrap_or_else(|error| serde_json::json!({ "error": error }));
-        reply.to_string()
+        let reply = reply.unwrap_or_else(|error| Reply::Refused { error });
+        serde_json::to_string(&reply).expect("a reply is plain data")
     }
 
     /// What the page offers.

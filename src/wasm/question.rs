@@ -1,6 +1,6 @@
 //! The pieces of a question as a page shows them.
 
-use serde_json::{Value as Json, json};
+use serde::Serialize;
 
 use crate::answer::Kind;
 use crate::bank::{Part, Template};
@@ -40,8 +40,16 @@ pub(super) fn figure(picture: &Picture, caption: &Document) -> String {
     out
 }
 
+/// An option of a choice.
+#[derive(Serialize)]
+pub(super) struct ShownOption {
+    id: String,
+    letter: String,
+    text: String,
+}
+
 /// The options of a choice in the order in which they are shown.
-pub(super) fn options(solution: &Solution<'_>, place: usize) -> Vec<Json> {
+pub(super) fn options(solution: &Solution<'_>, place: usize) -> Vec<ShownOption> {
     let options = solution.template().parts[place].answer.options();
     if options.is_empty() {
         return Vec::new();
@@ -49,7 +57,11 @@ pub(super) fn options(solution: &Solution<'_>, place: usize) -> Vec<Json> {
     let option = |(at, place): (usize, usize)| {
         let mut text = String::new();
         options[place].text.write_html_line(&mut text, &Vec::new());
-        json!({ "id": options[place].id, "letter": letter(at), "text": text })
+        ShownOption {
+            id: options[place].id.clone(),
+            letter: letter(at),
+            text,
+        }
     };
     let order = solution.order(place).into_iter().enumerate();
     order.map(option).collect()

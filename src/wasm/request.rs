@@ -2,11 +2,12 @@
 
 use std::rc::Rc;
 
-use serde::Deserialize;
-use serde_json::{Map, Value as Json, json};
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value as Json};
 
 use super::Grader;
-use super::question::{asked, figure, html, options, shape};
+use super::question::{ShownOption, asked, figure, html, options, shape};
+use crate::answer::{Choosing, Credit, Marking, Reason, Verdict};
 use crate::bank::{Passage, Template};
 use crate::grade::{self, Grade};
 use crate::math::Display;
@@ -53,6 +54,67 @@ pub(super) enum Request {
     },
 }
 
+/// What is replied, a variant for each request.
+#[derive(Serialize)]
+#[serde(untagged)]
+pub(super) enum Reply {
+    Chosen {
+        code: String,
+    },
+    Shown {
+        identity: String,
+        statement: String,
+        parts: Vec<ShownPart>,
+    },
+    /// A response while it is typed, whatever the key: as it is read, and the other reading where there is a doubt.
+    Read {
+        reading: String,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        other: Option<String>,
+    },
+    /// Why it cannot be read.
+    Unread {
+        problem: String,
+    },
+    Marked {
+        verdict: Verdict,
+        credit: Credit,
+        reading: Option<String>,
+        si: Option<Vec<f64>>,
+        reasons: Vec<String>,
+        feedback: String,
+    },
+    Hint {
+        html: String,
+    },
+    Solved {
+        key: String,
+        /// The right options of a choice.
+        right: Vec<String>,
+        html: String,
+    },
+    /// A request that cannot be answered.
+    Refused {
+        error: String,
+    },
+}
+
+/// A part as it is shown.
+#[derive(Serialize)]
+pub(super) struct ShownPart {
+    id: String,
+    letter: String,
+    kind: &'static str,
+    ask: String,
+    lead: Option<String>,
+    unit: Option<String>,
+    hints: usize,
+    choosing: Option<&'static str>,
+    options: Vec<ShownOption>,
+    rows: Option<usize>,
+    columns: Option<usize>,
+}
+
 /// An instance of a question that is being asked about.
 struct Asked<'g> {
     grader: &'g Grader,
@@ -62,11 +124,13 @@ struct Asked<'g> {
 }
 
 impl Grader {
-    pub(super) fn reply(&self, request: &Request) -> Result<Json, String> {
+    pub(super) fn reply(&self, request: &Request) -> Result<Reply, String> {
         match request {
             Request::Choose { question, from } => {
                 let variant = self.choose(*question, *from)?;
-                Ok(json!({ "code": variant.to_string() }))
+                Ok(Reply::Chosen {
+                    code: variant.to_string(),
+                })
             }
             Request::Show { question, code } => Ok(self.asked(*question, code)?.show()),
             Request::Read {
@@ -126,15 +190,14 @@ impl Asked<'_> {
         html(&self.grader.scene(&self.solution).passage(passage))
     }
 
-    fn show(&self) -> Json {
+    fn show(&self) -> Reply {
         let template = self.template();
         let parts = self.parts.iter().enumerate();
-        let parts: Vec<Json> = parts.map(|(at, place)| self.part(at, *place)).collect();
-        json!({
-            "identity": self.solution.instance().identity(),
-            "statement": self.texts(&template.statement) + &self.figure(),
-            "parts": parts,
-        })
+        Reply::Shown {
+            identity: self.solution.instance().identity(),
+            statement: self.texts(&template.statement) + &self.figure(),
+            parts: parts.map(|(at, place)| self.part(at, *place)).collect(),
+        }
     }
 
     /// The figure after the statement, where the statement does not place it itself.
@@ -147,35 +210,40 @@ impl Asked<'_> {
         picture.map_or_else(String::new, |picture| figure(&picture, &template.caption))
     }
 
-    fn part(&self, at: usize, place: usize) -> Json {
+    fn part(&self, at: usize, place: usize) -> ShownPart {
         let part = &self.template().parts[place];
         let scene = self.grader.scene(&self.solution);
         let unit = part.answer.unit().filter(|unit| !unit.is_one());
         let (rows, columns) = shape(part, self.template()).unzip();
-        json!({
-            "id": part.id,
-            "letter": letter(at),
-            "kind": part.answer.kind().name(),
-            "ask": self.texts(&part.ask),
-            "lead": scene.lead(place).map(|math| math.mathml(Display::Inline)),
-            "unit": unit.map(|unit| unit.math().mathml(Display::Inline)),
-            "hints": part.hints.len(),
-            "choosing": part.answer.choosing().map(|choosing| choosing.name()),
-            "options": options(&self.solution, place),
-            "rows": rows,
-            "columns": columns,
+        ShownPart {
+            id: part.id.clone(),
+            letter: letter(at),
+            kind: part.answer.kind().name(),
+            ask: self.texts(&part.ask),
+            lead: scene.lead(place).map(|math| math.mathml(Display::Inline)),
+            unit: unit.map(|unit| unit.math().mathml(Display::Inline)),
+            hints: part.hints.len(),
+            choosing: part.answer.choosing().map(Choosing::name),
+            options: options(&self.solution, place),
+            rows,
+            columns,
+        }
+    }
+
+    fn read(&self, id: &str, response: &str) -> Result<Reply, String> {
+        let place = self.place(id)?;
+        Ok(match grade::echo(&self.solution, place, response) {
+            Ok(echo) => Reply::Read {
+                reading: echo.reading.math.mathml(Display::Inline),
+                other: echo.other.map(|other| other.mathml(Display::Inline)),
+            },
+            Err(why) => Reply::Unread {
+                problem: self.feedback(place, &Marking::unreadable(why)),
+            },
         })
     }
 
-    fn read(&self, id: &str, response: &str) -> Result<Json, String> {
-        let marking = grade::mark(&self.solution, self.place(id)?, response);
-        Ok(match marking.reading {
-            Some(reading) => json!({ "reading": reading.math.mathml(Display::Inline) }),
-            None => json!({ "problem": self.feedback(self.place(id)?, &marking) }),
-        })
-    }
-
-    fn mark(&self, id: &str, response: &str, earlier: &Map<String, Json>) -> Result<Json, String> {
+    fn mark(&self, id: &str, response: &str, earlier: &Map<String, Json>) -> Result<Reply, String> {
         let place = self.place(id)?;
         let mut responses = vec![(place, response)];
         for (part, response) in earlier {
@@ -187,36 +255,33 @@ impl Asked<'_> {
         }
         let grade = Grade::mark(&self.solution, responses);
         let marking = grade.part(place).ok_or("the part was not marked")?;
-        let reasons: Vec<String> = marking
-            .reasons()
-            .iter()
-            .map(|reason| reason.code())
-            .collect();
         let reading = marking.reading.as_ref();
-        Ok(json!({
-            "verdict": marking.verdict,
-            "credit": marking.credit,
-            "reading": reading.map(|reading| reading.math.mathml(Display::Inline)),
-            "si": reading.map(|reading| reading.answered.si()),
-            "reasons": reasons,
-            "feedback": self.feedback(place, marking),
-        }))
+        Ok(Reply::Marked {
+            verdict: marking.verdict,
+            credit: marking.credit,
+            reading: reading.map(|reading| reading.math.mathml(Display::Inline)),
+            si: reading.map(|reading| reading.answered.si()),
+            reasons: marking.reasons().iter().map(Reason::code).collect(),
+            feedback: self.feedback(place, marking),
+        })
     }
 
-    fn feedback(&self, place: usize, marking: &crate::answer::Marking) -> String {
+    fn feedback(&self, place: usize, marking: &Marking) -> String {
         let remarks = grade::remarks(&self.solution, place, marking);
         let html = |remark: &grade::Comment| remark.document.html(&remark.fillings);
         remarks.iter().map(html).collect()
     }
 
-    fn hint(&self, id: &str, number: usize) -> Result<Json, String> {
+    fn hint(&self, id: &str, number: usize) -> Result<Reply, String> {
         let part = &self.template().parts[self.place(id)?];
         let hint = part.hints.get(number);
         let hint = hint.ok_or_else(|| format!("`{id}` has no hint {number}"))?;
-        Ok(json!({ "html": self.texts(hint) }))
+        Ok(Reply::Hint {
+            html: self.texts(hint),
+        })
     }
 
-    fn solve(&self, id: &str) -> Result<Json, String> {
+    fn solve(&self, id: &str) -> Result<Reply, String> {
         let place = self.place(id)?;
         let key = self.solution.marker(place).map(|marker| marker.key());
         let key = key.map_err(|absent| absent.to_string())?;
@@ -231,10 +296,10 @@ impl Asked<'_> {
         } else {
             String::new()
         };
-        Ok(json!({
-            "key": key.math.mathml(Display::Inline),
-            "right": right,
-            "html": before + &self.texts(&part.solution),
-        }))
+        Ok(Reply::Solved {
+            key: key.math.mathml(Display::Inline),
+            right,
+            html: before + &self.texts(&part.solution),
+        })
     }
 }

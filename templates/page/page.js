@@ -401,8 +401,8 @@ class Part {
     const place = this.find(".echo");
     const response = this.record.response.trim();
     if (response === "" || this.input.isChoice) return place.replaceChildren();
-    const { reading, problem } = this.ask("read", { response });
-    const said = reading ?? problem;
+    const { reading, other, problem } = this.ask("read", { response });
+    const said = other ? `${reading} ${say("or")} ${other}` : (reading ?? problem);
     const lead = `${say(reading ? "read_as" : "unreadable")}: `;
     place.replaceChildren(make("span", { textContent: lead }), make("span", { innerHTML: said ?? "" }));
   }

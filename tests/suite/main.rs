@@ -32,6 +32,8 @@ mod physics;
 #[cfg(feature = "render")]
 mod plots;
 #[cfg(feature = "render")]
+mod protocol;
+#[cfg(feature = "render")]
 mod text;
 #[cfg(feature = "render")]
 mod trace;

@@ -7,8 +7,8 @@ use super::rows::Rows;
 use super::system::Other;
 use super::{Arc, Setup, told, written};
 use crate::answer::{
-    Beside, Credit, Equations, Key, Marker, Marking, Misfit, Nature, Note, Reading, Remark, Slip,
-    Trial, Why,
+    Beside, Credit, Echo, Equations, Key, Marker, Marking, Misfit, Nature, Note, Reading, Remark, Slip,
+    Trial, Unreadable, Why,
 };
 use crate::expr::{Equation, Kind, Name, Program};
 use crate::numerics::Rational;
@@ -167,6 +167,11 @@ impl Marker for Prepared {
 
     fn key(&self) -> Key {
         self.setup.printed()
+    }
+
+    fn echo(&self, response: &str) -> Result<Echo, Unreadable> {
+        let equations = self.setup.read(response)?;
+        Ok(Echo::of_reading(self.setup.reading(&equations)))
     }
 
     fn mark(&self, response: &str) -> Marking {

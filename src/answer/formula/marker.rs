@@ -8,8 +8,8 @@ use super::slip::slip;
 use crate::answer::equality::{Comparable, Comparison, Points};
 use crate::answer::settle::{Candidate, Rule, settle};
 use crate::answer::{
-    Answered, Credit, Doubt, Key, Marker, Marking, Misfit, Nature, Note, Reading, Reason, Remark,
-    Trial, Verdict, Why,
+    Answered, Credit, Doubt, Echo, Key, Marker, Marking, Misfit, Nature, Note, Reading, Reason, Remark,
+    Trial, Unreadable, Verdict, Why,
 };
 use crate::expr::Expr;
 use crate::response::{self, Trouble, TypedError};
@@ -87,14 +87,18 @@ impl Prepared {
         Ok(all)
     }
 
+    fn reading(&self, expr: &Expr) -> Reading {
+        Reading {
+            math: expr.typeset(&self.setup.lexicon),
+            text: expr.to_string(),
+            answered: Answered::Formula(expr.clone()),
+        }
+    }
+
     /// The marking of a reading by what it comes to.
     fn judged(&self, Read { expr, misfit }: &Read) -> Marking {
         let setup = &self.setup;
-        let reading = Reading {
-            math: expr.typeset(&setup.lexicon),
-            text: expr.to_string(),
-            answered: Answered::Formula(expr.clone()),
-        };
+        let reading = self.reading(expr);
         let Some(typed) = self.comparable(expr) else {
             return Marking::unreadable(Why::Incomparable);
         };
@@ -193,6 +197,19 @@ impl Marker for Prepared {
 
     fn key(&self) -> Key {
         self.setup.printed()
+    }
+
+    fn echo(&self, response: &str) -> Result<Echo, Unreadable> {
+        let unread = |error: TypedError| error.remark(response);
+        let readings = match self.readings(response) {
+            Ok(readings) => readings,
+            Err(error) => {
+                let (formula, _) = self.before_unit(response).ok_or_else(|| unread(error))?;
+                self.readings(formula).map_err(unread)?
+            }
+        };
+        let readings = readings.iter().map(|read| self.reading(&read.expr));
+        Echo::of(readings).ok_or_else(|| Why::Incomparable.into())
     }
 
     fn mark(&self, response: &str) -> Marking {

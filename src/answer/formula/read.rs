@@ -68,7 +68,7 @@ impl Prepared {
     }
 
     /// A formula and the unit that stands behind it all the same, `sqrt(k/m) rad/s`.
-    fn before_unit<'a>(&self, response: &'a str) -> Option<(&'a str, Unit)> {
+    pub(super) fn before_unit<'a>(&self, response: &'a str) -> Option<(&'a str, Unit)> {
         let has_names = self.has_names();
         let reads = |(text, _): &(&str, Unit)| {
             let typed = self.read(text);

@@ -9,7 +9,8 @@ use super::{Scale, Setup};
 use crate::answer::matrix::Written;
 use crate::answer::trial::typed as typed_number;
 use crate::answer::{
-    Credit, Key, KeyValue, Marker, Marking, Nature, Remark, Scaling, Shape, Slip, Trial,
+    Credit, Echo, Key, KeyValue, Marker, Marking, Nature, Remark, Scaling, Shape, Slip, Trial,
+    Unreadable, Why,
 };
 use crate::expr::{Precise, Value};
 use crate::math::Math;
@@ -214,6 +215,11 @@ impl Marker for Prepared {
                 si: self.key.numbers().to_vec(),
             },
         }
+    }
+
+    fn echo(&self, response: &str) -> Result<Echo, Unreadable> {
+        let readings = self.read(response)?.into_iter().map(|own| own.reading);
+        Echo::of(readings).ok_or_else(|| Why::ComponentValue.into())
     }
 
     fn mark(&self, response: &str) -> Marking {

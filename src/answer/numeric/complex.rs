@@ -2,7 +2,7 @@
 
 use super::super::settle::{Candidate, Rule, settle};
 use super::super::{
-    Answered, Credit, Decades, Doubt, Example, Key, KeyValue, Marker, Marking, Misfit, Mistaken,
+    Answered, Credit, Decades, Doubt, Echo, Example, Key, KeyValue, Marker, Marking, Misfit, Mistaken,
     Negated, Reading, Remark, Slip, Trial, Unreadable, Why,
 };
 use super::list::parted;
@@ -316,18 +316,18 @@ impl Marker for Numbers {
         }
     }
 
+    fn echo(&self, response: &str) -> Result<Echo, Unreadable> {
+        let values = self.values(response)?;
+        let parts = self.parts(&values)?;
+        let of = |way| Echo::of_marking(self.judged(&values, &parts, way));
+        let (first, other) = (of(Way::Conventional)?, of(Way::Other)?);
+        let other = Some(other.reading.math).filter(|other| *other != first.reading.math);
+        Ok(Echo { other, ..first })
+    }
+
     fn mark(&self, response: &str) -> Marking {
-        let values = if self.is_list {
-            parted(response, self.mark, true)
-        } else {
-            let style = Style {
-                mark: self.mark,
-                comma_is_decimal: true,
-                is_complex: true,
-            };
-            Values::read(response, style).map_err(|error| error.remark(response))
-        };
-        let read = values.and_then(|values| self.parts(&values).map(|parts| (values, parts)));
+        let read = self.values(response);
+        let read = read.and_then(|values| self.parts(&values).map(|parts| (values, parts)));
         let (values, parts) = match read {
             Ok(read) => read,
             Err(help) => return Marking::unreadable(help),
@@ -346,6 +346,18 @@ impl Marker for Numbers {
 }
 
 impl Numbers {
+    fn values<'r>(&self, response: &'r str) -> Result<Values<'r>, Unreadable> {
+        if self.is_list {
+            return parted(response, self.mark, true);
+        }
+        let style = Style {
+            mark: self.mark,
+            comma_is_decimal: true,
+            is_complex: true,
+        };
+        Values::read(response, style).map_err(|error| error.remark(response))
+    }
+
     /// The marking of one reading of the parts of a response.
     fn judged(&self, values: &Values<'_>, parts: &[Part], way: Way) -> Marking {
         let mut items = Vec::new();

@@ -2,8 +2,8 @@
 
 use super::super::settle::{Candidate, Rule, settle};
 use super::super::{
-    Answered, Credit, Doubt, Key, KeyValue, Marker, Marking, Misfit, Mistaken, Note, Reading,
-    Remark, Slip, Trial, Why,
+    Answered, Credit, Doubt, Echo, Key, KeyValue, Marker, Marking, Misfit, Mistaken, Note, Reading,
+    Remark, Slip, Trial, Unreadable, Why,
 };
 use super::list::list;
 use super::read::{self, Number};
@@ -349,6 +349,21 @@ impl Marker for Numbers {
                 si: numbers,
             },
         }
+    }
+
+    fn echo(&self, response: &str) -> Result<Echo, Unreadable> {
+        let items = if self.is_list {
+            list(response, self.targets.len(), self.mark)?
+        } else {
+            vec![read::number(response, self.mark)?]
+        };
+        let items: Vec<Number> = items
+            .into_iter()
+            .map(|item| self.with_radians(item))
+            .collect();
+        let otherwise: Vec<Number> = items.iter().map(Number::otherwise).collect();
+        let readings = [items, otherwise].map(|items| Self::reading(&items, &[], self.mark));
+        Echo::of(readings).ok_or_else(|| Why::Form.into())
     }
 
     fn mark(&self, response: &str) -> Marking {

@@ -31,8 +31,8 @@ mod steady_amplitude_phase;
 
 pub use error::RequestError;
 
-use serde::Deserialize;
-use serde_json::{Map, Value, json};
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
 
 use parameters::Parameters;
 use reply::Reply;
@@ -82,11 +82,27 @@ pub fn answer(line: &str) -> String {
         Ok(mut request) => (request.remove("id").unwrap_or(Value::Null), solve(&request)),
         Err(error) => (id_of(line), Err(error)),
     };
-    let reply = match result {
-        Ok(result) => json!({ "id": id, "result": result }),
-        Err(error) => json!({ "id": id, "error": error }),
+    let outcome = match result {
+        Ok(result) => Outcome::Result(result),
+        Err(error) => Outcome::Error(error),
     };
-    reply.to_string()
+    serde_json::to_string(&Answer { id, outcome }).expect("a reply is plain data")
+}
+
+/// The reply to a line.
+#[derive(Serialize)]
+struct Answer {
+    id: Value,
+    #[serde(flatten)]
+    outcome: Outcome,
+}
+
+/// What came out.
+#[derive(Serialize)]
+#[serde(rename_all = "lowercase")]
+enum Outcome {
+    Result(Map<String, Value>),
+    Error(RequestError),
 }
 
 /// The names of all tasks, in alphabetical order.
@@ -140,6 +156,8 @@ fn solve(request: &Map<String, Value>) -> Result<Map<String, Value>, RequestErro
 
 #[cfg(test)]
 mod tests {
+    use serde_json::json;
+
     use super::*;
 
     fn code(line: &str) -> String {

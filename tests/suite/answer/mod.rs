@@ -5,6 +5,7 @@ mod choice;
 mod complex;
 mod corpus;
 mod domain;
+mod echo;
 mod equation;
 mod formula;
 mod function;
@@ -36,6 +37,11 @@ fn catalogue(item: &str) -> Catalogue {
     ]);
     assert!(catalogue.items().next().is_some(), "{findings:#?}");
     catalogue
+}
+
+/// An item with one part of every kind.
+pub(crate) fn kinds() -> Catalogue {
+    hostile::catalogue()
 }
 
 /// What is said of a marking in English, but for texts of the item.

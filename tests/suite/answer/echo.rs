@@ -1,0 +1,83 @@
+//! What is shown of a response while it is typed tells nothing of the key.
+
+use vibank::bank::Catalogue;
+use vibank::grade;
+use vibank::instance::Instance;
+use vibank::solution::Solution;
+
+const ITEM: &str = include_str!("../../fixtures/kinds/item.toml");
+const TYPED: &str = include_str!("../../corpora/typed.tsv");
+const NUMBERS: &str = include_str!("../../corpora/numbers.tsv");
+const READINGS: &str = include_str!("../../corpora/readings.tsv");
+
+/// The same questions with other keys.
+fn other() -> String {
+    let changes = [
+        ("key  = \"R + 4[ohm]*i\"", "key  = \"5*R - 7[ohm]*i\""),
+        ("key  = \"2\"", "key  = \"5000\""),
+        ("\"sqrt(k/m - (c/(2*m))^2)\"", "\"(2*sqrt(k/m) + sqrt(m)*c/(m*sqrt(m)))/3\""),
+        ("\"sqrt(k/m)\"", "\"1000*sqrt(k/m)\""),
+        ("\"[omega_n, sqrt(3*k/m)]\"", "\"[7*omega_n, 3*omega_n]\""),
+        ("\"[[2*k, -k], [-k, 2*k]]\"", "\"[[3*k, 0*k], [0*k, k]]\""),
+        ("\"l*exp(-c/(2*m)*t)*cos(omega_n*t)\"", "\"l*exp(-c/m*t)*sin(omega_n*t)\""),
+        ("\"[1, 1]\"", "\"[1, -3]\""),
+        ("\"k*l/(m*9.81[m/s^2]*10)\"", "\"k*l/(m*9.81[m/s^2]*70)\""),
+        ("+ 1/2*k*(x2 - x1)^2", "+ 3/2*k*(x2 - x1)^2"),
+        ("right = true }, { id = \"over\", text = \"Overdamped.\"", "}, { id = \"over\", text = \"Overdamped.\", right = true"),
+    ];
+    changes.iter().fold(ITEM.to_owned(), |item, (old, new)| {
+        assert!(item.contains(old), "{old}");
+        item.replacen(old, new, 1)
+    })
+}
+
+fn catalogue(item: &str) -> Catalogue {
+    let (catalogue, findings) = Catalogue::load([
+        ("bank.toml", "format = 1\ntitle = 'Test'\n"),
+        ("kinds/_chapter.toml", "title = 'Kinds'\n"),
+        ("kinds/item.toml", item),
+    ]);
+    assert!(catalogue.items().next().is_some(), "{findings:#?}");
+    catalogue
+}
+
+#[test]
+fn the_echo_does_not_depend_on_the_key() {
+    let catalogues = [catalogue(ITEM), catalogue(&other())];
+    let [one, two] = catalogues
+        .each_ref()
+        .map(|own| Solution::of(Instance::of_source(own.items().next().unwrap())));
+    let last = |line: &'static str| line.rsplit('\t').next().unwrap_or_default();
+    let lines = [TYPED, NUMBERS, READINGS].into_iter().flat_map(str::lines);
+    let lines = lines.filter(|line| !line.starts_with('#')).map(last);
+    let (mut faults, mut count) = (Vec::new(), 0);
+    for line in lines {
+        let response = line.replace("\\neq", "≠").replace("\\n", "\n");
+        for place in 0..one.template().parts.len() {
+            let echo = |solution| {
+                let echo = grade::echo(solution, place, &response);
+                echo.map(|echo| (echo.reading.text, echo.other))
+            };
+            let (first, second) = (echo(&one), echo(&two));
+            count += 1;
+            if first != second {
+                let id = &one.template().parts[place].id;
+                faults.push(format!("{id} `{response}`:\n  {first:?}\n  {second:?}"));
+            }
+        }
+    }
+    assert!(count > 10_000, "{count} echoes");
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn a_number_that_is_marked_is_echoed_as_it_was_read() {
+    let catalogue = catalogue(ITEM);
+    let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));
+    let of = |response| grade::echo(&solution, 0, response).expect("it is read");
+    let echo = of("5,000 rad/s");
+    assert_eq!(echo.reading.text, "5.000 rad/s");
+    assert!(echo.other.is_some_and(|other| other.plain().contains("5000")));
+    assert_eq!(of("5.1 rad/s").other, None);
+    assert!(grade::echo(&solution, 0, "five").is_err());
+}
