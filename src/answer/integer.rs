@@ -11,8 +11,8 @@
 
 use super::settle::{Candidate, Rule, settle};
 use super::{
-    Answer, AnswerError, Answered, Context, Credit, Declare, Doubt, Echo, Key, KeyValue, Marker, Marking,
-    Misfit, Nature, Reading, Remark, Slip, Trial, Unreadable, Why, numeric,
+    Answer, AnswerError, Answered, Context, Credit, Declare, Doubt, Echo, Key, KeyValue, Marker,
+    Marking, Misfit, Nature, Reading, Remark, Slip, Trial, Unreadable, Why, numeric,
 };
 use crate::expr::Form;
 use crate::math::Math;

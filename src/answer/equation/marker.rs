@@ -7,8 +7,8 @@ use super::rows::Rows;
 use super::system::Other;
 use super::{Arc, Setup, told, written};
 use crate::answer::{
-    Beside, Credit, Echo, Equations, Key, Marker, Marking, Misfit, Nature, Note, Reading, Remark, Slip,
-    Trial, Unreadable, Why,
+    Beside, Credit, Echo, Equations, Key, Marker, Marking, Misfit, Nature, Note, Reading, Remark,
+    Slip, Trial, Unreadable, Why,
 };
 use crate::expr::{Equation, Kind, Name, Program};
 use crate::numerics::Rational;

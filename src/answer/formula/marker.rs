@@ -8,8 +8,8 @@ use super::slip::slip;
 use crate::answer::equality::{Comparable, Comparison, Points};
 use crate::answer::settle::{Candidate, Rule, settle};
 use crate::answer::{
-    Answered, Credit, Doubt, Echo, Key, Marker, Marking, Misfit, Nature, Note, Reading, Reason, Remark,
-    Trial, Unreadable, Verdict, Why,
+    Answered, Credit, Doubt, Echo, Key, Marker, Marking, Misfit, Nature, Note, Reading, Reason,
+    Remark, Trial, Unreadable, Verdict, Why,
 };
 use crate::expr::Expr;
 use crate::response::{self, Trouble, TypedError};

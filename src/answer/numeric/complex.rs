@@ -2,8 +2,8 @@
 
 use super::super::settle::{Candidate, Rule, settle};
 use super::super::{
-    Answered, Credit, Decades, Doubt, Echo, Example, Key, KeyValue, Marker, Marking, Misfit, Mistaken,
-    Negated, Reading, Remark, Slip, Trial, Unreadable, Why,
+    Answered, Credit, Decades, Doubt, Echo, Example, Key, KeyValue, Marker, Marking, Misfit,
+    Mistaken, Negated, Reading, Remark, Slip, Trial, Unreadable, Why,
 };
 use super::list::parted;
 use super::read::explained;

@@ -15,15 +15,24 @@ fn other() -> String {
     let changes = [
         ("key  = \"R + 4[ohm]*i\"", "key  = \"5*R - 7[ohm]*i\""),
         ("key  = \"2\"", "key  = \"5000\""),
-        ("\"sqrt(k/m - (c/(2*m))^2)\"", "\"(2*sqrt(k/m) + sqrt(m)*c/(m*sqrt(m)))/3\""),
+        (
+            "\"sqrt(k/m - (c/(2*m))^2)\"",
+            "\"(2*sqrt(k/m) + sqrt(m)*c/(m*sqrt(m)))/3\"",
+        ),
         ("\"sqrt(k/m)\"", "\"1000*sqrt(k/m)\""),
         ("\"[omega_n, sqrt(3*k/m)]\"", "\"[7*omega_n, 3*omega_n]\""),
         ("\"[[2*k, -k], [-k, 2*k]]\"", "\"[[3*k, 0*k], [0*k, k]]\""),
-        ("\"l*exp(-c/(2*m)*t)*cos(omega_n*t)\"", "\"l*exp(-c/m*t)*sin(omega_n*t)\""),
+        (
+            "\"l*exp(-c/(2*m)*t)*cos(omega_n*t)\"",
+            "\"l*exp(-c/m*t)*sin(omega_n*t)\"",
+        ),
         ("\"[1, 1]\"", "\"[1, -3]\""),
         ("\"k*l/(m*9.81[m/s^2]*10)\"", "\"k*l/(m*9.81[m/s^2]*70)\""),
         ("+ 1/2*k*(x2 - x1)^2", "+ 3/2*k*(x2 - x1)^2"),
-        ("right = true }, { id = \"over\", text = \"Overdamped.\"", "}, { id = \"over\", text = \"Overdamped.\", right = true"),
+        (
+            "right = true }, { id = \"over\", text = \"Overdamped.\"",
+            "}, { id = \"over\", text = \"Overdamped.\", right = true",
+        ),
     ];
     changes.iter().fold(ITEM.to_owned(), |item, (old, new)| {
         assert!(item.contains(old), "{old}");
@@ -77,7 +86,10 @@ fn a_number_that_is_marked_is_echoed_as_it_was_read() {
     let of = |response| grade::echo(&solution, 0, response).expect("it is read");
     let echo = of("5,000 rad/s");
     assert_eq!(echo.reading.text, "5.000 rad/s");
-    assert!(echo.other.is_some_and(|other| other.plain().contains("5000")));
+    assert!(
+        echo.other
+            .is_some_and(|other| other.plain().contains("5000"))
+    );
     assert_eq!(of("5.1 rad/s").other, None);
     assert!(grade::echo(&solution, 0, "five").is_err());
 }
