@@ -1,11 +1,12 @@
 //! A press that plays a part, for the tests of what `vibank` makes of a press: `VIBANK_SCRIPT` names the part.
 //!
-//! - `good`: each job is answered with a file that holds the first line of what was sent.
+//! - `good`, and any other name: each job is answered with a file that holds the name and the first line of what was sent.
 //! - `refuses`: each job is refused with a message.
 //! - `dies`: the process ends at its second job.
 //! - `dies-always`: the process ends at each job.
 //! - `hangs`: no job is ever answered.
 //! - `babbles`: each job is answered with what is no reply.
+//! - `exchanged`: the process ends at its second job, and the next one has another digest.
 //! - `old`: it greets as another version; `foreign`: as one of another protocol; `mute`: not at all.
 
 use std::io::{self, Write};
@@ -27,7 +28,11 @@ fn main() -> io::Result<()> {
     let greeting = Greeting {
         protocol: PROTOCOL + u32::from(script == "foreign"),
         version: version.to_owned(),
-        digest: format!("scripted {script}"),
+        digest: if script == "exchanged" {
+            format!("scripted {}", std::process::id())
+        } else {
+            format!("scripted {script}")
+        },
     };
     greeting.send(&mut replies)?;
     let mut done = 0;
@@ -41,7 +46,7 @@ fn main() -> io::Result<()> {
             "refuses" => {
                 Reply::Refused("unknown variable in line 3".to_owned()).send(&mut replies)?;
             }
-            "dies" if done == 2 => return Ok(()),
+            "dies" | "exchanged" if done == 2 => return Ok(()),
             "dies-always" => return Ok(()),
             "hangs" => loop {
                 std::thread::park();
@@ -52,7 +57,8 @@ fn main() -> io::Result<()> {
             }
             _ => {
                 let line = text.lines().next().unwrap_or_default();
-                Reply::File(format!("%PDF scripted {line}").into_bytes()).send(&mut replies)?;
+                Reply::File(format!("%PDF scripted {script}: {line}").into_bytes())
+                    .send(&mut replies)?;
             }
         }
     }

@@ -144,6 +144,15 @@ impl Press {
             let mut printer = match idle {
                 Some(printer) => printer,
                 None => match Printer::start(&self.program) {
+                    // Files of two presses would differ within one run.
+                    Ok((_, greeting)) if greeting.digest != self.digest => {
+                        return Err(format!(
+                            "the press `{}` was exchanged during the run: it was {}, and is {} now",
+                            self.program.display(),
+                            self.digest,
+                            greeting.digest
+                        ));
+                    }
                     Ok((printer, _)) => printer,
                     Err(error) => return Err(format!("the press does not start: {error}")),
                 },

@@ -11,9 +11,11 @@ fn scripted() -> String {
     let folder = program.parent().expect("it is in a folder");
     let name = format!("scripted_press{}", std::env::consts::EXE_SUFFIX);
     let program = folder.join("examples").join(name);
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/scripted_press.rs");
+    let written = |path: &Path| fs::metadata(path).and_then(|found| found.modified()).ok();
     assert!(
-        program.is_file(),
-        "`cargo test` builds the scripted press; where one test is picked by `--test suite`, \
+        written(&program) >= written(&source),
+        "`cargo test` builds the scripted press; where tests are picked by name, \
          `cargo build --example scripted_press` has to come first"
     );
     text_of(&program)
@@ -145,6 +147,38 @@ fn parts_of_a_run_need_formats() {
     run_with(&[("VIBANK_PRESS", "")], &arguments)
         .ends(2)
         .complains("the parts of a run need `formats` in the blueprint");
+}
+
+#[test]
+fn parts_of_two_presses_are_not_joined() {
+    let (folder, run) = plan("press-parts", TOP);
+    let part = |script, part: &str| {
+        let more = ["--shard", part].map(str::to_owned);
+        sheet(script, &[&run[..], &more].concat())
+    };
+    part("good", "1/2").ends(0);
+    part("another", "2/2").ends(0);
+    let split = [&run[..], &["--split".to_owned()]].concat();
+    sheet("good", &split).ends(0);
+    let manifest = content(folder.join("out/manifest.json"));
+    assert!(manifest.contains("scripted good"), "{manifest}");
+    let printed: Vec<_> = sheets(&folder)
+        .into_iter()
+        .filter(|path| path.extension().is_some_and(|end| end == "pdf"))
+        .collect();
+    assert_eq!(printed.len(), 5);
+    for path in printed {
+        assert!(content(&path).starts_with("%PDF scripted good"), "{path:?}");
+    }
+}
+
+#[test]
+fn a_press_that_is_exchanged_during_a_run_prints_no_more() {
+    let (folder, run) = plan("press-exchanged", TOP);
+    sheet("exchanged", &run)
+        .ends(3)
+        .complains("was exchanged during the run");
+    assert!(sheets(&folder).len() < 5);
 }
 
 #[test]
