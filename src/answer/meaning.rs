@@ -127,7 +127,10 @@ impl Meaning {
     }
 
     /// Adds a letter of no dimension that varies freely.
+    /// It takes the place of a quantity of that name.
     pub(super) fn add_free(&mut self, name: &Name) {
+        self.formulas.remove(name);
+        self.inputs.retain(|input| input.name != *name);
         self.inputs.push(Input {
             name: name.clone(),
             title: None,

@@ -2,6 +2,7 @@
 
 use super::parser::{Parser, Result, number};
 use super::token::Item;
+use super::vocabulary::Powered;
 use super::{Trouble, TypedError};
 use crate::expr::{Expr, Function, Kind, Operator};
 use crate::numerics::Rational;
@@ -72,17 +73,54 @@ impl Parser<'_> {
         })
     }
 
+    /// `pow(base, exponent)`, `cbrt(base)`.
+    pub(super) fn powered(&mut self, powered: Powered, span: Span) -> Result<Expr> {
+        let (name, due) = match powered {
+            Powered::Any => ("pow", 2),
+            Powered::CubeRoot => ("cbrt", 1),
+        };
+        let mut arguments = self.listed()?.into_iter();
+        match (arguments.next(), arguments.next(), arguments.next()) {
+            (Some(base), Some(exponent), None) if due == 2 => {
+                Self::binary(Operator::Power, base, exponent)
+            }
+            (Some(base), None, None) if due == 1 => {
+                let third = Self::binary(
+                    Operator::Divide,
+                    Expr::new(number(1), span),
+                    Expr::new(number(3), span),
+                )?;
+                Self::binary(Operator::Power, base, third)
+            }
+            _ => Err(TypedError {
+                trouble: Trouble::Arguments {
+                    name,
+                    least: due,
+                    most: due,
+                },
+                span,
+            }),
+        }
+    }
+
     fn arguments(&mut self, function: Function) -> Result<Vec<Expr>> {
+        let open = self.here();
+        if !matches!(self.item(), Some(Item::Sign('(' | '[' | '{'))) {
+            let first = self.signed()?;
+            let argument = self.goes_on_bare(first, false)?;
+            return Self::counted(function, vec![argument], open);
+        }
+        Self::counted(function, self.listed()?, open)
+    }
+
+    /// The formulas in a bracket.
+    fn listed(&mut self) -> Result<Vec<Expr>> {
         let open = self.here();
         let close = match self.item() {
             Some(Item::Sign('(')) => ')',
             Some(Item::Sign('[')) => ']',
             Some(Item::Sign('{')) => '}',
-            _ => {
-                let first = self.signed()?;
-                let argument = self.goes_on_bare(first, false)?;
-                return Self::counted(function, vec![argument], open);
-            }
+            _ => return self.error(Trouble::Missing),
         };
         self.at += 1;
         let bars = std::mem::take(&mut self.bars);
@@ -92,7 +130,7 @@ impl Parser<'_> {
         }
         self.bars = bars;
         self.close(close, open)?;
-        Self::counted(function, arguments, open)
+        Ok(arguments)
     }
 
     fn counted(function: Function, arguments: Vec<Expr>, span: Span) -> Result<Vec<Expr>> {
@@ -114,7 +152,7 @@ impl Parser<'_> {
     pub(super) fn root(&mut self, span: Span) -> Result<Expr> {
         let is_closed = matches!(
             self.item(),
-            Some(Item::Sign(_) | Item::Function(_) | Item::Root)
+            Some(Item::Sign(_) | Item::Function(_) | Item::Powered(_) | Item::Root)
         );
         let inner = if is_closed {
             self.primary()?
@@ -138,7 +176,7 @@ impl Parser<'_> {
             }
             let is_tight = self.is_tight();
             let by_rule = match self.item() {
-                Some(Item::Function(_)) => break,
+                Some(Item::Function(_) | Item::Powered(_)) => break,
                 // `sin x (a + b)`.
                 Some(Item::Sign(_)) if !is_tight => break,
                 Some(Item::Leaf(_) | Item::Unit(_)) => is_tight || !is_sign,

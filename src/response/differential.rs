@@ -74,7 +74,8 @@ fn spelling(name: &str) -> Option<String> {
 pub(super) fn called(text: &str, at: usize) -> Option<(String, u8, usize)> {
     const LONGEST: usize = 80;
     let rest = &text[at..];
-    let (name, inner) = rest.split_once('(')?;
+    let open = rest.find(['(', '['])?;
+    let (name, inner) = (&rest[..open], &rest[open + 1..]);
     let dots = match name {
         "dot" => Some(1),
         "ddot" => Some(2),
@@ -83,12 +84,15 @@ pub(super) fn called(text: &str, at: usize) -> Option<(String, u8, usize)> {
     };
     let close = closing(inner).filter(|close| *close < LONGEST)?;
     let arguments: Vec<&str> = inner[..close].split(',').map(str::trim).collect();
-    let spelling = arguments[0].strip_suffix("(t)").unwrap_or(arguments[0]);
+    let spelling = ["(t)", "[t]"]
+        .iter()
+        .find_map(|time| arguments[0].strip_suffix(time))
+        .unwrap_or(arguments[0]);
     let spelling = Letters::spelling(spelling)?;
     let order = match (dots, &arguments[1..]) {
         (Some(order), []) => order,
         (None, ["t"]) => 1,
-        (None, ["t", "t" | "2"] | ["(t", "2)"] | ["t$2"]) => 2,
+        (None, ["t", "t" | "2"] | ["(t", "2)"] | ["{t", "2}"] | ["t$2"]) => 2,
         _ => return None,
     };
     Some((spelling, order, at + name.len() + 1 + close + 1))
@@ -99,8 +103,8 @@ fn closing(text: &str) -> Option<usize> {
     let mut depth = 0_i32;
     let closes = |char: char| {
         depth += match char {
-            '(' => 1,
-            ')' => -1,
+            '(' | '[' => 1,
+            ')' | ']' => -1,
             _ => 0,
         };
         depth < 0
@@ -160,7 +164,18 @@ impl Differentials<'_> {
     fn name(&mut self) -> Option<String> {
         const LONGEST: usize = 80;
         let rest = &self.text[self.at..];
-        let is_end = |(_, char): &(usize, char)| matches!(char, '/' | '}');
+        let mut depth = 0_usize;
+        let is_end = |(_, char): &(usize, char)| match char {
+            '{' => {
+                depth += 1;
+                false
+            }
+            '}' if depth > 0 => {
+                depth -= 1;
+                false
+            }
+            char => matches!(char, '/' | '}'),
+        };
         let (end, _) = rest.char_indices().take(LONGEST).find(is_end)?;
         let spelling = spelling(&rest[..end])?;
         self.at += end;

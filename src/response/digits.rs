@@ -1,6 +1,8 @@
 //! Numbers in responses: decimals, degrees, raised digits, signs of fractions.
 
+use super::signs::DECIMAL;
 use super::token::{Item, Lexer, Token};
+use super::vocabulary::Powered;
 use super::{Trouble, TypedError};
 use crate::numerics::Rational;
 
@@ -37,10 +39,10 @@ impl Lexer<'_> {
             _ => false,
         };
         let is_digit = |next: char| next.is_ascii_digit();
-        if let Some(decimals) = self.rest().strip_prefix("{,}")
+        if let Some(decimals) = self.rest().strip_prefix(DECIMAL)
             && decimals.starts_with(is_digit)
         {
-            self.at += 3;
+            self.at += DECIMAL.len_utf8();
             digits.push('.');
             self.digits(&mut digits);
         }
@@ -78,7 +80,11 @@ impl Lexer<'_> {
             }
             _ => false,
         };
-        let takes_several = |token: &Token| matches!(token.item, Item::Function(function) if function.arity().1 > 1);
+        let takes_several = |token: &Token| match token.item {
+            Item::Function(function) => function.arity().1 > 1,
+            Item::Powered(powered) => powered == Powered::Any,
+            _ => false,
+        };
         let Some(open) = self.tokens.iter().rposition(opens) else {
             return false;
         };

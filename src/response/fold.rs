@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::signs::{COMMANDS, Plain, RUNS, WRAPPERS, escaped, of_char};
+use super::signs::{CASES, COMMANDS, DISPLAYS, Plain, RUNS, UNITS, WRAPPERS, escaped, of_char};
 use super::words::{JOINING, WORDS};
 use crate::source::Span;
 
@@ -55,6 +55,7 @@ impl<'t> Folded<'t> {
             text: String::with_capacity(typed.len()),
             pieces: Vec::new(),
             blanked: Vec::new(),
+            open: Vec::new(),
         };
         while folder.at < typed.len() {
             folder.piece();
@@ -149,6 +150,32 @@ struct Folder<'t> {
     pieces: Vec<(u32, u32)>,
     /// Braces of wrappers, which become spaces.
     blanked: Vec<usize>,
+    /// The environments of LaTeX that are open.
+    open: Vec<Environment>,
+}
+
+/// How the rows of an environment are read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Environment {
+    /// As statements.
+    Display,
+    /// As statements with conditions.
+    Cases,
+    /// As those of a matrix.
+    Matrix,
+}
+
+impl Environment {
+    fn of_name(name: &str) -> Self {
+        let name = name.trim_end_matches('*');
+        if DISPLAYS.contains(&name) {
+            Self::Display
+        } else if CASES.contains(&name) {
+            Self::Cases
+        } else {
+            Self::Matrix
+        }
+    }
 }
 
 impl Folder<'_> {
@@ -197,6 +224,9 @@ impl Folder<'_> {
         if char == '\\' {
             return self.command();
         }
+        if char == '&' && self.alignment() {
+            return;
+        }
         if let Some((word, plain)) = self.word() {
             return self.write(plain, word.len());
         }
@@ -227,8 +257,51 @@ impl Folder<'_> {
         found.copied().filter(|_| is_free)
     }
 
+    /// Writes what a sign of alignment stands for in an environment that is no matrix; whether it stands in one.
+    fn alignment(&mut self) -> bool {
+        let is_parted = self.text.trim_end().ends_with([',', ';']);
+        match self.open.last() {
+            Some(Environment::Display) => self.write(" ", 1),
+            Some(Environment::Cases) if is_parted => self.write(" ", 1),
+            Some(Environment::Cases) => self.write(",", 1),
+            Some(Environment::Matrix) | None => return false,
+        }
+        true
+    }
+
+    /// The end of a row. One that goes on with a sign is the same statement.
+    fn row(&mut self) {
+        let next = self.rest()[2..].trim_start_matches([' ', '&', '\n']);
+        match self.open.last() {
+            Some(Environment::Display) if next.starts_with(['=', '+', '-']) => self.write(" ", 2),
+            Some(Environment::Display | Environment::Cases) => self.write("\n", 2),
+            Some(Environment::Matrix) | None => self.write("\\\\", 2),
+        }
+    }
+
+    /// Opens or closes an environment; whether one stands here that is no matrix.
+    fn environment(&mut self, name: &str) -> bool {
+        let start = 1 + name.len();
+        let inner = self.rest()[start..].strip_prefix('{');
+        let Some((own, _)) = inner.and_then(|inner| inner.split_once('}')) else {
+            return false;
+        };
+        let (length, environment) = (start + own.len() + 2, Environment::of_name(own));
+        if name == "begin" {
+            self.open.push(environment);
+        } else {
+            self.open.pop();
+        }
+        let is_statement = environment != Environment::Matrix;
+        if is_statement {
+            self.write(" ", length);
+        }
+        is_statement
+    }
+
     fn command(&mut self) {
-        let behind = &self.rest()[1..];
+        let typed = self.typed;
+        let behind = &typed[self.at + 1..];
         let name: &str = &behind[..behind
             .find(|char: char| !char.is_ascii_alphabetic())
             .unwrap_or(behind.len())];
@@ -238,7 +311,7 @@ impl Folder<'_> {
         if name.is_empty() {
             match (first, escaped(first)) {
                 // A new row of a matrix.
-                ('\\', _) => self.write("\\\\", 2),
+                ('\\', _) => self.row(),
                 // Displayed formulas.
                 ('(' | ')' | '[' | ']', _) => self.write(" ", 2),
                 (_, Some(plain)) => self.plain(plain, 1 + first.len_utf8()),
@@ -253,7 +326,13 @@ impl Folder<'_> {
             self.blanked.extend(braces);
             return self.write("", length);
         }
-        if matches!(name, "text" | "mathrm" | "mbox")
+        if matches!(name, "begin" | "end") && self.environment(name) {
+            return;
+        }
+        if let Some((_, unit)) = UNITS.iter().find(|(own, _)| *own == name) {
+            return self.write(unit, length);
+        }
+        if matches!(name, "text" | "mathrm" | "mbox" | "operatorname")
             && let Some(braces) = arguments(self.typed, self.at + length, 1)
             && JOINING.contains(&self.typed[braces[0] + 1..braces[1]].trim())
         {
@@ -348,10 +427,21 @@ mod tests {
             ("\\left(2\\cdot 3\\right)", "(2* 3)"),
             ("\\boxed{5\\,\\mathrm{m}}", " 5 \\mathrm{m} "),
             ("\\SI{5}{m/s}", " 5  m/s "),
+            ("\\begin{cases}1\\\\2\\end{cases}", " 1\n2 "),
             (
-                "\\begin{cases}1\\\\2\\end{cases}",
-                "\\begin{cases}1\\\\2\\end{cases}",
+                "\\begin{cases}1&t<2\\\\2,&t>2\\end{cases}",
+                " 1,t<2\n2, t>2 ",
             ),
+            (
+                "\\begin{aligned}x&=1\\\\&=2\\\\y&=3\\end{aligned}",
+                " x =1  =2\ny =3 ",
+            ),
+            (
+                "\\begin{pmatrix}1&2\\\\3&4\\end{pmatrix}",
+                "\\begin{pmatrix}1&2\\\\3&4\\end{pmatrix}",
+            ),
+            ("\\SI{5}{\\newton\\per\\metre}", " 5  newton /metre  "),
+            ("1{,}25", "1⎖25"),
             ("x < 1 \\text{ or } x > 2", "x < 1    or   x > 2"),
             ("1 et 2 ou 3", "1 and 2 or 3"),
             ("30^{\\circ}", "30°"),

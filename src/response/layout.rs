@@ -22,6 +22,8 @@ const CALLS: &[&str] = &[
     "numpy.array",
     "np.array",
     "array",
+    "numpy.matrix",
+    "np.matrix",
     "sympy.Matrix",
     "sp.Matrix",
     "Matrix",

@@ -62,6 +62,22 @@ impl Letters {
     }
 }
 
+/// The letter or digit with which a text begins, by its length and in one spelling: `ω` and `omega` are one.
+pub(crate) fn letter(text: &str) -> Option<(usize, String)> {
+    let run = text.find(|char: char| !char.is_ascii_alphabetic());
+    let run = &text[..run.unwrap_or(text.len())];
+    let word = (2..=run.len())
+        .rev()
+        .find_map(|end| greek_word(&run[..end]).map(|word| (end, word)));
+    if let Some((length, word)) = word {
+        return Some((length, word.to_owned()));
+    }
+    let first = text.chars().next()?;
+    let mut letters = Letters::default();
+    let is_letter = letters.push(first, 0, 0);
+    is_letter.then_some((first.len_utf8(), letters.text))
+}
+
 /// The letter that stands as a subscript.
 pub(super) fn lowered(char: char) -> Option<char> {
     const LOWERED: &[(char, char)] = &[

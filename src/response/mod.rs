@@ -21,6 +21,7 @@
 mod amount;
 mod behind;
 mod calls;
+mod components;
 mod differential;
 mod digits;
 mod error;
@@ -45,9 +46,11 @@ mod words;
 
 pub(crate) use amount::{Amount, Number, has_pi};
 pub(crate) use behind::with_unit;
+pub(crate) use components::components;
 pub(crate) use error::TypedError;
 pub use error::{At, Trouble, ValueTrouble};
 pub use fold::{Folded, LoneDollar};
+pub(crate) use letters::letter;
 pub(crate) use lexicon::Lexicon;
 pub(crate) use list::{Listed, cut, list_of_form};
 pub(crate) use sides::sides;

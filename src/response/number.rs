@@ -1,6 +1,7 @@
 //! Tokens among values: exact decimals, units behind numbers, words that join.
 
 use super::letters::Letters;
+use super::signs::DECIMAL;
 use super::token::{Item, Lexer, Literal};
 use super::words::JOINING;
 use super::{Trouble, TypedError, ValueTrouble};
@@ -8,6 +9,14 @@ use crate::expr::{Constant, Expr, Kind};
 use crate::numerics::Rational;
 use crate::source::Span;
 use crate::unit::{Decimal, DecimalMark, Error, ErrorKind, Unit};
+
+/// A text that begins with a number, with a point for the sign in it that is a decimal sign and nothing else.
+fn with_certain_sign(text: &str) -> Option<String> {
+    let behind = text.trim_start_matches(|char: char| char.is_ascii_digit());
+    let decimals = behind.strip_prefix(DECIMAL)?;
+    let whole = &text[..text.len() - behind.len()];
+    Some(format!("{whole}.{decimals}"))
+}
 
 impl Lexer<'_> {
     /// What is read otherwise among values than within a formula; whether it stands here.
@@ -165,7 +174,7 @@ impl Lexer<'_> {
         let start = self.at;
         let is_tied = match self.tokens.last().map(|token| &token.item) {
             Some(Item::Sign(sign)) => matches!(sign, '/' | '^'),
-            Some(Item::Root | Item::Function(_)) => true,
+            Some(Item::Root | Item::Function(_) | Item::Powered(_)) => true,
             _ => false,
         };
         let rest = self.rest();
@@ -183,7 +192,13 @@ impl Lexer<'_> {
             end = end.min(sentence.len() - 1);
         }
         let text = &rest[..end];
-        let (literal, length) = match Decimal::read(text, mark) {
+        let certain = with_certain_sign(text);
+        let read = match &certain {
+            Some(plain) => Decimal::read(plain, DecimalMark::Point)
+                .map(|(value, length)| (value, length + DECIMAL.len_utf8() - 1)),
+            None => Decimal::read(text, mark),
+        };
+        let (literal, length) = match read {
             Ok((value, length)) => (Literal { value, other: None }, length),
             Err(Error {
                 kind: ErrorKind::AmbiguousComma { found },

@@ -248,6 +248,7 @@ impl<'a> Parser<'a> {
                     | Item::Fraction
                     | Item::Radical
                     | Item::Function(_)
+                    | Item::Powered(_)
             )
         );
         let mut divisor = self.signed()?;
@@ -294,6 +295,7 @@ impl<'a> Parser<'a> {
             Some(
                 Item::Leaf(_)
                 | Item::Function(_)
+                | Item::Powered(_)
                 | Item::Root
                 | Item::Radical
                 | Item::Fraction
@@ -413,6 +415,7 @@ impl<'a> Parser<'a> {
                 Ok(Expr::new(leaf.kind().clone(), span))
             }
             Item::Function(function) => self.deeper(|parser| parser.function(*function, span)),
+            Item::Powered(powered) => self.deeper(|parser| parser.powered(*powered, span)),
             Item::Root => self.deeper(|parser| parser.root(span)),
             Item::Radical => self.deeper(|parser| parser.radical(span)),
             Item::Fraction => self.deeper(|parser| {

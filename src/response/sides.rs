@@ -32,6 +32,13 @@ pub(crate) fn sides(text: &str, lexicon: &Lexicon) -> Result<Vec<Span>, TypedErr
     Ok(sides)
 }
 
+/// What stands behind the last equals sign.
+pub(super) fn last_side(text: &str) -> Span {
+    cut_at_equals(text)
+        .pop()
+        .unwrap_or(Span::new(0, text.len()))
+}
+
 /// The pieces between equals signs; those of `<=` and its like are none.
 fn cut_at_equals(text: &str) -> Vec<Span> {
     let (mut pieces, mut start) = (Vec::new(), 0);

@@ -74,6 +74,9 @@ pub(super) fn of_char(char: char) -> Option<Plain> {
     }))
 }
 
+/// The sign that is a decimal sign and nothing else.
+pub(super) const DECIMAL: char = '⎖';
+
 /// Runs of signs, the longer ones before those with which they begin.
 pub(super) const RUNS: &[(&str, &str)] = &[
     ("=/=", "≠"),
@@ -88,8 +91,8 @@ pub(super) const RUNS: &[(&str, &str)] = &[
     (":=", "="),
     ("**", "^"),
     ("&&", "∩"),
-    // The decimal comma of LaTeX.
-    ("{,}", ","),
+    // The decimal comma of LaTeX, which never parts thousands.
+    ("{,}", "⎖"),
 ];
 
 /// Commands of LaTeX, by their name. What is not listed is a name, a function, or is read by the grammar.
@@ -164,6 +167,64 @@ pub(super) const COMMANDS: &[(&str, Plain)] = &[
     ("unit", Nothing),
     ("num", Nothing),
 ];
+
+/// Units as the package siunitx has them. A prefix belongs to what follows, a unit ends with a space.
+pub(super) const UNITS: &[(&str, &str)] = &[
+    ("per", "/"),
+    ("squared", "^2 "),
+    ("cubed", "^3 "),
+    ("square", "square "),
+    ("cubic", "cubic "),
+    ("giga", "giga"),
+    ("mega", "mega"),
+    ("kilo", "kilo"),
+    ("hecto", "hecto"),
+    ("deci", "deci"),
+    ("centi", "centi"),
+    ("milli", "milli"),
+    ("micro", "micro"),
+    ("nano", "nano"),
+    ("metre", "metre "),
+    ("meter", "metre "),
+    ("second", "second "),
+    ("minute", "minute "),
+    ("hour", "hour "),
+    ("gram", "gram "),
+    ("kilogram", "kilogram "),
+    ("newton", "newton "),
+    ("joule", "joule "),
+    ("watt", "watt "),
+    ("pascal", "pascal "),
+    ("hertz", "hertz "),
+    ("radian", "radian "),
+    ("kelvin", "kelvin "),
+    ("volt", "volt "),
+    ("ampere", "ampere "),
+    ("coulomb", "coulomb "),
+    ("farad", "farad "),
+    ("henry", "henry "),
+    ("tesla", "tesla "),
+    ("ohm", "ohm "),
+    ("percent", "%"),
+];
+
+/// Environments that only set formulas off; their rows are statements.
+pub(super) const DISPLAYS: &[&str] = &[
+    "equation",
+    "align",
+    "aligned",
+    "alignat",
+    "gather",
+    "gathered",
+    "split",
+    "multline",
+    "eqnarray",
+    "displaymath",
+    "math",
+];
+
+/// Environments whose rows are statements, each perhaps with its condition behind a sign of alignment.
+pub(super) const CASES: &[&str] = &["cases", "dcases", "rcases"];
 
 /// Commands whose arguments stand for themselves: their braces are spaces. With how many there are.
 pub(super) const WRAPPERS: &[(&str, usize)] = &[

@@ -3,7 +3,7 @@
 use super::differential::{behind, called, leibniz};
 use super::digits::fraction;
 use super::letters::{Letters, combining, dotted, greek, greek_word};
-use super::vocabulary::{INITIAL, Piece, Sense};
+use super::vocabulary::{INITIAL, Piece, Powered, Sense};
 use super::{Lexicon, Manner, Trouble, TypedError};
 use crate::expr::{Constant, Expr, Function};
 use crate::numerics::Rational;
@@ -17,6 +17,8 @@ pub(super) enum Item {
     /// A name, a time derivative of one, or a constant.
     Leaf(Expr),
     Function(Function),
+    /// A power that is written as a function.
+    Powered(Powered),
     /// A raised whole number, `²`.
     Power(i128),
     /// Primes behind a bracket.
@@ -220,7 +222,7 @@ impl Lexer<'_> {
     fn module(&mut self) -> bool {
         let is_word =
             |length: usize| self.rest()[length..].starts_with(|next: char| next.is_alphabetic());
-        let found = ["np.", "numpy.", "math.", "Math."]
+        let found = MODULES
             .iter()
             .find(|module| self.rest().starts_with(**module) && is_word(module.len()));
         self.at += found.map_or(0, |module| module.len());
@@ -510,8 +512,12 @@ impl Lexer<'_> {
                     let named = Expr::new(leaf.kind().clone(), span);
                     Item::Leaf(primed(named, order, span))
                 }
-                Sense::Function(_) if is_last && primes > 0 => return Err(trouble(Trouble::Sign)),
+                Sense::Function(_) | Sense::Power(_) if is_last && primes > 0 => {
+                    return Err(trouble(Trouble::Sign));
+                }
                 Sense::Function(function) => Item::Function(function),
+                Sense::Power(powered) => Item::Powered(powered),
+                Sense::Imaginary if is_last && primes > 0 => return Err(trouble(Trouble::Sign)),
                 Sense::Imaginary if self.manner.has_imaginary_unit => Item::Leaf(Expr::new(
                     crate::expr::Kind::Constant(Constant::ImaginaryUnit),
                     span,
@@ -554,6 +560,11 @@ impl Lexer<'_> {
         Some((self.lexicon.dotted(&spelling, order)?, end))
     }
 }
+
+/// What programs put before the names of functions.
+const MODULES: &[&str] = &[
+    "np.", "numpy.", "math.", "cmath.", "Math.", "sp.", "sympy.", "sym.", "torch.",
+];
 
 /// A name with primes.
 fn primed(leaf: Expr, order: u8, span: Span) -> Expr {

@@ -37,12 +37,23 @@ pub(super) enum Sense {
     Leaf(Expr),
     /// A function.
     Function(Function),
+    /// `pow`, `cbrt`: powers that are written as functions.
+    Power(Powered),
     /// The imaginary unit, if there is one.
     Imaginary,
     /// `log`.
     Logarithm,
     /// A name of the item that is not allowed.
     NotAllowed,
+}
+
+/// A power that is written as a function.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Powered {
+    /// `pow(base, exponent)`.
+    Any,
+    /// `cbrt(base)`.
+    CubeRoot,
 }
 
 /// A word within a run of letters.
@@ -127,9 +138,14 @@ impl Words {
         words.add("i", Sense::Imaginary, 0);
         words.add("j", Sense::Imaginary, 0);
         words.add("log", Sense::Logarithm, 0);
+        for name in ["pow", "power", "Power"] {
+            words.add(name, Sense::Power(Powered::Any), 0);
+        }
+        words.add("cbrt", Sense::Power(Powered::CubeRoot), 0);
         let infinity = Sense::Leaf(Expr::constant(Constant::Infinity));
         words.add("inf", infinity.clone(), 0);
         words.add("infinity", infinity.clone(), 0);
+        words.add("infini", infinity.clone(), 0);
         words.add("oo", infinity.clone(), 0);
         words.add("infty", infinity, 0);
         let is_scalar = |function: &Function| {
@@ -295,6 +311,7 @@ impl Words {
                 let is_last = to + 1 == places.len();
                 let is_bare = match sense {
                     Sense::Function(function) => BARE.contains(function) || is_last && has_bracket,
+                    Sense::Power(_) => is_last && has_bracket,
                     _ => true,
                 };
                 if !is_bare || *own > 0 && !(is_last && *own == primes) {
@@ -342,7 +359,7 @@ impl Words {
             .find(own)
             .is_some_and(|word| match &word.sense {
                 Sense::Leaf(leaf) => *leaf.kind() != Kind::Constant(Constant::E),
-                Sense::Imaginary => false,
+                Sense::Imaginary | Sense::NotAllowed => false,
                 _ => true,
             })
     }

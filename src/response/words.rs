@@ -10,7 +10,12 @@ pub(super) const WORDS: &[(&str, &str)] = &[
     ("OR", "or"),
     ("Or", "or"),
     ("oder", "or"),
+    ("si", "if"),
+    ("pour", "for"),
+    ("quand", "when"),
+    ("else", "otherwise"),
+    ("sinon", "otherwise"),
 ];
 
 /// Words that join values, also where they are set as text within a formula.
-pub(super) const JOINING: &[&str] = &["and", "or", "et", "ou", "und", "oder", "in", "at"];
+pub(super) const JOINING: &[&str] = &["and", "or", "et", "ou", "und", "oder", "in", "at", "cis"];

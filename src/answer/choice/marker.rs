@@ -11,7 +11,10 @@ use crate::numerics::Rational;
 /// A prepared key; places are those of the file.
 pub(super) struct Chosen {
     pub(super) ids: Vec<String>,
+    /// The options without regard to case and spacing.
     pub(super) words: Vec<String>,
+    /// As they are printed.
+    pub(super) texts: Vec<String>,
     pub(super) feedback: Vec<Option<Document>>,
     pub(super) right: Vec<bool>,
     pub(super) order: Vec<usize>,

@@ -17,6 +17,7 @@
 //! ]
 //! ```
 
+mod formula;
 mod marker;
 mod read;
 
@@ -157,11 +158,12 @@ impl Answer for Choice {
             .iter()
             .map(is_right)
             .collect::<Result<Vec<_>, _>>()?;
-        let words = self
+        let texts: Vec<String> = self
             .options
             .iter()
-            .map(|option| read::normalized(&option.text.plain(&no_fills())))
+            .map(|option| option.text.plain(&no_fills()))
             .collect();
+        let words = texts.iter().map(|text| read::normalized(text)).collect();
         let order = if context.order.len() == self.options.len() {
             context.order.clone()
         } else {
@@ -174,6 +176,7 @@ impl Answer for Choice {
                 .map(|option| option.id.clone())
                 .collect(),
             words,
+            texts,
             feedback: self.feedback.clone(),
             right,
             order,

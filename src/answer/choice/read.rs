@@ -1,7 +1,7 @@
 //! Reads what was chosen: letters as printed, words of options.
 
+use super::formula::Formula;
 use super::marker::Chosen;
-use crate::math::greek_name;
 
 /// Words without regard to case and spacing.
 pub(super) fn normalized(text: &str) -> String {
@@ -16,6 +16,21 @@ pub(super) fn normalized(text: &str) -> String {
 /// Letters of the shortest words that stand for an option in another form than its own.
 const SHORTEST: usize = 4;
 
+/// The words of a text without articles and signs.
+fn contents(text: &str) -> Vec<&str> {
+    const ARTICLES: [&str; 3] = ["the", "a", "an"];
+    let words = text.split(|char: char| char.is_whitespace() || "(),".contains(char));
+    words
+        .filter(|word| !word.is_empty() && !ARTICLES.contains(word))
+        .collect()
+}
+
+/// The one thing that there is.
+fn only<T>(mut found: impl Iterator<Item = T>) -> Option<T> {
+    let first = found.next()?;
+    found.next().is_none().then_some(first)
+}
+
 /// Words as one, `under-damped` and `under damped`; a formula keeps its signs.
 fn joined(text: &str) -> Option<String> {
     let is_gap = |char: char| " -‐‑_".contains(char);
@@ -24,33 +39,6 @@ fn joined(text: &str) -> Option<String> {
         .all(|char| char.is_alphabetic() || is_gap(char));
     let word: String = text.chars().filter(|char| !is_gap(*char)).collect();
     (is_of_words && word.chars().count() >= SHORTEST).then_some(word)
-}
-
-/// A formula by its letters and signs alone: no spaces and signs of products, raised and lowered digits on the line,
-/// Greek letters as words. Nothing for words.
-fn spelled(text: &str) -> Option<String> {
-    const RAISED: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
-    let is_sign = |char: char| "+-/^=<>≤≥√".contains(char) || char.is_numeric();
-    let mut plain = String::new();
-    for char in text.to_lowercase().chars() {
-        if let Some(digit) = RAISED.chars().position(|raised| raised == char) {
-            plain.push('^');
-            plain.push(char::from(b'0' + digit as u8));
-            continue;
-        }
-        match char {
-            ' ' | '*' | '\u{2009}' | '\u{a0}' | '_' | '{' | '}' | '\\' | '·' | '⋅' => {}
-            '−' => plain.push('-'),
-            '₀'..='₉' => {
-                plain.push(char::from(b'0' + (u32::from(char) - u32::from('₀')) as u8));
-            }
-            _ => match greek_name(char) {
-                Some(name) => plain.push_str(name),
-                None => plain.push(char),
-            },
-        }
-    }
-    text.contains(is_sign).then_some(plain)
 }
 
 /// What stands behind words that say that an answer comes: `option b`, `answer: b`.
@@ -77,7 +65,7 @@ impl Chosen {
             .split_once([')', ':', '.'])
             .or_else(|| typed.split_once(" - "));
         if let Some((letter, words)) = both
-            && letter.trim_matches(['(', ' ']).len() == 1
+            && matches!(letter.trim_matches(['(', ' ']).as_bytes(), [letter] if letter.is_ascii_alphabetic())
             && !words.trim().is_empty()
         {
             return self
@@ -90,16 +78,17 @@ impl Chosen {
             .or_else(|| self.of_words(&whole))
             .or_else(|| self.of_words(&bare))
             .or_else(|| self.of_first_words(&bare))
+            .or_else(|| self.of_words_within(&bare))
             .or_else(|| self.of_formula(typed))
     }
 
-    /// The only option that is this formula, however its signs are put.
+    /// The only option that is this formula, however it is written.
     fn of_formula(&self, typed: &str) -> Option<usize> {
-        let spelled = spelled(typed)?;
-        let is_it = |place: &usize| self::spelled(&self.words[*place]).as_ref() == Some(&spelled);
-        let mut found = (0..self.words.len()).filter(is_it);
-        let first = found.next()?;
-        found.next().is_none().then_some(first)
+        let formulas: Vec<Option<Formula>> =
+            self.texts.iter().map(|text| Formula::of(text)).collect();
+        let typed = Formula::of(typed)?;
+        let is_it = |place: &usize| formulas[*place].as_ref().is_some_and(|own| own.is(&typed));
+        only((0..formulas.len()).filter(is_it))
     }
 
     /// The option that bears a letter.
@@ -127,9 +116,31 @@ impl Chosen {
             let rest = own.strip_prefix(words);
             rest.is_some_and(|rest| !rest.starts_with(char::is_alphanumeric))
         };
-        let mut found = (0..self.words.len()).filter(|place| begins(&self.words[*place]));
-        let first = found.next().filter(|_| words.chars().count() >= SHORTEST)?;
-        found.next().is_none().then_some(first)
+        let found = (0..self.words.len()).filter(|place| begins(&self.words[*place]));
+        only(found).filter(|_| words.chars().count() >= SHORTEST)
+    }
+
+    /// The only option in which these words stand, `inductance` for "the inductance L", articles aside. Not within a
+    /// denial or beside others: `decreases` is not "never decreases", nor `damped` "elastic and damped".
+    fn of_words_within(&self, words: &str) -> Option<usize> {
+        const JOINTS: [&str; 8] = [
+            "not", "no", "never", "without", "neither", "nor", "and", "or",
+        ];
+        let typed = contents(words);
+        let stands = |place: &usize| {
+            let own = contents(&self.words[*place]);
+            let mut runs = own.windows(typed.len().max(1));
+            runs.any(|run| run == typed)
+                && !own
+                    .iter()
+                    .any(|word| JOINTS.contains(word) && !typed.contains(word))
+        };
+        let is_all = |place: &usize| contents(&self.words[*place]) == typed;
+        let places = || 0..self.words.len();
+        let is_long = typed.iter().any(|word| word.chars().count() >= SHORTEST);
+        only(places().filter(is_all))
+            .or_else(|| only(places().filter(stands)))
+            .filter(|_| is_long)
     }
 
     /// All that was typed, or what of it is no option.
@@ -172,23 +183,5 @@ impl Chosen {
         (self.is_several || self.is_ranking)
             && letters.iter().all(|letter| (b'a'..=last).contains(letter))
             && letters.windows(2).all(|pair| pair[0] != pair[1])
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::spelled;
-
-    #[test]
-    fn a_formula_is_spelled_by_its_signs() {
-        for (typed, printed) in [
-            ("q^2/(2C)", "q²/(2 C)"),
-            ("1/2*m*v^2", "1/2 m v²"),
-            ("omega_0 - 1", "ω₀ − 1"),
-        ] {
-            assert_eq!(spelled(typed), spelled(printed), "{typed}");
-        }
-        assert_eq!(spelled("overdamped"), None);
-        assert_ne!(spelled("q^2/(2C)"), spelled("q^2/2"));
     }
 }

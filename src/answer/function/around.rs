@@ -1,6 +1,8 @@
-//! What people type around a function: the times for which it is meant to hold.
+//! What people type around a function: the times for which it is meant to hold, and other functions for other times.
 
-use crate::response::Manner;
+use crate::expr::{Expr, Kind};
+use crate::response::{self, Lexicon, Manner, cut};
+use crate::source::Span;
 
 /// How a function is read.
 pub(super) const MANNER: Manner = Manner {
@@ -9,12 +11,69 @@ pub(super) const MANNER: Manner = Manner {
     values: None,
 };
 
-/// Without the times for which a function is meant to hold: `…, t >= 0` or `… for t > 0`.
-pub(super) fn without_condition(response: &str) -> &str {
+/// A function with the times for which it holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Piece<'r> {
+    pub(super) formula: &'r str,
+    pub(super) condition: Option<&'r str>,
+}
+
+/// The pieces of a function, each on a line or behind a semicolon, `…, t < 1; …, t >= 1` or `… if t < 1 otherwise …`;
+/// one piece with its times, if there is no more.
+pub(super) fn pieces(response: &str) -> Vec<Piece<'_>> {
+    const OTHERWISE: &str = " otherwise ";
+    let all = Span::new(0, response.len());
+    let lines = cut(response, all, &[';', '\n']).into_iter();
+    let texts = lines.flat_map(|line| response[line.range()].split(OTHERWISE));
+    let mut pieces: Vec<Piece<'_>> = texts
+        .map(piece)
+        .filter(|piece| !piece.formula.is_empty())
+        .collect();
+    // A condition may stand behind a comma that parts it from the next function.
+    let last = pieces.len().saturating_sub(1);
+    let is_by_pieces = last > 0
+        && pieces[..last].iter().all(|piece| piece.condition.is_some())
+        && !pieces[1..].iter().any(|piece| piece.formula.contains('='));
+    if !is_by_pieces {
+        pieces = vec![piece(response)];
+    }
+    pieces
+}
+
+/// A function and the times behind it: `…, t >= 0` or `… for t > 0`.
+fn piece(text: &str) -> Piece<'_> {
+    let text = text.trim().trim_end_matches([',', '.']);
     let is_condition = |text: &str| text.contains(['<', '>', '≤', '≥']);
     let words = [",", ";", " for ", " if ", " when ", " where "].into_iter();
-    let bracket = response.trim_end().ends_with(')').then_some("(");
-    let cuts = words.chain(bracket).filter_map(|sign| response.rfind(sign));
-    let cut = cuts.filter(|at| is_condition(&response[*at..])).min();
-    cut.map_or(response, |at| response[..at].trim_end())
+    let bracket = text.ends_with(')').then_some("(");
+    let cuts = words
+        .chain(bracket)
+        .filter_map(|sign| Some((text.rfind(sign)?, sign)));
+    let cut = cuts.filter(|(at, _)| is_condition(&text[*at..])).min();
+    match cut {
+        Some((at, sign)) => {
+            let condition = text[at + sign.len()..].trim();
+            Piece {
+                formula: text[..at].trim_end().trim_end_matches(',').trim_end(),
+                condition: Some(condition.trim_matches(['(', ')', ' '])),
+            }
+        }
+        None => Piece {
+            formula: text,
+            condition: None,
+        },
+    }
+}
+
+/// The comparison that a condition is; the unit behind a number of it, one of SI, adds nothing.
+pub(super) fn condition(text: &str, lexicon: &Lexicon) -> Result<Expr, response::TypedError> {
+    let text = text.trim_start_matches("for ").trim_start_matches("if ");
+    let read = |text: &str| {
+        let chain = response::chain(text, 0, text.len(), lexicon, MANNER)?.value;
+        Ok(Expr::derived(Kind::Compare(chain.sides, chain.relations)))
+    };
+    read(text).or_else(|error| {
+        let mut cuts = response::with_unit(text).filter(|(_, unit)| unit.to_si(1.0) == 1.0);
+        cuts.find_map(|(bare, _)| read(bare).ok()).ok_or(error)
+    })
 }

@@ -94,6 +94,10 @@ impl Labels {
         let mut rest = response;
         let mut is_first = true;
         while let (left, Some(behind)) = split(rest) {
+            if is_first && left.trim().is_empty() {
+                (is_first, rest) = (false, behind);
+                continue;
+            }
             match self.side(left) {
                 Ok(Side::Own) if is_first => {}
                 Ok(Side::Formula(form)) => forms.push(form),

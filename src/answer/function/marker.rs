@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::Setup;
-use super::around::without_condition;
 use super::late::Window;
 use crate::answer::meaning::ORDERS;
 use crate::answer::trial::typed as typed_number;
@@ -155,7 +154,7 @@ impl Marker for Prepared {
     }
 
     fn mark(&self, response: &str) -> Marking {
-        match self.read(without_condition(response)) {
+        match self.read(response) {
             Ok(response) => self.judged(response),
             Err(why) => Marking::unreadable(why),
         }

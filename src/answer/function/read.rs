@@ -1,6 +1,6 @@
 //! Reads a function: with numbers in SI units, with units, or in letters.
 
-use super::around::MANNER;
+use super::around::{MANNER, Piece, condition, pieces};
 use super::marker::{Prepared, Response};
 use super::slip::without_waves;
 use super::units::{contains_letter, measured};
@@ -14,8 +14,17 @@ impl Prepared {
     /// The function that a response is: the last form of it that was typed, which the others have to equal.
     pub(super) fn read(&self, response: &str) -> Result<Response, Unreadable> {
         let labels = &self.setup.labels;
-        let (last, forms) = labels.forms(labels.asked(response)?)?;
-        let read = self.function(last.trim())?;
+        let pieces = pieces(response);
+        let (first, others) = match &pieces[..] {
+            [] => (response, &[][..]),
+            [one] => (labels.asked(one.formula)?, &[][..]),
+            [first, ..] => (first.formula, &pieces[1..]),
+        };
+        let (last, forms) = labels.forms(first)?;
+        let mut read = self.function(last.trim())?;
+        if let (Some(Piece { condition, .. }), false) = (pieces.first(), others.is_empty()) {
+            read = self.by_pieces(read, *condition, others)?;
+        }
         for form in &forms {
             let same = self
                 .values_of(form)
@@ -25,6 +34,43 @@ impl Prepared {
             }
         }
         Ok(read)
+    }
+
+    /// The function that is each of the pieces where its condition holds, the last one everywhere else.
+    fn by_pieces(
+        &self,
+        first: Response,
+        holds: Option<&str>,
+        others: &[Piece<'_>],
+    ) -> Result<Response, Unreadable> {
+        let lexicon = &self.setup.lexicon;
+        let Some((next, rest)) = others.split_first() else {
+            return Ok(first);
+        };
+        let otherwise = self.function(next.formula)?;
+        let otherwise = self.by_pieces(otherwise, next.condition, rest)?;
+        let are_alike = first.units.len() == otherwise.units.len()
+            && first
+                .units
+                .iter()
+                .zip(&otherwise.units)
+                .all(|(own, other)| own.to_si(1.0).total_cmp(&other.to_si(1.0)).is_eq());
+        if !are_alike {
+            return Err(Why::UnitOfTerms.into());
+        }
+        let text = holds.unwrap_or_default();
+        let holds = condition(text, lexicon).map_err(|error| error.remark(text))?;
+        let expr = Expr::derived(Kind::If(holds, first.expr, otherwise.expr));
+        Ok(Response {
+            reading: Reading {
+                math: expr.typeset(lexicon),
+                text: expr.to_string(),
+                answered: Answered::Function(expr.clone(), None),
+            },
+            values: self.values_in(&expr, &first.units).unwrap_or_default(),
+            units: first.units,
+            expr,
+        })
     }
 
     /// Whether letters are names or units is told by the dimension, not by what is right.

@@ -68,10 +68,13 @@ fn words_are_those_of_an_option_or_how_only_one_begins() {
             ("aperiodic (overdamped)", "wrong"),
             ("c) aperiodic (overdamped)", "wrong"),
             ("pseudo periodic", "wrong"),
-            // Two options begin so, or one within a word.
+            ("overdamped", "wrong"),
+            ("the overdamped", "wrong"),
+            // Two options begin so, or one within a word, or with others beside.
             ("elastic", "unreadable"),
             ("aper", "unreadable"),
-            ("overdamped", "unreadable"),
+            ("over", "wrong"),
+            ("damped", "unreadable"),
         ],
     );
 }

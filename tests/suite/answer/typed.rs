@@ -61,7 +61,8 @@ fn answers_to_parts_of_the_bank_are_marked_as_they_were_meant() {
         let place = template.parts.iter().position(|own| own.id == part);
         let place = place.expect("a part of the item");
         let instance = Instance::of(template, None, &set).expect("an instance");
-        let marking = grade::mark(&Solution::of(instance), place, response);
+        let response = response.replace('⏎', "\n");
+        let marking = grade::mark(&Solution::of(instance), place, &response);
         count += 1;
         if marking.verdict.name() != verdict {
             faults.push(format!(

@@ -21,11 +21,9 @@ use crate::quantity::{Absent, NodeId};
 use crate::response::{self, Lexicon, Manner, cut};
 use crate::source::{Span, Text};
 
-/// Letters that people give to constants, alone or with a number.
-const LETTERS: [&str; 30] = [
-    "A", "B", "C", "D", "E", "F", "G", "H", "a", "b", "c", "d", "phi", "psi", "alpha", "beta",
-    "delta", "theta", "p", "q", "u", "v", "K", "P", "Q", "R", "gamma", "epsilon", "eta", "chi",
-];
+/// Letters that people give to constants, alone or with a number: all but those of time, of e and of i.
+const LETTERS: &str = "A B C D E F G H I J K L M N O P Q R S T U V W X Y Z a b c d f g h k l m n p q r s u v w x y z \
+    phi psi alpha beta delta theta gamma epsilon eta chi";
 /// Constants that a response may use: a few more than are needed.
 const MOST_USED: usize = 16;
 /// Highest number behind such a letter.
@@ -78,13 +76,24 @@ pub(super) fn read(
     let mut meaning = Meaning::of(declare, Prefer::Coordinates);
     let (mut lexicon, _) = lexicon(declare, listed, None);
     let mut constants = Vec::new();
-    for letter in LETTERS {
+    // What is neither printed nor needed is free to be used.
+    let is_taken = |name: &Name| {
+        let own = known.iter().find(|own| own.name == *name);
+        let is_shown = own.is_some_and(|own| !matches!(own.role, Role::Quantity { .. }));
+        let mut names = equations
+            .iter()
+            .flat_map(|of| [of.left.names(), of.right.names()]);
+        is_shown
+            || listed.iter().any(|text| text.value == name.as_str())
+            || own.is_some() && names.any(|names| names.uses(name))
+    };
+    for letter in LETTERS.split_whitespace() {
         let numbered = (0..=MOST_NUMBERED).map(|number| match number {
             0 => letter.to_owned(),
             number => format!("{letter}{number}"),
         });
         for name in numbered.map(Name::new) {
-            if !known.iter().any(|own| own.name == name) {
+            if !is_taken(&name) {
                 meaning.add_free(&name);
                 lexicon.allow(&name, crate::math::symbol(name.as_str()), false);
                 constants.push(name);
@@ -171,7 +180,14 @@ impl Setup {
         if places.len() == 1 && self.coordinates.len() > 1 {
             places = cut(response, all, &[',']);
         }
-        if places.len() != self.coordinates.len() {
+        let count = self.coordinates.len();
+        if places.len() == 1 && count > 1 {
+            let found = response::components(response, count, &self.lexicon, manner);
+            if let Some(found) = found.map_err(|error| error.remark(response))? {
+                return Ok(found);
+            }
+        }
+        if places.len() != count {
             let symbols = self.symbols.iter().map(Math::plain).collect();
             return Err(Why::Functions(symbols).into());
         }
