@@ -131,15 +131,17 @@ impl Chosen {
             let own = contents(&self.words[*place]);
             let mut runs = own.windows(typed.len().max(1));
             runs.any(|run| run == typed)
-                && !own
-                    .iter()
-                    .any(|word| JOINTS.contains(word) && !typed.contains(word))
+        };
+        let is_joined = |place: &usize| {
+            let own = contents(&self.words[*place]);
+            own.iter()
+                .any(|word| JOINTS.contains(word) && !typed.contains(word))
         };
         let is_all = |place: &usize| contents(&self.words[*place]) == typed;
         let places = || 0..self.words.len();
         let is_long = typed.iter().any(|word| word.chars().count() >= SHORTEST);
         only(places().filter(is_all))
-            .or_else(|| only(places().filter(stands)))
+            .or_else(|| only(places().filter(stands)).filter(|place| !is_joined(place)))
             .filter(|_| is_long)
     }
 
