@@ -2,8 +2,8 @@
 
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
-use vibank::answer::KeyValue;
-use vibank::bank::{Catalogue, embedded};
+use vibank::answer::{Key, KeyValue};
+use vibank::bank::{Catalogue, Part, embedded};
 use vibank::grade;
 use vibank::instance::Instance;
 use vibank::solution::{Session, Solution};
@@ -92,10 +92,24 @@ fn formula(bencher: Bencher, response: &str) {
     bencher.bench_local(|| grade::mark(&solution, 0, black_box(response)).verdict);
 }
 
-/// Right responses to all parts of one kind of the whole bank, one request a line as `mark --jsonl` reads them; the keys
-/// are prepared by a first round. Items are responses.
-#[divan::bench(args = ["numeric", "formula", "equation", "function", "matrix"])]
-fn stream(bencher: Bencher, kind: &str) {
+/// The time that the others are measured in: one exponential and one pair of sine and cosine.
+#[divan::bench]
+fn yardstick(bencher: Bencher) {
+    let mut x = 0.5_f64;
+    bencher.bench_local(|| {
+        x = 0.5 + 1e-3 * (x - x.floor());
+        black_box(libm::exp(black_box(x))) + black_box(libm::sincos(black_box(x)).0)
+    });
+}
+
+/// Responses to all parts of one kind of the whole bank, one request a line as `mark --jsonl` reads them; the keys are
+/// prepared by a first round. Items are responses: right ones, or those that test each part, right, at the edge, wrong and
+/// unreadable.
+#[divan::bench(args = [
+    ("numeric", false), ("formula", false), ("equation", false), ("function", false), ("matrix", false),
+    ("numeric", true), ("formula", true), ("equation", true), ("function", true), ("matrix", true),
+])]
+fn stream(bencher: Bencher, (kind, is_mixed): (&str, bool)) {
     let (catalogue, _) = Catalogue::load(embedded());
     let mut lines = Vec::new();
     for template in catalogue.items() {
@@ -104,21 +118,18 @@ fn stream(bencher: Bencher, kind: &str) {
             if part.answer.kind().name() != kind || !solution.asks(place) {
                 continue;
             }
-            let Ok(key) = solution.marker(place).map(|marker| marker.key()) else {
+            let Ok(marker) = solution.marker(place) else {
                 continue;
             };
-            let response = match key.value {
-                KeyValue::Formula { text, .. } => text,
-                KeyValue::Numbers { si, .. } if si.len() == 1 => {
-                    let unit = part.answer.unit().map(|unit| unit.coherent().to_string());
-                    format!("{} {}", si[0], unit.unwrap_or_default())
-                }
-                _ => key.math.plain(),
+            let responses = if is_mixed {
+                marker.trials().into_iter().map(|trial| trial.response).collect()
+            } else {
+                vec![right(part, &marker.key())]
             };
-            let line = serde_json::json!({
-                "id": template.id.to_string(), "part": part.id, "response": response,
-            });
-            lines.push(line.to_string());
+            lines.extend(responses.into_iter().map(|response| {
+                let id = template.id.to_string();
+                serde_json::json!({ "id": id, "part": part.id, "response": response }).to_string()
+            }));
         }
     }
     let mut session = Session::new(&catalogue);
@@ -130,4 +141,16 @@ fn stream(bencher: Bencher, kind: &str) {
     round();
     let count = ItemsCount::new(lines.len());
     bencher.counter(count).bench_local(round);
+}
+
+/// The printed key of a part as a response.
+fn right(part: &Part, key: &Key) -> String {
+    match &key.value {
+        KeyValue::Formula { text, .. } => text.clone(),
+        KeyValue::Numbers { si, .. } if si.len() == 1 => {
+            let unit = part.answer.unit().map(|unit| unit.coherent().to_string());
+            format!("{} {}", si[0], unit.unwrap_or_default())
+        }
+        _ => key.math.plain(),
+    }
 }

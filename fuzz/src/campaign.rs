@@ -3,6 +3,7 @@
 //! ```sh
 //! campaign seeds [TARGET]
 //! campaign run TARGET|all [--seconds N] [--seed N]
+//! campaign typed [PART] [--count N] [--seconds N] [--seed N]
 //! campaign again TARGET FILE
 //! ```
 //!
@@ -17,7 +18,7 @@ use std::sync::LazyLock;
 use std::time::{Duration, Instant};
 
 use vibank_fuzz::generate::{Stream, input};
-use vibank_fuzz::{seeds, targets};
+use vibank_fuzz::{seeds, targets, typed};
 
 /// Findings after which a target is left.
 const MOST_FINDINGS: usize = 20;
@@ -44,6 +45,16 @@ fn main() -> ExitCode {
         ["run", target, ..] if targets::NAMES.contains(target) => {
             ExitCode::from(u8::from(!run(target, seconds, seed)))
         }
+        ["typed", rest @ ..] => {
+            let part = rest.first().copied().filter(|word| !word.starts_with("--"));
+            let count = option("--count", 1_000_000);
+            let keep = |target: &str, bytes: &[u8]| {
+                let name = bytes.iter().fold(0_u64, |name, byte| name.wrapping_mul(31) + u64::from(*byte));
+                write(&folder("findings", target), &format!("{name:016x}"), bytes);
+            };
+            let seconds = option("--seconds", u64::MAX);
+            ExitCode::from(u8::from(!typed::run(part, count, seconds, seed, used, keep)))
+        }
         ["again", target, file] => {
             let bytes = fs::read(file).unwrap_or_default();
             // What all inputs share is made once, and does not count.
@@ -54,7 +65,7 @@ fn main() -> ExitCode {
             ExitCode::SUCCESS
         }
         _ => {
-            eprintln!("campaign seeds | run TARGET|all [--seconds N] [--seed N] | again TARGET FILE");
+            eprintln!("campaign seeds | run TARGET|all [--seconds N] [--seed N] | typed [PART] [--count N] [--seconds N] [--seed N] | again TARGET FILE");
             eprintln!("targets: {}", targets::NAMES.join(", "));
             ExitCode::from(2)
         }

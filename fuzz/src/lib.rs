@@ -16,3 +16,4 @@
 pub mod generate;
 pub mod seeds;
 pub mod targets;
+pub mod typed;

@@ -6,7 +6,7 @@
 use std::collections::hash_map::DefaultHasher;
 use std::hash::{Hash, Hasher};
 
-use vibank::answer::{KeyValue, Verdict};
+use vibank::answer::{Doubt, KeyValue, Verdict};
 use vibank::bank::{Catalogue, Compiled, Template, embedded};
 use vibank::diagnostic::Finding;
 use vibank::document::{Document, Filling, read_math};

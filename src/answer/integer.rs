@@ -1,6 +1,7 @@
 //! `integer`: a whole number, such as a count.
 //!
-//! The student types `3`. Only the number itself is right; an integer has no tolerance.
+//! The student types `3`, or `3N` where *N* is a number of the question. Only the number itself is right; an integer
+//! has no tolerance.
 //!
 //! ```toml
 //! [[part]]
@@ -9,23 +10,37 @@
 //! ask  = "How many half-cycles does it make?"
 //! ```
 
+use std::sync::Arc;
+
 use super::settle::{Candidate, Rule, settle};
 use super::{
     Answer, AnswerError, Answered, Context, Credit, Declare, Doubt, Echo, Key, KeyValue, Marker,
-    Marking, Misfit, Nature, Reading, Remark, Slip, Trial, Unreadable, Why, numeric,
+    Marking, Misfit, Nature, Reading, Remark, Role, Slip, Trial, Unreadable, Why, numeric,
 };
-use crate::expr::Form;
+use crate::expr::{Expr, Form, Name, Precise, Program, Slots, Workspace};
 use crate::math::Math;
 use crate::quantity::{Absent, NodeId};
-use crate::unit::{Decimal, DecimalMark, Quantity};
+use crate::response::{self, Lexicon, Manner, Style, Values};
+use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
 
 #[derive(Debug)]
 struct Integer {
     key: NodeId,
+    symbols: Arc<Symbols>,
+}
+
+/// The data that are pure numbers, in which a count may be written.
+#[derive(Debug)]
+struct Symbols {
+    lexicon: Lexicon,
+    names: Vec<(Name, NodeId)>,
 }
 
 struct Whole {
     key: f64,
+    symbols: Arc<Symbols>,
+    /// The values of the symbols.
+    values: Vec<Precise>,
     mistakes: Vec<(usize, f64, Credit)>,
     mark: DecimalMark,
     doubt: Doubt,
@@ -53,7 +68,25 @@ pub(super) fn read(
         );
         return None;
     }
-    Some(Box::new(Integer { key }))
+    let symbols = Arc::new(Symbols::of(declare));
+    Some(Box::new(Integer { key, symbols }))
+}
+
+impl Symbols {
+    fn of(declare: &dyn Declare) -> Self {
+        let (mut lexicon, mut names) = (Lexicon::new(), Vec::new());
+        for own in declare.known() {
+            let is_pure = own.kind.dimension().is_some_and(|own| own.is_pure());
+            match own.role {
+                Role::Parameter { node, .. } if is_pure && own.kind.form() == Form::REAL => {
+                    lexicon.allow(&own.name, Arc::clone(&own.symbol), false);
+                    names.push((own.name, node));
+                }
+                _ => lexicon.forbid(&own.name),
+            }
+        }
+        Self { lexicon, names }
+    }
 }
 
 impl Answer for Integer {
@@ -72,8 +105,12 @@ impl Answer for Integer {
             let number = mistake.values.first()?.as_real()?.round();
             Some((mistake.number, number, mistake.credit))
         });
+        let values = self.symbols.names.iter();
+        let values = values.map(|(_, node)| context.evaluation.real(*node).map(Precise::exact));
         Ok(Box::new(Whole {
             key,
+            symbols: Arc::clone(&self.symbols),
+            values: values.collect::<Result<_, _>>()?,
             mistakes: numbers.collect(),
             mark: context.mark,
             doubt: context.doubt,
@@ -110,13 +147,28 @@ impl Marker for Whole {
     }
 
     fn echo(&self, response: &str) -> Result<Echo, Unreadable> {
-        let (first, others) = numeric::readings(response, self.mark)?;
+        let read = numeric::readings(response, self.mark);
+        let is_count = |read: &(Quantity, _)| read.0.unit.is_one();
+        if !read.as_ref().is_ok_and(is_count)
+            && let Some((reading, _)) = self.in_symbols(response)
+        {
+            return Ok(Echo::of_reading(reading));
+        }
+        let (first, others) = read?;
         let readings = [first].into_iter().chain(others);
         Echo::of(readings.map(|own| self.reading(&own))).ok_or_else(|| Why::Form.into())
     }
 
     fn mark(&self, response: &str) -> Marking {
-        let (first, others) = match numeric::readings(response, self.mark) {
+        let read = numeric::readings(response, self.mark);
+        let is_count = |read: &(Quantity, _)| read.0.unit.is_one();
+        // A count has no unit: what could be one is a symbol of the question.
+        if !read.as_ref().is_ok_and(is_count)
+            && let Some((reading, number)) = self.in_symbols(response)
+        {
+            return self.counted(reading, number);
+        }
+        let (first, others) = match read {
             Ok(readings) => readings,
             Err(why) => return Marking::unreadable(why),
         };
@@ -130,6 +182,54 @@ impl Marker for Whole {
 }
 
 impl Whole {
+    /// A response in symbols of the question, `3N` or `3N = 60`, and what it comes to.
+    fn in_symbols(&self, response: &str) -> Option<(Reading, f64)> {
+        let style = Style {
+            mark: self.mark,
+            comma_is_decimal: true,
+            is_complex: false,
+        };
+        let values = Values::read(response, style).ok()?;
+        let sides = values.statement(&values.all()).sides;
+        let mut readings = Vec::new();
+        // What stands before an equals sign may be the symbol that is asked.
+        let (last, before) = sides.split_last()?;
+        let before = before.iter().filter(|side| !values.is_name(side));
+        for side in before.chain([last]) {
+            readings.push(self.formula(values.text(side))?);
+        }
+        let (formula, number) = readings.first().cloned()?;
+        let has_symbols = readings.iter().any(|(own, _)| !own.names().free.is_empty());
+        let is_one = readings.iter().all(|(_, own)| *own == number);
+        let shown = Decimal::shortest(number).filter(|_| has_symbols && is_one)?;
+        let reading = Reading {
+            math: Math::row([
+                formula.typeset(&self.symbols.lexicon),
+                Math::relation("="),
+                Quantity::new(shown, Unit::ONE).math(self.mark),
+            ]),
+            text: formula.to_string(),
+            answered: Answered::Number {
+                si: number,
+                unit: None,
+            },
+        };
+        Some((reading, number))
+    }
+
+    fn formula(&self, text: &str) -> Option<(Expr, f64)> {
+        let manner = Manner {
+            comma_is_decimal: true,
+            has_imaginary_unit: false,
+            values: None,
+        };
+        let typed = response::formula(text, &self.symbols.lexicon, manner).ok()?;
+        let names: Vec<&str> = self.symbols.names.iter().map(|own| own.0.as_str()).collect();
+        let program = Program::compile(&typed.value, &Slots(&names)).ok()?;
+        let number = program.evaluate_real(&self.values[..], &mut Workspace::default());
+        Some((typed.value, number.ok()?))
+    }
+
     fn reading(&self, quantity: &Quantity) -> Reading {
         Reading {
             math: quantity.math(self.mark),
@@ -151,7 +251,12 @@ impl Whole {
         if !quantity.unit.is_one() {
             return Marking::wrong(reading, Remark::from(Misfit::Count));
         }
-        if !quantity.value.is_integer() {
+        self.counted(reading, number)
+    }
+
+    /// The marking of a number without a unit.
+    fn counted(&self, reading: Reading, number: f64) -> Marking {
+        if number.fract() != 0.0 {
             return Marking::wrong(reading, Remark::from(Slip::NotInteger));
         }
         if number == self.key {
