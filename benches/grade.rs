@@ -122,7 +122,11 @@ fn stream(bencher: Bencher, (kind, is_mixed): (&str, bool)) {
                 continue;
             };
             let responses = if is_mixed {
-                marker.trials().into_iter().map(|trial| trial.response).collect()
+                marker
+                    .trials()
+                    .into_iter()
+                    .map(|trial| trial.response)
+                    .collect()
             } else {
                 vec![right(part, &marker.key())]
             };

@@ -224,7 +224,12 @@ impl Whole {
             values: None,
         };
         let typed = response::formula(text, &self.symbols.lexicon, manner).ok()?;
-        let names: Vec<&str> = self.symbols.names.iter().map(|own| own.0.as_str()).collect();
+        let names: Vec<&str> = self
+            .symbols
+            .names
+            .iter()
+            .map(|own| own.0.as_str())
+            .collect();
         let program = Program::compile(&typed.value, &Slots(&names)).ok()?;
         let number = program.evaluate_real(&self.values[..], &mut Workspace::default());
         Some((typed.value, number.ok()?))
