@@ -32,6 +32,8 @@ pub enum Target {
     Plot(String),
     /// Something of a model.
     Model(crate::expr::Path),
+    /// The lines of a derivation of a model.
+    Derivation(crate::expr::Path),
     /// Nothing: the item has a finding.
     Nothing,
 }

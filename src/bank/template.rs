@@ -164,6 +164,16 @@ impl Template {
         self.parts.iter().find(|part| part.id == id)
     }
 
+    /// All texts that placeholders stand in, in the order in which they are shown.
+    pub fn passages(&self) -> impl Iterator<Item = &Passage> {
+        let parts = self.parts.iter().flat_map(|part| {
+            let feedback = part.mistakes.iter().map(|mistake| &mistake.feedback);
+            let texts = std::iter::once(&part.ask).chain(&part.hints);
+            texts.chain(std::iter::once(&part.solution)).chain(feedback)
+        });
+        [&self.statement, &self.solution, &self.notes].into_iter().chain(parts)
+    }
+
     /// The parameter of this name and its place.
     pub fn parameter(&self, name: &str) -> Option<(usize, &Parameter)> {
         self.parameters

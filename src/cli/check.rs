@@ -141,6 +141,7 @@ fn look_over(catalogue: &Catalogue, wanted: &Wanted, arguments: &Arguments) -> V
     let looked = items.par_iter().map(|item| {
         let mut findings = proof::findings(item, arguments.seeds);
         findings.extend(scene::undrawn(item));
+        findings.extend(scene::underived(item));
         let survey = arguments
             .report
             .then(|| Survey::over(item, arguments.seeds));

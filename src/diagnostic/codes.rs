@@ -41,7 +41,7 @@ codes! {
     TEXT_MARKUP "text::markup" "A text has something in it that no text may have."
         "Texts are Markdown with math between dollar signs and placeholders, and nothing else: no HTML, no images, links to pages alone, no control characters, bounded in length and nesting."
     TEXT_PLACEHOLDER "text::placeholder" "A placeholder that cannot be read."
-        "A placeholder is `<< name >>` or `<< name.form >>`, where the form is one of `given`, `symbol`, `name`, `number`, `unit`, `formula`, `substituted`, `equation`.\nA figure or plot stands in a paragraph of its own.\nThe sign `<<` itself is written `\\<<`, in a formula `\\ll`."
+        "A placeholder is `<< name >>` or `<< name.form >>`, where the form is one of `given`, `symbol`, `name`, `number`, `unit`, `formula`, `substituted`, `equation`, `worked`.\nA figure, a plot and a derivation stand in paragraphs of their own.\nThe sign `<<` itself is written `\\<<`, in a formula `\\ll`."
     TEXT_MATH "text::math" "A formula that cannot be read."
         "Formulas are LaTeX as `amsmath` has it, as far as it concerns formulas: letters, signs, fractions, roots, scripts, accents, delimiters, matrices, cases, aligned lines, words.\nCommands that define, colour or draw are not read."
     TEXT_DOLLAR "text::dollar" "A dollar sign that is printed as it stands."

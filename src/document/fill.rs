@@ -1,5 +1,6 @@
 //! What is put into the holes of a text.
 
+use super::Inline;
 use crate::math::{Holes, Math};
 
 /// What fills one hole.
@@ -10,6 +11,18 @@ pub enum Fill<'a> {
     /// A figure or plot in the notation of the output, written as it stands: for HTML an SVG
     /// element. It has to come from a writer, never from a text.
     Figure(&'a str),
+    /// Lines of a derivation.
+    Steps(&'a [Step]),
+}
+
+/// A step of a derivation: words, and lines that are aligned below them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step {
+    /// What is done.
+    pub words: Vec<Inline>,
+    /// The lines; what stands on the left of one, empty where it continues the line above, and a relation with what
+    /// follows it.
+    pub lines: Vec<[Math; 2]>,
 }
 
 /// What fills the holes of a text.
@@ -25,6 +38,8 @@ pub enum Filling {
     Math(Math),
     /// As [`Fill::Figure`].
     Figure(String),
+    /// As [`Fill::Steps`].
+    Steps(Vec<Step>),
 }
 
 impl Filling {
@@ -40,6 +55,7 @@ impl Fills for [Filling] {
         self.get(hole as usize).map(|filling| match filling {
             Filling::Math(math) => Fill::Math(math),
             Filling::Figure(markup) => Fill::Figure(markup),
+            Filling::Steps(steps) => Fill::Steps(steps),
         })
     }
 }
@@ -51,6 +67,13 @@ impl Fills for Vec<Filling> {
     }
 }
 
+impl Step {
+    /// Its lines as one formula, for writers that have a notation for aligned lines.
+    pub(super) fn aligned(&self) -> Math {
+        Math::aligned(self.lines.iter().map(|line| line.to_vec()).collect())
+    }
+}
+
 /// The fillings as formulas see them.
 pub(super) struct InMath<'a>(pub(super) &'a dyn Fills);
 
@@ -58,7 +81,7 @@ impl Holes for InMath<'_> {
     fn filling(&self, hole: u32) -> Option<&Math> {
         match self.0.fill(hole) {
             Some(Fill::Math(math)) => Some(math),
-            Some(Fill::Figure(_)) | None => None,
+            Some(Fill::Figure(_) | Fill::Steps(_)) | None => None,
         }
     }
 }

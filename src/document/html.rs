@@ -5,7 +5,7 @@
 use std::fmt::Write;
 
 use super::fill::InMath;
-use super::{Alignment, Block, Document, Fill, Fills, Inline};
+use super::{Alignment, Block, Document, Fill, Fills, Inline, Step};
 use crate::math::{Display, Math, escape};
 
 impl Document {
@@ -204,6 +204,23 @@ impl Writer<'_> {
         }
     }
 
+    /// Each line is a formula of its own, so that it is heard by itself; the style sheet aligns them.
+    fn steps(&mut self, steps: &[Step]) {
+        for (number, step) in steps.iter().enumerate() {
+            if number > 0 {
+                self.out.push('\n');
+            }
+            if !step.words.is_empty() {
+                self.element("p", &step.words);
+            }
+            self.out.push_str("<div class=\"steps\">");
+            for [left, right] in &step.lines {
+                Math::write_mathml_line(self.out, left, right, &InMath(self.fills));
+            }
+            self.out.push_str("</div>");
+        }
+    }
+
     fn math(&mut self, math: &Math, display: Display) {
         math.write_mathml(self.out, display, &InMath(self.fills));
     }
@@ -213,6 +230,7 @@ impl Writer<'_> {
             Some(Fill::Math(Math::Text(words))) => escape(self.out, words),
             Some(Fill::Math(math)) => self.math(math, Display::Inline),
             Some(Fill::Figure(markup)) => self.out.push_str(markup),
+            Some(Fill::Steps(steps)) => self.steps(steps),
             None => self.out.push('□'),
         }
     }

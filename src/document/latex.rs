@@ -8,7 +8,7 @@ use std::fmt::Write;
 use sha2::{Digest, Sha256};
 
 use super::fill::InMath;
-use super::{Alignment, Block, Document, Fill, Fills, Inline};
+use super::{Alignment, Block, Document, Fill, Fills, Inline, Step};
 use crate::math::{Display, Math, Sign, greek_name, is_invisible};
 
 impl Document {
@@ -278,6 +278,17 @@ impl Writer<'_> {
         self.out.push_str(close);
     }
 
+    fn steps(&mut self, steps: &[Step]) {
+        for (number, step) in steps.iter().enumerate() {
+            if number > 0 {
+                self.out.push_str("\n\n");
+            }
+            self.inlines(&step.words);
+            self.out.push('\n');
+            self.math(&step.aligned(), Display::Block);
+        }
+    }
+
     fn hole(&mut self, hole: u32) {
         match self.fills.fill(hole) {
             Some(Fill::Math(Math::Text(words))) => write_words(self.out, words),
@@ -288,6 +299,7 @@ impl Writer<'_> {
                 self.out.push_str(&picture_name(svg));
                 self.out.push('}');
             }
+            Some(Fill::Steps(steps)) => self.steps(steps),
             None => write_words(self.out, "□"),
         }
     }

@@ -1,7 +1,7 @@
 //! Markdown with LaTeX math between dollar signs.
 
 use super::fill::InMath;
-use super::{Alignment, Block, Document, Fill, Fills, Inline};
+use super::{Alignment, Block, Document, Fill, Fills, Inline, Step};
 use crate::math::Math;
 
 impl Document {
@@ -249,11 +249,27 @@ impl Writer<'_> {
         }
     }
 
+    fn steps(&mut self, steps: &[Step]) {
+        for (number, step) in steps.iter().enumerate() {
+            if number > 0 {
+                self.line();
+                self.line();
+            }
+            if !step.words.is_empty() {
+                self.paragraph(&step.words);
+                self.line();
+                self.line();
+            }
+            self.math(&step.aligned(), "$$");
+        }
+    }
+
     fn hole(&mut self, hole: u32) {
         match self.fills.fill(hole) {
             Some(Fill::Math(Math::Text(words))) => self.words(words),
             Some(Fill::Math(math)) => self.math(math, "$"),
             Some(Fill::Figure(markup)) => self.out.push_str(markup),
+            Some(Fill::Steps(steps)) => self.steps(steps),
             None => self.out.push('□'),
         }
     }

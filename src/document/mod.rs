@@ -18,7 +18,7 @@ mod plain;
 mod read;
 mod typst;
 
-pub use fill::{Fill, Filling, Fills};
+pub use fill::{Fill, Filling, Fills, Step};
 #[cfg(feature = "render")]
 pub(crate) use latex::{picture_name, write_words as latex_words};
 pub use placeholder::{Form, Placeholder};
@@ -94,7 +94,7 @@ pub enum Block {
     /// A quotation.
     #[serde(rename = "q")]
     Quote(Vec<Block>),
-    /// The place of a figure or plot, a hole.
+    /// The place of a figure, a plot or a derivation, a hole.
     #[serde(rename = "f")]
     Figure(u32),
     /// A rule across the page.

@@ -52,6 +52,8 @@ pub enum Form {
     Substituted,
     /// Symbol, closed form and value.
     Equation,
+    /// The closed form, with the data substituted, and the value, line by line.
+    Worked,
 }
 
 impl Form {
@@ -65,6 +67,7 @@ impl Form {
         ("formula", Self::Formula),
         ("substituted", Self::Substituted),
         ("equation", Self::Equation),
+        ("worked", Self::Worked),
     ];
 
     /// The form of this word.
@@ -76,10 +79,23 @@ impl Form {
     }
 }
 
+/// The derivations of a model, which a layer above makes.
+fn is_derivation(name: &str) -> bool {
+    matches!(name, "lagrange" | "energy" | "newton")
+}
+
 impl Placeholder {
-    /// Whether it is the place of a figure or plot.
-    pub fn is_figure(&self) -> bool {
-        self.path == "figure" || self.path.starts_with("plots.")
+    /// Whether it stands on lines of its own: a figure, a plot, the lines of a derivation.
+    pub fn is_block(&self) -> bool {
+        let mut names = self.names();
+        match names.next() {
+            Some("figure") => names.next().is_none(),
+            Some("plots") => true,
+            // `model.lagrange.x`, `models.relative.newton`.
+            Some("model") => names.next().is_some_and(is_derivation),
+            Some("models") => names.nth(1).is_some_and(is_derivation),
+            _ => self.form == Form::Worked,
+        }
     }
 
     /// The names of its path.

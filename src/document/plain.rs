@@ -3,7 +3,7 @@
 //! Control characters are left out, so that no text can steer the terminal.
 
 use super::fill::InMath;
-use super::{Block, Document, Fill, Fills, Inline};
+use super::{Block, Document, Fill, Fills, Inline, Step};
 use crate::math::Math;
 
 impl Document {
@@ -146,11 +146,44 @@ impl Writer<'_> {
         math.write_plain(self.out, &InMath(self.fills));
     }
 
+    fn steps(&mut self, steps: &[Step]) {
+        for (number, step) in steps.iter().enumerate() {
+            if number > 0 {
+                self.line();
+            }
+            if !step.words.is_empty() {
+                self.inlines(&step.words);
+                self.line();
+            }
+            let left = |line: &[Math; 2]| {
+                let mut out = String::new();
+                line[0].write_plain(&mut out, &InMath(self.fills));
+                out
+            };
+            let left: Vec<String> = step.lines.iter().map(left).collect();
+            let widest = left.iter().map(|left| left.chars().count()).max();
+            for (number, (left, [_, right])) in left.iter().zip(&step.lines).enumerate() {
+                if number > 0 {
+                    self.line();
+                }
+                self.out.push_str("    ");
+                if let Some(widest) = widest.filter(|widest| *widest > 0) {
+                    let missing = widest - left.chars().count();
+                    self.out.push_str(&" ".repeat(missing));
+                    self.out.push_str(left);
+                    self.out.push(' ');
+                }
+                self.math(right);
+            }
+        }
+    }
+
     fn hole(&mut self, hole: u32) {
         match self.fills.fill(hole) {
             Some(Fill::Math(Math::Text(words))) => self.words(words),
             Some(Fill::Math(math)) => self.math(math),
             Some(Fill::Figure(text)) => self.words(text),
+            Some(Fill::Steps(steps)) => self.steps(steps),
             None => self.out.push('□'),
         }
     }

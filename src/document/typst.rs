@@ -4,7 +4,7 @@
 //! Typst. A figure is a call of `picture(words, markup)`, in a text inside of `figure-block`; the layouts define both.
 
 use super::fill::InMath;
-use super::{Alignment, Block, Document, Fill, Fills, Inline};
+use super::{Alignment, Block, Document, Fill, Fills, Inline, Step};
 use crate::math::{Display, Math, quote};
 
 impl Document {
@@ -161,6 +161,20 @@ impl Writer<'_> {
         math.write_typst(self.out, display, &InMath(self.fills));
     }
 
+    fn steps(&mut self, steps: &[Step]) {
+        for (number, step) in steps.iter().enumerate() {
+            if number > 0 {
+                self.out.push_str("\n\n");
+            }
+            if !step.words.is_empty() {
+                self.out.push_str("#block(sticky:true)[");
+                self.inlines(&step.words);
+                self.out.push_str("]\n\n");
+            }
+            self.math(&step.aligned(), Display::Block);
+        }
+    }
+
     fn hole(&mut self, hole: u32) {
         match self.fills.fill(hole) {
             Some(Fill::Math(Math::Text(words))) => self.words(words),
@@ -171,6 +185,7 @@ impl Writer<'_> {
                 write_picture(self.out, svg);
                 self.out.push(')');
             }
+            Some(Fill::Steps(steps)) => self.steps(steps),
             None => self.words("□"),
         }
     }

@@ -33,7 +33,12 @@ math .cases mtd{text-align:left;text-align:-webkit-left}\
 math .aligned mtd{padding:.35ex 0}\
 math .aligned mtd:nth-child(odd){text-align:right;text-align:-webkit-right}\
 math .aligned mtd:nth-child(even){text-align:left;text-align:-webkit-left}\
-math .aligned mtd:nth-child(odd):not(:first-child){padding-left:2em}";
+math .aligned mtd:nth-child(odd):not(:first-child){padding-left:2em}\
+.steps{display:grid;grid-template-columns:max-content auto;justify-content:start;margin:.5em 0 .7em 1em;row-gap:.3em}\
+.steps>math[display]{display:grid;grid-column:1/-1;grid-template-columns:subgrid;align-items:baseline;margin:0;overflow:visible;break-inside:avoid}\
+.steps>math>mrow:first-child{justify-self:end}\
+.steps>math>mrow:last-child{justify-self:start}\
+@media screen and (max-width:36em){.steps{margin-left:0;overflow-x:auto;overflow-y:hidden}}";
 
 impl Math {
     /// As a `math` element.
@@ -41,6 +46,32 @@ impl Math {
         let mut out = String::new();
         self.write_mathml(&mut out, display, &Empty);
         out
+    }
+
+    /// Appends a line of a derivation, `left` and a relation with what follows, as one `math` element whose two halves
+    /// the style sheet aligns with those of the lines around it.
+    pub(crate) fn write_mathml_line(out: &mut String, left: &Math, right: &Math, holes: &dyn Holes) {
+        out.push_str("<math display=\"block\" alttext=\"");
+        let words = out.len();
+        left.write_spoken(out, holes);
+        if out.len() > words {
+            out.push(' ');
+        }
+        right.write_spoken(out, holes);
+        escape_from(out, words);
+        out.push_str("\">");
+        let mut writer = Writer {
+            out,
+            holes,
+            before: Atom::Edge,
+            in_script: false,
+        };
+        for half in [left, right] {
+            writer.out.push_str("<mrow>");
+            writer.math(half);
+            writer.out.push_str("</mrow>");
+        }
+        out.push_str("</math>");
     }
 
     /// Appends a `math` element with its words as `alttext`.

@@ -42,6 +42,8 @@ pub struct Definition {
     pub initial: Vec<(Name, Initial)>,
     /// The position about which to linearize, by coordinate, where it is stated.
     pub equilibrium: Vec<(Name, Expr)>,
+    /// The bodies with their forces, for Newton's way to the same equations.
+    pub bodies: Vec<Body>,
     /// The dimensions of the names that are constants, as far as they are known. They order products as
     /// textbooks do: what has mass first, then accelerations, lengths, times, numbers.
     pub dimensions: BTreeMap<Name, Dimension>,
@@ -76,6 +78,23 @@ pub struct Initial {
     pub position: Expr,
     /// The velocity.
     pub velocity: Expr,
+}
+
+/// A body that is cut free: how it moves, and the forces on it.
+///
+/// Forces that the balance at rest takes up are left out here as they are in the energies.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Body {
+    /// Its name.
+    pub name: Name,
+    /// What it does: each displacement or angle, a coordinate or kinematic name, with its mass or moment of inertia.
+    pub moves: Vec<(Name, Expr)>,
+    /// Its forces, each with a component (force or moment) for each move.
+    pub forces: Vec<(Name, Vec<Expr>)>,
+    /// The forces of constraint, whose sizes the laws of motion have to give: tensions, reactions.
+    pub unknowns: Vec<Name>,
+    /// Where it is declared.
+    pub span: Span,
 }
 
 impl Coordinate {
@@ -116,6 +135,7 @@ impl Default for Definition {
             friction: Vec::new(),
             initial: Vec::new(),
             equilibrium: Vec::new(),
+            bodies: Vec::new(),
             dimensions: BTreeMap::new(),
         }
     }

@@ -16,7 +16,7 @@ pub(super) fn written(energy: &Expr, written: &Expr, order: &Order) -> Expr {
 }
 
 /// A term in order without multiplying out its brackets; whether it is subtracted, and the rest.
-fn tidied(term: &Expr, order: &Order) -> (bool, Expr) {
+pub(super) fn tidied(term: &Expr, order: &Order) -> (bool, Expr) {
     let normal = Normal::of(term);
     if let Ok(normal) = &normal
         && normal.terms() <= 1
@@ -56,7 +56,7 @@ fn tidied(term: &Expr, order: &Order) -> (bool, Expr) {
 }
 
 /// The terms of a sum, with whether they are subtracted.
-fn terms(expr: &Expr, is_negative: bool) -> Vec<(bool, Expr)> {
+pub(super) fn terms(expr: &Expr, is_negative: bool) -> Vec<(bool, Expr)> {
     match expr.kind() {
         Kind::Binary(Operator::Add, a, b) => {
             [terms(a, is_negative), terms(b, is_negative)].concat()

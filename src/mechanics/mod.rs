@@ -26,11 +26,13 @@ mod programs;
 mod quantity;
 mod relation;
 mod squares;
+mod steps;
 
-pub use definition::{Coordinate, Definition, Friction, Initial};
+pub use definition::{Body, Coordinate, Definition, Friction, Initial};
 pub use error::{Key, ModelError};
 pub use lack::Lack;
 pub use model::{MOST_COORDINATES, Model};
 pub use nature::Nature;
 pub use numbers::{Frictional, Linearization, Motion, Numbers, Single};
 pub use quantity::{Quantity, QuantityError};
+pub use steps::{Line, NewtonError, Reason, Side, Step, Term, Way};

@@ -43,8 +43,10 @@ pub struct Model {
     pub(super) energies: Energies,
     pub(super) equilibrium: Equilibrium,
     pub(super) evaluation: Evaluation,
-    residuals: Vec<Normal>,
+    pub(super) residuals: Vec<Normal>,
     linear: Option<Linear>,
+    /// Whether the equations are linear as they stand.
+    is_linear: bool,
     order: Order,
 }
 
@@ -101,7 +103,9 @@ impl Model {
         let about = |position: &[Expr]| {
             Linear::about(&residuals, &balance, names, position).map_err(&symbolic)
         };
-        let (linear, varying) = match (Linear::exact(&residuals, names), equilibrium.formula()) {
+        let exact = Linear::exact(&residuals, names);
+        let is_linear = exact.is_some();
+        let (linear, varying) = match (exact, equilibrium.formula()) {
             (Some(exact), _) => (Some(exact), None),
             (None, Some(position)) => (about(position)?, None),
             // With the coordinates themselves put in, the coefficients stay functions of the position.
@@ -127,6 +131,7 @@ impl Model {
             equilibrium,
             residuals,
             linear,
+            is_linear,
         })
     }
 
@@ -234,6 +239,11 @@ impl Model {
     /// The squares of which V is the sum, if it is one.
     pub(super) fn squares(&self) -> Option<&Compiled> {
         self.evaluation.squares(&self.energies)
+    }
+
+    /// Whether the equations are linear without an approximation.
+    pub(super) fn is_linear(&self) -> bool {
+        self.is_linear
     }
 
     pub(super) fn linear(&self) -> Option<&Linear> {

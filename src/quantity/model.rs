@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::error::GraphError;
 use super::graph::{Graph, Node, NodeId, Role};
 use crate::expr::{CheckError, Expr, Kind, Name, Names, Path, Substitution, Type};
-use crate::mechanics::{Definition, Model, Nature, Quantity};
+use crate::mechanics::{Definition, Model, Nature, Quantity, QuantityError, Way};
 use crate::source::nearest;
 
 /// A system as it is written, and once its names are settled, as it was derived.
@@ -35,8 +35,20 @@ impl System {
 
 /// The names that a definition takes from the item.
 fn needs(definition: &Definition) -> BTreeSet<Name> {
+    needed_by(definition, formulas(definition))
+}
+
+/// The names that the bodies of a definition take from the item. Its equations do not need them.
+fn needs_of_bodies(definition: &Definition) -> BTreeSet<Name> {
+    needed_by(definition, formulas_of_bodies(definition))
+}
+
+fn needed_by<'d>(
+    definition: &'d Definition,
+    formulas: impl Iterator<Item = &'d Expr>,
+) -> BTreeSet<Name> {
     let own: BTreeSet<&Name> = own_names(definition).collect();
-    let names = formulas(definition).map(Expr::names);
+    let names = formulas.map(Expr::names);
     let free = names.flat_map(|names| names.free.into_iter().map(|variable| variable.name));
     free.filter(|name| !own.contains(name) && name.as_str() != "t")
         .collect()
@@ -48,7 +60,17 @@ fn own_names(definition: &Definition) -> impl Iterator<Item = &Name> {
         .coordinates
         .iter()
         .map(|coordinate| &coordinate.name);
-    coordinates.chain(definition.kinematics.iter().map(|(name, _)| name))
+    let unknowns = definition.bodies.iter().flat_map(|body| &body.unknowns);
+    let kinematics = definition.kinematics.iter().map(|(name, _)| name);
+    coordinates.chain(kinematics).chain(unknowns)
+}
+
+/// The formulas of the bodies of a definition.
+fn formulas_of_bodies(definition: &Definition) -> impl Iterator<Item = &Expr> {
+    definition.bodies.iter().flat_map(|body| {
+        let moves = body.moves.iter().map(|(_, inertia)| inertia);
+        moves.chain(body.forces.iter().flat_map(|(_, all)| all))
+    })
 }
 
 /// All formulas of a definition.
@@ -100,6 +122,10 @@ fn formulas_mut(definition: &mut Definition) -> Vec<&mut Expr> {
     for (_, initial) in &mut definition.initial {
         all.extend([&mut initial.position, &mut initial.velocity]);
     }
+    for body in &mut definition.bodies {
+        all.extend(body.moves.iter_mut().map(|(_, inertia)| inertia));
+        all.extend(body.forces.iter_mut().flat_map(|(_, all)| all));
+    }
     all
 }
 
@@ -124,6 +150,24 @@ impl Graph {
     pub fn offered(&self, path: &Path) -> Option<(&Arc<Model>, Quantity)> {
         let model = self.system(self.model_of(path)?)?.model.as_ref()?;
         Some((model, model.quantity(rest(path)).ok()?))
+    }
+
+    /// The model and the derivation that a path names.
+    pub fn way(&self, path: &Path) -> Option<(&Arc<Model>, Way)> {
+        self.derivation(path)?.ok()
+    }
+
+    /// The same with the reason why there is no such derivation; nothing where there is no such model, or where it could
+    /// not be derived itself.
+    pub fn derivation(&self, path: &Path) -> Option<Result<(&Arc<Model>, Way), QuantityError>> {
+        let model = self.system(self.model_of(path)?)?.model.as_ref()?;
+        Some(model.way(rest(path)).map(|way| (model, way)))
+    }
+
+    /// All models that were derived, by the beginnings of their paths.
+    pub fn systems(&self) -> impl Iterator<Item = (&str, &Arc<Model>)> {
+        let models = self.models.iter();
+        models.filter_map(|(name, id)| Some((name.as_ref(), self.system(*id)?.model.as_ref()?)))
     }
 
     /// The quantities of models that formulas ask for, by path.
@@ -155,15 +199,17 @@ impl Graph {
             return Vec::new();
         };
         let needed = system.needs();
+        let for_bodies = needs_of_bodies(&system.definition);
         let unknown: Vec<GraphError> = needed
-            .iter()
+            .union(&for_bodies)
             .filter_map(|name| self.unknown(system, name))
             .collect();
         if !unknown.is_empty() {
             return unknown;
         }
         let mut definition = system.definition.clone();
-        let names = match self.put_functions_into(&mut definition, needed) {
+        let all = needed.union(&for_bodies).cloned().collect();
+        let names = match self.put_functions_into(&mut definition, all) {
             Ok(names) => names,
             Err(error) => return vec![GraphError::Compile(error.into())],
         };
@@ -191,7 +237,8 @@ impl Graph {
             return None;
         }
         let mut span = crate::source::Span::NONE;
-        for formula in formulas(&system.definition) {
+        let definition = &system.definition;
+        for formula in formulas(definition).chain(formulas_of_bodies(definition)) {
             formula.walk(&mut |node| {
                 if matches!(node.kind(), Kind::Name(own) if own == name) {
                     span = if span.is_none() { node.span() } else { span };

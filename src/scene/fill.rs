@@ -21,6 +21,7 @@ impl Scene<'_, '_> {
             },
             Target::Plot(name) => self.drawn_plot(name),
             Target::Model(path) => Filling::Math(self.offered(path)),
+            Target::Derivation(path) => self.derivation(path),
             Target::Nothing => Filling::words("?"),
         }
     }
@@ -62,6 +63,7 @@ impl Scene<'_, '_> {
             Form::Name => {
                 return Filling::words(info.title.as_deref().unwrap_or(info.name.as_str()));
             }
+            Form::Worked => return self.worked(node, info),
             Form::Symbol => Math::clone(&info.symbol),
             Form::Value => self.value(node, info),
             Form::Number => self.number(node, info),

@@ -6,13 +6,15 @@
 
 mod concrete;
 mod fill;
+mod lines;
 mod notation;
 mod picture;
 mod plot;
 mod proof;
+mod steps;
 
 pub use plot::Undrawn;
-pub use proof::undrawn;
+pub use proof::{underived, undrawn};
 
 use sha2::{Digest, Sha256};
 

@@ -1,5 +1,6 @@
 //! How the names of an item stand in its formulas: as symbols, or as numbers put in for them.
 
+use super::Scene;
 use crate::bank::Units;
 use crate::expr::{Name, Notation, Symbol, SymbolKind};
 use crate::math::symbol;
@@ -31,6 +32,32 @@ impl Notation for Numbers<'_, '_> {
     fn name(&self, name: &Name) -> Symbol {
         self.number(name)
             .unwrap_or_else(|| Symbols(self.0).name(name))
+    }
+}
+
+/// Names as the values that they have, in the units in which they are printed.
+pub(super) struct Quantities<'a, 's, 't>(pub(super) &'a Scene<'s, 't>);
+
+impl Notation for Quantities<'_, '_, '_> {
+    fn name(&self, name: &Name) -> Symbol {
+        let (scene, template) = (self.0, self.0.solution().template());
+        let known = template.graph.find(name);
+        let known = known.and_then(|node| Some((node, template.info(node)?)));
+        let Some((node, info)) = known.filter(|(_, info)| info.units.is_some()) else {
+            return Symbols(scene.solution()).name(name);
+        };
+        let math = scene.value(node, info);
+        match scene.solution().evaluation().real(node) {
+            Ok(number) if number < 0.0 => Symbol::letter(math.in_parentheses()),
+            _ if matches!(info.units, Some(Units::One(unit)) if unit.is_one()) => Symbol {
+                math,
+                kind: SymbolKind::Number,
+            },
+            _ => Symbol {
+                math,
+                kind: SymbolKind::Quantity,
+            },
+        }
     }
 }
 

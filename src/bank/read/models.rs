@@ -4,7 +4,7 @@ use super::Reader;
 use crate::answer::Role;
 use crate::diagnostic::Finding;
 use crate::expr::{Expr, Name};
-use crate::mechanics::{Coordinate, Definition, Friction, Initial};
+use crate::mechanics::{Body, Coordinate, Definition, Friction, Initial};
 use crate::quantity::NodeId;
 use crate::source::{Data, Entry, Span, Table, Value};
 
@@ -90,6 +90,7 @@ impl<'s> Reader<'s> {
         definition.kinematics = self.by_name(from("kinematics"), "kinematics");
         definition.forces = self.by_name(from("forces"), "forces");
         definition.equilibrium = self.by_name(from("equilibrium"), "equilibrium");
+        definition.bodies = self.bodies(from("bodies"));
         definition.friction = self.frictions(from("friction"));
         definition.initial = self.initials(from("initial"));
         definition
@@ -137,6 +138,94 @@ impl<'s> Reader<'s> {
             ))
         };
         own.entries().iter().filter_map(entry).collect()
+    }
+
+    /// The bodies, each with its moves and the mass or moment of inertia that belongs to each.
+    fn bodies(&mut self, table: Option<&Table<'s>>) -> Vec<Body> {
+        let Some(own) = table.and_then(|table| table.table("bodies")) else {
+            return Vec::new();
+        };
+        let mut bodies = Vec::new();
+        for entry in own.entries() {
+            let table = Table::of(own.source(), own.problems(), &entry.key, &entry.value);
+            if let Some(table) = table {
+                bodies.extend(self.body(&table, entry));
+                table.finish();
+            }
+        }
+        bodies
+    }
+
+    fn body(&mut self, table: &Table<'s>, entry: &'s Entry) -> Option<Body> {
+        let mut inertia = |key: &'static str| {
+            let value = table.value(key)?;
+            self.located(table, key, value)
+        };
+        let (mass, moment) = (inertia("mass"), inertia("inertia"));
+        let value = table.required("moves")?;
+        let names: Vec<Name> = match &value.data {
+            Data::List(items) => items
+                .iter()
+                .filter_map(|item| table.as_text("moves", item))
+                .map(|text| Name::new(text.value.as_str()))
+                .collect(),
+            _ => vec![Name::new(table.as_text("moves", value)?.value.as_str())],
+        };
+        let last = names.len().saturating_sub(1);
+        // With a mass and a moment of inertia the last of several moves is the turn.
+        let of = |at: usize| match (&mass, &moment) {
+            (Some(_), Some(moment)) if at == last && last > 0 => Some(moment.clone()),
+            (Some(mass), None) => Some(mass.clone()),
+            (Some(mass), Some(_)) if at < last => Some(mass.clone()),
+            (None, Some(moment)) if last == 0 => Some(moment.clone()),
+            _ => None,
+        };
+        let moves = names.iter().enumerate().map(|(at, name)| Some((name.clone(), of(at)?)));
+        let Some(moves) = moves.collect::<Option<Vec<_>>>().filter(|moves| !moves.is_empty()) else {
+            return table.wrong(
+                "moves",
+                "one move with `mass` or `inertia`, several with `mass`, or several with both, the turn last",
+                value,
+            );
+        };
+        Some(Body {
+            name: Name::new(entry.key.as_str()),
+            forces: self.forces_of_body(table, moves.len()),
+            unknowns: table
+                .value("unknowns")
+                .map(|value| table.items("unknowns", value))
+                .unwrap_or_default()
+                .iter()
+                .filter_map(|item| table.as_text("unknowns", item))
+                .map(|text| Name::new(text.value.as_str()))
+                .collect(),
+            moves,
+            span: entry.span,
+        })
+    }
+
+    /// The forces on a body: one formula, or one for each of its moves.
+    fn forces_of_body(&mut self, table: &Table<'s>, moves: usize) -> Vec<(Name, Vec<Expr>)> {
+        let Some(own) = table.table("forces") else {
+            return Vec::new();
+        };
+        let mut forces = Vec::new();
+        for entry in own.entries() {
+            let name = Name::new(entry.key.as_str());
+            let components: Option<Vec<Expr>> = match &entry.value.data {
+                Data::List(items) if items.len() == moves => items
+                    .iter()
+                    .map(|item| self.located(&own, &entry.key, item))
+                    .collect(),
+                Data::List(_) => own.wrong(&entry.key, "a component for each move", &entry.value),
+                _ if moves == 1 => self
+                    .located(&own, &entry.key, &entry.value)
+                    .map(|force| vec![force]),
+                _ => own.wrong(&entry.key, "a list with a component for each move", &entry.value),
+            };
+            forces.extend(components.map(|components| (name, components)));
+        }
+        forces
     }
 
     fn frictions(&mut self, table: Option<&Table<'s>>) -> Vec<(Name, Friction)> {

@@ -7,6 +7,7 @@ use crate::bank::passage::{Passage, Piece, Target};
 use crate::bank::template::{QuantityInfo, Units};
 use crate::document::{Document, Form, Placeholder};
 use crate::expr::{Expr, Kind, Name, Path};
+use crate::mechanics::QuantityError;
 use crate::quantity::NodeId;
 use crate::source::{Data, Table, Text, Value, nearest};
 use crate::unit::Unit;
@@ -139,6 +140,9 @@ impl<'s> Reader<'s> {
     /// A formula or equation of a model, or one of its numbers.
     fn offered(&mut self, path: &str, place: &Placeholder, text: &Text) -> Target {
         let path = Path::new(path.split('.').map(Name::new).collect::<Vec<_>>());
+        if place.is_block() && place.form != Form::Worked {
+            return self.derivation(path, place, text);
+        }
         let Some((model, quantity)) = self.graph.offered(&path) else {
             return self.missing(place, None, text);
         };
@@ -156,6 +160,18 @@ impl<'s> Reader<'s> {
                 Target::Nothing
             }
         }
+    }
+
+    /// The lines of a derivation. That it can be made is seen by `check`: making it here would cost each reader.
+    fn derivation(&mut self, path: Path, place: &Placeholder, text: &Text) -> Target {
+        let near = match self.graph.derivation(&path) {
+            Some(Ok(_)) => return Target::Derivation(path),
+            Some(Err(QuantityError::NoCoordinate { name, first })) => {
+                Some(format!("model.{name}.{first}"))
+            }
+            _ => None,
+        };
+        self.missing(place, near, text)
     }
 
     /// What is known of a number of a model: its coherent unit, and the figures of the item.
@@ -180,10 +196,12 @@ impl<'s> Reader<'s> {
         let is_bare = info.is_some_and(|info| info.units.is_none());
         let is_datum = info.is_some_and(|info| info.parameter.is_some());
         let missing = match place.form {
-            Form::Value | Form::Number | Form::Unit | Form::Given | Form::Equation if is_bare => {
+            Form::Value | Form::Number | Form::Unit | Form::Given | Form::Equation
+            | Form::Worked
+                if is_bare => {
                 Some("unit, so no value to print")
             }
-            Form::Formula | Form::Substituted | Form::Equation if is_datum => {
+            Form::Formula | Form::Substituted | Form::Equation | Form::Worked if is_datum => {
                 Some("formula: it is given")
             }
             _ => None,

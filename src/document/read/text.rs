@@ -193,7 +193,7 @@ impl Reader<'_> {
         trim(content);
         let mut content = std::mem::take(content);
         if let [Inline::Hole(hole)] = content.as_slice()
-            && self.is_figure(*hole)
+            && self.is_block(*hole)
         {
             blocks.push(Block::Figure(*hole));
             return;
@@ -204,24 +204,24 @@ impl Reader<'_> {
         }
     }
 
-    fn is_figure(&self, hole: u32) -> bool {
+    fn is_block(&self, hole: u32) -> bool {
         self.masked
             .placeholders
             .get(hole as usize)
-            .is_some_and(crate::document::Placeholder::is_figure)
+            .is_some_and(crate::document::Placeholder::is_block)
     }
 
-    /// A figure stands in a paragraph of its own.
+    /// A figure or derivation stands in a paragraph of its own.
     fn refuse_figures(&mut self, content: &mut Vec<Inline>) {
         let figures: Vec<u32> = content
             .iter()
             .filter_map(|inline| match inline {
-                Inline::Hole(hole) if self.is_figure(*hole) => Some(*hole),
+                Inline::Hole(hole) if self.is_block(*hole) => Some(*hole),
                 _ => None,
             })
             .collect();
         for hole in &figures {
-            self.misplaced(*hole, "the words of a paragraph if it is a figure");
+            self.misplaced(*hole, "the words of a paragraph if it is a figure or a derivation");
         }
         content.retain(|inline| !matches!(inline, Inline::Hole(hole) if figures.contains(hole)));
     }
@@ -396,8 +396,8 @@ impl Reader<'_> {
     /// A formula between `fence` dollar signs on each side.
     fn math(&mut self, latex: &str, range: Range<usize>, fence: usize) -> Option<Math> {
         for hole in latex.chars().filter_map(hole) {
-            if self.is_figure(hole) {
-                self.misplaced(hole, "a formula if it is a figure");
+            if self.is_block(hole) {
+                self.misplaced(hole, "a formula if it is a figure or a derivation");
             }
             if let Some(placeholder) = self.masked.placeholders.get_mut(hole as usize) {
                 placeholder.in_math = true;

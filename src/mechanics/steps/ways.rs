@@ -1,0 +1,68 @@
+//! The derivations that a model offers, by name.
+
+use super::super::Model;
+use super::super::quantity::QuantityError;
+use crate::expr::Name;
+
+/// A way to the equations of motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Way {
+    /// Lagrange's equation along a coordinate, counted from 0.
+    Lagrange(usize),
+    /// The balance of energy.
+    Energy,
+    /// Newton's law for each body.
+    Newton,
+}
+
+impl Way {
+    /// The names of all ways.
+    pub const NAMES: [&str; 3] = ["lagrange", "energy", "newton"];
+}
+
+impl Model {
+    /// The derivation that a path names, without its beginning (`model` or `models.<name>`).
+    ///
+    /// # Errors
+    ///
+    /// As for [`Model::quantity`].
+    pub fn way(&self, path: &[Name]) -> Result<Way, QuantityError> {
+        let unknown = |name: &str| QuantityError::Unknown {
+            name: Name::new(name),
+            nearest: crate::source::nearest(name, Way::NAMES),
+        };
+        let (name, rest) = path.split_first().ok_or_else(|| unknown(""))?;
+        let way = match name.as_str() {
+            "lagrange" => return self.along(name, rest).map(Way::Lagrange),
+            "energy" => Way::Energy,
+            "newton" => Way::Newton,
+            name => return Err(unknown(name)),
+        };
+        match rest.first() {
+            Some(extra) => Err(QuantityError::NotACoordinate {
+                name: extra.clone(),
+            }),
+            None => Ok(way),
+        }
+    }
+
+    /// The coordinate of a path; it may be omitted if there is one alone.
+    fn along(&self, name: &Name, rest: &[Name]) -> Result<usize, QuantityError> {
+        match rest {
+            [] if self.degrees_of_freedom() == 1 => Ok(0),
+            [] => Err(QuantityError::NoCoordinate {
+                name: name.clone(),
+                first: self.coordinates()[0].clone(),
+            }),
+            [own] => {
+                let mut coordinates = self.coordinates().iter();
+                let at = coordinates.position(|coordinate| coordinate == own);
+                at.ok_or_else(|| QuantityError::NotACoordinate { name: own.clone() })
+            }
+            [_, extra, ..] => Err(QuantityError::NotACoordinate {
+                name: extra.clone(),
+            }),
+        }
+    }
+}

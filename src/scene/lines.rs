@@ -1,0 +1,152 @@
+//! Chains of equal formulas in lines that fit a column.
+
+use crate::math::{Class, Math};
+
+/// Characters of a line beyond which a sum continues on the next: a column of a printed page, a phone held upright.
+const LONGEST_LINE: usize = 35;
+
+/// Characters kept free for a right side like 0.
+const SHORTEST_RIGHT: usize = 4;
+
+/// Characters of a left side to which the lines of a step are still aligned.
+const LONGEST_LEFT: usize = 12;
+
+/// A chain of sides as it is set.
+pub(super) struct Chain {
+    pub(super) sides: Vec<Math>,
+    /// Whether the last one is an approximation.
+    pub(super) is_approximate: bool,
+}
+
+/// The lines, aligned at their relations where the left sides are short; long sums continue on the next line.
+pub(super) fn aligned(lines: &[Chain]) -> Vec<[Math; 2]> {
+    let is_short = |line: &Chain| line.sides.first().is_none_or(|left| width(left) <= LONGEST_LEFT);
+    let has_short_sides = lines.iter().all(is_short);
+    let mut rows: Vec<[Math; 2]> = Vec::new();
+    for line in lines {
+        let count = line.sides.len();
+        let sign = |at: usize| {
+            let is_last = at + 1 == count;
+            Math::relation(if line.is_approximate && is_last { "≈" } else { "=" })
+        };
+        let Some((first, others)) = line.sides.split_first() else {
+            continue;
+        };
+        if has_short_sides {
+            let mut room = 0;
+            for (at, side) in others.iter().enumerate() {
+                let own = width(side) + width(&sign(at + 1));
+                if let Some([_, last]) = rows.last_mut().filter(|_| at > 0 && own <= room) {
+                    let before = std::mem::replace(last, Math::row([]));
+                    *last = Math::row([before, sign(at + 1), side.clone()]);
+                    room -= own;
+                    continue;
+                }
+                let left = if at == 0 { first.clone() } else { Math::row([]) };
+                let mut pieces = broken(side, LONGEST_LINE).into_iter();
+                let start = pieces.next().unwrap_or_else(|| Math::row([]));
+                room = LONGEST_LINE.saturating_sub(width(&start) + LONGEST_LEFT / 2);
+                rows.push([left, Math::row([sign(at + 1), start])]);
+                for piece in pieces {
+                    room = 0;
+                    rows.push([Math::row([]), further(piece)]);
+                }
+            }
+            continue;
+        }
+        let mut pieces = broken(first, LONGEST_LINE - SHORTEST_RIGHT);
+        for (at, side) in others.iter().enumerate() {
+            let mut parts = broken(side, LONGEST_LINE).into_iter();
+            let start = parts.next().unwrap_or_else(|| Math::row([]));
+            let last = pieces.pop().unwrap_or_else(|| Math::row([]));
+            if at == 0 && width(&last) + width(&start) <= LONGEST_LINE {
+                pieces.push(Math::row([last, sign(at + 1), start]));
+            } else {
+                pieces.push(last);
+                pieces.push(Math::row([sign(at + 1), start]));
+            }
+            pieces.extend(parts);
+        }
+        let pieces = pieces.into_iter().enumerate();
+        let piece = |(at, piece)| [Math::row([]), if at == 0 { piece } else { further(piece) }];
+        rows.extend(pieces.map(piece));
+    }
+    rows
+}
+
+/// A piece that continues the line above it.
+fn further(piece: Math) -> Math {
+    Math::row([Math::Space(36), piece])
+}
+
+/// A formula in pieces that fit a line; each but the first begins with the sign of its first term.
+fn broken(math: &Math, longest: usize) -> Vec<Math> {
+    let mut atoms = Vec::new();
+    flatten(math, &mut atoms);
+    let mut terms: Vec<Vec<Math>> = vec![Vec::new()];
+    for atom in atoms {
+        let is_sign = matches!(&atom, Math::Operator { text, class: Class::Binary } if text == "+" || text == "−");
+        if is_sign {
+            terms.push(Vec::new());
+        }
+        if let Some(last) = terms.last_mut() {
+            last.push(atom);
+        }
+    }
+    let mut pieces: Vec<Vec<Math>> = Vec::new();
+    let mut length = 0;
+    for term in terms {
+        let own = width(&Math::Row(term.clone()));
+        match pieces.last_mut() {
+            Some(last) if length + own <= longest => {
+                last.extend(term);
+                length += own;
+            }
+            _ => {
+                pieces.push(term);
+                length = own;
+            }
+        }
+    }
+    pieces.into_iter().map(Math::row).collect()
+}
+
+fn flatten(math: &Math, atoms: &mut Vec<Math>) {
+    match math {
+        Math::Row(pieces) => pieces.iter().for_each(|piece| flatten(piece, atoms)),
+        other => atoms.push(other.clone()),
+    }
+}
+
+/// About how many characters wide a formula is.
+fn width(math: &Math) -> usize {
+    match math {
+        Math::Row(pieces) => pieces.iter().map(width).sum(),
+        Math::Identifier { text, .. } | Math::Number(text) | Math::Text(text) | Math::Function(text) => {
+            text.chars().count()
+        }
+        Math::Operator { class, .. } => match class {
+            Class::Binary | Class::Relation => 3,
+            _ => 1,
+        },
+        Math::Space(_) => 0,
+        Math::Fraction {
+            numerator,
+            denominator,
+            ..
+        } => width(numerator).max(width(denominator)),
+        Math::Root { radicand, .. } => width(radicand) + 1,
+        Math::Script { base, sub, sup } => {
+            let script = |own: &Option<Box<Math>>| own.as_ref().map_or(0, |own| width(own));
+            // Scripts are set smaller.
+            width(base) + (script(sub).max(script(sup)) * 2).div_ceil(3)
+        }
+        Math::Stack { base, .. } | Math::Accent { base, .. } => width(base),
+        Math::Fence { body, .. } => width(body) + 2,
+        Math::Table { rows, .. } => {
+            let row = |row: &Vec<Math>| row.iter().map(|cell| width(cell) + 2).sum();
+            rows.iter().map(row).max().unwrap_or(0)
+        }
+        Math::Hole(_) => 1,
+    }
+}

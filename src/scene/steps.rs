@@ -1,0 +1,461 @@
+//! Derivations as lines: those of a model, and the way from a formula to its value.
+
+use super::Scene;
+use super::concrete;
+use super::lines::{Chain, aligned};
+use super::notation::{Quantities, Symbols};
+use crate::bank::QuantityInfo;
+use crate::document::{Filling, Inline, Step as Shown};
+use crate::expr::{Expr, Kind, Name, Notation, Path};
+use crate::math::{Class, Math};
+use crate::mechanics::{Line, Reason, Side, Step, Term};
+use crate::quantity::{Graph, NodeId};
+
+/// Characters of a formula with its helpers opened beyond which nobody follows the numbers in it.
+const LONGEST_WORKED: usize = 90;
+
+impl Scene<'_, '_> {
+    /// The derivation that a path asks for.
+    pub(super) fn derivation(&self, path: &Path) -> Filling {
+        let graph = &self.solution.template().graph;
+        let steps = graph
+            .way(path)
+            .and_then(|(model, way)| model.derivation(way).ok());
+        let steps = steps.unwrap_or_default();
+        Filling::Steps(steps.iter().map(|step| self.step(step)).collect())
+    }
+
+    fn step(&self, step: &Step) -> Shown {
+        let lines: Vec<Chain> = step.lines.iter().map(|line| self.line(line)).collect();
+        Shown {
+            words: self.words(&step.reason),
+            lines: aligned(&lines),
+        }
+    }
+
+    fn line(&self, line: &Line) -> Chain {
+        let notation = Symbols(self.solution);
+        let mut sides: Vec<Math> = Vec::new();
+        for side in &line.sides {
+            let math = self.side(side, &notation);
+            // What differs as a formula may be printed alike, 2·(½ k x) and k x.
+            if sides.last() != Some(&math) {
+                sides.push(math);
+            }
+        }
+        Chain {
+            sides,
+            is_approximate: line.is_approximate,
+        }
+    }
+
+    fn side(&self, side: &Side, notation: &dyn Notation) -> Math {
+        match side {
+            Side::Formula(formula) => formula.typeset(notation),
+            Side::Terms(terms) if terms.is_empty() => Math::number("0"),
+            Side::Terms(terms) => {
+                let mut row = Vec::new();
+                for (is_subtracted, term) in terms {
+                    match (is_subtracted, row.is_empty()) {
+                        (true, true) => row.push(Math::prefix("−")),
+                        (true, false) => row.push(Math::binary("−")),
+                        (false, true) => {}
+                        (false, false) => row.push(Math::binary("+")),
+                    }
+                    row.push(self.term(term, notation));
+                }
+                Math::row(row)
+            }
+        }
+    }
+
+    fn term(&self, term: &Term, notation: &dyn Notation) -> Math {
+        let symbol = |name: &Name| notation.name(name).math;
+        let partial = |above: &str, below: Math| {
+            let sign = || Math::operator("∂", Class::Ordinary);
+            let letter = Math::identifier(above, crate::math::Style::Default);
+            Math::fraction(Math::row([sign(), letter]), Math::row([sign(), below]))
+        };
+        let rate = |of: Math| {
+            let (above, below) = (Math::upright("d"), Math::letter('t'));
+            let derivative = Math::fraction(above, Math::row([Math::upright("d"), below]));
+            Math::row([derivative, Math::thin_space(), of])
+        };
+        match term {
+            Term::Momentum(name) => partial("T", symbol(name).derivative(1)),
+            Term::MomentumRate(name) => rate(partial("T", symbol(name).derivative(1))),
+            Term::Kinetic(name) => partial("T", symbol(name)),
+            Term::Potential(name) => partial("V", symbol(name)),
+            Term::Dissipation(name) => partial("D", symbol(name).derivative(1)),
+            Term::Force(name) => Math::letter('Q').with_sub(symbol(name)),
+            Term::Energy => Math::row([Math::letter('T'), Math::binary("+"), Math::letter('V')]),
+            Term::EnergyRate => {
+                let sum = [Math::letter('T'), Math::binary("+"), Math::letter('V')];
+                rate(Math::row(sum).in_parentheses())
+            }
+            Term::Power => Math::letter('P'),
+        }
+    }
+
+    fn words(&self, reason: &Reason) -> Vec<Inline> {
+        let symbol = |name: &Name| Inline::Math(Symbols(self.solution).name(name).math);
+        let text = |words: &str| Inline::Text(words.to_owned());
+        match reason {
+            Reason::Kinematics => vec![text("Displacements:")],
+            Reason::Terms(name) => vec![text("Terms for "), symbol(name), text(":")],
+            Reason::Lagrange(_) => vec![text("Lagrange’s equation:")],
+            Reason::Linearized => vec![text("For small displacements from equilibrium:")],
+            Reason::Energy => vec![text("Energy:")],
+            Reason::Power => vec![text("Power of the forces without potential energy:")],
+            Reason::Balance => vec![text("Balance of energy:")],
+            Reason::Divided(name) => vec![
+                text("Divided by "),
+                Inline::Math(Symbols(self.solution).name(name).math.derivative(1)),
+                text(", which is not always zero:"),
+            ],
+            Reason::Body(name) => {
+                let words = name.as_str().replace('_', " ");
+                vec![text(&format!("Newton’s law, {words}:"))]
+            }
+            Reason::Elimination(name, unknowns) => {
+                let mut words = vec![text("Along "), symbol(name)];
+                for (number, unknown) in unknowns.iter().enumerate() {
+                    words.push(text(if number == 0 { ", without " } else { ", " }));
+                    words.push(symbol(unknown));
+                }
+                words.push(text(":"));
+                words
+            }
+        }
+    }
+
+    /// Formula, data substituted, value.
+    pub(super) fn worked(&self, node: NodeId, info: &QuantityInfo) -> Filling {
+        let graph = &self.solution.template().graph;
+        let formula = graph.expr(node).and_then(|expr| {
+            let expr = concrete::concrete(self.solution, expr);
+            opened(self.solution.template(), &expr)
+        });
+        let mut sides = vec![Math::clone(&info.symbol)];
+        if let Some(formula) = formula {
+            sides.push(formula.typeset(&Symbols(self.solution)));
+            sides.push(formula.typeset(&Quantities(self)));
+        }
+        sides.push(self.value(node, info));
+        sides.dedup();
+        let line = Chain {
+            sides,
+            is_approximate: false,
+        };
+        Filling::Steps(vec![Shown {
+            words: Vec::new(),
+            lines: aligned(&[line]),
+        }])
+    }
+}
+
+/// Why a quantity cannot be worked out line by line; `None` where it can.
+pub(super) fn unworkable(template: &crate::bank::Template, node: NodeId) -> Option<&'static str> {
+    let Some(expr) = template.graph.expr(node) else {
+        return Some("it is given");
+    };
+    let Some(formula) = opened(template, expr) else {
+        return Some("a quantity in it has neither a unit nor a formula");
+    };
+    let is_long = formula.typeset(&crate::expr::PlainNotation).plain().chars().count() > LONGEST_WORKED;
+    is_long.then_some("its formula is too long with its helpers opened")
+}
+
+/// A formula with the helpers opened that have no unit, and so no value of their own to print.
+fn opened(template: &crate::bank::Template, expr: &Expr) -> Option<Expr> {
+    // No chain of helpers is as long.
+    const DEEPEST: usize = 20;
+    opened_at(template, expr, DEEPEST)
+}
+
+fn opened_at(template: &crate::bank::Template, expr: &Expr, deepest: usize) -> Option<Expr> {
+    let graph: &Graph = &template.graph;
+    let deeper = deepest.checked_sub(1)?;
+    match expr.kind() {
+        Kind::Name(name) => {
+            let Some(node) = graph.find(name) else {
+                return Some(expr.clone());
+            };
+            match template.info(node) {
+                Some(info) if info.units.is_some() => Some(expr.clone()),
+                _ => opened_at(template, graph.expr(node)?, deeper),
+            }
+        }
+        Kind::Path(path) => {
+            let (model, quantity) = graph.offered(path)?;
+            opened_at(template, &model.formula(quantity).ok()?, deeper)
+        }
+        _ => expr
+            .try_map_children(&mut |child| opened_at(template, child, deepest).ok_or(()))
+            .ok(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+    use crate::answer::{Kind as Answers, Verdict};
+    use crate::bank::{Catalogue, Template, embedded};
+    use crate::expr::{Normal, Substitution};
+    use crate::instance::Instance;
+    use crate::mechanics::Way;
+    use crate::response::{Folded, Lexicon, Manner, formula};
+    use crate::scene::Data;
+    use crate::seed::Seed;
+    use crate::solution::Solution;
+
+    /// Draws with which each printed equation is marked; `VIBANK_STEPS` sets another number.
+    fn draws() -> u64 {
+        let draws = std::env::var("VIBANK_STEPS").ok();
+        draws.and_then(|draws| draws.parse().ok()).unwrap_or(2)
+    }
+
+    /// What is read back of the printed lines of one derivation.
+    struct Reader<'s, 'a, 't> {
+        scene: &'s Scene<'a, 't>,
+        lexicon: Lexicon,
+        /// The printed relations between displacements, as they were read back.
+        relations: Substitution,
+    }
+
+    impl<'s, 'a, 't> Reader<'s, 'a, 't> {
+        fn of(scene: &'s Scene<'a, 't>, model: &crate::mechanics::Model, steps: &[Step]) -> Self {
+            let notation = Symbols(scene.solution());
+            let mut names = BTreeSet::new();
+            let mut moving: BTreeSet<Name> = model.coordinates().iter().cloned().collect();
+            for line in steps.iter().flat_map(|step| &step.lines) {
+                for side in &line.sides {
+                    if let Side::Formula(own) = side {
+                        names.extend(own.names().free.into_iter().map(|own| own.name));
+                    }
+                }
+            }
+            for step in steps.iter().filter(|step| step.reason == Reason::Kinematics) {
+                for line in &step.lines {
+                    if let Some(Side::Formula(own)) = line.sides.first() {
+                        moving.extend(own.names().free.into_iter().map(|own| own.name));
+                    }
+                }
+            }
+            names.extend(moving.iter().cloned());
+            let mut lexicon = Lexicon::new();
+            for name in &names {
+                lexicon.allow(name, notation.name(name).math, moving.contains(name));
+            }
+            Self {
+                scene,
+                lexicon,
+                relations: Substitution::moving(model.coordinates().iter().cloned()),
+            }
+        }
+
+        /// A printed side as it is read back, in the coordinates.
+        fn read(&self, side: &Side) -> Option<Normal> {
+            let Side::Formula(own) = side else {
+                return None;
+            };
+            let printed = own.typeset(&Symbols(self.scene.solution())).latex();
+            let folded = Folded::of(&printed);
+            let folded = folded.as_ref().map_or("", Folded::text);
+            // Only a formula with a datum in it, 9.81 m/s², is read with units: that has a shorter limit.
+            let read = |values| {
+                let manner = Manner {
+                    comma_is_decimal: false,
+                    has_imaginary_unit: false,
+                    values,
+                };
+                formula(folded.trim(), &self.lexicon, manner)
+            };
+            let read = read(None).or_else(|_| read(Some(crate::unit::DecimalMark::Point)));
+            let read = read.unwrap_or_else(|error| panic!("`{printed}`: {:?}", error.trouble));
+            let put_in = self.relations.apply(&read.value).expect("it is small");
+            Some(Normal::of(&put_in).expect("it is small"))
+        }
+
+        fn learn(&mut self, line: &Line) {
+            let [Side::Formula(name), side] = line.sides.as_slice() else {
+                panic!("a relation has two sides");
+            };
+            let Kind::Name(name) = name.kind() else {
+                panic!("a relation begins with a name");
+            };
+            let moved = self.read(side).expect("a formula");
+            let moved = moved.to_expr(&crate::expr::Order::new());
+            self.relations = std::mem::take(&mut self.relations).with(name.clone(), moved);
+        }
+    }
+
+    fn assert_same(label: &str, first: &Normal, second: &Normal) {
+        let is_same = first.is_equal(second).expect("it is small");
+        assert!(is_same, "{label}: two neighbours differ");
+    }
+
+    /// Left minus right of an equation.
+    fn residual(reader: &Reader<'_, '_, '_>, line: &Line) -> Option<Normal> {
+        let [left, right] = line.sides.as_slice() else {
+            return None;
+        };
+        let (left, right) = (reader.read(left)?, reader.read(right)?);
+        Some(left.plus(&right.negated()).expect("it is small"))
+    }
+
+    /// Whether the lines of a step are equations, each of which follows from the one before; else each is a chain of its
+    /// own.
+    fn is_equations(reason: &Reason) -> bool {
+        matches!(
+            reason,
+            Reason::Lagrange(_) | Reason::Elimination(..) | Reason::Divided(_)
+        )
+    }
+
+    /// How often its equation was marked.
+    fn follow(template: &Template, way: Way, label: &str) -> u64 {
+        let model = template.graph.derived("model").expect("a model");
+        let steps = model.derivation(way).expect("a derivation");
+        let solution = Solution::of(Instance::of_source(template));
+        let scene = Scene::of(&solution, Data::Both);
+        let mut reader = Reader::of(&scene, model, &steps);
+        let mut terms: Option<Normal> = None;
+        let mut along = 0;
+        for step in &steps {
+            let mut before: Option<Normal> = None;
+            for line in &step.lines {
+                if step.reason == Reason::Kinematics {
+                    reader.learn(line);
+                    continue;
+                }
+                if is_equations(&step.reason) {
+                    let Some(own) = residual(&reader, line) else {
+                        continue;
+                    };
+                    // The terms add up to the equation.
+                    if let Some(before) = before.as_ref().or(terms.as_ref()) {
+                        assert_same(label, before, &own);
+                    }
+                    before = Some(own);
+                    continue;
+                }
+                let sides: Vec<Normal> =
+                    line.sides.iter().filter_map(|side| reader.read(side)).collect();
+                if matches!(step.reason, Reason::Terms(_) | Reason::Energy) {
+                    for pair in sides.windows(2) {
+                        assert_same(label, &pair[0], &pair[1]);
+                    }
+                }
+                if let (Some(Side::Terms(term)), Some(value)) = (line.sides.first(), sides.last()) {
+                    let value = match term.as_slice() {
+                        [(_, Term::Kinetic(_) | Term::Force(_))] => value.negated(),
+                        [(_, Term::MomentumRate(_) | Term::Potential(_) | Term::Dissipation(_))] => {
+                            value.clone()
+                        }
+                        _ => continue,
+                    };
+                    terms = Some(match terms {
+                        Some(sum) => sum.plus(&value).expect("it is small"),
+                        None => value,
+                    });
+                }
+            }
+            if let Reason::Elimination(name, _) = &step.reason {
+                along = model.coordinates().iter().position(|own| own == name).unwrap_or(0);
+            }
+        }
+        if let Way::Lagrange(at) = way {
+            along = at;
+        }
+        // The balance of energy of several coordinates is no equation of motion.
+        if way == Way::Energy && model.degrees_of_freedom() > 1 {
+            return 0;
+        }
+        mark(template, model, along, &steps, label)
+    }
+
+    /// The equation at the end is marked as an answer, over several draws.
+    fn mark(
+        template: &Template,
+        model: &crate::mechanics::Model,
+        along: usize,
+        steps: &[Step],
+        label: &str,
+    ) -> u64 {
+        let last = steps.last().and_then(|step| step.lines.last());
+        let Some(line) = last.filter(|line| matches!(line.sides.as_slice(), [Side::Formula(_), Side::Formula(_)]))
+        else {
+            return 0;
+        };
+        let quantity = crate::mechanics::Quantity::Equation(along);
+        let Ok(asked) = model.equations(quantity) else {
+            return 0;
+        };
+        let of_source = Solution::of(Instance::of_source(template));
+        let asks = |(place, _): &(usize, &crate::bank::Part)| {
+            let marker = of_source.marker(*place).ok();
+            let equations = marker.and_then(|marker| marker.equations(""));
+            equations.is_some_and(|own| own.key == asked)
+        };
+        let mut parts = template.parts.iter().enumerate();
+        let is_equation = |(_, part): &(usize, &crate::bank::Part)| part.answer.kind() == Answers::Equation;
+        let part = parts.find(|part| is_equation(part) && asks(part));
+        let Some((place, _)) = part else {
+            return 0;
+        };
+        let mut marked = 0;
+        for seed in 0..draws() {
+            let Ok(instance) = Instance::draw(template, Seed::new(seed)) else {
+                continue;
+            };
+            let solution = Solution::of(instance);
+            let scene = Scene::of(&solution, Data::Both);
+            let sides = line.sides.iter().map(|side| scene.side(side, &Symbols(&solution)).latex());
+            let typed = sides.collect::<Vec<_>>().join(" = ");
+            let folded = Folded::of(&typed);
+            let folded = folded.as_ref().map_or("", Folded::text);
+            let marking = solution.marker(place).expect("a key").mark(folded.trim());
+            assert_eq!(marking.verdict, Verdict::Right, "{label}, seed {seed}: {typed}");
+            marked += 1;
+        }
+        marked
+    }
+
+    #[test]
+    fn texts_know_the_names_of_all_derivations() {
+        let placeholder = |path: String| crate::document::Placeholder {
+            path,
+            form: crate::document::Form::Value,
+            in_math: false,
+            span: crate::source::Span::NONE,
+        };
+        for name in Way::NAMES {
+            assert!(placeholder(format!("model.{name}")).is_block());
+            assert!(placeholder(format!("models.full.{name}")).is_block());
+        }
+        assert!(!placeholder("model.equation.x".to_owned()).is_block());
+    }
+
+    #[test]
+    fn printed_lines_are_read_back_and_follow_from_each_other() {
+        let (catalogue, _) = Catalogue::load(embedded());
+        let (mut followed, mut marked) = (0, 0);
+        for template in catalogue.items() {
+            let Some(model) = template.graph.derived("model") else {
+                continue;
+            };
+            let mut ways: Vec<Way> = (0..model.degrees_of_freedom()).map(Way::Lagrange).collect();
+            ways.extend([Way::Energy, Way::Newton]);
+            for way in ways {
+                if model.derivation(way).is_ok() {
+                    marked += follow(template, way, &format!("{} {way:?}", template.id));
+                    followed += 1;
+                }
+            }
+        }
+        assert!(followed > 60 && marked > 30 * draws(), "{followed} derivations, {marked} marked");
+    }
+}
