@@ -171,7 +171,9 @@ impl Template {
             let texts = std::iter::once(&part.ask).chain(&part.hints);
             texts.chain(std::iter::once(&part.solution)).chain(feedback)
         });
-        [&self.statement, &self.solution, &self.notes].into_iter().chain(parts)
+        [&self.statement, &self.solution, &self.notes]
+            .into_iter()
+            .chain(parts)
     }
 
     /// The parameter of this name and its place.

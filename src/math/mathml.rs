@@ -50,7 +50,12 @@ impl Math {
 
     /// Appends a line of a derivation, `left` and a relation with what follows, as one `math` element whose two halves
     /// the style sheet aligns with those of the lines around it.
-    pub(crate) fn write_mathml_line(out: &mut String, left: &Math, right: &Math, holes: &dyn Holes) {
+    pub(crate) fn write_mathml_line(
+        out: &mut String,
+        left: &Math,
+        right: &Math,
+        holes: &dyn Holes,
+    ) {
         out.push_str("<math display=\"block\" alttext=\"");
         let words = out.len();
         left.write_spoken(out, holes);

@@ -20,14 +20,22 @@ pub(super) struct Chain {
 
 /// The lines, aligned at their relations where the left sides are short; long sums continue on the next line.
 pub(super) fn aligned(lines: &[Chain]) -> Vec<[Math; 2]> {
-    let is_short = |line: &Chain| line.sides.first().is_none_or(|left| width(left) <= LONGEST_LEFT);
+    let is_short = |line: &Chain| {
+        line.sides
+            .first()
+            .is_none_or(|left| width(left) <= LONGEST_LEFT)
+    };
     let has_short_sides = lines.iter().all(is_short);
     let mut rows: Vec<[Math; 2]> = Vec::new();
     for line in lines {
         let count = line.sides.len();
         let sign = |at: usize| {
             let is_last = at + 1 == count;
-            Math::relation(if line.is_approximate && is_last { "≈" } else { "=" })
+            Math::relation(if line.is_approximate && is_last {
+                "≈"
+            } else {
+                "="
+            })
         };
         let Some((first, others)) = line.sides.split_first() else {
             continue;
@@ -42,7 +50,11 @@ pub(super) fn aligned(lines: &[Chain]) -> Vec<[Math; 2]> {
                     room -= own;
                     continue;
                 }
-                let left = if at == 0 { first.clone() } else { Math::row([]) };
+                let left = if at == 0 {
+                    first.clone()
+                } else {
+                    Math::row([])
+                };
                 let mut pieces = broken(side, LONGEST_LINE).into_iter();
                 let start = pieces.next().unwrap_or_else(|| Math::row([]));
                 room = LONGEST_LINE.saturating_sub(width(&start) + LONGEST_LEFT / 2);
@@ -122,9 +134,10 @@ fn flatten(math: &Math, atoms: &mut Vec<Math>) {
 fn width(math: &Math) -> usize {
     match math {
         Math::Row(pieces) => pieces.iter().map(width).sum(),
-        Math::Identifier { text, .. } | Math::Number(text) | Math::Text(text) | Math::Function(text) => {
-            text.chars().count()
-        }
+        Math::Identifier { text, .. }
+        | Math::Number(text)
+        | Math::Text(text)
+        | Math::Function(text) => text.chars().count(),
         Math::Operator { class, .. } => match class {
             Class::Binary | Class::Relation => 3,
             _ => 1,

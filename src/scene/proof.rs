@@ -61,9 +61,9 @@ pub fn underived(template: &Template) -> Vec<Finding> {
 /// Where a placeholder stands in the file.
 fn definition(template: &Template, path: &str) -> Span {
     let text = &*template.source.text;
-    let found = text.match_indices("<<").find(|(at, _)| {
-        text[at + 2..].trim_start().starts_with(path)
-    });
+    let found = text
+        .match_indices("<<")
+        .find(|(at, _)| text[at + 2..].trim_start().starts_with(path));
     found.map_or(Span::NONE, |(at, _)| {
         let length = text[at..].find(">>").map_or(2, |end| end + 2);
         Span::new(at, at + length)

@@ -162,7 +162,12 @@ pub(super) fn unworkable(template: &crate::bank::Template, node: NodeId) -> Opti
     let Some(formula) = opened(template, expr) else {
         return Some("a quantity in it has neither a unit nor a formula");
     };
-    let is_long = formula.typeset(&crate::expr::PlainNotation).plain().chars().count() > LONGEST_WORKED;
+    let is_long = formula
+        .typeset(&crate::expr::PlainNotation)
+        .plain()
+        .chars()
+        .count()
+        > LONGEST_WORKED;
     is_long.then_some("its formula is too long with its helpers opened")
 }
 
@@ -237,7 +242,10 @@ mod tests {
                     }
                 }
             }
-            for step in steps.iter().filter(|step| step.reason == Reason::Kinematics) {
+            for step in steps
+                .iter()
+                .filter(|step| step.reason == Reason::Kinematics)
+            {
                 for line in &step.lines {
                     if let Some(Side::Formula(own)) = line.sides.first() {
                         moving.extend(own.names().free.into_iter().map(|own| own.name));
@@ -342,8 +350,11 @@ mod tests {
                     before = Some(own);
                     continue;
                 }
-                let sides: Vec<Normal> =
-                    line.sides.iter().filter_map(|side| reader.read(side)).collect();
+                let sides: Vec<Normal> = line
+                    .sides
+                    .iter()
+                    .filter_map(|side| reader.read(side))
+                    .collect();
                 if matches!(step.reason, Reason::Terms(_) | Reason::Energy) {
                     for pair in sides.windows(2) {
                         assert_same(label, &pair[0], &pair[1]);
@@ -352,9 +363,9 @@ mod tests {
                 if let (Some(Side::Terms(term)), Some(value)) = (line.sides.first(), sides.last()) {
                     let value = match term.as_slice() {
                         [(_, Term::Kinetic(_) | Term::Force(_))] => value.negated(),
-                        [(_, Term::MomentumRate(_) | Term::Potential(_) | Term::Dissipation(_))] => {
-                            value.clone()
-                        }
+                        [
+                            (_, Term::MomentumRate(_) | Term::Potential(_) | Term::Dissipation(_)),
+                        ] => value.clone(),
                         _ => continue,
                     };
                     terms = Some(match terms {
@@ -364,7 +375,11 @@ mod tests {
                 }
             }
             if let Reason::Elimination(name, _) = &step.reason {
-                along = model.coordinates().iter().position(|own| own == name).unwrap_or(0);
+                along = model
+                    .coordinates()
+                    .iter()
+                    .position(|own| own == name)
+                    .unwrap_or(0);
             }
         }
         if let Way::Lagrange(at) = way {
@@ -386,7 +401,8 @@ mod tests {
         label: &str,
     ) -> u64 {
         let last = steps.last().and_then(|step| step.lines.last());
-        let Some(line) = last.filter(|line| matches!(line.sides.as_slice(), [Side::Formula(_), Side::Formula(_)]))
+        let Some(line) = last
+            .filter(|line| matches!(line.sides.as_slice(), [Side::Formula(_), Side::Formula(_)]))
         else {
             return 0;
         };
@@ -401,7 +417,8 @@ mod tests {
             equations.is_some_and(|own| own.key == asked)
         };
         let mut parts = template.parts.iter().enumerate();
-        let is_equation = |(_, part): &(usize, &crate::bank::Part)| part.answer.kind() == Answers::Equation;
+        let is_equation =
+            |(_, part): &(usize, &crate::bank::Part)| part.answer.kind() == Answers::Equation;
         let part = parts.find(|part| is_equation(part) && asks(part));
         let Some((place, _)) = part else {
             return 0;
@@ -413,12 +430,19 @@ mod tests {
             };
             let solution = Solution::of(instance);
             let scene = Scene::of(&solution, Data::Both);
-            let sides = line.sides.iter().map(|side| scene.side(side, &Symbols(&solution)).latex());
+            let sides = line
+                .sides
+                .iter()
+                .map(|side| scene.side(side, &Symbols(&solution)).latex());
             let typed = sides.collect::<Vec<_>>().join(" = ");
             let folded = Folded::of(&typed);
             let folded = folded.as_ref().map_or("", Folded::text);
             let marking = solution.marker(place).expect("a key").mark(folded.trim());
-            assert_eq!(marking.verdict, Verdict::Right, "{label}, seed {seed}: {typed}");
+            assert_eq!(
+                marking.verdict,
+                Verdict::Right,
+                "{label}, seed {seed}: {typed}"
+            );
             marked += 1;
         }
         marked
@@ -456,6 +480,9 @@ mod tests {
                 }
             }
         }
-        assert!(followed > 60 && marked > 30 * draws(), "{followed} derivations, {marked} marked");
+        assert!(
+            followed > 60 && marked > 30 * draws(),
+            "{followed} derivations, {marked} marked"
+        );
     }
 }

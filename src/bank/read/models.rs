@@ -180,8 +180,14 @@ impl<'s> Reader<'s> {
             (None, Some(moment)) if last == 0 => Some(moment.clone()),
             _ => None,
         };
-        let moves = names.iter().enumerate().map(|(at, name)| Some((name.clone(), of(at)?)));
-        let Some(moves) = moves.collect::<Option<Vec<_>>>().filter(|moves| !moves.is_empty()) else {
+        let moves = names
+            .iter()
+            .enumerate()
+            .map(|(at, name)| Some((name.clone(), of(at)?)));
+        let Some(moves) = moves
+            .collect::<Option<Vec<_>>>()
+            .filter(|moves| !moves.is_empty())
+        else {
             return table.wrong(
                 "moves",
                 "one move with `mass` or `inertia`, several with `mass`, or several with both, the turn last",
@@ -221,7 +227,11 @@ impl<'s> Reader<'s> {
                 _ if moves == 1 => self
                     .located(&own, &entry.key, &entry.value)
                     .map(|force| vec![force]),
-                _ => own.wrong(&entry.key, "a list with a component for each move", &entry.value),
+                _ => own.wrong(
+                    &entry.key,
+                    "a list with a component for each move",
+                    &entry.value,
+                ),
             };
             forces.extend(components.map(|components| (name, components)));
         }

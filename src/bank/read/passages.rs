@@ -196,9 +196,14 @@ impl<'s> Reader<'s> {
         let is_bare = info.is_some_and(|info| info.units.is_none());
         let is_datum = info.is_some_and(|info| info.parameter.is_some());
         let missing = match place.form {
-            Form::Value | Form::Number | Form::Unit | Form::Given | Form::Equation
+            Form::Value
+            | Form::Number
+            | Form::Unit
+            | Form::Given
+            | Form::Equation
             | Form::Worked
-                if is_bare => {
+                if is_bare =>
+            {
                 Some("unit, so no value to print")
             }
             Form::Formula | Form::Substituted | Form::Equation | Form::Worked if is_datum => {

@@ -221,7 +221,10 @@ impl Reader<'_> {
             })
             .collect();
         for hole in &figures {
-            self.misplaced(*hole, "the words of a paragraph if it is a figure or a derivation");
+            self.misplaced(
+                *hole,
+                "the words of a paragraph if it is a figure or a derivation",
+            );
         }
         content.retain(|inline| !matches!(inline, Inline::Hole(hole) if figures.contains(hole)));
     }

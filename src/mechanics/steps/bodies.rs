@@ -89,7 +89,10 @@ impl Deriver<'_> {
                 let left = product(inertia.clone(), Expr::name(name.clone()).prime(2));
                 let (is_negative, left) = self.tidy(&left);
                 let left = if is_negative { -left } else { left };
-                let forces = body.forces.iter().flat_map(|(_, all)| signed_terms(&all[at], false));
+                let forces = body
+                    .forces
+                    .iter()
+                    .flat_map(|(_, all)| signed_terms(&all[at], false));
                 Line::exact([left, sum_of_signed_terms(forces.filter(is_there))].map(Side::Formula))
             });
             steps.push(Step {
@@ -98,10 +101,12 @@ impl Deriver<'_> {
             });
         }
         let used = steps.iter().flat_map(|step| &step.lines);
-        let used = used.flat_map(|line| &line.sides).filter_map(|side| match side {
-            Side::Formula(formula) => Some(formula),
-            Side::Terms(_) => None,
-        });
+        let used = used
+            .flat_map(|line| &line.sides)
+            .filter_map(|side| match side {
+                Side::Formula(formula) => Some(formula),
+                Side::Terms(_) => None,
+            });
         let relations = self.relations(used)?;
         steps.splice(0..0, relations);
         for (at, name) in model.coordinates().iter().enumerate() {
@@ -158,7 +163,11 @@ impl Deriver<'_> {
                         }
                         let force = force * slope.clone();
                         let normal = self.normal(&force)?;
-                        let normal = if is_negative { normal } else { normal.negated() };
+                        let normal = if is_negative {
+                            normal
+                        } else {
+                            normal.negated()
+                        };
                         along.residual = along.residual.plus(&normal)?;
                         let names = force.names();
                         let unknown = body.unknowns.iter().find(|name| names.uses(name));

@@ -10,7 +10,11 @@ impl Deriver<'_> {
         let model = self.model;
         let (kinetic, potential) = (model.kinetic(), model.potential());
         let energy = sum_of_signed_terms(
-            [signed_terms(&kinetic, false), signed_terms(&potential, false)].concat(),
+            [
+                signed_terms(&kinetic, false),
+                signed_terms(&potential, false),
+            ]
+            .concat(),
         );
         // Where a support is driven, it does work, and the rate of the energy is no balance of these terms.
         if energy.names().uses(&Name::new("t")) {
@@ -27,18 +31,26 @@ impl Deriver<'_> {
             lines: vec![Line::exact(sides)],
         }];
         let powers = self.powers()?;
-        let power = powers.iter().flat_map(|(_, power)| signed_terms(power, false));
+        let power = powers
+            .iter()
+            .flat_map(|(_, power)| signed_terms(power, false));
         let power = sum_of_signed_terms(power);
         if !power.is_zero() {
             steps.push(Step {
                 reason: Reason::Power,
-                lines: vec![Line::exact([Side::term(Term::Power), Side::Formula(power.clone())])],
+                lines: vec![Line::exact([
+                    Side::term(Term::Power),
+                    Side::Formula(power.clone()),
+                ])],
             });
         }
         let rates = (0..model.degrees_of_freedom()).map(|at| self.conservative(at));
         let rates = rates.collect::<Result<Vec<_>, _>>()?;
         let rate = rates.iter().zip(model.coordinates()).map(|(rate, name)| {
-            (false, product(rate.clone(), Expr::name(name.clone()).prime(1)))
+            (
+                false,
+                product(rate.clone(), Expr::name(name.clone()).prime(1)),
+            )
         });
         steps.push(Step {
             reason: Reason::Balance,
@@ -52,7 +64,9 @@ impl Deriver<'_> {
         };
         let force = powers.into_iter().map(|(force, _)| (false, force));
         let force = sum_of_signed_terms(force);
-        let mut lines = vec![Line::exact([per_velocity.clone(), force].map(Side::Formula))];
+        let mut lines = vec![Line::exact(
+            [per_velocity.clone(), force].map(Side::Formula),
+        )];
         let quantity = if model.is_linear() || model.equilibrium().is_none() {
             crate::mechanics::Quantity::FullEquation(0)
         } else {

@@ -43,7 +43,14 @@ fn without_sign(term: &Expr) -> (bool, Expr) {
         Kind::Binary(operator @ (Operator::Multiply | Operator::Divide), first, rest) => {
             let (sign, first) = without_sign(first);
             let product = Kind::Binary(*operator, first, rest.clone());
-            (sign, if sign { Expr::derived(product) } else { term.clone() })
+            (
+                sign,
+                if sign {
+                    Expr::derived(product)
+                } else {
+                    term.clone()
+                },
+            )
         }
         _ => (false, term.clone()),
     }
@@ -102,7 +109,11 @@ impl Product<'_> {
                 let bracket = if is_bracket {
                     let is_negative = normal.has_negative_coefficients_alone();
                     self.is_negative ^= is_negative;
-                    let own = if is_negative { normal.negated() } else { normal };
+                    let own = if is_negative {
+                        normal.negated()
+                    } else {
+                        normal
+                    };
                     own.to_bracket(self.order)
                 } else {
                     factor.clone()

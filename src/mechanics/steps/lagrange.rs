@@ -49,9 +49,24 @@ impl Deriver<'_> {
             });
         }
         let others = [
-            (&definition.kinetic, &position, true, Term::Kinetic(name.clone())),
-            (&definition.potential, &position, false, Term::Potential(name.clone())),
-            (&definition.dissipation, &velocity, false, Term::Dissipation(name.clone())),
+            (
+                &definition.kinetic,
+                &position,
+                true,
+                Term::Kinetic(name.clone()),
+            ),
+            (
+                &definition.potential,
+                &position,
+                false,
+                Term::Potential(name.clone()),
+            ),
+            (
+                &definition.dissipation,
+                &velocity,
+                false,
+                Term::Dissipation(name.clone()),
+            ),
         ];
         for (energy, by, is_subtracted, term) in others {
             let Some(derivative) = self.derivative(energy, by, &mut used)? else {
@@ -86,7 +101,9 @@ impl Deriver<'_> {
 
     /// The law with the names of its terms, and with what they are.
     fn sum(&self, name: &Name, entries: &[Entry], force: Option<Expr>) -> Step {
-        let law = entries.iter().map(|own| (own.is_subtracted, own.term.clone()));
+        let law = entries
+            .iter()
+            .map(|own| (own.is_subtracted, own.term.clone()));
         let right = force.is_some().then(|| (false, Term::Force(name.clone())));
         let left = sum_of_signed_terms(signed(entries));
         Step {
@@ -130,12 +147,15 @@ impl Deriver<'_> {
         let mut lines = Vec::new();
         for (name, value) in model.coordinates().iter().zip(&rest) {
             if !value.is_zero() {
-                lines.push(Line::exact([Expr::name(name.clone()), value.clone()].map(Side::Formula)));
+                lines.push(Line::exact(
+                    [Expr::name(name.clone()), value.clone()].map(Side::Formula),
+                ));
             }
         }
         let named = entries.iter().map(|own| (own.term.clone(), &own.value));
         let force = force.as_ref();
-        let named = named.chain(force.map(|own| (Term::Force(model.coordinates()[at].clone()), own)));
+        let named =
+            named.chain(force.map(|own| (Term::Force(model.coordinates()[at].clone()), own)));
         for (term, value) in named {
             // A force along the velocity of dry friction, or one that depends on time alone, stays as it is.
             if let Some(part) = self.linear_part(value, &rest)? {
@@ -162,7 +182,9 @@ impl Deriver<'_> {
         let still = |formula: &Normal| -> Result<Normal, Lack> {
             let expr = formula.to_expr(self.model.order());
             let expr = crate::mechanics::equilibrium::at_rest(&Normal::of(&expr)?, &moving)?;
-            Ok(Normal::of(&at_rest.apply(&expr.to_expr(self.model.order()))?)?)
+            Ok(Normal::of(
+                &at_rest.apply(&expr.to_expr(self.model.order()))?,
+            )?)
         };
         let mut part = still(&normal)?;
         for (name, value) in names.iter().zip(rest) {
@@ -283,7 +305,9 @@ impl Derivative {
 }
 
 fn signed(entries: &[Entry]) -> impl Iterator<Item = (bool, Expr)> {
-    entries.iter().flat_map(|own| signed_terms(&own.value, own.is_subtracted))
+    entries
+        .iter()
+        .flat_map(|own| signed_terms(&own.value, own.is_subtracted))
 }
 
 pub(super) fn line_of(equation: Equation) -> Line {

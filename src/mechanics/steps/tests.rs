@@ -56,7 +56,11 @@ fn disk_bodies() -> Vec<Body> {
         body(
             "sliding",
             &[("x2", "m2")],
-            &[("spring", &["-k2*x2"]), ("damper", &["-b2*x2'"]), ("cord", &["S2"])],
+            &[
+                ("spring", &["-k2*x2"]),
+                ("damper", &["-b2*x2'"]),
+                ("cord", &["S2"]),
+            ],
             &["S2"],
         ),
         body(
@@ -191,7 +195,10 @@ fn what_is_not_linear_is_linearized_term_by_term() {
 #[test]
 fn newtons_laws_lose_the_forces_of_constraint() {
     let definition = with_bodies(stepped_disk(), disk_bodies());
-    assert_eq!(Model::derive(definition.clone()).unwrap().prove_newton(), Ok(()));
+    assert_eq!(
+        Model::derive(definition.clone()).unwrap().prove_newton(),
+        Ok(())
+    );
     assert_eq!(
         lines(definition, Way::Newton),
         [
@@ -217,7 +224,10 @@ fn bodies_that_are_not_the_model_are_refused() {
     };
     // The cord pulls the disk the other way: its tension does not cancel.
     let slipped = refused(&|bodies| bodies[2].forces[1].1[0] = read("-S2*r2"));
-    assert_eq!(slipped, "`S2` does not cancel from the laws of the bodies along `theta`");
+    assert_eq!(
+        slipped,
+        "`S2` does not cancel from the laws of the bodies along `theta`"
+    );
     // A damper is forgotten.
     let forgotten = refused(&|bodies| {
         bodies[0].forces.pop();
