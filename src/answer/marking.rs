@@ -6,6 +6,7 @@ use super::{Answered, Note, Remark, Unreadable};
 use crate::expr::Form;
 use crate::math::Math;
 use crate::numerics::Rational;
+use crate::response::Folded;
 use crate::unit::Unit;
 
 /// How a response fared.
@@ -278,6 +279,17 @@ impl Marking {
     /// A response that is wrong, and why if that can be told.
     pub fn wrong(reading: Reading, remark: impl Into<Option<Remark>>) -> Self {
         Self::read(reading, Credit::NONE, remark)
+    }
+
+    /// With the places in its remarks as they were typed.
+    #[must_use]
+    pub(crate) fn in_typed(mut self, folded: &Folded<'_>) -> Self {
+        for remark in &mut self.remarks {
+            if let Remark::Unreadable(unreadable) = remark {
+                unreadable.point_at_typed(folded);
+            }
+        }
+        self
     }
 
     /// Why it fared so, for programs and statistics, the main reason first: what its remarks give, and what its

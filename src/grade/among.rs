@@ -34,7 +34,9 @@ pub fn mark_among(solution: &Solution<'_>, place: usize, responses: &[&str]) -> 
         .collect();
     match solution.marker(place) {
         Ok(marker) => {
-            let marking = marker.mark_beside(folded.text().trim(), &others);
+            let marking = marker
+                .mark_beside(folded.text().trim(), &others)
+                .in_typed(&folded);
             silence::heard(response, marking)
         }
         Err(_) => mark(solution, place, response),

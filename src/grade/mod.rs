@@ -47,7 +47,7 @@ pub fn mark(solution: &Solution<'_>, place: usize, response: &str) -> Marking {
         return Marking::missing();
     }
     let marking = match folded(solution, place, response) {
-        Ok((marker, folded)) => marker.mark(folded.text().trim()),
+        Ok((marker, folded)) => marker.mark(folded.text().trim()).in_typed(&folded),
         Err(why) => Marking::unreadable(why),
     };
     silence::heard(response, marking)
@@ -60,7 +60,10 @@ pub fn mark(solution: &Solution<'_>, place: usize, response: &str) -> Marking {
 /// Why it cannot be read.
 pub fn echo(solution: &Solution<'_>, place: usize, response: &str) -> Result<Echo, Unreadable> {
     let (marker, folded) = folded(solution, place, response.trim())?;
-    marker.echo(folded.text().trim())
+    marker.echo(folded.text().trim()).map_err(|mut why| {
+        why.point_at_typed(&folded);
+        why
+    })
 }
 
 /// What marks a response, and the response in one spelling.

@@ -28,10 +28,30 @@ pub(crate) fn components(
     if text.len() > LONGEST {
         return Err(TypedError::new(Trouble::TooLong, LONGEST, text.len()));
     }
-    let manner = Manner {
-        comma_is_decimal: false,
-        ..manner
+    let read = |comma_is_decimal| {
+        let manner = Manner {
+            comma_is_decimal,
+            ..manner
+        };
+        read(text, count, lexicon, manner)
     };
+    // A comma parts entries, but is a decimal sign where only so vectors are read.
+    match (read(false), manner.comma_is_decimal) {
+        (Ok(Some(found)), _) => Ok(Some(found)),
+        (first, true) => read(true)
+            .ok()
+            .flatten()
+            .map_or(first, |found| Ok(Some(found))),
+        (first, false) => first,
+    }
+}
+
+fn read(
+    text: &str,
+    count: usize,
+    lexicon: &Lexicon,
+    manner: Manner,
+) -> Result<Option<Vec<Expr>>, TypedError> {
     let side = last_side(text).range();
     let Ok(tokens) = tokens(text, side.start, side.end, lexicon, manner) else {
         return Ok(None);

@@ -7,13 +7,14 @@ use super::{Trouble, TypedError};
 use crate::numerics::Rational;
 
 impl Lexer<'_> {
-    /// `30 deg`, `30^\circ`; whether the word stands here behind a number.
+    /// `30 deg`; whether the word stands here behind a number.
     pub(super) fn degrees(&mut self) -> bool {
         let is_behind_number =
             matches!(self.tokens.last(), Some(token) if matches!(token.item, Item::Number(_)));
-        let raised = ["^\\circ", "^{\\circ}"];
-        if let Some(sign) = raised.iter().find(|sign| self.rest().starts_with(**sign)) {
-            self.take(sign.len(), Item::Degree);
+        // As readings are echoed.
+        const ECHOED: &str = "[deg]";
+        if is_behind_number && self.rest().starts_with(ECHOED) {
+            self.take(ECHOED.len(), Item::Degree);
             return true;
         }
         let Some(rest) = self.rest().strip_prefix("deg").filter(|_| is_behind_number) else {
@@ -106,11 +107,11 @@ impl Lexer<'_> {
         let Some(after) = rest.strip_prefix(['e', 'E']) else {
             return;
         };
-        let signed = after.strip_prefix(['-', '+', '−']).unwrap_or(after);
+        let signed = after.strip_prefix(['-', '+']).unwrap_or(after);
         if !signed.starts_with(|next: char| next.is_ascii_digit()) {
             return;
         }
-        let is_negative = after.starts_with(['-', '−']);
+        let is_negative = after.starts_with('-');
         self.at += rest.len() - signed.len();
         digits.push_str(if is_negative { "e-" } else { "e" });
         self.digits(digits);

@@ -117,7 +117,7 @@ fn pad(text: &mut String, length: usize) {
     }
 }
 
-const TIMES: &[char] = &['*', '·', '⋅', '×'];
+const TIMES: char = '*';
 
 fn without_times(text: &str) -> &str {
     text.trim_end().trim_end_matches(TIMES)
@@ -137,8 +137,6 @@ fn without_transposition(text: &str) -> &str {
         "^t",
         "ᵀ",
         "'",
-        "’",
-        "′",
     ];
     let rest = SIGNS.iter().find_map(|sign| text.strip_prefix(sign));
     rest.map_or(text, str::trim_start)

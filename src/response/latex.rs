@@ -4,7 +4,7 @@ use super::letters::{Letters, greek_word};
 use super::token::{Item, Lexer};
 use super::vocabulary::INITIAL;
 use super::{Trouble, TypedError};
-use crate::expr::{Constant, Expr, Function};
+use crate::expr::Function;
 use crate::numerics::Rational;
 
 impl Lexer<'_> {
@@ -26,27 +26,14 @@ impl Lexer<'_> {
         }
         let sign = |char| Item::Sign(char);
         let item = match name.as_str() {
-            "left" | "right" | "big" | "Big" | "bigg" | "Bigg" | "bigl" | "bigr" | "Bigl"
-            | "Bigr" | "displaystyle" | "quad" | "qquad" | "mathit" | "mathbf" | "boldsymbol"
-            | "limits" => {
-                return Ok(());
-            }
+            "mathit" | "mathbf" | "boldsymbol" => return Ok(()),
             "mathrm" | "operatorname" | "text" | "rm" => return self.word_in_braces(),
-            "frac" | "dfrac" | "tfrac" | "cfrac" => {
+            "frac" => {
                 self.push(Item::Fraction, start);
                 self.single_digits();
                 return Ok(());
             }
             "sqrt" => Item::Radical,
-            "cdot" | "times" | "ast" => sign('*'),
-            "le" | "leq" | "leqslant" => sign('≤'),
-            "ge" | "geq" | "geqslant" => sign('≥'),
-            "lt" => sign('<'),
-            "gt" => sign('>'),
-            "ne" | "neq" => sign('≠'),
-            "lvert" | "rvert" | "vert" | "mid" => sign('|'),
-            "div" => sign('/'),
-            "infty" => Item::Leaf(Expr::constant(Constant::Infinity)),
             "dot" | "ddot" => return self.dots(if name == "dot" { 1 } else { 2 }, start),
             "begin" | "end" => {
                 if let Some(end) = self.rest().find('}').filter(|end| *end < 12) {
@@ -54,9 +41,6 @@ impl Lexer<'_> {
                 }
                 sign(if name == "begin" { '[' } else { ']' })
             }
-            "lbrace" => sign('{'),
-            "rbrace" => sign('}'),
-            "pm" | "mp" => return self.error(Trouble::TwoValues, start),
             "log" => return self.error(Trouble::Logarithm, start),
             other => match Function::of_name(other).or(match other {
                 "arcsin" => Some(Function::Asin),
@@ -116,16 +100,10 @@ impl Lexer<'_> {
     fn escaped(&mut self, start: usize) -> Result<(), TypedError> {
         self.at += 1;
         match self.peek() {
-            Some(',' | ';' | ':' | '!' | ' ') => {
-                self.at += 1;
-                self.is_spaced = true;
-                Ok(())
-            }
             Some('\\') => {
                 self.take(1, Item::Sign(';'));
                 Ok(())
             }
-            Some('{' | '}' | '|') => Ok(()),
             _ => self.error(Trouble::Sign, start),
         }
     }

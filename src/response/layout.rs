@@ -206,8 +206,8 @@ fn entries_around(text: &str, at: usize) -> Option<(char, char)> {
     let before = text[..at].chars().next_back()?;
     let mut after = text[at..].trim_start().chars();
     let (next, second) = (after.next()?, after.next());
-    let ends = before.is_alphanumeric() || ")]}²³'′.".contains(before);
+    let ends = before.is_alphanumeric() || ")]}²³'.".contains(before);
     let begins = |char: char| char.is_alphanumeric() || "([{√\\.".contains(char);
-    let is_signed = "+-−–".contains(next) && second.is_some_and(begins);
+    let is_signed = "+-".contains(next) && second.is_some_and(begins);
     (ends && (begins(next) || is_signed)).then_some((before, next))
 }

@@ -111,6 +111,11 @@ impl Lexicon {
         self.words().ends_with_function(run, behind)
     }
 
+    /// Whether a spelling is that of a name or function.
+    pub(super) fn knows(&self, spelling: &str) -> bool {
+        self.words().knows(spelling)
+    }
+
     /// Whether a name moves with time.
     pub(super) fn is_moving(&self, name: &Name) -> bool {
         self.moving.contains(name)

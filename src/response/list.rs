@@ -5,8 +5,9 @@ use super::frame::{balanced, groups};
 use super::labels::in_order;
 use super::layout::{laid_out, spaced};
 use super::parser::Parser;
+use super::vocabulary::is_function;
 use super::{DEEPEST, LONGEST, Lexicon, Manner, Trouble, Typed, TypedError, read};
-use crate::expr::{Expr, Function};
+use crate::expr::Expr;
 use crate::source::Span;
 use crate::unit::Unit;
 
@@ -259,8 +260,7 @@ impl Reader<'_> {
         let is_list = |group: &Span| {
             let before = &self.text[..group.range().start];
             let word = before.trim_end_matches(|char: char| char.is_ascii_alphanumeric());
-            let is_argument =
-                before.ends_with(['_', '^']) || Function::of_name(&before[word.len()..]).is_some();
+            let is_argument = before.ends_with(['_', '^']) || is_function(&before[word.len()..]);
             let inside = inside(*group);
             !is_argument
                 && depth < MOST_NESTED

@@ -33,6 +33,7 @@ mod layout;
 mod letters;
 mod lexicon;
 mod list;
+mod lost_power;
 mod near;
 mod number;
 mod parser;

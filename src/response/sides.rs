@@ -101,7 +101,7 @@ fn without_arguments(text: &str) -> &str {
     let Some(open) = open.filter(|_| text.ends_with([')', ']'])) else {
         return text;
     };
-    let is_product = text[open..].contains(['+', '*', '·']) || text[..open].contains('\\');
+    let is_product = text[open..].contains(['+', '*']) || text[..open].contains('\\');
     if is_product {
         text
     } else {
@@ -117,7 +117,7 @@ fn is_word(text: &str) -> bool {
             || char.is_ascii_digit()
             || matches!(
                 char,
-                '₀'..='₉' | '_' | '{' | '}' | '\'' | '’' | '′' | '″' | '\u{307}' | '\u{308}'
+                '₀'..='₉' | '_' | '{' | '}' | '\'' | '"' | '\u{307}' | '\u{308}'
             )
             || is_command && matches!(char, '\\' | ' ' | ',')
     };

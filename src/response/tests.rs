@@ -26,6 +26,15 @@ const MANNER: Manner = Manner {
     values: None,
 };
 
+/// A text in plain signs, as every kind gets it.
+fn folded(text: &str) -> String {
+    Folded::of(text).map_or(text.to_owned(), |folded| folded.text().trim().to_owned())
+}
+
+fn formula(text: &str, lexicon: &Lexicon, manner: Manner) -> Result<Typed<Expr>, TypedError> {
+    super::formula(&folded(text), lexicon, manner)
+}
+
 fn reads(text: &str, expected: &str) {
     let typed = formula(text, &lexicon(), MANNER);
     let typed = typed.unwrap_or_else(|error| panic!("{text}: {:?}", error.at(text)));
@@ -280,7 +289,7 @@ fn lists_are_read_by_rows() {
         ("[[1], [2]]", "[[1], [2]]", ""),
     ] {
         let units = [crate::unit::Unit::parse("kg").unwrap()];
-        let listed = list::list(text, &lexicon(), manner, &units).unwrap();
+        let listed = list::list(&folded(text), &lexicon(), manner, &units).unwrap();
         let rows: Vec<String> = listed
             .rows
             .iter()
@@ -316,7 +325,7 @@ fn lists_that_are_not_clear_are_refused() {
         ("(1, 2) + 1", Trouble::LeftOver),
         ("(1, )", Trouble::Missing),
     ] {
-        let found = list::list(text, &lexicon(), Manner::default(), &units);
+        let found = list::list(&folded(text), &lexicon(), Manner::default(), &units);
         assert_eq!(found.unwrap_err().trouble, trouble, "{text}");
     }
 }
@@ -325,14 +334,14 @@ proptest! {
     #[test]
     fn any_text_is_read_or_refused(text in any::<String>()) {
         let _ = formula(&text, &lexicon(), MANNER).map_err(|error| error.at(&text));
-        let _ = list::list(&text, &lexicon(), MANNER, &[]).map_err(|error| error.at(&text));
+        let _ = list::list(&folded(&text), &lexicon(), MANNER, &[]).map_err(|error| error.at(&text));
         let _ = chain(&text, 0, text.len(), &lexicon(), MANNER).map_err(|error| error.at(&text));
     }
 
     #[test]
     fn any_text_of_formula_signs_is_read_or_refused(text in "[mgkxθω_{}()\\[\\]|/^*+\\-'²√ 0-9.,;=<edt\\\\]{0,60}|(\\\\frac|\\\\sqrt|\\\\dot|\\\\omega|_|\\{|\\}|x|2|sin| ){0,30}") {
         let _ = formula(&text, &lexicon(), MANNER).map_err(|error| error.at(&text));
-        let _ = list::list(&text, &lexicon(), MANNER, &[]).map_err(|error| error.at(&text));
+        let _ = list::list(&folded(&text), &lexicon(), MANNER, &[]).map_err(|error| error.at(&text));
         let _ = chain(&text, 0, text.len(), &lexicon(), MANNER).map_err(|error| error.at(&text));
     }
 }

@@ -1,4 +1,4 @@
-//! From the signs of a response to tokens, its runs of letters split into words.
+//! From the [folded](super::Folded) signs of a response to tokens, its runs of letters split into words.
 
 use super::differential::{behind, called, leibniz};
 use super::digits::fraction;
@@ -133,7 +133,7 @@ impl Lexer<'_> {
         if self.value(char)? {
             return Ok(());
         }
-        if char.is_whitespace() || matches!(char, '$' | '~' | '\u{2061}' | '\u{2062}') {
+        if char.is_whitespace() {
             self.at += width;
             self.is_spaced = true;
             return Ok(());
@@ -144,7 +144,7 @@ impl Lexer<'_> {
         {
             return Ok(());
         }
-        if self.module() || self.product_by_point(char) {
+        if self.module() || self.product_by_point(char) || self.unknown_time(char) {
             return Ok(());
         }
         match char {
@@ -154,7 +154,7 @@ impl Lexer<'_> {
             }
             '\\' => return self.command(),
             '⁰' | '¹' | '²' | '³' | '⁴'..='⁹' | '⁻' => return self.raised(),
-            '\'' | '’' | '′' | '″' | '"' | '‴' => {
+            '\'' | '"' => {
                 let start = self.at;
                 let primes = self.primes();
                 self.push(Item::Primes(primes), start);
@@ -165,31 +165,11 @@ impl Lexer<'_> {
         if char.is_ascii_alphabetic() || greek(char).is_some() || dotted(char).is_some() {
             return self.run(None);
         }
-        if self.rest().starts_with("**") {
-            self.take(2, Item::Sign('^'));
-            return Ok(());
-        }
-        for (signs, plain) in [
-            ("<=", '≤'),
-            ("=<", '≤'),
-            (">=", '≥'),
-            ("!=", '≠'),
-            ("==", '='),
-        ] {
-            if self.rest().starts_with(signs) {
-                self.take(2, Item::Sign(plain));
-                return Ok(());
-            }
-        }
         let item = match char {
             '+' | '/' | '^' | '(' | ')' | '[' | ']' | '{' | '}' | '|' | ',' | ';' | '=' | '<'
             | '>' | '≤' | '≥' | '≠' | '&' => Item::Sign(char),
-            '*' | '·' | '×' | '⋅' | '∙' | '∗' | '•' => Item::Sign('*'),
-            '-' | '−' | '–' | '—' | '‐' | '‑' => Item::Sign('-'),
-            '÷' | '∕' | '⁄' => Item::Sign('/'),
+            '*' | '-' => Item::Sign(char),
             '≈' => Item::Sign('='),
-            '⩽' => Item::Sign('≤'),
-            '⩾' => Item::Sign('≥'),
             '√' => Item::Root,
             '°' => Item::Degree,
             '∞' => Item::Leaf(Expr::constant(Constant::Infinity)),
@@ -212,6 +192,11 @@ impl Lexer<'_> {
         let is_last = (char == '.' || matches!(char, ',' | ';') && self.manner.values.is_none())
             && self.rest()[1..].trim().is_empty();
         let ends = is_last && !self.tokens.is_empty();
+        // The sentence may end within the braces of its last unit.
+        if char == '.' && !ends && self.rest()[1..].trim_matches([' ', '}']).is_empty() {
+            self.at += 1;
+            return true;
+        }
         if ends {
             self.at = self.text.len();
         }
@@ -227,6 +212,27 @@ impl Lexer<'_> {
             .find(|module| self.rest().starts_with(**module) && is_word(module.len()));
         self.at += found.map_or(0, |module| module.len());
         found.is_some()
+    }
+
+    /// `theta'(t)` and `x[t]` where the time is no letter of the answer; whether that time stands here.
+    fn unknown_time(&mut self, char: char) -> bool {
+        let is_moving = match self.tokens.last().map(|token| &token.item) {
+            Some(Item::Leaf(leaf)) => match leaf.kind() {
+                crate::expr::Kind::Prime(..) => true,
+                crate::expr::Kind::Name(name) => self.lexicon.is_moving(name),
+                _ => false,
+            },
+            _ => false,
+        };
+        let is_time = matches!(char, '(' | '[')
+            && is_moving
+            && !self.is_spaced
+            && !self.lexicon.knows("t")
+            && ["(t)", "[t]"]
+                .iter()
+                .any(|time| self.rest().starts_with(time));
+        self.at += if is_time { "(t)".len() } else { 0 };
+        is_time
     }
 
     /// `m.g.h`, and `.*` for entries; whether a point stands here between factors.
@@ -249,9 +255,8 @@ impl Lexer<'_> {
         let mut primes = 0_u8;
         while let Some(char) = self.peek() {
             primes = primes.saturating_add(match char {
-                '\'' | '’' | '′' => 1,
-                '″' | '"' => 2,
-                '‴' => 3,
+                '\'' => 1,
+                '"' => 2,
                 _ => break,
             });
             self.at += char.len_utf8();

@@ -14,6 +14,7 @@ use std::ops::Range;
 use std::sync::LazyLock;
 
 use super::amount::{Amount, split};
+use super::lost_power::lost_power;
 use super::parser::Parser;
 use super::token::{Item, Token, tokens};
 use super::ways::Ways;
@@ -455,7 +456,7 @@ impl<'t> Values<'t> {
             return error(Trouble::TooLong);
         }
         let whole = self.formula(part);
-        if let Some(mut amount) = self.lost_power(part) {
+        if let Some(mut amount) = lost_power(&self.tokens[part.clone()], self.text) {
             amount
                 .others
                 .extend(whole.and_then(|whole| self.checked(&whole, part)));
@@ -531,71 +532,6 @@ impl<'t> Values<'t> {
             _ => false,
         };
         part.start..part.end - if is_mark { 3 } else { 0 }
-    }
-
-    /// A power of ten whose exponent is not raised, `162·10-3` and `1.25×103`, or one behind a point, `162.10^-3`.
-    fn lost_power(&self, part: &Part) -> Option<Amount> {
-        let tokens = &self.tokens[part.clone()];
-        let typed = |token: &Token| &self.text[token.span.range()];
-        let whole = |token: &Token| typed(token).parse::<u32>().ok();
-        let unit = |rest: &[Token]| match rest {
-            [] => Some(Unit::ONE),
-            [
-                Token {
-                    item: Item::Unit(unit),
-                    ..
-                },
-            ] => Some(**unit),
-            _ => None,
-        };
-        let (factor, power, rest) = match tokens {
-            [factor, times, ten, minus, power, rest @ ..]
-                if times.item == Item::Sign('*')
-                    && typed(ten) == "10"
-                    && minus.item == Item::Sign('-')
-                    && !power.is_spaced =>
-            {
-                (
-                    factor,
-                    -(whole(power).filter(|power| *power < 100)? as i32),
-                    rest,
-                )
-            }
-            [ten, raised, minus, power, rest @ ..]
-                if raised.item == Item::Sign('^')
-                    && minus.item == Item::Sign('-')
-                    && typed(ten).ends_with(".10") =>
-            {
-                let factor = typed(ten)
-                    .strip_suffix(".10")
-                    .filter(|whole| *whole != "0")?;
-                let power = -(whole(power).filter(|power| *power < 100)? as i32);
-                let value = Decimal::parse(&format!("{factor}e{power}")).ok()?;
-                return Some(Amount::decimal(value, unit(rest)?));
-            }
-            [
-                ten,
-                Token {
-                    item: Item::Power(power),
-                    ..
-                },
-                rest @ ..,
-            ] if typed(ten).ends_with(".10") => {
-                let factor = typed(ten)
-                    .strip_suffix(".10")
-                    .filter(|whole| *whole != "0")?;
-                let value = Decimal::parse(&format!("{factor}e{power}")).ok()?;
-                return Some(Amount::decimal(value, unit(rest)?));
-            }
-            [factor, times, ten, rest @ ..] if times.item == Item::Sign('*') => {
-                let digit = whole(ten).filter(|ten| (101..=109).contains(ten))? - 100;
-                (factor, digit as i32, rest)
-            }
-            _ => return None,
-        };
-        let factor = factor.literal.as_ref()?.value;
-        let ten = Decimal::parse(&format!("1e{power}")).ok()?;
-        Some(Amount::decimal(factor.checked_mul(ten)?, unit(rest)?))
     }
 
     /// The amount that a formula is, unless it may be meant otherwise.

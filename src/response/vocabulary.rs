@@ -90,6 +90,21 @@ pub(super) const ALIASES: &[(&str, Function)] = &[
     ("Im", Function::Im),
 ];
 
+/// Whether a word is a function, also one that files do not have.
+pub(super) fn is_function(word: &str) -> bool {
+    Function::of_name(word).is_some()
+        || ALIASES.iter().any(|(alias, _)| *alias == word)
+        || POWERS.iter().any(|(name, _)| *name == word)
+}
+
+/// Powers that are written as functions.
+const POWERS: &[(&str, Powered)] = &[
+    ("pow", Powered::Any),
+    ("power", Powered::Any),
+    ("Power", Powered::Any),
+    ("cbrt", Powered::CubeRoot),
+];
+
 /// Functions that can stand within a run of letters, without a bracket after them.
 pub(super) const BARE: &[Function] = &[
     Function::Sin,
@@ -138,10 +153,9 @@ impl Words {
         words.add("i", Sense::Imaginary, 0);
         words.add("j", Sense::Imaginary, 0);
         words.add("log", Sense::Logarithm, 0);
-        for name in ["pow", "power", "Power"] {
-            words.add(name, Sense::Power(Powered::Any), 0);
+        for (name, powered) in POWERS {
+            words.add(name, Sense::Power(*powered), 0);
         }
-        words.add("cbrt", Sense::Power(Powered::CubeRoot), 0);
         let infinity = Sense::Leaf(Expr::constant(Constant::Infinity));
         words.add("inf", infinity.clone(), 0);
         words.add("infinity", infinity.clone(), 0);

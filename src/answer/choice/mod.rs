@@ -163,7 +163,7 @@ impl Answer for Choice {
             .iter()
             .map(|option| option.text.plain(&no_fills()))
             .collect();
-        let words = texts.iter().map(|text| read::normalized(text)).collect();
+        let words = texts.iter().map(|text| read::words(text)).collect();
         let order = if context.order.len() == self.options.len() {
             context.order.clone()
         } else {

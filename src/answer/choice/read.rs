@@ -2,13 +2,20 @@
 
 use super::formula::Formula;
 use super::marker::Chosen;
+use crate::response::Folded;
+
+/// The words of an option as those of a response are compared with them.
+pub(super) fn words(option: &str) -> String {
+    let folded = Folded::of(option);
+    normalized(folded.as_ref().map_or(option, Folded::text))
+}
 
 /// Words without regard to case and spacing.
 pub(super) fn normalized(text: &str) -> String {
     text.split_whitespace()
         .collect::<Vec<_>>()
         .join(" ")
-        .trim_matches(['"', '\'', '“', '”'])
+        .trim_matches(['"', '\''])
         .trim_end_matches(['.', '!', ',', ';'])
         .to_lowercase()
 }
@@ -33,7 +40,7 @@ fn only<T>(mut found: impl Iterator<Item = T>) -> Option<T> {
 
 /// Words as one, `under-damped` and `under damped`; a formula keeps its signs.
 fn joined(text: &str) -> Option<String> {
-    let is_gap = |char: char| " -‐‑_".contains(char);
+    let is_gap = |char: char| " -_".contains(char);
     let is_of_words = text
         .chars()
         .all(|char| char.is_alphabetic() || is_gap(char));

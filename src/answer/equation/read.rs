@@ -121,7 +121,7 @@ fn beside_the_point(equation: &str) -> Option<Unreadable> {
     let is_name = name.starts_with(char::is_alphabetic)
         && name
             .chars()
-            .all(|char| char.is_alphanumeric() || "_'’′″\"".contains(char));
+            .all(|char| char.is_alphanumeric() || "_'\"".contains(char));
     is_name.then(|| Unreadable::at(equation, Why::InitialState))
 }
 
@@ -141,13 +141,13 @@ fn number_of(equation: &str) -> Option<&str> {
         '.' => open == 0 && rest.starts_with(' '),
         _ => false,
     };
-    let begins_term = |char: char| char.is_alphanumeric() || "\\-−√".contains(char);
+    let begins_term = |char: char| char.is_alphanumeric() || "\\-√".contains(char);
     if count > 0 && is_closed && rest.trim_start().starts_with(begins_term) {
         return Some(&equation[..=behind]);
     }
     let (before, last) = equation.rsplit_once(" (")?;
     let is_number = last.len() == digits(last) + 1 && last.len() > 1 && last.ends_with(')');
-    let ends_term = before.ends_with(|char: char| char.is_alphanumeric() || ")]}'′".contains(char));
+    let ends_term = before.ends_with(|char: char| char.is_alphanumeric() || ")]}'".contains(char));
     // Zero times a number is zero.
     let is_zero = before
         .rsplit('=')

@@ -21,6 +21,9 @@ pub(super) struct Piece<'r> {
 /// The pieces of a function, each on a line or behind a semicolon, `…, t < 1; …, t >= 1` or `… if t < 1 otherwise …`;
 /// one piece with its times, if there is no more.
 pub(super) fn pieces(response: &str) -> Vec<Piece<'_>> {
+    if let Some(pieces) = conditional(response) {
+        return pieces;
+    }
     const OTHERWISE: &str = " otherwise ";
     let all = Span::new(0, response.len());
     let lines = cut(response, all, &[';', '\n']).into_iter();
@@ -38,6 +41,22 @@ pub(super) fn pieces(response: &str) -> Vec<Piece<'_>> {
         pieces = vec![piece(response)];
     }
     pieces
+}
+
+/// `if t < 1 then … otherwise …`.
+fn conditional(text: &str) -> Option<Vec<Piece<'_>>> {
+    let (condition, rest) = text.trim().strip_prefix("if ")?.split_once(" then ")?;
+    let (formula, otherwise) = rest.split_once(" otherwise ")?;
+    let last = Piece {
+        formula: otherwise.trim(),
+        condition: None,
+    };
+    let first = Piece {
+        formula: formula.trim(),
+        condition: Some(condition.trim()),
+    };
+    let others = conditional(otherwise).unwrap_or(vec![last]);
+    Some(std::iter::once(first).chain(others).collect())
 }
 
 /// A function and the times behind it: `…, t >= 0` or `… for t > 0`.

@@ -83,7 +83,7 @@ fn unit_at(text: &str, at: usize) -> Option<(Range<usize>, Unit)> {
     let end = if run.starts_with('\\') {
         run.find('}').map(|last| last + 1)
     } else {
-        run.find(|char: char| " *·+-−–,;()[]{}".contains(char))
+        run.find(|char: char| " *+-,;()[]{}".contains(char))
     };
     let place = start..start + end.unwrap_or(run.len());
     let unit = Unit::read(&text[place.clone()]).ok();

@@ -2,7 +2,7 @@
 
 use crate::expr::CheckError;
 use crate::quantity::Absent;
-use crate::response::{At, LoneDollar, Trouble, TypedError};
+use crate::response::{At, Folded, LoneDollar, Trouble, TypedError};
 use crate::unit::{Quantity, Unit};
 
 /// Why a response could not be read.
@@ -300,6 +300,18 @@ impl Unreadable {
             why: Box::new(why),
             example: None,
         }
+    }
+
+    /// With its place as it was typed, in place of how it was read; none where nothing was typed for it.
+    pub(crate) fn point_at_typed(&mut self, folded: &Folded<'_>) {
+        let text = folded.text();
+        let typed = |at: usize, length: usize| folded.typed(at..at + length).trim().to_owned();
+        let place = match &self.at {
+            Some(At::Here(own)) => text.find(own).map(|at| At::Here(typed(at, own.len()))),
+            Some(At::Behind(own)) => text.rfind(own).map(|at| At::Behind(typed(at, own.len()))),
+            None => None,
+        };
+        self.at = place;
     }
 
     /// With an example.

@@ -46,6 +46,36 @@ const PLACES: &[(&str, char, &str)] = &[
     ("Z", '3', "# + 4i ohm"),
     ("Z", '3', "(# + 4j) Ω"),
     ("Z", '3', "Z = # Ω + 4i Ω"),
+    ("n", '2', "#"),
+    ("n", '2', "n = #"),
+    ("formula", '2', "sqrt(k/m - (c/((#) m))^2)"),
+    (
+        "formula",
+        '2',
+        "ω_d = \\sqrt{\\frac{k}{m} - \\left(\\frac{c}{(#) m}\\right)^2}",
+    ),
+    ("eom1", '2', "m x1'' + (#) k x1 - k x2 = 0"),
+    ("eom1", '2', "m \\ddot{x}_1 = k x_2 - (#) k x_1"),
+    ("motion", '5', "0.5 exp(-0.75 t) cos((#) t)"),
+    (
+        "motion",
+        '5',
+        "x = 0.5 m e^{-0.75 t} \\cos\\left((#) t\\right)",
+    ),
+    ("K", '2', "[[(#)*k, -k], [-k, 2*k]]"),
+    (
+        "K",
+        '2',
+        "\\begin{pmatrix} (#) k & -k \\\\ -k & 2k \\end{pmatrix}",
+    ),
+    ("u1", '1', "[#; 1]"),
+    ("u1", '1', "x_1 = #; x_2 = 1"),
+    ("range", '1', "mu >= 0.1274*(#)"),
+    (
+        "general",
+        '5',
+        "(1; 1) A cos((#) t + p) + (1; -1) B cos(8.66 t + q)",
+    ),
 ];
 
 #[test]
@@ -101,5 +131,44 @@ fn a_reading_is_read_as_itself() {
             }
         }
     }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// Signs of which only the table in `src/response/signs.rs` may know; a kind sees what they stand for.
+const FANCY: &str = "−–—‐‑‒―×⋅∙∗•÷∕⁄′’‘´“”⩽⩾≦≧≃≅≔∨∧";
+
+#[test]
+fn one_table_knows_the_signs() {
+    // What is written for people, not read.
+    const WRITTEN: [&str; 1] = ["answer/equation/told.rs"];
+    let source = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut folders = vec![source.join("response"), source.join("answer")];
+    let (mut faults, mut count) = (Vec::new(), 0);
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                folders.push(path);
+                continue;
+            }
+            let is_free = ["response/signs.rs", "tests.rs"]
+                .iter()
+                .chain(&WRITTEN)
+                .any(|own| path.ends_with(own));
+            if is_free {
+                continue;
+            }
+            count += 1;
+            let text = std::fs::read_to_string(&path).expect("a text");
+            let code = text.split("#[cfg(test)]").next().unwrap_or_default();
+            let lines = code.lines().enumerate();
+            for (line, code) in lines.filter(|(_, line)| !line.trim_start().starts_with("//")) {
+                if code.contains(|char| FANCY.contains(char)) {
+                    faults.push(format!("{}:{}: {code}", path.display(), line + 1));
+                }
+            }
+        }
+    }
+    assert!(count > 80, "{count} files");
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }

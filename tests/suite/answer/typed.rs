@@ -1,5 +1,6 @@
 //! Answers as people type them, of every kind, and what they are marked as.
 
+use vibank::answer::{At, Remark, Unreadable};
 use vibank::bank::{Catalogue, embedded};
 use vibank::grade;
 use vibank::instance::Instance;
@@ -71,5 +72,65 @@ fn answers_to_parts_of_the_bank_are_marked_as_they_were_meant() {
         }
     }
     assert!(count > 0, "there are answers");
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// Calls a test with each part of the fixture and each response to it in the corpus.
+fn with_responses(mut test: impl FnMut(&Solution<'_>, usize, &str)) {
+    let catalogue = super::hostile::catalogue();
+    let template = catalogue.items().next().expect("the fixture");
+    let solution = Solution::of(Instance::of_source(template));
+    for line in TYPED.lines().filter(|line| !line.starts_with('#')) {
+        let [part, _, response] = line.split('\t').collect::<Vec<_>>()[..] else {
+            panic!("part, verdict, response: {line}");
+        };
+        let place = template.parts.iter().position(|own| own.id == part);
+        let response = response.replace("\\neq", "≠").replace("\\n", "\n");
+        test(&solution, place.expect("a part of the item"), &response);
+    }
+}
+
+#[test]
+fn what_is_pointed_at_was_typed() {
+    let (mut faults, mut count) = (Vec::new(), 0);
+    with_responses(|solution, place, response| {
+        // Cut off anywhere, a response is unreadable in all ways.
+        let ends = response.char_indices().map(|(at, _)| at).step_by(4);
+        for end in ends.chain([response.len()]) {
+            let typed = &response[..end];
+            for remark in &grade::mark(solution, place, typed).remarks {
+                let Remark::Unreadable(Unreadable { at: Some(at), .. }) = remark else {
+                    continue;
+                };
+                let (At::Here(quoted) | At::Behind(quoted)) = at;
+                count += 1;
+                if !typed.contains(quoted.as_str()) {
+                    faults.push(format!("{typed}: {quoted}"));
+                }
+            }
+        }
+    });
+    assert!(count > 500, "{count} places");
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn what_is_echoed_is_marked_alike() {
+    let (mut faults, mut count) = (Vec::new(), 0);
+    with_responses(|solution, place, response| {
+        let first = grade::mark(solution, place, response);
+        let Some(reading) = first.reading else {
+            return;
+        };
+        let again = grade::mark(solution, place, &reading.text);
+        count += 1;
+        if again.verdict != first.verdict {
+            faults.push(format!(
+                "{response}: {:?}; {}: {:?} {:?}",
+                first.verdict, reading.text, again.verdict, again.remarks
+            ));
+        }
+    });
+    assert!(count > 300, "{count} readings");
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
