@@ -115,7 +115,7 @@ fn parts(formula: &Expr) -> Result<Split, Trouble> {
             // `e^(i 53°)`.
             let exponent = match other {
                 None => exponent,
-                Some(angle) if is_angle(&angle) => converted(exponent, &angle, &radian())?,
+                Some(angle) if is_angle(&angle) => converted(exponent, &angle, &Unit::radian())?,
                 Some(_) => return Err(Trouble::Value(ValueTrouble::Units)),
             };
             let unit = unit
@@ -148,12 +148,12 @@ fn joined(
         (None, None) => Ok((left, right, None)),
         (Some(own), Some(other)) => Ok((left, converted(right, &other, &own)?, Some(own))),
         (None, Some(unit)) if has_pi(&left) && is_angle(&unit) => {
-            let radian = radian();
+            let radian = Unit::radian();
             Ok((left, converted(right, &unit, &radian)?, Some(radian)))
         }
         (None, Some(unit)) => Ok((left, right, Some(unit))),
         (Some(unit), None) if has_pi(&right) && is_angle(&unit) => {
-            let right = converted(right, &radian(), &unit)?;
+            let right = converted(right, &Unit::radian(), &unit)?;
             Ok((left, right, Some(unit)))
         }
         (Some(_), None) if right.as_number() == Some(Rational::ZERO) => Ok((left, right, own)),
@@ -170,13 +170,13 @@ fn converted(number: Expr, from: &Unit, to: &Unit) -> Result<Expr, Trouble> {
     let conversion = from
         .conversion(to)
         .map_err(|_| Trouble::Value(ValueTrouble::Units))?;
-    let is_degree = |unit: &Unit| Unit::parse("deg").is_ok_and(|degree| degree == *unit);
+    let is_degree = |unit: &Unit| *unit == Unit::degree();
     let straight = || Expr::number(180);
     // Exactly so.
-    if is_degree(from) && *to == radian() {
+    if is_degree(from) && *to == Unit::radian() {
         return Ok(number * Expr::constant(Constant::Pi) / straight());
     }
-    if is_degree(to) && *from == radian() {
+    if is_degree(to) && *from == Unit::radian() {
         return Ok(number * straight() / Expr::constant(Constant::Pi));
     }
     let factor = to.of_si(conversion.apply(1.0));
@@ -218,13 +218,9 @@ fn called(function: Function, arguments: &[Expr], formula: &Expr) -> Result<Spli
             Ok((call(in_one_unit(&first)?), Some(first)))
         }
         Function::Atan2 | Function::Sign => Ok((call(in_one_unit(&first)?), None)),
-        _ if first.dimension() == Dimension::PURE => Ok((call(in_one_unit(&radian())?), None)),
+        _ if first.dimension() == Dimension::PURE => Ok((call(in_one_unit(&Unit::radian())?), None)),
         _ => Err(Trouble::Value(ValueTrouble::Units)),
     }
-}
-
-fn radian() -> Unit {
-    Unit::parse("rad").unwrap_or(Unit::ONE)
 }
 
 fn is_angle(unit: &Unit) -> bool {

@@ -133,7 +133,7 @@ impl Lexer<'_> {
         if is_rate && self.unit_here() {
             return;
         }
-        let degree = Unit::parse("deg").unwrap_or(Unit::ONE);
+        let degree = Unit::degree();
         self.take(width, Item::Unit(Box::new(degree)));
     }
 

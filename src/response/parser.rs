@@ -403,7 +403,7 @@ impl<'a> Parser<'a> {
                 if self.item() == Some(&Item::Degree) {
                     let span = span.join(self.here());
                     self.at += 1;
-                    let degree = Unit::parse("deg").unwrap_or(Unit::ONE);
+                    let degree = Unit::degree();
                     return Ok(Expr::new(Kind::Measure(*value, Box::new(degree)), span));
                 }
                 Ok(Expr::new(Kind::Number(*value), span))

@@ -5,6 +5,7 @@ use std::ops::Range;
 use thiserror::Error;
 
 use super::dimension::Dimension;
+use super::nearest::nearest;
 
 /// A text that could not be read: what is wrong, and where.
 ///
@@ -69,8 +70,6 @@ pub enum ErrorKind {
     UnknownUnit {
         /// What is written.
         found: String,
-        /// The nearest unit that is known.
-        nearest: Option<String>,
     },
     /// A run of letters with more than one meaning.
     #[error("`{found}` has more than one meaning")]
@@ -137,10 +136,10 @@ impl Error {
     /// What to do about it, as an imperative.
     pub fn help(&self) -> Option<String> {
         let text = match &self.kind {
-            ErrorKind::UnknownUnit {
-                nearest: Some(nearest),
-                ..
-            } => return Some(format!("write `{nearest}`")),
+            // Only whoever is shown the error wants to know: readers try many a text that is no unit.
+            ErrorKind::UnknownUnit { found } => {
+                return nearest(found).map(|nearest| format!("write `{nearest}`"));
+            }
             ErrorKind::AmbiguousUnit { one, other, .. } => {
                 return Some(format!("write `{one}` or `{other}`"));
             }

@@ -10,14 +10,13 @@ pub(super) fn unknown(name: &str, span: Range<usize>) -> Error {
     Error::new(
         ErrorKind::UnknownUnit {
             found: name.to_owned(),
-            nearest: nearest(name),
         },
         span,
     )
 }
 
 /// The symbol of the unit whose symbol or word is nearest, if one is near.
-fn nearest(name: &str) -> Option<String> {
+pub(super) fn nearest(name: &str) -> Option<String> {
     if let Some(found) = word(name) {
         return Some(spelled(found));
     }

@@ -1,6 +1,7 @@
 //! Units: products of table units with rational powers.
 
 use std::fmt;
+use std::sync::LazyLock;
 
 use serde::{Deserialize, Serialize};
 
@@ -63,6 +64,18 @@ impl Unit {
         dimension: Dimension::PURE,
         scale: Scale::ONE,
     };
+
+    /// The radian, which readers of angles ask for with each number.
+    pub fn radian() -> Self {
+        static RADIAN: LazyLock<Unit> = LazyLock::new(|| Unit::parse("rad").unwrap_or(Unit::ONE));
+        *RADIAN
+    }
+
+    /// The degree of an angle.
+    pub fn degree() -> Self {
+        static DEGREE: LazyLock<Unit> = LazyLock::new(|| Unit::parse("deg").unwrap_or(Unit::ONE));
+        *DEGREE
+    }
 
     /// Reads a unit as it is written in files: `N m/rad`, `N*m/rad`, `kg m^2`, `kg^(-1/2)`, `1/s`, `1`.
     ///

@@ -101,7 +101,7 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
             return None;
         }
     };
-    let radian = Unit::parse("rad").unwrap_or(Unit::ONE);
+    let radian = Unit::radian();
     let tolerance = match tolerance {
         Some(text) => Some(Tolerance::read(&text, &radian, declare)?),
         None => None,

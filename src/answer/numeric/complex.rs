@@ -141,7 +141,7 @@ fn of_polar(
         let typed = values.text(&angle);
         return Err(Why::AngleWithoutUnit(typed.to_owned()).into());
     }
-    let radian = Unit::parse("rad").unwrap_or(Unit::ONE);
+    let radian = Unit::radian();
     let taken = if turn.unit.is_one() {
         radian
     } else {

@@ -281,7 +281,7 @@ impl Numbers {
     fn with_radians(&self, mut number: Number) -> Number {
         let has_pi = number.arithmetic.as_ref().is_some_and(has_pi);
         if has_pi && number.quantity.unit.is_one() && self.unit.text() == "°" {
-            number.quantity.unit = Unit::parse("rad").unwrap_or(Unit::ONE);
+            number.quantity.unit = Unit::radian();
         }
         number
     }
