@@ -218,7 +218,9 @@ fn called(function: Function, arguments: &[Expr], formula: &Expr) -> Result<Spli
             Ok((call(in_one_unit(&first)?), Some(first)))
         }
         Function::Atan2 | Function::Sign => Ok((call(in_one_unit(&first)?), None)),
-        _ if first.dimension() == Dimension::PURE => Ok((call(in_one_unit(&Unit::radian())?), None)),
+        _ if first.dimension() == Dimension::PURE => {
+            Ok((call(in_one_unit(&Unit::radian())?), None))
+        }
         _ => Err(Trouble::Value(ValueTrouble::Units)),
     }
 }
