@@ -4,7 +4,7 @@
 //! campaign seeds [TARGET]
 //! campaign run TARGET|all [--seconds N] [--seed N]
 //! campaign typed [PART] [--count N] [--seconds N] [--seed N]
-//! campaign again TARGET FILE
+//! campaign again TARGET FILE…
 //! ```
 //!
 //! Seconds are those of the processor. A run ends with 1 where an oracle does not hold; the input stands in `findings/TARGET/`, and `again` runs it.
@@ -55,17 +55,19 @@ fn main() -> ExitCode {
             let seconds = option("--seconds", u64::MAX);
             ExitCode::from(u8::from(!typed::run(part, count, seconds, seed, used, keep)))
         }
-        ["again", target, file] => {
-            let bytes = fs::read(file).unwrap_or_default();
+        ["again", target, paths @ ..] if !paths.is_empty() => {
             // What all inputs share is made once, and does not count.
             targets::run(target, b"");
-            let start = used();
-            let seen = targets::run(target, &bytes);
-            println!("saw {seen:016x} in {:?}", used() - start);
+            for path in paths {
+                let bytes = fs::read(path).unwrap_or_default();
+                let start = used();
+                let seen = targets::run(target, &bytes);
+                println!("{path}: saw {seen:016x} in {:?}", used() - start);
+            }
             ExitCode::SUCCESS
         }
         _ => {
-            eprintln!("campaign seeds | run TARGET|all [--seconds N] [--seed N] | typed [PART] [--count N] [--seconds N] [--seed N] | again TARGET FILE");
+            eprintln!("campaign seeds | run TARGET|all [--seconds N] [--seed N] | typed [PART] [--count N] [--seconds N] [--seed N] | again TARGET FILE…");
             eprintln!("targets: {}", targets::NAMES.join(", "));
             ExitCode::from(2)
         }

@@ -28,6 +28,7 @@ mod completions;
 mod compute;
 mod doubt;
 mod explain;
+mod faces;
 mod failure;
 mod files;
 mod filter;
@@ -123,6 +124,15 @@ fn print_line(line: fmt::Arguments<'_>) {
     {
         UNPRINTED.get_or_init(|| error.to_string());
     }
+}
+
+/// A variable of the environment.
+#[expect(
+    clippy::disallowed_methods,
+    reason = "where the press and fonts are found and how long the press may take is the user's setting"
+)]
+fn setting(name: &str) -> Option<std::ffi::OsString> {
+    std::env::var_os(name)
 }
 
 /// Runs the command that the arguments name.

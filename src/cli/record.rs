@@ -249,6 +249,7 @@ fn head(origin: Origin<'_>) -> String {
         look: stamp.look.clone(),
         formats: choice.made.clone(),
         press: choice.press.as_ref().map(|press| press.digest().to_owned()),
+        fonts: choice.faces.stamps.clone(),
         variants: Vec::new(),
         items: BTreeMap::new(),
         form: String::new(),

@@ -55,8 +55,8 @@ impl Pages {
     pub fn feedback(&self, feedback: &Feedback) -> Result<String, OutputError> {
         let sheet = SheetView {
             code: feedback.code.clone(),
-            name: self.placed(&feedback.name),
-            student: self.placed(&feedback.student),
+            name: self.placed(self.run.name(&feedback.name, &feedback.student)),
+            student: self.placed(self.run.plain_name(&feedback.student)),
             total: self.reached(
                 feedback.points,
                 open(

@@ -21,7 +21,7 @@ mod view;
 pub use key_table::{KeyRow, KeyTable};
 pub use layouts::{Layouts, OutputError};
 pub use page::practice;
-pub use pages::{Kind, Page, Pages, Run};
+pub use pages::{Kind, Names, Page, Pages, Run};
 pub use report::{Analysed, Lost, LostSheet};
 
 use crate::document::{Block, Document};

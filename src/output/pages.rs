@@ -1,6 +1,6 @@
 //! What the layouts are filled with.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Serialize;
 
@@ -11,6 +11,7 @@ use super::layouts::{Layouts, OutputError, font};
 use super::view::{IN_THE_SOLUTION, SheetView, View};
 use crate::bank::Chapter;
 use crate::document::{Block, Document, Inline};
+use crate::math::quote;
 use crate::numerics::Rational;
 use crate::scene::{Data, Scene, Shown};
 use crate::unit::DecimalMark;
@@ -25,6 +26,15 @@ pub enum Kind {
     Key,
     /// Questions with worked solutions.
     Solutions,
+}
+
+/// How names are printed that the fonts of a format lack.
+#[derive(Clone, Debug, Default)]
+pub struct Names {
+    /// Families of fonts for them, in the order in which they are tried.
+    pub families: Vec<String>,
+    /// Names, ids and groups that none of them has: in place of a name the `id` of the student is printed.
+    pub without: BTreeSet<String>,
 }
 
 /// What all pages of a run have in common.
@@ -59,6 +69,8 @@ pub struct Run {
     /// Whether the seeds are keyed with a secret, so that pages that are handed out must not tell them.
     #[serde(skip)]
     pub(super) is_keyed: bool,
+    #[serde(skip)]
+    pub(super) names: Names,
 }
 
 /// Fills the layouts of one format.
@@ -85,6 +97,7 @@ struct Begin<'a> {
     paper: &'a str,
     program: &'a str,
     style: &'a str,
+    families: Vec<String>,
     font: String,
 }
 
@@ -111,6 +124,7 @@ impl Run {
             hints: false,
             figures: true,
             is_keyed: true,
+            names: Names::default(),
             mark: if decimal == ',' {
                 DecimalMark::Comma
             } else {
@@ -145,11 +159,36 @@ impl Run {
             hints: blueprint.hints,
             figures: blueprint.figures,
             is_keyed: blueprint.secret.is_some(),
+            names: Names::default(),
             mark: if blueprint.decimal == ',' {
                 DecimalMark::Comma
             } else {
                 DecimalMark::Point
             },
+        }
+    }
+
+    /// The same with names printed in this way.
+    #[must_use]
+    pub fn with_names(self, names: Names) -> Self {
+        Self { names, ..self }
+    }
+
+    /// What is printed as the name of a student.
+    pub(super) fn name<'n>(&self, name: &'n str, id: &'n str) -> &'n str {
+        if self.names.without.contains(name) {
+            self.plain_name(id)
+        } else {
+            name
+        }
+    }
+
+    /// An id or a group, where it can be printed.
+    pub(super) fn plain_name<'n>(&self, words: &'n str) -> &'n str {
+        if self.names.without.contains(words) {
+            ""
+        } else {
+            words
         }
     }
 
@@ -274,9 +313,20 @@ impl Pages {
                 },
                 program: concat!("vibank ", env!("CARGO_PKG_VERSION")),
                 style: &style,
+                families: self.families(),
                 font: font(),
             },
         )
+    }
+
+    /// The families of fonts for names, in quotation marks.
+    fn families(&self) -> Vec<String> {
+        let quoted = |family: &String| {
+            let mut out = String::new();
+            quote(&mut out, family);
+            out
+        };
+        self.run.names.families.iter().map(quoted).collect()
     }
 
     /// What stands after the last page of a file.

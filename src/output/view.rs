@@ -103,9 +103,9 @@ impl<'p> View<'p> {
         let count = sheet.questions.len();
         SheetView {
             code: sheet.variant.to_string(),
-            name: self.placed(&student.name),
-            student: self.placed(&student.id),
-            group: self.placed(&student.group),
+            name: self.placed(self.run.name(&student.name, &student.id)),
+            student: self.placed(self.run.plain_name(&student.id)),
+            group: self.placed(self.run.plain_name(&student.group)),
             count: format!("{count} question{}", if count == 1 { "" } else { "s" }),
             points: self.run.points(sheet.points()),
             worth: self.run.number(sheet.points()),

@@ -63,6 +63,8 @@ pub struct Blueprint {
     pub seed: u64,
     /// A file that keys the seeds.
     pub secret: Option<Text>,
+    /// A folder with fonts for names.
+    pub fonts: Option<Text>,
     /// For whom.
     pub audience: Audience,
     /// What the class list calls its columns, where that is stated.
@@ -436,6 +438,7 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
         instructions,
         seed: seed.unwrap_or(0).unsigned_abs(),
         secret,
+        fonts: table.text("fonts"),
         audience: audience.unwrap_or(Audience::Variants(0)),
         columns: table.table("columns").map(columns).unwrap_or_default(),
         csv,

@@ -64,6 +64,9 @@ pub struct Manifest {
     /// Digest of what shapes the bytes of PDF files: the press that printed them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub press: Option<String>,
+    /// The fonts in which names are printed that the press has no letters for.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub fonts: Vec<FileStamp>,
     /// The sheets, in order.
     pub variants: Vec<VariantEntry>,
     /// The files of the items that were used, by identity: marking reads these, whatever becomes of the bank.

@@ -31,6 +31,40 @@ const MAX_WORDS: u64 = 64 << 10;
 /// Fonts that one job may bring.
 const MAX_FONTS: u64 = 64;
 
+/// Signs that the text font of the press has, from the first to the last of each row: Latin with accents of all kinds,
+/// Greek, Cyrillic, Hebrew, punctuation. Names with others need a font of their own.
+const OWN_SIGNS: [(char, char); 17] = [
+    (' ', '~'),
+    ('\u{a0}', '\u{2e4}'),
+    ('\u{300}', '\u{34e}'),
+    ('\u{350}', '\u{36f}'),
+    ('\u{384}', '\u{38a}'),
+    ('\u{38e}', '\u{3a1}'),
+    ('\u{3a3}', '\u{3ce}'),
+    ('\u{3d0}', '\u{3e1}'),
+    ('\u{3fd}', '\u{477}'),
+    ('\u{48c}', '\u{4c4}'),
+    ('\u{4d0}', '\u{4f9}'),
+    ('\u{5b0}', '\u{5c3}'),
+    ('\u{5d0}', '\u{5ea}'),
+    ('\u{1e00}', '\u{1f15}'),
+    ('\u{2010}', '\u{2027}'),
+    ('\u{2030}', '\u{2037}'),
+    ('\u{2039}', '\u{203e}'),
+];
+
+/// Whether the text font of the press has a sign.
+///
+/// ```
+/// use vibank_press_protocol::has_sign;
+/// assert!("Zoë Đặng Čapek Ξένια Юлия".chars().all(has_sign));
+/// assert!(!has_sign('王'));
+/// ```
+pub fn has_sign(sign: char) -> bool {
+    let mut rows = OWN_SIGNS.iter();
+    rows.any(|(first, last)| (*first..=*last).contains(&sign))
+}
+
 /// What a greeting begins with, so that another program is recognized at once.
 const MAGIC: &[u8; 8] = b"vibpress";
 

@@ -261,3 +261,24 @@ fn every_piece_of_a_formula_is_typst() {
         panic!("{error}\n{text}");
     }
 }
+
+/// Names in these signs need no font of the machine.
+#[test]
+fn the_text_font_has_the_signs_that_it_is_said_to_have() {
+    let signs: Vec<char> = ('\u{20}'..'\u{3000}')
+        .filter(|sign| vibank_press_protocol::has_sign(*sign))
+        .collect();
+    assert!(signs.len() > 1400);
+    for row in signs.chunks(64) {
+        let text: String = row.iter().collect();
+        let mut words = String::new();
+        for sign in text.chars() {
+            words.push_str(&format!("#\"\\u{{{:x}}}\" ", sign as u32));
+        }
+        let markup = format!(
+            "#set document(title: [T])\n#set text(font: \"Libertinus Serif\", fallback: false)\n{words}"
+        );
+        // A sign without a letter is refused in an accessible file.
+        bound(markup).unwrap_or_else(|error| panic!("{error}: {text}"));
+    }
+}

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use vibank::bank::Catalogue;
+use vibank::worksheet::Student;
 
 use super::items::Items;
 use super::manifest::Sheets;
@@ -16,6 +17,8 @@ pub(super) struct Census<'c> {
     pub(super) sheets: usize,
     /// All parts, in the order of the sheets.
     pub(super) columns: Vec<Column>,
+    /// The students by `id` and name.
+    pub(super) students: Vec<Student>,
     /// Items whose text in the bank is another one than when the sheets were made.
     pub(super) changed: Vec<String>,
 }
@@ -31,6 +34,7 @@ impl<'c> Census<'c> {
             items: Items::of(&[], catalogue, accepts),
             sheets: 0,
             columns: Vec::new(),
+            students: Vec::new(),
             changed: Vec::new(),
         };
         let mut columns = BTreeSet::new();
@@ -48,6 +52,14 @@ impl<'c> Census<'c> {
                     let failure = Failure::new(format!("the manifest has the sheet {code} twice"));
                     return Err(failure.help("give the `manifest.json` as `vibank sheet` wrote it"));
                 }
+            }
+            for student in chunk.iter().filter_map(|variant| variant.student.as_ref()) {
+                let column = |name: &str| student.get(name).cloned().unwrap_or_default();
+                census.students.push(Student {
+                    id: column("id"),
+                    name: column("name"),
+                    ..Student::default()
+                });
             }
             for question in chunk.iter().flat_map(|variant| &variant.questions) {
                 for part in &question.parts {

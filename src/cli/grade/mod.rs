@@ -19,7 +19,7 @@ use rayon::prelude::*;
 use vibank::answer::Verdict;
 use vibank::grade::{Feedback, Place, Responses};
 use vibank::output::{self, Lost, Pages, Run};
-use vibank::worksheet::VariantEntry;
+use vibank::worksheet::{Student, VariantEntry};
 
 pub(crate) use self::items::Items as RunItems;
 pub(crate) use self::manifest::{manifest, solution};
@@ -36,6 +36,7 @@ use self::overrides::Overrides;
 use self::tables::Tables;
 use self::undecided::{Alike, Undecided};
 use super::bank::BankArgument;
+use super::faces::Faces;
 use super::folder::Folder;
 use super::press::{Missing, Press, Printed};
 use super::sheet::PROGRAM;
@@ -110,8 +111,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     let dialect = Dialect::new(sheets.head.csv, sheets.head.decimal);
     let mut job = Job {
         journal: Journal::open(&out, &input(arguments, &sheets, &catalogue.digest())?)?,
-        pages: layout(&sheets, "html")?,
-        feedback: layout(&sheets, &arguments.feedback)?,
+        pages: layout(&sheets, "html", &[])?,
+        feedback: layout(&sheets, &arguments.feedback, &census.students)?,
         tables: Tables::begin(&out, census.columns, dialect)?,
         dialect,
         changes,
@@ -160,15 +161,26 @@ struct Layout {
     press: Option<Press>,
     /// Why nothing can be printed, where the format needs it.
     missing: Option<Missing>,
+    /// Files of fonts for names.
+    fonts: Vec<String>,
     begin: String,
     end: String,
 }
 
-fn layout(sheets: &Sheets, format: &str) -> Result<Layout, Failure> {
+/// How pages are written in a format, for these students.
+fn layout(sheets: &Sheets, format: &str, students: &[Student]) -> Result<Layout, Failure> {
     let fail = |error: output::OutputError| Failure::new(error.to_string());
     let writer = output::writer(format).ok_or_else(|| Failure::unknown_format(format, &[]))?;
     let head = &sheets.head;
-    let run = Run::plain(&head.title, &head.language, head.decimal);
+    let faces = if writer.is_bound() {
+        Faces::of(students, None)?
+    } else {
+        Faces::default()
+    };
+    if let Some(line) = faces.remark() {
+        eprintln!("warning: {line}");
+    }
+    let run = Run::plain(&head.title, &head.language, head.decimal).with_names(faces.names);
     let pages = Pages::new(writer, run, &[]).map_err(fail)?;
     let (press, missing) = match writer.is_bound().then(Press::find) {
         Some(Ok(press)) => (Some(press), None),
@@ -178,6 +190,7 @@ fn layout(sheets: &Sheets, format: &str) -> Result<Layout, Failure> {
     Ok(Layout {
         begin: pages.begin("feedback").map_err(fail)?,
         end: pages.end().map_err(fail)?,
+        fonts: faces.paths,
         press,
         missing,
         pages,
@@ -191,7 +204,7 @@ impl Layout {
         let page = page.map_err(|error| Failure::new(error.to_string()))?;
         let text = format!("{}{page}{}", self.begin, self.end);
         Ok(match &self.press {
-            Some(press) => press.page(text),
+            Some(press) => press.page(text, &self.fonts),
             None => Ok(text.into_bytes()),
         })
     }

@@ -13,7 +13,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use vibank_press_protocol::{Job, PROTOCOL, Reply};
 
 use self::printer::Printer;
-use super::Failure;
+use super::{Failure, setting};
 
 /// The program.
 const NAME: &str = "vibank-press";
@@ -43,15 +43,6 @@ pub(crate) enum Missing {
         /// What is wrong with it.
         why: String,
     },
-}
-
-/// A variable of the environment.
-#[expect(
-    clippy::disallowed_methods,
-    reason = "where the press is found and how long it may take is the user's setting; no byte of a sheet depends on it"
-)]
-fn setting(name: &str) -> Option<std::ffi::OsString> {
-    std::env::var_os(name)
 }
 
 /// A file, or why there is none.
@@ -121,11 +112,11 @@ impl Press {
         &self.digest
     }
 
-    /// The file of a page in Typst markup.
-    pub(crate) fn page(&self, text: String) -> Printed {
+    /// The file of a page in Typst markup that may use these files of fonts.
+    pub(crate) fn page(&self, text: String, fonts: &[String]) -> Printed {
         self.print(&Job::Page {
             text,
-            fonts: Vec::new(),
+            fonts: fonts.to_vec(),
         })
     }
 

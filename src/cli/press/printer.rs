@@ -135,7 +135,7 @@ fn talk(
 
 /// How long a process may take for a text of so many bytes.
 fn patience(bytes: usize) -> Duration {
-    let named = super::setting(VARIABLE);
+    let named = crate::cli::setting(VARIABLE);
     let least = named
         .and_then(|seconds| seconds.to_str()?.parse().ok())
         .map_or(PATIENCE, Duration::from_secs);

@@ -1,12 +1,14 @@
 //! Which formats a run makes: those of the blueprint, as far as there is a press for them.
 
+use std::path::Path;
 use std::sync::Arc;
 
 use vibank::output;
-use vibank::worksheet::Blueprint;
+use vibank::worksheet::{Blueprint, Student};
 
 use super::shard::Shard;
 use crate::cli::Failure;
+use crate::cli::faces::Faces;
 use crate::cli::press::{Missing, Press};
 
 /// The formats of a run.
@@ -15,6 +17,8 @@ pub(crate) struct FormatChoice {
     pub(crate) made: Vec<String>,
     /// What prints, where a format needs it.
     pub(crate) press: Option<Arc<Press>>,
+    /// Fonts for names that the press lacks.
+    pub(crate) faces: Faces,
     /// Named formats that are left out, since there is no press.
     pub(crate) skipped: Vec<String>,
     /// Why there is none.
@@ -46,6 +50,7 @@ impl FormatChoice {
             |name: &String| output::writer(name).is_some_and(|writer| writer.needs_press());
         let mut choice = Self {
             press: None,
+            faces: Faces::default(),
             skipped: Vec::new(),
             missing: None,
             made,
@@ -62,6 +67,19 @@ impl FormatChoice {
             }
         }
         Ok(choice)
+    }
+
+    /// The same with fonts for the names of these students, which `folder` may hold.
+    pub(super) fn with_names(
+        mut self,
+        students: &[Student],
+        folder: Option<&Path>,
+    ) -> Result<Self, Failure> {
+        let binds = |name: &String| output::writer(name).is_some_and(|writer| writer.is_bound());
+        if self.made.iter().any(binds) {
+            self.faces = Faces::of(students, folder)?;
+        }
+        Ok(self)
     }
 
     /// What there is to say of formats that are left out: a failure where they were named, else a line.

@@ -95,6 +95,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     };
     let students = students(&blueprint, folder)?;
     let choice = FormatChoice::of(&blueprint, arguments.shard)?;
+    let named: &[Student] = match arguments.pseudonyms {
+        Some(_) => &[],
+        None => &students,
+    };
+    let fonts = blueprint.fonts.as_ref();
+    let fonts = fonts.map(|fonts| folder.join(&fonts.value));
+    let choice = choice.with_names(named, fonts.as_deref())?;
     let count = match blueprint.audience {
         Audience::Variants(count) => count,
         Audience::Students(_) => students.len() + blueprint.spares,
@@ -364,6 +371,9 @@ impl Summary {
         }
         if self.unprinted.len() > SHOWN {
             eprintln!("and {} more", self.unprinted.len() - SHOWN);
+        }
+        if let Some(line) = choice.faces.remark().filter(|_| !self.files.is_empty()) {
+            eprintln!("warning: {line}");
         }
         let skipped = choice.remark();
         let is_whole = self.unprinted.is_empty() && !matches!(skipped, Some(Err(_)));

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use vibank::output::{self, KeyRow, KeyTable, Kind, Pages, Run};
-use vibank::worksheet::{Fairness, Plan, Sheet, VariantEntry};
+use vibank::worksheet::{Fairness, FileStamp, Plan, Sheet, VariantEntry};
 
 use super::choice::FormatChoice;
 use super::ledger::Mark;
@@ -28,6 +28,9 @@ pub(crate) struct Laid {
     pages: Pages,
     /// Where the format needs one.
     press: Option<Arc<Press>>,
+    /// Files of fonts for names, and the same as the manifest has them.
+    fonts: Vec<String>,
+    stamps: Vec<FileStamp>,
     /// What is made, with what stands before its first page.
     kinds: Vec<(Kind, String)>,
     /// What stands before the table with the answers of all variants, if it is made.
@@ -78,7 +81,7 @@ pub(super) fn formats(
         if name == "json" {
             return Ok(Format::Json);
         }
-        let laid = Laid::of(name, plan, choice.press.as_ref(), layouts, is_split)?;
+        let laid = Laid::of(name, plan, Some(choice), layouts, is_split)?;
         Ok(Format::Pages(Box::new(laid)))
     };
     choice.made.iter().map(format).collect()
@@ -93,7 +96,13 @@ impl Format {
                 let begins = laid.kinds.iter().map(|(_, begin)| begin.as_str());
                 let begins: String = begins.chain(laid.table.as_deref()).collect();
                 let press = laid.press.as_ref().map_or("", |press| press.digest());
-                format!("{}{begins}{}{press}", laid.pages.description(), laid.end)
+                let fonts = laid.stamps.iter().map(|stamp| stamp.digest.as_str());
+                let fonts: String = fonts.collect();
+                format!(
+                    "{}{begins}{}{press}{fonts}",
+                    laid.pages.description(),
+                    laid.end
+                )
             }
         }
     }
@@ -128,7 +137,7 @@ impl Laid {
     fn of(
         name: &str,
         plan: &Plan<'_>,
-        press: Option<&Arc<Press>>,
+        choice: Option<&FormatChoice>,
         layouts: Option<&Path>,
         is_split: bool,
     ) -> Result<Self, Failure> {
@@ -136,7 +145,13 @@ impl Laid {
             output::writer(name).ok_or_else(|| Failure::unknown_format(name, &["json"]))?;
         let own = own_layouts(layouts, writer.name())?;
         let blueprint = plan.blueprint;
-        let run = Run::of(blueprint, writer).with_formulas(&plan.formulas, writer);
+        let mut run = Run::of(blueprint, writer).with_formulas(&plan.formulas, writer);
+        let faces = choice
+            .filter(|_| writer.is_bound())
+            .map(|choice| choice.faces.clone());
+        let faces = faces.unwrap_or_default();
+        run = run.with_names(faces.names);
+        let press = choice.and_then(|choice| choice.press.as_ref());
         let pages = Pages::new(writer, run, &own).map_err(unfilled)?;
         let mut kinds = vec![Kind::Sheet];
         kinds.extend(blueprint.keys.each.then_some(Kind::Key));
@@ -151,6 +166,8 @@ impl Laid {
             is_split: is_split || writer.is_bound(),
             pictures: Mutex::default(),
             press: press.filter(|_| writer.needs_press()).cloned(),
+            fonts: faces.paths,
+            stamps: faces.stamps,
             pages,
         })
     }
@@ -205,7 +222,7 @@ impl Laid {
     /// The file of a finished text.
     fn bind(&self, text: String) -> Printed {
         match &self.press {
-            Some(press) if self.pages.writer().is_bound() => press.page(text),
+            Some(press) if self.pages.writer().is_bound() => press.page(text, &self.fonts),
             _ => Ok(text.into_bytes()),
         }
     }

@@ -211,3 +211,37 @@ fn feedback_as_pdf_needs_a_press() {
         .complains("there is no press here, which prints feedback pages as PDF");
     assert!(out.join("marks/marks.csv").is_file());
 }
+
+/// No font has the name: the id stands in its place, one line says whose, and all sheets are made.
+#[test]
+fn a_name_without_a_font_stops_nothing() {
+    let (folder, arguments) = plan(
+        "no-font",
+        "seed = 7\nstudents = 'class.csv'\nformats = ['pdf']",
+    );
+    put(
+        &folder,
+        "class.csv",
+        "id,name,group\ns1,王明,\ns2,Zoë,\ns3,Ann,三班\n",
+    );
+    let fonts = text_of(&folder.join("fonts"));
+    fs::create_dir_all(&fonts).expect("a folder");
+    let press = scripted();
+    let run = |fonts: &str| {
+        let variables = [
+            ("VIBANK_PRESS", press.as_str()),
+            ("VIBANK_SCRIPT", "good"),
+            ("VIBANK_FONTS", fonts),
+        ];
+        let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+        run_with(&variables, &arguments)
+    };
+    let ran = run(&fonts)
+        .ends(0)
+        .complains("the id in place of it: s1, s3;");
+    assert_eq!(ran.err.matches("no font has").count(), 1, "{}", ran.err);
+    assert_eq!(sheets(&folder).len(), 3);
+    assert!(!content(folder.join("out/manifest.json")).contains("\"fonts\""));
+    let elsewhere = text_of(&folder.join("elsewhere"));
+    run(&elsewhere).ends(2).complains("there is no folder");
+}
