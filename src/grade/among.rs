@@ -1,5 +1,6 @@
 //! Marking of parts that are looked at together.
 
+use super::bound::bounded;
 use super::{LONGEST_RESPONSE, mark, silence};
 use crate::answer::{Beside, Marking};
 use crate::response::Folded;
@@ -34,9 +35,10 @@ pub fn mark_among(solution: &Solution<'_>, place: usize, responses: &[&str]) -> 
         .collect();
     match solution.marker(place) {
         Ok(marker) => {
-            let marking = marker
-                .mark_beside(folded.text().trim(), &others)
-                .in_typed(&folded);
+            let marking = bounded(|| {
+                let marking = marker.mark_beside(folded.text().trim(), &others);
+                marking.in_typed(&folded)
+            });
             silence::heard(response, marking)
         }
         Err(_) => mark(solution, place, response),

@@ -4,6 +4,7 @@
 //! earlier answers. Marks are exact fractions of points and are rounded once, where they are printed.
 
 mod among;
+mod bound;
 mod feedback;
 mod follow;
 mod pattern;
@@ -21,6 +22,8 @@ pub use responses::{Place, Responses, Row, RowError};
 use crate::answer::{Echo, Marker, Marking, Unreadable, Why};
 use crate::response::Folded;
 use crate::solution::Solution;
+
+use self::bound::bounded;
 
 /// Longest response that is read.
 pub const LONGEST_RESPONSE: usize = 4000;
@@ -47,7 +50,9 @@ pub fn mark(solution: &Solution<'_>, place: usize, response: &str) -> Marking {
         return Marking::missing();
     }
     let marking = match folded(solution, place, response) {
-        Ok((marker, folded)) => marker.mark(folded.text().trim()).in_typed(&folded),
+        Ok((marker, folded)) => {
+            bounded(|| marker.mark(folded.text().trim()).in_typed(&folded))
+        }
         Err(why) => Marking::unreadable(why),
     };
     silence::heard(response, marking)

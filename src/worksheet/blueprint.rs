@@ -373,6 +373,22 @@ fn questions(table: &Table<'_>, faults: &mut Faults<'_>) -> Vec<Question> {
     questions
 }
 
+/// How tables are written: a class with a decimal comma opens its files with spreadsheets that part cells by semicolons.
+fn csv(table: &Table<'_>, decimal: char, faults: &mut Faults<'_>) -> Csv {
+    if decimal == ',' && !table.has("csv") {
+        return Csv::Excel;
+    }
+    let ways = [Csv::Plain, Csv::Excel];
+    faults.word(table, "csv", &["plain", "excel"], &ways)
+}
+
+/// How doubts are settled, where that is stated.
+fn doubt(table: &Table<'_>, faults: &mut Faults<'_>) -> Option<Doubt> {
+    let ways = [Doubt::Benefit, Doubt::Ask, Doubt::Undecided];
+    let read = || faults.word(table, "doubt", &["benefit", "ask", "undecided"], &ways);
+    table.has("doubt").then(read)
+}
+
 fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>, Faults<'s>) {
     let line = |key| table.text(key).map(|text| text.value).unwrap_or_default();
     let keys = keys(&table, &mut faults);
@@ -404,24 +420,8 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
     }
     let formats = formats(&table, &mut faults);
     let decimal = faults.word(&table, "decimal", &[".", ","], &['.', ',']);
-    // A class with a decimal comma opens its files with spreadsheets that part cells by semicolons.
-    let csv = match (table.has("csv"), decimal) {
-        (false, ',') => Csv::Excel,
-        _ => faults.word(
-            &table,
-            "csv",
-            &["plain", "excel"],
-            &[Csv::Plain, Csv::Excel],
-        ),
-    };
-    let doubt = table.has("doubt").then(|| {
-        faults.word(
-            &table,
-            "doubt",
-            &["benefit", "ask", "undecided"],
-            &[Doubt::Benefit, Doubt::Ask, Doubt::Undecided],
-        )
-    });
+    let csv = csv(&table, decimal, &mut faults);
+    let doubt = doubt(&table, &mut faults);
     let instructions = table.text("instructions").map(|text| {
         let (document, mut found) = Document::read_bare(&text, faults.source);
         faults.findings.append(&mut found);

@@ -1,8 +1,10 @@
 //! Bounds on work: what an item may cost is counted in units, the same on every machine, and each bound has a finding
 //! that names it.
 
+use vibank::answer::Verdict;
 use vibank::bank::{Catalogue, embedded};
 use vibank::diagnostic::Finding;
+use vibank::grade::{LONGEST_RESPONSE, mark};
 use vibank::instance::Instance;
 use vibank::scene::{Data, Scene, Undrawn, undrawn};
 use vibank::seed::Seed;
@@ -214,4 +216,82 @@ fn a_constraint_that_never_holds_is_an_error() {
     one(&found, "[check::draws]", "`heavy` was broken 1000 times");
     assert!(found[0].contains("error"), "{found:?}");
     assert!(checked.units < 2_000_000, "{} units", checked.units);
+}
+
+/// An item with a part of every kind.
+fn kinds() -> Catalogue {
+    let (catalogue, _) = Catalogue::load([
+        ("bank.toml", "format = 1\ntitle = 'Test'\n"),
+        ("kinds/_chapter.toml", "title = 'Kinds'\n"),
+        (
+            "kinds/item.toml",
+            include_str!("../fixtures/kinds/item.toml"),
+        ),
+    ]);
+    catalogue
+}
+
+#[test]
+fn no_response_takes_much_work() {
+    const PIECES: [&str; 24] = [
+        "1;",
+        "1,2;",
+        "2 N/m, ",
+        "[1,2],",
+        "x1 = 1; ",
+        "0.5 or ",
+        "1<mu<2 or ",
+        "(m+k)*",
+        "sqrt(k/m)+",
+        "sin(",
+        "sqrt(1+",
+        "exp(-t)*",
+        "A*cos(2*t)+",
+        "(t+1)^9*",
+        "x1''+",
+        "x1'*x2+",
+        "m^",
+        "1/(1+",
+        "Omega*",
+        "m*g/model.stiffness",
+        "e^(i*t)+",
+        "a<b<",
+        "\\frac{1}{",
+        "k*l/m+",
+    ];
+    let catalogue = kinds();
+    let template = catalogue.items().next().expect("it is sound");
+    let solution = Solution::of(Instance::of_source(template));
+    let mut most = (0, String::new());
+    for place in 0..template.parts.len() {
+        // The key is prepared once, and by itself.
+        let _ = solution.marker(place);
+        for piece in PIECES {
+            let text = piece.repeat(LONGEST_RESPONSE / piece.len() / 3);
+            let text = format!("{text}1{}", ")".repeat(text.matches('(').count()));
+            let units = within(MUCH, || mark(&solution, place, &text)).units;
+            if units > most.0 {
+                let id = &template.parts[place].id;
+                most = (units, format!("{piece} of {} bytes to {id}", text.len()));
+            }
+        }
+    }
+    assert!(most.0 > 0 && most.0 <= 1_000_000, "{most:?}");
+}
+
+#[test]
+fn a_response_beyond_its_bound_is_not_read_and_leaves_no_trace() {
+    let catalogue = kinds();
+    let template = catalogue.items().next().expect("it is sound");
+    let solution = Solution::of(Instance::of_source(template));
+    let mut place = template.parts.iter();
+    let place = place
+        .position(|part| part.id == "formula")
+        .expect("it is there");
+    let right = "sqrt(k/m - c^2/(4*m^2))";
+    let _ = solution.marker(place);
+    let marked = within(10, || mark(&solution, place, right));
+    assert!(marked.is_exhausted);
+    assert_eq!(marked.value.verdict, Verdict::Unreadable);
+    assert_eq!(mark(&solution, place, right).verdict, Verdict::Right);
 }

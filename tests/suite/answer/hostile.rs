@@ -6,7 +6,7 @@ use std::cell::RefCell;
 use proptest::prelude::*;
 use vibank::answer::Verdict;
 use vibank::bank::Catalogue;
-use vibank::grade::{LONGEST_RESPONSE, mark_among};
+use vibank::grade::{LONGEST_RESPONSE, mark, mark_among};
 use vibank::instance::Instance;
 use vibank::solution::Solution;
 
@@ -170,4 +170,36 @@ fn every_kind_is_there() {
             .any(|part| part.answer.kind().name() == kind.name());
         assert!(is_there, "{}", kind.name());
     }
+}
+
+/// What was read is shown, and what is shown is read as the same.
+#[test]
+fn the_echo_of_an_answer_is_read_as_the_answer() {
+    let catalogue = catalogue();
+    let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));
+    let typed = [
+        "1- ms",
+        "8628043927946727.00+0.005 m",
+        "5 -248269997/s",
+        "5 -3/s",
+        "5 - 3 1/s",
+        "0.6 < mu < 3.6",
+    ];
+    let mut faults = Vec::new();
+    for text in typed {
+        for place in 0..solution.template().parts.len() {
+            let read = |text: &str| {
+                mark(&solution, place, text)
+                    .reading
+                    .map(|reading| reading.text)
+            };
+            let first = read(text);
+            let again = first.as_deref().and_then(read);
+            if first != again {
+                let id = &solution.template().parts[place].id;
+                faults.push(format!("{id}: `{text}` is {first:?}, and that {again:?}"));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
