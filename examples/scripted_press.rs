@@ -1,6 +1,7 @@
 //! A press that plays a part, for the tests of what `vibank` makes of a press: `VIBANK_SCRIPT` names the part.
 //!
 //! - `good`, and any other name: each job is answered with a file that holds the name and the first line of what was sent.
+//! - `echoes`: each job is answered with all that was sent.
 //! - `refuses`: each job is refused with a message.
 //! - `dies`: the process ends at its second job.
 //! - `dies-always`: the process ends at each job.
@@ -55,6 +56,7 @@ fn main() -> io::Result<()> {
                 replies.write_all(&[b'?'; 4096])?;
                 replies.flush()?;
             }
+            "echoes" => Reply::File(text.clone().into_bytes()).send(&mut replies)?,
             _ => {
                 let line = text.lines().next().unwrap_or_default();
                 Reply::File(format!("%PDF scripted {script}: {line}").into_bytes())

@@ -15,6 +15,7 @@ mod markdown;
 mod page;
 mod pages;
 mod pdf;
+mod quoted;
 mod report;
 mod view;
 

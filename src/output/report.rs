@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::layouts::OutputError;
 use super::pages::{Pages, Run};
+use super::quoted;
 use crate::report::{Common, Distribution, PartSummary, Summary};
 
 /// A report with what has to be looked at first.
@@ -62,16 +63,16 @@ impl LostSheet {
 
 /// A row of the list.
 #[derive(Serialize)]
-struct LostView {
+struct LostView<'a> {
     place: String,
     response: String,
-    why: String,
+    why: Vec<quoted::Piece<'a>>,
     times: usize,
     who: Vec<String>,
 }
 
-impl LostView {
-    fn of(lost: &Lost) -> Self {
+impl<'a> LostView<'a> {
+    fn of(lost: &'a Lost) -> Self {
         // The table of decisions has all words, a page shows where they begin.
         let who = |sheet: &LostSheet| match sheet.who() {
             who if who.is_empty() => sheet.code.clone(),
@@ -80,7 +81,7 @@ impl LostView {
         Self {
             place: format!("{}{}", lost.question, lost.letter),
             response: lost.response.chars().take(200).collect(),
-            why: lost.why.clone(),
+            why: quoted::pieces(&lost.why),
             times: lost.sheets.len(),
             who: lost.sheets.iter().map(who).collect(),
         }
@@ -91,9 +92,9 @@ impl LostView {
 struct Page<'a> {
     run: &'a Run,
     sheets: usize,
-    lost: Vec<LostView>,
+    lost: Vec<LostView<'a>>,
     unreadable: u64,
-    faults: &'a [String],
+    faults: Vec<Vec<quoted::Piece<'a>>>,
     facts: Vec<[String; 2]>,
     bars: Vec<Bar>,
     parts: Vec<PartView<'a>>,
@@ -156,7 +157,11 @@ impl Pages {
             sheets: summary.sheets,
             lost: analysed.lost.iter().map(LostView::of).collect(),
             unreadable: analysed.unreadable,
-            faults: analysed.faults,
+            faults: analysed
+                .faults
+                .iter()
+                .map(|fault| quoted::pieces(fault))
+                .collect(),
             facts: facts(summary),
             bars: summary.shares.as_ref().map_or(Vec::new(), bars),
             parts: summary.parts.iter().map(part).collect(),

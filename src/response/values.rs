@@ -227,7 +227,9 @@ impl<'t> Values<'t> {
                 } if at == start => {}
                 token
                     if token.literal.is_some()
-                        && (at == part.start || self.tokens[start].is_spaced) =>
+                        && (start == part.start || self.tokens[start].is_spaced)
+                        // `5 - 3` is a difference, `5 -3` two numbers.
+                        && (at == start || !token.is_spaced) =>
                 {
                     parts.push(start..at + 1);
                     start = at + 1;

@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use super::desk::all;
 use super::{Ran, blueprint, content, folder, put, run_with, text_of};
 
 /// The scripted press, beside the programs of this build.
@@ -244,4 +245,41 @@ fn a_name_without_a_font_stops_nothing() {
     assert!(!content(folder.join("out/manifest.json")).contains("\"fonts\""));
     let elsewhere = text_of(&folder.join("elsewhere"));
     run(&elsewhere).ends(2).complains("there is no folder");
+}
+
+/// What goes to the press becomes the page: with a secret no seed is in it, nor in LaTeX and its figures.
+#[test]
+fn nothing_that_is_printed_tells_a_seed() {
+    let folder = folder("printed-seeds");
+    put(&folder, "exam.key", "0123456789abcdef0123456789abcdef");
+    let plan = "title = 'T'\nsecret = 'exam.key'\nvariants = 4\nformats = ['pdf', 'tex']\nhints = true\n\
+        [[question]]\nitem = 'ch3/e4-underdamped-response'\n\
+        [[question]]\nitem = 'ch1/e9-pendulum-equilibrium-stability'\n";
+    let plan = put(&folder, "exam.toml", plan);
+    let out = folder.join("out");
+    with_press(
+        "echoes",
+        &["sheet", &plan, "--split", "--out", &text_of(&out)],
+    )
+    .ends(0);
+    let manifest = content(out.join("manifest.json"));
+    let manifest = serde_json::from_str(&manifest).expect("it is JSON");
+    let seeds = super::privacy::seeds(&manifest);
+    assert_eq!(seeds.len(), 8);
+    let handed_out = ["sheets", "solutions", "figures"].map(|name| all(&out.join(name)));
+    let handed_out = handed_out.concat();
+    assert!(handed_out.len() > 16, "{handed_out:?}");
+    let keys: String = all(&out.join("keys")).iter().map(content).collect();
+    for seed in seeds {
+        for notation in super::privacy::notations(seed) {
+            for path in &handed_out {
+                let text = content(path).to_lowercase();
+                assert!(!text.contains(&notation), "{}: {notation}", path.display());
+            }
+        }
+        assert!(
+            keys.contains(&seed.to_string()),
+            "the search does find seeds"
+        );
+    }
 }

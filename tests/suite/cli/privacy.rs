@@ -14,7 +14,7 @@ fn json(path: &Path) -> Value {
 }
 
 /// A number in the notations in which a page could carry it.
-fn notations(number: u64) -> Vec<String> {
+pub(super) fn notations(number: u64) -> Vec<String> {
     let in_base = |digits: &[u8]| {
         let (mut rest, mut text) = (number, Vec::new());
         while rest > 0 {
@@ -34,7 +34,7 @@ fn notations(number: u64) -> Vec<String> {
 }
 
 /// The seeds of all items in a manifest.
-fn seeds(manifest: &Value) -> BTreeSet<u64> {
+pub(super) fn seeds(manifest: &Value) -> BTreeSet<u64> {
     let variants = manifest["variants"].as_array().expect("it has sheets");
     let questions = variants
         .iter()
