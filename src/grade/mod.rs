@@ -50,9 +50,7 @@ pub fn mark(solution: &Solution<'_>, place: usize, response: &str) -> Marking {
         return Marking::missing();
     }
     let marking = match folded(solution, place, response) {
-        Ok((marker, folded)) => {
-            bounded(|| marker.mark(folded.text().trim()).in_typed(&folded))
-        }
+        Ok((marker, folded)) => bounded(|| marker.mark(folded.text().trim()).in_typed(&folded)),
         Err(why) => Marking::unreadable(why),
     };
     silence::heard(response, marking)
