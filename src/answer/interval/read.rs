@@ -71,7 +71,14 @@ impl Ends<'_> {
         let text = normalized(response);
         let pieces = cut(&text, Span::new(0, text.len()), &[',', ';']);
         let is_relation = |piece: &Span| text[piece.range()].contains(['<', '>', '≤', '≥']);
-        if pieces.len() > 1 && pieces.iter().all(is_relation) {
+        let parts = |(at, char): (usize, char)| {
+            let is_digit = |char: char| char.is_ascii_digit();
+            let is_decimal =
+                || text[..at].ends_with(is_digit) && text[at + 1..].starts_with(is_digit);
+            char == ';' || char == ',' && !is_decimal()
+        };
+        let is_parted = text.char_indices().any(parts);
+        if is_parted && pieces.len() > 1 && pieces.iter().all(is_relation) {
             return Err(Why::JoinInequalities.into());
         }
         let mut pieces = Vec::new();
