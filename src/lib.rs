@@ -51,7 +51,9 @@ pub mod report;
 pub mod survey;
 pub mod worksheet;
 
-// Layer 10: formats.
+// Layer 10: formats, and exports to course platforms.
+#[cfg(feature = "render")]
+pub mod export;
 #[cfg(feature = "render")]
 pub mod output;
 

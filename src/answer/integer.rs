@@ -14,8 +14,8 @@ use std::sync::Arc;
 
 use super::settle::{Candidate, Rule, settle};
 use super::{
-    Answer, AnswerError, Answered, Context, Credit, Declare, Doubt, Echo, Key, KeyValue, Marker,
-    Marking, Misfit, Nature, Reading, Remark, Role, Slip, Trial, Unreadable, Why, numeric,
+    Answer, AnswerError, Answered, Band, Context, Credit, Declare, Doubt, Echo, Key, KeyValue,
+    Marker, Marking, Misfit, Nature, Reading, Remark, Role, Slip, Trial, Unreadable, Why, numeric,
 };
 use crate::expr::{Expr, Form, Name, Precise, Program, Slots, Workspace};
 use crate::math::Math;
@@ -144,6 +144,19 @@ impl Marker for Whole {
                 si: vec![self.key],
             },
         }
+    }
+
+    fn bands(&self) -> Vec<Vec<Band>> {
+        let band = |value, credit, mistake| Band {
+            value,
+            half: 0.0,
+            credit,
+            mistake,
+        };
+        let mistakes = self.mistakes.iter();
+        let mistakes = mistakes.map(|(number, value, credit)| band(*value, *credit, Some(*number)));
+        let right = band(self.key, Credit::FULL, None);
+        vec![std::iter::once(right).chain(mistakes).collect()]
     }
 
     fn echo(&self, response: &str) -> Result<Echo, Unreadable> {

@@ -9,6 +9,7 @@
 //! that says where and what to type instead.
 
 mod answered;
+mod band;
 mod choice;
 mod declare;
 mod echo;
@@ -33,6 +34,7 @@ mod tolerance;
 mod trial;
 
 pub use answered::{Answered, Bounds};
+pub use band::Band;
 pub use declare::{Context, Declare, Known, Mistaken, Role};
 pub use echo::Echo;
 pub use error::AnswerError;
@@ -153,6 +155,12 @@ pub trait Marker: Send + Sync {
     /// The least distance of a named mistake from the key, in tolerances; `None` without a mistake that differs.
     fn clearance(&self) -> Option<f64> {
         None
+    }
+
+    /// The ranges of numbers that are marked alike, for each value that is asked: the first that fits counts. Empty where
+    /// ranges do not say how a response is marked.
+    fn bands(&self) -> Vec<Vec<Band>> {
+        Vec::new()
     }
 
     /// How far each number of the key may be off, in SI units; empty where the kind has no such numbers.

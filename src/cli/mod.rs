@@ -28,6 +28,7 @@ mod completions;
 mod compute;
 mod doubt;
 mod explain;
+mod export;
 mod faces;
 mod failure;
 mod files;
@@ -98,6 +99,7 @@ enum Command {
     Explain(explain::Arguments),
     New(new::Arguments),
     Page(page::Arguments),
+    Export(export::Arguments),
     Schema(schema::Arguments),
     Completions(completions::Arguments),
 }
@@ -159,6 +161,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Completions(arguments) => completions::run(&arguments),
         Command::New(arguments) => new::run(&arguments),
         Command::Page(arguments) => page::run(&arguments),
+        Command::Export(arguments) => export::run(&arguments),
         Command::Schema(arguments) => schema::run(&arguments),
     };
     match outcome {

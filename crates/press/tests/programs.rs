@@ -88,6 +88,64 @@ fn inside(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     named.collect()
 }
 
+/// Where there is a TeX, it compiles what is made: sheets, keys and worked solutions, without an error or an overfull line.
+#[test]
+fn latex_is_compiled_where_there_is_a_tex() {
+    let has_tex = Command::new("pdflatex")
+        .arg("--version")
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .status();
+    if has_tex.is_err() {
+        // Reported past the capture of the test runner.
+        let _ = writeln!(
+            std::io::stderr(),
+            "skipped 1 test: there is no pdflatex, which compiles LaTeX"
+        );
+        return;
+    }
+    let folder = folder("compiled");
+    let items = [
+        "ch1/e5-rod-ke-huygens",
+        "ch2/e3-amplitude-phase",
+        "ch3/t6-coulomb-general",
+        "ch4/t4-vibration-absorber",
+        "ch5/t5-double-pendulum",
+    ];
+    let questions = items.map(|item| format!("[[question]]\nitem = '{item}'\n"));
+    let plan = format!(
+        "title = 'T'\nseed = 1\nvariants = 1\nformats = ['tex']\n{}",
+        questions.concat()
+    );
+    let path = folder.join("test.toml");
+    #[expect(clippy::disallowed_methods, reason = "a test lays out its input")]
+    fs::write(&path, plan).expect("it can be written");
+    let out = folder.join("out");
+    run(&["sheet", &text_of(&path), "--out", &text_of(&out)], 0);
+    let mut compiled = 0;
+    for file in inside(&out)
+        .into_keys()
+        .filter(|name| name.ends_with(".tex"))
+    {
+        let ran = Command::new("pdflatex")
+            .args([
+                "-interaction=nonstopmode",
+                "-halt-on-error",
+                "-output-directory",
+            ])
+            .arg(&folder)
+            .arg(&file)
+            .current_dir(&out)
+            .output()
+            .expect("it starts");
+        let log = String::from_utf8_lossy(&ran.stdout);
+        assert!(ran.status.success(), "{file}: {log}");
+        assert!(!log.contains("Overfull \\hbox"), "{file}: {log}");
+        compiled += 1;
+    }
+    assert!(compiled >= 3, "{compiled} files");
+}
+
 /// What draws the figures of LaTeX works on the same threads as the sheets: neither waits for the other.
 #[test]
 fn figures_of_latex_are_drawn_by_several_threads() {

@@ -2,8 +2,8 @@
 
 use super::super::settle::{Candidate, Rule, settle};
 use super::super::{
-    Answered, Credit, Doubt, Echo, Key, KeyValue, Marker, Marking, Misfit, Mistaken, Note, Reading,
-    Remark, Slip, Trial, Unreadable, Why,
+    Answered, Band, Credit, Doubt, Echo, Key, KeyValue, Marker, Marking, Misfit, Mistaken, Note,
+    Reading, Remark, Slip, Trial, Unreadable, Why,
 };
 use super::list::list;
 use super::read::{self, Number};
@@ -19,10 +19,10 @@ use crate::unit::{Decimal, DecimalMark, DimensionMismatch, Quantity, Unit};
 /// What a named mistake gives, in SI units.
 #[derive(Clone, Debug)]
 pub(super) struct Mistake {
-    number: usize,
-    values: Vec<f64>,
-    unit: Option<Unit>,
-    credit: Credit,
+    pub(super) number: usize,
+    pub(super) values: Vec<f64>,
+    pub(super) unit: Option<Unit>,
+    pub(super) credit: Credit,
 }
 
 /// A prepared key.
@@ -211,28 +211,34 @@ impl Numbers {
     }
 
     fn equals(&self, mistake: &Mistake, typed: &[Typed]) -> bool {
+        let targets = mistake.values.iter().map(|value| self.of_mistake(*value));
+        let targets: Vec<Target> = targets.collect();
+        targets.len() == typed.len()
+            && pair(&targets, typed, self.modulo, self.is_ordered) == typed.len()
+    }
+
+    /// What counts as a mistaken value: it may be off by the same share as the key.
+    pub(super) fn of_mistake(&self, value: f64) -> Target {
         let relative = self
             .targets
             .iter()
             .map(|target| target.half / target.value.abs())
             .fold(0.0, f64::max);
-        let relative = if relative.is_finite() { relative } else { 0.0 };
-        let targets = mistake.values.iter().map(|value| {
-            let half = relative * value.abs();
-            Target {
-                value: *value,
-                bound: 0.0,
-                fair: 0.0,
-                half: if half > 0.0 {
-                    half
-                } else {
-                    self.targets[0].half
-                },
-            }
-        });
-        let targets: Vec<Target> = targets.collect();
-        targets.len() == typed.len()
-            && pair(&targets, typed, self.modulo, self.is_ordered) == typed.len()
+        let half = if relative.is_finite() {
+            relative * value.abs()
+        } else {
+            0.0
+        };
+        Target {
+            value,
+            bound: 0.0,
+            fair: 0.0,
+            half: if half > 0.0 {
+                half
+            } else {
+                self.targets[0].half
+            },
+        }
     }
 
     pub(super) fn wrong_dimension(&self, number: &Number) -> Marking {
@@ -404,6 +410,10 @@ impl Marker for Numbers {
         let distance = self.nearest_mistake()?;
         let fair = self.targets.first()?.fair;
         (fair > 0.0).then(|| distance / fair)
+    }
+
+    fn bands(&self) -> Vec<Vec<Band>> {
+        self.bands_of_values()
     }
 
     fn half_widths(&self) -> Vec<f64> {

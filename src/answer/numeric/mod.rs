@@ -18,6 +18,7 @@
 //! ask       = "Find the natural angular frequency."
 //! ```
 
+mod bands;
 mod complex;
 mod list;
 mod marker;

@@ -1,0 +1,65 @@
+//! The ranges in which numbers are right, half right, or a named mistake, in the order in which the marker tries them.
+
+use super::super::{Band, Credit};
+use super::marker::Numbers;
+use super::target::Target;
+
+/// Whole turns to either side of an angle without a stated interval that a list of ranges names.
+const TURNS: i32 = 2;
+
+impl Numbers {
+    /// The bands of each value that is asked; empty where the values come in any order.
+    pub(super) fn bands_of_values(&self) -> Vec<Vec<Band>> {
+        if self.is_list && !self.is_ordered {
+            return Vec::new();
+        }
+        let mut bands: Vec<Vec<Band>> = self.targets.iter().map(|own| self.right_at(own)).collect();
+        if let [bands] = &mut bands[..] {
+            let single = self.mistakes.iter().filter(|own| own.values.len() == 1);
+            bands.extend(single.map(|mistake| {
+                let target = self.of_mistake(mistake.values[0]);
+                let unit = mistake.unit.unwrap_or(self.unit);
+                Band {
+                    value: unit.of_si(target.value),
+                    half: unit.of_si(target.half + target.slack()).abs(),
+                    credit: mistake.credit,
+                    mistake: Some(mistake.number),
+                }
+            }));
+        }
+        bands
+    }
+
+    /// What is right around a value, and its whole turns.
+    fn right_at(&self, target: &Target) -> Vec<Band> {
+        let band = |value: f64| {
+            let moved = Target { value, ..*target };
+            Band {
+                value: self.unit.of_si(value),
+                half: self.unit.of_si(target.half + target.slack()).abs(),
+                credit: if self.is_within(&moved) {
+                    Credit::FULL
+                } else {
+                    Credit::half()
+                },
+                mistake: None,
+            }
+        };
+        let Some(period) = self.modulo else {
+            return vec![band(target.value)];
+        };
+        let mut bands: Vec<Band> = (-TURNS..=TURNS)
+            .map(|turns| band(target.value + f64::from(turns) * period))
+            .collect();
+        // The first that fits counts: what is right comes before what is half right.
+        bands.sort_by_key(|band| std::cmp::Reverse(band.credit));
+        bands
+    }
+
+    /// Whether a value lies in the interval where it is asked.
+    fn is_within(&self, target: &Target) -> bool {
+        let slack = target.half + target.slack();
+        self.within
+            .is_none_or(|[low, high]| low - slack <= target.value && target.value <= high + slack)
+    }
+}

@@ -1,0 +1,104 @@
+//! Blanks of a cloze question: `{2:NUMERICAL:=20:0.2~%0%3.18:0.03#a cycle is not an angle}`.
+//!
+//! Notation: <https://docs.moodle.org/en/Embedded_Answers_(Cloze)_question_type>. The first alternative that fits
+//! counts, so that they stand in the order of the grader. A typed unit is ignored by the platform: `20 Hz` is right
+//! where 20 rad/s is asked.
+
+use crate::answer::{Band, Credit};
+
+/// One alternative of a blank.
+pub(super) struct Alternative {
+    /// What is typed or chosen, as it is written in the notation.
+    answer: String,
+    credit: Credit,
+    /// As HTML; may be empty.
+    feedback: String,
+}
+
+impl Alternative {
+    /// A range of numbers.
+    pub(super) fn range(band: &Band, feedback: String) -> Self {
+        let [value, half] = [band.value, band.half].map(number);
+        Self {
+            answer: if band.half > 0.0 {
+                format!("{value}:{half}")
+            } else {
+                format!("{value}:0")
+            },
+            credit: band.credit,
+            feedback,
+        }
+    }
+
+    /// An option, as HTML.
+    pub(super) fn option(text: &str, is_right: bool) -> Self {
+        Self {
+            answer: escaped(text),
+            credit: if is_right { Credit::FULL } else { Credit::NONE },
+            feedback: String::new(),
+        }
+    }
+}
+
+/// A blank for a number.
+pub(super) fn numerical(weight: u64, alternatives: &[Alternative]) -> String {
+    blank(weight, "NUMERICAL", alternatives)
+}
+
+/// One of several options, as radio buttons below each other.
+pub(super) fn choice(weight: u64, alternatives: &[Alternative]) -> String {
+    blank(weight, "MULTICHOICE_V", alternatives)
+}
+
+fn blank(weight: u64, kind: &str, alternatives: &[Alternative]) -> String {
+    let written: Vec<String> = alternatives.iter().map(Alternative::write).collect();
+    format!("{{{weight}:{kind}:{}}}", written.join("~"))
+}
+
+impl Alternative {
+    fn write(&self) -> String {
+        let share = if self.credit == Credit::FULL {
+            "=".to_owned()
+        } else {
+            // Whole percents are all that the notation has.
+            format!("%{}%", (100.0 * self.credit.share().to_f64()).round())
+        };
+        let feedback = if self.feedback.is_empty() {
+            String::new()
+        } else {
+            format!("#{}", escaped(&self.feedback))
+        };
+        format!("{share}{}{feedback}", self.answer)
+    }
+}
+
+/// A number as the platform reads it: the shortest digits that give it back, with a power of ten where it is very
+/// large or small.
+fn number(value: f64) -> String {
+    let size = value.abs();
+    if value == 0.0 || (1e-4..1e15).contains(&size) {
+        value.to_string()
+    } else {
+        format!("{value:e}")
+    }
+}
+
+/// HTML within a blank: what ends an alternative or a blank is written as an entity, line breaks as spaces. The reader of
+/// the notation decodes entities once, so that a `<` of the words needs no letter behind it.
+fn escaped(html: &str) -> String {
+    let html = html.trim();
+    let mut out = String::with_capacity(html.len());
+    for (place, sign) in html.char_indices() {
+        match sign {
+            '~' | '#' | '\\' | '}' | '{' if !html[..place].ends_with('&') => {
+                out.push_str(&format!("&#{};", u32::from(sign)));
+            }
+            '\n' | '\r' => out.push(' '),
+            _ => out.push(sign),
+        }
+    }
+    for letter in ('a'..='z').chain('A'..='Z') {
+        out = out.replace(&format!("&lt;{letter}"), &format!("&lt; {letter}"));
+    }
+    out
+}
