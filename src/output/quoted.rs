@@ -33,9 +33,12 @@ mod tests {
     fn what_is_between_two_backticks_is_quoted() {
         let shown = |message| {
             let pieces = pieces(message).into_iter();
-            let pieces = pieces.map(|piece| match piece.is_code {
-                true => format!("<{}>", piece.text),
-                false => piece.text.to_owned(),
+            let pieces = pieces.map(|piece| {
+                if piece.is_code {
+                    format!("<{}>", piece.text)
+                } else {
+                    piece.text.to_owned()
+                }
             });
             pieces.collect::<String>()
         };
