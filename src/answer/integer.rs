@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 use super::settle::{Candidate, Rule, settle};
 use super::{
-    Answer, AnswerError, Answered, Band, Context, Credit, Declare, Doubt, Echo, Key, KeyValue,
+    Answer, AnswerError, Answered, Asked, Band, Blank, Context, Credit, Declare, Doubt, Echo, Key, KeyValue,
     Marker, Marking, Misfit, Nature, Reading, Remark, Role, Slip, Trial, Unreadable, Why, numeric,
 };
 use crate::expr::{Expr, Form, Name, Precise, Program, Slots, Workspace};
@@ -92,6 +92,10 @@ impl Symbols {
 impl Answer for Integer {
     fn kind(&self) -> crate::answer::Kind {
         crate::answer::Kind::Integer
+    }
+
+    fn blank(&self) -> Blank {
+        Blank::of(Asked::Integer)
     }
 
     fn keys(&self) -> Vec<NodeId> {

@@ -10,8 +10,6 @@ use crate::expr::{
     Variable,
 };
 use crate::quantity::{Evaluation, NodeId};
-use crate::response::Lexicon;
-use crate::source::Text;
 
 /// The names of an item as the answers of a part use them, down to what varies freely.
 #[derive(Debug)]
@@ -236,6 +234,16 @@ impl Meaning {
         true
     }
 
+    /// Whether something that moves with time stands in a formula, or in what its names stand for.
+    pub(super) fn uses_moving(&self, expr: &Expr) -> bool {
+        let names = self.expanded(expr, &[]).names().free;
+        let is_moving = |name: &Name| {
+            self.place(name)
+                .is_some_and(|place| self.inputs[place].is_moving)
+        };
+        names.iter().any(|used| is_moving(&used.name))
+    }
+
     /// The place of a name among the inputs.
     pub(super) fn place(&self, name: &Name) -> Option<usize> {
         self.inputs.iter().position(|input| input.name == *name)
@@ -333,40 +341,4 @@ impl Scope for Meaning {
             .chain(self.formulas.keys().map(ToString::to_string))
             .collect()
     }
-}
-
-/// The names that the answers of a part may use: those that `in` lists, else all data, symbols, coordinates
-/// and what earlier parts ask for; never the key itself unless it is listed.
-pub(super) fn lexicon(
-    declare: &dyn Declare,
-    listed: &[Text],
-    key: Option<&Name>,
-) -> (Lexicon, Vec<Name>) {
-    let (mut lexicon, mut names) = (Lexicon::new(), Vec::new());
-    let known = declare.known();
-    for own in &known {
-        let may = if listed.is_empty() {
-            let is_key = key == Some(&own.name);
-            match own.role {
-                Role::Quantity { is_asked, .. } => is_asked && !is_key,
-                _ => !is_key,
-            }
-        } else {
-            listed.iter().any(|text| text.value == own.name.as_str())
-        };
-        if may && !names.contains(&own.name) {
-            let is_moving = match own.role {
-                Role::Coordinate => true,
-                Role::Quantity { node, .. } => declare.graph().depends(node, &Name::new("t")),
-                _ => false,
-            };
-            lexicon.allow(&own.name, Arc::clone(&own.symbol), is_moving);
-            names.push(own.name.clone());
-        }
-    }
-    for own in known.iter().filter(|own| !names.contains(&own.name)) {
-        lexicon.forbid(&own.name);
-        lexicon.set_symbol(&own.name, Arc::clone(&own.symbol));
-    }
-    (lexicon, names)
 }

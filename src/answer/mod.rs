@@ -10,6 +10,7 @@
 
 mod answered;
 mod band;
+mod blank;
 mod choice;
 mod declare;
 mod echo;
@@ -21,6 +22,7 @@ mod function;
 mod integer;
 mod interval;
 mod kind;
+mod letters;
 mod marking;
 mod matrix;
 mod meaning;
@@ -35,6 +37,7 @@ mod trial;
 
 pub use answered::{Answered, Bounds};
 pub use band::Band;
+pub use blank::{Asked, Blank, Entries, Letter, ShapeScale};
 pub use declare::{Context, Declare, Known, Mistaken, Role};
 pub use echo::Echo;
 pub use error::AnswerError;
@@ -64,6 +67,9 @@ pub trait Answer: std::fmt::Debug + Send + Sync {
 
     /// The formulas of the key: what the scene of a key demands, and what a mistake may replace.
     fn keys(&self) -> Vec<NodeId>;
+
+    /// What its answer line says.
+    fn blank(&self) -> Blank;
 
     /// The unit that is printed behind the blank.
     fn unit(&self) -> Option<Unit> {

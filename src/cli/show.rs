@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use vibank::bank::Catalogue;
 use vibank::instance::Instance;
+use vibank::message::Language;
 use vibank::scene::{Data, Scene, Shown};
 use vibank::seed::{Seed, Variant};
 use vibank::solution::Solution;
@@ -171,6 +172,7 @@ fn show(arguments: &Arguments, solution: &Solution<'_>, data: Data, parts: &[usi
                 options[option].text.plain(&Vec::new())
             );
         }
+        println!("   {}", answer_line(&scene, place));
         if arguments.solution {
             part.hints
                 .iter()
@@ -194,6 +196,21 @@ fn show(arguments: &Arguments, solution: &Solution<'_>, data: Data, parts: &[usi
         eprintln!("computed: {}", trace.computed.join(", "));
         eprintln!("skipped:  {}", trace.skipped.join(", "));
     }
+}
+
+/// The line for an answer: `ω_n = ____ rad/s (value, 3 figures)`.
+pub(super) fn answer_line(scene: &Scene<'_, '_>, place: usize) -> String {
+    let answer = &scene.solution().template().parts[place].answer;
+    let blank = answer.blank();
+    let said = Language::default().blank(&blank);
+    let said = said.plain(&Vec::new()).trim_end().to_owned();
+    if !answer.options().is_empty() {
+        return said;
+    }
+    let lead = scene.lead(place).map(|lead| lead.plain());
+    let unit = blank.unit_behind().map(|unit| unit.text());
+    let line = [lead, Some("____".to_owned()), unit, Some(said)];
+    line.into_iter().flatten().collect::<Vec<_>>().join(" ")
 }
 
 fn text(shown: &[Shown<'_>]) -> String {

@@ -5,7 +5,7 @@
 
 mod en;
 
-use crate::answer::{Remark, Verdict};
+use crate::answer::{Blank, Remark, Verdict};
 use crate::document::Document;
 
 /// A language in which responses are spoken about.
@@ -33,6 +33,23 @@ impl Language {
     pub fn say(self, remark: &Remark) -> Option<Document> {
         match self {
             Self::English => en::say(remark),
+        }
+    }
+
+    /// What an answer line says: form, letters, unit where it is not behind the line, figures, order.
+    ///
+    /// ```
+    /// # #[cfg(feature = "render")] {
+    /// use vibank::{bank, message::Language};
+    /// let (catalogue, _) = bank::Catalogue::embedded();
+    /// let part = &catalogue.find("ch1/t1-two-springs").unwrap().parts[0];
+    /// let said = Language::English.blank(&part.answer.blank());
+    /// assert!(said.plain(&Vec::new()).starts_with('('));
+    /// # }
+    /// ```
+    pub fn blank(self, blank: &Blank) -> Document {
+        match self {
+            Self::English => en::blank(blank),
         }
     }
 

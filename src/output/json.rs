@@ -2,6 +2,8 @@
 
 use serde_json::{Value as Json, json};
 
+use crate::answer::Blank;
+use crate::message::Language;
 use crate::scene::{Data, Scene};
 use crate::solution::Solution;
 use crate::worksheet::{Sheet, SheetQuestion, letter};
@@ -36,9 +38,22 @@ fn question(question: &SheetQuestion<'_>) -> Json {
                 "id": part.id,
                 "kind": part.answer.kind().name(),
                 "points": points.to_f64(),
+                "blank": blank(&part.answer.blank()),
                 "key": key(solution, *place),
             })
         }).collect::<Vec<_>>(),
+    })
+}
+
+/// What an answer line says, in parts and in words.
+fn blank(blank: &Blank) -> Json {
+    let said = Language::default().blank(blank).plain(&Vec::new());
+    json!({
+        "form": blank.form_name(),
+        "letters": blank.letters.iter().map(|letter| &letter.typed).collect::<Vec<_>>(),
+        "unit": blank.unit.map(|unit| unit.to_string()),
+        "figures": blank.figures,
+        "printed": said.trim(),
     })
 }
 

@@ -10,6 +10,7 @@ use super::{Writer, is_line};
 use crate::answer::{Choosing, KeyValue};
 use crate::bank::Passage;
 use crate::document::{Document, Filling};
+use crate::message::Language;
 use crate::numerics::Rational;
 use crate::scene::Scene;
 use crate::solution::Solution;
@@ -59,6 +60,8 @@ struct PartView {
     ranked: bool,
     lead: String,
     unit: String,
+    /// What the answer line says.
+    asked: String,
     key: String,
     accepted: String,
     absent: String,
@@ -226,11 +229,12 @@ impl<'p> View<'p> {
         match self.kind {
             Kind::Sheet => {
                 view.lead = self.lead(scene, place);
-                view.unit = part
-                    .answer
-                    .unit()
+                let blank = part.answer.blank();
+                view.unit = blank
+                    .unit_behind()
                     .map(|unit| self.writer.math(&unit.math()))
                     .unwrap_or_default();
+                view.asked = self.writer.line(&Language::default().blank(&blank));
             }
             Kind::Key | Kind::Solutions => match scene.key(place) {
                 Ok(Some(key)) => {

@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
-use super::Trouble;
 use super::letters::Letters;
 use super::near::typable;
 use super::vocabulary::{Piece, Words};
-use crate::expr::{Expr, Name, Notation, Substitution, Symbol};
+use super::{Manner, Trouble};
+use crate::expr::{Expr, Kind, Name, Notation, Substitution, Symbol};
 use crate::math::{Math, symbol};
 
 /// The names that a response may use.
@@ -69,6 +69,23 @@ impl Lexicon {
         typable(&self.name(name).math.plain())
     }
 
+    /// A letter or its time derivative as it can be typed: as it is printed where that is read as this letter, by its
+    /// name otherwise.
+    pub(crate) fn typed(&self, letter: &Expr) -> String {
+        let (name, order) = match letter.kind() {
+            Kind::Prime(inner, order) => (inner.kind(), usize::from(*order)),
+            kind => (kind, 0),
+        };
+        let Kind::Name(name) = name else {
+            return letter.to_string();
+        };
+        let printed = self.typable(name);
+        let is_read = super::formula(&printed, self, Manner::default())
+            .is_ok_and(|typed| typed.value == Expr::name(name.clone()) && typed.others.is_empty());
+        let base = if is_read { printed } else { name.to_string() };
+        base + &"'".repeat(order)
+    }
+
     /// A formula in the formula language with the names as they are printed.
     pub(crate) fn written(&self, formula: &Expr) -> String {
         let names = formula.names().free.into_iter();
@@ -117,7 +134,7 @@ impl Lexicon {
     }
 
     /// Whether a name moves with time.
-    pub(super) fn is_moving(&self, name: &Name) -> bool {
+    pub(crate) fn is_moving(&self, name: &Name) -> bool {
         self.moving.contains(name)
     }
 

@@ -2,11 +2,12 @@
 
 use serde::Serialize;
 
-use crate::answer::Kind;
+use crate::answer::{Blank, Kind};
 use crate::bank::{Part, Template};
 use crate::document::Document;
 use crate::expr::Shape;
 use crate::figure::Picture;
+use crate::math::Display;
 use crate::scene::Shown;
 use crate::solution::Solution;
 use crate::worksheet::{PracticeQuestion, letter};
@@ -65,6 +66,32 @@ pub(super) fn options(solution: &Solution<'_>, place: usize) -> Vec<ShownOption>
     };
     let order = solution.order(place).into_iter().enumerate();
     order.map(option).collect()
+}
+
+/// What a tap puts into an answer.
+#[derive(Serialize)]
+pub(super) struct Insertion {
+    /// As it is typed.
+    typed: String,
+    /// As it is shown.
+    symbol: String,
+    /// As it is said.
+    name: String,
+}
+
+/// The letters that an answer may use, and the unit of its numbers.
+pub(super) fn insertions(blank: &Blank) -> Vec<Insertion> {
+    let letters = blank.letters.iter().map(|letter| Insertion {
+        typed: letter.typed.clone(),
+        symbol: letter.symbol.mathml(Display::Inline),
+        name: letter.symbol.spoken(),
+    });
+    let unit = blank.unit.iter().map(|unit| Insertion {
+        typed: format!(" {unit}"),
+        symbol: unit.math().mathml(Display::Inline),
+        name: unit.spoken(true),
+    });
+    letters.chain(unit).collect()
 }
 
 /// Rows and columns of an answer that is easier to fill in entry by entry.

@@ -6,11 +6,12 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value as Json};
 
 use super::Grader;
-use super::question::{ShownOption, asked, figure, html, options, shape};
+use super::question::{Insertion, ShownOption, asked, figure, html, insertions, options, shape};
 use crate::answer::{Choosing, Credit, Marking, Reason, Verdict};
 use crate::bank::{Passage, Template};
 use crate::grade::{self, Grade};
 use crate::math::Display;
+use crate::message::Language;
 use crate::seed::Variant;
 use crate::solution::Solution;
 use crate::worksheet::letter;
@@ -108,6 +109,9 @@ pub(super) struct ShownPart {
     ask: String,
     lead: Option<String>,
     unit: Option<String>,
+    /// What its answer line says.
+    asked: String,
+    insertions: Vec<Insertion>,
     hints: usize,
     choosing: Option<&'static str>,
     options: Vec<ShownOption>,
@@ -213,7 +217,9 @@ impl Asked<'_> {
     fn part(&self, at: usize, place: usize) -> ShownPart {
         let part = &self.template().parts[place];
         let scene = self.grader.scene(&self.solution);
-        let unit = part.answer.unit().filter(|unit| !unit.is_one());
+        let blank = part.answer.blank();
+        let unit = blank.unit_behind();
+        let said = Language::default().blank(&blank);
         let (rows, columns) = shape(part, self.template()).unzip();
         ShownPart {
             id: part.id.clone(),
@@ -222,6 +228,8 @@ impl Asked<'_> {
             ask: self.texts(&part.ask),
             lead: scene.lead(place).map(|math| math.mathml(Display::Inline)),
             unit: unit.map(|unit| unit.math().mathml(Display::Inline)),
+            asked: said.html(&Vec::new()),
+            insertions: insertions(&blank),
             hints: part.hints.len(),
             choosing: part.answer.choosing().map(Choosing::name),
             options: options(&self.solution, place),

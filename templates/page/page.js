@@ -336,8 +336,13 @@ class Part {
     this.find(".ask").innerHTML = part.ask;
     this.find(".ask").id = `${this.name}-ask`;
     this.find(".echo").id = `${this.name}-echo`;
+    this.find(".asked").innerHTML = part.asked;
+    this.find(".asked").id = `${this.name}-asked`;
+    /** What describes a field: the question, what its line asks for, how the answer is read. */
+    this.described = ["ask", "asked", "echo"].map((of) => `${this.name}-${of}`).join(" ");
     this.input = this.field();
     this.find(".answer").append(this.input.root);
+    keys(this);
     this.find("form").addEventListener("submit", (event) => {
       event.preventDefault();
       this.mark();
@@ -487,7 +492,7 @@ function line(part) {
   input.id = `${name}-answer`;
   format.id = `${name}-format`;
   format.textContent = say(`format_${asked.kind}`);
-  input.setAttribute("aria-describedby", `${name}-ask ${name}-echo`);
+  input.setAttribute("aria-describedby", part.described);
   root.querySelector("label").htmlFor = input.id;
   root.querySelector("label").textContent = say("answer", { letter: asked.letter });
   root.querySelector(".lead").innerHTML = asked.lead ?? "";
@@ -512,6 +517,7 @@ function options(part) {
     textContent: say("answer_option", { letter: asked.letter }),
   });
   const root = make("fieldset", {}, legend);
+  root.setAttribute("aria-describedby", `${name}-asked`);
   const inputs = asked.options.map((option, at) => {
     const input = make("input", { type, name, value: option.letter, id: `${name}-${at}` });
     const label = make("label", { htmlFor: input.id, innerHTML: option.text });
@@ -538,7 +544,7 @@ function entries(part) {
   const cells = Array.from({ length: rows * columns }, (_, at) => {
     const cell = make("input", { type: "text", autocomplete: "off", spellcheck: false, maxLength: 400 });
     cell.setAttribute("autocapitalize", "off");
-    cell.setAttribute("aria-describedby", `${name}-ask ${name}-echo`);
+    cell.setAttribute("aria-describedby", part.described);
     const [row, column] = [Math.floor(at / columns) + 1, (at % columns) + 1];
     cell.setAttribute("aria-label", say("answer_entry", { row, column }));
     cell.addEventListener("input", () => part.changed());
@@ -580,6 +586,52 @@ function entries(part) {
     }
   };
   return { root, value: () => (isTyped ? text.value() : composed()), fill };
+}
+
+/**
+ * Letters and unit as buttons under a field, which a tap puts in at the caret; phones have no ω.
+ * All are one stop of the tab key, and the arrow keys go from one to the next.
+ */
+function keys(part) {
+  const bar = part.find(".letters");
+  if (!part.part.insertions.length) return bar.remove();
+  bar.setAttribute("aria-label", say("letters", { letter: part.part.letter }));
+  let field = part.find("input[type=text]");
+  part.find(".answer").addEventListener("focusin", ({ target }) => {
+    if (target.matches("input[type=text]")) field = target;
+  });
+  const put = (typed) => {
+    if (field.closest("[hidden]")) field = [...part.root.querySelectorAll("input[type=text]")].find((own) => !own.closest("[hidden]"));
+    const { selectionStart: from, selectionEnd: to, value } = field;
+    // Letters that would run into each other become a product.
+    const joins = /[\p{L}\d_')]$/u.test(value.slice(0, from)) && !typed.startsWith(" ");
+    field.setRangeText((joins ? "*" : "") + typed, from, to, "end");
+    field.focus();
+    field.dispatchEvent(new Event("input", { bubbles: true }));
+  };
+  const buttons = part.part.insertions.map(({ typed, symbol, name }) => {
+    const button = make("button", { type: "button", innerHTML: symbol, tabIndex: -1 });
+    button.setAttribute("aria-label", say("insert", { name }));
+    // A tap leaves the caret where it is.
+    button.addEventListener("pointerdown", (event) => event.preventDefault());
+    button.addEventListener("click", () => put(typed));
+    return button;
+  });
+  const steps = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 };
+  const go = (to) => {
+    buttons.forEach((button, at) => (button.tabIndex = at === to ? 0 : -1));
+    buttons[to].focus();
+  };
+  bar.addEventListener("keydown", (event) => {
+    const at = buttons.indexOf(document.activeElement);
+    const count = buttons.length;
+    const to = { Home: 0, End: count - 1 }[event.key] ?? (at + (steps[event.key] ?? 0) + count) % count;
+    if (at < 0 || to === at) return;
+    event.preventDefault();
+    go(to);
+  });
+  buttons[0].tabIndex = 0;
+  bar.append(...buttons);
 }
 
 // ── Beginning ──────────────────────────────────────────────────────────────────────────────────

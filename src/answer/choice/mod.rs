@@ -22,7 +22,7 @@ mod marker;
 mod read;
 
 use self::marker::Chosen;
-use super::{Answer, AnswerError, Choosable, Choosing, Context, Declare, Marker};
+use super::{Answer, AnswerError, Asked, Blank, Choosable, Choosing, Context, Declare, Marker};
 use crate::document::Document;
 use crate::quantity::{Absent, NodeId};
 use crate::source::{Data, Table, Text, Value};
@@ -106,9 +106,23 @@ fn right(table: &Table<'_>, declare: &mut dyn Declare) -> Option<Right> {
     }
 }
 
+impl Choice {
+    fn manner(&self) -> Choosing {
+        match (self.is_ranking, self.is_several) {
+            (true, _) => Choosing::Ranking,
+            (false, true) => Choosing::Several,
+            (false, false) => Choosing::One,
+        }
+    }
+}
+
 impl Answer for Choice {
     fn kind(&self) -> crate::answer::Kind {
         crate::answer::Kind::Choice
+    }
+
+    fn blank(&self) -> Blank {
+        Blank::of(Asked::Choice(self.manner()))
     }
 
     fn keys(&self) -> Vec<NodeId> {
@@ -124,11 +138,7 @@ impl Answer for Choice {
     }
 
     fn choosing(&self) -> Option<Choosing> {
-        Some(match (self.is_ranking, self.is_several) {
-            (true, _) => Choosing::Ranking,
-            (false, true) => Choosing::Several,
-            (false, false) => Choosing::One,
-        })
+        Some(self.manner())
     }
 
     fn shuffles(&self) -> bool {

@@ -29,16 +29,17 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
 use self::marker::Prepared;
-use super::meaning::{Meaning, Prefer, lexicon};
+use super::letters::Allowed;
+use super::meaning::{Meaning, Prefer};
 use super::shared::{self, Shared};
-use super::{Answer, AnswerError, Context, Declare, Key, Marker, Role, symbolic};
+use super::{Answer, AnswerError, Asked, Blank, Context, Declare, Key, Marker, Role, symbolic};
 use crate::expr::{Equation, Expr, Name, Program};
 use crate::quantity::{Absent, NodeId};
 use crate::response::Lexicon;
 use crate::source::{Table, Text, Value};
 
 #[derive(Debug)]
-struct Asked {
+struct Equations {
     setup: Arc<Setup>,
     mistakes: Vec<(usize, Vec<Equation>)>,
 }
@@ -49,6 +50,8 @@ struct Setup {
     unknowns: Vec<Name>,
     meaning: Meaning,
     lexicon: Lexicon,
+    /// The letters of its answer line.
+    letters: Vec<Expr>,
     /// The key and the named mistakes, compiled once for all data.
     compiled: Shared<Vec<Program>>,
     /// As it is printed, once it was.
@@ -58,7 +61,7 @@ struct Setup {
 /// Reads the keys of a part that belong to this kind; what is wrong is noted.
 pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
     part.required("key");
-    let (texts, unknowns, listed) = (part.texts("key"), part.texts("unknowns"), part.texts("in"));
+    let (texts, unknowns) = (part.texts("key"), part.texts("unknowns"));
     let mut meaning = Meaning::of(declare, Prefer::Coordinates);
     let known = declare.known();
     let mut names = Vec::new();
@@ -83,18 +86,24 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
     if key.is_empty() {
         return None;
     }
-    let (mut lexicon, _) = lexicon(declare, &listed, None);
+    let allowed = Allowed::read(part, declare, None, true)?;
+    let sides = key
+        .iter()
+        .flat_map(|equation| [&equation.left, &equation.right]);
+    let letters = allowed.of_equations(&names, sides);
+    let mut lexicon = allowed.lexicon;
     for own in known.iter().filter(|own| names.contains(&own.name)) {
         lexicon.allow(&own.name, Arc::clone(&own.symbol), true);
     }
     let time = Name::new("t");
     lexicon.allow(&time, crate::math::symbol("t"), false);
-    Some(Box::new(Asked {
+    Some(Box::new(Equations {
         setup: Arc::new(Setup {
             key,
             unknowns: names,
             meaning,
             lexicon,
+            letters,
             compiled: Shared::default(),
             printed: OnceLock::new(),
         }),
@@ -123,9 +132,15 @@ fn equations(text: &Text, meaning: &Meaning, declare: &mut dyn Declare) -> Optio
     Some(vec![equation])
 }
 
-impl Answer for Asked {
+impl Answer for Equations {
     fn kind(&self) -> crate::answer::Kind {
         crate::answer::Kind::Equation
+    }
+
+    fn blank(&self) -> Blank {
+        let are_several = self.setup.key.len() > 1;
+        Blank::of(Asked::Equation { are_several })
+            .with_letters(&self.setup.letters, &self.setup.lexicon)
     }
 
     fn keys(&self) -> Vec<NodeId> {

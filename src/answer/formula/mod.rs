@@ -2,14 +2,16 @@
 //!
 //! The student types `sqrt(3k/(2m))`, `√(3k/2m)` or `(3*k/2/m)^0.5`: any form of the same function of the
 //! data is right, as long as the constraints of the item hold. Products need no sign, Greek letters come as words or signs, simple LaTeX is read.
-//! `in` lists the names that the answer may use: by default all parameters, symbols and coordinates, and
-//! the quantities of earlier parts. A formula of another dimension is told so.
+//! The letters of the answer are all parameters, symbols and coordinates, and the quantities of earlier parts, but for
+//! those that `without` lists; `in` lists the letters in which the key is printed, which may be used as well.
+//! A formula of another dimension is told so.
 //!
 //! ```toml
 //! [[part]]
 //! kind     = "formula"
 //! key      = "omega_d"
 //! in       = ["m", "c", "k"]
+//! without  = ["T_d"]         # asked before: an answer in it would be none
 //! ask      = "Find the angular frequency of the damped motion."
 //! mistakes = [{ answer = "sqrt(k/m)", feedback = "That is the motion without damping." }]
 //! ```
@@ -23,9 +25,10 @@ use std::sync::{Arc, OnceLock};
 
 use self::marker::{Mistake, Prepared};
 use super::equality::{Comparable, Points};
-use super::meaning::{Meaning, Prefer, lexicon};
+use super::letters::Allowed;
+use super::meaning::{Meaning, Prefer};
 use super::shared::{self, Shared};
-use super::{Answer, AnswerError, Context, Declare, Key, Marker, symbolic};
+use super::{Answer, AnswerError, Asked, Blank, Context, Declare, Key, Marker, symbolic};
 use crate::expr::{Expr, Field, Name, Shape, Type};
 use crate::quantity::{Absent, NodeId};
 use crate::response::Lexicon;
@@ -48,6 +51,8 @@ struct Setup {
     unit: Option<Unit>,
     meaning: Meaning,
     lexicon: Lexicon,
+    /// The letters of its answer line.
+    letters: Vec<Expr>,
     /// The key and the named mistakes, compiled once for all data.
     compiled: Shared<Comparable>,
     /// As it is printed, once it was.
@@ -67,7 +72,6 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
     let text = part
         .required("key")
         .and_then(|key| part.as_formula("key", key));
-    let listed = part.texts("in");
     let text = text?;
     let key = declare.formula("key", &text)?;
     let kind = declare.graph().kind(key)?.clone();
@@ -82,52 +86,46 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         );
         return None;
     }
-    let known = declare.known();
-    let mut is_sound = true;
-    for name in &listed {
-        if !known.iter().any(|own| own.name.as_str() == name.value) && name.value != "t" {
-            declare.find(&AnswerError::UnknownName(name.value.clone()), name);
-            is_sound = false;
-        }
-    }
     let own = Name::new(text.value.as_str());
     let named = declare
         .graph()
         .find(&own)
         .filter(|node| *node == key)
         .map(|_| own);
-    let (mut lexicon, mut names) = lexicon(declare, &listed, named.as_ref());
-    let uses_time = declare.graph().depends(key, &Name::new("t"));
-    if uses_time || listed.iter().any(|name| name.value == "t") {
-        let time = Name::new("t");
-        lexicon.allow(&time, crate::math::symbol("t"), false);
-        names.push(time);
-    }
     let meaning = Meaning::of(declare, Prefer::Quantities);
     let expr = symbolic::formula(declare.graph(), key);
-    let shown = meaning.expanded(&expr, &names);
+    let uses_time = declare.graph().depends(key, &Name::new("t"));
+    let moves = uses_time || meaning.uses_moving(&expr);
+    let mut allowed = Allowed::read(part, declare, named.as_ref(), moves)?;
+    if uses_time {
+        allowed.allow_variable(&Name::new("t"));
+    }
+    let shown = meaning.expanded(&expr, &allowed.names);
     let unit = declare.unit_of(key);
-    is_sound.then(|| {
-        let setup = Setup {
-            shown,
-            expr,
-            kind,
-            unit,
-            meaning,
-            lexicon,
-            compiled: Shared::default(),
-            printed: OnceLock::new(),
-        };
-        Box::new(Formula {
-            key,
-            setup: Arc::new(setup),
-        }) as Box<dyn Answer>
-    })
+    let setup = Setup {
+        letters: allowed.of_formula(&shown),
+        shown,
+        expr,
+        kind,
+        unit,
+        meaning,
+        lexicon: allowed.lexicon,
+        compiled: Shared::default(),
+        printed: OnceLock::new(),
+    };
+    Some(Box::new(Formula {
+        key,
+        setup: Arc::new(setup),
+    }))
 }
 
 impl Answer for Formula {
     fn kind(&self) -> crate::answer::Kind {
         crate::answer::Kind::Formula
+    }
+
+    fn blank(&self) -> Blank {
+        Blank::of(Asked::Formula).with_letters(&self.setup.letters, &self.setup.lexicon)
     }
 
     fn keys(&self) -> Vec<NodeId> {

@@ -20,7 +20,7 @@
 //! key       = "x"
 //! span      = ["0", "6*pi/omega_n"]
 //! tolerance = "2 %"             # of the largest value; derived if left out
-//! in        = ["x0", "v0"]      # data alone: what earlier parts ask for has to be put in
+//! without   = ["B"]             # asked before: its formula or value has to be written out
 //! ask       = "Find $x(t)$."
 //! ```
 //!
@@ -56,8 +56,11 @@ use self::late::OnSpan;
 use self::marker::Prepared;
 use self::samples::{derived, rounding, samples};
 use self::span::{Extent, spans, times};
-use super::meaning::{Meaning, Prefer, lexicon};
-use super::{Answer, AnswerError, Context, Declare, Key, Marker, Tolerance, symbolic};
+use super::letters::Allowed;
+use super::meaning::{Meaning, Prefer};
+use super::{
+    Answer, AnswerError, Asked, Blank, Context, Declare, Key, Marker, Tolerance, symbolic,
+};
 use crate::expr::{Expr, Form, Name, Type};
 use crate::quantity::{Absent, NodeId};
 use crate::response::Lexicon;
@@ -86,6 +89,8 @@ struct Setup {
     is_in_pieces: bool,
     meaning: Meaning,
     lexicon: Lexicon,
+    /// The letters of its answer line.
+    letters: Vec<Expr>,
     labels: Labels,
     /// As it is printed, once it was.
     printed: OnceLock<Key>,
@@ -106,11 +111,11 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         .and_then(|key| part.as_formula("key", key));
     let span = part.value("span").map(|value| spans(part, value));
     let (variable, tolerance) = (part.text("variable"), part.text("tolerance"));
-    let (listed, components) = (part.texts("in"), part.texts("components"));
+    let components = part.texts("components");
     let constants = part.integer("constants", "the number of free constants", 0..=20);
     let text = text?;
     if constants.is_some_and(|count| count > 0) {
-        return general::read(&text, &components, &listed, declare);
+        return general::read(part, &text, &components, declare);
     }
     let key = declare.formula("key", &text)?;
     let kind = declare.graph().kind(key)?.clone();
@@ -143,12 +148,11 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
     };
     let own = Name::new(text.value.as_str());
     let named = declare.graph().find(&own).map(|_| own);
-    let (mut lexicon, mut names) = lexicon(declare, &listed, named.as_ref());
-    lexicon.allow(&variable, crate::math::symbol(variable.as_str()), false);
-    names.push(variable.clone());
+    let mut allowed = Allowed::read(part, declare, named.as_ref(), false)?;
+    allowed.allow_variable(&variable);
     let meaning = Meaning::of(declare, Prefer::Quantities);
     let formula = symbolic::formula(declare.graph(), key);
-    let shown = meaning.expanded(&formula, &names);
+    let shown = meaning.expanded(&formula, &allowed.names);
     let in_data = meaning.expanded(&formula, std::slice::from_ref(&variable));
     Some(Box::new(Motion {
         key,
@@ -163,7 +167,8 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
             is_in_pieces: late::is_in_pieces(&in_data, &variable),
             variable,
             meaning,
-            lexicon,
+            letters: allowed.letters(),
+            lexicon: allowed.lexicon,
             printed: OnceLock::new(),
         }),
     }))
@@ -172,6 +177,14 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
 impl Answer for Motion {
     fn kind(&self) -> crate::answer::Kind {
         crate::answer::Kind::Function
+    }
+
+    fn blank(&self) -> Blank {
+        let setup = &self.setup;
+        let variable = crate::math::symbol(setup.variable.as_str());
+        Blank::of(Asked::Function { variable })
+            .with_letters(&setup.letters, &setup.lexicon)
+            .with_numbers(setup.unit, self.digits)
     }
 
     fn keys(&self) -> Vec<NodeId> {

@@ -25,12 +25,13 @@ use std::sync::Arc;
 
 use self::read::{Ends, Refusal};
 use self::set::{End, Piece, Set};
+use super::letters::Allowed;
 use super::matrix::Written;
-use super::meaning::{Meaning, Prefer, lexicon};
+use super::meaning::{Meaning, Prefer};
 use super::trial::other_unit;
 use super::{
-    Answer, AnswerError, Answered, Close, Context, Credit, Declare, Key, KeyValue, Marker, Marking,
-    Nature, Reading, Remark, Role, Slip, Tolerance, Trial,
+    Answer, AnswerError, Answered, Asked, Blank, Close, Context, Credit, Declare, Key, KeyValue,
+    Marker, Marking, Nature, Reading, Remark, Role, Slip, Tolerance, Trial,
 };
 use crate::expr::{Constant, Expr, Kind as Node, Name, Precise, Type};
 use crate::math::Math;
@@ -65,6 +66,8 @@ struct Setup {
     written: Written,
     meaning: Meaning,
     lexicon: Lexicon,
+    /// The letters of its answer line.
+    letters: Vec<Expr>,
 }
 
 /// A prepared key.
@@ -115,7 +118,9 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         Some(text) => Tolerance::read(&text, &unit, declare)?,
         None => Tolerance::default(),
     };
-    let (mut lexicon, _) = lexicon(declare, &[], None);
+    let allowed = Allowed::read(part, declare, Some(&known.name), false)?;
+    let letters = allowed.letters();
+    let mut lexicon = allowed.lexicon;
     lexicon.allow(&known.name, Arc::clone(&known.symbol), false);
     let setup = Setup {
         variable: known.name,
@@ -124,6 +129,7 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         written,
         meaning: Meaning::of(declare, Prefer::Quantities),
         lexicon,
+        letters,
     };
     let digits = key.iter().flat_map(|piece| piece.ends).flatten().next();
     Some(Box::new(Interval {
@@ -203,6 +209,18 @@ impl Declared {
 impl Answer for Interval {
     fn kind(&self) -> crate::answer::Kind {
         crate::answer::Kind::Interval
+    }
+
+    fn blank(&self) -> Blank {
+        let Setup {
+            written,
+            letters,
+            lexicon,
+            unit,
+            ..
+        } = &*self.setup;
+        let blank = Blank::of(Asked::Interval(written.entries()));
+        written.describe(blank, (letters, lexicon), (Some(*unit), self.digits))
     }
 
     fn keys(&self) -> Vec<NodeId> {

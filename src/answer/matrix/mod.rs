@@ -22,9 +22,12 @@ use std::sync::Arc;
 
 use self::marker::{Mistake, Prepared};
 use super::equality::{Comparable, Points};
-use super::meaning::{Meaning, Prefer, lexicon};
+use super::letters::Allowed;
+use super::meaning::{Meaning, Prefer};
 use super::shared::{self, Shared};
-use super::{Answer, AnswerError, Context, Declare, Marker, Tolerance, symbolic};
+use super::{
+    Answer, AnswerError, Asked, Blank, Context, Declare, Entries, Marker, Tolerance, symbolic,
+};
 use crate::expr::{Expr, Field, Form, Name, Shape};
 use crate::math::Math;
 use crate::quantity::{Absent, NodeId};
@@ -41,6 +44,31 @@ pub(super) enum Written {
 }
 
 impl Written {
+    /// As the answer line says it.
+    pub(super) fn entries(self) -> Entries {
+        match self {
+            Self::Either => Entries::Either,
+            Self::Number => Entries::Numbers,
+            Self::Formula => Entries::Formulas,
+        }
+    }
+
+    /// An answer line that has letters where formulas may be written, and unit and figures where numbers may.
+    pub(super) fn describe(
+        self,
+        mut blank: Blank,
+        (letters, lexicon): (&[Expr], &Lexicon),
+        (unit, figures): (Option<Unit>, u32),
+    ) -> Blank {
+        if self != Self::Number {
+            blank = blank.with_letters(letters, lexicon);
+        }
+        if self != Self::Formula {
+            blank = blank.with_numbers(unit, figures);
+        }
+        blank
+    }
+
     /// Reads the key `form` of a part.
     pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Self {
         let Some(text) = part.text("form") else {
@@ -76,6 +104,8 @@ struct Setup {
     written: Written,
     meaning: Meaning,
     lexicon: Lexicon,
+    /// The letters of its answer line.
+    letters: Vec<Expr>,
     /// The entries of the key and of the named mistakes, compiled once for all data.
     compiled: Shared<Vec<Comparable>>,
 }
@@ -85,7 +115,7 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
     let text = part
         .required("key")
         .and_then(|key| part.as_formula("key", key));
-    let (listed, tolerance) = (part.texts("in"), part.text("tolerance"));
+    let tolerance = part.text("tolerance");
     let written = Written::read(part, declare);
     let text = text?;
     let key = declare.formula("key", &text)?;
@@ -109,7 +139,7 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
     };
     let own = Name::new(text.value.as_str());
     let named = declare.graph().find(&own).map(|_| own);
-    let (lexicon, _) = lexicon(declare, &listed, named.as_ref());
+    let allowed = Allowed::read(part, declare, named.as_ref(), false)?;
     let setup = Setup {
         expr: symbolic::formula(declare.graph(), key),
         rows,
@@ -117,7 +147,8 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         units,
         written,
         meaning: Meaning::of(declare, Prefer::Quantities),
-        lexicon,
+        letters: allowed.letters(),
+        lexicon: allowed.lexicon,
         compiled: Shared::default(),
     };
     Some(Box::new(Matrix {
@@ -158,6 +189,17 @@ impl Answer for Matrix {
         crate::answer::Kind::Matrix
     }
 
+    fn blank(&self) -> Blank {
+        let Setup {
+            written,
+            letters,
+            lexicon,
+            ..
+        } = &*self.setup;
+        let blank = Blank::of(Asked::Matrix(written.entries()));
+        written.describe(blank, (letters, lexicon), (self.unit(), self.digits))
+    }
+
     fn keys(&self) -> Vec<NodeId> {
         vec![self.key]
     }
@@ -165,7 +207,8 @@ impl Answer for Matrix {
     fn unit(&self) -> Option<Unit> {
         let first = self.setup.units.first()?;
         let is_one = self.setup.units.iter().all(|unit| unit == first);
-        Some(*first).filter(|unit| is_one && !unit.is_one())
+        let has_numbers = self.setup.written != Written::Formula;
+        Some(*first).filter(|unit| is_one && has_numbers && !unit.is_one())
     }
 
     fn keeps_mistakes(&self) -> bool {

@@ -27,10 +27,11 @@ use std::sync::Arc;
 use self::marker::Prepared;
 use self::modes::Asked;
 use self::span::{lies_in, vectors};
+use super::letters::Allowed;
 use super::matrix::Written;
-use super::meaning::{Meaning, Prefer, lexicon};
-use super::{Answer, AnswerError, Context, Declare, Marker, Tolerance};
-use crate::expr::{Field, Name, Shape};
+use super::meaning::{Meaning, Prefer};
+use super::{Answer, AnswerError, Blank, Context, Declare, Marker, ShapeScale, Tolerance};
+use crate::expr::{Expr, Field, Name, Shape};
 use crate::quantity::{Absent, NodeId};
 use crate::response::Lexicon;
 use crate::source::Table;
@@ -60,6 +61,8 @@ struct Setup {
     units: Vec<Unit>,
     meaning: Meaning,
     lexicon: Lexicon,
+    /// The letters of its answer line.
+    letters: Vec<Expr>,
 }
 
 /// Reads the keys of a part that belong to this kind; what is wrong is noted.
@@ -108,7 +111,7 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
     };
     let own = Name::new(text.value.as_str());
     let named = declare.graph().find(&own).map(|_| own);
-    let (lexicon, _) = lexicon(declare, &part.texts("in"), named.as_ref());
+    let allowed = Allowed::read(part, declare, named.as_ref(), false)?;
     Some(Box::new(Mode {
         key,
         asked: asked?,
@@ -119,7 +122,8 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
             written,
             units: declare.units_of(key),
             meaning: Meaning::of(declare, Prefer::Quantities),
-            lexicon,
+            letters: allowed.letters(),
+            lexicon: allowed.lexicon,
         }),
     }))
 }
@@ -127,6 +131,25 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
 impl Answer for Mode {
     fn kind(&self) -> crate::answer::Kind {
         crate::answer::Kind::ModeShape
+    }
+
+    fn blank(&self) -> Blank {
+        let Setup {
+            written,
+            letters,
+            lexicon,
+            ..
+        } = &*self.setup;
+        let form = super::Asked::ModeShape {
+            entries: written.entries(),
+            scale: match self.setup.scale {
+                Scale::Any => ShapeScale::Any,
+                Scale::Mass => ShapeScale::Mass,
+                Scale::First => ShapeScale::First,
+            },
+            are_several: self.asked.numbers.len() > 1,
+        };
+        written.describe(Blank::of(form), (letters, lexicon), (None, self.digits))
     }
 
     fn keys(&self) -> Vec<NodeId> {

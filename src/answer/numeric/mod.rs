@@ -28,7 +28,7 @@ mod target;
 mod trial;
 mod words;
 
-use super::{Answer, AnswerError, Context, Credit, Declare, Marker, Tolerance};
+use super::{Answer, AnswerError, Asked, Blank, Context, Credit, Declare, Marker, Tolerance};
 use crate::expr::{Field, Shape};
 use crate::quantity::{Absent, NodeId};
 use crate::source::{Table, Text};
@@ -50,6 +50,7 @@ struct Numeric {
     modulo: Option<f64>,
     /// Where the item asks for a cyclic answer, in SI units.
     within: Option<[f64; 2]>,
+    is_complex: bool,
     is_list: bool,
     is_ordered: bool,
     ask_digits: Option<u32>,
@@ -112,6 +113,7 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         tolerance,
         modulo,
         within,
+        is_complex: kind.field() == Field::Complex,
         is_list,
         is_ordered,
         ask_digits: ask_digits.map(|digits| digits as u32),
@@ -190,6 +192,18 @@ fn period(text: &Text, unit: &Unit, declare: &mut dyn Declare) -> Option<f64> {
 impl Answer for Numeric {
     fn kind(&self) -> crate::answer::Kind {
         crate::answer::Kind::Numeric
+    }
+
+    fn blank(&self) -> Blank {
+        let form = match (self.is_list, self.is_complex) {
+            (true, _) => Asked::Values {
+                is_ordered: self.is_ordered,
+            },
+            (false, true) => Asked::ComplexValue,
+            (false, false) => Asked::Value,
+        };
+        let figures = self.ask_digits.unwrap_or(self.digits);
+        Blank::of(form).with_numbers(Some(self.unit), figures)
     }
 
     fn keys(&self) -> Vec<NodeId> {

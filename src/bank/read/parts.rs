@@ -88,9 +88,12 @@ impl<'s> Reader<'s> {
         let mut answer = kind.read(&table, self);
         let mistakes = match &mut answer {
             Some(answer) => {
+                // A count that was asked is no letter that one would write.
                 for key in answer.keys() {
-                    self.asked.push(key);
-                    self.asked.extend(self.listed(key));
+                    if kind != answer::Kind::Integer {
+                        self.asked.push(key);
+                        self.asked.extend(self.listed(key));
+                    }
                 }
                 let mut mistakes = Vec::new();
                 for mistake in table.tables("mistakes") {

@@ -110,18 +110,12 @@ impl Session {
         let solution = scene.solution();
         let part = &solution.template().parts[place];
         let options = part.answer.options();
-        let unit = part
-            .answer
-            .unit()
-            .map(|unit| format!("  [{}]", unit.text()));
         let ask = text(&scene.passage(&part.ask));
         Screen::gap();
-        let words = format!("{}) {ask}{}", letter(position), unit.unwrap_or_default());
+        let words = format!("{}) {ask}", letter(position));
         self.screen.say(Tone::Plain, "", &words);
-        if options.is_empty() {
-            return;
-        }
-        for (at, option) in solution.order(place).into_iter().enumerate() {
+        let order = solution.order(place).into_iter().enumerate();
+        for (at, option) in order.filter(|_| !options.is_empty()) {
             let words = format!(
                 "{}  {}",
                 letter(at),
@@ -129,6 +123,8 @@ impl Session {
             );
             self.screen.say(Tone::Plain, "   ", &words);
         }
+        let line = super::super::show::answer_line(scene, place);
+        self.screen.say(Tone::Faint, "   ", &line);
     }
 
     /// One part, until it is right or passed.

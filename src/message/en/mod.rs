@@ -1,6 +1,9 @@
 //! English.
 
+mod blank;
 mod unreadable;
+
+pub(super) use self::blank::blank;
 
 use crate::answer::{
     Close, Coefficient, Decades, Fault, Linearity, Misfit, Negated, Note, Remark, Scaling, Shape,

@@ -254,7 +254,9 @@ fn what_is_wrong_is_said() {
             ("20 rad/s", "unreadable"),
             ("20", "unreadable"),
             ("omega_n", "unreadable"),
-            ("sqrt(k1/m)", "unreadable"),
+            // A datum of the statement, though not one that the key is printed in.
+            ("sqrt(k1/m)", "wrong other"),
+            ("sqrt(k9/m)", "unreadable"),
             ("sqrt(k/m", "unreadable"),
             ("", "missing"),
         ],

@@ -186,7 +186,8 @@ fn data_alone_may_be_asked_for() {
     let item = item.replacen("[[part]]\nkind = \"function\"", &ask("phi"), 1);
     for (listed, verdict) in [
         ("", "right"),
-        ("in = [\"A\", \"B\", \"omega\"]\n", "unreadable"),
+        ("in = [\"A\", \"B\", \"omega\"]\n", "right"),
+        ("without = [\"C\", \"phi\"]\n", "unreadable"),
     ] {
         let item = item.replace("span =", &format!("{listed}span ="));
         let catalogue = super::catalogue(&item);

@@ -1,6 +1,7 @@
 //! Answers of every kind: responses with the verdict that they get.
 
 mod bank;
+mod blank;
 mod choice;
 mod complex;
 mod corpus;

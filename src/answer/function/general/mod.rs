@@ -10,16 +10,17 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::answer::equality::Draws;
-use crate::answer::meaning::{Meaning, ORDERS, Prefer, lexicon};
+use crate::answer::letters::Allowed;
+use crate::answer::meaning::{Meaning, ORDERS, Prefer};
 use crate::answer::{
-    Answer, Answered, Context, Credit, Declare, Key, Marker, Marking, Nature, Note, Reading,
-    Remark, Role, Slip, Trial, Unreadable, Why,
+    Answer, Answered, Asked, Blank, Context, Credit, Declare, Key, Marker, Marking, Nature, Note,
+    Reading, Remark, Role, Slip, Trial, Unreadable, Why,
 };
-use crate::expr::{Equation, Expr, Name, Precise, Program, Workspace};
+use crate::expr::{Equation, Expr, Kind as Node, Name, Precise, Program, Workspace};
 use crate::math::Math;
 use crate::quantity::{Absent, NodeId};
 use crate::response::{self, Lexicon, Manner, cut};
-use crate::source::{Span, Text};
+use crate::source::{Span, Table, Text};
 
 /// Letters that people give to constants, alone or with a number: all but those of time, of e and of i.
 const LETTERS: &str = "A B C D E F G H I J K L M N O P Q R S T U V W X Y Z a b c d f g h k l m n p q r s u v w x y z \
@@ -44,6 +45,8 @@ struct Setup {
     shapes: Option<NodeId>,
     meaning: Meaning,
     lexicon: Lexicon,
+    /// The letters of its answer line.
+    letters: Vec<Expr>,
 }
 
 struct Prepared {
@@ -55,9 +58,9 @@ struct Prepared {
 
 /// Reads a part that asks for a general solution.
 pub(super) fn read(
+    part: &Table<'_>,
     key: &Text,
     components: &[Text],
-    listed: &[Text],
     declare: &mut dyn Declare,
 ) -> Option<Box<dyn Answer>> {
     let of = |quantity: &str| Text {
@@ -74,8 +77,15 @@ pub(super) fn read(
         .filter(|own| own.role == Role::Coordinate && is_asked(&own.name))
         .collect();
     let mut meaning = Meaning::of(declare, Prefer::Coordinates);
-    let (mut lexicon, _) = lexicon(declare, listed, None);
-    let mut constants = Vec::new();
+    let allowed = Allowed::read(part, declare, None, true)?;
+    let is_moving = |letter: &Expr| match letter.kind() {
+        Node::Name(name) => allowed.lexicon.is_moving(name),
+        _ => false,
+    };
+    let mut letters = allowed.letters();
+    letters.retain(|letter| !is_moving(letter));
+    let mut lexicon = allowed.lexicon;
+    let (listed, mut constants) = (part.texts("in"), Vec::new());
     // What is neither printed nor needed is free to be used.
     let is_taken = |name: &Name| {
         let own = known.iter().find(|own| own.name == *name);
@@ -101,6 +111,11 @@ pub(super) fn read(
         }
     }
     lexicon.allow(&Name::new("t"), crate::math::symbol("t"), false);
+    letters.retain(|letter| {
+        !constants
+            .iter()
+            .any(|own| *letter == Expr::name(own.clone()))
+    });
     let places = constants.iter().filter_map(|name| meaning.place(name));
     let slots = places.map(|place| place * ORDERS).collect();
     let frequencies = declare.formula("frequencies", &of("natural_angular_frequencies"));
@@ -118,12 +133,17 @@ pub(super) fn read(
         shapes,
         meaning,
         lexicon,
+        letters,
     }))))
 }
 
 impl Answer for General {
     fn kind(&self) -> crate::answer::Kind {
         crate::answer::Kind::Function
+    }
+
+    fn blank(&self) -> Blank {
+        Blank::of(Asked::GeneralSolution).with_letters(&self.0.letters, &self.0.lexicon)
     }
 
     fn keys(&self) -> Vec<NodeId> {
