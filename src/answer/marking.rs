@@ -7,6 +7,7 @@ use crate::expr::Form;
 use crate::math::Math;
 use crate::numerics::Rational;
 use crate::response::Folded;
+use crate::source::Table;
 use crate::unit::Unit;
 
 /// How a response fared.
@@ -167,6 +168,14 @@ impl Credit {
     /// Reads a share that is written as a decimal.
     pub fn read(decimal: &str) -> Option<Self> {
         Self::new(Rational::from_decimal(decimal)?)
+    }
+
+    /// Reads a share that is a number of a table; another one is noted as wrong.
+    pub(crate) fn of_table(table: &Table<'_>, key: &'static str) -> Option<Self> {
+        let value = table.value(key)?;
+        let number = table.as_number(key, value)?;
+        Self::read(&number.to_string())
+            .or_else(|| table.wrong(key, "a share of the points, from 0 to 1", value))
     }
 
     /// This credit less another, and not below nothing.

@@ -91,6 +91,11 @@ pub trait Answer: std::fmt::Debug + Send + Sync {
         false
     }
 
+    /// What asks for the same in the other form, a value in place of a formula or a formula in place of a value.
+    fn other_form(&self) -> Option<&dyn Answer> {
+        None
+    }
+
     /// Whether named mistakes are compared as formulas; otherwise by their values.
     fn keeps_mistakes(&self) -> bool {
         false

@@ -1,5 +1,6 @@
 //! What an item says of itself.
 
+use crate::answer::Credit;
 use crate::source::{Table, Text};
 
 /// The `[item]` table.
@@ -15,6 +16,8 @@ pub struct About {
     pub level: u8,
     /// Expected working time in minutes; else the sum over the kinds of its parts.
     pub minutes: Option<u32>,
+    /// What a right value is worth where a formula is asked, and the reverse.
+    pub other_form: Option<Credit>,
     /// Items that it builds on.
     pub after: Vec<Text>,
     /// Significant figures in which computed values are printed.
@@ -52,6 +55,7 @@ impl About {
             minutes: table
                 .integer("minutes", "a whole number from 1 to 600", 1..=600)
                 .map(|minutes| minutes as u32),
+            other_form: Credit::of_table(&table, "other_form"),
             after: table.texts("after"),
             digits: table
                 .integer("digits", "a whole number from 1 to 12", 1..=12)

@@ -242,6 +242,7 @@ fn head(origin: Origin<'_>) -> String {
         language: blueprint.language.value.clone(),
         decimal: blueprint.decimal,
         doubt: blueprint.doubt.unwrap_or(Doubt::Benefit),
+        other_form: blueprint.other_form.map(|share| share.share().to_f64()),
         csv: blueprint.csv,
         keyed: plan.secret.is_some(),
         shard: shard.to_string(),

@@ -7,6 +7,7 @@ mod among;
 mod bound;
 mod feedback;
 mod follow;
+mod form;
 mod pattern;
 mod points;
 pub mod request;
@@ -19,7 +20,7 @@ pub use pattern::pattern;
 pub use points::{of_marking, rounded, standing};
 pub use responses::{Place, Responses, Row, RowError};
 
-use crate::answer::{Echo, Marker, Marking, Unreadable, Why};
+use crate::answer::{Credit, Echo, Marker, Marking, Unreadable, Why};
 use crate::response::Folded;
 use crate::solution::Solution;
 
@@ -83,6 +84,16 @@ fn folded<'s, 'r>(
     Ok((marker, folded))
 }
 
+/// What a sheet asks of an item, and how it counts.
+#[derive(Clone, Copy, Debug)]
+pub struct Sheet<'a> {
+    /// The parts that it asks for, by their places in the item.
+    pub asked: &'a [usize],
+    /// What a right value is worth where a formula is asked, and a formula where a value is; the item decides, or half
+    /// of the points, where this is none. Nothing is paid where another part that is asked has the same key.
+    pub other_form: Option<Credit>,
+}
+
 /// The markings of the parts of an instance.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Grade {
@@ -116,6 +127,25 @@ impl Grade {
         solution: &Solution<'_>,
         responses: impl IntoIterator<Item = (usize, &'r str)>,
     ) -> Self {
+        let parts = 0..solution.template().parts.len();
+        let asked: Vec<usize> = parts.filter(|place| solution.asks(*place)).collect();
+        let sheet = Sheet {
+            asked: &asked,
+            other_form: None,
+        };
+        Self::mark_on(solution, &sheet, responses)
+    }
+
+    /// The same on a sheet that asks for some of the parts.
+    ///
+    /// # Panics
+    ///
+    /// If the item has no part at such a place.
+    pub fn mark_on<'r>(
+        solution: &Solution<'_>,
+        sheet: &Sheet<'_>,
+        responses: impl IntoIterator<Item = (usize, &'r str)>,
+    ) -> Self {
         let mut responses: Vec<(usize, &str)> = responses.into_iter().collect();
         responses.sort_by_key(|(place, _)| *place);
         let mut all = vec![""; solution.template().parts.len()];
@@ -125,6 +155,7 @@ impl Grade {
         let mut grade = Self::default();
         for (place, response) in responses {
             let first = mark_among(solution, place, &all);
+            let first = form::otherwise(solution, place, response, &first, sheet).unwrap_or(first);
             let followed = follow::follow(solution, place, response, &first, &grade.parts);
             grade.parts.push((place, followed.unwrap_or(first)));
         }

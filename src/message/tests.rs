@@ -33,6 +33,7 @@ fn slips() -> Vec<Slip> {
         Slip::Angle,
         Slip::OutsideInterval(quantity("-180 deg"), quantity("180 deg")),
         Slip::NotInteger,
+        Slip::UnequalSides,
         Slip::NoValueForData,
         Slip::NoValueOnSpan,
         Slip::NoValueAtTimes,
@@ -224,6 +225,7 @@ fn notes() -> Vec<Note> {
         Note::LettersCarryUnits("rad/s".to_owned()),
         Note::RightTogether,
         Note::OthersBelongElsewhere,
+        Note::OtherForm,
         Note::ConstantsToSpare {
             needed: 4,
             found: 5,
@@ -355,7 +357,6 @@ fn reasons() -> Vec<Why> {
         Why::BoundsAsNumbers,
         Why::BoundValue,
         Why::FormulaNotNumber,
-        Why::UnequalFormulas,
         Why::Incomparable,
         Why::DigitsLost,
         Why::TwoReadings(text(), text()),

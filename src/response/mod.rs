@@ -54,7 +54,7 @@ pub use fold::{Folded, LoneDollar};
 pub(crate) use letters::letter;
 pub(crate) use lexicon::Lexicon;
 pub(crate) use list::{Listed, cut, list_of_form};
-pub(crate) use sides::sides;
+pub(crate) use sides::{sides, statement};
 pub(crate) use values::{Part, Style, Values};
 
 use self::parser::Parser;

@@ -32,6 +32,12 @@ pub(crate) fn sides(text: &str, lexicon: &Lexicon) -> Result<Vec<Span>, TypedErr
     Ok(sides)
 }
 
+/// The pieces of a text between its equals signs, the symbol before the first one among them.
+pub(crate) fn statement(text: &str) -> Vec<&str> {
+    let pieces = cut_at_equals(text).into_iter();
+    pieces.map(|piece| text[piece.range()].trim()).collect()
+}
+
 /// What stands behind the last equals sign.
 pub(super) fn last_side(text: &str) -> Span {
     cut_at_equals(text)

@@ -25,6 +25,8 @@ pub struct Solution<'t> {
     instance: Instance<'t>,
     evaluation: Evaluation<'t>,
     markers: Vec<OnceCell<Result<Box<dyn Marker>, Absent>>>,
+    /// What marks the other form of an answer.
+    others: Vec<OnceCell<Option<Box<dyn Marker>>>>,
     /// The keys as they are printed, on several pages of one sheet.
     printed: Vec<OnceCell<Result<Key, Absent>>>,
     /// The keys that a scene writes in its own way.
@@ -54,6 +56,7 @@ impl<'t> Solution<'t> {
         let template = instance.template();
         Self {
             markers: cells(template),
+            others: cells(template),
             printed: cells(template),
             written: cells(template),
             instance,
@@ -71,6 +74,7 @@ impl<'t> Solution<'t> {
     pub fn settling(self, doubt: Doubt) -> Self {
         Self {
             markers: cells(self.template()),
+            others: cells(self.template()),
             doubt,
             ..self
         }
@@ -82,6 +86,7 @@ impl<'t> Solution<'t> {
     pub fn following(&self, values: Vec<(NodeId, Value)>, formulas: BTreeMap<Name, Expr>) -> Self {
         Self {
             markers: cells(self.template()),
+            others: cells(self.template()),
             printed: cells(self.template()),
             written: cells(self.template()),
             instance: self.instance.clone(),
@@ -137,6 +142,20 @@ impl<'t> Solution<'t> {
     pub fn marker(&self, place: usize) -> Result<&dyn Marker, Absent> {
         let prepared = self.markers[place].get_or_init(|| self.prepare(place));
         prepared.as_ref().map(AsRef::as_ref).map_err(Clone::clone)
+    }
+
+    /// The key of a part in its other form, value or formula, with all that marks it but named mistakes; none for
+    /// kinds with one form.
+    pub fn other_marker(&self, place: usize) -> Option<&dyn Marker> {
+        let prepare = || {
+            let other = self.template().parts[place].answer.other_form()?;
+            let context = Context {
+                mistakes: Vec::new(),
+                ..self.context(place)
+            };
+            other.prepare(&context).ok()
+        };
+        self.others[place].get_or_init(prepare).as_deref()
     }
 
     /// The key of a part as it is printed; what marks is prepared only where the key needs it.

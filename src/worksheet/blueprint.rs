@@ -1,7 +1,7 @@
 //! A blueprint: what a sheet is made of, as a teacher writes it.
 
 use super::manifest::Csv;
-use crate::answer::Doubt;
+use crate::answer::{Credit, Doubt};
 use crate::diagnostic::{Code, Diagnose, Finding, Label};
 use crate::document::Document;
 use crate::scene;
@@ -85,6 +85,8 @@ pub struct Blueprint {
     pub decimal: char,
     /// What becomes of answers with two readings, where that is stated.
     pub doubt: Option<Doubt>,
+    /// What a right value is worth where a formula is asked, and the reverse, in place of what items say.
+    pub other_form: Option<Credit>,
     /// Data as numbers or symbols.
     pub data: scene::Data,
     /// Whether figures are shown.
@@ -454,6 +456,7 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
         language: table.text("language").unwrap_or_else(|| word("en")),
         decimal,
         doubt,
+        other_form: Credit::of_table(&table, "other_form"),
         data: faults.word(
             &table,
             "data",

@@ -45,6 +45,10 @@ pub struct Manifest {
     /// What becomes of answers with two readings; on paper nobody can be asked.
     #[serde(default = "benefit")]
     pub doubt: Doubt,
+    /// The share of the points for an answer in another form than the one that is asked; items decide where it is `null`.
+    /// It was nothing before there was this key.
+    #[serde(default = "nothing")]
+    pub other_form: Option<f64>,
     /// How its tables are written.
     #[serde(default)]
     pub csv: Csv,
@@ -83,6 +87,11 @@ pub struct Manifest {
 /// How doubts of earlier manifests are settled, which do not say.
 fn benefit() -> Doubt {
     Doubt::Benefit
+}
+
+#[expect(clippy::unnecessary_wraps, reason = "the type of the field")]
+fn nothing() -> Option<f64> {
+    Some(0.0)
 }
 
 /// A bank, by title and digest.

@@ -107,6 +107,29 @@ await step("what cannot be read spends no attempt", async () => {
   assert.equal(await part("a").locator(".attempts").textContent(), "");
 });
 
+await step("letters and unit are put in at the caret, from the keyboard too", async () => {
+  const bar = part("b").getByRole("toolbar");
+  const buttons = bar.getByRole("button");
+  const stops = await bar.locator("button[tabindex='0']").count();
+  assert.equal(stops, 1, "one stop of the tab key");
+  await field("b").fill("12");
+  await field("b").press("Tab");
+  const first = await page.evaluate(() => document.activeElement.getAttribute("aria-label"));
+  assert.match(first, /^Insert /);
+  if ((await buttons.count()) > 1) {
+    await page.keyboard.press("ArrowRight");
+    assert.notEqual(await page.evaluate(() => document.activeElement.getAttribute("aria-label")), first);
+    await page.keyboard.press("Home");
+  }
+  await page.keyboard.press("Enter");
+  assert.equal(await page.evaluate(() => document.activeElement.tagName), "INPUT", "focus is back in the field");
+  assert.notEqual(await field("b").inputValue(), "12");
+  const described = (await field("b").getAttribute("aria-describedby")).split(" ");
+  const said = await Promise.all(described.map((id) => page.locator(`#${id}`).textContent()));
+  assert.ok(said.some((words) => /^\(/.test(words.trim())), "what is asked describes the field");
+  await field("b").fill("");
+});
+
 await step("a wrong answer is told, and how it was read", async () => {
   await answer("b", "123456");
   assert.match(await part("b").locator(".echo").textContent(), /Read as/);

@@ -9,7 +9,7 @@ use crate::answer::equality::{Comparable, Comparison, Points};
 use crate::answer::settle::{Candidate, Rule, settle};
 use crate::answer::{
     Answered, Credit, Doubt, Echo, Key, Marker, Marking, Misfit, Nature, Note, Reading, Reason,
-    Remark, Trial, Unreadable, Verdict, Why,
+    Remark, Slip, Trial, Unreadable, Verdict, Why,
 };
 use crate::expr::Expr;
 use crate::response::{self, Trouble, TypedError};
@@ -62,9 +62,10 @@ impl Prepared {
             readings.map(candidate),
         );
         Ok(match marking.verdict {
-            Verdict::Right if self.contradicts_itself(response) => {
-                Marking::unreadable(Why::UnequalFormulas)
-            }
+            Verdict::Right if self.contradicts_itself(response) => match marking.reading {
+                Some(reading) => Marking::wrong(reading, Remark::from(Slip::UnequalSides)),
+                None => marking,
+            },
             _ => marking,
         })
     }

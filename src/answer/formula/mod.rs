@@ -11,7 +11,6 @@
 //! kind     = "formula"
 //! key      = "omega_d"
 //! in       = ["m", "c", "k"]
-//! without  = ["T_d"]         # asked before: an answer in it would be none
 //! ask      = "Find the angular frequency of the damped motion."
 //! mistakes = [{ answer = "sqrt(k/m)", feedback = "That is the motion without damping." }]
 //! ```
@@ -28,17 +27,21 @@ use super::equality::{Comparable, Points};
 use super::letters::Allowed;
 use super::meaning::{Meaning, Prefer};
 use super::shared::{self, Shared};
-use super::{Answer, AnswerError, Asked, Blank, Context, Declare, Key, Marker, symbolic};
+use super::{Answer, AnswerError, Asked, Blank, Context, Declare, Key, Marker, numeric, symbolic};
 use crate::expr::{Expr, Field, Name, Shape, Type};
 use crate::quantity::{Absent, NodeId};
 use crate::response::Lexicon;
-use crate::source::Table;
+use crate::source::{Table, Text};
 use crate::unit::Unit;
 
 #[derive(Debug)]
-struct Formula {
+pub(super) struct Formula {
     key: NodeId,
     setup: Arc<Setup>,
+    /// Whether it moves with time.
+    moves: bool,
+    /// Its value.
+    value: Option<Box<dyn Answer>>,
 }
 
 /// What holds whatever the data are.
@@ -75,6 +78,21 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
     let text = text?;
     let key = declare.formula("key", &text)?;
     let kind = declare.graph().kind(key)?.clone();
+    let mut formula = of_key(part, &text, key, declare)?;
+    if !formula.moves {
+        formula.value = numeric::of_formula(key, &kind, declare);
+    }
+    Some(Box::new(formula))
+}
+
+/// What asks for a key as a formula.
+pub(super) fn of_key(
+    part: &Table<'_>,
+    text: &Text,
+    key: NodeId,
+    declare: &mut dyn Declare,
+) -> Option<Formula> {
+    let kind = declare.graph().kind(key)?.clone();
     if kind.shape() != Shape::Scalar || kind.field() == Field::Boolean {
         let found = kind.form().to_string();
         declare.find(
@@ -82,7 +100,7 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
                 expected: "a number",
                 found,
             },
-            &text,
+            text,
         );
         return None;
     }
@@ -113,10 +131,12 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         compiled: Shared::default(),
         printed: OnceLock::new(),
     };
-    Some(Box::new(Formula {
+    Some(Formula {
         key,
         setup: Arc::new(setup),
-    }))
+        moves,
+        value: None,
+    })
 }
 
 impl Answer for Formula {
@@ -130,6 +150,10 @@ impl Answer for Formula {
 
     fn keys(&self) -> Vec<NodeId> {
         vec![self.key]
+    }
+
+    fn other_form(&self) -> Option<&dyn Answer> {
+        self.value.as_deref()
     }
 
     fn keeps_mistakes(&self) -> bool {

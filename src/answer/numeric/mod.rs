@@ -28,8 +28,10 @@ mod target;
 mod trial;
 mod words;
 
-use super::{Answer, AnswerError, Asked, Blank, Context, Credit, Declare, Marker, Tolerance};
-use crate::expr::{Field, Shape};
+use super::{
+    Answer, AnswerError, Asked, Blank, Context, Credit, Declare, Marker, Tolerance, formula,
+};
+use crate::expr::{Field, Form, Shape, Type};
 use crate::quantity::{Absent, NodeId};
 use crate::source::{Table, Text};
 use crate::unit::{Quantity, Unit};
@@ -44,6 +46,8 @@ pub(super) use self::read::{quantity, readings};
 #[derive(Debug)]
 struct Numeric {
     key: NodeId,
+    /// The same as a formula.
+    formula: Option<Box<dyn Answer>>,
     unit: Unit,
     tolerance: Tolerance,
     /// The period of a cyclic answer in SI units.
@@ -107,8 +111,15 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
     let digits_penalty = penalty
         .and_then(|text| Credit::read(&text.value))
         .unwrap_or(Credit::NONE);
+    let is_real = kind.field() == Field::Real && !is_list;
+    let formula = if is_real {
+        formula::of_key(part, &key_text, key, declare)
+    } else {
+        None
+    };
     Some(Box::new(Numeric {
         key,
+        formula: formula.map(|formula| Box::new(formula) as Box<dyn Answer>),
         unit,
         tolerance,
         modulo,
@@ -120,6 +131,31 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         digits_penalty,
         digits: u32::from(declare.digits_of(key)),
     }))
+}
+
+/// What asks for the value of a formula that does not move with time, in the unit of its quantity.
+pub(super) fn of_formula(
+    key: NodeId,
+    kind: &Type,
+    declare: &dyn Declare,
+) -> Option<Box<dyn Answer>> {
+    let is_pure = kind.dimension().is_none_or(|dimension| dimension.is_pure());
+    let unit = declare.unit_of(key).or(is_pure.then_some(Unit::ONE))?;
+    let numeric = Numeric {
+        key,
+        unit,
+        tolerance: Tolerance::default(),
+        digits: u32::from(declare.digits_of(key)),
+        formula: None,
+        modulo: None,
+        within: None,
+        is_complex: false,
+        is_list: false,
+        is_ordered: false,
+        ask_digits: None,
+        digits_penalty: Credit::NONE,
+    };
+    (kind.form() == Form::REAL).then(|| Box::new(numeric) as Box<dyn Answer>)
 }
 
 /// The unit of the answer: stated, or that of the quantity, or none for a pure number.
@@ -212,6 +248,10 @@ impl Answer for Numeric {
 
     fn unit(&self) -> Option<Unit> {
         Some(self.unit).filter(|unit| !unit.is_one())
+    }
+
+    fn other_form(&self) -> Option<&dyn Answer> {
+        self.formula.as_deref()
     }
 
     fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {

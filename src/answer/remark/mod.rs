@@ -117,6 +117,8 @@ pub enum Note {
     RightTogether,
     /// Right; other equations were given that other parts ask for.
     OthersBelongElsewhere,
+    /// Right in another form than the one that is asked: a value for a formula, or a formula for a value.
+    OtherForm,
     /// More free constants than it needs.
     ConstantsToSpare {
         /// How many would do.

@@ -27,6 +27,8 @@ pub enum Slip {
     OutsideInterval(Quantity, Quantity),
     /// No integer where one is asked.
     NotInteger,
+    /// The sides of a statement are not equal.
+    UnequalSides,
     /// A function or formula without a value for data for which there is an answer.
     NoValueForData,
     /// A function without a value somewhere on its span.

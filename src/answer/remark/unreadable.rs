@@ -177,8 +177,6 @@ pub enum Why {
 
     /// A number where a formula is asked.
     FormulaNotNumber,
-    /// Sides of equals signs that are not the same formula.
-    UnequalFormulas,
     /// A formula that cannot be compared.
     Incomparable,
     /// A formula of which no digits are left when it is computed.

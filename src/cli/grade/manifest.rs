@@ -6,7 +6,7 @@ use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
-use vibank::answer::Doubt;
+use vibank::answer::{Credit, Doubt};
 use vibank::instance::Instance;
 use vibank::seed::Seed;
 use vibank::solution::Solution;
@@ -59,6 +59,8 @@ pub(crate) struct Sheets {
     pub(crate) decimal: char,
     /// What becomes of answers with two readings on the sheets that were read last.
     pub(crate) doubt: Doubt,
+    /// What an answer in another form is worth on them.
+    pub(crate) other_form: Option<Credit>,
     /// The items of the manifests that were read to their ends.
     pub(crate) items: Vec<BTreeMap<String, String>>,
     rest: Rest,
@@ -101,6 +103,7 @@ impl Sheets {
             path: path.to_owned(),
             decimal: head.decimal,
             doubt: head.doubt,
+            other_form: share(&head),
             items: match &rest {
                 Rest::Lines(..) => Vec::new(),
                 Rest::All(_) => vec![std::mem::take(&mut head.items)],
@@ -151,6 +154,7 @@ impl Sheets {
         self.items.extend(next.items);
         (self.path, self.rest) = (next.path, next.rest);
         (self.decimal, self.doubt) = (next.decimal, next.doubt);
+        self.other_form = next.other_form;
         self.is_first = false;
         Ok(())
     }
@@ -193,6 +197,12 @@ impl Sheets {
 struct Foot {
     #[serde(default)]
     items: BTreeMap<String, String>,
+}
+
+/// What an answer in another form is worth on the sheets of a manifest.
+fn share(head: &Manifest) -> Option<Credit> {
+    let share = head.other_form?;
+    Some(Credit::read(&share.to_string()).unwrap_or(Credit::NONE))
 }
 
 /// The solution of a question as it was handed out.

@@ -3,7 +3,7 @@
 use vibank::answer::{Credit, Doubt, Verdict};
 use vibank::bank::Template;
 use vibank::grade::{
-    self, Comment, Feedback, Grade, PartFeedback, Place, QuestionFeedback, Responses,
+    self, Comment, Feedback, Grade, PartFeedback, Place, QuestionFeedback, Responses, Sheet,
 };
 use vibank::numerics::Rational;
 use vibank::solution::Solution;
@@ -21,6 +21,7 @@ pub(super) struct Marker<'a> {
     pub(super) items: &'a Items<'a>,
     pub(super) decimal: char,
     pub(super) doubt: Doubt,
+    pub(super) other_form: Option<Credit>,
     pub(super) responses: &'a Responses,
     pub(super) overrides: &'a Overrides,
 }
@@ -78,7 +79,12 @@ impl Marker<'_> {
         let solution = solution(self.items, question, self.decimal, self.doubt)?;
         let answered = self.answered(code, question, solution.template())?;
         let responses = answered.iter().map(|part| (part.place, part.response()));
-        let grade = Grade::mark(&solution, responses);
+        let asked: Vec<usize> = answered.iter().map(|part| part.place).collect();
+        let sheet = Sheet {
+            asked: &asked,
+            other_form: self.other_form,
+        };
+        let grade = Grade::mark_on(&solution, &sheet, responses);
         let (mut outcomes, mut parts) = (Vec::new(), Vec::new());
         for part in &answered {
             let (outcome, feedback) = marked(&solution, question.number, part, &grade);

@@ -275,6 +275,7 @@ impl Job<'_> {
             items: self.items,
             decimal: self.sheets.decimal,
             doubt: self.sheets.doubt,
+            other_form: self.sheets.other_form,
             responses: &self.responses,
             overrides: &self.overrides,
         };

@@ -112,6 +112,9 @@ fn note(note: &Note) -> String {
         Note::OthersBelongElsewhere => {
             "Right; the other equations belong to the other parts.".to_owned()
         }
+        Note::OtherForm => {
+            "Right, but not in the form that is asked; see the line for the answer.".to_owned()
+        }
         Note::ConstantsToSpare { needed, found } => {
             format!("Right; {needed} constants would do, here are {found}.")
         }
@@ -202,6 +205,7 @@ fn slip(slip: &Slip) -> String {
         }
         Slip::Scale(Scaling::Mass) => "The shape is right; scale it so that its modal mass is 1.",
         Slip::Angle => "The magnitude fits, the angle does not.",
+        Slip::UnequalSides => "The sides of this statement are not equal.",
         Slip::NotInteger => "An integer is asked.",
         Slip::NoValueForData => "This has no value for data for which there is an answer.",
         Slip::NoValueOnSpan => "This has no value somewhere on the span.",

@@ -139,9 +139,6 @@ fn why(why: &Why) -> String {
         Why::FormulaNotNumber => {
             "a formula in symbols is asked, not a number: give it without its value.".to_owned()
         }
-        Why::UnequalFormulas => {
-            "the sides of the equals signs are not the same: give one formula.".to_owned()
-        }
         Why::Incomparable => {
             "this formula cannot be compared; write it in a simpler form.".to_owned()
         }

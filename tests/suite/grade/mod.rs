@@ -2,4 +2,5 @@
 
 mod doubt;
 mod follow;
+mod form;
 mod relations;

@@ -1,0 +1,125 @@
+//! Answers in another form than the one that is asked: a value for a formula, a formula for a value, or both in one
+//! statement, `ω = sqrt(k/m) = 15.81 rad/s`.
+
+use super::Sheet;
+use crate::answer::{Credit, Marker, Marking, Note, Reason, Remark, Slip, Verdict};
+use crate::numerics::Rational;
+use crate::response::{self, Folded};
+use crate::solution::Solution;
+
+/// The marking of a response that its own kind hands back, if it says something in the other form: of a statement in
+/// both forms the one that is asked counts, and a right answer in the other form alone has its share.
+pub(super) fn otherwise(
+    solution: &Solution<'_>,
+    place: usize,
+    response: &str,
+    first: &Marking,
+    sheet: &Sheet<'_>,
+) -> Option<Marking> {
+    if response.len() > super::LONGEST_RESPONSE {
+        return None;
+    }
+    let other = solution.other_marker(place)?;
+    let own = solution.marker(place).ok()?;
+    let folded = Folded::of(response).ok()?;
+    let text = folded.text().trim();
+    if let Some(marking) = statement(own, other, text) {
+        return Some(marking);
+    }
+    if first.verdict != Verdict::Unreadable {
+        return None;
+    }
+    let marking = other.mark(text);
+    let reading = marking.reading.clone().filter(|_| is_right(&marking))?;
+    let credit = share(solution, place, sheet).filter(|credit| *credit > Credit::NONE)?;
+    Some(Marking::read(
+        reading,
+        credit,
+        Remark::from(Note::OtherForm),
+    ))
+}
+
+/// The marking of a statement with sides in both forms: that of its last side in the form that is asked, if all others
+/// agree with it.
+fn statement(own: &dyn Marker, other: &dyn Marker, text: &str) -> Option<Marking> {
+    let mut sides = response::statement(text);
+    if sides.len() < 2 {
+        return None;
+    }
+    let mark = |side: &str| (own.mark(side), other.mark(side));
+    let first = mark(sides[0]);
+    // What is asked may stand before the first equals sign, whatever else its letter means.
+    let is_letter = |marking: &Marking| {
+        let reading = marking.reading.as_ref();
+        reading.is_none_or(|reading| is_name(&reading.text))
+    };
+    if is_symbol(sides[0]) && is_letter(&first.0) && is_letter(&first.1) {
+        sides.remove(0);
+    }
+    let marked: Vec<(Marking, Marking)> = sides.iter().map(|side| mark(side)).collect();
+    let is_in_form = |(own, _): &&(Marking, Marking)| own.reading.is_some();
+    let in_form = marked.iter().filter(is_in_form).count();
+    let are_read = marked
+        .iter()
+        .all(|(own, other)| own.reading.is_some() || other.reading.is_some());
+    if !are_read || in_form == 0 || in_form == marked.len() {
+        return None;
+    }
+    let (counts, _) = marked.iter().rfind(is_in_form)?;
+    let agrees = marked.iter().all(|(own, other)| {
+        if own.reading.is_some() {
+            is_right(own)
+        } else {
+            is_right(other)
+        }
+    });
+    if !is_right(counts) || agrees {
+        return Some(counts.clone());
+    }
+    let reading = counts.reading.clone()?;
+    Some(Marking::wrong(reading, Remark::from(Slip::UnequalSides)))
+}
+
+/// Whether it is the key, though it may lack a unit or figures.
+fn is_right(marking: &Marking) -> bool {
+    marking.credit > Credit::NONE && marking.reasons().contains(&Reason::Matches)
+}
+
+/// Whether a formula is one name.
+fn is_name(formula: &str) -> bool {
+    formula.starts_with(char::is_alphabetic)
+        && formula
+            .chars()
+            .all(|char| char.is_alphanumeric() || char == '_')
+}
+
+/// Whether a side is no more than a symbol: letters, digits, and what subscripts are written with.
+fn is_symbol(side: &str) -> bool {
+    const LONGEST: usize = 30;
+    let is_part = |char: char| char.is_alphanumeric() || "_{}\\()'|, ".contains(char);
+    side.len() <= LONGEST && side.chars().all(is_part)
+}
+
+/// What the other form is worth; nothing where another part that is asked has the same key.
+fn share(solution: &Solution<'_>, place: usize, sheet: &Sheet<'_>) -> Option<Credit> {
+    let template = solution.template();
+    let key = |at: usize| {
+        let keys = template.parts[at].answer.keys();
+        let [key] = keys[..] else {
+            return None;
+        };
+        let dimension = template.graph.kind(key)?.dimension();
+        Some((solution.evaluation().real(key).ok()?, dimension))
+    };
+    let own = key(place)?;
+    let is_alike = |(value, dimension): (f64, _)| {
+        const SAME: f64 = 1e-12;
+        dimension == own.1 && (value - own.0).abs() <= SAME * own.0.abs()
+    };
+    let is_asked_again = |at: &usize| *at != place && key(*at).is_some_and(is_alike);
+    if sheet.asked.iter().any(is_asked_again) {
+        return None;
+    }
+    let half = || Rational::new(1, 2).and_then(Credit::new);
+    sheet.other_form.or(template.about.other_form).or_else(half)
+}

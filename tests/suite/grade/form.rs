@@ -1,0 +1,126 @@
+//! Values in place of formulas, formulas in place of values, and statements in both forms.
+
+use vibank::answer::{Credit, Verdict};
+use vibank::bank::{Catalogue, embedded};
+use vibank::grade::{Grade, Sheet};
+use vibank::instance::Instance;
+use vibank::solution::Solution;
+
+const ITEM: &str = "ch2/p3-parallel-springs-damper";
+
+/// The marking of a response to one part on a sheet that asks for these.
+fn marked(
+    part: &str,
+    response: &str,
+    asked: &[&str],
+    share: Option<&str>,
+) -> (Verdict, f64, String) {
+    let (catalogue, _) = Catalogue::load(embedded());
+    let template = catalogue.find(ITEM).expect("the item");
+    let set = [("m", "2 kg"), ("k1", "30 N/m"), ("k2", "20 N/m")];
+    let instance = Instance::of(template, None, &set).expect("the data");
+    let solution = Solution::of(instance);
+    let place = |id: &str| {
+        let found = template.parts.iter().position(|part| part.id == id);
+        found.expect("the part")
+    };
+    let asked: Vec<usize> = asked.iter().map(|id| place(id)).collect();
+    let sheet = Sheet {
+        asked: &asked,
+        other_form: share.and_then(Credit::read),
+    };
+    let grade = Grade::mark_on(&solution, &sheet, [(place(part), response)]);
+    let marking = grade.part(place(part)).expect("it was marked");
+    let remarks = format!("{:?}", marking.remarks);
+    (marking.verdict, marking.credit.share().to_f64(), remarks)
+}
+
+#[test]
+fn the_other_form_has_its_share_where_no_other_part_pays_for_it() {
+    use Verdict::{Partial, Right, Unreadable};
+    let both = ["omega_n", "omega_n_value"];
+    for (part, response, asked, share, verdict, credit) in [
+        ("omega_n", "5 rad/s", &both[..1], None, Partial, 0.5),
+        ("omega_n", "5", &both[..1], Some("0.25"), Partial, 0.25),
+        ("omega_n", "5 rad/s", &both[..1], Some("0"), Unreadable, 0.0),
+        ("omega_n", "5 rad/s", &both[..], None, Unreadable, 0.0),
+        ("omega_n", "6 rad/s", &both[..1], None, Unreadable, 0.0),
+        (
+            "omega_n_value",
+            "sqrt((k1+k2)/m)",
+            &both[1..],
+            None,
+            Partial,
+            0.5,
+        ),
+        (
+            "omega_n_value",
+            "sqrt((k1+k2)/m)",
+            &both[..],
+            None,
+            Unreadable,
+            0.0,
+        ),
+        (
+            "omega_n_value",
+            "sqrt((k1-k2)/m)",
+            &both[1..],
+            None,
+            Unreadable,
+            0.0,
+        ),
+        ("omega_n_value", "5 rad/s", &both[..], None, Right, 1.0),
+        ("eom", "5 rad/s", &["eom"][..], None, Unreadable, 0.0),
+    ] {
+        let (found, paid, why) = marked(part, response, asked, share);
+        assert_eq!(
+            (found, paid),
+            (verdict, credit),
+            "{part}: {response} on {asked:?}: {why}"
+        );
+    }
+}
+
+#[test]
+fn a_statement_in_both_forms_counts_by_the_one_that_is_asked() {
+    use Verdict::{Right, Wrong};
+    let both = ["omega_n", "omega_n_value"];
+    for (part, response, verdict) in [
+        ("omega_n", "omega_n = sqrt((k1+k2)/m) = 5 rad/s", Right),
+        ("omega_n", "sqrt((k1+k2)/m) = 5 rad/s", Right),
+        ("omega_n", "omega_n = 5 rad/s = sqrt((k1+k2)/m)", Right),
+        ("omega_n", "omega_n = sqrt((k1+k2)/m) = 7 rad/s", Wrong),
+        ("omega_n", "omega_n = sqrt(m/(k1+k2)) = 5 rad/s", Wrong),
+        (
+            "omega_n_value",
+            "omega_n = sqrt((k1+k2)/m) = 5 rad/s",
+            Right,
+        ),
+        ("omega_n_value", "sqrt((k1+k2)/m) = 5 rad/s", Right),
+        ("omega_n_value", "omega_n = sqrt(k1/m) = 5 rad/s", Wrong),
+        (
+            "omega_n_value",
+            "omega_n = sqrt((k1+k2)/m) = 7 rad/s",
+            Wrong,
+        ),
+    ] {
+        let (found, _, why) = marked(part, response, &both, None);
+        assert_eq!(found, verdict, "{part}: {response}: {why}");
+    }
+}
+
+#[test]
+fn alternatives_have_no_better_one() {
+    for part in ["omega_n", "omega_n_value"] {
+        for response in [
+            "5 rad/s; sqrt((k1+k2)/m)",
+            "5 rad/s or 6 rad/s",
+            "5 rad/s\n6 rad/s",
+            "sqrt((k1+k2)/m) or sqrt(k1/m)",
+            "sqrt((k1+k2)/m)\nsqrt(k1/m)",
+        ] {
+            let (found, credit, why) = marked(part, response, &[part], None);
+            assert_eq!(credit, 0.0, "{part}: {response}: {found:?} {why}");
+        }
+    }
+}
