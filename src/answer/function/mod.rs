@@ -20,7 +20,7 @@
 //! key       = "x"
 //! span      = ["0", "6*pi/omega_n"]
 //! tolerance = "2 %"             # of the largest value; derived if left out
-//! in        = ["x0", "v0"]      # letters in which the key is printed
+//! in        = ["x0"]            # letters in which the key is printed
 //! ask       = "Find $x(t)$."
 //! ```
 //!
