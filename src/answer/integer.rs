@@ -14,8 +14,9 @@ use std::sync::Arc;
 
 use super::settle::{Candidate, Rule, settle};
 use super::{
-    Answer, AnswerError, Answered, Asked, Band, Blank, Context, Credit, Declare, Doubt, Echo, Key, KeyValue,
-    Marker, Marking, Misfit, Nature, Reading, Remark, Role, Slip, Trial, Unreadable, Why, numeric,
+    Answer, AnswerError, Answered, Asked, Band, Blank, Context, Credit, Declare, Doubt, Echo, Key,
+    KeyValue, Marker, Marking, Misfit, Nature, Reading, Remark, Role, Slip, Trial, Unreadable, Why,
+    numeric,
 };
 use crate::expr::{Expr, Form, Name, Precise, Program, Slots, Workspace};
 use crate::math::Math;
