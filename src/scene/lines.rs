@@ -147,7 +147,7 @@ fn width(math: &Math) -> usize {
             numerator,
             denominator,
             ..
-        } => width(numerator).max(width(denominator)),
+        } => width(numerator).max(width(denominator)) + 1,
         Math::Root { radicand, .. } => width(radicand) + 1,
         Math::Script { base, sub, sup } => {
             let script = |own: &Option<Box<Math>>| own.as_ref().map_or(0, |own| width(own));

@@ -172,7 +172,12 @@ impl Deriver<'_> {
                         let names = force.names();
                         let unknown = body.unknowns.iter().find(|name| names.uses(name));
                         let Some(unknown) = unknown else {
-                            let (sign, force) = self.tidy(&force);
+                            // What is only taken over keeps the order in which the author wrote it.
+                            let (sign, force) = if slope.is_one() {
+                                (false, force)
+                            } else {
+                                self.tidy(&force)
+                            };
                             along.forces.push((is_negative != sign, force));
                             continue;
                         };

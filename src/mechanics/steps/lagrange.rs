@@ -279,7 +279,9 @@ impl Deriver<'_> {
                 Expr::number(1)
             } else {
                 let moved = Normal::of(&self.resolved(&inner.to_expr())?)?;
-                moved.derivative(by)?.to_expr(&self.order)
+                let slope = moved.derivative(by)?.to_expr(&self.order);
+                let (is_negative, slope) = self.tidy(&slope);
+                if is_negative { -slope } else { slope }
             };
             if slope.is_zero() {
                 continue;

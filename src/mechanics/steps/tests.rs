@@ -208,7 +208,7 @@ fn newtons_laws_lose_the_forces_of_constraint() {
             "m2*x2'' = -k2*x2 - b2*x2' + S2",
             "J*theta'' = k1*z*r1 + S2*r2",
             "m1*x1'' + b1*x1' + k1*x1 + k1*r1*theta = 0",
-            "-m2*r2*x2'' + J*theta'' = k2*r2*x2 + b2*r2*x2' + k1*r1*z",
+            "-m2*r2*x2'' + J*theta'' = k2*r2*x2 + b2*r2*x2' + k1*z*r1",
             "(m2*r2^2 + J)*theta'' + b2*r2^2*theta' + k1*r1*x1 + (k1*r1^2 + k2*r2^2)*theta = 0",
         ]
     );
