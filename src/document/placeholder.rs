@@ -81,7 +81,10 @@ impl Form {
 
 /// The derivations of a model, which a layer above makes.
 fn is_derivation(name: &str) -> bool {
-    matches!(name, "lagrange" | "energy" | "newton")
+    matches!(
+        name,
+        "lagrange" | "energy" | "newton" | "characteristic" | "row"
+    )
 }
 
 impl Placeholder {

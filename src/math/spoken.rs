@@ -251,6 +251,9 @@ impl Writer<'_> {
 
     fn fence(&mut self, open: &str, close: &str, body: &Math) {
         if let Math::Table { .. } = body {
+            if (open, close) == ("|", "|") {
+                self.say("the determinant of");
+            }
             return self.math(body);
         }
         if (open, close) == ("|", "|") {
@@ -354,6 +357,14 @@ mod tests {
                 "the integral from 0 to capital T of",
             ),
             (Math::identifier("M", Style::Bold), "bold capital M"),
+            (
+                Math::Table {
+                    rows: vec![vec![Math::letter('a'), Math::letter('b')]],
+                    kind: TableKind::Matrix,
+                }
+                .fenced("|", "|"),
+                "the determinant of the matrix with row 1: a, b end matrix",
+            ),
         ] {
             assert_eq!(math.spoken(), words);
         }

@@ -63,7 +63,7 @@ impl Model {
 }
 
 /// By expansion along the first row; the matrices are small.
-fn determinant(matrix: &Matrix) -> Option<Normal> {
+pub(super) fn determinant(matrix: &Matrix) -> Option<Normal> {
     const LARGEST: usize = 6;
     match matrix.as_slice() {
         [row] => row.first().cloned(),

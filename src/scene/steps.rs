@@ -7,7 +7,7 @@ use super::notation::{Quantities, Symbols};
 use crate::bank::QuantityInfo;
 use crate::document::{Filling, Inline, Step as Shown};
 use crate::expr::{Expr, Kind, Name, Notation, Path};
-use crate::math::{Class, Math};
+use crate::math::{Class, Math, TableKind};
 use crate::mechanics::{Line, Reason, Side, Step, Term};
 use crate::quantity::{Graph, NodeId};
 
@@ -52,6 +52,14 @@ impl Scene<'_, '_> {
     fn side(&self, side: &Side, notation: &dyn Notation) -> Math {
         match side {
             Side::Formula(formula) => formula.typeset(notation),
+            Side::Determinant(rows) => {
+                let row = |row: &Vec<Expr>| row.iter().map(|own| own.typeset(notation)).collect();
+                let table = Math::Table {
+                    rows: rows.iter().map(row).collect(),
+                    kind: TableKind::Matrix,
+                };
+                table.fenced("|", "|")
+            }
             Side::Terms(terms) if terms.is_empty() => Math::number("0"),
             Side::Terms(terms) => {
                 let mut row = Vec::new();
@@ -116,6 +124,13 @@ impl Scene<'_, '_> {
             Reason::Body(name) => {
                 let words = name.as_str().replace('_', " ");
                 vec![text(&format!("Newton’s law, {words}:"))]
+            }
+            Reason::Characteristic => {
+                vec![text("A motion with one angular frequency and without dampers:")]
+            }
+            Reason::Row(row) => {
+                let ordinal = if *row == 0 { "First" } else { "Second" };
+                vec![text(&format!("{ordinal} row:"))]
             }
             Reason::Elimination(name, unknowns) => {
                 let mut words = vec![text("Along "), symbol(name)];
@@ -237,7 +252,12 @@ mod tests {
             let mut moving: BTreeSet<Name> = model.coordinates().iter().cloned().collect();
             for line in steps.iter().flat_map(|step| &step.lines) {
                 for side in &line.sides {
-                    if let Side::Formula(own) = side {
+                    let formulas: Vec<&Expr> = match side {
+                        Side::Formula(own) => vec![own],
+                        Side::Determinant(rows) => rows.iter().flatten().collect(),
+                        Side::Terms(_) => Vec::new(),
+                    };
+                    for own in formulas {
                         names.extend(own.names().free.into_iter().map(|own| own.name));
                     }
                 }
@@ -300,6 +320,49 @@ mod tests {
         }
     }
 
+    /// The determinant is the polynomial below it.
+    fn follow_determinant(reader: &Reader<'_, '_, '_>, step: &Step, label: &str) {
+        let [first, second, ..] = step.lines.as_slice() else {
+            panic!("{label}: a determinant and its equation");
+        };
+        let Side::Determinant(rows) = &first.sides[0] else {
+            panic!("{label}: a determinant");
+        };
+        let entry = |row: usize, column: usize| {
+            let entry = Side::Formula(rows[row][column].clone());
+            reader.read(&entry).expect("a formula")
+        };
+        let expanded = if rows.len() == 1 {
+            entry(0, 0)
+        } else {
+            let products = [(0, 0, 1, 1), (0, 1, 1, 0)];
+            let [main, other] = products.map(|(a, b, c, d)| {
+                entry(a, b).times(&entry(c, d)).expect("it is small")
+            });
+            main.plus(&other.negated()).expect("it is small")
+        };
+        assert_same(label, &expanded, &reader.read(&second.sides[0]).expect("a formula"));
+    }
+
+    /// The ratio makes the row vanish.
+    fn follow_row(reader: &Reader<'_, '_, '_>, step: &Step, names: &[Name], label: &str) {
+        let [row, ratio] = step.lines.as_slice() else {
+            panic!("{label}: a row and its ratio");
+        };
+        let row = reader.read(&row.sides[0]).expect("a formula");
+        let ratio = reader.read(&ratio.sides[1]).expect("a formula");
+        let [first, second] = names else {
+            panic!("{label}: two coordinates");
+        };
+        let order = crate::expr::Order::new();
+        let shape = Substitution::new()
+            .with(first.clone(), Expr::number(1))
+            .with(second.clone(), ratio.to_expr(&order));
+        let left = Normal::of(&shape.apply(&row.to_expr(&order)).expect("it is small"));
+        let zero = Normal::of(&Expr::number(0)).expect("a number");
+        assert_same(label, &left.expect("it is small"), &zero);
+    }
+
     fn assert_same(label: &str, first: &Normal, second: &Normal) {
         let is_same = first.is_equal(second).expect("it is small");
         assert!(is_same, "{label}: two neighbours differ");
@@ -334,6 +397,17 @@ mod tests {
         let mut along = 0;
         for step in &steps {
             let mut before: Option<Normal> = None;
+            match &step.reason {
+                Reason::Characteristic => {
+                    follow_determinant(&reader, step, label);
+                    return 0;
+                }
+                Reason::Row(_) => {
+                    follow_row(&reader, step, model.coordinates(), label);
+                    return 0;
+                }
+                _ => {}
+            }
             for line in &step.lines {
                 if step.reason == Reason::Kinematics {
                     reader.learn(line);
@@ -472,7 +546,8 @@ mod tests {
                 continue;
             };
             let mut ways: Vec<Way> = (0..model.degrees_of_freedom()).map(Way::Lagrange).collect();
-            ways.extend([Way::Energy, Way::Newton]);
+            ways.extend([Way::Energy, Way::Newton, Way::Characteristic]);
+            ways.extend((0..model.degrees_of_freedom()).map(Way::Row));
             for way in ways {
                 if model.derivation(way).is_ok() {
                     marked += follow(template, way, &format!("{} {way:?}", template.id));

@@ -158,7 +158,7 @@ fn demand(name: &str, from: usize) -> Result<(&str, Form), TextError> {
         span,
     };
     let names: Vec<&str> = name.split('.').collect();
-    if !names.iter().all(|name| is_name(name)) || names.len() > 8 {
+    if !is_path(&names) || names.len() > 8 {
         return Err(malformed());
     }
     // How many names a path has at least: what comes after may be a form.
@@ -186,6 +186,14 @@ fn demand(name: &str, from: usize) -> Result<(&str, Form), TextError> {
 }
 
 /// `[A-Za-z][A-Za-z0-9_]*`
+/// Names, the later of which may be numbers: `model.row.1`.
+fn is_path(names: &[&str]) -> bool {
+    let is_number = |name: &str| name.bytes().all(|b| b.is_ascii_digit());
+    let (first, rest) = (names.first(), names.iter().skip(1));
+    first.is_some_and(|name| is_name(name))
+        && rest.into_iter().all(|name| is_name(name) || !name.is_empty() && is_number(name))
+}
+
 fn is_name(name: &str) -> bool {
     name.starts_with(|c: char| c.is_ascii_alphabetic())
         && name.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_')

@@ -105,7 +105,7 @@ impl Deriver<'_> {
             .flat_map(|line| &line.sides)
             .filter_map(|side| match side {
                 Side::Formula(formula) => Some(formula),
-                Side::Terms(_) => None,
+                Side::Terms(_) | Side::Determinant(_) => None,
             });
         let relations = self.relations(used)?;
         steps.splice(0..0, relations);

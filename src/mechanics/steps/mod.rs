@@ -6,6 +6,7 @@
 mod bodies;
 mod energy;
 mod factors;
+mod frequencies;
 mod lagrange;
 #[cfg(test)]
 mod tests;
@@ -46,6 +47,8 @@ pub enum Side {
     Formula(Expr),
     /// A sum of terms by their names, each with whether it is subtracted; empty for 0.
     Terms(Vec<(bool, Term)>),
+    /// The determinant of a matrix, by rows.
+    Determinant(Vec<Vec<Expr>>),
 }
 
 /// A term of a law, by its name.
@@ -96,6 +99,10 @@ pub enum Reason {
     Body(Name),
     /// The laws are multiplied by the displacements along a coordinate and added, so that these unknown forces cancel.
     Elimination(Name, Vec<Name>),
+    /// The condition for a motion in which all coordinates swing with one frequency.
+    Characteristic,
+    /// A row of the equations for the shape of a mode, counted from 0.
+    Row(usize),
 }
 
 impl Line {
@@ -228,6 +235,8 @@ impl Model {
             Way::Lagrange(at) => deriver.lagrange(at),
             Way::Energy => deriver.energy(),
             Way::Newton => deriver.newton(),
+            Way::Characteristic => deriver.characteristic(),
+            Way::Row(mode) => deriver.row(mode),
         }
     }
 }

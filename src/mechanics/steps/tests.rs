@@ -83,6 +83,7 @@ fn lines(definition: Definition, way: Way) -> Vec<String> {
 fn text(line: &Line) -> String {
     let side = |side: &Side| match side {
         Side::Formula(formula) => formula.to_string(),
+        Side::Determinant(rows) => format!("det{}", rows.len()),
         Side::Terms(terms) if terms.is_empty() => "0".to_owned(),
         Side::Terms(terms) => terms
             .iter()

@@ -14,11 +14,15 @@ pub enum Way {
     Energy,
     /// Newton's law for each body.
     Newton,
+    /// The determinant of K − ω² M and its equation, for one or two coordinates.
+    Characteristic,
+    /// A row of (K − ω² M) u = 0 and its ratio, for a mode of two coordinates, counted from 0.
+    Row(usize),
 }
 
 impl Way {
     /// The names of all ways.
-    pub const NAMES: [&str; 3] = ["lagrange", "energy", "newton"];
+    pub const NAMES: [&str; 5] = ["lagrange", "energy", "newton", "characteristic", "row"];
 }
 
 impl Model {
@@ -37,6 +41,8 @@ impl Model {
             "lagrange" => return self.along(name, rest).map(Way::Lagrange),
             "energy" => Way::Energy,
             "newton" => Way::Newton,
+            "characteristic" => Way::Characteristic,
+            "row" => return self.mode(rest).map(Way::Row),
             name => return Err(unknown(name)),
         };
         match rest.first() {
@@ -45,6 +51,19 @@ impl Model {
             }),
             None => Ok(way),
         }
+    }
+
+    /// The mode of a path, which counts from 1.
+    fn mode(&self, rest: &[Name]) -> Result<usize, QuantityError> {
+        let number = rest.first().cloned().unwrap_or_else(|| Name::new("row"));
+        let count = match rest {
+            [number] => number.as_str().parse().ok(),
+            _ => None,
+        };
+        count
+            .and_then(|count: usize| count.checked_sub(1))
+            .filter(|mode| *mode < self.degrees_of_freedom())
+            .ok_or(QuantityError::NotACoordinate { name: number })
     }
 
     /// The coordinate of a path; it may be omitted if there is one alone.

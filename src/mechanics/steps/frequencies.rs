@@ -1,0 +1,81 @@
+//! Natural frequencies and the shapes that belong to them, in letters.
+
+use super::{Deriver, Lack, Line, Reason, Side, Step};
+use crate::expr::{Expr, Name, Normal};
+use crate::mechanics::Quantity;
+use crate::mechanics::characteristic::determinant;
+use crate::mechanics::linear::Matrix;
+
+/// More coordinates have no equation in letters that anybody follows.
+const MOST_COORDINATES: usize = 2;
+
+impl Deriver<'_> {
+    /// The determinant of K − ω² M and its equation; dampers are ignored.
+    pub(super) fn characteristic(&self) -> Result<Vec<Step>, Lack> {
+        let unknown = Name::new("omega");
+        let entries = self.stiffness_less_inertia(&unknown)?;
+        let equation = determinant(&entries).ok_or(Lack::NoFormula)?;
+        let row = |row: &Vec<Normal>| row.iter().map(|entry| self.collected(entry)).collect();
+        let order = self.model.order().clone().moving([unknown]).descending();
+        let zero = || Side::Formula(Expr::number(0));
+        let matrix = Side::Determinant(entries.iter().map(row).collect());
+        let mut lines = vec![
+            Line::exact([matrix, zero()]),
+            Line::exact([Side::Formula(equation.to_expr(&order)), zero()]),
+        ];
+        let has_dampers = !self.model.linear().ok_or(Lack::NoFormula)?.is_undamped();
+        let shortest = self.model.equations(Quantity::CharacteristicEquation);
+        if let (Ok(shortest), false) = (shortest, has_dampers) {
+            lines.extend(shortest.into_iter().map(super::lagrange::line_of));
+        }
+        Ok(vec![Step {
+            reason: Reason::Characteristic,
+            lines,
+        }])
+    }
+
+    /// A row of (K − ω² M) u = 0 that joins the two coordinates, and the ratio that it gives.
+    pub(super) fn row(&self, mode: usize) -> Result<Vec<Step>, Lack> {
+        let names = self.model.coordinates();
+        let [first, second] = names else {
+            return Err(Lack::SeveralCoordinates);
+        };
+        let frequency = Name::new(format!("omega{}", mode + 1));
+        let entries = self.stiffness_less_inertia(&frequency)?;
+        // In a row without the other coordinate nothing says how large that one is.
+        let joined = [(0, 1), (1, 0)];
+        let joined = joined.into_iter().find(|(row, other)| !entries[*row][*other].is_zero());
+        let (row, _) = joined.ok_or(Lack::NoFormula)?;
+        let order = self.model.order().clone().moving(names.to_vec());
+        let mut sum = Normal::of(&Expr::number(0))?;
+        for (entry, name) in entries[row].iter().zip(names) {
+            sum = sum.plus(&entry.times(&Normal::of(&Expr::name(name.clone()))?)?)?;
+        }
+        let written = |own: &Normal| own.to_bracket(self.model.order());
+        let ratio = -(written(&entries[row][0]) / written(&entries[row][1]));
+        let names = Expr::name(second.clone()) / Expr::name(first.clone());
+        Ok(vec![Step {
+            reason: Reason::Row(row),
+            lines: vec![
+                Line::exact([sum.to_expr(&order), Expr::number(0)].map(Side::Formula)),
+                Line::exact([names, ratio].map(Side::Formula)),
+            ],
+        }])
+    }
+
+    /// K − ω² M with this letter for ω.
+    fn stiffness_less_inertia(&self, frequency: &Name) -> Result<Matrix, Lack> {
+        if self.model.degrees_of_freedom() > MOST_COORDINATES {
+            return Err(Lack::SeveralCoordinates);
+        }
+        let linear = self.model.linear().ok_or(Lack::NoFormula)?;
+        let square = Normal::of(&Expr::name(frequency.clone()).squared())?.negated();
+        let rows = linear.stiffness.iter().zip(&linear.mass);
+        let row = |(stiffness, mass): (&Vec<Normal>, &Vec<Normal>)| {
+            let entries = stiffness.iter().zip(mass);
+            let entry = |(stiffness, mass): (&Normal, &Normal)| stiffness.plus(&mass.times(&square)?);
+            entries.map(entry).collect::<Result<Vec<_>, _>>()
+        };
+        Ok(rows.map(row).collect::<Result<_, _>>()?)
+    }
+}
