@@ -126,7 +126,9 @@ impl Scene<'_, '_> {
                 vec![text(&format!("Newton’s law, {words}:"))]
             }
             Reason::Characteristic => {
-                vec![text("A motion with one angular frequency and without dampers:")]
+                vec![text(
+                    "A motion with one angular frequency and without dampers:",
+                )]
             }
             Reason::Row(row) => {
                 let ordinal = if *row == 0 { "First" } else { "Second" };
@@ -336,12 +338,15 @@ mod tests {
             entry(0, 0)
         } else {
             let products = [(0, 0, 1, 1), (0, 1, 1, 0)];
-            let [main, other] = products.map(|(a, b, c, d)| {
-                entry(a, b).times(&entry(c, d)).expect("it is small")
-            });
+            let [main, other] =
+                products.map(|(a, b, c, d)| entry(a, b).times(&entry(c, d)).expect("it is small"));
             main.plus(&other.negated()).expect("it is small")
         };
-        assert_same(label, &expanded, &reader.read(&second.sides[0]).expect("a formula"));
+        assert_same(
+            label,
+            &expanded,
+            &reader.read(&second.sides[0]).expect("a formula"),
+        );
     }
 
     /// The ratio makes the row vanish.

@@ -44,7 +44,9 @@ impl Deriver<'_> {
         let entries = self.stiffness_less_inertia(&frequency)?;
         // In a row without the other coordinate nothing says how large that one is.
         let joined = [(0, 1), (1, 0)];
-        let joined = joined.into_iter().find(|(row, other)| !entries[*row][*other].is_zero());
+        let joined = joined
+            .into_iter()
+            .find(|(row, other)| !entries[*row][*other].is_zero());
         let (row, _) = joined.ok_or(Lack::NoFormula)?;
         let order = self.model.order().clone().moving(names.to_vec());
         let mut sum = Normal::of(&Expr::number(0))?;
@@ -73,7 +75,8 @@ impl Deriver<'_> {
         let rows = linear.stiffness.iter().zip(&linear.mass);
         let row = |(stiffness, mass): (&Vec<Normal>, &Vec<Normal>)| {
             let entries = stiffness.iter().zip(mass);
-            let entry = |(stiffness, mass): (&Normal, &Normal)| stiffness.plus(&mass.times(&square)?);
+            let entry =
+                |(stiffness, mass): (&Normal, &Normal)| stiffness.plus(&mass.times(&square)?);
             entries.map(entry).collect::<Result<Vec<_>, _>>()
         };
         Ok(rows.map(row).collect::<Result<_, _>>()?)
