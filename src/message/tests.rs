@@ -31,7 +31,7 @@ fn slips() -> Vec<Slip> {
         Slip::Scale(Scaling::First),
         Slip::Scale(Scaling::Mass),
         Slip::Angle,
-        Slip::OutsideInterval(quantity("-180 deg"), quantity("180 deg")),
+        Slip::OutsideInterval(Box::new([quantity("-180 deg"), quantity("180 deg")])),
         Slip::NotInteger,
         Slip::UnequalSides,
         Slip::NoValueForData,

@@ -138,7 +138,7 @@ impl Numbers {
             ))
         };
         let [low, high] = ends.map(quantity);
-        (!is_inside).then_some(Slip::OutsideInterval(low?, high?))
+        (!is_inside).then_some(Slip::OutsideInterval(Box::new([low?, high?])))
     }
 
     /// The value in SI units; a number without a unit is taken in the unit that is asked for.

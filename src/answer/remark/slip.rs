@@ -24,7 +24,7 @@ pub enum Slip {
     /// The magnitude of a complex number is right, its angle is not.
     Angle,
     /// An angle that is right but for whole turns, where it is asked within an interval with these ends.
-    OutsideInterval(Quantity, Quantity),
+    OutsideInterval(Box<[Quantity; 2]>),
     /// No integer where one is asked.
     NotInteger,
     /// The sides of a statement are not equal.

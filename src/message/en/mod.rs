@@ -134,7 +134,8 @@ fn slip(slip: &Slip) -> String {
         Slip::AngleUnit(unit) => {
             return format!("The number fits in another unit of angle, not in {}.", unit.text());
         }
-        Slip::OutsideInterval(low, high) => {
+        Slip::OutsideInterval(ends) => {
+            let [low, high] = **ends;
             return format!(
                 "The direction is right; give the angle from {} to {}.",
                 low.math(DecimalMark::Point).plain(),
