@@ -70,14 +70,14 @@ impl Scene<'_, '_> {
                         (false, true) => {}
                         (false, false) => row.push(Math::binary("+")),
                     }
-                    row.push(self.term(term, notation));
+                    row.push(Self::term(term, notation));
                 }
                 Math::row(row)
             }
         }
     }
 
-    fn term(&self, term: &Term, notation: &dyn Notation) -> Math {
+    fn term(term: &Term, notation: &dyn Notation) -> Math {
         let symbol = |name: &Name| notation.name(name).math;
         let partial = |above: &str, below: Math| {
             let sign = || Math::operator("∂", Class::Ordinary);
@@ -234,6 +234,10 @@ mod tests {
     use crate::solution::Solution;
 
     /// Draws with which each printed equation is marked; `VIBANK_STEPS` sets another number.
+    #[expect(
+        clippy::disallowed_methods,
+        reason = "the length of a test, not what it comes to"
+    )]
     fn draws() -> u64 {
         let draws = std::env::var("VIBANK_STEPS").ok();
         draws.and_then(|draws| draws.parse().ok()).unwrap_or(2)

@@ -55,7 +55,7 @@ impl Deriver<'_> {
         steps.push(Step {
             reason: Reason::Balance,
             lines: vec![
-                self.law(&power),
+                Self::law(&power),
                 Line::exact([sum_of_signed_terms(rate), power].map(Side::Formula)),
             ],
         });
@@ -109,7 +109,7 @@ impl Deriver<'_> {
         Ok(self.collected(&rate))
     }
 
-    fn law(&self, power: &Expr) -> Line {
+    fn law(power: &Expr) -> Line {
         let right = if power.is_zero() {
             Vec::new()
         } else {

@@ -94,13 +94,13 @@ impl Deriver<'_> {
             reason: Reason::Terms(name.clone()),
             lines,
         });
-        steps.push(self.sum(name, &entries, force.clone()));
+        steps.push(Self::sum(name, &entries, force.clone()));
         self.finish(at, &entries, force, &mut steps)?;
         Ok(steps)
     }
 
     /// The law with the names of its terms, and with what they are.
-    fn sum(&self, name: &Name, entries: &[Entry], force: Option<Expr>) -> Step {
+    fn sum(name: &Name, entries: &[Entry], force: Option<Expr>) -> Step {
         let law = entries
             .iter()
             .map(|own| (own.is_subtracted, own.term.clone()));
