@@ -37,7 +37,7 @@ impl Scene<'_, '_> {
         let notation = Symbols(self.solution);
         let mut sides: Vec<Math> = Vec::new();
         for side in &line.sides {
-            let math = self.side(side, &notation);
+            let math = Self::side(side, &notation);
             // What differs as a formula may be printed alike, 2·(½ k x) and k x.
             if sides.last() != Some(&math) {
                 sides.push(math);
@@ -49,7 +49,7 @@ impl Scene<'_, '_> {
         }
     }
 
-    fn side(&self, side: &Side, notation: &dyn Notation) -> Math {
+    fn side(side: &Side, notation: &dyn Notation) -> Math {
         match side {
             Side::Formula(formula) => formula.typeset(notation),
             Side::Determinant(rows) => {
@@ -516,7 +516,7 @@ mod tests {
             let sides = line
                 .sides
                 .iter()
-                .map(|side| scene.side(side, &Symbols(&solution)).latex());
+                .map(|side| Scene::side(side, &Symbols(&solution)).latex());
             let typed = sides.collect::<Vec<_>>().join(" = ");
             let folded = Folded::of(&typed);
             let folded = folded.as_ref().map_or("", Folded::text);
