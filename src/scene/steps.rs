@@ -512,7 +512,6 @@ mod tests {
                 continue;
             };
             let solution = Solution::of(instance);
-            let scene = Scene::of(&solution, Data::Both);
             let sides = line
                 .sides
                 .iter()
