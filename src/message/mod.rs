@@ -41,7 +41,7 @@ impl Language {
     /// ```
     /// # #[cfg(feature = "render")] {
     /// use vibank::{bank, message::Language};
-    /// let (catalogue, _) = bank::Catalogue::embedded();
+    /// let (catalogue, _) = bank::Catalogue::load(bank::embedded());
     /// let part = &catalogue.find("ch1/t1-two-springs").unwrap().parts[0];
     /// let said = Language::English.blank(&part.answer.blank());
     /// assert!(said.plain(&Vec::new()).starts_with('('));

@@ -17,7 +17,7 @@ fn answers_from_a_pipe_are_marked_with_hints_and_solutions() {
     );
     ran.ends(0)
         .says("Natural frequency of a block on a spring")
-        .says("a) Find its natural angular frequency.  [rad/s]")
+        .says("a) Find its natural angular frequency.\n   ωₙ = ____ rad/s (value, 3 figures)")
         .says("hint 1 of 1: Compare stiffness and mass.")
         .says("There are no more hints")
         .says("? Could not be read")
