@@ -343,6 +343,8 @@ class Part {
     this.input = this.field();
     this.find(".answer").append(this.input.root);
     keys(this);
+    if (this.input.isChoice) this.find(".format").remove();
+    else this.find(".format p").textContent = say(`format_${part.kind}`);
     this.find("form").addEventListener("submit", (event) => {
       event.preventDefault();
       this.mark();
@@ -488,10 +490,7 @@ function line(part) {
   const { part: asked, name } = part;
   const root = copy("t-line");
   const input = root.querySelector("input");
-  const format = root.querySelector(".format p");
   input.id = `${name}-answer`;
-  format.id = `${name}-format`;
-  format.textContent = say(`format_${asked.kind}`);
   input.setAttribute("aria-describedby", part.described);
   root.querySelector("label").htmlFor = input.id;
   root.querySelector("label").textContent = say("answer", { letter: asked.letter });
