@@ -162,9 +162,18 @@ impl Writer<'_> {
             if number > 0 {
                 self.out.push(',');
             }
-            self.math(argument);
+            self.argument(argument);
         }
         self.out.push(')');
+    }
+
+    /// Functions of Typst want their argument: nothing is an empty text.
+    fn argument(&mut self, math: &Math) {
+        let start = self.out.len();
+        self.math(math);
+        if self.out.len() == start {
+            self.out.push_str("\"\"");
+        }
     }
 
     fn open(&mut self, function: &str) {
@@ -251,9 +260,9 @@ impl Writer<'_> {
             self.call("frac", &[numerator, denominator]);
         } else {
             self.open("rows");
-            self.math(numerator);
+            self.argument(numerator);
             self.out.push(';');
-            self.math(denominator);
+            self.argument(denominator);
             self.out.push(')');
         }
         if style.is_some() {
@@ -373,7 +382,7 @@ impl Writer<'_> {
         }
         if let Some(cell) = cell {
             self.open(size);
-            self.math(cell);
+            self.argument(cell);
             self.out.push(')');
         }
         if kind == TableKind::Aligned && !is_right {
@@ -393,6 +402,17 @@ mod tests {
             .split_once(",$")
             .and_then(|(_, rest)| rest.strip_suffix("$)"));
         assert_eq!(body, Some(expected), "{written}");
+    }
+
+    #[test]
+    fn an_empty_cell_is_an_argument_too() {
+        let rows = vec![vec![Math::row([]), Math::letter('x')]];
+        let table = Math::Table {
+            rows,
+            kind: TableKind::Aligned,
+        };
+        check(table, "lines(display(\"\")&,&display(x);)");
+        check(Math::fraction(Math::row([]), Math::letter('x')), "frac(\"\",x)");
     }
 
     #[test]

@@ -45,6 +45,19 @@ impl<S: Scalar> Inputs<S> for [Precise] {
     }
 }
 
+/// What is behind a reference, which can stand for it where a size is needed.
+impl<S, I: Inputs<S> + ?Sized> Inputs<S> for &I {
+    #[inline]
+    fn input(&self, slot: u32) -> Result<S, Undefined> {
+        (**self).input(slot)
+    }
+
+    #[inline]
+    fn motion(&self, index: u32, order: u8, time: &S) -> Result<S, Undefined> {
+        (**self).motion(index, order, time)
+    }
+}
+
 impl<S: Scalar, const N: usize> Inputs<S> for [Precise; N] {
     #[inline]
     fn input(&self, slot: u32) -> Result<S, Undefined> {
@@ -113,7 +126,7 @@ impl Program {
         if room.0.len() < size {
             room.0.resize(size, S::exact(0.0));
         }
-        let mut machine = Machine::new(self, inputs, &mut room.0);
+        let mut machine = Machine::new(self, &inputs, &mut room.0);
         let steps = self.code.len() as u64 * weight::<S>();
         let run = work::within(MOST_WORK, || {
             // What runs out in a search is found there.

@@ -20,15 +20,18 @@ pub(super) fn weight<S: Scalar>() -> u64 {
 }
 
 /// The state of a run.
-pub(super) struct Machine<'a, S, I: ?Sized> {
+///
+/// The inputs are behind a pointer, so that the interpreter is compiled once for each kind of number and not once more
+/// for each source of inputs: the grader of the page would carry nine of them.
+pub(super) struct Machine<'a, S> {
     program: &'a Program,
-    inputs: &'a I,
+    inputs: &'a dyn Inputs<S>,
     registers: &'a mut [S],
     pub(super) doubt: Doubt,
 }
 
-impl<'a, S: Scalar, I: Inputs<S> + ?Sized> Machine<'a, S, I> {
-    pub(super) fn new(program: &'a Program, inputs: &'a I, registers: &'a mut [S]) -> Self {
+impl<'a, S: Scalar> Machine<'a, S> {
+    pub(super) fn new(program: &'a Program, inputs: &'a dyn Inputs<S>, registers: &'a mut [S]) -> Self {
         Self {
             program,
             inputs,
@@ -176,7 +179,7 @@ impl<'a, S: Scalar, I: Inputs<S> + ?Sized> Machine<'a, S, I> {
     }
 
     /// The body of a search, with its interval.
-    fn body<'b>(&'b mut self, search: Search, at: usize) -> Result<Body<'b, 'a, S, I>, Stop> {
+    fn body<'b>(&'b mut self, search: Search, at: usize) -> Result<Body<'b, 'a, S>, Stop> {
         let [low, high] = search.ends;
         let ends = [self.get(low).clone(), self.get(high).clone()];
         if ends.iter().any(|end| !end.to_f64().is_finite()) {
@@ -192,14 +195,14 @@ impl<'a, S: Scalar, I: Inputs<S> + ?Sized> Machine<'a, S, I> {
 }
 
 /// The body of a search as a function of the bound name.
-pub(super) struct Body<'b, 'a, S, I: ?Sized> {
-    machine: &'b mut Machine<'a, S, I>,
+pub(super) struct Body<'b, 'a, S> {
+    machine: &'b mut Machine<'a, S>,
     search: Search,
     start: u32,
     pub(super) ends: [S; 2],
 }
 
-impl<S: Scalar, I: Inputs<S> + ?Sized> search::Curve<S> for Body<'_, '_, S, I> {
+impl<S: Scalar> search::Curve<S> for Body<'_, '_, S> {
     fn ends(&self) -> [S; 2] {
         self.ends.clone()
     }
