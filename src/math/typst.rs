@@ -412,7 +412,10 @@ mod tests {
             kind: TableKind::Aligned,
         };
         check(table, "lines(display(\"\")&,&display(x);)");
-        check(Math::fraction(Math::row([]), Math::letter('x')), "frac(\"\",x)");
+        check(
+            Math::fraction(Math::row([]), Math::letter('x')),
+            "frac(\"\",x)",
+        );
     }
 
     #[test]

@@ -31,7 +31,11 @@ pub(super) struct Machine<'a, S> {
 }
 
 impl<'a, S: Scalar> Machine<'a, S> {
-    pub(super) fn new(program: &'a Program, inputs: &'a dyn Inputs<S>, registers: &'a mut [S]) -> Self {
+    pub(super) fn new(
+        program: &'a Program,
+        inputs: &'a dyn Inputs<S>,
+        registers: &'a mut [S],
+    ) -> Self {
         Self {
             program,
             inputs,
