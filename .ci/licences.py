@@ -36,7 +36,7 @@ def linked(metadata):
 
 def main():
     target, folder = sys.argv[1], Path(sys.argv[2])
-    command = ["cargo", "metadata", "--locked", "--format-version", "1", "--filter-platform", target]
+    command = ["cargo", "metadata", "--locked", "--format-version", "1", "--features", "xlsx", "--filter-platform", target]
     metadata = json.loads(subprocess.run(command, check=True, capture_output=True).stdout)
     wanted = linked(metadata)
     lines, unknown = [], []

@@ -42,8 +42,8 @@ pub(super) enum Excess {
         READING / 1_000_000
     )]
     Work,
-    #[error("{more} further findings about this file are not shown")]
-    Findings { more: usize },
+    #[error("more than {MOST_FINDINGS} findings about this file, of which the first are shown")]
+    Findings,
 }
 
 /// What of a file's tree is larger than its bound.
@@ -90,15 +90,11 @@ pub(super) fn excesses(tree: &Value) -> Vec<Excess> {
     found
 }
 
-/// The first findings, and how many there are besides.
+/// The first findings, and that there are others.
 pub(super) fn shortened(mut findings: Vec<Finding>, source: &Source) -> Vec<Finding> {
-    if let Some(more) = findings
-        .len()
-        .checked_sub(MOST_FINDINGS)
-        .filter(|more| *more > 0)
-    {
+    if findings.len() > MOST_FINDINGS {
         findings.truncate(MOST_FINDINGS);
-        findings.push(Finding::of(&Excess::Findings { more }, source));
+        findings.push(Finding::of(&Excess::Findings, source));
     }
     findings
 }
@@ -111,7 +107,7 @@ impl Diagnose for Excess {
     fn labels(&self) -> Vec<Label> {
         let span = match self {
             Self::Entries { span, .. } | Self::Title { span, .. } => *span,
-            Self::File { .. } | Self::Work | Self::Findings { .. } => return Vec::new(),
+            Self::File { .. } | Self::Work | Self::Findings => return Vec::new(),
         };
         vec![Label {
             span,
@@ -126,7 +122,7 @@ impl Diagnose for Excess {
             Self::Work => {
                 "give intermediate results a unit, so that they are numbers, or nest fewer functions"
             }
-            Self::Findings { .. } => "mend those that are shown first",
+            Self::Findings => "mend those that are shown first",
         };
         Some(help.to_owned())
     }

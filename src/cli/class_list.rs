@@ -33,6 +33,12 @@ pub(crate) fn read(path: &Path, columns: &Columns) -> Result<Vec<Student>, Failu
     for row in table.rows(&begins_row) {
         let row = row.map_err(|fault| refuse(&fail, &fault))?;
         let line = row.line;
+        let mut used = places.columns();
+        if let Some((at, spoilt)) = used.find_map(|at| Some((at, table.spoilt(line, at)?))) {
+            let heading = &table.headings[at];
+            return Err(fail(format!(", row {line}, column `{heading}`: {spoilt}"))
+                .help("format the column as text, and type it again"));
+        }
         let student = places.student(&table.headings, &row);
         if student.id.is_empty() {
             let width = row.cells.join(" ");
@@ -63,6 +69,6 @@ fn refuse(fail: &dyn Fn(String) -> Failure, fault: &Fault) -> Failure {
         Fault::Open { .. } => {
             failure.help("close it, or write `\"\"` for a quote inside of a cell")
         }
-        Fault::Wide { .. } | Fault::Behind { .. } => failure,
+        Fault::Wide { .. } | Fault::Behind { .. } | Fault::Unheaded { .. } => failure,
     }
 }

@@ -62,7 +62,13 @@ impl Reading {
         let begins_row = |row: &table::Row<'_>| begins_sheet(row, layout.code());
         for row in table.rows(&begins_row) {
             match row {
-                Ok(row) => layout.rows(&row, &mut |row| self.add(row)),
+                Ok(row) => layout.rows(&row, &mut |at, response| match table.spoilt(row.line, at) {
+                    Some(spoilt) => self.faults.push(format!(
+                        "row {}, column `{}`: {spoilt}; format the column as text, and type the answer again",
+                        row.line, table.headings[at]
+                    )),
+                    None => self.add(response),
+                }),
                 Err(fault) => self.faults.push(format!("{fault}; this line was left out")),
             }
         }
@@ -161,24 +167,29 @@ impl Layout {
         }
     }
 
-    fn rows(&self, row: &table::Row<'_>, take: &mut dyn FnMut(&Row<'_>)) {
+    /// Hands on the answers of a row, each with its column.
+    fn rows(&self, row: &table::Row<'_>, take: &mut dyn FnMut(usize, &Row<'_>)) {
         match self {
-            Self::Parts([code, question, part, response]) => take(&Row {
-                line: row.line,
-                code: row.cell(*code),
-                question: row.cell(*question),
-                part: row.cell(*part),
-                response: row.cell(*response),
-            }),
+            Self::Parts([code, question, part, response]) => take(
+                *response,
+                &Row {
+                    line: row.line,
+                    code: row.cell(*code),
+                    question: row.cell(*question),
+                    part: row.cell(*part),
+                    response: row.cell(*response),
+                },
+            ),
             Self::Sheets(code, parts) => {
                 for (at, question, part) in parts {
-                    take(&Row {
+                    let response = Row {
                         line: row.line,
                         code: row.cell(*code),
                         question,
                         part,
                         response: row.cell(*at),
-                    });
+                    };
+                    take(*at, &response);
                 }
             }
         }

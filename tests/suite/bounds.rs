@@ -4,6 +4,8 @@
 use vibank::answer::Verdict;
 use vibank::bank::{Catalogue, embedded};
 use vibank::diagnostic::Finding;
+use vibank::document::Document;
+use vibank::expr::{Expr, Normal};
 use vibank::grade::{LONGEST_RESPONSE, mark};
 use vibank::instance::Instance;
 use vibank::scene::{Data, Scene, Undrawn, undrawn};
@@ -78,6 +80,24 @@ fn nested_functions_cost_what_they_are_long() {
     // The second derivative of n functions in each other has n² terms.
     let (few, many) = (nested(6), nested(18));
     assert!(many < 9 * few * 2, "{few} and {many} units");
+}
+
+#[test]
+fn products_of_nested_roots_cost_more_than_flat_ones() {
+    // As many products, of roots with `depth` further ones in them: which of two comes first, their inmost ends decide.
+    let units = |depth: usize| {
+        let root = |number: usize| {
+            let open = "sqrt(1 + ".repeat(depth);
+            format!("{open}sqrt({number} + x^2){}", ")".repeat(depth))
+        };
+        let sums =
+            (0..8).map(|number| format!("({} + {})", root(2 * number), root(2 * number + 1)));
+        let product = sums.collect::<Vec<_>>().join("*");
+        let product = Expr::read(&product).expect("a formula");
+        within(MUCH, || Normal::of(&product).is_ok()).units
+    };
+    let (flat, deep) = (units(0), units(20));
+    assert!(deep > 2 * flat, "{flat} and {deep} units");
 }
 
 #[test]
@@ -193,10 +213,13 @@ fn what_is_larger_than_its_bound_is_found_and_not_read() {
     // Findings themselves are counted.
     let (_, found) = read(&item("t", "", &"$ ".repeat(9_000), ""));
     assert_eq!(found.len(), 101);
+    // Nor are places looked for of those that are not shown, which would take the square of them where escapes stand.
+    let errors = Document::read(&"$\\foo ".repeat(9_000)).errors;
+    assert!(errors.len() <= 101, "{}", errors.len());
     assert!(
         found
             .iter()
-            .any(|finding| finding.contains("further findings"))
+            .any(|finding| finding.contains("more than 100 findings"))
     );
 }
 

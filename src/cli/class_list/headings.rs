@@ -197,6 +197,11 @@ pub(super) enum HeadingError {
 }
 
 impl Places {
+    /// The columns that mean something to the program.
+    pub(super) fn columns(&self) -> impl Iterator<Item = usize> {
+        self.given.iter().flat_map(|(_, columns)| columns).copied()
+    }
+
     pub(super) fn of(headings: &[String], columns: &Columns) -> Result<Self, HeadingError> {
         let folded: Vec<String> = headings.iter().map(|heading| fold(heading)).collect();
         let place = |heading: &str| {

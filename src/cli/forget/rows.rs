@@ -29,6 +29,9 @@ const OVERVIEWS: [&str; 6] = [
     ".grading.jsonl",
 ];
 
+/// Tables that are packed, which `vibank sheet` and `vibank grade` make again: they are removed as a whole.
+const PACKED: [&str; 2] = ["key-table.xlsx", "marks.xlsx"];
+
 /// Between those who gave the same answer.
 const BETWEEN: &str = "; ";
 
@@ -108,7 +111,7 @@ impl Task {
             put(places.times, count.saturating_sub(1).to_string());
         }
         let cells: Vec<&str> = cells.iter().map(String::as_str).collect();
-        let csv = if table.delimiter() == b';' {
+        let csv = if table.delimiter() == Some(b';') {
             Csv::Excel
         } else {
             Csv::Plain
@@ -161,6 +164,12 @@ impl Task {
                 {
                     self.remove(folder, &name)?;
                 }
+            }
+        }
+        for name in PACKED {
+            let name = format!("{inside}{name}");
+            if folder.has(&name) {
+                self.remove(folder, &name)?;
             }
         }
         let feedback = format!("{inside}feedback");

@@ -41,6 +41,7 @@ use super::folder::Folder;
 use super::press::{Missing, Press, Printed};
 use super::sheet::PROGRAM;
 use super::table::Dialect;
+use super::table::workbook::{self, XLSX};
 use super::{Failure, files, progress, responses};
 
 /// Mark the responses to the sheets of a run: marks, reasons, a feedback page for each sheet, item analysis.
@@ -109,11 +110,18 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
         None => None,
     };
     let dialect = Dialect::new(sheets.head.csv, sheets.head.decimal);
+    let wants_book = sheets.head.formats.iter().any(|format| format == XLSX);
+    if wants_book && !workbook::IS_BUILT_IN {
+        eprintln!(
+            "`marks.xlsx` is not written, since this program was built without the feature `xlsx`; `marks.csv` has the same marks"
+        );
+    }
+    let has_book = wants_book && workbook::IS_BUILT_IN;
     let mut job = Job {
         journal: Journal::open(&out, &input(arguments, &sheets, &catalogue.digest())?)?,
         pages: layout(&sheets, "html", &[])?,
         feedback: layout(&sheets, &arguments.feedback, &census.students)?,
-        tables: Tables::begin(&out, census.columns, dialect)?,
+        tables: Tables::begin(&out, census.columns, dialect, has_book)?,
         dialect,
         changes,
         analysis: Analysis::default(),
@@ -357,7 +365,7 @@ impl Job<'_> {
                 faults,
             },
         )?;
-        self.tables.finish()?;
+        let marks = self.tables.finish(self.out)?;
         self.journal.finish();
         told(&self.analysis, &lost, faults);
         if !changed.is_empty() {
@@ -403,7 +411,7 @@ impl Job<'_> {
             "report.html",
             "item analysis; report.json and report.csv for programs",
         );
-        file("marks.csv", "one row a sheet");
+        file(marks, "one row a sheet");
         file(
             "details.csv",
             "one row a part, with reading and reasons; results.json for programs",

@@ -1,16 +1,29 @@
-//! The tables of a grading run: `marks.csv`, `details.csv` and `results.json`.
+//! The tables of a grading run: `marks.csv`, `details.csv` and `results.json`, and `marks.xlsx` where it is asked for.
 
 use serde_json::json;
 use vibank::grade;
-use vibank::numerics::Rational;
+use vibank::worksheet::Csv;
 
 use super::outcome::{Outcome, PartOutcome};
 use crate::cli::Failure;
 use crate::cli::folder::{Draft, Folder};
 use crate::cli::table::Dialect;
+use crate::cli::table::workbook::{self, Cell};
 
 /// A column of the marks: number of the question, letter of the part.
 pub(super) type Column = (usize, String);
+
+/// The columns of the marks before those of the parts; the first four are never numbers.
+const MARKS: [&str; 8] = [
+    "code",
+    "student",
+    "name",
+    "group",
+    "points",
+    "max",
+    "undecided",
+    "undecided points",
+];
 
 /// The tables, written as sheets are marked.
 pub(super) struct Tables {
@@ -20,6 +33,8 @@ pub(super) struct Tables {
     columns: Vec<Column>,
     dialect: Dialect,
     is_first: bool,
+    /// The rows of the marks for a workbook, where the run has one.
+    book: Option<Vec<Vec<Cell>>>,
 }
 
 /// The columns of the details.
@@ -33,6 +48,7 @@ impl Tables {
         out: &Folder,
         columns: Vec<Column>,
         dialect: Dialect,
+        has_book: bool,
     ) -> Result<Self, Failure> {
         let draft = |name: &str, head: &[&str]| {
             let mut draft = out.begin(name)?;
@@ -43,17 +59,7 @@ impl Tables {
             .iter()
             .map(|(question, letter)| format!("{question}{letter}"))
             .collect();
-        let head = [
-            "code",
-            "student",
-            "name",
-            "group",
-            "points",
-            "max",
-            "undecided",
-            "undecided points",
-        ];
-        let head: Vec<&str> = head
+        let head: Vec<&str> = MARKS
             .into_iter()
             .chain(names.iter().map(String::as_str))
             .collect();
@@ -66,6 +72,7 @@ impl Tables {
             columns,
             dialect,
             is_first: true,
+            book: has_book.then(Vec::new),
         })
     }
 
@@ -78,48 +85,50 @@ impl Tables {
         Ok(())
     }
 
-    fn mark(&mut self, sheet: &Outcome) -> Result<(), Failure> {
+    /// A row of the marks, its numbers written in a dialect.
+    fn row(&self, sheet: &Outcome, dialect: Dialect) -> Vec<String> {
+        let points = |points| dialect.number(&grade::rounded(points));
         let cell = |(question, letter): &Column| {
             let mut parts = sheet.parts.iter();
             let found = parts.find(|part| part.question == *question && part.letter == *letter);
-            found.map_or_else(String::new, |part| self.part(part))
+            found.map_or_else(String::new, |part| part_points(part, dialect))
         };
         let (undecided, open) = sheet.undecided();
-        let (points, max) = (
-            self.dialect.number(&grade::standing(sheet.points(), open)),
-            self.points(sheet.max()),
-        );
-        let (undecided, open) = (undecided.to_string(), self.points(open));
-        let cells: Vec<String> = self.columns.iter().map(cell).collect();
-        let mut row = vec![
-            sheet.code.as_str(),
-            sheet.column("id"),
-            sheet.column("name"),
-            sheet.column("group"),
-            &points,
-            &max,
-            &undecided,
-            &open,
+        let standing = dialect.number(&grade::standing(sheet.points(), open));
+        let own = ["id", "name", "group"].map(|name| sheet.column(name).to_owned());
+        let sums = [
+            standing,
+            points(sheet.max()),
+            undecided.to_string(),
+            points(open),
         ];
-        row.extend(cells.iter().map(String::as_str));
+        let row = std::iter::once(sheet.code.clone()).chain(own).chain(sums);
+        row.chain(self.columns.iter().map(cell)).collect()
+    }
+
+    fn mark(&mut self, sheet: &Outcome) -> Result<(), Failure> {
+        if self.book.is_some() {
+            let row = self.row(sheet, Dialect::new(Csv::Plain, '.'));
+            let cell = |(at, text): (usize, String)| {
+                if at < 4 {
+                    Cell::Text(text)
+                } else {
+                    Cell::of(&text)
+                }
+            };
+            let row = row.into_iter().enumerate().map(cell).collect();
+            self.book
+                .iter_mut()
+                .for_each(|book| book.push(Vec::clone(&row)));
+        }
+        let row = self.row(sheet, self.dialect);
+        let row: Vec<&str> = row.iter().map(String::as_str).collect();
         self.marks.write(&self.dialect.line(&row)?)
     }
 
-    /// The points of a part; with a question mark those that are not decided.
-    fn part(&self, part: &PartOutcome) -> String {
-        if part.is_undecided() {
-            format!("?{}", self.points(part.max.0))
-        } else {
-            self.points(part.points.0)
-        }
-    }
-
-    fn points(&self, points: Rational) -> String {
-        self.dialect.number(&grade::rounded(points))
-    }
-
     fn detail(&mut self, sheet: &Outcome, part: &PartOutcome) -> Result<(), Failure> {
-        let (points, max) = (self.part(part), self.points(part.max.0));
+        let max = self.dialect.number(&grade::rounded(part.max.0));
+        let points = part_points(part, self.dialect);
         let credit = part.credit.0.to_f64().to_string();
         let credit = if part.is_undecided() {
             String::new()
@@ -171,12 +180,32 @@ impl Tables {
         self.results.write(entry.to_string().as_bytes())
     }
 
-    /// Moves the tables to their places.
-    pub(super) fn finish(mut self) -> Result<(), Failure> {
+    /// Moves the tables to their places; the files with the marks are named.
+    pub(super) fn finish(mut self, out: &Folder) -> Result<&'static str, Failure> {
+        let files = match self.book {
+            Some(_) => "marks.csv, marks.xlsx",
+            None => "marks.csv",
+        };
+        if let Some(rows) = self.book.take() {
+            let parts = self.columns.iter();
+            let parts = parts.map(|(question, letter)| format!("{question}{letter}"));
+            let head: Vec<String> = MARKS.map(str::to_owned).into_iter().chain(parts).collect();
+            out.write("marks.xlsx", &workbook::written("Marks", &head, &rows)?)?;
+        }
         self.results.write(b"\n]\n")?;
         for table in [self.marks, self.details, self.results] {
             table.finish()?;
         }
-        Ok(())
+        Ok(files)
+    }
+}
+
+/// The points of a part; with a question mark those that are not decided.
+fn part_points(part: &PartOutcome, dialect: Dialect) -> String {
+    let points = |points| dialect.number(&grade::rounded(points));
+    if part.is_undecided() {
+        format!("?{}", points(part.max.0))
+    } else {
+        points(part.points.0)
     }
 }

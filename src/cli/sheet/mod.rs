@@ -2,6 +2,7 @@
 
 mod choice;
 mod guard;
+mod key_book;
 mod known;
 mod ledger;
 mod make;

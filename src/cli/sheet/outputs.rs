@@ -8,12 +8,14 @@ use vibank::output::{self, KeyRow, KeyTable, Kind, Pages, Run};
 use vibank::worksheet::{Fairness, FileStamp, Plan, Sheet, VariantEntry};
 
 use super::choice::FormatChoice;
+use super::key_book;
 use super::ledger::Mark;
 use super::shard::Shard;
 use crate::cli::Failure;
 use crate::cli::files;
 use crate::cli::folder::{Draft, Folder, Left};
 use crate::cli::press::{Press, Printed};
+use crate::cli::table::workbook::{self, XLSX};
 
 /// How sheets are written in one format.
 pub(crate) enum Format {
@@ -21,6 +23,8 @@ pub(crate) enum Format {
     Pages(Box<Laid>),
     /// One line of JSON for each sheet.
     Json,
+    /// A workbook with the answers of all sheets, one in a row; nothing where the table of keys is not made.
+    Workbook(bool),
 }
 
 /// A format with page layouts.
@@ -52,7 +56,9 @@ pub(crate) enum Written {
     /// Its files are there already; the row of the table.
     Kept(Option<KeyRow>),
     /// A line.
-    Json(String),
+    Line(String),
+    /// Nothing.
+    Nothing,
 }
 
 /// A page: for the file of its kind, or written to one of its own.
@@ -81,6 +87,13 @@ pub(super) fn formats(
         if name == "json" {
             return Ok(Format::Json);
         }
+        if name == XLSX {
+            return if workbook::IS_BUILT_IN {
+                Ok(Format::Workbook(plan.blueprint.keys.table))
+            } else {
+                Err(workbook::missing())
+            };
+        }
         let laid = Laid::of(name, plan, Some(choice), layouts, is_split)?;
         Ok(Format::Pages(Box::new(laid)))
     };
@@ -92,6 +105,7 @@ impl Format {
     pub(super) fn description(&self) -> String {
         match self {
             Self::Json => "json".to_owned(),
+            Self::Workbook(_) => XLSX.to_owned(),
             Self::Pages(laid) => {
                 let begins = laid.kinds.iter().map(|(_, begin)| begin.as_str());
                 let begins: String = begins.chain(laid.table.as_deref()).collect();
@@ -120,7 +134,9 @@ impl Format {
         out: &Folder,
     ) -> Result<Written, Failure> {
         let laid = match self {
-            Self::Json => return Ok(Written::Json(format!("{}\n", output::json(sheet)))),
+            Self::Json => return Ok(Written::Line(format!("{}\n", output::json(sheet)))),
+            Self::Workbook(true) => return Ok(Written::Line(key_book::line(sheet))),
+            Self::Workbook(false) => return Ok(Written::Nothing),
             Self::Pages(laid) => laid,
         };
         let row = laid.table.as_ref().map(|_| laid.pages.key_row(sheet));
@@ -142,7 +158,7 @@ impl Laid {
         is_split: bool,
     ) -> Result<Self, Failure> {
         let writer =
-            output::writer(name).ok_or_else(|| Failure::unknown_format(name, &["json"]))?;
+            output::writer(name).ok_or_else(|| Failure::unknown_format(name, &["json", XLSX]))?;
         let own = own_layouts(layouts, writer.name())?;
         let blueprint = plan.blueprint;
         let mut run = Run::of(blueprint, writer).with_formulas(&plan.formulas, writer);
@@ -271,7 +287,7 @@ pub(super) fn write_fairness(
     out: &Folder,
 ) -> Result<Finished, Failure> {
     let mut formats = plan.blueprint.formats.iter();
-    let is_markdown = formats.all(|format| ["md", "json"].contains(&&*format.value));
+    let is_markdown = formats.all(|format| ["md", "json", XLSX].contains(&&*format.value));
     let name = if is_markdown { "md" } else { "html" };
     let laid = Laid::of(name, plan, None, layouts, true)?;
     let what = "how alike the variants are";
@@ -307,6 +323,7 @@ enum Files<'f> {
         table: Option<Stream>,
     },
     Json(Stream),
+    Workbook(Option<Stream>),
 }
 
 /// A file that grows with each sheet.
@@ -328,6 +345,11 @@ impl<'f> Outputs<'f> {
                 Format::Json => {
                     let name = shard.named("sheets", "jsonl");
                     return Ok(Files::Json(Stream::open(out, name, "", mark)?));
+                }
+                Format::Workbook(is_made) => {
+                    let name = shard.named("key-table", XLSX);
+                    let open = || Stream::open(out, name, "", mark);
+                    return Ok(Files::Workbook(is_made.then(open).transpose()?));
                 }
                 Format::Pages(laid) => laid,
             };
@@ -363,8 +385,11 @@ impl<'f> Outputs<'f> {
         let formats = self.formats.iter_mut().zip(written).zip(tables);
         for ((files, written), collected) in formats {
             match (files, written) {
-                (Files::Json(stream), Written::Json(line)) => {
+                (Files::Json(stream), Written::Line(line)) => {
                     stream.add(line.as_bytes(), entry)?;
+                }
+                (Files::Workbook(Some(stream)), Written::Line(line)) => {
+                    stream.draft.write(line.as_bytes())?;
                 }
                 (Files::Pages { streams, .. }, Written::Pages(leaves, row)) => {
                     row.into_iter().for_each(|row| collected.add(row));
@@ -377,7 +402,8 @@ impl<'f> Outputs<'f> {
                     }
                 }
                 (_, Written::Kept(row)) => row.into_iter().for_each(|row| collected.add(row)),
-                (Files::Json(_), Written::Pages(..)) | (Files::Pages { .. }, Written::Json(_)) => {}
+                // A format gives what it keeps; a workbook that is not made, nothing.
+                (Files::Json(_) | Files::Workbook(_) | Files::Pages { .. }, _) => {}
             }
         }
         Ok(())
@@ -426,6 +452,10 @@ impl<'f> Outputs<'f> {
                     finished.push(stream.finish("", "one sheet a line")?);
                     continue;
                 }
+                Files::Workbook(stream) => {
+                    finished.extend(stream.map(|stream| stream.book(out)).transpose()?);
+                    continue;
+                }
                 Files::Pages {
                     laid,
                     streams,
@@ -469,6 +499,7 @@ impl Files<'_> {
     fn streams(&mut self) -> Vec<&mut Stream> {
         match self {
             Self::Json(stream) => vec![stream],
+            Self::Workbook(stream) => stream.iter_mut().collect(),
             Self::Pages { streams, table, .. } => {
                 streams.iter_mut().flatten().chain(table).collect()
             }
@@ -504,6 +535,17 @@ impl Stream {
 }
 
 impl Stream {
+    /// The table of keys as a workbook.
+    fn book(self, out: &Folder) -> Result<Finished, Failure> {
+        let lines = self.draft.take()?;
+        let digest = out.write(&self.name, &key_book::bound(&lines)?)?;
+        Ok(Finished {
+            name: self.name,
+            digest: Some(digest),
+            what: TABLE,
+        })
+    }
+
     /// The table of keys of a format whose finished text is not yet the file.
     fn bind(
         mut self,

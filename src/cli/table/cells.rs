@@ -43,6 +43,12 @@ pub(crate) enum Fault {
         /// What stands there.
         found: String,
     },
+    /// A cell of a workbook in a column without a heading.
+    #[error("row {line}: a cell in a column without a heading; give the column one, or empty it")]
+    Unheaded {
+        /// Row of the sheet, from 1.
+        line: usize,
+    },
     /// More cells than headings.
     #[error(
         "line {line}: more cells than the header has; put a cell with `{delimiter}` in it in quotes"

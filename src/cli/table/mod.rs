@@ -3,10 +3,14 @@
 mod cells;
 mod decode;
 mod dialect;
+pub(crate) mod workbook;
 
 pub(crate) use self::cells::{Fault, Row};
 pub(crate) use self::dialect::Dialect;
+pub(crate) use self::workbook::Spoilt;
 
+use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use self::cells::Cursor;
@@ -32,21 +36,34 @@ pub(crate) struct Table {
     /// Whether it began with a mark of byte order, or needs one to be read as UTF-8 by the program that wrote it.
     pub(crate) has_mark: bool,
     body: Body,
+    /// Cells of a workbook that do not hold what was typed, by line and place.
+    spoilt: BTreeMap<(usize, usize), Spoilt>,
 }
 
 /// UTF-8 with a mark of byte order begins like this.
 const MARK: &[u8] = "\u{feff}".as_bytes();
 
+/// Workbooks begin like this, as other archives do.
+const PACKED: &[u8] = b"PK\x03\x04";
+
 #[derive(Debug)]
 enum Body {
-    Text { text: String, delimiter: u8 },
+    Text {
+        text: String,
+        delimiter: u8,
+    },
+    /// The rows of a workbook that are not blank, with their numbers.
+    Rows(Vec<(usize, Vec<String>)>),
 }
 
 impl Table {
-    /// Reads a file: CSV with commas, semicolons or tabs, in UTF-8, UTF-16 or Windows-1252.
+    /// Reads a file: CSV with commas, semicolons or tabs, in UTF-8, UTF-16 or Windows-1252; or a workbook.
     pub(crate) fn read(path: &Path) -> Result<Self, Failure> {
         let shown = path.display();
         let bytes = files::read_bytes(path)?;
+        if bytes.starts_with(PACKED) {
+            return Self::of_workbook(path, &bytes);
+        }
         if let Some(what) = foreign(&bytes) {
             return Err(
                 Failure::new(format!("`{shown}` is {what}, no table of text"))
@@ -71,14 +88,32 @@ impl Table {
                 (decoded.text, delimiter)
             }
         };
-        let body = Body::Text { text, delimiter };
-        let mut table = Self {
+        let table = Self {
             headings: Vec::new(),
             doubt,
             has_mark,
-            body,
+            body: Body::Text { text, delimiter },
+            spoilt: BTreeMap::new(),
         };
-        let header = match table.all(&|_| false).next() {
+        table.with_headings(path)
+    }
+
+    fn of_workbook(path: &Path, bytes: &[u8]) -> Result<Self, Failure> {
+        let sheet = workbook::read(&path.display().to_string(), bytes)?;
+        let table = Self {
+            headings: Vec::new(),
+            doubt: sheet.doubt,
+            has_mark: false,
+            body: Body::Rows(sheet.rows),
+            spoilt: sheet.spoilt,
+        };
+        table.with_headings(path)
+    }
+
+    /// The table with its first row as headings.
+    fn with_headings(mut self, path: &Path) -> Result<Self, Failure> {
+        let shown = path.display();
+        let header = match self.all(&|_| false).next() {
             None => return Err(Failure::new(format!("`{shown}` is empty"))),
             Some(Err(fault)) => return Err(Failure::new(format!("`{shown}`, {fault}"))),
             Some(Ok(row)) => row
@@ -87,8 +122,13 @@ impl Table {
                 .map(|cell| cell.into_owned())
                 .collect(),
         };
-        table.headings = header;
-        Ok(table)
+        self.headings = header;
+        Ok(self)
+    }
+
+    /// What has become of a cell in a workbook, if that is not what was typed.
+    pub(crate) fn spoilt(&self, line: usize, at: usize) -> Option<Spoilt> {
+        self.spoilt.get(&(line, at)).copied()
     }
 
     /// The rows below the headings; blank ones are passed over. A cell without a heading is a fault.
@@ -99,9 +139,8 @@ impl Table {
         &'t self,
         begins_row: &'t dyn Fn(&Row<'_>) -> bool,
     ) -> impl Iterator<Item = Result<Row<'t>, Fault>> {
-        let Body::Text { delimiter, .. } = &self.body;
-        let delimiter = char::from(*delimiter);
-        let is_headed = |(at, cell): (usize, &std::borrow::Cow<'_, str>)| {
+        let delimiter = self.delimiter().map(char::from);
+        let is_headed = |(at, cell): (usize, &Cow<'_, str>)| {
             let heading = self.headings.get(at);
             cell.is_empty() || heading.is_some_and(|heading| !heading.is_empty())
         };
@@ -111,15 +150,22 @@ impl Table {
                 Ok(row)
             } else {
                 let line = row.line;
-                Err(Fault::Wide { line, delimiter })
+                Err(
+                    delimiter.map_or(Fault::Unheaded { line }, |delimiter| Fault::Wide {
+                        line,
+                        delimiter,
+                    }),
+                )
             }
         })
     }
 
-    /// What stands between two cells.
-    pub(crate) fn delimiter(&self) -> u8 {
-        let Body::Text { delimiter, .. } = &self.body;
-        *delimiter
+    /// What stands between two cells of a text.
+    pub(crate) fn delimiter(&self) -> Option<u8> {
+        match &self.body {
+            Body::Text { delimiter, .. } => Some(*delimiter),
+            Body::Rows(_) => None,
+        }
     }
 
     /// The text of the table with other rows, and how many are other ones; what is not changed keeps its bytes, and a row
@@ -128,7 +174,10 @@ impl Table {
         &self,
         edit: &mut dyn FnMut(&Row<'_>) -> Result<Edit, Failure>,
     ) -> Result<(String, usize), Failure> {
-        let Body::Text { text, delimiter } = &self.body;
+        let Body::Text { text, delimiter } = &self.body else {
+            return Err(Failure::new("a table of the run is a workbook now")
+                .help("save it as CSV under the name that it has, or remove it"));
+        };
         let mut cursor = Cursor::new(text, *delimiter);
         let (mut edited, mut count) = (String::new(), 0);
         loop {
@@ -155,17 +204,25 @@ impl Table {
         &'t self,
         begins_row: &'t dyn Fn(&Row<'_>) -> bool,
     ) -> impl Iterator<Item = Result<Row<'t>, Fault>> {
-        let Body::Text { text, delimiter } = &self.body;
-        let mut cursor = Cursor::new(text, *delimiter);
-        let next = move || cursor.row(begins_row);
-        std::iter::from_fn(next).filter(|row| !matches!(row, Ok(row) if row.width() == 0))
+        let (text, rows): (_, &[(usize, Vec<String>)]) = match &self.body {
+            Body::Text { text, delimiter } => (Some((text, *delimiter)), &[]),
+            Body::Rows(rows) => (None, rows),
+        };
+        let mut cursor = text.map(|(text, delimiter)| Cursor::new(text, delimiter));
+        let next = move || cursor.as_mut()?.row(begins_row);
+        let typed = rows.iter().map(|(line, cells)| {
+            let cells = cells.iter().map(|cell| Cow::Borrowed(cell.as_str()));
+            let cells = cells.collect();
+            Ok(Row { line: *line, cells })
+        });
+        let rows = std::iter::from_fn(next).chain(typed);
+        rows.filter(|row| !matches!(row, Ok(row) if row.width() == 0))
     }
 }
 
 /// Files that teachers take for tables.
 fn foreign(bytes: &[u8]) -> Option<&'static str> {
-    let kinds: [(&[u8], &str); 3] = [
-        (b"PK\x03\x04", "a workbook or an archive"),
+    let kinds: [(&[u8], &str); 2] = [
         (b"\xd0\xcf\x11\xe0", "an old workbook or document"),
         (b"%PDF-", "a PDF"),
     ];

@@ -25,7 +25,7 @@ use crate::source::{Source, Text};
 pub struct Reading {
     /// The document; where something is wrong, without it.
     pub document: Document,
-    /// What is wrong, in the order of the text.
+    /// What is wrong, in the order of the text; of very many errors the first hundred.
     pub errors: Vec<TextError>,
 }
 

@@ -68,7 +68,13 @@ fn whole(found: &Tree, expected: &Tree) {
 impl Known {
     fn new(name: &str) -> Self {
         let folder = folder(name);
-        let plan = blueprint("seed = 3\nvariants = 40\nformats = ['html', 'md']");
+        let book = if cfg!(feature = "xlsx") {
+            ", 'xlsx'"
+        } else {
+            ""
+        };
+        let top = format!("seed = 3\nvariants = 40\nformats = ['html', 'md'{book}]");
+        let plan = blueprint(&top);
         let plan = put(&folder, "plan.toml", plan);
         let known = Self {
             sheets: Tree::new(),

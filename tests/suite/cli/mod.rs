@@ -16,6 +16,7 @@ mod runs;
 mod sheets;
 mod tables;
 mod trace;
+mod workbooks;
 
 use std::fs;
 use std::io::Write;

@@ -11,6 +11,7 @@
 
 mod calculus;
 mod harmonic;
+mod inner;
 mod power;
 mod read;
 mod term;

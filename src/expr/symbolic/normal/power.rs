@@ -1,7 +1,6 @@
 //! Powers of sums and products, and what all terms of a sum have in common.
 
-use std::sync::Arc;
-
+use super::inner::Inner;
 use super::term::{Atom, Monomial, Polynomial, fits, settle};
 use super::{SymbolicError, Work};
 use crate::expr::Constant;
@@ -47,7 +46,7 @@ impl Polynomial {
         }
         let (content, common, rest) = self.primitive()?;
         let outside = Self::term(common, content).power(exponent, work)?;
-        let base = Atom::Base(Arc::new(rest));
+        let base = Atom::Base(Inner::from(rest));
         Self::term(Monomial::of(base, exponent), Rational::ONE).times(&outside, work)
     }
 
@@ -72,7 +71,7 @@ impl Polynomial {
                 return outside.times(&power_of_number(sign, exponent, work)?, work);
             }
         }
-        let base = Atom::Base(Arc::new(rest));
+        let base = Atom::Base(Inner::from(rest));
         let mut power = Self::default();
         settle(
             Monomial::of(base, exponent),
@@ -178,7 +177,7 @@ fn root_of(
         settle(unit.power(fits(turns)?)?, Rational::ONE, &mut power, work)?;
         return Ok(power);
     }
-    let base = Atom::Base(Arc::new(Polynomial::number(number)));
+    let base = Atom::Base(Inner::from(Polynomial::number(number)));
     let mut power = Polynomial::default();
     settle(
         Monomial::of(base, exponent),

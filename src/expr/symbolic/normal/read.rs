@@ -1,8 +1,8 @@
 //! Formulas read into sums of products, and what cancels in them.
 
 use std::collections::BTreeSet;
-use std::sync::Arc;
 
+use super::inner::Inner;
 use super::term::{Atom, Monomial, Opaque, Polynomial, settle};
 use super::{SymbolicError, Work, trigonometry};
 use crate::expr::symbolic::derivative::resolve_diff;
@@ -91,7 +91,7 @@ fn call(
         (Function::Atan2 | Function::Min | Function::Max | Function::Clamp | Function::Mod, _) => {
             let arguments = arguments
                 .iter()
-                .map(|argument| polynomial(argument, work).map(Arc::new))
+                .map(|argument| polynomial(argument, work).map(Inner::from))
                 .collect::<Result<_, _>>()?;
             Ok(Polynomial::atom(Atom::Call(function, arguments)))
         }
@@ -117,7 +117,7 @@ impl Polynomial {
         Ok(sum)
     }
 
-    fn cancelled_by(self, base: &Arc<Self>, work: &mut Work) -> Result<Self, SymbolicError> {
+    fn cancelled_by(self, base: &Inner, work: &mut Work) -> Result<Self, SymbolicError> {
         let atom = Atom::Base(base.clone());
         let (mut over, mut rest) = (Self::default(), Self::default());
         for (monomial, coefficient) in self.0 {
@@ -152,7 +152,7 @@ impl Polynomial {
     }
 
     /// The sums that stand in denominators.
-    fn denominators(&self) -> BTreeSet<Arc<Self>> {
+    fn denominators(&self) -> BTreeSet<Inner> {
         let factors = self.0.keys().flat_map(|monomial| &monomial.0);
         factors
             .filter(|(_, exponent)| exponent.is_negative())

@@ -3,11 +3,12 @@
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
-use std::sync::Arc;
 
+use super::inner::Inner;
 use super::{SymbolicError, Work};
 use crate::expr::{Constant, Expr, Function, Variable};
 use crate::numerics::Rational;
+use crate::work;
 
 /// What the normal form does not look into further.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -17,12 +18,12 @@ pub(super) enum Atom {
     /// A name or a time derivative of it.
     Variable(Variable),
     /// A function of arguments in normal form.
-    Call(Function, Vec<Arc<Polynomial>>),
+    Call(Function, Vec<Inner>),
     /// A base that cannot be multiplied out: a sum in a denominator, or whatever stands under a root.
     /// Its exponent is negative or not whole.
-    Base(Arc<Polynomial>),
+    Base(Inner),
     /// A power whose exponent is not a number: the base and the exponent.
-    Power(Arc<Polynomial>, Arc<Polynomial>),
+    Power(Inner, Inner),
     /// Anything else, compared by how it is written.
     Opaque(Opaque),
 }
@@ -76,6 +77,12 @@ impl Monomial {
 
     pub(super) fn is_one(&self) -> bool {
         self.0.is_empty()
+    }
+
+    /// What comparing its atoms may take: each may be looked into down to its end.
+    fn depths(&self) -> u64 {
+        let depths = self.0.iter().map(|(atom, _)| u64::from(atom.depth()));
+        depths.sum()
     }
 
     /// The exponent of an atom, 0 where it does not stand.
@@ -283,6 +290,7 @@ impl Polynomial {
         for (left, a) in &self.0 {
             for (right, b) in &other.0 {
                 work.spend(1 + left.0.len() + right.0.len())?;
+                work::spend(left.depths() + right.depths())?;
                 let coefficient = fits(a.checked_mul(*b))?;
                 settle(left.times(right)?, coefficient, &mut product, work)?;
             }
@@ -345,7 +353,7 @@ pub(super) fn settle(
     if monomial.0.iter().all(is_settled) {
         return sum.insert(monomial, coefficient);
     }
-    let mut factors: Vec<(Arc<Polynomial>, u32)> = Vec::new();
+    let mut factors: Vec<(Inner, u32)> = Vec::new();
     let mut kept = Vec::with_capacity(monomial.0.len());
     for (atom, exponent) in monomial.0.drain(..) {
         match &atom {

@@ -1,8 +1,8 @@
 //! Functions of one argument: signs and special angles, sums of angles, and sin² + cos² = 1.
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
+use super::inner::Inner;
 use super::power::common_divisor;
 use super::term::{Atom, Monomial, Polynomial, fits, settle};
 use super::{SymbolicError, Work};
@@ -229,7 +229,7 @@ impl Polynomial {
     }
 
     /// The angles whose sine or cosine stands at least squared.
-    fn squared_angles(&self) -> Vec<Arc<Self>> {
+    fn squared_angles(&self) -> Vec<Inner> {
         let factors = self.0.keys().flat_map(|monomial| &monomial.0);
         let mut angles: Vec<_> = factors
             .filter(|(_, exponent)| *exponent >= Rational::from(2))
@@ -247,7 +247,7 @@ impl Polynomial {
     fn with_square_replaced(
         &self,
         [from, to]: [Function; 2],
-        angle: &Arc<Self>,
+        angle: &Inner,
         work: &mut Work,
     ) -> Result<Self, SymbolicError> {
         let square = Atom::Call(from, vec![angle.clone()]);
@@ -327,7 +327,7 @@ impl Polynomial {
 #[derive(Clone)]
 struct Factor {
     is_sine: bool,
-    angle: Arc<Polynomial>,
+    angle: Inner,
 }
 
 impl Factor {

@@ -3,8 +3,8 @@
 use std::cell::RefCell;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::Arc;
 
+use super::inner::Inner;
 use super::term::{Atom, Monomial, Polynomial};
 use crate::expr::{Expr, Function, Kind, Name, Operator};
 use crate::numerics::Rational;
@@ -78,8 +78,8 @@ impl<'o> Writer<'o> {
     }
 
     /// A sum that stands in others.
-    fn inner(&self, own: &Arc<Polynomial>) -> Expr {
-        let place = Arc::as_ptr(own);
+    fn inner(&self, own: &Inner) -> Expr {
+        let place = own.address();
         let known = self.written.borrow().get(&place).cloned();
         known.unwrap_or_else(|| {
             let written = collected_sum(own, self);
@@ -452,13 +452,13 @@ fn power(atom: &Atom, exponent: Rational, writer: &Writer<'_>) -> Expr {
 }
 
 fn atom_expr(atom: &Atom, writer: &Writer<'_>) -> Expr {
-    let bracket = |own: &Arc<Polynomial>| unsigned(own, writer.inner(own), writer);
+    let bracket = |own: &Inner| unsigned(own, writer.inner(own), writer);
     match atom {
         Atom::Constant(constant) => Expr::constant(*constant),
         Atom::Variable(variable) => variable.to_expr(),
         Atom::Call(function, arguments) => {
             let is_even = matches!(function, Function::Cos | Function::Cosh | Function::Abs);
-            let argument = |own: &Arc<Polynomial>| {
+            let argument = |own: &Inner| {
                 if is_even && begins_with_sign(&writer.inner(own)) {
                     let opposite = (**own).clone().negated();
                     return unsigned(&opposite, collected_sum(&opposite, writer), writer);

@@ -1,0 +1,80 @@
+//! The table of keys as a workbook: a sheet in a row, a part in a column.
+//!
+//! While the run lasts, each row is a line of JSON in the draft, so that an interrupted run goes on behind it.
+
+use vibank::scene::Scene;
+use vibank::worksheet::{Sheet, letter};
+
+use crate::cli::Failure;
+use crate::cli::table::workbook::{self, Cell};
+
+/// What a row says before its keys.
+const HEAD: [&str; 4] = ["code", "student", "name", "group"];
+
+/// The row of a sheet: its first cells, and each part with its key as it is printed.
+type Row = ([String; HEAD.len()], Vec<(String, String)>);
+
+/// The line of a sheet.
+pub(super) fn line(sheet: &Sheet<'_>) -> String {
+    let student = sheet.student.as_ref();
+    let own = |of: fn(&vibank::worksheet::Student) -> &String| {
+        student.map(of).cloned().unwrap_or_default()
+    };
+    let first = [
+        sheet.variant.to_string(),
+        own(|student| &student.id),
+        own(|student| &student.name),
+        own(|student| &student.group),
+    ];
+    let mut keys = Vec::new();
+    for question in &sheet.questions {
+        let scene = Scene::of(&question.solution, vibank::scene::Data::Both);
+        for (position, place) in question.parts.iter().enumerate() {
+            let key = match scene.key(*place) {
+                Ok(Some(key)) => key.plain(),
+                Ok(None) => "see the solution".to_owned(),
+                Err(_) => "–".to_owned(),
+            };
+            keys.push((format!("{}{}", question.number, letter(position)), key));
+        }
+    }
+    let row: Row = (first, keys);
+    format!("{}\n", serde_json::json!(row))
+}
+
+/// The workbook of these lines.
+pub(super) fn bound(lines: &str) -> Result<Vec<u8>, Failure> {
+    let broken = |error: serde_json::Error| Failure::new(format!("a draft of the run: {error}"));
+    let rows: Vec<Row> = lines
+        .lines()
+        .map(|line| serde_json::from_str(line).map_err(broken))
+        .collect::<Result<_, _>>()?;
+    // Sheets may ask different parts: in the order in which they come.
+    let mut parts: Vec<&str> = Vec::new();
+    let known: Vec<&(String, String)> = rows.iter().flat_map(|(_, keys)| keys).collect();
+    for (part, _) in known {
+        if !parts.contains(&part.as_str()) {
+            parts.push(part);
+        }
+    }
+    parts.sort_by_key(|part| (part.len(), *part));
+    let head: Vec<String> = HEAD
+        .into_iter()
+        .chain(parts.iter().copied())
+        .map(str::to_owned)
+        .collect();
+    let cells = |(first, keys): &Row| {
+        let key = |part: &&str| {
+            let mut keys = keys.iter();
+            let found = keys.find(|(own, _)| own == part);
+            Cell::text(found.map_or("", |(_, key)| key))
+        };
+        first
+            .iter()
+            .map(Cell::text)
+            .chain(parts.iter().map(key))
+            .collect()
+    };
+    let rows: Vec<Vec<Cell>> = rows.iter().map(cells).collect();
+    workbook::written("Keys", &head, &rows)
+}

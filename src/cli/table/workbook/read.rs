@@ -1,0 +1,132 @@
+//! Reading a workbook: its cells one after the other, since a table of all that a single cell at the far end spans has
+//! 17 thousand million of them.
+
+use std::collections::BTreeMap;
+use std::io::{self, Cursor, Read};
+
+use calamine::{DataRef, Reader, SheetType, SheetVisible, Xlsx, XlsxError};
+use zip::ZipArchive;
+
+use super::{Sheet, Spoilt};
+
+/// Bytes of all files in a workbook, unpacked: a workbook of 30,000 rows has a tenth of it. What is packed may be a
+/// thousand times as much.
+const MOST_UNPACKED: u64 = 128 << 20;
+
+/// Columns that are read.
+const MOST_COLUMNS: usize = 1000;
+
+/// Cells that are read, blank ones before the last of a row included.
+const MOST_CELLS: usize = 5_000_000;
+
+/// Bytes of text that are read: many cells may share one long text.
+const MOST_TEXT: usize = 64 << 20;
+
+/// The first visible sheet with something in it, or what is wrong.
+pub(super) fn sheet(bytes: &[u8]) -> Result<Sheet, String> {
+    check_size(bytes)?;
+    let broken = |error: XlsxError| format!("a workbook that cannot be read: {error}");
+    let mut book = Xlsx::new(Cursor::new(bytes)).map_err(broken)?;
+    let sheets = book.sheets_metadata().iter();
+    let names: Vec<String> = sheets
+        .filter(|sheet| sheet.typ == SheetType::WorkSheet && sheet.visible == SheetVisible::Visible)
+        .map(|sheet| sheet.name.clone())
+        .collect();
+    let mut filled: Option<(String, Sheet)> = None;
+    for name in names {
+        let sheet = cells(&mut book, &name)?;
+        if sheet.rows.is_empty() {
+            continue;
+        }
+        if let Some((first, found)) = &mut filled {
+            found.doubt = Some(format!(
+                "of the sheets of the workbook the first one was read, `{first}`, and not `{name}`"
+            ));
+            break;
+        }
+        filled = Some((name, sheet));
+    }
+    Ok(filled.map(|(_, sheet)| sheet).unwrap_or_default())
+}
+
+/// Unpacks all files once and throws them away: what an archive says about their sizes need not be true.
+fn check_size(bytes: &[u8]) -> Result<(), String> {
+    let broken = |error: &dyn std::fmt::Display| format!("an archive that cannot be read: {error}");
+    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| broken(&error))?;
+    if archive.index_for_name("xl/workbook.xml").is_none() {
+        return Err("an archive, and no workbook of Excel (.xlsx)".to_owned());
+    }
+    let mut left = MOST_UNPACKED;
+    for place in 0..archive.len() {
+        let file = archive.by_index(place).map_err(|error| broken(&error))?;
+        let read = io::copy(&mut file.take(left + 1), &mut io::sink());
+        let read = read.map_err(|error| broken(&error))?;
+        left = left.checked_sub(read).ok_or_else(|| {
+            format!(
+                "a workbook of more than {} MiB, unpacked",
+                MOST_UNPACKED >> 20
+            )
+        })?;
+    }
+    Ok(())
+}
+
+fn cells(book: &mut Xlsx<Cursor<&[u8]>>, name: &str) -> Result<Sheet, String> {
+    let broken = |error: XlsxError| format!("the sheet `{name}` cannot be read: {error}");
+    let mut rows: BTreeMap<usize, Vec<String>> = BTreeMap::new();
+    let mut spoilt = BTreeMap::new();
+    let (mut count, mut text) = (0, 0);
+    let mut reader = book.worksheet_cells_reader(name).map_err(broken)?;
+    while let Some(cell) = reader.next_cell().map_err(broken)? {
+        let (row, column) = cell.get_position();
+        let (row, column) = (row as usize + 1, column as usize);
+        let (words, fault) = written(cell.get_value());
+        if words.is_empty() {
+            continue;
+        }
+        if column >= MOST_COLUMNS {
+            return Err(format!("row {row} has a cell beyond column {MOST_COLUMNS}"));
+        }
+        let cells = rows.entry(row).or_default();
+        count += (column + 1).saturating_sub(cells.len());
+        text += words.len();
+        if count > MOST_CELLS || text > MOST_TEXT {
+            return Err(format!(
+                "a table of more than {MOST_CELLS} cells or {} MiB of text",
+                MOST_TEXT >> 20
+            ));
+        }
+        if cells.len() <= column {
+            cells.resize(column + 1, String::new());
+        }
+        cells[column] = words;
+        spoilt.extend(fault.map(|fault| ((row, column), fault)));
+    }
+    Ok(Sheet {
+        rows: rows.into_iter().collect(),
+        doubt: None,
+        spoilt,
+    })
+}
+
+/// What a cell shows, and what has become of it.
+fn written(value: &DataRef<'_>) -> (String, Option<Spoilt>) {
+    let trimmed = |text: &str| text.trim().to_owned();
+    match value {
+        DataRef::Empty => (String::new(), None),
+        DataRef::Int(number) => (number.to_string(), None),
+        DataRef::Float(number) => (number.to_string(), None),
+        DataRef::String(text) => (trimmed(text), None),
+        DataRef::SharedString(text) => (trimmed(text), None),
+        DataRef::Bool(is_true) => (is_true.to_string().to_uppercase(), None),
+        DataRef::DateTime(date) if date.is_datetime() => {
+            let (year, month, day, ..) = date.to_ymd_hms_milli();
+            (format!("{year}-{month:02}-{day:02}"), Some(Spoilt::Date))
+        }
+        DataRef::DateTime(time) => (time.as_f64().to_string(), Some(Spoilt::Date)),
+        DataRef::DateTimeIso(text) | DataRef::DurationIso(text) => {
+            (trimmed(text), Some(Spoilt::Date))
+        }
+        DataRef::Error(error) => (error.to_string(), Some(Spoilt::Formula)),
+    }
+}

@@ -1,0 +1,81 @@
+//! Sums inside of atoms: what stands under a root or in the brackets of a function.
+
+use std::cmp::Ordering;
+use std::ops::Deref;
+use std::sync::Arc;
+
+use super::term::{Atom, Polynomial};
+
+/// A sum inside of an atom, shared by all its copies.
+#[derive(Clone, Debug)]
+pub(super) struct Inner(Arc<Nested>);
+
+#[derive(Debug)]
+struct Nested {
+    sum: Polynomial,
+    /// How many atoms stand in each other at most: comparing two sums may look into all of them.
+    depth: u32,
+}
+
+impl Inner {
+    pub(super) fn depth(&self) -> u32 {
+        self.0.depth
+    }
+
+    /// The same for all copies, and for no other sum while one of them lives.
+    pub(super) fn address(&self) -> *const Polynomial {
+        &raw const self.0.sum
+    }
+}
+
+impl From<Polynomial> for Inner {
+    fn from(sum: Polynomial) -> Self {
+        let atoms = sum.0.keys().flat_map(|monomial| &monomial.0);
+        let depth = atoms.map(|(atom, _)| atom.depth()).max().unwrap_or(0);
+        Self(Arc::new(Nested { sum, depth }))
+    }
+}
+
+impl Deref for Inner {
+    type Target = Polynomial;
+
+    fn deref(&self) -> &Polynomial {
+        &self.0.sum
+    }
+}
+
+impl PartialEq for Inner {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0) || self.0.depth == other.0.depth && **self == **other
+    }
+}
+
+impl Eq for Inner {}
+
+impl PartialOrd for Inner {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Inner {
+    fn cmp(&self, other: &Self) -> Ordering {
+        if Arc::ptr_eq(&self.0, &other.0) {
+            return Ordering::Equal;
+        }
+        (**self).cmp(&**other)
+    }
+}
+
+impl Atom {
+    /// How many atoms stand in each other, this one included.
+    pub(super) fn depth(&self) -> u32 {
+        let inner = match self {
+            Self::Constant(_) | Self::Variable(_) | Self::Opaque(_) => 0,
+            Self::Call(_, arguments) => arguments.iter().map(Inner::depth).max().unwrap_or(0),
+            Self::Base(base) => base.depth(),
+            Self::Power(base, exponent) => base.depth().max(exponent.depth()),
+        };
+        inner.saturating_add(1)
+    }
+}
