@@ -20,12 +20,15 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let mut command = super::Arguments::command();
+    // Both write where there is always room: one of them panics where there is none.
+    let mut text = Vec::new();
     if arguments.man {
         let page = clap_mangen::Man::new(command);
-        page.render(&mut std::io::stdout())
+        page.render(&mut text)
             .map_err(|error| Failure::new(format!("cannot write: {error}")))?;
     } else if let Some(shell) = arguments.shell {
-        clap_complete::generate(shell, &mut command, "vibank", &mut std::io::stdout());
+        clap_complete::generate(shell, &mut command, "vibank", &mut text);
     }
+    println!("{}", String::from_utf8_lossy(&text).trim_end());
     Ok(Outcome::Done)
 }

@@ -142,8 +142,12 @@ pub(crate) fn run() -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => {
-            let _ = error.print();
-            return ExitCode::from(if error.use_stderr() { 2 } else { 0 });
+            let is_printed = match error.print() {
+                Ok(()) => true,
+                Err(error) => error.kind() == io::ErrorKind::BrokenPipe,
+            };
+            let is_asked = is_printed && !error.use_stderr();
+            return ExitCode::from(if is_asked { 0 } else { 2 });
         }
     };
     let outcome = match arguments.command {

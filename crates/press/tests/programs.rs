@@ -196,27 +196,45 @@ fn pages_are_printed_the_same_by_any_number_of_processes() {
     assert_eq!(first, made("second", "1"));
 }
 
-/// A run that is killed goes on where it stopped, to the same bytes.
+/// A run that is killed goes on where it stopped, to the same bytes, and nothing is left over; a longer campaign sets
+/// `VIBANK_KILLS`.
 #[test]
 fn a_killed_run_goes_on_to_the_same_bytes() {
+    let kills = std::env::var("VIBANK_KILLS").ok();
+    let kills = kills.and_then(|kills| kills.parse().ok()).unwrap_or(3);
     let folder = folder("killed");
     let plan = drill(&folder, "pdf", 12, "ch1/e7-rolling-disk-ke");
     let whole = folder.join("whole");
+    #[expect(
+        clippy::disallowed_methods,
+        reason = "kills are spread over the time of a run"
+    )]
+    let begin = std::time::Instant::now();
     run(&["sheet", &plan, "--out", &text_of(&whole)], 0);
-    let out = folder.join("out");
-    for milliseconds in [30, 150, 400] {
+    let took = begin.elapsed();
+    let whole = inside(&whole);
+    for kill in 0..kills {
+        let out = folder.join(format!("out-{kill}"));
         let mut child = vibank()
             .args(["sheet", &plan, "--out", &text_of(&out)])
             .stdout(Stdio::null())
             .stderr(Stdio::null())
             .spawn()
             .expect("it starts");
-        std::thread::sleep(Duration::from_millis(milliseconds));
-        child.kill().expect("it can be killed");
+        // The golden ratio spreads the points of any number of kills.
+        let share = (f64::from(kill) * 0.618_033_988_749 + 0.3).fract();
+        std::thread::sleep(took.mul_f64(share));
+        // It may have come to its end before.
+        let _ = child.kill();
         child.wait().expect("it ends");
+        for (name, bytes) in inside(&out) {
+            let half = whole.get(&name).is_some_and(|whole| *whole != bytes);
+            assert!(!half, "{name} is half a file");
+        }
+        run(&["sheet", &plan, "--out", &text_of(&out)], 0);
+        assert!(inside(&out) == whole, "kill {kill} of {kills}");
+        let _ = fs::remove_dir_all(&out);
     }
-    run(&["sheet", &plan, "--out", &text_of(&out)], 0);
-    assert_eq!(inside(&out), inside(&whole));
 }
 
 #[test]

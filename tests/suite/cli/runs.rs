@@ -253,13 +253,46 @@ fn a_run_with_pseudonyms_knows_no_names() {
 #[cfg(target_os = "linux")]
 #[test]
 fn what_cannot_be_printed_is_a_failure() {
-    let full = fs::OpenOptions::new()
-        .write(true)
-        .open("/dev/full")
-        .expect("Linux has it");
-    let mut list = std::process::Command::new(env!("CARGO_BIN_EXE_vibank"));
-    let status = list.args(["list", "--bank", BANK]).stdout(full).status();
-    assert_eq!(status.expect("it starts").code(), Some(2));
+    let item = "free/spring-mass";
+    let commands: [&[&str]; 8] = [
+        &["list", "--bank", BANK],
+        &["show", item, "--bank", BANK],
+        &["solve", item, "--bank", BANK],
+        &["explain", "bank::size"],
+        &["schema", "item"],
+        &["completions", "bash"],
+        &["completions", "--man"],
+        &["--help"],
+    ];
+    for arguments in commands {
+        let full = fs::OpenOptions::new().write(true).open("/dev/full");
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_vibank"));
+        let command = command.args(arguments).stdout(full.expect("Linux has it"));
+        let ran = command.output().expect("it starts");
+        assert_eq!(ran.status.code(), Some(2), "{arguments:?}");
+    }
+}
+
+/// Who reads the first lines and leaves, as `head` does, is no failure.
+#[cfg(unix)]
+#[test]
+fn a_reader_that_leaves_is_no_failure() {
+    for arguments in [
+        &["completions", "bash"] as &[&str],
+        &["--help"],
+        &["list", "--bank", BANK],
+    ] {
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_vibank"));
+        let command = command.args(arguments);
+        let command = command
+            .stdout(std::process::Stdio::piped())
+            .stderr(std::process::Stdio::piped());
+        let mut child = command.spawn().expect("it starts");
+        drop(child.stdout.take());
+        let ran = child.wait_with_output().expect("it ends");
+        assert_eq!(ran.status.code(), Some(0), "{arguments:?}");
+        assert!(ran.stderr.is_empty(), "{arguments:?}");
+    }
 }
 
 #[test]
