@@ -200,6 +200,10 @@ fn pages_are_printed_the_same_by_any_number_of_processes() {
 /// `VIBANK_KILLS`.
 #[test]
 fn a_killed_run_goes_on_to_the_same_bytes() {
+    #[expect(
+        clippy::disallowed_methods,
+        reason = "how long the campaign is, is the user's setting"
+    )]
     let kills = std::env::var("VIBANK_KILLS").ok();
     let kills = kills.and_then(|kills| kills.parse().ok()).unwrap_or(3);
     let folder = folder("killed");
