@@ -233,4 +233,53 @@ mod with {
             ran.ends(2).complains("error: ").complains(words);
         }
     }
+
+    /// Bytes of the files inside changed, doubled and taken away: a message or a run, no panic.
+    #[test]
+    fn broken_workbooks_break_nothing() {
+        let class = class();
+        let desk = Desk::new("workbook-broken");
+        let plan = desk.plan("seed = 3\nstudents = 'class.xlsx'\nformats = ['md']");
+        let mut archive = zip::ZipArchive::new(Cursor::new(&class)).expect("an archive");
+        let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+        let mut draw = |bound: usize| {
+            state = state
+                .wrapping_mul(0x5851_f42d_4c95_7f2d)
+                .wrapping_add(0x1405_7b7e_f767_814f);
+            (state >> 33) as usize % bound
+        };
+        let files = [
+            "xl/worksheets/sheet1.xml",
+            "xl/sharedStrings.xml",
+            "xl/workbook.xml",
+            "xl/styles.xml",
+        ];
+        for round in 0..160 {
+            let name = files[round % files.len()];
+            let mut content = Vec::new();
+            let mut file = archive.by_name(name).expect("a file");
+            std::io::copy(&mut file, &mut content).expect("room");
+            drop(file);
+            for _ in 0..=draw(4) {
+                let at = draw(content.len());
+                let end = (at + draw(40)).min(content.len());
+                match draw(3) {
+                    0 => content[at] = draw(256) as u8,
+                    1 => drop(content.drain(at..end)),
+                    _ => {
+                        let piece = content[at..end].repeat(1 + draw(200));
+                        content.splice(at..at, piece);
+                    }
+                }
+            }
+            put(
+                &desk.folder,
+                "class.xlsx",
+                exchanged(&class, name, &content),
+            );
+            let ran = desk.sheet(&plan, &["--force"]);
+            let is_sound = [0, 2].contains(&ran.code) && !ran.err.contains("panicked");
+            assert!(is_sound, "round {round}: {}", ran.err);
+        }
+    }
 }

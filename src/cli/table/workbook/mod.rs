@@ -1,6 +1,8 @@
 //! Workbooks of spreadsheets, which a program built with the feature `xlsx` reads and writes.
 
 #[cfg(feature = "xlsx")]
+mod places;
+#[cfg(feature = "xlsx")]
 mod read;
 #[cfg(feature = "xlsx")]
 mod write;

@@ -2,11 +2,12 @@
 //! 17 thousand million of them.
 
 use std::collections::BTreeMap;
-use std::io::{self, Cursor, Read};
+use std::io::{Cursor, Read};
 
 use calamine::{DataRef, Reader, SheetType, SheetVisible, Xlsx, XlsxError};
 use zip::ZipArchive;
 
+use super::places::misplaced;
 use super::{Sheet, Spoilt};
 
 /// Bytes of all files in a workbook, unpacked: a workbook of 30,000 rows has a tenth of it. What is packed may be a
@@ -49,7 +50,7 @@ pub(super) fn sheet(bytes: &[u8]) -> Result<Sheet, String> {
     Ok(filled.map(|(_, sheet)| sheet).unwrap_or_default())
 }
 
-/// Unpacks all files once and throws them away: what an archive says about their sizes need not be true.
+/// Unpacks all files once, and looks the sheets over: what an archive says about sizes need not be true.
 fn check_size(bytes: &[u8]) -> Result<(), String> {
     let broken = |error: &dyn std::fmt::Display| format!("an archive that cannot be read: {error}");
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| broken(&error))?;
@@ -59,14 +60,23 @@ fn check_size(bytes: &[u8]) -> Result<(), String> {
     let mut left = MOST_UNPACKED;
     for place in 0..archive.len() {
         let file = archive.by_index(place).map_err(|error| broken(&error))?;
-        let read = io::copy(&mut file.take(left + 1), &mut io::sink());
-        let read = read.map_err(|error| broken(&error))?;
+        let name = file.name().map_err(|error| broken(&error))?.into_owned();
+        let mut content = Vec::new();
+        let read = file.take(left + 1).read_to_end(&mut content);
+        let read = read.map_err(|error| broken(&error))? as u64;
         left = left.checked_sub(read).ok_or_else(|| {
             format!(
                 "a workbook of more than {} MiB, unpacked",
                 MOST_UNPACKED >> 20
             )
         })?;
+        // Elsewhere names such as these mean other things.
+        let is_sheet = name.starts_with("xl/worksheets/");
+        if let Some(found) = is_sheet.then(|| misplaced(&content)).flatten() {
+            return Err(format!(
+                "a workbook with `{found}` in `{name}`, which is no place in a sheet"
+            ));
+        }
     }
     Ok(())
 }
