@@ -46,7 +46,9 @@ pub mod grade;
 pub mod scene;
 pub mod suitability;
 
-// Layer 9: sheets and reports.
+// Layer 9: examinations, sheets and reports.
+#[cfg(feature = "render")]
+pub mod examine;
 pub mod report;
 pub mod survey;
 pub mod worksheet;

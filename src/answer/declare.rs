@@ -51,6 +51,9 @@ pub trait Declare {
     /// The significant figures in which a node is printed.
     fn digits_of(&self, node: NodeId) -> u8;
 
+    /// The significant figures of the work that the item asks for.
+    fn figures(&self) -> u8;
+
     /// Notes a finding about a text of the file; its places count in that text.
     fn find(&mut self, error: &dyn Diagnose, text: &Text);
 }

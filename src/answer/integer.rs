@@ -177,6 +177,11 @@ impl Marker for Whole {
         Echo::of(readings.map(|own| self.reading(&own))).ok_or_else(|| Why::Form.into())
     }
 
+    fn is_mistaken_key(&self) -> bool {
+        let mut others = self.mistakes.iter();
+        others.any(|(_, given, credit)| *given == self.key && *credit < Credit::FULL)
+    }
+
     fn mark(&self, response: &str) -> Marking {
         let read = numeric::readings(response, self.mark);
         let is_count = |read: &(Quantity, _)| read.0.unit.is_one();

@@ -53,7 +53,7 @@ pub use tolerance::Tolerance;
 pub use trial::{Nature, Trial};
 
 use crate::document::Document;
-use crate::expr::{Equation, Name};
+use crate::expr::{Equation, Name, Precise};
 use crate::numerics::Complex;
 use crate::quantity::{Absent, NodeId};
 pub use crate::response::{At, Trouble};
@@ -76,9 +76,29 @@ pub trait Answer: std::fmt::Debug + Send + Sync {
         None
     }
 
+    /// The significant figures that are asked for.
+    fn figures(&self) -> u32 {
+        3
+    }
+
+    /// Whether the part states its tolerance.
+    fn states_tolerance(&self) -> bool {
+        false
+    }
+
+    /// The named mistake of this number as a response, where the kind keeps it as one.
+    fn kept_mistake(&self, _number: usize) -> Option<String> {
+        None
+    }
+
     /// The options of a choice, in the order of the file.
     fn options(&self) -> &[Choosable] {
         &[]
+    }
+
+    /// The one option that is right whatever the data, by its place in the file.
+    fn always_right(&self) -> Option<usize> {
+        None
     }
 
     /// How one chooses among the options, if there are any.
@@ -172,6 +192,27 @@ pub trait Marker: Send + Sync {
     /// ranges do not say how a response is marked.
     fn bands(&self) -> Vec<Vec<Band>> {
         Vec::new()
+    }
+
+    /// How far numbers in SI units are from those of the key, in tolerances, with whole turns of an angle taken off:
+    /// the farthest decides. None where the kind has no tolerance around numbers, or there are not as many.
+    fn distance(&self, _si: &[f64]) -> Option<f64> {
+        None
+    }
+
+    /// The times at which functions are compared with the key, where functions are asked and these times decide alone.
+    fn times(&self) -> &[Precise] {
+        &[]
+    }
+
+    /// Whether a named mistake that is not worth everything is the very key for these data.
+    fn is_mistaken_key(&self) -> bool {
+        false
+    }
+
+    /// The named mistake of this number as it is typed for these data, from a kind that alone can write it.
+    fn typed_mistake(&self, _number: usize) -> Option<String> {
+        None
     }
 
     /// How far each number of the key may be off, in SI units; empty where the kind has no such numbers.

@@ -9,9 +9,10 @@
 //! half-width = 0.005 · 10^(3−s) · ( |y| + Σ |z ∂y/∂z| )     over the steps z between data and answer y,
 //! ```
 //!
-//! with s the significant figures of the item, so that honest work with every intermediate result
-//! rounded to s figures passes. It is at least half a unit of the last figure asked for, and at most a
-//! third of the distance to the nearest named mistake. There is no hidden absolute floor.
+//! with s the significant figures that are asked for, so that honest work with every intermediate result
+//! rounded to s figures passes. Nothing narrows it: where a known slip lies within it, the data are not handed
+//! out. A key that is rounded to these figures is right also where the tolerance is stated. There is no hidden
+//! absolute floor.
 
 use super::{AnswerError, Declare};
 use crate::expr::Expr;

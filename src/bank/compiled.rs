@@ -119,7 +119,7 @@ mod noting {
         let Data::Table(entries) = &mut tree.data else {
             return;
         };
-        entries.retain(|entry| entry.key != "check");
+        entries.retain(|entry| entry.key != "check" && entry.key != "allow");
         let about = entries.iter_mut().find(|entry| entry.key == "item");
         if let Some(Data::Table(entries)) = about.map(|entry| &mut entry.value.data) {
             entries.retain(|entry| entry.key != "notes");

@@ -18,6 +18,7 @@ mod parameter;
 mod passage;
 pub mod plot;
 mod read;
+mod rule;
 mod template;
 
 pub use about::About;
@@ -30,6 +31,8 @@ pub use identity::{ItemId, Revision};
 pub use parameter::{Domain, Grid, Parameter, ParameterError};
 pub use passage::{Passage, Piece, Target};
 pub use read::ItemError;
+pub use rule::Rule;
 pub use template::{
-    Check, Constraint, Expected, Mistake, MistakeAnswer, Part, QuantityInfo, Template, Units,
+    Allowed, Check, Constraint, Expected, Mistake, MistakeAnswer, Part, QuantityInfo, Template,
+    Units,
 };

@@ -1,17 +1,17 @@
 //! A template: an item as it was read, from which instances are drawn.
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::plot::Plot;
 use super::{About, ItemId, Parameter, Passage, Revision};
 use crate::answer::Answer;
 use crate::document::Document;
-use crate::expr::{Name, Precise};
+use crate::expr::{Expr, Kind as Node, Name, Precise};
 use crate::figure::Figure;
 use crate::math::Math;
 use crate::numerics::Rational;
-use crate::quantity::{Graph, NodeId};
+use crate::quantity::{Datum, Graph, Method, NodeId};
 use crate::source::Source;
 use crate::unit::{Quantity, Unit};
 
@@ -52,6 +52,21 @@ pub struct Template {
     pub parts: Vec<Part>,
     /// Known results.
     pub checks: Vec<Check>,
+    /// Findings of `check` that are in order here.
+    pub allowed: Vec<Allowed>,
+    /// The standard wrong methods of each part, once they were asked for.
+    pub(super) methods: OnceLock<Vec<Vec<Method>>>,
+}
+
+/// A finding of `check` that is in order in an item, with the reason.
+#[derive(Clone, Debug)]
+pub struct Allowed {
+    /// The name of the rule.
+    pub rule: crate::source::Text,
+    /// The part to which it is confined.
+    pub part: Option<String>,
+    /// Why it is in order.
+    pub reason: String,
 }
 
 /// A condition that every draw keeps.
@@ -182,6 +197,72 @@ impl Template {
             .iter()
             .enumerate()
             .find(|(_, parameter)| parameter.name.as_str() == name)
+    }
+
+    /// The standard wrong methods of a part: those to its key on the way from what other parts ask for.
+    ///
+    /// ```
+    /// # #[cfg(feature = "render")] {
+    /// use vibank::bank::{Catalogue, embedded};
+    /// let (catalogue, _) = Catalogue::load(embedded());
+    /// let item = catalogue.find("ch3/e5-log-decrement").unwrap();
+    /// assert!(!item.methods(0).is_empty());
+    /// # }
+    /// ```
+    pub fn methods(&self, place: usize) -> &[Method] {
+        let all = self.methods.get_or_init(|| {
+            let places = 0..self.parts.len();
+            places.map(|place| self.methods_of(place)).collect()
+        });
+        all.get(place).map_or(&[], Vec::as_slice)
+    }
+
+    fn methods_of(&self, place: usize) -> Vec<Method> {
+        let keys = self.parts[place].answer.keys();
+        let [key] = keys[..] else {
+            return Vec::new();
+        };
+        let others = self.parts.iter().enumerate();
+        let others = others.filter(|(other, _)| *other != place);
+        let asked = others.flat_map(|(_, part)| part.answer.keys());
+        let asked: Vec<NodeId> = asked.flat_map(|key| self.listed(key)).collect();
+        let is_hidden = |node| self.info(node).is_none_or(|info| info.units.is_none());
+        self.graph
+            .methods(key, &asked, is_hidden, |node| self.datum(node))
+    }
+
+    /// A key, and the quantities that it lists.
+    fn listed(&self, key: NodeId) -> Vec<NodeId> {
+        let entries = match self.graph.expr(key).map(Expr::kind) {
+            Some(Node::Array(entries)) => &entries[..],
+            _ => &[],
+        };
+        let named = entries.iter().filter_map(|entry| match entry.kind() {
+            Node::Name(name) => self.graph.find(name),
+            _ => None,
+        });
+        std::iter::once(key).chain(named).collect()
+    }
+
+    /// What is known of a datum as far as it can be mistaken.
+    fn datum(&self, node: NodeId) -> Datum {
+        let info = self.info(node);
+        let place = info.and_then(|info| info.parameter);
+        let Some(parameter) = place.and_then(|place| self.parameters.get(place)) else {
+            return Datum::default();
+        };
+        let unit = parameter.unit;
+        let title = info.and_then(|info| info.title.as_deref()).unwrap_or("");
+        let title = title.to_lowercase();
+        let gravity = Unit::parse("m/s^2").is_ok_and(|own| own.dimension() == unit.dimension());
+        let is_length = Unit::parse("m").is_ok_and(|own| own.dimension() == unit.dimension());
+        Datum {
+            scale: unit.to_si(1.0),
+            is_angle: matches!(unit.text().as_str(), "°" | "deg" | "rad"),
+            is_gravity: gravity && parameter.name.as_str() == "g",
+            is_radius: is_length && title.contains("radius"),
+            is_diameter: is_length && title.contains("diameter"),
+        }
     }
 
     /// What is known of a named node.

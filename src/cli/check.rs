@@ -5,6 +5,7 @@ use std::path::Path;
 use rayon::prelude::*;
 use vibank::bank::Catalogue;
 use vibank::diagnostic::{Finding, Severity};
+use vibank::examine::Examination;
 use vibank::scene;
 use vibank::solution::proof;
 use vibank::source::Source;
@@ -14,7 +15,8 @@ use vibank::worksheet::{Blueprint, Plan};
 use super::bank::{self, BankArgument};
 use super::{Failure, Format, Outcome, files, progress, survey};
 
-/// Look over a bank, or blueprints: form, names, dimensions, texts, and the known results of each item.
+/// Look over a bank, or blueprints: form, names, dimensions, texts, known results; and examine each item as its
+/// students meet it: mistakes, wrong methods and honest work typed and marked over many draws.
 ///
 /// Example: vibank check --report ch4/p1-rolling-disk-hub-moment
 #[derive(clap::Args)]
@@ -23,15 +25,25 @@ pub(crate) struct Arguments {
     items: Vec<String>,
     #[command(flatten)]
     bank: BankArgument,
-    /// Draws over which the two routes to a quantity are compared.
+    /// Draws over which an item is examined and the two routes to each quantity are compared.
     #[arg(long, value_name = "NUMBER", default_value_t = 200, value_parser = clap::value_parser!(u64).range(0..=100_000))]
     seeds: u64,
-    /// Tell also what the draws look like: instances, redraws, answers, tolerances, mistakes.
+    /// Report also what the draws look like: instances, redraws, answers, tolerances, mistakes, wrong methods.
     #[arg(long)]
     report: bool,
+    /// Count these as errors, too: warnings are missing second routes, hints and solutions, and constraints that cost more than half of the draws.
+    #[arg(long, value_enum, value_name = "WHAT")]
+    deny: Option<Denied>,
     /// How findings and reports are printed.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
+}
+
+/// What counts as an error besides errors.
+#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Denied {
+    /// All warnings.
+    Warnings,
 }
 
 /// What is to be looked over.
@@ -129,7 +141,11 @@ fn inside(item: &str) -> String {
 }
 
 /// What looking over one item brings to light.
-type Looked = (Vec<Finding>, Option<Survey>);
+struct Looked {
+    findings: Vec<Finding>,
+    examined: Examination,
+    survey: Option<Survey>,
+}
 
 /// What the known results and the second routes of the items disprove, and what their draws look like.
 fn look_over(catalogue: &Catalogue, wanted: &Wanted, arguments: &Arguments) -> Vec<Looked> {
@@ -142,11 +158,17 @@ fn look_over(catalogue: &Catalogue, wanted: &Wanted, arguments: &Arguments) -> V
         let mut findings = proof::findings(item, arguments.seeds);
         findings.extend(scene::undrawn(item));
         findings.extend(scene::underived(item));
+        let mut examined = Examination::of(item, arguments.seeds);
+        findings.append(&mut examined.findings);
         let survey = arguments
             .report
             .then(|| Survey::over(item, arguments.seeds));
         progress.inc(1);
-        (findings, survey)
+        Looked {
+            findings,
+            examined,
+            survey,
+        }
     });
     let looked = looked.collect();
     progress.finish_and_clear();
@@ -156,24 +178,29 @@ fn look_over(catalogue: &Catalogue, wanted: &Wanted, arguments: &Arguments) -> V
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let wanted = Wanted::of(&arguments.items)?;
     let (catalogue, mut findings) = wanted.load(&arguments.bank)?;
-    let mut surveys = Vec::new();
-    for (found, survey) in look_over(&catalogue, &wanted, arguments) {
-        findings.extend(found);
-        surveys.extend(survey);
+    let (mut surveys, mut examined) = (Vec::new(), Vec::new());
+    for looked in look_over(&catalogue, &wanted, arguments) {
+        findings.extend(looked.findings);
+        surveys.extend(looked.survey);
+        examined.push(looked.examined);
     }
+    let exceptions: usize = examined.iter().map(|own| own.allowed.len()).sum();
     findings.retain(|finding| wanted.wants(&finding.source.path));
     findings.extend(wanted.look_over_blueprints(&catalogue));
     Finding::sort(&mut findings);
     match arguments.format {
         Format::Text => {
             bank::print(&findings);
+            let with_parts = arguments.report && !arguments.items.is_empty();
             survey::print(&surveys, !arguments.items.is_empty());
+            survey::print_examined(if with_parts { &examined } else { &[] });
         }
         Format::Json => println!(
             "{}",
             serde_json::to_string(&Looks {
                 findings: &findings,
-                items: &surveys
+                items: &surveys,
+                examined: if arguments.report { &examined } else { &[] },
             })
             .expect("findings and surveys are plain data")
         ),
@@ -194,10 +221,17 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         counted(errors, "error"),
         counted(warnings, "warning")
     );
-    Ok(if findings.is_empty() {
-        Outcome::Done
-    } else {
+    if exceptions > 0 {
+        eprintln!(
+            "{} with a reason in the item",
+            counted(exceptions, "exception")
+        );
+    }
+    let is_denied = warnings > 0 && arguments.deny == Some(Denied::Warnings);
+    Ok(if errors > 0 || is_denied {
         Outcome::Findings
+    } else {
+        Outcome::Done
     })
 }
 
@@ -208,6 +242,9 @@ struct Looks<'a> {
     /// With `--report`, one for each item.
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     items: &'a [Survey],
+    /// With `--report`, one for each item.
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    examined: &'a [Examination],
 }
 
 /// A number of things, in words.

@@ -1,5 +1,6 @@
 //! Surveys of items as tables, which read well in a terminal and are Markdown.
 
+use vibank::examine::Examination;
 use vibank::survey::{AnswerSurvey, Survey};
 use vibank::unit::Decimal;
 
@@ -105,5 +106,36 @@ fn table(head: &[&str], rows: Vec<Vec<String>>) {
     println!("|{}", rule.collect::<String>());
     for row in &rows {
         println!("{}", line(row));
+    }
+}
+
+/// Prints for each part of some items how many wrong ways lead to it, and the exceptions of the items.
+pub(crate) fn print_examined(examined: &[Examination]) {
+    for item in examined {
+        println!("\n{}, ways that lead elsewhere\n", item.item);
+        let head = [
+            "part",
+            "wrong methods",
+            "named mistakes",
+            "draws of honest work",
+        ];
+        let row = |part: &vibank::examine::PartExamined| {
+            vec![
+                part.part.clone(),
+                part.methods.to_string(),
+                part.mistakes.to_string(),
+                part.honest.to_string(),
+            ]
+        };
+        table(&head, item.parts.iter().map(row).collect());
+        for own in &item.allowed {
+            let part = own.part.as_ref().map(|part| format!(" of part `{part}`"));
+            println!(
+                "\nexcepted: {}{}: {}",
+                own.rule,
+                part.unwrap_or_default(),
+                own.reason
+            );
+        }
     }
 }

@@ -20,6 +20,8 @@ pub struct Instance<'t> {
     seed: Option<Seed>,
     values: Vec<Quantity>,
     redraws: u32,
+    /// The constraints that were broken by draws before, and how often.
+    broken: Vec<(&'t str, u32)>,
 }
 
 /// Why no instance could be made.
@@ -87,6 +89,7 @@ impl<'t> Instance<'t> {
             seed: None,
             values,
             redraws: 0,
+            broken: Vec::new(),
         }
     }
 
@@ -144,7 +147,7 @@ impl<'t> Instance<'t> {
         if drawn.is_empty() {
             return Ok(());
         }
-        let mut broken: Vec<(String, u32)> = Vec::new();
+        let mut broken: Vec<(&'t str, u32)> = Vec::new();
         let tried = work::within(MOST_WORK, || {
             for attempt in 0..MOST_DRAWS {
                 for (place, unit, grid, stream) in &mut drawn {
@@ -156,7 +159,7 @@ impl<'t> Instance<'t> {
                 };
                 match broken.iter_mut().find(|(known, _)| *known == name) {
                     Some((_, count)) => *count += 1,
-                    None => broken.push((name.to_owned(), 1)),
+                    None => broken.push((name, 1)),
                 }
                 if work::spend(WORK_OF_A_DRAW).is_err() {
                     return Some(attempt + 1);
@@ -164,10 +167,15 @@ impl<'t> Instance<'t> {
             }
             Some(MOST_DRAWS)
         });
+        broken.sort_by(|a, b| b.1.cmp(&a.1).then_with(|| a.0.cmp(b.0)));
         let Some(attempts) = tried.value else {
+            self.broken = broken;
             return Ok(());
         };
-        broken.sort_by(|a, b| b.1.cmp(&a.1).then_with(|| a.0.cmp(&b.0)));
+        let broken = broken
+            .into_iter()
+            .map(|(name, count)| (name.to_owned(), count))
+            .collect();
         Err(InstanceError::Constraints {
             item: self.template.id.to_string(),
             attempts,
@@ -205,6 +213,11 @@ impl<'t> Instance<'t> {
     /// How often it was drawn again.
     pub fn redraws(&self) -> u32 {
         self.redraws
+    }
+
+    /// The constraints that draws before this one broke first, the most frequent first, and how often.
+    pub fn broken(&self) -> &[(&'t str, u32)] {
+        &self.broken
     }
 
     /// A fresh evaluation of the item's graph for these data.

@@ -224,6 +224,28 @@ impl<'g> Evaluation<'g> {
         spread
     }
 
+    /// The value of a node by another formula than its own.
+    pub(super) fn by(&self, id: NodeId, computation: &Computation) -> Result<Value, Absent> {
+        if !computation.variables.is_empty() {
+            return Err(self.none(id));
+        }
+        self.bounded(|| self.run(self.graph.node(id), computation, &[]))
+    }
+
+    /// A node as the function that another formula than its own is.
+    pub(super) fn function_by(&self, id: NodeId, computation: &'g Computation) -> Function<'_, 'g> {
+        Function {
+            evaluation: self,
+            node: id,
+            computation,
+        }
+    }
+
+    /// A node that has no such value.
+    pub(super) fn none(&self, id: NodeId) -> Absent {
+        self.undefined(id, Undefined::NotReal)
+    }
+
     /// Computes a value with what is left of the work for these data.
     fn bounded<T>(&self, compute: impl FnOnce() -> T) -> T {
         if self.is_computing.replace(true) {

@@ -116,6 +116,12 @@ impl Graph {
         node.reach.take();
     }
 
+    /// The nodes that a node takes.
+    pub(super) fn needs(&self, id: NodeId) -> Vec<NodeId> {
+        let uses = self.node(id).uses.as_ref();
+        uses.map_or(Vec::new(), |uses| uses.nodes.clone())
+    }
+
     /// All names on which a node depends, through others too, and its own.
     pub(super) fn reach(&self, id: NodeId) -> &BTreeSet<Name> {
         self.node(id).reach.get_or_init(|| {
@@ -135,7 +141,7 @@ impl Graph {
         })
     }
 
-    fn link(&self, expr: &Expr) -> Result<Computation, CompileError> {
+    pub(super) fn link(&self, expr: &Expr) -> Result<Computation, CompileError> {
         let linker = Linker::of(self);
         let program = Program::compile(expr, &linker)?;
         let Linked {

@@ -237,7 +237,7 @@ impl<'t> Solution<'t> {
         let part = &self.template().parts[place];
         let mistakes = part.mistakes.iter().enumerate();
         let mistakes = mistakes
-            .filter_map(|(number, mistake)| self.mistaken(part, number, mistake))
+            .filter_map(|(number, mistake)| self.mistake_of(part, number, mistake))
             .collect();
         Context {
             evaluation: &self.evaluation,
@@ -249,8 +249,14 @@ impl<'t> Solution<'t> {
         }
     }
 
+    /// The named mistake of this number of a part for these data, if it is one for them.
+    pub fn mistaken(&self, place: usize, number: usize) -> Option<Mistaken> {
+        let part = self.template().parts.get(place)?;
+        self.mistake_of(part, number, part.mistakes.get(number)?)
+    }
+
     /// What a mistake gives for these data, if it is one for them.
-    fn mistaken(&self, part: &Part, number: usize, mistake: &Mistake) -> Option<Mistaken> {
+    fn mistake_of(&self, part: &Part, number: usize, mistake: &Mistake) -> Option<Mistaken> {
         let applies = mistake
             .when
             .is_none_or(|when| self.evaluation.holds(when) == Ok(true));

@@ -6,7 +6,7 @@
 use super::Solution;
 use crate::answer::{KeyValue, Kind, Verdict, complex_number};
 use crate::bank::{Check, Expected, Template, Units};
-use crate::diagnostic::{Code, Diagnose, Finding, Label, Severity};
+use crate::diagnostic::{Code, Diagnose, Finding, Label};
 use crate::expr::{Form, Name, Precise, Shape, Undefined, Value};
 use crate::instance::{Instance, InstanceError};
 use crate::numerics::Complex;
@@ -511,13 +511,6 @@ impl Diagnose for Disproof {
             Self::Draws { .. } => Code::CHECK_DRAWS,
             Self::Steps { .. } | Self::Work { .. } => Code::SIZE,
             _ => Code::CHECK_EXPECTED,
-        }
-    }
-
-    fn severity(&self) -> Severity {
-        match self {
-            Self::Draws { .. } | Self::Steps { .. } | Self::Work { .. } => Severity::Error,
-            _ => Severity::Warning,
         }
     }
 

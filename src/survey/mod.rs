@@ -102,7 +102,9 @@ impl Survey {
     /// Whether an instance is fit to hand out; the answers of those that are count.
     fn judge(&mut self, solution: &Solution<'_>) -> bool {
         let parts: Vec<usize> = (0..solution.template().parts.len()).collect();
-        let is_fit = suitability::judge(solution, &parts).is_ok();
+        let is_fit = suitability::judge(solution, &parts)
+            .and_then(|()| suitability::judge_methods(solution, &parts))
+            .is_ok();
         if is_fit {
             for answer in &mut self.answers {
                 answer.add(solution);

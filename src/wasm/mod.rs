@@ -178,14 +178,18 @@ impl Grader {
         let variant = |step: u64| {
             Variant::new(from.wrapping_add(step) % Variant::COUNT).expect("it is below the count")
         };
+        let mut next_best = None;
         for step in 0..MOST_TRIES {
             let solution = self.draw(question, template, variant(step))?;
             let asked = question::asked(question, &solution);
             if !asked.is_empty() && suitability::judge(&solution, &asked).is_ok() {
-                return Ok(variant(step));
+                if suitability::judge_methods(&solution, &asked).is_ok() {
+                    return Ok(variant(step));
+                }
+                next_best.get_or_insert(step);
             }
         }
-        Ok(variant(0))
+        Ok(variant(next_best.unwrap_or(0)))
     }
 }
 

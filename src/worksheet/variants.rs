@@ -358,8 +358,11 @@ impl<'p, 'c> Chooser<'p, 'c> {
         for question in &sheet.questions {
             suitability::judge(&question.solution, &question.parts)?;
             let asked = self.asked(question, candidate.questions[question.place].data);
-            if asked.is_unusual && attempt < TRIES_FOR_FAIRNESS {
-                self.usual(question).judge(question)?;
+            if attempt < TRIES_FOR_FAIRNESS {
+                suitability::judge_methods(&question.solution, &question.parts)?;
+                if asked.is_unusual {
+                    self.usual(question).judge(question)?;
+                }
             }
             candidate.questions[question.place] = asked;
         }

@@ -137,6 +137,12 @@ impl Answer for Choice {
         &self.options
     }
 
+    fn always_right(&self) -> Option<usize> {
+        let mut right = (0..self.rights.len())
+            .filter(|place| matches!(self.rights[*place], Right::Always(true)));
+        right.next().filter(|_| right.next().is_none())
+    }
+
     fn choosing(&self) -> Option<Choosing> {
         Some(self.manner())
     }

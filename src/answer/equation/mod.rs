@@ -190,6 +190,11 @@ impl Answer for Equations {
         Some(Vec::new())
     }
 
+    fn kept_mistake(&self, number: usize) -> Option<String> {
+        let own = self.mistakes.iter().find(|(own, _)| *own == number);
+        own.map(|(_, equations)| written(equations))
+    }
+
     fn printed(&self, _context: &Context<'_>) -> Option<Result<Key, Absent>> {
         Some(Ok(self.setup.printed()))
     }

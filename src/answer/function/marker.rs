@@ -23,6 +23,9 @@ pub(super) struct Response {
     pub(super) values: Vec<Vec<f64>>,
 }
 
+/// Less than this share of a half-width is a rounding of the machine.
+const SAME: f64 = 1e-6;
+
 /// A prepared key.
 pub(super) struct Prepared {
     pub(super) setup: Arc<Setup>,
@@ -151,6 +154,36 @@ impl Marker for Prepared {
 
     fn key(&self) -> Key {
         self.setup.printed()
+    }
+
+    fn clearance(&self) -> Option<f64> {
+        let costly = self
+            .mistakes
+            .iter()
+            .filter(|(_, _, credit)| *credit < Credit::FULL);
+        let distances = costly.filter_map(|(_, given, _)| self.distance(given));
+        // What is the key itself but for rounding is no other answer for these data.
+        distances
+            .filter(|distance| !self.times().is_empty() && *distance > SAME)
+            .min_by(f64::total_cmp)
+    }
+
+    fn distance(&self, si: &[f64]) -> Option<f64> {
+        let pairs = si.iter().zip(&self.values).zip(&self.halves);
+        let distances = pairs.map(|((given, key), half)| (given - key).abs() / half);
+        let largest = distances
+            .filter(|distance| distance.is_finite())
+            .fold(0.0, f64::max);
+        (si.len() == self.values.len()).then_some(largest)
+    }
+
+    fn times(&self) -> &[Precise] {
+        // Where later times decide, too, what is near on the span may be told apart there.
+        if self.windows.is_empty() {
+            &self.times
+        } else {
+            &[]
+        }
     }
 
     fn mark(&self, response: &str) -> Marking {

@@ -75,7 +75,7 @@ struct Motion {
     key: NodeId,
     span: Extent,
     tolerance: Tolerance,
-    digits: u32,
+    figures: u32,
     setup: Arc<Setup>,
 }
 
@@ -158,7 +158,7 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         key,
         span,
         tolerance,
-        digits: u32::from(declare.digits_of(key)),
+        figures: u32::from(declare.figures()),
         setup: Arc::new(Setup {
             shown,
             kind,
@@ -184,7 +184,7 @@ impl Answer for Motion {
         let variable = crate::math::symbol(setup.variable.as_str());
         Blank::of(Asked::Function { variable })
             .with_letters(&setup.letters, &setup.lexicon)
-            .with_numbers(setup.unit, self.digits)
+            .with_numbers(setup.unit, self.figures)
     }
 
     fn keys(&self) -> Vec<NodeId> {
@@ -201,6 +201,14 @@ impl Answer for Motion {
         Some(first.map(|_| self.setup.printed()))
     }
 
+    fn figures(&self) -> u32 {
+        self.figures
+    }
+
+    fn states_tolerance(&self) -> bool {
+        !self.tolerance.is_derived()
+    }
+
     fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
         let evaluation = context.evaluation;
         let ends = self.span.ends(evaluation)?;
@@ -210,11 +218,11 @@ impl Answer for Motion {
             .iter()
             .fold(0.0_f64, |largest, value| largest.max(value.abs()));
         let halves = if self.tolerance.is_derived() {
-            derived(evaluation, self.key, &times, &values, largest, self.digits)
+            derived(evaluation, self.key, &times, &values, largest, self.figures)
         } else {
             let half = self
                 .tolerance
-                .half_width(largest, || 0.0, self.digits, evaluation);
+                .half_width(largest, || 0.0, self.figures, evaluation);
             vec![half; SAMPLES]
         };
         let mut mistakes = Vec::new();
@@ -240,8 +248,8 @@ impl Answer for Motion {
             times: &times,
             values: &values,
             halves: &halves,
-            share: rounding(self.digits),
-            stated: (!self.tolerance.is_derived()).then_some((&self.tolerance, self.digits)),
+            share: rounding(self.figures),
+            stated: (!self.tolerance.is_derived()).then_some((&self.tolerance, self.figures)),
         };
         let windows = if self.setup.is_in_pieces {
             Vec::new()

@@ -28,6 +28,10 @@ pub(super) fn rounding(digits: u32) -> f64 {
     0.005 * crate::numerics::powi(10.0, 3 - digits as i32)
 }
 
+/// The rounding of one step widens a function by at most this share of its largest value: a phase that is lost altogether
+/// is no tolerance.
+const MOST: f64 = 0.05;
+
 /// How far rounding in the steps moves the function, time by time.
 pub(super) fn derived(
     evaluation: &Evaluation<'_>,
@@ -38,12 +42,13 @@ pub(super) fn derived(
     digits: u32,
 ) -> Vec<f64> {
     const STEP: f64 = 1e-6;
+    let share = rounding(digits);
     let mut spread = vec![largest; values.len()];
     let mut add = |moved: &[f64]| {
         for ((sum, moved), value) in spread.iter_mut().zip(moved).zip(values) {
             let part = (moved - value).abs() / STEP;
             *sum += if part.is_finite() {
-                part.min(10.0 * largest)
+                part.min(MOST / share * largest)
             } else {
                 0.0
             };
@@ -77,6 +82,5 @@ pub(super) fn derived(
     if let Ok(moved) = samples(evaluation, key, &later) {
         add(&moved);
     }
-    let share = rounding(digits);
     spread.into_iter().map(|sum| share * sum).collect()
 }

@@ -46,6 +46,8 @@ struct Interval {
     within: Option<Declared>,
     is_strict: bool,
     tolerance: Tolerance,
+    /// Significant figures of the work.
+    figures: u32,
     digits: u32,
     setup: Arc<Setup>,
     mistakes: Vec<(usize, Vec<Declared>)>,
@@ -133,6 +135,7 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
     };
     let digits = key.iter().flat_map(|piece| piece.ends).flatten().next();
     Some(Box::new(Interval {
+        figures: u32::from(declare.figures()),
         digits: u32::from(digits.map_or(3, |node| declare.digits_of(node))),
         key,
         within,
@@ -251,6 +254,14 @@ impl Answer for Interval {
         Some(Vec::new())
     }
 
+    fn figures(&self) -> u32 {
+        self.figures
+    }
+
+    fn states_tolerance(&self) -> bool {
+        !self.tolerance.is_derived()
+    }
+
     fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
         let evaluation = context.evaluation;
         let within = self
@@ -272,7 +283,7 @@ impl Answer for Interval {
             node.map_or(0.0, |node| {
                 let spread = || evaluation.spread(node).first().copied().unwrap_or(0.0);
                 self.tolerance
-                    .half_width(value, spread, self.digits, evaluation)
+                    .half_width(value, spread, self.figures, evaluation)
             })
         };
         let halves = key
@@ -416,6 +427,13 @@ impl Marker for Prepared {
                 text,
             },
         }
+    }
+
+    fn typed_mistake(&self, number: usize) -> Option<String> {
+        let own = self.mistakes.iter().find(|(own, ..)| *own == number);
+        let is_number = self.setup.written != Written::Formula;
+        let text = own.map(|(_, set, _)| self.typeset(set).1);
+        text.filter(|_| is_number)
     }
 
     fn mark(&self, response: &str) -> Marking {

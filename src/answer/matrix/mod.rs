@@ -90,7 +90,7 @@ impl Written {
 struct Matrix {
     key: NodeId,
     tolerance: Tolerance,
-    digits: u32,
+    figures: u32,
     setup: Arc<Setup>,
 }
 
@@ -154,7 +154,7 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
     Some(Box::new(Matrix {
         key,
         tolerance,
-        digits: u32::from(declare.digits_of(key)),
+        figures: u32::from(declare.figures()),
         setup: Arc::new(setup),
     }))
 }
@@ -197,7 +197,7 @@ impl Answer for Matrix {
             ..
         } = &*self.setup;
         let blank = Blank::of(Asked::Matrix(written.entries()));
-        written.describe(blank, (letters, lexicon), (self.unit(), self.digits))
+        written.describe(blank, (letters, lexicon), (self.unit(), self.figures))
     }
 
     fn keys(&self) -> Vec<NodeId> {
@@ -239,6 +239,14 @@ impl Answer for Matrix {
         Some(vec![node])
     }
 
+    fn figures(&self) -> u32 {
+        self.figures
+    }
+
+    fn states_tolerance(&self) -> bool {
+        !self.tolerance.is_derived()
+    }
+
     fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
         let (setup, evaluation) = (&self.setup, context.evaluation);
         let graph = evaluation.graph();
@@ -247,7 +255,7 @@ impl Answer for Matrix {
         let halves = value.numbers().iter().enumerate().map(|(entry, number)| {
             let spread = || spreads.get_or_init(|| evaluation.spread(self.key))[entry];
             self.tolerance
-                .half_width(*number, spread, self.digits, evaluation)
+                .half_width(*number, spread, self.figures, evaluation)
         });
         let halves = halves.collect();
         let none = BTreeMap::new();

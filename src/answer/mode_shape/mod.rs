@@ -50,6 +50,8 @@ struct Mode {
     key: NodeId,
     asked: Asked,
     tolerance: Option<Tolerance>,
+    /// Significant figures of the work.
+    figures: u32,
     digits: u32,
     setup: Arc<Setup>,
 }
@@ -116,6 +118,7 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         key,
         asked: asked?,
         tolerance,
+        figures: u32::from(declare.figures()),
         digits: u32::from(declare.digits_of(key)),
         setup: Arc::new(Setup {
             scale,
@@ -160,9 +163,9 @@ impl Answer for Mode {
         let evaluation = context.evaluation;
         let key = evaluation.value(self.key)?.clone();
         let angle = match &self.tolerance {
-            Some(tolerance) => tolerance.half_width(1.0, || 0.0, self.digits, evaluation),
+            Some(tolerance) => tolerance.half_width(1.0, || 0.0, self.figures, evaluation),
             // Fewer figures in print do not make a coarser question.
-            None => 0.01 * crate::numerics::powi(10.0, 3 - self.digits.max(3) as i32),
+            None => 0.01 * crate::numerics::powi(10.0, 3 - self.figures.max(3) as i32),
         };
         let width = match key.shape() {
             Shape::Matrix(_, columns) => columns,

@@ -25,6 +25,9 @@ pub(super) struct Mistake {
     pub(super) credit: Credit,
 }
 
+/// Numbers that differ by a smaller share are the same but for rounding in the machine.
+const SAME: f64 = 1e-9;
+
 /// A prepared key.
 pub(super) struct Numbers {
     pub(super) unit: Unit,
@@ -59,30 +62,6 @@ impl Mistake {
 }
 
 impl Numbers {
-    /// Keeps a derived tolerance below a third of the distance to each mistake that differs from the key.
-    pub(super) fn kept_clear(mut self, is_derived: bool) -> Self {
-        let nearest = self.nearest_mistake().filter(|_| is_derived);
-        let printed = self.half_of_last_figure();
-        if let (Some(distance), [target]) = (nearest, &mut self.targets[..]) {
-            // The key as it is printed is right, however near a mistake lies.
-            let least = printed.min(0.99 * distance);
-            target.half = target.half.min(distance / 3.0).max(least);
-        }
-        self
-    }
-
-    /// Half a unit of the last figure of the printed key, in SI units.
-    fn half_of_last_figure(&self) -> f64 {
-        let value = self.targets.first().map_or(0.0, |target| target.value);
-        let printed = self.unit.of_si(value);
-        let share = super::super::tolerance::half_unit(printed, self.digits) / printed.abs();
-        if share.is_finite() {
-            share * value.abs()
-        } else {
-            0.0
-        }
-    }
-
     /// Distance of the nearest mistake that is another number than the key.
     fn nearest_mistake(&self) -> Option<f64> {
         let [target] = &self.targets[..] else {
@@ -96,7 +75,7 @@ impl Numbers {
             Some(target.distance(Dd::from(*mistake.values.first()?), self.modulo))
         });
         distances
-            .filter(|distance| *distance > 1e-9 * target.value.abs())
+            .filter(|distance| *distance > SAME * target.value.abs())
             .min_by(f64::total_cmp)
     }
 
@@ -232,7 +211,6 @@ impl Numbers {
         Target {
             value,
             bound: 0.0,
-            fair: 0.0,
             half: if half > 0.0 {
                 half
             } else {
@@ -408,8 +386,46 @@ impl Marker for Numbers {
 
     fn clearance(&self) -> Option<f64> {
         let distance = self.nearest_mistake()?;
-        let fair = self.targets.first()?.fair;
-        (fair > 0.0).then(|| distance / fair)
+        let half = self.targets.first()?.half;
+        (half > 0.0).then(|| distance / half)
+    }
+
+    fn distance(&self, si: &[f64]) -> Option<f64> {
+        if si.len() != self.targets.len() {
+            return None;
+        }
+        let mut targets: Vec<&Target> = self.targets.iter().collect();
+        let mut numbers = si.to_vec();
+        if !self.is_ordered {
+            targets.sort_by(|a, b| a.value.total_cmp(&b.value));
+            numbers.sort_by(f64::total_cmp);
+        }
+        let pairs = targets.iter().zip(numbers);
+        let distances = pairs.map(|(target, number)| {
+            let distance = target.distance(Dd::from(number), self.modulo);
+            if distance == 0.0 {
+                0.0
+            } else {
+                distance / target.half
+            }
+        });
+        Some(distances.fold(0.0, f64::max))
+    }
+
+    fn is_mistaken_key(&self) -> bool {
+        let [target] = &self.targets[..] else {
+            return false;
+        };
+        let mut others = self
+            .mistakes
+            .iter()
+            .filter(|mistake| mistake.unit.is_none() && mistake.credit < Credit::FULL);
+        others.any(|mistake| {
+            let given = mistake.values.first();
+            given.is_some_and(|given| {
+                target.distance(Dd::from(*given), self.modulo) <= SAME * target.value.abs()
+            })
+        })
     }
 
     fn bands(&self) -> Vec<Vec<Band>> {

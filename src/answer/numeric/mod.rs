@@ -42,6 +42,9 @@ use self::target::Target;
 pub(super) use self::complex::complex_number;
 pub(super) use self::read::{quantity, readings};
 
+/// Significant figures in which one works at least.
+const LEAST_FIGURES: u32 = 3;
+
 /// What a part asks for.
 #[derive(Debug)]
 struct Numeric {
@@ -59,6 +62,9 @@ struct Numeric {
     is_ordered: bool,
     ask_digits: Option<u32>,
     digits_penalty: Credit,
+    /// Significant figures that are asked for, which the tolerance follows.
+    figures: u32,
+    /// Significant figures in which the key is printed.
     digits: u32,
 }
 
@@ -129,7 +135,9 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         is_ordered,
         ask_digits: ask_digits.map(|digits| digits as u32),
         digits_penalty,
-        digits: u32::from(declare.digits_of(key)),
+        figures: ask_digits.map_or(u32::from(declare.figures()), |digits| digits as u32),
+        // What is asked for in more figures is printed in them.
+        digits: u32::from(declare.digits_of(key)).max(ask_digits.map_or(0, |digits| digits as u32)),
     }))
 }
 
@@ -145,6 +153,7 @@ pub(super) fn of_formula(
         key,
         unit,
         tolerance: Tolerance::default(),
+        figures: u32::from(declare.figures()),
         digits: u32::from(declare.digits_of(key)),
         formula: None,
         modulo: None,
@@ -238,7 +247,7 @@ impl Answer for Numeric {
             (false, true) => Asked::ComplexValue,
             (false, false) => Asked::Value,
         };
-        let figures = self.ask_digits.unwrap_or(self.digits);
+        let figures = self.figures;
         Blank::of(form).with_numbers(Some(self.unit), figures)
     }
 
@@ -252,6 +261,14 @@ impl Answer for Numeric {
 
     fn other_form(&self) -> Option<&dyn Answer> {
         self.formula.as_deref()
+    }
+
+    fn figures(&self) -> u32 {
+        self.figures
+    }
+
+    fn states_tolerance(&self) -> bool {
+        !self.tolerance.is_derived()
     }
 
     fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
@@ -268,22 +285,15 @@ impl Answer for Numeric {
             .enumerate()
             .map(|(entry, (&value, &bound))| {
                 let spread = || spreads.get_or_init(|| evaluation.spread(self.key))[entry];
-                let mut half = self
-                    .tolerance
-                    .half_width(value, spread, self.digits, evaluation);
-                if let Some(digits) = self.ask_digits {
-                    half = half.max(super::tolerance::half_unit(value, digits));
-                }
                 Target {
                     value,
                     bound,
-                    half,
-                    fair: half,
+                    half: self.half_width(value, spread, evaluation),
                 }
             })
             .collect();
         let mistakes = context.mistakes.iter().map(Mistake::of).collect();
-        let marker = Numbers {
+        Ok(Box::new(Numbers {
             unit: self.unit,
             modulo: self.modulo,
             within: self.within,
@@ -296,12 +306,34 @@ impl Answer for Numeric {
             doubt: context.doubt,
             targets,
             mistakes,
-        };
-        Ok(Box::new(marker.kept_clear(self.tolerance.is_derived())))
+        }))
     }
 }
 
 impl Numeric {
+    /// How far from a key a number may be: what is stated, or what follows from the figures that are asked for; never
+    /// less than rounding to these figures takes.
+    fn half_width(
+        &self,
+        value: f64,
+        spread: impl FnOnce() -> f64,
+        evaluation: &crate::quantity::Evaluation<'_>,
+    ) -> f64 {
+        // Nobody works in fewer figures than three to give an answer in two.
+        let figures = self.figures.max(LEAST_FIGURES);
+        let half = self
+            .tolerance
+            .half_width(value, spread, figures, evaluation);
+        // The key is printed in its own figures, and is right as it is printed.
+        let shown = self.unit.of_si(value);
+        let share = super::tolerance::half_unit(shown, self.figures.min(self.digits)) / shown.abs();
+        if share.is_finite() {
+            half.max(share * value.abs())
+        } else {
+            half
+        }
+    }
+
     /// The marker of complex keys: the tolerance is a distance in the plane.
     fn complex(&self, key: &crate::expr::Value, context: &Context<'_>) -> complex::Numbers {
         let evaluation = context.evaluation;
@@ -313,13 +345,10 @@ impl Numeric {
                 crate::numerics::hypot(all[2 * entry], all[2 * entry + 1])
             };
             let size = value.abs();
-            let half = self
-                .tolerance
-                .half_width(size, spread, self.digits, evaluation);
             complex::Target {
                 value,
                 bound: key.bounds()[2 * entry] + key.bounds()[2 * entry + 1],
-                half,
+                half: self.half_width(size, spread, evaluation),
             }
         };
         complex::Numbers {

@@ -12,8 +12,6 @@ pub(super) struct Target {
     /// Bound on its own error.
     pub(super) bound: f64,
     pub(super) half: f64,
-    /// The half-width before it was kept clear of mistakes.
-    pub(super) fair: f64,
 }
 
 impl Target {

@@ -98,6 +98,15 @@ pub enum ItemError {
         /// The word.
         found: String,
     },
+    /// A rule of `check` that does not exist.
+    #[error("`{found}` is not a rule from which an item can be excepted")]
+    Rule {
+        /// The word.
+        found: String,
+    },
+    /// An exception without a reason.
+    #[error("this exception has no reason")]
+    Reason,
     /// A kind of answer that does not exist.
     #[error("`{found}` is no kind of answer")]
     Kind {
@@ -202,7 +211,7 @@ impl Diagnose for ItemError {
             Self::NoCondition => Code::CONDITION,
             Self::Placeholder { .. } | Self::Form { .. } => Code::UNKNOWN_PLACEHOLDER,
             Self::Topic { .. } => Code::TOPIC,
-            Self::Allow { .. } => Code::ALLOW,
+            Self::Allow { .. } | Self::Rule { .. } | Self::Reason => Code::ALLOW,
             Self::Kind { .. } => Code::ANSWER_KIND,
             Self::PartId | Self::PartTwice { .. } | Self::Points => Code::PART,
             Self::Credit | Self::Mistake => Code::MISTAKE,
@@ -249,6 +258,15 @@ impl Diagnose for ItemError {
                 "it can be {}",
                 super::super::about::LIFTABLE.join(", ")
             )),
+            Self::Rule { found } => {
+                let names = || super::super::Rule::ALL.iter().map(|rule| rule.name());
+                let near = nearest(found, names()).map(str::to_owned);
+                mean(&near).or_else(|| {
+                    let all: Vec<&str> = names().collect();
+                    Some(format!("it can be {}", all.join(", ")))
+                })
+            }
+            Self::Reason => Some("say why the finding is in order here".to_owned()),
             Self::Kind { found } => {
                 let names = || crate::answer::Kind::ALL.iter().map(|kind| kind.name());
                 let near = nearest(found, names()).map(str::to_owned);

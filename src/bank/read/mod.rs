@@ -22,7 +22,8 @@ pub(super) use texts::{Noting, Parsers};
 pub(super) use texts::{Stored, Texts};
 
 use super::bounds;
-use super::template::{Constraint, QuantityInfo, Template};
+use super::rule::Rule;
+use super::template::{Allowed, Constraint, Part, QuantityInfo, Template};
 use super::{About, ItemId, Parameter, Revision};
 use crate::answer::Known;
 use crate::diagnostic::{Diagnose, Finding};
@@ -157,6 +158,7 @@ impl<'s> Reader<'s> {
         });
         let parts = self.parts(table);
         let checks = self.checks(table, &parts);
+        let allowed = self.allowed(table, &parts);
         let notes = about
             .as_ref()
             .and_then(|about| about.notes.as_ref())
@@ -183,6 +185,8 @@ impl<'s> Reader<'s> {
             caption,
             parts,
             checks,
+            allowed,
+            methods: std::sync::OnceLock::new(),
         };
         table.finish_ref();
         Some(template)
@@ -212,6 +216,43 @@ impl<'s> Reader<'s> {
                 );
             }
         }
+    }
+
+    /// Findings of `check` that are in order here, each with a reason.
+    fn allowed(&mut self, table: &Table<'s>, parts: &[Part]) -> Vec<Allowed> {
+        let mut allowed = Vec::new();
+        for own in table.tables("allow") {
+            let (rule, part) = (own.required_text("rule"), own.text("part"));
+            let reason = own.required_text("reason");
+            own.finish();
+            if let Some(rule) = rule
+                .as_ref()
+                .filter(|rule| Rule::of_name(&rule.value).is_none())
+            {
+                let found = rule.value.clone();
+                self.find(&ItemError::Rule { found }, rule);
+            }
+            if let Some(part) = &part
+                && !parts.iter().any(|known| known.id == part.value)
+            {
+                let ids = parts.iter().map(|known| known.id.as_str());
+                let nearest = crate::source::nearest(&part.value, ids).map(str::to_owned);
+                let found = part.value.clone();
+                self.find(&ItemError::Expected { found, nearest }, part);
+            }
+            let (Some(rule), Some(reason)) = (rule, reason) else {
+                continue;
+            };
+            if reason.value.trim().is_empty() {
+                self.find(&ItemError::Reason, &reason);
+            }
+            allowed.push(Allowed {
+                rule,
+                part: part.map(|part| part.value),
+                reason: reason.value,
+            });
+        }
+        allowed
     }
 
     fn constraints(&mut self, table: &Table<'s>) -> Vec<Constraint> {

@@ -368,6 +368,10 @@ impl Declare for Reader<'_> {
             .map_or(self.digits, |info| info.digits)
     }
 
+    fn figures(&self) -> u8 {
+        self.digits
+    }
+
     fn find(&mut self, error: &dyn Diagnose, text: &Text) {
         let mut finding = Finding::within(error, self.source, text);
         for label in finding

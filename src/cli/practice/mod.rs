@@ -128,7 +128,7 @@ fn instance(template: &Template, seed: u64, number: u64) -> Result<Solution<'_>,
     let stream = Streams::of(Seed::new(seed), template.id.as_str());
     let mut seeds = stream.named(&format!("exercise {number}"));
     let parts: Vec<usize> = (0..template.parts.len()).collect();
-    let mut last = None;
+    let mut next_best = None;
     for _ in 0..MOST_TRIES {
         // Seeds that are short to type again in `vibank show --seed`.
         let seed = Seed::new(seeds.below(1_000_000));
@@ -136,11 +136,14 @@ fn instance(template: &Template, seed: u64, number: u64) -> Result<Solution<'_>,
             Instance::draw(template, seed).map_err(|error| Failure::new(error.to_string()))?;
         let solution = Solution::of(instance);
         match suitability::judge(&solution, &parts) {
-            Ok(()) => return Ok(Solution::of(solution.instance().clone())),
-            Err(_) => last = Some(solution),
+            Ok(()) if suitability::judge_methods(&solution, &parts).is_ok() => {
+                return Ok(Solution::of(solution.instance().clone()));
+            }
+            Ok(()) => next_best = Some(solution),
+            Err(_) => next_best = next_best.or(Some(solution)),
         }
     }
-    last.ok_or_else(|| Failure::new(format!("`{}` has no suitable data", template.id)))
+    next_best.ok_or_else(|| Failure::new(format!("`{}` has no suitable data", template.id)))
 }
 
 /// A seed that is another one each time.

@@ -255,7 +255,9 @@ fn texts_of_chapters_and_blueprints_lose_nothing_in_silence() {
         small(&["sheet", &plan, "--out", &out])
             .ends(2)
             .complains(words);
-        small(&["check", &plan]).ends(1).complains(words);
+        small(&["check", "--deny", "warnings", &plan])
+            .ends(1)
+            .complains(words);
     }
     let plan = sheet("'Use $\\hat{X}$ and [the page](https://x.org).'");
     small(&["check", &plan])

@@ -1,0 +1,46 @@
+//! The rules of `check` from which an item can be excepted, each by the last word of its code.
+
+use crate::diagnostic::Code;
+
+/// A rule of `check` from which an item can be excepted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Rule(Code);
+
+impl Rule {
+    /// All of them.
+    pub const ALL: &[Self] = &[
+        Self(Code::CHECK_MISTAKE_RIGHT),
+        Self(Code::CHECK_MISTAKE_UNMET),
+        Self(Code::CHECK_MISTAKES_ALIKE),
+        Self(Code::CHECK_METHOD_RIGHT),
+        Self(Code::CHECK_FEW_METHODS),
+        Self(Code::CHECK_HONEST_WORK),
+        Self(Code::CHECK_REFUSED),
+        Self(Code::CHECK_DISCLOSED),
+        Self(Code::CHECK_VARIANTS_DIFFER),
+        Self(Code::CHECK_SMALL_COMPONENT),
+        Self(Code::CHECK_ANSWERS_COINCIDE),
+        Self(Code::CHECK_SAME_CHOICE),
+        Self(Code::CHECK_OPTION_FORM),
+        Self(Code::CHECK_UNUSED_DATUM),
+        Self(Code::CHECK_NO_SECOND_ROUTE),
+        Self(Code::CHECK_NO_HINT),
+        Self(Code::CHECK_NO_SOLUTION),
+    ];
+
+    /// The rule of this name.
+    pub fn of_name(name: &str) -> Option<Self> {
+        Self::ALL.iter().copied().find(|rule| rule.name() == name)
+    }
+
+    /// The rule that raises findings of this code.
+    pub fn of_code(code: Code) -> Option<Self> {
+        Self::ALL.iter().copied().find(|rule| rule.0 == code)
+    }
+
+    /// Its name, as exceptions have it.
+    pub fn name(self) -> &'static str {
+        let name = self.0.name();
+        name.split_once("::").map_or(name, |(_, name)| name)
+    }
+}

@@ -1,0 +1,321 @@
+//! Examinations: an item as its students meet it, over many draws.
+//!
+//! `check` is the examiner of the examiner. For each draw it types every named mistake, what every standard wrong
+//! method gives, and honest work with rounded steps, through the reader and the marker that students meet. What is
+//! wrong and right, right and wrong, or leads to another feedback than its own is a finding; so is an item whose
+//! variants differ in length, whose answers coincide, or that prints what it asks for.
+
+mod fault;
+mod item;
+mod part;
+mod typed;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use serde::Serialize;
+
+use self::fault::Fault;
+pub use self::part::PartExamined;
+use self::part::Tally;
+use crate::answer::{KeyValue, Kind};
+use crate::bank::{Rule, Template};
+use crate::diagnostic::Finding;
+use crate::expr::Name;
+use crate::instance::Instance;
+use crate::numerics::Rational;
+use crate::seed::Seed;
+use crate::solution::Solution;
+use crate::suitability::{self, Unfit};
+use crate::unit::Decimal;
+
+/// What was found out about an item.
+#[derive(Clone, Debug, Serialize)]
+pub struct Examination {
+    /// The item.
+    pub item: String,
+    /// Its parts.
+    pub parts: Vec<PartExamined>,
+    /// The exceptions that were made use of, with their reasons.
+    pub allowed: Vec<Exception>,
+    /// What is wrong.
+    #[serde(skip)]
+    pub findings: Vec<Finding>,
+}
+
+/// A finding that is in order in an item.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Exception {
+    /// The rule.
+    pub rule: String,
+    /// The part, where it is about one.
+    pub part: Option<String>,
+    /// Why it is in order.
+    pub reason: String,
+}
+
+impl Examination {
+    /// Examines an item over so many draws, the seeds from 0 on.
+    ///
+    /// ```
+    /// # #[cfg(feature = "render")] {
+    /// use vibank::bank::{Catalogue, embedded};
+    /// use vibank::examine::Examination;
+    ///
+    /// let (catalogue, _) = Catalogue::load(embedded());
+    /// let item = catalogue.find("ch3/e5-log-decrement").unwrap();
+    /// let examined = Examination::of(item, 5);
+    /// assert!(examined.parts.iter().all(|part| part.methods + part.mistakes >= 3));
+    /// # }
+    /// ```
+    pub fn of(template: &Template, seeds: u64) -> Self {
+        let mut course = Course::of(template);
+        for seed in 0..seeds {
+            let Ok(instance) = Instance::draw(template, Seed::new(seed)) else {
+                break;
+            };
+            course.add(instance, seed);
+        }
+        course.finish()
+    }
+}
+
+/// The draws of an item so far.
+struct Course<'t> {
+    template: &'t Template,
+    tallies: Vec<Tally>,
+    draws: u64,
+    fit: u64,
+    redraws: u64,
+    broken: BTreeMap<&'t str, u64>,
+    unfit: BTreeMap<String, Refused>,
+    /// The parts that are asked, with their points, as they occur.
+    shapes: BTreeSet<(Vec<usize>, Rational)>,
+    coincidences: BTreeMap<(usize, usize), u64>,
+}
+
+/// Draws that are refused for one reason.
+#[derive(Default)]
+struct Refused {
+    count: u64,
+    /// The greatest damping ratio among them.
+    damping: Option<f64>,
+}
+
+/// More than this share of refused draws makes variants alike.
+const MOST_REFUSED: f64 = 0.5;
+
+impl<'t> Course<'t> {
+    fn of(template: &'t Template) -> Self {
+        let parts = template.parts.iter().enumerate();
+        Self {
+            template,
+            tallies: parts
+                .map(|(place, part)| Tally::of(place, part.mistakes.len()))
+                .collect(),
+            draws: 0,
+            fit: 0,
+            redraws: 0,
+            broken: BTreeMap::new(),
+            unfit: BTreeMap::new(),
+            shapes: BTreeSet::new(),
+            coincidences: BTreeMap::new(),
+        }
+    }
+
+    fn add(&mut self, instance: Instance<'t>, seed: u64) {
+        self.draws += 1;
+        self.redraws += u64::from(instance.redraws());
+        for (name, count) in instance.broken() {
+            *self.broken.entry(name).or_default() += u64::from(*count);
+        }
+        let solution = Solution::of(instance);
+        let parts: Vec<usize> = (0..self.template.parts.len()).collect();
+        let judged = suitability::judge(&solution, &parts)
+            .and_then(|()| suitability::judge_methods(&solution, &parts));
+        let is_fit = judged.is_ok();
+        match judged {
+            Ok(()) => {
+                self.fit += 1;
+                self.note(&solution);
+            }
+            Err(reason) => self.refuse(&solution, &reason),
+        }
+        for tally in &mut self.tallies {
+            tally.add(&solution, seed, is_fit);
+        }
+    }
+
+    /// What a draw has in common with others.
+    fn note(&mut self, solution: &Solution<'_>) {
+        let asked = (0..self.template.parts.len()).filter(|place| solution.asks(*place));
+        let asked: Vec<usize> = asked.collect();
+        let points = asked.iter().map(|place| self.template.parts[*place].points);
+        let points = points.fold(Rational::ZERO, |sum, own| {
+            sum.checked_add(own).unwrap_or(sum)
+        });
+        let keys: Vec<(usize, f64, String)> = asked
+            .iter()
+            .filter_map(|place| number(solution, *place))
+            .collect();
+        for (at, (first, a, printed)) in keys.iter().enumerate() {
+            for (second, b, other) in &keys[at + 1..] {
+                let unit = |place: &usize| {
+                    self.template.parts[*place]
+                        .answer
+                        .unit()
+                        .map(|unit| unit.dimension())
+                };
+                // What is equal by a law is no coincidence.
+                let differs = (a - b).abs() > EQUAL * a.abs();
+                if differs && printed == other && unit(first) == unit(second) {
+                    *self.coincidences.entry((*first, *second)).or_default() += 1;
+                }
+            }
+        }
+        self.shapes.insert((asked, points));
+    }
+
+    fn refuse(&mut self, solution: &Solution<'_>, reason: &Unfit) {
+        let words = match reason {
+            Unfit::NoKey { part, .. } => format!("part `{part}` has no answer"),
+            Unfit::NearMistake { part, .. } => {
+                format!("a mistake of part `{part}` lies near its key")
+            }
+            Unfit::NearMethod { part, method, .. } => {
+                format!("part `{part}`: {method} gives nearly the key")
+            }
+        };
+        let own = self.unfit.entry(words).or_default();
+        own.count += 1;
+        let damping = ["zeta", "xi"].into_iter().find_map(|name| {
+            let node = self.template.graph.find(&Name::new(name))?;
+            solution.evaluation().real(node).ok()
+        });
+        own.damping = match (own.damping, damping) {
+            (Some(known), Some(found)) => Some(known.max(found)),
+            (known, found) => known.or(found),
+        };
+    }
+
+    fn finish(self) -> Examination {
+        let template = self.template;
+        let solution = Solution::of(Instance::of_source(template));
+        let mut faults = item::faults(template, &solution);
+        faults.extend(self.refusals());
+        faults.extend(self.differences());
+        for ((first, second), count) in &self.coincidences {
+            let share = *count as f64 / self.fit as f64;
+            if share >= 0.5 {
+                faults.push(Fault::AnswersCoincide {
+                    first: template.parts[*first].id.clone(),
+                    second: template.parts[*second].id.clone(),
+                    figures: template.parts[*first].answer.figures(),
+                    percent: 100.0 * share,
+                });
+            }
+        }
+        let parts = self
+            .tallies
+            .iter()
+            .map(|tally| tally.examined(&solution))
+            .collect();
+        for tally in self.tallies {
+            faults.extend(tally.faults(&solution));
+        }
+        let mut allowed = Vec::new();
+        let mut findings = Vec::new();
+        for fault in faults {
+            let finding = fault.finding(template);
+            let exception = template.allowed.iter().find(|own| {
+                let is_rule =
+                    Rule::of_code(finding.code).is_some_and(|rule| rule.name() == own.rule.value);
+                is_rule
+                    && own
+                        .part
+                        .as_deref()
+                        .is_none_or(|part| fault.part() == Some(part))
+            });
+            match exception {
+                Some(own) => allowed.push(Exception {
+                    rule: own.rule.value.clone(),
+                    part: own.part.clone(),
+                    reason: own.reason.clone(),
+                }),
+                None => findings.push(finding),
+            }
+        }
+        allowed.dedup();
+        Examination {
+            item: template.id.to_string(),
+            parts,
+            allowed,
+            findings,
+        }
+    }
+
+    /// Constraints, mistakes and methods for which too many draws are refused.
+    fn refusals(&self) -> Vec<Fault> {
+        let mut faults = Vec::new();
+        let all = self.redraws + self.draws;
+        let redrawn = self.redraws as f64 / all.max(1) as f64;
+        let worst = self.broken.iter().max_by_key(|(_, count)| **count);
+        if let Some((constraint, count)) = worst.filter(|_| redrawn > MOST_REFUSED) {
+            faults.push(Fault::Redrawn {
+                constraint: (*constraint).to_owned(),
+                percent: 100.0 * *count as f64 / all as f64,
+                left: 100.0 * (1.0 - redrawn),
+            });
+        }
+        let unfit = self.draws - self.fit;
+        let share = unfit as f64 / self.draws.max(1) as f64;
+        let worst = self.unfit.iter().max_by_key(|(_, own)| own.count);
+        if let Some((reason, own)) = worst.filter(|_| share > MOST_REFUSED) {
+            faults.push(Fault::Unfit {
+                percent: 100.0 * share,
+                reason: reason.clone(),
+                count: own.count,
+                draws: self.draws,
+                bound: own.damping,
+            });
+        }
+        faults
+    }
+
+    fn differences(&self) -> Option<Fault> {
+        let mut shapes = self.shapes.iter();
+        let (first, points) = shapes.next()?;
+        let (other, others) = shapes.next()?;
+        let what = if points != others {
+            "the points differ".to_owned()
+        } else {
+            let differing = first
+                .iter()
+                .chain(other)
+                .find(|place| !(first.contains(place) && other.contains(place)));
+            let part = differing.map(|place| self.template.parts[*place].id.clone());
+            format!("part `{}` comes and goes", part.unwrap_or_default())
+        };
+        Some(Fault::VariantsDiffer { what })
+    }
+}
+
+/// Numbers that differ by a smaller share are equal but for rounding in the machine.
+const EQUAL: f64 = 1e-9;
+
+/// The number that a part asks for, in SI units, and as it is printed in the figures that are asked for.
+fn number(solution: &Solution<'_>, place: usize) -> Option<(usize, f64, String)> {
+    let answer = &solution.template().parts[place].answer;
+    if answer.kind() != Kind::Numeric {
+        return None;
+    }
+    match &solution.key(place).ok()?.value {
+        KeyValue::Numbers { si, .. } => match si.as_slice() {
+            [number] if *number != 0.0 => {
+                let printed = Decimal::rounded(*number, answer.figures())?;
+                Some((place, *number, printed.to_string()))
+            }
+            _ => None,
+        },
+        _ => None,
+    }
+}

@@ -1,0 +1,374 @@
+//! Standard wrong methods: what comes out where one step to a quantity is taken wrongly.
+//!
+//! Each is a transformation of the item's own graph, never a list by hand: a term of a formula is dropped, a factor
+//! forgotten, a datum taken as nothing, in the wrong unit, as a mass for a weight, as a diameter for a radius. Damping
+//! that is left out, `ω_n` in place of `ω_d` and a spring that is forgotten are terms and data of this kind.
+
+use std::sync::Arc;
+
+use super::evaluate::{Absent, Evaluation, Function};
+use super::graph::{Computation, Graph, NodeId, Role};
+use crate::expr::{Constant, Expr, Function as Elementary, Kind, Operator, Value};
+use crate::numerics::Rational;
+
+/// A step that is taken wrongly.
+#[derive(Debug)]
+pub struct Method {
+    /// What is done wrongly.
+    pub slip: Wrong,
+    /// The quantity or datum that gets a wrong value by it.
+    pub step: NodeId,
+    change: Change,
+    /// What other parts ask for on the way: it is taken rightly.
+    held: Arc<[NodeId]>,
+}
+
+/// What is done wrongly in a step.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Wrong {
+    /// A term of a sum is dropped.
+    #[error("`{step}` without the term `{term}`")]
+    Term {
+        /// The quantity.
+        step: Arc<str>,
+        /// The term.
+        term: String,
+    },
+    /// A factor is forgotten.
+    #[error("`{step}` without the factor `{factor}`")]
+    Factor {
+        /// The quantity.
+        step: Arc<str>,
+        /// The factor.
+        factor: String,
+    },
+    /// Sine for cosine, or the reverse.
+    #[error("`{step}` with `{typed}` for `{right}`")]
+    Circular {
+        /// The quantity.
+        step: Arc<str>,
+        /// What stands there.
+        right: &'static str,
+        /// What is taken.
+        typed: &'static str,
+    },
+    /// A datum is left out.
+    #[error("`{0}` left out")]
+    Datum(Arc<str>),
+    /// The number of a datum is taken as one in the coherent unit.
+    #[error("`{0}` with its unit ignored")]
+    Unit(Arc<str>),
+    /// An angle is taken in degrees where it is in radians, or the reverse.
+    #[error("`{0}` with degrees and radians confused")]
+    Degrees(Arc<str>),
+    /// The acceleration of gravity is forgotten: a mass for a weight.
+    #[error("a mass for a weight, without `{0}`")]
+    Weight(Arc<str>),
+    /// A diameter is taken for a radius.
+    #[error("a diameter for the radius `{0}`")]
+    Diameter(Arc<str>),
+    /// A radius is taken for a diameter.
+    #[error("a radius for the diameter `{0}`")]
+    Radius(Arc<str>),
+    /// The result is off by a factor.
+    #[error("the result {0}")]
+    Result(&'static str),
+}
+
+#[derive(Debug)]
+enum Change {
+    /// Another formula.
+    Formula(Box<Computation>, Expr),
+    /// Its value by a factor.
+    Times(f64),
+    /// Another number, in SI units.
+    Number(f64),
+}
+
+/// What is known of a datum beyond its value, as far as it can be mistaken.
+#[derive(Clone, Debug, Default)]
+pub struct Datum {
+    /// How many coherent units its unit is.
+    pub scale: f64,
+    /// Whether it is an angle.
+    pub is_angle: bool,
+    /// Whether it is the acceleration of gravity.
+    pub is_gravity: bool,
+    /// Whether its name says that it is a radius.
+    pub is_radius: bool,
+    /// Whether its name says that it is a diameter.
+    pub is_diameter: bool,
+}
+
+/// No part has more methods from its formulas: what is long has many terms that are alike.
+const MOST_FORMULAS: usize = 24;
+
+impl Graph {
+    /// The wrong methods to a quantity: its own formula and those on the way to it, up to the quantities in `asked`,
+    /// which other parts ask for, so that what is wrong in them is marked there; and the data on this way. Formulas
+    /// that are `hidden`, abbreviations of the author's algebra that no student writes, are not varied.
+    pub fn methods(
+        &self,
+        key: NodeId,
+        asked: &[NodeId],
+        hidden: impl Fn(NodeId) -> bool,
+        datum: impl Fn(NodeId) -> Datum,
+    ) -> Vec<Method> {
+        let (formulas, data, held) = self.way_to(key, asked);
+        let cases = self.cases(key);
+        let is_written = |step: &NodeId| *step == key || cases.contains(step) || !hidden(*step);
+        let mut methods = Vec::new();
+        for step in formulas.into_iter().filter(is_written) {
+            let Some(expr) = self.expr(step) else {
+                continue;
+            };
+            for (slip, changed) in variations(self.label(step), expr) {
+                let is_sound = methods.len() < MOST_FORMULAS && changed.check(self).is_ok();
+                if let Some(computation) = is_sound.then(|| self.link(&changed).ok()).flatten() {
+                    let change = Change::Formula(Box::new(computation), changed);
+                    methods.push(Method::of(slip, step, change, &held));
+                }
+            }
+        }
+        for step in data {
+            let name: Arc<str> = self.label(step).into();
+            let known = datum(step);
+            let mut add = |slip, change| methods.push(Method::of(slip, step, change, &held));
+            if known.is_gravity {
+                add(Wrong::Weight(name), Change::Number(1.0));
+                continue;
+            }
+            add(Wrong::Datum(Arc::clone(&name)), Change::Number(0.0));
+            if known.is_angle {
+                // An angle in degrees has gone through the factor already, one in radians has not.
+                let turned = if known.scale == 1.0 {
+                    DEGREE
+                } else {
+                    1.0 / DEGREE
+                };
+                add(Wrong::Degrees(Arc::clone(&name)), Change::Times(turned));
+            } else if known.scale > 0.0 && known.scale != 1.0 {
+                add(
+                    Wrong::Unit(Arc::clone(&name)),
+                    Change::Times(1.0 / known.scale),
+                );
+            }
+            if known.is_radius {
+                add(Wrong::Diameter(name), Change::Times(2.0));
+            } else if known.is_diameter {
+                add(Wrong::Radius(name), Change::Times(0.5));
+            }
+        }
+        methods
+    }
+
+    /// The quantities that a quantity of cases is, one by one: what is written as the answer is one of them.
+    fn cases(&self, key: NodeId) -> Vec<NodeId> {
+        let (mut open, mut found) = (Vec::new(), Vec::new());
+        open.extend(self.expr(key));
+        while let Some(expr) = open.pop() {
+            match expr.kind() {
+                Kind::If(_, then, otherwise) => open.extend([then, otherwise]),
+                Kind::Name(name) => {
+                    let node = self.find(name).filter(|node| !found.contains(node));
+                    found.extend(node);
+                    open.extend(node.and_then(|node| self.expr(node)));
+                }
+                _ => {}
+            }
+        }
+        found
+    }
+
+    /// The formulas and the data on the way to a quantity, in the order in which they were written, and what is asked on it.
+    fn way_to(&self, key: NodeId, asked: &[NodeId]) -> (Vec<NodeId>, Vec<NodeId>, Arc<[NodeId]>) {
+        let (mut open, mut seen) = (vec![key], vec![key]);
+        let (mut formulas, mut data, mut held) = (Vec::new(), Vec::new(), Vec::new());
+        while let Some(node) = open.pop() {
+            match self.node(node).role {
+                Role::Parameter(_) => data.push(node),
+                Role::Quantity(_) | Role::Formula(_) => formulas.push(node),
+                // A model takes the data of its energies.
+                Role::Model(_) | Role::Offered(_) => {}
+            }
+            for next in self.needs(node) {
+                if seen.contains(&next) {
+                    continue;
+                }
+                seen.push(next);
+                if asked.contains(&next) {
+                    held.push(next);
+                } else {
+                    open.push(next);
+                }
+            }
+        }
+        // The key's own formula first, then as they were written.
+        formulas.sort();
+        formulas.sort_by_key(|node| *node != key);
+        data.sort();
+        (formulas, data, held.into())
+    }
+}
+
+/// A degree in radians.
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+impl Method {
+    fn of(slip: Wrong, step: NodeId, change: Change, held: &Arc<[NodeId]>) -> Self {
+        let held = Arc::clone(held);
+        Self {
+            slip,
+            step,
+            change,
+            held,
+        }
+    }
+
+    /// The formula that is taken in place of the right one, where it is one.
+    pub fn formula(&self) -> Option<&Expr> {
+        match &self.change {
+            Change::Formula(_, expr) => Some(expr),
+            _ => None,
+        }
+    }
+}
+
+impl<'g> Evaluation<'g> {
+    /// The values where a step is taken wrongly.
+    ///
+    /// # Errors
+    ///
+    /// Why the step has no value by this method, or none at all.
+    pub fn wrongly(&self, method: &Method) -> Result<Self, Absent> {
+        let step = method.step;
+        let value = match &method.change {
+            Change::Formula(computation, _) => self.by(step, computation)?,
+            Change::Times(factor) => {
+                let value = self.value(step)?;
+                scaled(value, *factor).ok_or_else(|| self.none(step))?
+            }
+            Change::Number(number) => Value::real(*number, 0.0),
+        };
+        let known = method.held.iter().filter(|node| **node != step);
+        let known = known.filter_map(|node| Some((*node, self.value(*node).ok()?.clone())));
+        let mut replaced = vec![(step, value)];
+        replaced.extend(known);
+        Ok(self.replacing(replaced))
+    }
+
+    /// The function that a step is where it is taken wrongly; none where it is no function, or another step is wrong.
+    pub fn function_wrongly(&self, method: &'g Method) -> Option<Function<'_, 'g>> {
+        match &method.change {
+            Change::Formula(computation, _) if self.graph().is_function(method.step) => {
+                Some(self.function_by(method.step, computation))
+            }
+            _ => None,
+        }
+    }
+}
+
+/// A value with all its numbers multiplied.
+fn scaled(value: &Value, factor: f64) -> Option<Value> {
+    let numbers = value.numbers().iter().map(|number| number * factor);
+    Value::new(value.form(), numbers.collect(), value.bounds().to_vec())
+}
+
+/// The ways in which a formula is commonly taken wrongly, each with what it is then.
+pub fn variations(label: &str, expr: &Expr) -> Vec<(Wrong, Expr)> {
+    let step: Arc<str> = label.into();
+    let mut found = Vec::new();
+    vary(expr, &step, &mut |slip, changed| {
+        if changed != *expr && !found.iter().any(|(_, known)| *known == changed) {
+            found.push((slip, changed));
+        }
+    });
+    found
+}
+
+/// Calls `take` with each variation of a formula.
+fn vary(expr: &Expr, step: &Arc<str>, take: &mut dyn FnMut(Wrong, Expr)) {
+    let term = |term: &Expr| Wrong::Term {
+        step: Arc::clone(step),
+        term: term.to_string(),
+    };
+    let factor = |factor: &Expr| Wrong::Factor {
+        step: Arc::clone(step),
+        factor: factor.to_string(),
+    };
+    match expr.kind() {
+        Kind::Binary(Operator::Add, a, b) => {
+            take(term(a), b.clone());
+            take(term(b), a.clone());
+        }
+        Kind::Binary(Operator::Subtract, a, b) => {
+            take(term(a), -b.clone());
+            take(term(b), a.clone());
+        }
+        Kind::Binary(Operator::Multiply, a, b) => {
+            for (own, other) in [(a, b), (b, a)] {
+                if is_factor(own) {
+                    take(factor(own), other.clone());
+                }
+            }
+        }
+        Kind::Binary(Operator::Divide, a, b) => {
+            if is_factor(b) {
+                take(factor(b), a.clone());
+            }
+            if is_factor(a) && !a.is_one() {
+                take(factor(a), Expr::number(Rational::ONE) / b.clone());
+            }
+        }
+        Kind::Call(function, arguments) => {
+            let other = match function {
+                Elementary::Sin => Some((Elementary::Cos, "sin", "cos")),
+                Elementary::Cos => Some((Elementary::Sin, "cos", "sin")),
+                _ => None,
+            };
+            if let Some((other, right, typed)) = other {
+                let step = Arc::clone(step);
+                let slip = Wrong::Circular { step, right, typed };
+                take(slip, Expr::call(other, arguments.clone()));
+            }
+        }
+        _ => {}
+    }
+    // Inside: one operand is varied, the others stay.
+    let mut operands = Vec::new();
+    match expr.kind() {
+        // What decides between cases, bounds of searches and exponents are no steps of the work.
+        Kind::If(_, a, b) => operands.extend([a, b]),
+        Kind::Binary(Operator::Power, a, _) => operands.push(a),
+        Kind::Binary(_, a, b) => operands.extend([a, b]),
+        Kind::Negate(a) => operands.push(a),
+        Kind::Call(_, all) | Kind::Array(all) => operands.extend(all),
+        _ => {}
+    }
+    for operand in operands {
+        vary(operand, step, &mut |slip, changed| {
+            let put = |child: &Expr| -> Result<Expr, std::convert::Infallible> {
+                Ok(if child.is_same(operand) {
+                    changed.clone()
+                } else {
+                    child.clone()
+                })
+            };
+            let Ok(whole) = expr.try_map_children(&mut { put });
+            take(slip, whole);
+        });
+    }
+}
+
+/// Whether something is a factor that one forgets: a number other than one, or π.
+fn is_factor(expr: &Expr) -> bool {
+    match expr.kind() {
+        Kind::Number(number) => *number != Rational::ONE && !number.is_zero(),
+        Kind::Constant(constant) => *constant == Constant::Pi,
+        Kind::Binary(Operator::Multiply | Operator::Divide, a, b) => {
+            let is_plain = |expr: &Expr| is_factor(expr) || expr.is_one();
+            is_plain(a) && is_plain(b)
+        }
+        _ => false,
+    }
+}
