@@ -61,7 +61,7 @@ use crate::source::{Table, Value};
 use crate::unit::Unit;
 
 /// What a part asks for, whatever the data.
-pub trait Answer: std::fmt::Debug + Send + Sync {
+pub trait Answer: Send + Sync {
     /// Its kind.
     fn kind(&self) -> Kind;
 
@@ -151,6 +151,13 @@ pub trait Answer: std::fmt::Debug + Send + Sync {
     ///
     /// Why the key does not exist for these data.
     fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent>;
+}
+
+/// Its kind alone: what all kinds hold would travel in each page with its way to be printed.
+impl std::fmt::Debug for dyn Answer {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Answer({:?})", self.kind())
+    }
 }
 
 /// A key with its tolerance and named mistakes: marks responses.

@@ -9,7 +9,7 @@
 //!
 //! Demmel, Veselić, SIAM J. Matrix Anal. 13 (1992) 1204; Drmač, Veselić, SIAM J. Matrix Anal. 29 (2008) 1322.
 
-use super::{binary_exponent, fast_two_sum, scale_by_power_of_two};
+use super::{ascending, binary_exponent, fast_two_sum, scale_by_power_of_two};
 
 /// A matrix `G diag(s)`: its columns, each with a positive factor of its own.
 ///
@@ -51,7 +51,7 @@ impl ScaledColumns {
     pub(crate) fn left_singular(mut self) -> LeftSingular {
         self.orthogonalize();
         let lengths: Vec<f64> = self.squared_lengths().iter().map(|a| a.sqrt()).collect();
-        let order = ascending(lengths.len(), |j| self.scales[j] * lengths[j]);
+        let order = ascending(lengths.len(), &|j| self.scales[j] * lengths[j]);
         let mut vectors = Vec::with_capacity(self.entries.len());
         for &j in &order {
             vectors.extend(self.column(j).iter().map(|x| x / lengths[j]));
@@ -83,7 +83,7 @@ impl ScaledColumns {
     fn sweep(&mut self, tolerance_squared: f64) -> bool {
         let mut squares = self.squared_lengths();
         self.balance(&mut squares);
-        let mut order = ascending(squares.len(), |j| -(self.scales[j] * squares[j].sqrt()));
+        let mut order = ascending(squares.len(), &|j| -(self.scales[j] * squares[j].sqrt()));
         let mut rotated = false;
         for p in 0..order.len() {
             for q in p + 1..order.len() {
@@ -204,13 +204,6 @@ impl Rotation {
     fn stretched(&self, square: f64) -> f64 {
         square + square * self.squared_tangent
     }
-}
-
-/// The positions up to a count in ascending order of their keys, equal ones as they came.
-fn ascending(count: usize, key: impl Fn(usize) -> f64) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..count).collect();
-    order.sort_by(|&i, &j| key(i).total_cmp(&key(j)));
-    order
 }
 
 /// The inner product, in eight partial sums of fixed order.

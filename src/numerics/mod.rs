@@ -10,6 +10,7 @@
 //! - [`ExactNumber`], [`sign_of_sum`]: numbers as they were written, compared without rounding.
 //! - [`Complex`]: complex numbers.
 //! - [`agm`], [`carlson_rf`], [`JacobiFunctions`]: elliptic integrals and functions.
+//! - [`ascending`]: the order of numbers.
 //! - `pencil`: eigenvalues of small matrices that need not be symmetric.
 //! - [`bracketed_root`], [`integral`]: a zero in an interval, the area under a curve, with their error bounds.
 //!
@@ -27,6 +28,7 @@ mod exact_number;
 pub(crate) mod exponential;
 pub(crate) mod jacobi;
 mod natural;
+mod order;
 mod pencil;
 mod quadrature;
 mod rational;
@@ -46,6 +48,7 @@ pub use elliptic::{
 };
 pub use exact::{diff_of_products, fast_two_sum, sum_of_products, two_prod, two_sum};
 pub use exact_number::{ExactNumber, sign_of_sum};
+pub use order::ascending;
 pub use pencil::{EigenPair, pencil};
 pub use quadrature::{Integral, IntegralError, integral};
 pub use rational::Rational;

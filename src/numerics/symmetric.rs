@@ -6,6 +6,8 @@
 
 use nalgebra::DMatrix;
 
+use super::ascending;
+
 /// Eigenvalues in ascending order and orthonormal eigenvectors as columns in the same order.
 #[derive(Debug, Clone)]
 pub(crate) struct Symmetric {
@@ -28,8 +30,7 @@ impl Symmetric {
                 break;
             }
         }
-        let mut order: Vec<usize> = (0..size).collect();
-        order.sort_by(|&i, &j| matrix[(i, i)].total_cmp(&matrix[(j, j)]));
+        let order = ascending(size, &|i| matrix[(i, i)]);
         Self {
             values: order.iter().map(|&i| matrix[(i, i)]).collect(),
             vectors: DMatrix::from_fn(size, size, |i, j| vectors[(i, order[j])]),

@@ -1,6 +1,6 @@
 //! How the points of a question are shared out over its parts.
 
-use crate::numerics::Rational;
+use crate::numerics::{Rational, ascending};
 
 /// Steps of points, as their parts of one: those that people add up in their heads, then finer ones for many parts.
 const STEPS: [i128; 8] = [1, 2, 4, 10, 20, 100, 1_000, 1_000_000];
@@ -39,9 +39,8 @@ fn in_steps(
     let mut counts: Vec<i128> = quotas.iter().map(floor).collect();
     let rest = |at: usize| quotas[at].checked_sub(Rational::new(counts[at], 1)?);
     let rests: Vec<Rational> = (0..counts.len()).map(rest).collect::<Option<_>>()?;
-    let mut order: Vec<usize> = (0..counts.len()).collect();
     // Remainders are small fractions of one denominator, which doubles keep apart.
-    order.sort_by(|a, b| rests[*b].to_f64().total_cmp(&rests[*a].to_f64()));
+    let order = ascending(counts.len(), &|part| -rests[part].to_f64());
     let left = all.numerator() - counts.iter().sum::<i128>();
     let lucky = order.into_iter().take(usize::try_from(left).ok()?);
     lucky.for_each(|at| counts[at] += 1);

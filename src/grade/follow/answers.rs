@@ -8,6 +8,7 @@ use crate::expr::{
     Equation, Expr, Field, Name, Precise, Program, Shape, Slots, Substitution, Value, Workspace,
 };
 use crate::math::Math;
+use crate::numerics::ascending;
 use crate::quantity::{Evaluation, Graph, NodeId};
 use crate::solution::Solution;
 
@@ -280,9 +281,7 @@ fn as_written(right: &Value, si: &[f64]) -> Option<Value> {
     {
         let mut sorted = numbers.clone();
         sorted.sort_by(f64::total_cmp);
-        let mut places: Vec<usize> = (0..si.len()).collect();
-        places.sort_by(|a, b| right.numbers()[*a].total_cmp(&right.numbers()[*b]));
-        places
+        ascending(si.len(), &|place| right.numbers()[place])
             .into_iter()
             .zip(sorted)
             .for_each(|(place, number)| numbers[place] = number);

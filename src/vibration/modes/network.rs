@@ -3,8 +3,8 @@
 use super::solve::{Solution, completed};
 use super::system::Link;
 use super::{Pair, factor};
-use crate::numerics::Dd;
 use crate::numerics::jacobi::dot;
+use crate::numerics::{Dd, ascending};
 
 pub(super) fn solve(masses: &[f64], springs: &[Link]) -> Solution {
     if let Some(solution) = pair(masses, springs) {
@@ -257,8 +257,7 @@ fn sort(size: usize, solution: &mut Solution) {
     if solution.rates.is_sorted() {
         return;
     }
-    let mut order: Vec<usize> = (0..solution.rates.len()).collect();
-    order.sort_by(|&i, &j| solution.rates[i].total_cmp(&solution.rates[j]));
+    let order = ascending(solution.rates.len(), &|mode| solution.rates[mode]);
     solution.vectors = order
         .iter()
         .flat_map(|&mode| solution.vectors[mode * size..][..size].to_vec())
