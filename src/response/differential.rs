@@ -91,11 +91,38 @@ pub(super) fn called(text: &str, at: usize) -> Option<(String, u8, usize)> {
     let spelling = Letters::spelling(spelling)?;
     let order = match (dots, &arguments[1..]) {
         (Some(order), []) => order,
-        (None, ["t"]) => 1,
-        (None, ["t", "t" | "2"] | ["(t", "2)"] | ["{t", "2}"] | ["t$2"]) => 2,
+        (None, []) if name == "diff" => 1,
+        (None, ["2"]) if name == "diff" => 2,
+        (None, by) => order_by(by)?,
         _ => return None,
     };
     Some((spelling, order, at + name.len() + 1 + close + 1))
+}
+
+/// Reads a derivative that is written as a method at a place, `x.diff(t, 2)`, `x(t).diff(t)`: spelling of the name,
+/// order, end.
+pub(super) fn method(text: &str, at: usize) -> Option<(String, u8, usize)> {
+    const CALL: &str = ".diff(";
+    let rest = &text[at..];
+    let name = &rest[..rest.find(|char: char| !char.is_ascii_alphanumeric() && char != '_')?];
+    let behind = &rest[name.len()..];
+    let inner = behind
+        .strip_prefix("(t)")
+        .unwrap_or(behind)
+        .strip_prefix(CALL)?;
+    let close = closing(inner)?;
+    let arguments: Vec<&str> = inner[..close].split(',').map(str::trim).collect();
+    let start = text.len() - inner.len();
+    Some((Letters::spelling(name)?, order_by(&arguments)?, start + close + 1))
+}
+
+/// The order of a derivative by what it is taken by: `t`, `t, t`, `t, 2`.
+fn order_by(arguments: &[&str]) -> Option<u8> {
+    match arguments {
+        ["t"] => Some(1),
+        ["t", "t" | "2"] | ["(t", "2)"] | ["{t", "2}"] | ["t$2"] => Some(2),
+        _ => None,
+    }
 }
 
 /// Where the bracket closes that stands open before a text.

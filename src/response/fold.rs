@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use super::letters::greek_word;
 use super::signs::{CASES, COMMANDS, DISPLAYS, Plain, RUNS, UNITS, WRAPPERS, escaped, of_char};
 use super::words::{JOINING, WORDS};
 use crate::source::Span;
@@ -227,6 +228,10 @@ impl Folder<'_> {
         if char == '&' && self.alignment() {
             return;
         }
+        // A dot belongs to the letter before it, whatever stands between.
+        if char == ' ' && self.rest()[1..].starts_with(['\u{307}', '\u{308}', '¨', '˙']) {
+            return self.write("", width);
+        }
         if let Some((word, plain)) = self.word() {
             return self.write(plain, word.len());
         }
@@ -299,6 +304,28 @@ impl Folder<'_> {
         is_statement
     }
 
+    /// `\[Omega]`, `\[CapitalOmega]`, as Mathematica writes Greek letters; whether one stands here.
+    fn escaped_greek(&mut self) -> bool {
+        let Some((name, _)) = self.rest()[2..].split_once(']') else {
+            return false;
+        };
+        let (is_capital, letter) = match name.strip_prefix("Capital") {
+            Some(letter) => (true, letter),
+            None => (false, name),
+        };
+        let word = match letter {
+            "CurlyPhi" => "varphi".to_owned(),
+            _ if is_capital => letter.to_owned(),
+            _ => letter.to_lowercase(),
+        };
+        let is_greek = greek_word(&word).is_some();
+        if is_greek {
+            // What follows the bracket is no part of the letter's name.
+            self.write(&format!("\\{word} "), name.len() + "\\[]".len());
+        }
+        is_greek
+    }
+
     fn command(&mut self) {
         let typed = self.typed;
         let behind = &typed[self.at + 1..];
@@ -312,6 +339,7 @@ impl Folder<'_> {
             match (first, escaped(first)) {
                 // A new row of a matrix.
                 ('\\', _) => self.row(),
+                ('[', _) if self.escaped_greek() => {}
                 // Displayed formulas.
                 ('(' | ')' | '[' | ']', _) => self.write(" ", 2),
                 (_, Some(plain)) => self.plain(plain, 1 + first.len_utf8()),

@@ -59,6 +59,11 @@ impl Lexicon {
         self.words.get_or_init(|| Words::of(&self.entries))
     }
 
+    /// The name that a word is read as, also in another spelling: ω₁ for `w1`.
+    pub(crate) fn reads(&self, word: &str) -> Option<&Name> {
+        self.words().name(word)
+    }
+
     /// Another symbol for a name that is there.
     pub(crate) fn set_symbol(&mut self, name: &Name, math: Arc<Math>) {
         self.symbols.insert(name.clone(), math);

@@ -192,24 +192,33 @@ impl Reader<'_> {
             return self.framed(*one, depth + 1);
         }
         let (mut rows, mut unit) = (Vec::new(), None);
+        let mut entry_units = Vec::new();
         if has_rows {
             for (place, piece) in pieces.iter().enumerate() {
                 let row = self.framed(*piece, depth + 1)?;
-                unit = row.unit;
-                if unit.is_some() && place + 1 < pieces.len() {
+                let is_same = row.unit == unit;
+                // One behind the last row is that of all.
+                if place > 0 && !is_same && (unit.is_some() || place + 1 < pieces.len()) {
                     return Err(TypedError {
                         trouble: Trouble::UnitOfEntry,
                         span: *piece,
                     });
                 }
+                unit = row.unit;
                 rows.push(row.rows.concat());
             }
         } else {
             for row in self.pieces(span, &[';']) {
                 let entries = self.pieces(row, &[',', '&']);
-                let entries = entries.into_iter().map(|place| self.entry(place));
-                rows.push(entries.collect::<Result<_, _>>()?);
+                let mut read = Vec::new();
+                for place in entries {
+                    let (entry, own) = self.entry(place)?;
+                    entry_units.push((own.filter(|_| !entry.is_zero()), entry.is_zero(), place));
+                    read.push(entry);
+                }
+                rows.push(read);
             }
+            unit = common(&entry_units)?;
         }
         if rows.iter().map(Vec::len).sum::<usize>() > MOST_ENTRIES {
             return Err(TypedError {
@@ -226,23 +235,26 @@ impl Reader<'_> {
         Ok(Listed { rows, unit })
     }
 
-    fn entry(&self, place: Span) -> Result<Expr, TypedError> {
+    /// An entry, and the unit behind it.
+    fn entry(&self, place: Span) -> Result<(Expr, Option<Unit>), TypedError> {
         let place = self.labelled(place).1;
-        self.formula(place).map_err(|error| {
-            let is_value = |(value, _): (&str, Unit)| {
-                let start = place.range().start;
-                self.formula(Span::new(start, start + value.len())).is_ok()
-            };
-            let has_unit = with_unit(&self.text[place.range()]).any(is_value);
-            TypedError {
-                trouble: if has_unit {
-                    Trouble::UnitOfEntry
-                } else {
-                    error.trouble
-                },
-                span: if has_unit { place } else { error.span },
-            }
-        })
+        self.formula(place)
+            .map(|entry| (entry, None))
+            .or_else(|error| {
+                let value = |(value, unit): (&str, Unit)| {
+                    let start = place.range().start;
+                    let entry = self.formula(Span::new(start, start + value.len())).ok()?;
+                    Some((entry, unit))
+                };
+                match with_unit(&self.text[place.range()]).find_map(value) {
+                    Some((entry, unit)) if entry.names().free.is_empty() => Ok((entry, Some(unit))),
+                    Some(_) => Err(TypedError {
+                        trouble: Trouble::UnitOfEntry,
+                        span: place,
+                    }),
+                    None => Err(error),
+                }
+            })
     }
 
     fn formula(&self, place: Span) -> Result<Expr, TypedError> {
@@ -280,6 +292,19 @@ impl Reader<'_> {
                 && self.text[at + 1..].starts_with(digit);
             signs.contains(&char) && !is_decimal
         })
+    }
+}
+
+/// The unit of entries that all have the same one or none; zero needs none.
+fn common(entries: &[(Option<Unit>, bool, Span)]) -> Result<Option<Unit>, TypedError> {
+    let unit = entries.iter().find_map(|(unit, ..)| *unit);
+    let is_other = |(own, is_zero, _): &&(Option<Unit>, bool, Span)| !is_zero && *own != unit;
+    match entries.iter().find(is_other) {
+        Some((.., place)) => Err(TypedError {
+            trouble: Trouble::UnitOfEntry,
+            span: *place,
+        }),
+        None => Ok(unit),
     }
 }
 

@@ -38,6 +38,9 @@ pub(super) fn of_char(char: char) -> Option<Plain> {
         '’' | '′' | '´' | '`' | '‘' | 'ʹ' | 'ʼ' => "'",
         '″' | '“' | '”' => "\"",
         '‴' => "'''",
+        // Dots that stand behind their letter.
+        '¨' => "\u{308}",
+        '˙' => "\u{307}",
         // Brackets, points, raising.
         '⟨' | '〈' => "(",
         '⟩' | '〉' => ")",

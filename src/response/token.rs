@@ -1,6 +1,6 @@
 //! From the [folded](super::Folded) signs of a response to tokens, its runs of letters split into words.
 
-use super::differential::{behind, called, leibniz};
+use super::differential::{behind, called, leibniz, method};
 use super::digits::fraction;
 use super::letters::{Letters, combining, dotted, greek, greek_word};
 use super::vocabulary::{INITIAL, Piece, Powered, Sense};
@@ -144,7 +144,12 @@ impl Lexer<'_> {
         {
             return Ok(());
         }
-        if self.module() || self.product_by_point(char) || self.unknown_time(char) {
+        if self.module()
+            || self.product_by_point(char)
+            || self.unknown_time(char)
+            || self.times_before_power_of_ten(char)
+            || self.base_of_exponential(char)
+        {
             return Ok(());
         }
         match char {
@@ -212,6 +217,30 @@ impl Lexer<'_> {
             .find(|module| self.rest().starts_with(**module) && is_word(module.len()));
         self.at += found.map_or(0, |module| module.len());
         found.is_some()
+    }
+
+    /// `1.4 x 10^-2`; whether the sign of times stands here as a letter.
+    fn times_before_power_of_ten(&mut self, char: char) -> bool {
+        let is_behind_number =
+            matches!(self.tokens.last(), Some(token) if matches!(token.item, Item::Number(_)));
+        let is_it = matches!(char, 'x' | 'X')
+            && is_behind_number
+            && self.rest()[1..].trim_start().starts_with("10^");
+        if is_it {
+            self.take(1, Item::Sign('*'));
+        }
+        is_it
+    }
+
+    /// `E^(-t)`, as Mathematica writes it, where E is no letter of the answer; whether it stands here.
+    fn base_of_exponential(&mut self, char: char) -> bool {
+        let is_it = char == 'E' && self.rest()[1..].starts_with('^') && !self.lexicon.knows("E");
+        if is_it {
+            let span = Span::new(self.at, self.at + 1);
+            let kind = crate::expr::Kind::Constant(Constant::E);
+            self.take(1, Item::Leaf(Expr::new(kind, span)));
+        }
+        is_it
     }
 
     /// `theta'(t)` and `x[t]` where the time is no letter of the answer; whether that time stands here.
@@ -545,7 +574,9 @@ impl Lexer<'_> {
 
     /// `dx/dt`, `d²x/dt²`, `\frac{d^2 x}{dt^2}`; whether one stands here.
     fn derivative_over_time(&mut self) -> bool {
-        if !self.rest().starts_with(['d', 'D', '∂', '\\']) {
+        let may_begin = self.rest().starts_with(['d', 'D', '∂', '\\'])
+            || self.rest().starts_with(char::is_alphabetic) && method(self.text, self.at).is_some();
+        if !may_begin {
             return false;
         }
         let Some((leaf, end)) = self.differential_quotient() else {
@@ -560,7 +591,8 @@ impl Lexer<'_> {
     fn differential_quotient(&self) -> Option<(Expr, usize)> {
         let found = leibniz(self.text, self.at)
             .or_else(|| behind(self.text, self.at))
-            .or_else(|| called(self.text, self.at));
+            .or_else(|| called(self.text, self.at))
+            .or_else(|| method(self.text, self.at));
         let (spelling, order, end) = found?;
         Some((self.lexicon.dotted(&spelling, order)?, end))
     }

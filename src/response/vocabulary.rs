@@ -86,6 +86,11 @@ pub(super) const ALIASES: &[(&str, Function)] = &[
     ("artanh", Function::Atanh),
     ("sgn", Function::Sign),
     ("signum", Function::Sign),
+    // French and German.
+    ("racine", Function::Sqrt),
+    ("Racine", Function::Sqrt),
+    ("Wurzel", Function::Sqrt),
+    ("wurzel", Function::Sqrt),
     ("Re", Function::Re),
     ("Im", Function::Im),
 ];

@@ -293,7 +293,7 @@ fn formula(trouble: &Trouble) -> String {
         }
         Trouble::LeftOver => "this is left over; is a sign missing before it?",
         Trouble::NoRelation => "an equals sign or an inequality sign is missing.",
-        Trouble::UnitOfEntry => "give the unit once, behind the list in brackets.",
+        Trouble::UnitOfEntry => "give one unit for all, behind the list in brackets.",
         Trouble::UnitOrLetter => {
             "this ends with a letter or with a unit; put the list in brackets, and that behind them."
         }

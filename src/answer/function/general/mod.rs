@@ -103,7 +103,9 @@ pub(super) fn read(
             number => format!("{letter}{number}"),
         });
         for name in numbered.map(Name::new) {
-            if !is_taken(&name) {
+            // `w1` stays ω₁.
+            let is_spelling = lexicon.reads(name.as_str()).is_some_and(|own| *own != name);
+            if !is_taken(&name) && !is_spelling {
                 meaning.add_free(&name);
                 lexicon.allow(&name, crate::math::symbol(name.as_str()), false);
                 constants.push(name);
