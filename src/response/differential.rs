@@ -113,7 +113,11 @@ pub(super) fn method(text: &str, at: usize) -> Option<(String, u8, usize)> {
     let close = closing(inner)?;
     let arguments: Vec<&str> = inner[..close].split(',').map(str::trim).collect();
     let start = text.len() - inner.len();
-    Some((Letters::spelling(name)?, order_by(&arguments)?, start + close + 1))
+    Some((
+        Letters::spelling(name)?,
+        order_by(&arguments)?,
+        start + close + 1,
+    ))
 }
 
 /// The order of a derivative by what it is taken by: `t`, `t, t`, `t, 2`.

@@ -1,7 +1,7 @@
 //! The types of operators that bind names.
 
 use super::{CheckError, Checker, Joint, disagreement, scaled, times};
-use crate::expr::{Expr, Name, Type};
+use crate::expr::{Expr, Name, Shape, Type};
 use crate::source::Span;
 use crate::unit::Dimension;
 
@@ -63,6 +63,11 @@ impl Checker<'_> {
         let mut is_known = true;
         for name in names {
             match self.name(name, span) {
+                Some(variable) if variable.shape() != Shape::Scalar => {
+                    let found = variable.form();
+                    let _: Option<Type> = self.report(CheckError::NumberDue { found, span });
+                    is_known = false;
+                }
                 Some(variable) => divisor = times(divisor, variable.dimension()),
                 None => is_known = false,
             }

@@ -398,6 +398,25 @@ mod tests {
     }
 
     #[test]
+    fn a_derivative_is_by_a_number() {
+        struct Vector(Type);
+
+        impl Scope for Vector {
+            fn name(&self, _: &Name) -> Option<Type> {
+                Some(self.0.clone())
+            }
+        }
+
+        let pair = Expr::read("[1, 2]").unwrap().check(&SCOPE).unwrap();
+        let derivative = Expr::read("diff(u, u)").unwrap();
+        let findings = derivative.check(&Vector(pair)).unwrap_err();
+        assert!(
+            matches!(findings[..], [CheckError::NumberDue { .. }]),
+            "{findings:?}"
+        );
+    }
+
+    #[test]
     #[expect(clippy::too_many_lines, reason = "a table")]
     fn all_that_is_wrong_is_said_at_once() {
         for (formula, expected) in [
