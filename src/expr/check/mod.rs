@@ -405,6 +405,10 @@ mod tests {
             fn name(&self, _: &Name) -> Option<Type> {
                 Some(self.0.clone())
             }
+
+            fn known(&self) -> Vec<String> {
+                Vec::new()
+            }
         }
 
         let pair = Expr::read("[1, 2]").unwrap().check(&SCOPE).unwrap();
