@@ -285,15 +285,15 @@ impl<'t> Course<'t> {
         let mut shapes = self.shapes.iter();
         let (first, points) = shapes.next()?;
         let (other, others) = shapes.next()?;
-        let what = if points != others {
-            "the points differ".to_owned()
-        } else {
+        let what = if points == others {
             let differing = first
                 .iter()
                 .chain(other)
                 .find(|place| !(first.contains(place) && other.contains(place)));
             let part = differing.map(|place| self.template.parts[*place].id.clone());
             format!("part `{}` comes and goes", part.unwrap_or_default())
+        } else {
+            "the points differ".to_owned()
         };
         Some(Fault::VariantsDiffer { what })
     }
