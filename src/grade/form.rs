@@ -55,6 +55,12 @@ fn statement(own: &dyn Marker, other: &dyn Marker, text: &str) -> Option<Marking
     };
     if is_symbol(sides[0]) && is_letter(&first.0) && is_letter(&first.1) {
         sides.remove(0);
+    } else if let Some(last) = sides.last().filter(|side| is_symbol(side)) {
+        // Or behind the last one: `15.8 rad/s = ω`.
+        let last = mark(last);
+        if is_letter(&last.0) && is_letter(&last.1) {
+            sides.pop();
+        }
     }
     let marked: Vec<(Marking, Marking)> = sides.iter().map(|side| mark(side)).collect();
     let is_in_form = |(own, _): &&(Marking, Marking)| own.reading.is_some();

@@ -3,8 +3,11 @@
 use std::borrow::Cow;
 
 use super::letters::greek_word;
-use super::signs::{CASES, COMMANDS, DISPLAYS, Plain, RUNS, UNITS, WRAPPERS, escaped, of_char};
-use super::words::{JOINING, WORDS};
+use super::signs::{
+    CASES, COMMANDS, DISPLAYS, FACES, Plain, RUNS, TURNS, UNITS, WRAPPERS, escaped, of_char,
+};
+use super::surroundings::answer_in;
+use super::words::{JOINING, ROOTS, VERBS, WORDS};
 use crate::source::Span;
 
 /// A response in plain signs: letters of mathematical alphabets as ordinary ones, one minus, one sign for "at most",
@@ -52,6 +55,7 @@ impl<'t> Folded<'t> {
         }
         let mut folder = Folder {
             typed,
+            answer: answer_in(typed),
             at: 0,
             text: String::with_capacity(typed.len()),
             pieces: Vec::new(),
@@ -134,18 +138,26 @@ fn is_plain(typed: &str) -> bool {
         is_kept(byte)
     });
     is_kept_all
-        && !(may_run && RUNS.iter().any(|(run, _)| typed.contains(run)))
-        && !WORDS.iter().any(|(word, _)| has_word(typed, word))
+        && !(may_run && (RUNS.iter().any(|(run, _)| typed.contains(run)) || typed.contains("*^")))
+        && !typed.contains("...")
+        && !typed.contains("\n")
+        && !TURNS.iter().any(|(turn, _)| typed.contains(turn))
+        && !(typed.contains('(') && ROOTS.iter().any(|root| typed.contains(root)))
+        && !typed.split(' ').any(begins_words)
+        && answer_in(typed).len() == typed.len()
 }
 
-/// Whether a word stands in a text between spaces.
-fn has_word(text: &str, word: &str) -> bool {
-    let mut words = text.split(' ');
-    words.any(|own| own == word)
+/// Whether one of the words that stand for others begins with a word.
+fn begins_words(own: &str) -> bool {
+    let begins = |words: &str| words.split(' ').next() == Some(own);
+    own.starts_with(|first: char| first.is_ascii_alphabetic())
+        && (WORDS.iter().any(|(words, _)| begins(words)) || VERBS.iter().any(|verb| begins(verb)))
 }
 
 struct Folder<'t> {
     typed: &'t str,
+    /// Where the answer stands among what is said around it.
+    answer: std::ops::Range<usize>,
     at: usize,
     text: String,
     pieces: Vec<(u32, u32)>,
@@ -219,6 +231,9 @@ impl Folder<'_> {
             return;
         };
         let width = char.len_utf8();
+        if !self.answer.contains(&self.at) {
+            return self.write("", width);
+        }
         if self.blanked.contains(&self.at) || char == '$' {
             return self.write(" ", width);
         }
@@ -232,8 +247,11 @@ impl Folder<'_> {
         if char == ' ' && self.rest()[1..].starts_with(['\u{307}', '\u{308}', '¨', '˙']) {
             return self.write("", width);
         }
-        if let Some((word, plain)) = self.word() {
-            return self.write(plain, word.len());
+        if let Some((length, plain)) = self.word() {
+            return self.write(plain, length);
+        }
+        if let Some((length, plain)) = self.beside_digits().or_else(|| self.before_others()) {
+            return self.write(plain, length);
         }
         if self.rest().starts_with("^{\\circ}") {
             return self.write("°", "^{\\circ}".len());
@@ -251,15 +269,74 @@ impl Folder<'_> {
         self.sign(letter.encode_utf8(&mut [0; 4]), width);
     }
 
-    /// The word between spaces that stands here, if another one stands for it.
-    fn word(&self) -> Option<(&'static str, &'static str)> {
-        let is_free = self.at > 0 && self.typed[..self.at].ends_with(' ');
-        let found = WORDS.iter().find(|(word, _)| {
-            self.rest()
-                .strip_prefix(word)
-                .is_some_and(|rest| rest.starts_with(' '))
-        });
-        found.copied().filter(|_| is_free)
+    /// The words between spaces that stand here, by their length, if others or a sign stand for them.
+    fn word(&self) -> Option<(usize, &'static str)> {
+        let before = &self.typed[self.answer.start..self.at];
+        if !(before.is_empty() || before.ends_with(' ')) {
+            return None;
+        }
+        let rest = self.rest();
+        let of_words = |rest: &str| {
+            let found = WORDS.iter().find(|(words, _)| {
+                rest.strip_prefix(words)
+                    .is_some_and(|rest| rest.starts_with(' '))
+            });
+            found.map(|(words, plain)| (words.len(), *plain))
+        };
+        let compares = |verb: &str| {
+            let behind = rest.strip_prefix(verb)?.strip_prefix(' ')?;
+            let (length, plain) = of_words(behind)?;
+            let is_sign = matches!(plain, "<" | ">" | "≤" | "≥");
+            is_sign.then_some((verb.len() + 1 + length, plain))
+        };
+        // `or` and the like join what stands on both sides.
+        VERBS
+            .iter()
+            .find_map(|verb| compares(verb))
+            .or_else(|| of_words(rest))
+            .filter(|(_, plain)| !before.is_empty() || matches!(*plain, "<" | ">" | "≤" | "≥"))
+    }
+
+    /// What stands here behind a digit and is read otherwise there: the power of ten of Mathematica, the points of a
+    /// decimal that goes on.
+    fn beside_digits(&self) -> Option<(usize, &'static str)> {
+        let is_digit = |char: char| char.is_ascii_digit();
+        if !self.typed[..self.at].ends_with(|char| is_digit(char) || char == '.') {
+            return None;
+        }
+        let rest = self.rest();
+        if let Some(power) = rest.strip_prefix("*^") {
+            let is_power =
+                power.starts_with(|char| is_digit(char) || char == '+' || is_minus(char));
+            return is_power.then_some((2, "e"));
+        }
+        let points = ["...", "…"]
+            .into_iter()
+            .find(|sign| rest.starts_with(sign))?;
+        let behind = &rest[points.len()..];
+        let goes_on = behind.starts_with(|char| is_digit(char) || ".,;".contains(char));
+        (!goes_on).then_some((points.len(), ""))
+    }
+
+    /// What is read together with what stands behind it: units of turning, roots, a statement that goes on in the
+    /// next line.
+    fn before_others(&self) -> Option<(usize, &'static str)> {
+        let rest = self.rest();
+        if let Some(next) = rest.strip_prefix('\n') {
+            let goes_on = next.trim_start().starts_with(['=', '≈']);
+            return goes_on.then_some((1, " "));
+        }
+        if self.typed[..self.at].ends_with(|char: char| char.is_alphabetic() || char == '_') {
+            return None;
+        }
+        if let Some((turn, plain)) = TURNS.iter().find(|(turn, _)| rest.starts_with(turn)) {
+            return Some((turn.len(), plain));
+        }
+        let is_root = |root: &&&str| {
+            rest.strip_prefix(**root)
+                .is_some_and(|rest| rest.starts_with('('))
+        };
+        ROOTS.iter().find(is_root).map(|root| (root.len(), "sqrt"))
     }
 
     /// Writes what a sign of alignment stands for in an environment that is no matrix; whether it stands in one.
@@ -354,6 +431,25 @@ impl Folder<'_> {
             self.blanked.extend(braces);
             return self.write("", length);
         }
+        if FACES.contains(&name)
+            && let Some(braces) = arguments(self.typed, self.at + length, 1)
+            && is_unlettered(&self.typed[braces[0] + 1..braces[1]])
+        {
+            self.blanked.extend(braces);
+            return self.write(" ", length);
+        }
+        if name == "angle"
+            && self.typed[self.at + length..].starts_with('{')
+            && let Some(braces) = arguments(self.typed, self.at + length, 1)
+        {
+            self.blanked.extend(braces);
+            return self.write("∠", length);
+        }
+        if name == "hspace"
+            && let Some(braces) = arguments(self.typed, self.at + length, 1)
+        {
+            return self.write(" ", braces[1] + 1 - self.at);
+        }
         if matches!(name, "begin" | "end") && self.environment(name) {
             return;
         }
@@ -375,6 +471,20 @@ impl Folder<'_> {
             }
         }
     }
+}
+
+/// Whether a sign is one of those that stand for a minus.
+fn is_minus(char: char) -> bool {
+    char == '-' || of_char(char) == Some(Plain::Text("-"))
+}
+
+/// Whether what is set in another face is a number, perhaps with its unit, or nothing.
+fn is_unlettered(text: &str) -> bool {
+    let text = text.trim_matches([' ', '~']);
+    text.is_empty()
+        || text.starts_with(|char: char| {
+            char.is_ascii_digit() || "+.".contains(char) || is_minus(char)
+        })
 }
 
 /// The places of the braces around the next `count` arguments.

@@ -39,6 +39,7 @@ mod number;
 mod parser;
 mod sides;
 mod signs;
+mod surroundings;
 mod token;
 mod values;
 mod vocabulary;

@@ -52,7 +52,8 @@ pub(super) fn of_char(char: char) -> Option<Plain> {
         '\u{2126}' => "Ω",
         '\u{2206}' => "Δ",
         'ℎ' => "h",
-        'ℯ' | 'ⅇ' => "e",
+        // With the signs that calculators set before an exponent.
+        'ℯ' | 'ⅇ' | 'ᴇ' | '⏨' => "e",
         'ⅈ' => "i",
         'ⅉ' => "j",
         // Spaces, invisible operators.
@@ -96,6 +97,22 @@ pub(super) const RUNS: &[(&str, &str)] = &[
     ("&&", "∩"),
     // The decimal comma of LaTeX, which never parts thousands.
     ("{,}", "⎖"),
+    ("{\\,}", " "),
+    ("×₁₀^", "e"),
+    ("×₁₀", "e"),
+];
+
+/// Quotation marks and other pairs that people set around a whole answer.
+pub(super) const QUOTES: &[(&str, &str)] = &[
+    ("\"", "\""),
+    ("'", "'"),
+    ("′", "′"),
+    ("`", "`"),
+    ("“", "”"),
+    ("„", "“"),
+    ("‘", "’"),
+    ("«", "»"),
+    ("**", "**"),
 ];
 
 /// Commands of LaTeX, by their name. What is not listed is a name, a function, or is read by the grammar.
@@ -147,6 +164,10 @@ pub(super) const COMMANDS: &[(&str, Plain)] = &[
     ("tfrac", Text("\\frac")),
     ("cfrac", Text("\\frac")),
     ("textrm", Text("\\mathrm")),
+    ("mathsf", Text("\\mathrm")),
+    ("textsf", Text("\\mathrm")),
+    ("textbf", Text("\\mathrm")),
+    ("textit", Text("\\mathrm")),
     ("textup", Text("\\mathrm")),
     ("mbox", Text("\\mathrm")),
     ("left", Nothing),
@@ -239,6 +260,23 @@ pub(super) const WRAPPERS: &[(&str, usize)] = &[
     ("unit", 1),
     ("num", 1),
 ];
+
+/// Commands that set the face of letters: around digits or nothing their braces are spaces, too.
+pub(super) const FACES: &[&str] = &[
+    "mathrm",
+    "mathbf",
+    "mathsf",
+    "text",
+    "textrm",
+    "textbf",
+    "textit",
+    "boldsymbol",
+    "underline",
+    "underbrace",
+];
+
+/// Units that are read only with what stands behind them, since their first letter means other things alone.
+pub(super) const TURNS: &[(&str, &str)] = &[("U/min", "rev/min"), ("r/min", "rev/min")];
 
 /// A backslash before a sign.
 pub(super) fn escaped(char: char) -> Option<Plain> {

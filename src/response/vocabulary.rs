@@ -102,6 +102,20 @@ pub(super) fn is_function(word: &str) -> bool {
         || POWERS.iter().any(|(name, _)| *name == word)
 }
 
+/// What stands for infinity, in words.
+const INFINITY: &[&str] = &[
+    "inf",
+    "Inf",
+    "INF",
+    "infinity",
+    "Infinity",
+    "infini",
+    "infinito",
+    "unendlich",
+    "oo",
+    "infty",
+];
+
 /// Powers that are written as functions.
 const POWERS: &[(&str, Powered)] = &[
     ("pow", Powered::Any),
@@ -162,11 +176,9 @@ impl Words {
             words.add(name, Sense::Power(*powered), 0);
         }
         let infinity = Sense::Leaf(Expr::constant(Constant::Infinity));
-        words.add("inf", infinity.clone(), 0);
-        words.add("infinity", infinity.clone(), 0);
-        words.add("infini", infinity.clone(), 0);
-        words.add("oo", infinity.clone(), 0);
-        words.add("infty", infinity, 0);
+        for name in INFINITY {
+            words.add(name, infinity.clone(), 0);
+        }
         let is_scalar = |function: &Function| {
             !matches!(
                 function,

@@ -89,10 +89,10 @@ const NOT: bool = false;
 #[rustfmt::skip]
 pub(super) static ROWS: [Row; 38] = [
     //   symbols                 print  words                                             kg  m  s   A  K mol cd     2   3   5  g  pi          prefixes joins coherent
-    row(&["m"],                  "m",   &["metre", "metres", "meter", "meters"],          [ 0,  1,  0,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
-    row(&["s"],                  "s",   &["second", "seconds", "sec", "secs"],            [ 0,  0,  1,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
+    row(&["m"],                  "m",   &["metre", "metres", "meter", "meters", "mètre", "mètres", "metro", "metros"], [ 0,  1,  0,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
+    row(&["s"],                  "s",   &["second", "seconds", "sec", "secs", "seconde", "secondes", "sek", "sekunde", "sekunden", "seg", "segundo", "segundos"], [ 0,  0,  1,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
     row(&["g"],                  "g",   &["gram", "grams", "gramme", "grammes"],          [ 1,  0,  0,  0, 0, 0, 0], [-3,  0, -3, 0, 0], Still,   YES, YES, "kg"),
-    row(&["rad"],                "rad", &["radian", "radians", "rads", "rad"],                   [ 0,  0,  0,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Radians, YES, YES, ""),
+    row(&["rad"],                "rad", &["radian", "radians", "rads", "rad", "radiant", "radiants", "radianes"], [ 0,  0,  0,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Radians, YES, YES, ""),
     row(&["N"],                  "N",   &["newton", "newtons"],                           [ 1,  1, -2,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
     row(&["Hz"],                 "Hz",  &["hertz", "hertz", "hz"],                        [ 0,  0, -1,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Cycles,  YES, YES, ""),
     row(&["J"],                  "J",   &["joule", "joules"],                             [ 1,  2, -2,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
@@ -111,8 +111,8 @@ pub(super) static ROWS: [Row; 38] = [
     row(&["mol"],                "mol", &["mole", "moles"],                               [ 0,  0,  0,  0, 0, 1, 0], [ 0,  0,  0, 0, 0], Still,   YES, NOT, ""),
     row(&["cd"],                 "cd",  &["candela", "candelas"],                         [ 0,  0,  0,  0, 0, 0, 1], [ 0,  0,  0, 0, 0], Still,   YES, NOT, ""),
     row(&["sr"],                 "sr",  &["steradian", "steradians"],                     [ 0,  0,  0,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   NOT, NOT, ""),
-    row(&["deg", "°"],           "°",   &["degree", "degrees", "degs", "º"],                   [ 0,  0,  0,  0, 0, 0, 0], [-2, -2, -1, 0, 1], Radians, NOT, NOT, "rad"),
-    row(&["rev"],                "rev", &["revolution", "revolutions", "revs", "turn", "turns", "cycle", "cycles", "tr", "tour", "tours"],
+    row(&["deg", "°"],           "°",   &["degree", "degrees", "degs", "º", "degré", "degrés", "grado", "grados"], [ 0,  0,  0,  0, 0, 0, 0], [-2, -2, -1, 0, 1], Radians, NOT, NOT, "rad"),
+    row(&["rev"],                "rev", &["revolution", "revolutions", "revs", "turn", "turns", "cycle", "cycles", "tr", "tour", "tours", "umdrehung", "umdrehungen"],
                                                                                           [ 0,  0,  0,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Cycles,  NOT, NOT, ""),
     row(&["rpm"],                "rpm", &["revolution per minute", "revolutions per minute", "rpm"],
                                                                                           [ 0,  0, -1,  0, 0, 0, 0], [-2, -1, -1, 0, 0], Cycles,  NOT, NOT, "Hz"),

@@ -32,12 +32,13 @@ impl Chosen {
         (b'a' + position as u8) as char
     }
 
-    /// What was chosen: by the letters that are printed for people, by ids for programs.
+    /// What was chosen: by the letters that are printed and the texts of the options; by ids for programs.
     fn reading(&self, places: &[usize]) -> Reading {
         let ids: Vec<String> = places.iter().map(|at| self.ids[*at].clone()).collect();
+        let texts: Vec<&str> = places.iter().map(|at| self.texts[*at].as_str()).collect();
         Reading {
             math: self.letters(places),
-            text: ids.join(", "),
+            text: texts.join("; "),
             answered: Answered::Options(ids),
         }
     }

@@ -16,7 +16,7 @@ pub(super) fn normalized(text: &str) -> String {
         .collect::<Vec<_>>()
         .join(" ")
         .trim_matches(['"', '\''])
-        .trim_end_matches(['.', '!', ',', ';'])
+        .trim_end_matches(['.', '!', ',', ';', ':'])
         .to_lowercase()
 }
 
@@ -50,8 +50,16 @@ fn joined(text: &str) -> Option<String> {
 
 /// What stands behind words that say that an answer comes: `option b`, `answer: b`.
 fn announced(text: &str) -> &str {
-    const WORDS: &[&str] = &["the answer is", "answer is", "answer", "option", "choice"];
-    let text = text.trim();
+    const WORDS: &[&str] = &[
+        "the answer is",
+        "answer is",
+        "answer",
+        "option",
+        "choice",
+        "letter",
+        "only",
+    ];
+    let text = text.trim().trim_start_matches(['-', '=', ' ']);
     let rest = WORDS.iter().find_map(|word| {
         let rest = text
             .get(..word.len())
@@ -80,7 +88,7 @@ impl Chosen {
                 .filter(|place| self.place(words) == Some(*place));
         }
         let whole = normalized(typed);
-        let bare = normalized(typed.trim_matches(|sign: char| "()[].".contains(sign)));
+        let bare = normalized(typed.trim_matches(|sign: char| "()[]{}. ".contains(sign)));
         self.of_letter(&bare)
             .or_else(|| self.of_words(&whole))
             .or_else(|| self.of_words(&bare))
@@ -91,8 +99,10 @@ impl Chosen {
 
     /// The only option that is this formula, however it is written.
     fn of_formula(&self, typed: &str) -> Option<usize> {
-        let formulas: Vec<Option<Formula>> =
-            self.texts.iter().map(|text| Formula::of(text)).collect();
+        // `above: Ω > √2 ω_n` is a word and its formula.
+        let of_option =
+            |text: &String| Formula::of(text).or_else(|| Formula::of(text.split_once(':')?.1));
+        let formulas: Vec<Option<Formula>> = self.texts.iter().map(of_option).collect();
         let typed = Formula::of(typed)?;
         let is_it = |place: &usize| formulas[*place].as_ref().is_some_and(|own| own.is(&typed));
         only((0..formulas.len()).filter(is_it))

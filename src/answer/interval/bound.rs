@@ -8,7 +8,7 @@ use crate::answer::numeric;
 use crate::answer::{Misfit, Unreadable, Why};
 use crate::expr::{Expr, Kind, Workspace};
 use crate::response::{self, Manner};
-use crate::unit::{DecimalMark, Quantity, Unit};
+use crate::unit::{Quantity, Unit};
 
 impl Ends<'_> {
     /// The value of a bound in SI units.
@@ -58,7 +58,7 @@ impl Ends<'_> {
 
     /// The number that a bound is in SI units, if it is one; without a unit it has the one at hand.
     pub(super) fn number(&self, text: &str, unit: &mut Option<Unit>) -> Read<Option<f64>> {
-        let Some(number) = quantity(text, self.mark) else {
+        let Some(number) = self.quantity(text) else {
             return Ok(None);
         };
         let asked = self.setup.unit;
@@ -76,6 +76,13 @@ impl Ends<'_> {
         };
         *unit = Some(number.unit);
         Ok(Some(si))
+    }
+
+    /// A quantity, if a text is one.
+    pub(super) fn quantity(&self, text: &str) -> Option<Quantity> {
+        let (first, others) = numeric::readings(text, self.mark).ok()?;
+        let other = others.into_iter().next().filter(|_| self.is_otherwise);
+        Some(other.unwrap_or(first))
     }
 
     pub(super) fn formula(&self, side: &str) -> Result<Expr, Unreadable> {
@@ -97,9 +104,4 @@ impl Ends<'_> {
             .ok()?
             .as_real()
     }
-}
-
-/// A quantity, if a text is one.
-pub(super) fn quantity(text: &str, mark: DecimalMark) -> Option<Quantity> {
-    numeric::quantity(text, mark).ok()
 }

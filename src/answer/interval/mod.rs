@@ -28,10 +28,11 @@ use self::set::{End, Piece, Set};
 use super::letters::Allowed;
 use super::matrix::Written;
 use super::meaning::{Meaning, Prefer};
+use super::settle::{Candidate, Rule, settle};
 use super::trial::other_unit;
 use super::{
-    Answer, AnswerError, Answered, Asked, Blank, Close, Context, Credit, Declare, Key, KeyValue,
-    Marker, Marking, Nature, Reading, Remark, Role, Slip, Tolerance, Trial,
+    Answer, AnswerError, Answered, Asked, Blank, Close, Context, Credit, Declare, Doubt, Key,
+    KeyValue, Marker, Marking, Nature, Reading, Remark, Role, Slip, Tolerance, Trial,
 };
 use crate::expr::{Constant, Expr, Kind as Node, Name, Precise, Type};
 use crate::math::Math;
@@ -85,6 +86,7 @@ struct Prepared {
     /// The inputs of formulas for these data.
     data: Vec<Precise>,
     mark: DecimalMark,
+    doubt: Doubt,
 }
 
 /// Reads the keys of a part that belong to this kind; what is wrong is noted.
@@ -311,6 +313,7 @@ impl Answer for Interval {
             mistakes,
             data: self.setup.meaning.data(evaluation),
             mark: context.mark,
+            doubt: context.doubt,
         }))
     }
 }
@@ -437,10 +440,29 @@ impl Marker for Prepared {
     }
 
     fn mark(&self, response: &str) -> Marking {
+        let candidate = |is_otherwise| {
+            let marking = self.judged(response, is_otherwise);
+            let read = marking.reading.as_ref();
+            let shown = read.map_or_else(String::new, |reading| reading.math.plain());
+            Candidate { shown, marking }
+        };
+        let first = candidate(false);
+        // Only a number with a comma or a point can be meant otherwise.
+        let may_differ = first.marking.reading.is_some() && response.contains([',', '.']);
+        let other = may_differ.then(|| candidate(true));
+        let other = other.filter(|other| other.shown != first.shown);
+        settle(self.doubt, Rule::None, first, other)
+    }
+}
+
+impl Prepared {
+    /// The marking of one reading of a response.
+    fn judged(&self, response: &str, is_otherwise: bool) -> Marking {
         let ends = Ends {
             setup: &self.setup,
             data: &self.data,
             mark: self.mark,
+            is_otherwise,
         };
         let typed = match ends.read(response) {
             Ok(set) => set.cut(self.within.as_ref()),

@@ -1,9 +1,8 @@
 //! Reads inequalities and intervals.
 
 use super::Setup;
-use super::bound::quantity;
 use super::set::{End, Piece, Set};
-use super::spelling::{normalized, spelt};
+use super::spelling::{normalized, spelt, unbracketed};
 use super::subject::Subject;
 use crate::answer::{Example, Misfit, Unreadable, Why};
 use crate::expr::Precise;
@@ -16,6 +15,8 @@ pub(super) struct Ends<'a> {
     pub(super) setup: &'a Setup,
     pub(super) data: &'a [Precise],
     pub(super) mark: DecimalMark,
+    /// Whether numbers that may be meant otherwise are, `1,250` as a decimal or in thousands.
+    pub(super) is_otherwise: bool,
 }
 
 /// Why a response is no set.
@@ -105,6 +106,13 @@ impl Ends<'_> {
         if text.is_empty() {
             return Err(like_interval(Why::Form).into());
         }
+        let mut text = text;
+        while let Some((inner, behind)) = unbracketed(text) {
+            if !behind.is_empty() {
+                *unit = Some(self.unit_behind(behind)?);
+            }
+            text = inner;
+        }
         let signs: Vec<(usize, char)> = text
             .char_indices()
             .filter(|(_, char)| "<>≤≥".contains(*char))
@@ -181,9 +189,7 @@ impl Ends<'_> {
             _ => return Err(like_interval(Why::IntervalBracket).into()),
         };
         if !unit_text.is_empty() {
-            let one = self.number(&format!("1 {unit_text}"), &mut None)?;
-            one.ok_or_else(|| Unreadable::at(unit_text, Why::NoUnit).like(Example::Interval))?;
-            *unit = quantity(&format!("1 {unit_text}"), self.mark).map(|one| one.unit);
+            *unit = Some(self.unit_behind(unit_text)?);
         }
         let mut ends = inner.chars();
         let (first, last) = (ends.next(), ends.next_back());
@@ -217,6 +223,16 @@ impl Ends<'_> {
             },
         ]);
         Ok(subject.where_it_is_in(one(piece)?))
+    }
+
+    /// The unit that stands behind a bracket.
+    fn unit_behind(&self, text: &str) -> Read<Unit> {
+        let one = format!("1 {text}");
+        // A unit of another dimension is told as that of a bound is.
+        self.number(&one, &mut None)?;
+        let one = self.quantity(&one).filter(|one| !one.unit.is_one());
+        let one = one.ok_or_else(|| Unreadable::at(text, Why::NoUnit).like(Example::Interval))?;
+        Ok(one.unit)
     }
 
     /// What is said of an inequality without what is asked.

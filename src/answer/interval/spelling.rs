@@ -7,9 +7,17 @@ pub(super) fn normalized(response: &str) -> String {
         .strip_prefix('(')
         .and_then(|text| text.strip_suffix(')'))
         .filter(|inner| inner.contains(['<', '>', '≤', '≥']) && !inner.contains(['(', ')']));
-    let mut text = format!(" {} ", inner.unwrap_or(response));
+    let response = inner.unwrap_or(response);
+    let response = within_set(response).unwrap_or(response);
+    let response = CONDITIONS
+        .iter()
+        .find_map(|word| response.strip_prefix(word)?.strip_prefix(' '))
+        .unwrap_or(response);
+    let mut text = format!(" {response} ");
     for (from, to) in [
         ("||", " ∪ "),
+        (" & ", " ∩ "),
+        (" union ", " ∪ "),
         (" or ", " ∪ "),
         (" and ", " ∩ "),
         (" in ", " ∈ "),
@@ -28,6 +36,35 @@ pub(super) fn normalized(response: &str) -> String {
         }
     }
     text.trim().to_owned()
+}
+
+/// Words before a condition.
+const CONDITIONS: [&str; 6] = ["for", "if", "when", "whenever", "only if", "wenn"];
+
+/// The condition of a set in braces, `{x | 0 < x < 3}`.
+fn within_set(text: &str) -> Option<&str> {
+    let inner = text.strip_prefix('{')?.strip_suffix('}')?;
+    let (element, condition) = inner.split_once(['|', ':'])?;
+    let has_relation = |text: &str| text.contains(['<', '>', '≤', '≥']);
+    (!has_relation(element) && (has_relation(condition) || condition.contains('∈')))
+        .then_some(condition)
+}
+
+/// What stands in brackets around a whole condition, and what follows them.
+pub(super) fn unbracketed(text: &str) -> Option<(&str, &str)> {
+    let inner = text.strip_prefix('(')?;
+    let mut depth = 1_usize;
+    let close = inner.char_indices().find_map(|(at, char)| {
+        match char {
+            '(' | '[' => depth += 1,
+            ')' | ']' => depth -= 1,
+            _ => {}
+        }
+        (depth == 0).then_some(at)
+    })?;
+    let (inner, behind) = (&inner[..close], inner[close + 1..].trim());
+    let has_relation = |text: &str| text.contains(['<', '>', '≤', '≥']);
+    (has_relation(inner) && !has_relation(behind)).then_some((inner.trim(), behind))
 }
 
 /// Signs that join, as they are typed.

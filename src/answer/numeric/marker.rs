@@ -109,12 +109,20 @@ impl Numbers {
         let ends = self.within?;
         let slack = target.half + target.slack();
         let is_inside = ends[0] - slack <= typed.hi() && typed.hi() <= ends[1] + slack;
+        // Half a turn is π, which no decimal is: ends that are whole degrees are given so.
+        let degree = Unit::degree();
+        let is_whole = |si: &f64| {
+            let degrees = degree.of_si(*si);
+            (degrees - degrees.round()).abs() < 1e-9
+        };
+        let unit = if ends.iter().all(is_whole) {
+            degree
+        } else {
+            self.unit
+        };
         let quantity = |si: f64| {
-            let rounded = Decimal::rounded(self.unit.of_si(si), 4)?;
-            Some(Quantity::new(
-                Decimal::shortest(rounded.to_f64())?,
-                self.unit,
-            ))
+            let rounded = Decimal::rounded(unit.of_si(si), 4)?;
+            Some(Quantity::new(Decimal::shortest(rounded.to_f64())?, unit))
         };
         let [low, high] = ends.map(quantity);
         (!is_inside).then_some(Slip::OutsideInterval(Box::new([low?, high?])))

@@ -44,7 +44,7 @@ fn why(why: &Why) -> String {
         Why::TooLong => "this is too long to be read.".to_owned(),
         Why::LongerThan(bytes) => format!("the answer is longer than {bytes} bytes."),
         Why::NoKey(absent) => format!("this part cannot be marked for these data: {absent}."),
-        Why::Dollar => "a dollar sign is no unit, and encloses no formula here. Omit it.".to_owned(),
+        Why::Dollar => "a dollar sign is not a unit, and this one encloses no formula. Omit it.".to_owned(),
         Why::Formula(trouble) => formula(trouble),
         Why::Quantity(error) => {
             let help = error.help().map(|help| format!(" {}.", capital(&help)));
@@ -124,7 +124,7 @@ fn why(why: &Why) -> String {
             "only `{symbol} in` may stand before the interval of values that are asked, several are joined by `or`."
         ),
         Why::IntervalBracket => "a bracket is missing.".to_owned(),
-        Why::NoUnit => "this is no unit.".to_owned(),
+        Why::NoUnit => "this is not a known unit.".to_owned(),
         Why::TwoEnds => {
             "an interval has two ends; with decimal commas, put a semicolon in between.".to_owned()
         }

@@ -1,0 +1,103 @@
+//! What people say around an answer: "so", "the answer is", quotation marks.
+
+use std::ops::Range;
+
+use super::signs::QUOTES;
+use super::words::{LEADS, TRAILS};
+
+/// Where the answer stands in what was typed.
+pub(super) fn answer_in(typed: &str) -> Range<usize> {
+    let mut range = 0..typed.len();
+    loop {
+        let own = trimmed(typed, &range);
+        let text = &typed[own.clone()];
+        let inner = lead(text)
+            .map(|length| own.start + length..own.end)
+            .or_else(|| trail(text).map(|length| own.start..own.end - length))
+            .or_else(|| quotes(text).map(|(open, close)| own.start + open..own.end - close));
+        match inner {
+            Some(inner) => range = inner,
+            None => return range,
+        }
+    }
+}
+
+fn trimmed(typed: &str, range: &Range<usize>) -> Range<usize> {
+    let text = &typed[range.clone()];
+    let start = range.start + text.len() - text.trim_start().len();
+    start..start + text.trim().len()
+}
+
+/// The length of words before an answer, with the colon or the space behind them.
+fn lead(text: &str) -> Option<usize> {
+    let first = text.chars().next()?;
+    if first.is_ascii_digit() || "-+.([{$<".contains(first) {
+        return None;
+    }
+    LEADS.iter().find_map(|lead| {
+        let head = text.get(..lead.len())?;
+        let is_it = head.eq_ignore_ascii_case(lead);
+        let behind = text[lead.len()..].strip_prefix(':').map_or_else(
+            || {
+                text[lead.len()..]
+                    .starts_with(' ')
+                    .then(|| &text[lead.len()..])
+            },
+            Some,
+        );
+        let behind = behind.filter(|behind| is_it && !behind.trim().is_empty())?;
+        // `=> 3` is at least three where nothing else relates.
+        let relates = behind.contains(['=', '<', '>', '≤', '≥', '≈']);
+        (*lead != "=>" || relates).then(|| text.len() - behind.len())
+    })
+}
+
+/// The length of words behind an answer, or of a comma behind its unit.
+fn trail(text: &str) -> Option<usize> {
+    let words = TRAILS.iter().find(|trail| text.ends_with(**trail));
+    if let Some(words) = words {
+        let before = &text[..text.len() - words.len()];
+        return before.ends_with([' ', ')']).then_some(words.len());
+    }
+    let before = text.strip_suffix([',', ';'])?;
+    before.ends_with(char::is_alphabetic).then_some(1)
+}
+
+/// The lengths of the marks around an answer.
+fn quotes(text: &str) -> Option<(usize, usize)> {
+    QUOTES.iter().find_map(|(open, close)| {
+        let inner = text.strip_prefix(open)?.strip_suffix(close)?;
+        let is_whole = !inner.trim().is_empty() && !inner.contains(open) && !inner.contains(close);
+        is_whole.then_some((open.len(), close.len()))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::answer_in;
+
+    #[test]
+    fn what_is_said_around_an_answer_is_no_part_of_it() {
+        for (typed, answer) in [
+            ("so ω = 5 rad/s", "ω = 5 rad/s"),
+            ("The answer is 5 rad/s", "5 rad/s"),
+            ("Answer: b", "b"),
+            ("⇒ x = 3", "x = 3"),
+            ("=> x = 3", "x = 3"),
+            ("=> 3", "=> 3"),
+            ("so, approx. 5", "so, approx. 5"),
+            ("so approx. 5 m (approx.)", "5 m"),
+            ("\"5 m\"", "5 m"),
+            ("“about 5 m”", "5 m"),
+            ("**5**", "5"),
+            ("5\"", "5\""),
+            ("\"\"", "\"\""),
+            ("k = 3 N/m,", "k = 3 N/m"),
+            ("5,", "5,"),
+            ("sons", "sons"),
+            ("so", "so"),
+        ] {
+            assert_eq!(typed[answer_in(typed)].trim(), answer, "{typed}");
+        }
+    }
+}
