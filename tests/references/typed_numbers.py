@@ -113,6 +113,7 @@ for asked, responses in {
 }.items():
     for response in responses:
         row(asked, response, "unreadable")
+same("m", "5", "about 5")
 # Not to be read, or only by guessing.
 for response in [
     "m", "x", "twelve", "1.2.3", "1,2,3", "1 2", "5 m 3", "5 mm 3 cm", "5 ± 0.1", "5 +/- 0.1 m", "4-5 m", "19-21", "2e", "2e m", "5e- m", "5 furlong", "5 N/m s", "5 J/kg·K",

@@ -99,10 +99,8 @@ impl Chosen {
 
     /// The only option that is this formula, however it is written.
     fn of_formula(&self, typed: &str) -> Option<usize> {
-        // `above: Ω > √2 ω_n` is a word and its formula.
-        let of_option =
-            |text: &String| Formula::of(text).or_else(|| Formula::of(text.split_once(':')?.1));
-        let formulas: Vec<Option<Formula>> = self.texts.iter().map(of_option).collect();
+        let formulas: Vec<Option<Formula>> =
+            self.texts.iter().map(|text| Formula::of(text)).collect();
         let typed = Formula::of(typed)?;
         let is_it = |place: &usize| formulas[*place].as_ref().is_some_and(|own| own.is(&typed));
         only((0..formulas.len()).filter(is_it))
