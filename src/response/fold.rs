@@ -140,7 +140,7 @@ fn is_plain(typed: &str) -> bool {
     is_kept_all
         && !(may_run && (RUNS.iter().any(|(run, _)| typed.contains(run)) || typed.contains("*^")))
         && !typed.contains("...")
-        && !typed.contains("\n")
+        && !typed.contains('\n')
         && !TURNS.iter().any(|(turn, _)| typed.contains(turn))
         && !(typed.contains('(') && ROOTS.iter().any(|root| typed.contains(root)))
         && !typed.split(' ').any(begins_words)
