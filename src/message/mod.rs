@@ -42,7 +42,7 @@ impl Language {
     /// # #[cfg(feature = "render")] {
     /// use vibank::{bank, message::Language};
     /// let (catalogue, _) = bank::Catalogue::load(bank::embedded());
-    /// let part = &catalogue.find("ch1/t1-two-springs").unwrap().parts[0];
+    /// let part = &catalogue.find("ch2/e8-springs-parallel-series").unwrap().parts[0];
     /// let said = Language::English.blank(&part.answer.blank());
     /// assert!(said.plain(&Vec::new()).starts_with('('));
     /// # }
