@@ -149,8 +149,13 @@ fn is_plain(typed: &str) -> bool {
 
 /// Whether one of the words that stand for others begins with a word.
 fn begins_words(own: &str) -> bool {
-    let begins = |words: &str| words.split(' ').next() == Some(own);
-    own.starts_with(|first: char| first.is_ascii_alphabetic())
+    let is_word = |byte: u8| byte.is_ascii_alphabetic() || byte == b'.';
+    let begins = |words: &str| {
+        let behind = words.as_bytes().get(own.len());
+        words.starts_with(own) && matches!(behind, None | Some(b' '))
+    };
+    own.len() > 1
+        && own.bytes().all(is_word)
         && (WORDS.iter().any(|(words, _)| begins(words)) || VERBS.iter().any(|verb| begins(verb)))
 }
 

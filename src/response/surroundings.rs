@@ -35,20 +35,20 @@ fn lead(text: &str) -> Option<usize> {
         return None;
     }
     LEADS.iter().find_map(|lead| {
-        let head = text.get(..lead.len())?;
-        let is_it = head.eq_ignore_ascii_case(lead);
-        let behind = text[lead.len()..].strip_prefix(':').map_or_else(
-            || {
-                text[lead.len()..]
-                    .starts_with(' ')
-                    .then(|| &text[lead.len()..])
-            },
-            Some,
-        );
-        let behind = behind.filter(|behind| is_it && !behind.trim().is_empty())?;
+        // Most answers begin with another letter than any of these words.
+        let is_it = lead.as_bytes()[0].eq_ignore_ascii_case(&text.as_bytes()[0])
+            && text
+                .get(..lead.len())
+                .is_some_and(|head| head.eq_ignore_ascii_case(lead));
+        let behind = text.get(lead.len()..).filter(|_| is_it)?;
+        let behind = match behind.strip_prefix(':') {
+            Some(behind) => behind,
+            None => behind.starts_with(' ').then_some(behind)?,
+        };
         // `=> 3` is at least three where nothing else relates.
-        let relates = behind.contains(['=', '<', '>', '≤', '≥', '≈']);
-        (*lead != "=>" || relates).then(|| text.len() - behind.len())
+        let relates = || behind.contains(['=', '<', '>', '≤', '≥', '≈']);
+        let is_lead = !behind.trim().is_empty() && (*lead != "=>" || relates());
+        is_lead.then(|| text.len() - behind.len())
     })
 }
 

@@ -81,6 +81,9 @@ impl Ends<'_> {
     /// A quantity, if a text is one.
     pub(super) fn quantity(&self, text: &str) -> Option<Quantity> {
         let (first, others) = numeric::readings(text, self.mark).ok()?;
+        if !others.is_empty() {
+            self.is_doubtful.set(true);
+        }
         let other = others.into_iter().next().filter(|_| self.is_otherwise);
         Some(other.unwrap_or(first))
     }

@@ -21,6 +21,7 @@ mod set;
 mod spelling;
 mod subject;
 
+use std::cell::Cell;
 use std::sync::Arc;
 
 use self::read::{Ends, Refusal};
@@ -440,31 +441,37 @@ impl Marker for Prepared {
     }
 
     fn mark(&self, response: &str) -> Marking {
-        let candidate = |is_otherwise| {
-            let marking = self.judged(response, is_otherwise);
+        let candidate = |marking: Marking| {
             let read = marking.reading.as_ref();
             let shown = read.map_or_else(String::new, |reading| reading.math.plain());
             Candidate { shown, marking }
         };
-        let first = candidate(false);
-        // Only a number with a comma or a point can be meant otherwise.
-        let may_differ = first.marking.reading.is_some() && response.contains([',', '.']);
-        let other = may_differ.then(|| candidate(true));
-        let other = other.filter(|other| other.shown != first.shown);
+        let (first, is_doubtful) = self.judged(response, false);
+        if !is_doubtful || first.reading.is_none() {
+            return first;
+        }
+        let (first, other) = (candidate(first), candidate(self.judged(response, true).0));
+        let other = Some(other).filter(|other| other.shown != first.shown);
         settle(self.doubt, Rule::None, first, other)
     }
 }
 
 impl Prepared {
-    /// The marking of one reading of a response.
-    fn judged(&self, response: &str, is_otherwise: bool) -> Marking {
+    /// The marking of one reading of a response, and whether there is another.
+    fn judged(&self, response: &str, is_otherwise: bool) -> (Marking, bool) {
         let ends = Ends {
             setup: &self.setup,
             data: &self.data,
             mark: self.mark,
             is_otherwise,
+            is_doubtful: Cell::new(false),
         };
-        let typed = match ends.read(response) {
+        let read = ends.read(response);
+        (self.marked(response, read), ends.is_doubtful.get())
+    }
+
+    fn marked(&self, response: &str, read: Result<Set, Refusal>) -> Marking {
+        let typed = match read {
             Ok(set) => set.cut(self.within.as_ref()),
             Err(Refusal::Unread(why)) => return Marking::unreadable(*why),
             Err(Refusal::Misfit(misfit)) => {

@@ -1,5 +1,7 @@
 //! Reads inequalities and intervals.
 
+use std::cell::Cell;
+
 use super::Setup;
 use super::set::{End, Piece, Set};
 use super::spelling::{normalized, spelt, unbracketed};
@@ -17,6 +19,8 @@ pub(super) struct Ends<'a> {
     pub(super) mark: DecimalMark,
     /// Whether numbers that may be meant otherwise are, `1,250` as a decimal or in thousands.
     pub(super) is_otherwise: bool,
+    /// Whether a number may be meant otherwise; noted while a set is read.
+    pub(super) is_doubtful: Cell<bool>,
 }
 
 /// Why a response is no set.
