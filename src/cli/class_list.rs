@@ -31,7 +31,7 @@ pub(crate) fn read(path: &Path, columns: &Columns) -> Result<Vec<Student>, Failu
     let headings = table.headings.len();
     let begins_row = |row: &Row<'_>| row.cells.len() == headings && headings > 1;
     for row in table.rows(&begins_row) {
-        let row = row.map_err(|fault| refuse(&fail, &fault))?;
+        let row = row.map_err(|broken| refuse(&fail, &broken.fault))?;
         let line = row.line;
         let mut used = places.columns();
         if let Some((at, spoilt)) = used.find_map(|at| Some((at, table.spoilt(line, at)?))) {

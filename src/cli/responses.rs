@@ -1,6 +1,6 @@
 //! Response files: CSV or JSON, with one row a part or one row a sheet.
 //!
-//! A row that cannot be read is told with its line; the others count.
+//! A row that cannot be read is reported with its line, and what it answers is open; the others count.
 
 use std::path::Path;
 
@@ -63,13 +63,19 @@ impl Reading {
         for row in table.rows(&begins_row) {
             match row {
                 Ok(row) => layout.rows(&row, &mut |at, response| match table.spoilt(row.line, at) {
-                    Some(spoilt) => self.faults.push(format!(
-                        "row {}, column `{}`: {spoilt}; format the column as text, and type the answer again",
-                        row.line, table.headings[at]
-                    )),
+                    Some(spoilt) => {
+                        self.faults.push(format!(
+                            "row {}, column `{}`: {spoilt}; format the column as text, and type the answer again",
+                            row.line, table.headings[at]
+                        ));
+                        self.responses.add_open(response);
+                    }
                     None => self.add(response),
                 }),
-                Err(fault) => self.faults.push(format!("{fault}; this line was left out")),
+                Err(broken) => {
+                    self.faults.push(format!("{broken}; what it answers is not decided"));
+                    layout.rows(&broken.row, &mut |_, response| self.responses.add_open(response));
+                }
             }
         }
         Ok(())

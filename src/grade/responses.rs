@@ -1,7 +1,7 @@
 //! Rows of a response file, sorted out: one response for each part of each sheet.
 
 use std::cmp::Ordering;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use crate::seed::Variant;
@@ -45,7 +45,7 @@ pub enum RowError {
     },
     /// Rows that contradict each other.
     #[error(
-        "line {line}: part {}{} of sheet {} was already answered differently in line {first}; neither counts",
+        "line {line}: part {}{} of sheet {} was already answered differently in line {first}; which of them counts is not decided",
         .place.question, .place.part, .place.code
     )]
     Contradiction {
@@ -69,10 +69,15 @@ pub enum RowError {
 }
 
 /// The responses of a file, one for each place, held compactly.
+///
+/// Where something was answered and the file does not say what, the place is [open](Self::open): it is neither an
+/// answer nor a missing one.
 #[derive(Debug, Default)]
 pub struct Responses {
     texts: String,
     rows: Vec<Kept>,
+    /// Sheets with a row whose part is not known, and what that row holds.
+    open_sheets: BTreeMap<String, String>,
 }
 
 /// A row with its texts in one string.
@@ -83,12 +88,14 @@ struct Kept {
     code: Range<u32>,
     part: Range<u32>,
     response: Range<u32>,
+    /// Whether it is not known what was answered.
+    is_open: bool,
     is_claimed: bool,
 }
 
 impl Responses {
-    /// Sorts out rows. Of several rows for one place the last that is not empty counts if all others are equal or
-    /// empty; else none counts. What is wrong is told in the order of the lines.
+    /// Sorts out rows. Of several rows for one place the first that is not empty counts if all others are equal or
+    /// empty; else the place is open. What is wrong is reported in the order of the lines.
     pub fn collect<'a>(rows: impl IntoIterator<Item = Row<'a>>) -> (Self, Vec<RowError>) {
         let mut all = Self::default();
         let mut errors: Vec<RowError> = rows.into_iter().filter_map(|row| all.add(&row)).collect();
@@ -98,52 +105,81 @@ impl Responses {
 
     /// Adds a row; [`Self::settle`] has to follow the last one.
     pub fn add(&mut self, row: &Row<'_>) -> Option<RowError> {
-        let line = row.line;
-        // Some spreadsheets write whole numbers with a decimal.
-        let number = row.question.trim();
-        let Ok(question) = number.strip_suffix(".0").unwrap_or(number).parse() else {
-            let found = row.question.to_owned();
-            return Some(RowError::Question { line, found });
-        };
-        let code = row.code.trim();
-        let code = match code.parse::<Variant>() {
-            Ok(variant) => variant.to_string(),
-            Err(_) => code.to_uppercase(),
-        };
-        let kept = Kept {
-            line,
-            question,
-            code: self.text(&code),
-            part: self.text(&row.part.trim().to_lowercase()),
-            response: self.text(row.response.trim()),
-            is_claimed: false,
-        };
-        self.rows.push(kept);
+        match question(row) {
+            Some(question) => self.keep(row, question, false),
+            None => {
+                self.open_sheet(row);
+                return Some(RowError::Question {
+                    line: row.line,
+                    found: row.question.to_owned(),
+                });
+            }
+        }
         None
     }
 
-    /// Leaves one row for each place, and tells which rows contradict each other, by line.
+    /// Notes a row that says that something was answered, but not what: its line could not be read. Where it does not
+    /// even say in which part, all parts of its sheet that have no other row are open.
+    pub fn add_open(&mut self, row: &Row<'_>) {
+        match question(row) {
+            Some(question) if !row.part.trim().is_empty() => self.keep(row, question, true),
+            _ => self.open_sheet(row),
+        }
+    }
+
+    fn keep(&mut self, row: &Row<'_>, question: usize, is_open: bool) {
+        let kept = Kept {
+            line: row.line,
+            question,
+            code: self.text(&code(row)),
+            part: self.text(&row.part.trim().to_lowercase()),
+            response: self.text(row.response.trim()),
+            is_open,
+            is_claimed: false,
+        };
+        self.rows.push(kept);
+    }
+
+    fn open_sheet(&mut self, row: &Row<'_>) {
+        self.open_sheets
+            .insert(code(row), row.response.trim().to_owned());
+    }
+
+    /// Leaves one row for each place, and reports which rows contradict each other, by line.
     pub fn settle(&mut self) -> Vec<RowError> {
         let mut rows = std::mem::take(&mut self.rows);
         rows.sort_by(|a, b| self.order(a, b).then(a.line.cmp(&b.line)));
         let (mut settled, mut errors) = (Vec::new(), Vec::new());
+        let mut contradictions = Vec::new();
         for group in rows.chunk_by(|a, b| self.order(a, b).is_eq()) {
             let response = |row: &Kept| self.slice(&row.response);
-            let mut answered = group.iter().filter(|row| !response(row).is_empty());
-            let first = answered.next().unwrap_or(&group[0]);
-            match answered.find(|row| response(row) != response(first)) {
-                Some(other) => errors.push(RowError::Contradiction {
+            let mut answered = group
+                .iter()
+                .filter(|row| !row.is_open && !response(row).is_empty());
+            let open = group.iter().find(|row| row.is_open);
+            let first = answered.next().or(open).unwrap_or(&group[0]);
+            let kept = Kept {
+                code: first.code.clone(),
+                part: first.part.clone(),
+                response: first.response.clone(),
+                ..*first
+            };
+            if let Some(other) = answered.find(|row| response(row) != response(first)) {
+                contradictions.push((
+                    settled.len(),
+                    format!("{} | {}", response(first), response(other)),
+                ));
+                errors.push(RowError::Contradiction {
                     line: other.line,
                     first: first.line,
                     place: self.place(other),
-                }),
-                None => settled.push(Kept {
-                    code: first.code.clone(),
-                    part: first.part.clone(),
-                    response: first.response.clone(),
-                    ..*first
-                }),
+                });
             }
+            settled.push(kept);
+        }
+        for (at, both) in contradictions {
+            settled[at].response = self.text(&both);
+            settled[at].is_open = true;
         }
         self.rows = settled;
         errors.sort_by_key(|error| match error {
@@ -153,16 +189,35 @@ impl Responses {
         errors
     }
 
-    /// The response at a place, if it has a row.
+    /// The response at a place, if it has a row that says it.
     pub fn get(&self, place: &Place) -> Option<&str> {
-        let found = self.find(place).ok()?;
-        Some(self.slice(&self.rows[found].response))
+        let row = &self.rows[self.find(place).ok()?];
+        (!row.is_open).then(|| self.slice(&row.response))
+    }
+
+    /// What the file holds for a place at which something was answered, though it does not say what: a line that could
+    /// not be read, or answers that contradict each other.
+    pub fn open(&self, place: &Place) -> Option<&str> {
+        match self.find(place) {
+            Ok(found) => {
+                let row = &self.rows[found];
+                row.is_open.then(|| self.slice(&row.response))
+            }
+            Err(_) => self.open_sheets.get(&place.code).map(String::as_str),
+        }
     }
 
     /// The codes of the sheets that somebody answered.
     pub fn codes(&self) -> BTreeSet<&str> {
-        let answered = self.rows.iter().filter(|row| !row.response.is_empty());
-        answered.map(|row| self.slice(&row.code)).collect()
+        let answered = self
+            .rows
+            .iter()
+            .filter(|row| row.is_open || !row.response.is_empty());
+        let open = self.open_sheets.keys().map(String::as_str);
+        answered
+            .map(|row| self.slice(&row.code))
+            .chain(open)
+            .collect()
     }
 
     /// Notes that a place was handed out.
@@ -172,9 +227,9 @@ impl Responses {
         }
     }
 
-    /// The rows with a response that nobody claimed, by line.
+    /// The rows with a response that nobody claimed, by line; those of open places were reported before.
     pub fn unclaimed(&self) -> Vec<RowError> {
-        let lost = |row: &&Kept| !row.is_claimed && !row.response.is_empty();
+        let lost = |row: &&Kept| !row.is_claimed && !row.is_open && !row.response.is_empty();
         let mut errors: Vec<(usize, RowError)> = self
             .rows
             .iter()
@@ -231,6 +286,21 @@ impl Responses {
     }
 }
 
+/// The number of a row's question. Some spreadsheets write integers with a decimal.
+fn question(row: &Row<'_>) -> Option<usize> {
+    let number = row.question.trim();
+    number.strip_suffix(".0").unwrap_or(number).parse().ok()
+}
+
+/// The code of a row's sheet as it is printed, where it is one.
+fn code(row: &Row<'_>) -> String {
+    let code = row.code.trim();
+    match code.parse::<Variant>() {
+        Ok(variant) => variant.to_string(),
+        Err(_) => code.to_uppercase(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -262,9 +332,10 @@ mod tests {
     }
 
     #[test]
-    fn rows_that_contradict_each_other_count_not_at_all() {
+    fn rows_that_contradict_each_other_leave_their_place_open() {
         let (kept, errors) = Responses::collect([row(2, "5 m"), row(3, "6 m"), row(4, "5 m")]);
         assert_eq!(kept.get(&place()), None);
+        assert_eq!(kept.open(&place()), Some("5 m | 6 m"));
         assert_eq!(errors.len(), 1);
         let words = errors[0].to_string();
         assert!(
@@ -283,5 +354,44 @@ mod tests {
         );
         kept.claim(&place());
         assert!(kept.unclaimed().is_empty());
+    }
+
+    #[test]
+    fn a_line_that_cannot_be_read_leaves_its_place_open() {
+        let mut kept = Responses::default();
+        kept.add_open(&row(2, "\"5 m"));
+        assert_eq!(kept.settle(), []);
+        assert_eq!(
+            (kept.get(&place()), kept.open(&place())),
+            (None, Some("\"5 m"))
+        );
+        assert_eq!(kept.unclaimed(), []);
+        // Typed once more in a line of its own, it is known.
+        kept.add(&row(3, "5 m"));
+        assert_eq!(kept.settle(), []);
+        assert_eq!(
+            (kept.get(&place()), kept.open(&place())),
+            (Some("5 m"), None)
+        );
+    }
+
+    #[test]
+    fn a_row_without_its_part_leaves_what_has_no_row_open() {
+        let shifted = Row {
+            question: "Ann",
+            ..row(2, "1")
+        };
+        let mut kept = Responses::default();
+        assert!(kept.add(&shifted).is_some());
+        kept.settle();
+        assert_eq!(kept.open(&place()), Some("1"));
+        kept.add(&row(3, "5 m"));
+        kept.settle();
+        assert_eq!(kept.open(&place()), None);
+        let other = Place {
+            code: "XY7".to_owned(),
+            ..place()
+        };
+        assert_eq!(kept.open(&other), None);
     }
 }

@@ -33,6 +33,8 @@ struct Answered<'a> {
     place: usize,
     max: Rational,
     given: &'a str,
+    /// Whether `given` is what the file holds, which does not say what was answered.
+    is_open: bool,
     decision: Option<&'a Override>,
 }
 
@@ -42,7 +44,14 @@ impl<'a> Answered<'a> {
         let read = self
             .decision
             .and_then(|decision| decision.response.as_deref());
-        read.unwrap_or(self.given)
+        read.unwrap_or(if self.is_open { "" } else { self.given })
+    }
+
+    /// Whether nobody has said yet what was answered.
+    fn is_undecided(&self) -> bool {
+        let is_settled =
+            |decision: &Override| decision.response.is_some() || decision.points.is_some();
+        self.is_open && !self.decision.is_some_and(is_settled)
     }
 }
 
@@ -126,13 +135,15 @@ impl Marker<'_> {
                 question: question.number,
                 part: entry.letter.clone(),
             };
-            let given = self.responses.get(&at).unwrap_or_default();
+            let open = self.responses.open(&at);
+            let given = open.or_else(|| self.responses.get(&at)).unwrap_or_default();
             let alike = Alike::new(template.id.as_str(), &entry.id, given);
             Answered {
                 entry,
                 place,
                 max: exact(entry.points),
                 given,
+                is_open: open.is_some(),
                 decision: self.overrides.find(&at, &alike),
             }
         });
@@ -160,6 +171,13 @@ fn marked(
         .collect();
     let (mut verdict, mut credit) = (marking.verdict, marking.credit.share());
     let mut points = grade::of_marking(marking, part.max);
+    if part.is_undecided() {
+        verdict = Verdict::Unreadable;
+        reasons = vec!["unreadable".to_owned()];
+        remarks = vec![Comment::sentence(
+            "The file of responses does not say clearly what was answered here.",
+        )];
+    }
     if let Some(decision) = part.decision {
         reasons.insert(0, "override".to_owned());
         if let Some(settled) = decision.points {
@@ -206,7 +224,7 @@ fn marked(
         response: part.given.to_owned(),
         reading: marking.reading.as_ref().map(|reading| reading.math.clone()),
         // The page says the verdict itself.
-        remarks: if marking.remarks.is_empty() && part.decision.is_none() {
+        remarks: if marking.remarks.is_empty() && part.decision.is_none() && !part.is_undecided() {
             Vec::new()
         } else {
             remarks

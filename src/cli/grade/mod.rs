@@ -456,7 +456,7 @@ fn told(analysis: &Analysis, lost: &[Lost], faults: &[String]) {
     let title = format!("{unreadable} could not be read, and are not yet decided:");
     list(&title, &mut lost.iter().map(line_of), lost.len());
     list(
-        "rows that were left out:",
+        "rows to look at:",
         &mut faults.iter().cloned(),
         faults.len(),
     );

@@ -61,6 +61,14 @@ pub(crate) enum Fault {
     },
 }
 
+/// A row that cannot be read: what is wrong, and its first line cut at each delimiter, which may tell whose it is.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{fault}")]
+pub(crate) struct Broken<'t> {
+    pub(crate) fault: Fault,
+    pub(crate) row: Row<'t>,
+}
+
 /// A place in a text table.
 #[derive(Clone)]
 pub(super) struct Cursor<'t> {
@@ -96,7 +104,7 @@ impl<'t> Cursor<'t> {
     pub(super) fn row(
         &mut self,
         begins_row: &dyn Fn(&Row<'_>) -> bool,
-    ) -> Option<Result<Row<'t>, Fault>> {
+    ) -> Option<Result<Row<'t>, Broken<'t>>> {
         if self.at >= self.text.len() {
             return None;
         }
@@ -124,11 +132,24 @@ impl<'t> Cursor<'t> {
             }
             other => other,
         };
-        if read.is_err() {
-            (self.at, self.line) = (start, line);
-            self.end_of_row();
-        }
-        Some(read.map(|()| Row { line, cells }))
+        Some(match read {
+            Ok(()) => Ok(Row { line, cells }),
+            Err(fault) => {
+                (self.at, self.line) = (start, line);
+                self.end_of_row();
+                let cells = self.pieces(&self.text[start..self.at]);
+                let row = Row { line, cells };
+                Err(Broken { fault, row })
+            }
+        })
+    }
+
+    /// A line cut at each delimiter, whatever its quotes are.
+    fn pieces(&self, line: &'t str) -> Vec<Cow<'t, str>> {
+        let cells = line.split(char::from(self.delimiter));
+        cells
+            .map(|cell| Cow::Borrowed(cell.trim().trim_matches('"').trim()))
+            .collect()
     }
 
     /// Whether one of the lines that follow is a row.

@@ -5,7 +5,7 @@ mod decode;
 mod dialect;
 pub(crate) mod workbook;
 
-pub(crate) use self::cells::{Fault, Row};
+pub(crate) use self::cells::{Broken, Fault, Row};
 pub(crate) use self::dialect::Dialect;
 pub(crate) use self::workbook::Spoilt;
 
@@ -138,7 +138,7 @@ impl Table {
     pub(crate) fn rows<'t>(
         &'t self,
         begins_row: &'t dyn Fn(&Row<'_>) -> bool,
-    ) -> impl Iterator<Item = Result<Row<'t>, Fault>> {
+    ) -> impl Iterator<Item = Result<Row<'t>, Broken<'t>>> {
         let delimiter = self.delimiter().map(char::from);
         let is_headed = |(at, cell): (usize, &Cow<'_, str>)| {
             let heading = self.headings.get(at);
@@ -147,16 +147,14 @@ impl Table {
         self.all(begins_row).skip(1).map(move |row| {
             let row = row?;
             if row.cells.iter().enumerate().all(is_headed) {
-                Ok(row)
-            } else {
-                let line = row.line;
-                Err(
-                    delimiter.map_or(Fault::Unheaded { line }, |delimiter| Fault::Wide {
-                        line,
-                        delimiter,
-                    }),
-                )
+                return Ok(row);
             }
+            let line = row.line;
+            let fault = delimiter.map_or(Fault::Unheaded { line }, |delimiter| Fault::Wide {
+                line,
+                delimiter,
+            });
+            Err(Broken { fault, row })
         })
     }
 
@@ -203,7 +201,7 @@ impl Table {
     fn all<'t>(
         &'t self,
         begins_row: &'t dyn Fn(&Row<'_>) -> bool,
-    ) -> impl Iterator<Item = Result<Row<'t>, Fault>> {
+    ) -> impl Iterator<Item = Result<Row<'t>, Broken<'t>>> {
         let (text, rows): (_, &[(usize, Vec<String>)]) = match &self.body {
             Body::Text { text, delimiter } => (Some((text, *delimiter)), &[]),
             Body::Rows(rows) => (None, rows),

@@ -150,7 +150,7 @@ fn a_filled_form_is_marked_row_by_row_and_nothing_is_lost() {
         (5, "wrong", "mistake-1"),
         (6, "missing", "missing"),
         (7, "right", "matches"),
-        (8, "missing", "missing"),
+        (8, "unreadable", "unreadable"),
         (9, "right", "matches"),
         (10, "unreadable", "unreadable"),
         (11, "unreadable", "unreadable"),
@@ -740,7 +740,10 @@ fn broken_rows_are_told_and_the_rest_is_marked() {
     small(&["grade", &manifest, &form, "--out", &out])
         .ends(1)
         .complains("line 2: a quote is not closed")
-        .says("2 right");
+        .says("2 right, 1 unreadable");
+    let marks = content(exam.folder.join("marks/marks.csv"));
+    let row = marks.lines().find(|line| line.starts_with(&exam.code(0)));
+    assert!(row.is_some_and(|row| row.contains('?')), "{marks}");
     let list = format!(
         "[17, {{\"code\":\"{0}\",\"1a\":\"{1:.4} rad/s\",\"1b\":null}}, {{\"part\":\"a\"}}, \
          {{\"code\":\"{0}\",\"question\":{{}},\"part\":\"a\"}}]",
