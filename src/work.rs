@@ -83,6 +83,41 @@ pub fn spend(units: u64) -> Result<(), Exhausted> {
     }
 }
 
+/// Work in pieces, each of which adds to what the next ones may take: many pieces may cost much, a few may not.
+///
+/// ```
+/// use vibank::work::{Allowance, spend};
+/// let mut allowance = Allowance::new(50, 10);
+/// // The pieces take 30 each, and 10 are added before each.
+/// let pieces = (1..).take_while(|_| allowance.take(|| spend(30)).is_some());
+/// assert_eq!(pieces.count(), 2);
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Allowance {
+    left: u64,
+    each: u64,
+}
+
+impl Allowance {
+    /// Units for all pieces together, and units that each piece adds.
+    pub const fn new(first: u64, each: u64) -> Self {
+        Self { left: first, each }
+    }
+
+    /// What so many pieces may take together, none having been run yet.
+    pub fn after(&self, pieces: u64) -> u64 {
+        self.left.saturating_add(pieces.saturating_mul(self.each))
+    }
+
+    /// Runs a piece; `None` where it asks for more than is left, so that what it gave is not complete.
+    pub fn take<T>(&mut self, piece: impl FnOnce() -> T) -> Option<T> {
+        self.left += self.each;
+        let spent = within(self.left, piece);
+        self.left -= spent.units;
+        (!spent.is_exhausted).then_some(spent.value)
+    }
+}
+
 /// Gives the outer budget back, less what was spent, also where the task panics.
 struct Scope {
     outer: Budget,

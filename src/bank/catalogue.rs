@@ -83,6 +83,11 @@ impl Catalogue {
         self.reading(entry).template.as_ref()
     }
 
+    /// Whether the bank has an item of this identity; where [`find`](Self::find) has none, its file has findings.
+    pub fn has(&self, id: &str) -> bool {
+        self.by_id.contains_key(id)
+    }
+
     /// Reads an item and keeps nothing of it, for who looks at one item of a large bank after the other: its template,
     /// if it can be used, and what is wrong with its file.
     pub fn read_apart(&self, id: &ItemId) -> (Option<Template>, Vec<Finding>) {

@@ -79,7 +79,7 @@ impl Catalogue {
                 .about
                 .after
                 .iter()
-                .filter(|after| self.find(&after.value).is_none())
+                .filter(|after| !self.has(&after.value))
             {
                 let error = FolderError::After {
                     item: item.id.to_string(),

@@ -64,9 +64,15 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         return of_blueprint(arguments, blueprint, &catalogue);
     }
     let Some(manifest) = &arguments.manifest else {
-        let failure = Failure::new(format!("there is no item `{}`", arguments.item));
+        let wanted = &arguments.item;
+        if catalogue.has(wanted) {
+            let failure =
+                Failure::new(format!("there is something wrong with the item `{wanted}`"));
+            return Err(failure.help(format!("`vibank check {wanted}` shows what it is")));
+        }
+        let failure = Failure::new(format!("there is no item `{wanted}`"));
         let is_code = arguments.item.parse::<Variant>().is_ok();
-        return Err(match catalogue.nearest(&arguments.item) {
+        return Err(match catalogue.nearest(wanted) {
             _ if is_code => failure.help(
                 "for the code of a sheet give its manifest: `--manifest FOLDER/manifest.json`, \
                  or its `--blueprint`",

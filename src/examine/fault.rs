@@ -107,6 +107,10 @@ pub(super) enum Fault {
     NoHint { part: String },
     #[error("part `{part}` has no worked solution")]
     NoSolution { part: String },
+    #[error(
+        "{draws} draws of this item take more than {limit} million steps; the other draws were not examined"
+    )]
+    Work { draws: u64, limit: u64 },
 }
 
 impl Fault {
@@ -130,7 +134,8 @@ impl Fault {
             Self::Redrawn { .. }
             | Self::Unfit { .. }
             | Self::VariantsDiffer { .. }
-            | Self::UnusedDatum { .. } => None,
+            | Self::UnusedDatum { .. }
+            | Self::Work { .. } => None,
         }
     }
 
@@ -209,6 +214,7 @@ impl Diagnose for Fault {
             Self::NoSecondRoute { .. } => Code::CHECK_NO_SECOND_ROUTE,
             Self::NoHint { .. } => Code::CHECK_NO_HINT,
             Self::NoSolution { .. } => Code::CHECK_NO_SOLUTION,
+            Self::Work { .. } => Code::SIZE,
         }
     }
 
@@ -279,6 +285,9 @@ impl Diagnose for Fault {
             }
             Self::NoHint { .. } => "give `hints`: first the principle, then the first step",
             Self::NoSolution { .. } => "give `solution`",
+            Self::Work { .. } => {
+                "write integrals and roots in closed form, or keep them out of each other and away from singular ends"
+            }
         };
         Some(help.to_owned())
     }

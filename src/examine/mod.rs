@@ -21,7 +21,7 @@ use crate::answer::{KeyValue, Kind};
 use crate::bank::{Rule, Template};
 use crate::diagnostic::Finding;
 use crate::expr::Name;
-use crate::instance::Instance;
+use crate::instance::{self, Instance};
 use crate::numerics::Rational;
 use crate::seed::Seed;
 use crate::solution::Solution;
@@ -69,13 +69,30 @@ impl Examination {
     /// ```
     pub fn of(template: &Template, seeds: u64) -> Self {
         let mut course = Course::of(template);
+        let mut allowance = instance::DRAWS;
         for seed in 0..seeds {
             let Ok(instance) = Instance::draw(template, Seed::new(seed)) else {
                 break;
             };
-            course.add(instance, seed);
+            if allowance.take(|| course.add(instance, seed)).is_none() {
+                return Self::broken_off(template, seed + 1);
+            }
         }
         course.finish()
+    }
+
+    /// What is left to say where the draws take too much work: what was seen until then is not complete.
+    fn broken_off(template: &Template, draws: u64) -> Self {
+        let fault = Fault::Work {
+            draws,
+            limit: instance::DRAWS.after(draws) / 1_000_000,
+        };
+        Self {
+            item: template.id.to_string(),
+            parts: Vec::new(),
+            allowed: Vec::new(),
+            findings: vec![fault.finding(template)],
+        }
     }
 }
 

@@ -11,7 +11,7 @@ use crate::expr::Precise;
 use crate::quantity::Evaluation;
 use crate::seed::{Seed, Stream, Streams};
 use crate::unit::Quantity;
-use crate::work;
+use crate::work::{self, Allowance};
 
 /// The data of an item.
 #[derive(Clone, Debug)]
@@ -57,6 +57,10 @@ pub enum InstanceError {
         error: ParameterError,
     },
 }
+
+/// What looking over many draws of an item may cost: three of those that use up all that a value may take, or any number
+/// of ordinary ones. The items that come with the program take up to 2.8 million units a draw.
+pub const DRAWS: Allowance = Allowance::new(40_000_000, 4_000_000);
 
 /// Draws that are made before giving up.
 const MOST_DRAWS: u32 = 1000;

@@ -74,7 +74,7 @@ impl<'c> Session<'c> {
         let found = self.catalogue.find(id);
         let is_first = !std::mem::replace(&mut self.is_lost, found.is_none());
         found.ok_or_else(|| {
-            if self.catalogue.ids().any(|own| own.as_str() == id) {
+            if self.catalogue.has(id) {
                 let message = format!("the item `{id}` has findings that `vibank check` shows");
                 return Refusal::new("unknown-item", message);
             }

@@ -12,7 +12,7 @@ use serde::Serialize;
 pub use answers::AnswerSurvey;
 
 use crate::bank::Template;
-use crate::instance::Instance;
+use crate::instance::{self, Instance};
 use crate::seed::Seed;
 use crate::solution::{Solution, proof};
 use crate::suitability;
@@ -65,7 +65,7 @@ pub struct Disagreement {
 }
 
 impl Survey {
-    /// Draws an item so many times.
+    /// Draws an item so many times; less often where its draws take [too much work](instance::DRAWS).
     pub fn over(template: &Template, seeds: u64) -> Self {
         let grid = template
             .parameters
@@ -83,15 +83,23 @@ impl Survey {
             answers: AnswerSurvey::of_parts(template),
         };
         let (mut redraws, mut unfit) = (0_u64, 0_u64);
+        let mut allowance = instance::DRAWS;
         for seed in 0..seeds {
             let Ok(instance) = Instance::draw(template, Seed::new(seed)) else {
                 break;
             };
+            let own = u64::from(instance.redraws());
+            let judged = allowance.take(|| {
+                let solution = Solution::of(instance);
+                survey.compare(&solution, seed);
+                survey.judge(&solution)
+            });
+            let Some(is_fit) = judged else {
+                break;
+            };
             survey.draws += 1;
-            redraws += u64::from(instance.redraws());
-            let solution = Solution::of(instance);
-            survey.compare(&solution, seed);
-            unfit += u64::from(!survey.judge(&solution));
+            redraws += own;
+            unfit += u64::from(!is_fit);
         }
         survey.redrawn = share(redraws, redraws + survey.draws);
         survey.unfit = share(unfit, survey.draws);

@@ -48,6 +48,8 @@ enum PlanError {
         nearest: Option<String>,
         span: Span,
     },
+    #[error("there is something wrong with the item `{found}`")]
+    Broken { found: String, span: Span },
     #[error("`{item}` has no part `{found}`")]
     Part {
         item: String,
@@ -416,11 +418,15 @@ impl<'c> Planner<'c> {
     }
 
     fn unknown_item(&mut self, text: &Text) {
-        let near = self.catalogue.nearest(&text.value).map(str::to_owned);
+        let (found, span) = (text.value.clone(), text.span);
+        if self.catalogue.has(&found) {
+            return self.find(&PlanError::Broken { found, span });
+        }
+        let nearest = self.catalogue.nearest(&found).map(str::to_owned);
         self.find(&PlanError::Item {
-            found: text.value.clone(),
-            nearest: near,
-            span: text.span,
+            found,
+            nearest,
+            span,
         });
     }
 
@@ -437,6 +443,7 @@ impl Diagnose for PlanError {
 
     fn labels(&self) -> Vec<Label> {
         let (Self::Item { span, .. }
+        | Self::Broken { span, .. }
         | Self::Part { span, .. }
         | Self::Parameter { span, .. }
         | Self::Value { span, .. }
@@ -459,6 +466,7 @@ impl Diagnose for PlanError {
                 Some(near) => Some(format!("did you mean `{near}`?")),
                 None => Some("`vibank list` shows all items".to_owned()),
             },
+            Self::Broken { found, .. } => Some(format!("`vibank check {found}` shows what it is")),
             Self::Part { nearest, .. } | Self::Parameter { nearest, .. } => nearest
                 .as_ref()
                 .map(|near| format!("did you mean `{near}`?")),

@@ -5,12 +5,14 @@ use vibank::answer::Verdict;
 use vibank::bank::{Catalogue, embedded};
 use vibank::diagnostic::Finding;
 use vibank::document::Document;
+use vibank::examine::Examination;
 use vibank::expr::{Expr, Normal};
 use vibank::grade::{LONGEST_RESPONSE, mark};
 use vibank::instance::Instance;
 use vibank::scene::{Data, Scene, Undrawn, undrawn};
 use vibank::seed::Seed;
 use vibank::solution::{Solution, proof};
+use vibank::survey::Survey;
 use vibank::work::within;
 
 /// More than any bound.
@@ -242,6 +244,30 @@ fn a_constraint_that_never_holds_is_an_error() {
 }
 
 /// An item with a part of every kind.
+#[test]
+fn an_examination_ends_where_its_draws_take_too_much() {
+    let (catalogue, findings) = bank(&item(
+        "Costly",
+        "",
+        "<< m >>, << k >>",
+        "mistakes = [{ answer = 'omega_n*integral(sin(1/y), y, 0, 1)', feedback = 'No.' }]",
+    ));
+    assert!(findings.is_empty(), "{findings:#?}");
+    let item = catalogue.find("ch1/x").expect("it can be read");
+    let examined = within(MUCH, || Examination::of(item, 200));
+    assert!(examined.units < 100_000_000, "{} units", examined.units);
+    let found: Vec<String> = examined
+        .value
+        .findings
+        .iter()
+        .map(ToString::to_string)
+        .collect();
+    one(&found, "bank::size", "were not examined");
+    let survey = within(MUCH, || Survey::over(item, 200));
+    assert!(survey.units < 100_000_000, "{} units", survey.units);
+    assert!(survey.value.draws < 20);
+}
+
 fn kinds() -> Catalogue {
     let (catalogue, _) = Catalogue::load([
         ("bank.toml", "format = 1\ntitle = 'Test'\n"),

@@ -102,6 +102,10 @@ fn chosen<'c>(
     if wanted.is_empty() || filter.unknown(catalogue).is_some() {
         return Err(filter.refusal(catalogue));
     }
+    if catalogue.has(wanted) {
+        let failure = Failure::new(format!("there is something wrong with the item `{wanted}`"));
+        return Err(failure.help(format!("`vibank check {wanted}` shows what it is")));
+    }
     let failure = Failure::new(format!("no item fits `{wanted}`"));
     Err(match catalogue.nearest(wanted) {
         Some(near) => failure.help(format!("did you mean `{near}`?")),

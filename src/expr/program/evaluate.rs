@@ -127,11 +127,13 @@ impl Program {
             room.0.resize(size, S::exact(0.0));
         }
         let mut machine = Machine::new(self, &inputs, &mut room.0);
-        let steps = self.code.len() as u64 * weight::<S>();
+        let length = self.code.len() as u32;
         let run = work::within(MOST_WORK, || {
-            // What runs out in a search is found there.
-            let _ = work::spend(steps);
-            machine.run(0, self.code.len() as u32)
+            let run = machine.run(0, length);
+            // The branches that are not taken cost nothing. What runs out in a search was found there.
+            let steps = *run.as_ref().unwrap_or(&u64::from(length));
+            let _ = work::spend(steps * weight::<S>());
+            run
         });
         run.value?;
         let is_open = machine.doubt.is_open;

@@ -44,11 +44,13 @@ impl<'a, S: Scalar> Machine<'a, S> {
         }
     }
 
-    /// Runs the steps from `at` up to `end`.
-    pub(super) fn run(&mut self, at: u32, end: u32) -> Result<(), Absence> {
+    /// Runs the steps from `at` up to `end`; how many were taken, without those within searches.
+    pub(super) fn run(&mut self, at: u32, end: u32) -> Result<u64, Absence> {
         let code = &self.program.code;
         let mut at = at as usize;
+        let mut steps = 0;
         while at < end as usize {
+            steps += 1;
             let Instruction { step, out } = code[at];
             match self.step(&step, out, at) {
                 Ok(None) => at += 1,
@@ -56,7 +58,7 @@ impl<'a, S: Scalar> Machine<'a, S> {
                 Err(stop) => return Err(self.absence(stop, at)),
             }
         }
-        Ok(())
+        Ok(steps)
     }
 
     #[cold]

@@ -94,6 +94,40 @@ fn an_item_is_shown_with_the_data_of_its_source() {
 }
 
 #[test]
+fn an_item_that_cannot_be_used_is_no_unknown_one() {
+    let folder = folder("commands-broken");
+    std::fs::create_dir_all(folder.join("bank/ch1")).expect("the folder can be made");
+    put(&folder, "bank/bank.toml", "format = 1\ntitle = 'Test'\n");
+    put(
+        &folder,
+        "bank/ch1/_chapter.toml",
+        "title = 'One'\nnumber = 1\n",
+    );
+    put(
+        &folder,
+        "bank/ch1/x.toml",
+        "[item]\ntitle = 'Nothing is asked'\n",
+    );
+    let bank = text_of(&folder.join("bank"));
+    let exam = put(
+        &folder,
+        "exam.toml",
+        "title = 'T'\nseed = 1\nvariants = 1\n[[question]]\nitem = 'ch1/x'\n",
+    );
+    let out = text_of(&folder.join("out"));
+    for command in [
+        &["show", "ch1/x", "--bank", &bank][..],
+        &["solve", "ch1/x", "--bank", &bank],
+        &["mark", "ch1/x", "a", "1", "--bank", &bank],
+        &["practice", "ch1/x", "--bank", &bank],
+        &["sheet", &exam, "--out", &out, "--bank", &bank],
+    ] {
+        let ran = vibank(command).ends(2).complains("vibank check");
+        assert!(!ran.err.contains("did you mean"), "{}", ran.err);
+    }
+}
+
+#[test]
 fn unknown_names_come_with_the_nearest_known_one() {
     small(&["show", "free/spring-mas"])
         .ends(2)
