@@ -28,6 +28,8 @@ pub enum Target {
     Node(NodeId),
     /// The figure of the item.
     Figure,
+    /// The free-body diagrams of the item.
+    Free,
     /// A plot, by name.
     Plot(String),
     /// Something of a model.

@@ -158,6 +158,7 @@ fn look_over(catalogue: &Catalogue, wanted: &Wanted, arguments: &Arguments) -> V
         let mut findings = proof::findings(item, arguments.seeds);
         findings.extend(scene::undrawn(item));
         findings.extend(scene::underived(item));
+        findings.extend(scene::unfree(item));
         let mut examined = Examination::of(item, arguments.seeds);
         findings.append(&mut examined.findings);
         let survey = arguments

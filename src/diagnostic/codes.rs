@@ -146,6 +146,8 @@ codes! {
         "A point is a name from `points`, a pair `[x, y]` in units of 10 mm or a formula for one, or a side of a body that is placed at a named point, `B.left`.\nA cord goes round a pulley at a named point as `\"P cw\"` or `\"P ccw\"`.\nPlaces and sizes are pure numbers: divide a length by another, and keep it within bounds by `clamp`."
     FIGURE_WORD "figure::word" "A word that a key of a figure does not take."
         "`labels` is `symbol`, `value` or `both`; `at` of a label is `above`, `below`, `left` or `right`; `style` is `solid`, `dashed`, `dotted` or `faint`; the sides of a body are `left`, `right`, `top` and `bottom`."
+    FIGURE_FREE "figure::free" "A free-body diagram that does not show the forces of the model."
+        "`[figure.free.<body>]` takes out a body of `[model.bodies]`: the elements with its id, or those in `keep`.\nEach of its forces has an arrow: a link with the id of the force, or named in `links`; a force or moment of the figure with this id; or a row of `arrows` (`normal`, `friction`, `reaction`, `weight`).\nAn arrow does the work that the force does in the model, and what is no force of the model does no work."
     MODEL_COORDINATE "model::coordinate" "A model moves something that it does not declare."
         "What bears a prime is a coordinate or a name in `kinematics`.\n`forces`, `friction`, `initial` and `equilibrium` are keyed by coordinates.\nA name stands for one thing, and kinematic names do not need each other in a circle."
     MODEL_DIMENSION "model::dimension" "A term of an energy or force has the wrong dimension."

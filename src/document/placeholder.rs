@@ -7,7 +7,7 @@ use crate::source::Span;
 /// A demand of a text: a value in a form.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Placeholder {
-    /// The name, dotted: `omega_n`, `model.equation.x1`, `plots.response`, `figure`.
+    /// The name, dotted: `omega_n`, `model.equation.x1`, `plots.response`, `figure`, `figure.free`.
     #[serde(rename = "n")]
     pub path: String,
     /// The form in which it is written.
@@ -92,7 +92,7 @@ impl Placeholder {
     pub fn is_block(&self) -> bool {
         let mut names = self.names();
         match names.next() {
-            Some("figure") => names.next().is_none(),
+            Some("figure") => true,
             Some("plots") => true,
             // `model.lagrange.x`, `models.relative.newton`.
             Some("model") => names.next().is_some_and(is_derivation),

@@ -10,6 +10,7 @@ mod drawing;
 pub mod element;
 mod error;
 mod formula;
+mod free;
 mod geometry;
 mod label;
 mod metrics;
@@ -26,6 +27,7 @@ mod svg;
 
 pub use drawing::{Anchor, Drawing, Lettering, Mark, Spot};
 pub use error::FigureError;
+pub use free::{Acting, FreeError, FreeFault, Move};
 pub use geometry::{Bounds, Point};
 pub use label::{LETTER_SIZE, Label};
 pub use outline::{Form, Outline, Side};

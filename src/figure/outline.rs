@@ -140,6 +140,17 @@ impl Outline {
         from + way * share.clamp(0.0, 1.0)
     }
 
+    /// Whether a point lies in it, or at most this far outside.
+    pub fn is_near(&self, point: Point, margin: f64) -> bool {
+        match self.form {
+            Form::Box { half, angle } => {
+                let local = turned(point - self.centre, -angle);
+                local.x.abs() <= half.x + margin && local.y.abs() <= half.y + margin
+            }
+            Form::Round { radius } => point.distance(self.centre) <= radius + margin,
+        }
+    }
+
     /// How far it reaches across a direction.
     pub fn breadth(&self, direction: Point) -> f64 {
         match self.form {

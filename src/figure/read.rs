@@ -4,6 +4,7 @@ use super::Label;
 use super::element::{self, Element, Holds, Role, Takes};
 use super::error::FigureError;
 use super::formula::{self, Amount, Names, Pair};
+use super::free::Acting;
 use super::outline::Side;
 use super::part::{Setting, Style};
 use super::schematic::{Figure, Item, Labels, Local, Place, Value, Written};
@@ -19,16 +20,21 @@ pub trait Subject {
 
     /// A formula in its symbols.
     fn typeset(&self, formula: &Expr) -> Math;
+
+    /// The bodies of its model, for free-body diagrams.
+    fn bodies(&self) -> Vec<Acting> {
+        Vec::new()
+    }
 }
 
 /// Most elements of a figure, and most names.
 const MOST: usize = 300;
 
-struct Reader<'a, 's> {
-    table: &'a Table<'s>,
-    item: &'a dyn Subject,
+pub(super) struct Reader<'a, 's> {
+    pub(super) table: &'a Table<'s>,
+    pub(super) item: &'a dyn Subject,
     names: Names,
-    findings: Vec<Finding>,
+    pub(super) findings: Vec<Finding>,
     /// Points whose bodies are referred to, with what is wanted and the text that does.
     wanted: Vec<(u32, bool, Text)>,
 }
@@ -61,6 +67,8 @@ impl<'s> Reader<'_, 's> {
             .take(MOST)
             .filter_map(|row| self.element(row))
             .collect();
+        self.hold_identities(&items, rows);
+        let free = self.free(&items);
         self.hold_wanted(&items);
         let mut order: Vec<usize> = (0..items.len()).collect();
         order.sort_by_key(|place| items[*place].kind.layer());
@@ -76,6 +84,7 @@ impl<'s> Reader<'_, 's> {
             slots: self.names.slots(),
             items,
             order,
+            free,
         }
     }
 
@@ -162,9 +171,11 @@ impl<'s> Reader<'_, 's> {
         let style = self
             .word(&table, "style", &Style::WORDS)
             .and_then(Style::of_word);
+        let id = table.text("id").map(|text| text.value);
         table.finish();
         Some(Item {
             kind,
+            id,
             ends: ends?,
             settings,
             label,
@@ -248,7 +259,7 @@ impl<'s> Reader<'_, 's> {
     }
 
     /// A point: by its name, a side of the body there, a pulley that is passed, or a formula.
-    fn place(&mut self, table: &Table<'s>, key: &str, value: &'s Node) -> Option<Place> {
+    pub(super) fn place(&mut self, table: &Table<'s>, key: &str, value: &'s Node) -> Option<Place> {
         let Data::Text(written) = &value.data else {
             return self.pair(table, key, value).map(Place::Free);
         };
@@ -295,7 +306,7 @@ impl<'s> Reader<'_, 's> {
     }
 
     /// Two numbers, `[x, y]`, or a formula for both.
-    fn pair(&mut self, table: &Table<'s>, key: &str, value: &'s Node) -> Option<Pair> {
+    pub(super) fn pair(&mut self, table: &Table<'s>, key: &str, value: &'s Node) -> Option<Pair> {
         if let Data::List(items) = &value.data
             && let [x, y] = items.as_slice()
         {
@@ -320,7 +331,7 @@ impl<'s> Reader<'_, 's> {
         table.wrong(key, "a point, `[x, y]` or a formula", value)
     }
 
-    fn amount(&mut self, text: &Text) -> Option<Amount> {
+    pub(super) fn amount(&mut self, text: &Text) -> Option<Amount> {
         let (source, findings) = (self.table.source(), &mut self.findings);
         let local = formula::Local {
             names: &self.names,
@@ -332,7 +343,7 @@ impl<'s> Reader<'_, 's> {
     }
 
     /// A label: a formula in the symbols of the item, or words between single quotes.
-    fn written(&mut self, text: &Text, is_symbol: bool) -> Option<Written> {
+    pub(super) fn written(&mut self, text: &Text, is_symbol: bool) -> Option<Written> {
         let words = text
             .value
             .strip_prefix('\'')
@@ -369,7 +380,7 @@ impl<'s> Reader<'_, 's> {
         })
     }
 
-    fn word(
+    pub(super) fn word(
         &mut self,
         table: &Table<'s>,
         key: &'static str,
@@ -411,12 +422,12 @@ impl<'s> Reader<'_, 's> {
     }
 
     /// Notes an error whose places count in the file.
-    fn find(&mut self, error: &FigureError) {
+    pub(super) fn find(&mut self, error: &FigureError) {
         self.findings.push(Finding::of(error, self.table.source()));
     }
 
     /// Notes an error whose places count in a text.
-    fn find_in(&mut self, error: &dyn Diagnose, text: &Text) {
+    pub(super) fn find_in(&mut self, error: &dyn Diagnose, text: &Text) {
         self.findings
             .push(Finding::within(error, self.table.source(), text));
     }

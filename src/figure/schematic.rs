@@ -3,6 +3,7 @@
 use super::describe::{self, Story};
 use super::element::{Element, Role};
 use super::formula::{Amount, Pair, Values};
+use super::free::Free;
 use super::outline::{Outline, Side};
 use super::part::{End, Part, Setting, Style};
 use super::{Drawing, Head, Label, Point, Spot};
@@ -20,6 +21,8 @@ pub struct Figure {
     pub(super) items: Vec<Item>,
     /// The items in the order in which they cover each other.
     pub(super) order: Vec<usize>,
+    /// The free-body diagrams.
+    pub(super) free: Free,
 }
 
 /// What a figure asks of the data for which it is drawn.
@@ -53,6 +56,8 @@ pub(super) enum Local {
 /// An element as it is declared.
 pub(super) struct Item {
     pub(super) kind: &'static dyn Element,
+    /// By which a free-body diagram refers to it.
+    pub(super) id: Option<String>,
     pub(super) ends: Vec<Place>,
     pub(super) settings: Vec<(&'static str, Value)>,
     pub(super) label: Option<Written>,
@@ -61,7 +66,7 @@ pub(super) struct Item {
 }
 
 /// The place of an element.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Place {
     Free(Pair),
     /// A point with a name, by its slot.
@@ -158,9 +163,18 @@ impl Figure {
     }
 
     fn parts(&self, given: &dyn Given) -> Result<Vec<Part<'_>>, Undrawable> {
+        self.parts_of(&self.items.iter().collect::<Vec<_>>(), given)
+    }
+
+    /// The parts of items that stand in this figure.
+    pub(super) fn parts_of<'f>(
+        &'f self,
+        items: &[&'f Item],
+        given: &dyn Given,
+    ) -> Result<Vec<Part<'f>>, Undrawable> {
         let values = self.values(given);
-        let mut parts = Vec::with_capacity(self.items.len());
-        for (place, item) in self.items.iter().enumerate() {
+        let mut parts = Vec::with_capacity(items.len());
+        for (place, item) in items.iter().enumerate() {
             let part = self.part(item, &values, given);
             if !part.ends.iter().all(|end| end.point.is_drawable()) {
                 return Err(Undrawable {
@@ -170,13 +184,13 @@ impl Figure {
             }
             parts.push(part);
         }
-        self.join(&mut parts);
-        spread(&self.items, &mut parts);
+        join(items, &mut parts);
+        spread(items, &mut parts);
         Ok(parts)
     }
 
     /// The numbers of all names.
-    fn values(&self, given: &dyn Given) -> Values {
+    pub(super) fn values(&self, given: &dyn Given) -> Values {
         let mut values = Values::new(self.slots);
         for (name, slot) in &self.taken {
             values.set(*slot, given.number(name).unwrap_or(f64::NAN));
@@ -244,56 +258,56 @@ impl Figure {
                 .followed_by(Label::of(&value)),
         }
     }
+}
 
-    /// Tells every end which body it meets.
-    fn join(&self, parts: &mut [Part<'_>]) {
-        let mut bodies: Vec<(u32, Outline)> = Vec::new();
-        for (item, part) in self.items.iter().zip(parts.iter()) {
-            let (Some(Place::Named(slot)), Some(outline)) =
-                (item.ends.first(), item.kind.outline(part))
-            else {
-                continue;
-            };
-            match bodies.iter_mut().find(|(known, _)| known == slot) {
-                // Of several bodies at a point the largest has the sides.
-                Some((_, known)) if known.bounds().width() < outline.bounds().width() => {
-                    *known = outline;
-                }
-                Some(_) => {}
-                None => bodies.push((*slot, outline)),
-            }
-        }
-        let body = |slot: &u32| {
-            bodies
-                .iter()
-                .find(|(known, _)| known == slot)
-                .map(|(_, body)| *body)
-        };
-        for (item, part) in self.items.iter().zip(parts.iter_mut()) {
-            let is_body = matches!(item.kind.role(), Role::Body(_));
-            for (place, end) in item.ends.iter().zip(&mut part.ends) {
-                match place {
-                    Place::Named(slot) if !is_body => end.body = body(slot),
-                    Place::Pass(slot, _) => end.body = body(slot),
-                    Place::Side(slot, side) => {
-                        end.body = body(slot);
-                        if let Some(body) = end.body {
-                            let (point, out) = body.side(*side);
-                            (end.point, end.out) = (point, Some(out));
-                        }
-                    }
-                    Place::Named(_) | Place::Free(_) => {}
-                }
-            }
+impl Place {
+    pub(super) fn point(&self, values: &Values) -> Point {
+        match self {
+            Self::Free(pair) => values.pair(pair),
+            Self::Named(slot) | Self::Side(slot, _) | Self::Pass(slot, _) => values.point(*slot),
         }
     }
 }
 
-impl Place {
-    fn point(&self, values: &Values) -> Point {
-        match self {
-            Self::Free(pair) => values.pair(pair),
-            Self::Named(slot) | Self::Side(slot, _) | Self::Pass(slot, _) => values.point(*slot),
+/// Tells every end which body it meets.
+fn join(items: &[&Item], parts: &mut [Part<'_>]) {
+    let mut bodies: Vec<(u32, Outline)> = Vec::new();
+    for (item, part) in items.iter().zip(parts.iter()) {
+        let (Some(Place::Named(slot)), Some(outline)) =
+            (item.ends.first(), item.kind.outline(part))
+        else {
+            continue;
+        };
+        match bodies.iter_mut().find(|(known, _)| known == slot) {
+            // Of several bodies at a point the largest has the sides.
+            Some((_, known)) if known.bounds().width() < outline.bounds().width() => {
+                *known = outline;
+            }
+            Some(_) => {}
+            None => bodies.push((*slot, outline)),
+        }
+    }
+    let body = |slot: &u32| {
+        bodies
+            .iter()
+            .find(|(known, _)| known == slot)
+            .map(|(_, body)| *body)
+    };
+    for (item, part) in items.iter().zip(parts.iter_mut()) {
+        let is_body = matches!(item.kind.role(), Role::Body(_));
+        for (place, end) in item.ends.iter().zip(&mut part.ends) {
+            match place {
+                Place::Named(slot) if !is_body => end.body = body(slot),
+                Place::Pass(slot, _) => end.body = body(slot),
+                Place::Side(slot, side) => {
+                    end.body = body(slot);
+                    if let Some(body) = end.body {
+                        let (point, out) = body.side(*side);
+                        (end.point, end.out) = (point, Some(out));
+                    }
+                }
+                Place::Named(_) | Place::Free(_) => {}
+            }
         }
     }
 }
@@ -302,7 +316,7 @@ impl Place {
 const LINK: f64 = 0.85;
 
 /// Spreads links that share their ends evenly, first above or left of last.
-fn spread(items: &[Item], parts: &mut [Part<'_>]) {
+fn spread(items: &[&Item], parts: &mut [Part<'_>]) {
     let links: Vec<usize> = (0..parts.len())
         .filter(|place| items[*place].kind.spreads() && parts[*place].vector("around").is_none())
         .collect();

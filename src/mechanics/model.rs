@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::definition::{Definition, Friction, Initial};
+use super::definition::{Body, Definition, Friction, Initial};
 use super::energy::written;
 use super::equilibrium::{Balance, Equilibrium};
 use super::error::{Key, ModelError};
@@ -138,6 +138,11 @@ impl Model {
     /// The names of the coordinates, in order.
     pub fn coordinates(&self) -> &[Name] {
         &self.energies.coordinates
+    }
+
+    /// The bodies whose laws of motion are declared.
+    pub fn bodies(&self) -> &[Body] {
+        &self.definition.bodies
     }
 
     /// The number of degrees of freedom.

@@ -6,6 +6,7 @@ use super::{Data, Scene};
 use crate::bank::{QuantityInfo, Target, Units};
 use crate::document::{Filling, Form};
 use crate::expr::{Equation, Field, Path, Shape, Value};
+use crate::figure::Picture;
 use crate::math::Math;
 use crate::quantity::NodeId;
 use crate::unit::{Decimal, Quantity, Unit};
@@ -14,15 +15,21 @@ impl Scene<'_, '_> {
     pub(super) fn filling(&self, target: &Target, form: Form) -> Filling {
         match target {
             Target::Node(node) => self.node(*node, form),
-            Target::Figure => match self.picture() {
-                Some(picture) if self.is_drawn => Filling::Figure(picture.svg),
-                Some(picture) => Filling::words(format!("(Figure: {})", picture.alt)),
-                None => Filling::Figure(String::new()),
-            },
+            Target::Figure => self.shown(self.picture()),
+            Target::Free => self.shown(self.free_picture().and_then(Result::ok)),
             Target::Plot(name) => self.drawn_plot(name),
             Target::Model(path) => Filling::Math(self.offered(path)),
             Target::Derivation(path) => self.derivation(path),
             Target::Nothing => Filling::words("?"),
+        }
+    }
+
+    /// A picture, or what it shows in words where nothing is drawn.
+    fn shown(&self, picture: Option<Picture>) -> Filling {
+        match picture {
+            Some(picture) if self.is_drawn => Filling::Figure(picture.svg),
+            Some(picture) => Filling::words(format!("(Figure: {})", picture.alt)),
+            None => Filling::Figure(String::new()),
         }
     }
 

@@ -14,7 +14,7 @@ mod proof;
 mod steps;
 
 pub use plot::Undrawn;
-pub use proof::{underived, undrawn};
+pub use proof::{underived, undrawn, unfree};
 
 use sha2::{Digest, Sha256};
 

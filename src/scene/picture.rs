@@ -2,7 +2,7 @@
 
 use super::Scene;
 use crate::expr::Name;
-use crate::figure::{Given, Picture};
+use crate::figure::{FreeError, Given, Picture};
 use crate::math::Math;
 
 impl Scene<'_, '_> {
@@ -11,6 +11,17 @@ impl Scene<'_, '_> {
         let figure = self.solution.template().figure.as_ref()?;
         self.solution.note_figure();
         figure.picture(self, &self.scope()).ok()
+    }
+
+    /// The free-body diagrams; `None` where the item has none.
+    ///
+    /// # Errors
+    ///
+    /// [`FreeError`] where they do not show the forces of the model for these data.
+    pub fn free_picture(&self) -> Option<Result<Picture, FreeError>> {
+        let figure = self.solution.template().figure.as_ref()?;
+        let id = format!("{}-free", self.scope());
+        figure.has_free().then(|| figure.free_picture(self, &id))
     }
 }
 

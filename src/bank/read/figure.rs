@@ -7,10 +7,11 @@ use crate::answer::Known;
 use crate::bank::template::QuantityInfo;
 use crate::document::Document;
 use crate::expr::{Expr, Name, Notation, Scope, Symbol};
-use crate::figure::{Figure, Subject};
+use crate::figure::{Acting, Figure, Move, Subject};
 use crate::math::{Math, symbol};
 use crate::quantity::{Graph, NodeId};
 use crate::source::Table;
+use crate::unit::Dimension;
 
 /// The names of an item as its figure and its plots see them.
 pub(super) struct Names<'a> {
@@ -48,6 +49,33 @@ impl Subject for Names<'_> {
     fn typeset(&self, formula: &Expr) -> Math {
         formula.typeset(self)
     }
+
+    fn bodies(&self) -> Vec<Acting> {
+        let bodies = self
+            .graph
+            .derived("model")
+            .map_or(&[][..], |model| model.bodies());
+        let is_turn = |inertia: &Expr| {
+            let kind = inertia.check(self.graph).ok();
+            kind.and_then(|kind| kind.dimension())
+                == Some(Dimension::MASS * Dimension::LENGTH * Dimension::LENGTH)
+        };
+        bodies
+            .iter()
+            .map(|body| Acting {
+                body: body.name.clone(),
+                moves: body
+                    .moves
+                    .iter()
+                    .map(|(name, inertia)| Move {
+                        name: name.clone(),
+                        is_turn: is_turn(inertia),
+                    })
+                    .collect(),
+                forces: body.forces.clone(),
+            })
+            .collect()
+    }
 }
 
 impl<'s> Reader<'s> {
@@ -57,6 +85,7 @@ impl<'s> Reader<'s> {
             return (None, Document::default());
         };
         let caption = table.text("caption");
+        self.has_free = table.has("free");
         let caption = caption
             .map(|text| self.plain_text(&text))
             .unwrap_or_default();

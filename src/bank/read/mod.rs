@@ -45,6 +45,8 @@ struct Reader<'s> {
     digits: u8,
     plots: BTreeSet<String>,
     has_figure: bool,
+    /// Whether the figure has free-body diagrams.
+    has_free: bool,
     /// The symbols and coordinates.
     free: Vec<Known>,
     /// What the parts that were read ask for.
@@ -115,6 +117,7 @@ impl<'s> Reader<'s> {
             digits: 3,
             plots: BTreeSet::new(),
             has_figure: false,
+            has_free: false,
             free: Vec::new(),
             asked: Vec::new(),
             constraints: Vec::new(),

@@ -116,6 +116,7 @@ impl<'s> Reader<'s> {
         let first = names.next().unwrap_or_default();
         match (first, place.path.as_str()) {
             (_, "figure") if self.has_figure => Target::Figure,
+            (_, "figure.free") if self.has_free => Target::Free,
             ("plots", path) => {
                 let name = path.trim_start_matches("plots.");
                 if self.plots.contains(name) {

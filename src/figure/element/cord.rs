@@ -89,6 +89,10 @@ impl Element for Cord {
         Role::Link("cord")
     }
 
+    fn pieces(&self, part: &Part<'_>) -> Vec<(Point, Point)> {
+        pieces(part)
+    }
+
     fn draw(&self, part: &Part<'_>, drawing: &mut Drawing) {
         let pieces = pieces(part);
         let mut path = Path::line(pieces[0].0, pieces[0].1);

@@ -46,7 +46,7 @@ mod wire;
 
 use super::outline::Outline;
 use super::part::Part;
-use super::{Drawing, Spot};
+use super::{Drawing, Point, Spot};
 
 /// A kind of element: one file, one line in [`KINDS`].
 pub trait Element: Sync {
@@ -74,6 +74,11 @@ pub trait Element: Sync {
     /// Whether several between the same two points are spread beside each other.
     fn spreads(&self) -> bool {
         false
+    }
+
+    /// The straight pieces of a link, from its first end to its last.
+    fn pieces(&self, part: &Part<'_>) -> Vec<(Point, Point)> {
+        vec![part.link()]
     }
 
     /// The outline of a body, at which links to its point end.

@@ -1,0 +1,548 @@
+//! From the forces of a body to arrows, for certain data.
+
+use super::error::{FreeError, FreeFault};
+use super::words::{sentence, towards};
+use super::{Body, Contact, Force, Heading, Motion, Origin, Sense, Strand, Written};
+use crate::figure::arrow::{Head, arrow};
+use crate::figure::element::Role;
+use crate::figure::formula::Values;
+use crate::figure::part::Part;
+use crate::figure::schematic::Item;
+use crate::figure::{Drawing, Figure, Given, Label, Outline, Pen, Point, Weight, spots};
+
+/// Length of an arrow.
+const LENGTH: f64 = 0.95;
+
+/// Least length of an arrow at a short link.
+const SHORTEST: f64 = 0.6;
+
+/// How near to a body a link ends that is fastened to it: half of the breadth of a bar and a little.
+const NEAR: f64 = 0.12;
+
+/// Below this share of its length an arrow counts as square to a motion; drawn angles are exact but for rounding.
+const SQUARE: f64 = 0.02;
+
+/// A figure with numbers: the parts of its elements, then those of the arrows that are written.
+struct Scene<'f> {
+    figure: &'f Figure,
+    items: Vec<&'f Item>,
+    parts: Vec<Part<'f>>,
+    values: Values,
+}
+
+/// An arrow of a force.
+struct Arrow<'f> {
+    from: Point,
+    to: Point,
+    /// Whether its head is at the body, so that its label stands at the other end.
+    is_push: bool,
+    label: &'f Label,
+    item: Option<&'f Item>,
+}
+
+/// The arrows of a body, and its forces in words.
+#[derive(Default)]
+struct Drawn<'f> {
+    arrows: Vec<Arrow<'f>>,
+    words: Vec<String>,
+    /// Elements of the figure that show a force.
+    shown: Vec<usize>,
+}
+
+/// A motion with numbers.
+enum Moved {
+    Along(Point),
+    /// The centre, and 1 for counterclockwise or −1.
+    Turn(Point, f64),
+}
+
+impl Moved {
+    /// The work of a unit force at a point along a direction, per unit of the motion.
+    fn work(&self, point: Point, direction: Point) -> f64 {
+        match self {
+            Self::Along(along) => along.dot(direction),
+            Self::Turn(centre, sense) => sense * (point - *centre).cross(direction),
+        }
+    }
+
+    /// The work of a unit moment, counterclockwise.
+    fn work_of_moment(&self) -> f64 {
+        match self {
+            Self::Along(_) => 0.0,
+            Self::Turn(_, sense) => *sense,
+        }
+    }
+}
+
+impl Figure {
+    pub(super) fn resolved(&self, given: &dyn Given) -> Result<(Drawing, String), FreeError> {
+        let written = self.free.bodies.iter().flat_map(Body::written);
+        let items: Vec<&Item> = self
+            .items
+            .iter()
+            .chain(written.map(|written| &written.item))
+            .collect();
+        let span = self.free.bodies.first().map(|body| body.span);
+        let parts = self.parts_of(&items, given).map_err(|error| FreeError {
+            fault: FreeFault::Undrawable(error),
+            span: span.unwrap_or(crate::source::Span::NONE),
+        })?;
+        let scene = Scene {
+            figure: self,
+            parts,
+            values: self.values(given),
+            items,
+        };
+        let mut drawing = Drawing::new();
+        let mut sentences = Vec::new();
+        let mut owner = self.items.len() as u32;
+        for body in &self.free.bodies {
+            let drawn = scene.arrows(body).map_err(|fault| FreeError {
+                fault,
+                span: body.span,
+            })?;
+            scene.draw(body, &drawn, &mut owner, &mut drawing);
+            sentences.push(sentence(&scene.named(body), &drawn.words));
+        }
+        drawing.settle();
+        Ok((drawing, sentences.join(" ")))
+    }
+}
+
+impl Body {
+    fn written(&self) -> impl Iterator<Item = &Written> {
+        let origins = self.forces.iter().filter_map(|force| match &force.source {
+            Origin::Written(written) => Some(written),
+            Origin::Links { .. } | Origin::Shown(_) => None,
+        });
+        origins.chain(&self.idle)
+    }
+}
+
+impl<'f> Scene<'f> {
+    fn arrows(&self, body: &'f Body) -> Result<Drawn<'f>, FreeFault> {
+        let moved: Vec<Moved> = body
+            .motions
+            .iter()
+            .map(|motion| self.moved(motion))
+            .collect();
+        let mut drawn = Drawn::default();
+        for force in &body.forces {
+            match &force.source {
+                Origin::Links { links, letter } => {
+                    let mut cuts = Vec::new();
+                    for (item, strand) in links {
+                        let own = self.cuts(body, *item, *strand);
+                        if own.is_empty() {
+                            return Err(FreeFault::Apart {
+                                body: body.name.clone(),
+                                link: self.link(*item),
+                            });
+                        }
+                        cuts.extend(own.into_iter().map(|cut| (self.noun(*item), cut)));
+                    }
+                    let (label, words) = match cuts.len() {
+                        1 => &letter.one,
+                        2 => &letter.each,
+                        _ => return Err(fault(body, force)),
+                    };
+                    for (noun, (at, out, length)) in cuts {
+                        let sense = sense(body, force, &moved, at, out)?;
+                        let direction = out * sense;
+                        works(body, force, &moved, at, direction, None)?;
+                        let is_push = sense < 0.0;
+                        if is_push && noun == "cord" {
+                            return Err(FreeFault::Push {
+                                body: body.name.clone(),
+                                force: force.name.to_string(),
+                            });
+                        }
+                        // Half of a link between two bodies that are cut is left to the arrow of the other.
+                        let end = at + out * (0.42 * length).clamp(SHORTEST, LENGTH);
+                        let (from, to) = if is_push { (end, at) } else { (at, end) };
+                        drawn.arrows.push(Arrow {
+                            from,
+                            to,
+                            is_push,
+                            label,
+                            item: None,
+                        });
+                        drawn.words.push(told(noun, words, direction));
+                    }
+                }
+                Origin::Shown(item) => {
+                    self.shown(body, force, &moved, *item, &mut drawn)?;
+                }
+                Origin::Written(written) => {
+                    let part = self.written(written);
+                    let base = self.direction(written, part, &moved);
+                    let at = part.point();
+                    // Friction is written without a direction: it is along the motion.
+                    let direction =
+                        if written.direction.is_none() && written.kind == Contact::Friction {
+                            base * sense(body, force, &moved, at, base)?
+                        } else {
+                            base
+                        };
+                    let share = written
+                        .share
+                        .as_ref()
+                        .map(|share| self.values.amount(share));
+                    works(body, force, &moved, at, direction, share)?;
+                    drawn.arrows.push(self.contact(written, part, direction));
+                    let mut words = told(written.kind.noun(), &written.label.1, direction);
+                    if let Some(velocity) = &force.velocity {
+                        words.push_str(&format!(" (where {velocity} is positive)"));
+                    }
+                    drawn.words.push(words);
+                }
+            }
+        }
+        for written in &body.idle {
+            let part = self.written(written);
+            let direction = self.direction(written, part, &moved);
+            let is_idle = moved
+                .iter()
+                .all(|motion| motion.work(part.point(), direction).abs() < SQUARE);
+            if !is_idle {
+                return Err(FreeFault::Idle {
+                    body: body.name.clone(),
+                    arrow: written.kind.noun(),
+                });
+            }
+            drawn.arrows.push(self.contact(written, part, direction));
+            drawn
+                .words
+                .push(told(written.kind.noun(), &written.label.1, direction));
+        }
+        self.hold_links(body)?;
+        Ok(drawn)
+    }
+
+    /// A force or moment that the figure shows.
+    fn shown(
+        &self,
+        body: &Body,
+        force: &Force,
+        moved: &[Moved],
+        item: usize,
+        drawn: &mut Drawn<'_>,
+    ) -> Result<(), FreeFault> {
+        let part = &self.parts[item];
+        let noun = self.noun(item);
+        let words = if noun == "moment" {
+            let is_left = part.word("sense") != Some("cw");
+            let sense = if is_left { 1.0 } else { -1.0 };
+            let does = |motion: &Moved| sense * motion.work_of_moment();
+            agrees(body, force, moved.iter().map(does))?;
+            let turn = if is_left {
+                "counterclockwise"
+            } else {
+                "clockwise"
+            };
+            format!("a moment {} {turn}", part.words)
+        } else {
+            let out = part.ends[0].out.unwrap_or(Point::new(1.0, 0.0));
+            let direction = part.vector("direction").unwrap_or(out).unit();
+            works(body, force, moved, part.point(), direction, None)?;
+            told(noun, part.words, direction)
+        };
+        drawn.shown.push(item);
+        drawn.words.push(words);
+        Ok(())
+    }
+
+    fn moved(&self, motion: &Motion) -> Moved {
+        match motion {
+            Motion::Along(Heading::Written(pair)) => Moved::Along(self.values.pair(pair).unit()),
+            Motion::Along(Heading::Shown(item)) => {
+                let part = &self.parts[*item];
+                let direction = match part.ends.as_slice() {
+                    [from, to] => to.point - from.point,
+                    ends => part
+                        .vector("direction")
+                        .or(ends[0].out)
+                        .unwrap_or(Point::new(1.0, 0.0)),
+                };
+                Moved::Along(direction.unit())
+            }
+            Motion::Turn(about, sense) => {
+                let is_left = match sense {
+                    Sense::Written(is_left) => *is_left,
+                    Sense::Shown(item) => {
+                        let part = &self.parts[*item];
+                        part.number("to").unwrap_or(70.0) > part.number("from").unwrap_or(20.0)
+                    }
+                };
+                Moved::Turn(about.point(&self.values), if is_left { 1.0 } else { -1.0 })
+            }
+        }
+    }
+
+    /// Where a link is fastened to a body: the point, the direction out of the body, the length of the piece there.
+    fn cuts(&self, body: &Body, item: usize, strand: Strand) -> Vec<(Point, Point, f64)> {
+        let part = &self.parts[item];
+        let mut cuts = Vec::new();
+        for (a, b) in self.items[item].kind.pieces(part) {
+            for (at, other) in [(a, b), (b, a)] {
+                if self.touches(body, at) {
+                    cuts.push((at, (other - at).unit(), at.distance(other)));
+                }
+            }
+        }
+        match strand {
+            Strand::All => {}
+            Strand::First => cuts.truncate(1),
+            Strand::Last => {
+                cuts.drain(..cuts.len().saturating_sub(1));
+            }
+        }
+        cuts
+    }
+
+    fn touches(&self, body: &Body, point: Point) -> bool {
+        body.kept.iter().any(|place| {
+            let (item, part) = (self.items[*place], &self.parts[*place]);
+            match (item.kind.role(), item.kind.outline(part)) {
+                (_, Some(outline)) => outline.is_near(point, NEAR),
+                (Role::Link(_), None) => {
+                    let (a, b) = part.link();
+                    let share = (point - a).dot(b - a) / (b - a).dot(b - a).max(1e-12);
+                    point.distance(a.towards(b, share.clamp(0.0, 1.0))) < NEAR
+                }
+                _ => false,
+            }
+        })
+    }
+
+    /// What is fastened to a body is kept with it, cut to a force, or what a written reaction stands for.
+    fn hold_links(&self, body: &Body) -> Result<(), FreeFault> {
+        let is_cut = |place: &usize| {
+            body.forces.iter().any(|force| match &force.source {
+                Origin::Links { links, .. } => links.iter().any(|(item, _)| item == place),
+                Origin::Shown(_) | Origin::Written(_) => false,
+            })
+        };
+        let reactions: Vec<Point> = body
+            .written()
+            .filter(|written| written.kind == Contact::Reaction)
+            .map(|written| self.written(written).point())
+            .collect();
+        for place in 0..self.figure.items.len() {
+            let is_link = matches!(self.items[place].kind.role(), Role::Link(_));
+            if !is_link || body.kept.contains(&place) || is_cut(&place) {
+                continue;
+            }
+            let is_held = |(at, ..): &(Point, Point, f64)| {
+                reactions
+                    .iter()
+                    .any(|reaction| reaction.distance(*at) < NEAR)
+            };
+            if !self.cuts(body, place, Strand::All).iter().all(is_held) {
+                return Err(FreeFault::Uncut {
+                    body: body.name.clone(),
+                    link: self.link(place),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// The part of an arrow that is written.
+    fn written(&self, written: &Written) -> &Part<'f> {
+        let place = self
+            .items
+            .iter()
+            .position(|item| std::ptr::eq(*item, &raw const written.item));
+        &self.parts[place.unwrap_or_default()]
+    }
+
+    fn direction(&self, written: &Written, part: &Part<'_>, moved: &[Moved]) -> Point {
+        if let Some(direction) = &written.direction {
+            return self.values.pair(direction).unit();
+        }
+        let into = part.ends[0].out.map(|out| -out);
+        match written.kind {
+            Contact::Weight => Point::new(0.0, -1.0),
+            Contact::Normal | Contact::Reaction => into.unwrap_or(Point::new(0.0, 1.0)),
+            Contact::Friction => moved
+                .iter()
+                .find_map(|motion| match motion {
+                    Moved::Along(along) => Some(*along),
+                    Moved::Turn(..) => None,
+                })
+                .unwrap_or(Point::new(1.0, 0.0)),
+        }
+    }
+
+    fn contact<'w>(&self, written: &'w Written, part: &Part<'_>, direction: Point) -> Arrow<'w> {
+        let at = part.point();
+        let is_push = written.kind == Contact::Normal;
+        let (from, to) = match written.kind {
+            Contact::Normal => (at - direction * LENGTH, at),
+            Contact::Weight | Contact::Reaction => (at, at + direction * LENGTH),
+            // Along the contact, beside it.
+            Contact::Friction => {
+                let aside = part.ends[0].out.unwrap_or_default() * 0.14;
+                let half = direction * (LENGTH / 2.0);
+                (at + aside - half, at + aside + half)
+            }
+        };
+        Arrow {
+            from,
+            to,
+            is_push,
+            label: &written.label.0,
+            item: Some(&written.item),
+        }
+    }
+
+    fn draw(&self, body: &Body, drawn: &Drawn<'_>, owner: &mut u32, drawing: &mut Drawing) {
+        let shift = body
+            .shift
+            .as_ref()
+            .map_or_else(Point::default, |shift| self.values.pair(shift));
+        for place in &self.figure.order {
+            if !body.kept.contains(place) && !drawn.shown.contains(place) {
+                continue;
+            }
+            let (item, mut part) = (self.items[*place], self.parts[*place].clone());
+            for end in &mut part.ends {
+                end.point = end.point + shift;
+                if let Some(outline) = &mut end.body {
+                    *outline = Outline {
+                        centre: outline.centre + shift,
+                        ..*outline
+                    };
+                }
+            }
+            // What holds a pin is cut off.
+            part.settings.retain(|(key, _)| *key != "support");
+            drawing.belongs_to(*place as u32);
+            item.kind.draw(&part, drawing);
+            if let Some(label) = &part.label {
+                drawing.place(label.clone(), item.kind.spots(&part));
+            }
+        }
+        for own in &drawn.arrows {
+            drawing.belongs_to(*owner);
+            *owner += 1;
+            let (from, to) = (own.from + shift, own.to + shift);
+            arrow(drawing, from, to, Pen::new(Weight::Bold), Head::BOLD);
+            let (inner, outer) = if own.is_push { (to, from) } else { (from, to) };
+            let at = own.item.and_then(|item| item.at);
+            drawing.place(own.label.clone(), spots::at_tip(inner, outer, at));
+        }
+    }
+
+    /// A body in words.
+    fn named(&self, body: &Body) -> String {
+        let words = |place: &usize| {
+            let noun = match self.items[*place].kind.role() {
+                Role::Body(noun) | Role::Link(noun) => noun,
+                _ => return None,
+            };
+            let words = self.parts[*place].words;
+            Some(format!("the {noun} {words}").trim_end().to_owned())
+        };
+        body.kept
+            .iter()
+            .find_map(words)
+            .unwrap_or_else(|| "the body".to_owned())
+    }
+
+    fn noun(&self, item: usize) -> &'static str {
+        match self.items[item].kind.role() {
+            Role::Link(noun) | Role::Thing(noun) | Role::Body(noun) => noun,
+            _ => self.items[item].kind.name(),
+        }
+    }
+
+    fn link(&self, item: usize) -> String {
+        format!("the {} {}", self.noun(item), self.parts[item].words)
+            .trim_end()
+            .to_owned()
+    }
+}
+
+/// 1 if the arrow of a force points along a direction, −1 if against it.
+fn sense(
+    body: &Body,
+    force: &Force,
+    moved: &[Moved],
+    at: Point,
+    along: Point,
+) -> Result<f64, FreeFault> {
+    let first = force
+        .signs
+        .iter()
+        .zip(moved)
+        .find_map(|(sign, motion)| Some(((*sign)?, motion.work(at, along))));
+    match first {
+        Some((is_negative, work)) if work.abs() > SQUARE => Ok(if is_negative {
+            -work.signum()
+        } else {
+            work.signum()
+        }),
+        _ => Err(fault(body, force)),
+    }
+}
+
+/// Holds an arrow to the work of its force.
+fn works(
+    body: &Body,
+    force: &Force,
+    moved: &[Moved],
+    at: Point,
+    direction: Point,
+    share: Option<f64>,
+) -> Result<(), FreeFault> {
+    let does = |motion: &Moved| motion.work(at, direction);
+    agrees(body, force, moved.iter().map(does))?;
+    // A force has its whole letter along a displacement, or the share of it that is written.
+    let along = moved
+        .iter()
+        .zip(&force.signs)
+        .find_map(|(motion, sign)| match motion {
+            Moved::Along(_) if sign.is_some() => Some(motion.work(at, direction)),
+            _ => None,
+        });
+    let share = share.unwrap_or(1.0).abs();
+    match along {
+        Some(work) if (work.abs() - share).abs() > SQUARE => Err(fault(body, force)),
+        _ => Ok(()),
+    }
+}
+
+/// Holds the signs of works to those of the components.
+fn agrees(body: &Body, force: &Force, works: impl Iterator<Item = f64>) -> Result<(), FreeFault> {
+    let is_right = |(work, sign): (f64, &Option<bool>)| match sign {
+        None => work.abs() <= SQUARE,
+        Some(is_negative) => work.abs() > SQUARE && (work < 0.0) == *is_negative,
+    };
+    if works.zip(&force.signs).all(is_right) {
+        return Ok(());
+    }
+    Err(fault(body, force))
+}
+
+/// An arrow and its force do not do the same work.
+fn fault(body: &Body, force: &Force) -> FreeFault {
+    FreeFault::Work {
+        body: body.name.clone(),
+        force: force.name.to_string(),
+    }
+}
+
+fn told(noun: &str, letter: &str, direction: Point) -> String {
+    let article = if noun.starts_with(['a', 'e', 'i', 'o', 'u']) {
+        "an"
+    } else {
+        "a"
+    };
+    let noun = match noun {
+        "force" | "normal force" | "reaction" | "friction" | "weight" => noun.to_owned(),
+        link => format!("force of {article} {link}"),
+    };
+    format!("the {noun} {letter} {}", towards(direction))
+}

@@ -1,0 +1,208 @@
+//! Free-body diagrams: bodies taken out of the figure of an item, each force that acts on them as an arrow.
+//!
+//! A body of `[figure.free]` keeps the elements that bear its name. What joined it to the rest is cut, and each link
+//! leaves an arrow along itself; contacts, reactions and weights are written. Which letter an arrow bears and in which
+//! sense it points follows from the force of this name in the model: an arrow does the work that the model's force does,
+//! and one that is none of the model's does no work.
+
+mod arrows;
+mod error;
+mod letter;
+mod read;
+mod words;
+
+pub use error::{FreeError, FreeFault};
+
+use super::formula::{Amount, Pair};
+use super::schematic::{Item, Place};
+use super::{Drawing, Figure, Given, Label, Picture};
+use crate::expr::Name;
+use crate::source::Span;
+
+/// A body of the model of an item, with what acts on it.
+#[derive(Clone, Debug)]
+pub struct Acting {
+    /// Its name.
+    pub body: Name,
+    /// The displacements and angles by which it moves.
+    pub moves: Vec<Move>,
+    /// Its forces, each with a component for each move.
+    pub forces: Vec<(Name, Vec<crate::expr::Expr>)>,
+}
+
+/// A displacement or angle of a body.
+#[derive(Clone, Debug)]
+pub struct Move {
+    /// The coordinate or kinematic name.
+    pub name: Name,
+    /// Whether it is an angle.
+    pub is_turn: bool,
+}
+
+/// The free-body diagrams of a figure.
+#[derive(Debug)]
+pub(super) struct Free {
+    bodies: Vec<Body>,
+}
+
+/// A body that is taken out.
+#[derive(Debug)]
+struct Body {
+    name: String,
+    /// Its elements, as places among the items of the figure.
+    kept: Vec<usize>,
+    /// How far it is moved aside in the drawing.
+    shift: Option<Pair>,
+    motions: Vec<Motion>,
+    forces: Vec<Force>,
+    /// Arrows of forces that the model does not have, since they do no work.
+    idle: Vec<Written>,
+    span: Span,
+}
+
+/// A way in which a body can move.
+#[derive(Debug)]
+enum Motion {
+    /// All its points along a direction.
+    Along(Heading),
+    /// About a point, counterclockwise if true.
+    Turn(Place, Sense),
+}
+
+/// A direction.
+#[derive(Debug)]
+enum Heading {
+    /// That of a coordinate or arrow of the figure.
+    Shown(usize),
+    Written(Pair),
+}
+
+/// The positive sense of an angle.
+#[derive(Debug)]
+enum Sense {
+    /// That of a turn of the figure.
+    Shown(usize),
+    /// Counterclockwise if true.
+    Written(bool),
+}
+
+/// A force of the model, and its arrow.
+#[derive(Debug)]
+struct Force {
+    name: Name,
+    /// For each motion whether the component is negative; nothing if there is none.
+    signs: Vec<Option<bool>>,
+    source: Origin,
+    /// The velocity whose sign it has, in words, if it is dry friction.
+    velocity: Option<String>,
+}
+
+/// Where the arrow of a force comes from.
+#[derive(Debug)]
+enum Origin {
+    /// Links that are cut.
+    Links {
+        links: Vec<(usize, Strand)>,
+        letter: Letter,
+    },
+    /// A force or moment that the figure shows.
+    Shown(usize),
+    /// Written in the diagram.
+    Written(Written),
+}
+
+/// Which ends of a link at a body are meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Strand {
+    All,
+    First,
+    Last,
+}
+
+/// A letter, set and in words, for one arrow and for each of two.
+#[derive(Debug)]
+struct Letter {
+    one: (Label, String),
+    each: (Label, String),
+}
+
+/// An arrow that is written.
+#[derive(Debug)]
+struct Written {
+    kind: Contact,
+    /// It stands in the figure as if it were an element, so that it knows the side of the body.
+    item: Item,
+    label: (Label, String),
+    direction: Option<Pair>,
+    /// The share of it along the first motion, where its letter is not that of the model.
+    share: Option<Amount>,
+}
+
+/// What a written arrow is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Contact {
+    Normal,
+    Friction,
+    Reaction,
+    Weight,
+}
+
+impl Contact {
+    const ALL: [(&'static str, Self); 4] = [
+        ("normal", Self::Normal),
+        ("friction", Self::Friction),
+        ("reaction", Self::Reaction),
+        ("weight", Self::Weight),
+    ];
+
+    fn noun(self) -> &'static str {
+        match self {
+            Self::Normal => "normal force",
+            Self::Friction => "friction",
+            Self::Reaction => "reaction",
+            Self::Weight => "weight",
+        }
+    }
+}
+
+impl Figure {
+    /// Whether there are free-body diagrams.
+    pub fn has_free(&self) -> bool {
+        !self.free.bodies.is_empty()
+    }
+
+    /// The drawing of the free-body diagrams for these data.
+    ///
+    /// # Errors
+    ///
+    /// [`FreeError`]: an arrow and the model do not agree, or an element has no place.
+    pub fn draw_free(&self, given: &dyn Given) -> Result<Drawing, FreeError> {
+        self.resolved(given).map(|(drawing, _)| drawing)
+    }
+
+    /// The picture of the free-body diagrams for these data; `id` begins all identities in it.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::draw_free`].
+    pub fn free_picture(&self, given: &dyn Given, id: &str) -> Result<Picture, FreeError> {
+        let (drawing, alt) = self.resolved(given)?;
+        let title = if self.free.bodies.len() == 1 {
+            "Free-body diagram"
+        } else {
+            "Free-body diagrams"
+        };
+        let svg = drawing.svg(&super::Head {
+            id,
+            title,
+            description: &alt,
+        });
+        let (width, height) = drawing.size();
+        Ok(Picture {
+            svg,
+            alt,
+            width,
+            height,
+        })
+    }
+}
