@@ -19,6 +19,9 @@ const SHORTEST: f64 = 0.6;
 /// How near to a body a link ends that is fastened to it: half of the breadth of a bar and a little.
 const NEAR: f64 = 0.12;
 
+/// Arrows at one axle are nearer to each other than the links were: this share of their distance.
+const CLOSE: f64 = 0.4;
+
 /// Below this share of its length an arrow counts as square to a motion; drawn angles are exact but for rounding.
 const SQUARE: f64 = 0.02;
 
@@ -47,6 +50,18 @@ struct Drawn<'f> {
     words: Vec<String>,
     /// Elements of the figure that show a force.
     shown: Vec<usize>,
+}
+
+/// Where a link was fastened to a body.
+struct Cut {
+    /// The point at which it acts.
+    at: Point,
+    /// The point at which its arrow begins.
+    drawn: Point,
+    /// Out of the body, along the link.
+    out: Point,
+    /// The length of the straight piece there.
+    length: f64,
 }
 
 /// A motion with numbers.
@@ -146,7 +161,13 @@ impl<'f> Scene<'f> {
                         2 => &letter.each,
                         _ => return Err(fault(body, force)),
                     };
-                    for (noun, (at, out, length)) in cuts {
+                    for (noun, cut) in cuts {
+                        let Cut {
+                            at,
+                            drawn: start,
+                            out,
+                            length,
+                        } = cut;
                         let sense = sense(body, force, &moved, at, out)?;
                         let direction = out * sense;
                         works(body, force, &moved, at, direction, None)?;
@@ -158,8 +179,8 @@ impl<'f> Scene<'f> {
                             });
                         }
                         // Half of a link between two bodies that are cut is left to the arrow of the other.
-                        let end = at + out * (0.42 * length).clamp(SHORTEST, LENGTH);
-                        let (from, to) = if is_push { (end, at) } else { (at, end) };
+                        let end = start + out * (0.42 * length).clamp(SHORTEST, LENGTH);
+                        let (from, to) = if is_push { (end, start) } else { (start, end) };
                         drawn.arrows.push(Arrow {
                             from,
                             to,
@@ -279,15 +300,30 @@ impl<'f> Scene<'f> {
         }
     }
 
-    /// Where a link is fastened to a body: the point, the direction out of the body, the length of the piece there.
-    fn cuts(&self, body: &Body, item: usize, strand: Strand) -> Vec<(Point, Point, f64)> {
+    /// Where a link is fastened to a body.
+    fn cuts(&self, body: &Body, item: usize, strand: Strand) -> Vec<Cut> {
         let part = &self.parts[item];
         let mut cuts = Vec::new();
         for (a, b) in self.items[item].kind.pieces(part) {
-            for (at, other) in [(a, b), (b, a)] {
-                if self.touches(body, at) {
-                    cuts.push((at, (other - at).unit(), at.distance(other)));
+            for (drawn, other) in [(a, b), (b, a)] {
+                if !self.touches(body, drawn) {
+                    continue;
                 }
+                let out = (other - drawn).unit();
+                // Links that share an axle are drawn beside each other, and all act at the axle.
+                let axle = part
+                    .ends
+                    .iter()
+                    .filter(|_| part.shift != 0.0)
+                    .find(|end| end.body.is_some_and(|body| body.has_axle))
+                    .map(|end| end.point);
+                let aside = axle.map(|axle| out.left() * (drawn - axle).dot(out.left()));
+                cuts.push(Cut {
+                    at: drawn - aside.unwrap_or_default(),
+                    drawn: drawn - aside.unwrap_or_default() * (1.0 - CLOSE),
+                    out,
+                    length: drawn.distance(other),
+                });
             }
         }
         match strand {
@@ -333,10 +369,10 @@ impl<'f> Scene<'f> {
             if !is_link || body.kept.contains(&place) || is_cut(&place) {
                 continue;
             }
-            let is_held = |(at, ..): &(Point, Point, f64)| {
+            let is_held = |cut: &Cut| {
                 reactions
                     .iter()
-                    .any(|reaction| reaction.distance(*at) < NEAR)
+                    .any(|reaction| reaction.distance(cut.at) < NEAR)
             };
             if !self.cuts(body, place, Strand::All).iter().all(is_held) {
                 return Err(FreeFault::Uncut {
@@ -384,8 +420,7 @@ impl<'f> Scene<'f> {
             // Along the contact, beside it.
             Contact::Friction => {
                 let aside = part.ends[0].out.unwrap_or_default() * 0.14;
-                let half = direction * (LENGTH / 2.0);
-                (at + aside - half, at + aside + half)
+                (at + aside, at + aside + direction * LENGTH)
             }
         };
         Arrow {
