@@ -75,24 +75,17 @@ impl Examination {
                 break;
             };
             if allowance.take(|| course.add(instance, seed)).is_none() {
-                return Self::broken_off(template, seed + 1);
+                // What was seen until then is not complete.
+                course = Course::of(template);
+                let limit = instance::DRAWS.after(seed + 1) / 1_000_000;
+                course.costly = Some(Fault::Work {
+                    draws: seed + 1,
+                    limit,
+                });
+                break;
             }
         }
         course.finish()
-    }
-
-    /// What is left to say where the draws take too much work: what was seen until then is not complete.
-    fn broken_off(template: &Template, draws: u64) -> Self {
-        let fault = Fault::Work {
-            draws,
-            limit: instance::DRAWS.after(draws) / 1_000_000,
-        };
-        Self {
-            item: template.id.to_string(),
-            parts: Vec::new(),
-            allowed: Vec::new(),
-            findings: vec![fault.finding(template)],
-        }
     }
 }
 
@@ -108,6 +101,8 @@ struct Course<'t> {
     /// The parts that are asked, with their points, as they occur.
     shapes: BTreeSet<(Vec<usize>, Rational)>,
     coincidences: BTreeMap<(usize, usize), u64>,
+    /// Why there are no draws.
+    costly: Option<Fault>,
 }
 
 /// Draws that are refused for one reason.
@@ -136,6 +131,7 @@ impl<'t> Course<'t> {
             unfit: BTreeMap::new(),
             shapes: BTreeSet::new(),
             coincidences: BTreeMap::new(),
+            costly: None,
         }
     }
 
@@ -236,8 +232,15 @@ impl<'t> Course<'t> {
             .iter()
             .map(|tally| tally.examined(&solution))
             .collect();
-        for tally in self.tallies {
-            faults.extend(tally.faults(&solution));
+        match self.costly {
+            Some(costly) => faults.push(costly),
+            None => {
+                let of_draws = self
+                    .tallies
+                    .into_iter()
+                    .map(|tally| tally.faults(&solution));
+                faults.extend(of_draws.flatten());
+            }
         }
         let mut allowed = Vec::new();
         let mut findings = Vec::new();

@@ -98,7 +98,8 @@ impl Writer<'_> {
             }
             self.out.push_str(&number.to_string());
         }
-        self.text("\" role=\"img\" aria-labelledby=\"");
+        // Fonts wider than the one that was measured run over the edge, where nothing cuts them.
+        self.text("\" overflow=\"visible\" role=\"img\" aria-labelledby=\"");
         self.name("t");
         if !head.description.is_empty() {
             self.out.push(' ');

@@ -58,12 +58,10 @@ pub fn underived(template: &Template) -> Vec<Finding> {
     findings
 }
 
-/// A free-body diagram that does not show the forces of the model for the data of the source; `check` reports it.
-pub fn unfree(template: &Template) -> Option<Finding> {
-    let solution = Solution::of(Instance::of_source(template));
-    let scene = Scene::of(&solution, Data::Both);
-    let error = scene.free_picture()?.err()?;
-    Some(Finding::of(&error, &template.source))
+/// A free-body diagram that does not show the forces of the model for the data of an instance; `check` reports it.
+pub fn unfree(solution: &Solution<'_>) -> Option<Finding> {
+    let error = Scene::of(solution, Data::Both).free_picture()?.err()?;
+    Some(Finding::of(&error, &solution.template().source))
 }
 
 /// Where a placeholder stands in the file.

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use vibank::bank::{Catalogue, Template, embedded};
-use vibank::figure::{Bounds, Drawing, Fill, LETTER_SIZE};
+use vibank::figure::{Bounds, Drawing, Fill, LETTER_SIZE, Picture};
 use vibank::instance::Instance;
 use vibank::scene::{Data, Scene};
 use vibank::seed::Seed;
@@ -26,9 +26,26 @@ fn faults(template: &Template, instance: Instance<'_>) -> Vec<String> {
         Ok(drawing) => drawing,
         Err(error) => return vec![format!("{identity}: {error}")],
     };
-    let mut faults = overlaps(&drawing);
-    faults.extend(outside(&drawing));
     let picture = scene.picture().expect("what is drawn has a picture");
+    let mut faults = faults_of(&drawing, &picture);
+    if figure.has_free() {
+        let free = figure.draw_free(&scene);
+        let picture = scene.free_picture().expect("it has one");
+        match free.and_then(|drawing| Ok((drawing, picture?))) {
+            Ok((drawing, picture)) => faults.extend(faults_of(&drawing, &picture)),
+            Err(error) => faults.push(error.to_string()),
+        }
+    }
+    faults
+        .iter()
+        .map(|fault| format!("{identity}: {fault}"))
+        .collect()
+}
+
+/// What is wrong with a drawing and its picture.
+fn faults_of(drawing: &Drawing, picture: &Picture) -> Vec<String> {
+    let mut faults = overlaps(drawing);
+    faults.extend(outside(drawing));
     if picture.svg.len() > 40_000 {
         faults.push(format!("{} bytes", picture.svg.len()));
     }
@@ -44,9 +61,6 @@ fn faults(template: &Template, instance: Instance<'_>) -> Vec<String> {
         faults.push(format!("described as `{}`", picture.alt));
     }
     faults
-        .iter()
-        .map(|fault| format!("{identity}: {fault}"))
-        .collect()
 }
 
 /// Labels on each other or on a line.

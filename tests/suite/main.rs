@@ -22,6 +22,7 @@ mod compiled;
 mod export;
 #[cfg(feature = "render")]
 mod figures;
+mod free_bodies;
 mod generated;
 #[cfg(feature = "render")]
 mod grade;
