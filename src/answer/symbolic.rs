@@ -80,7 +80,7 @@ pub(super) fn replaced(graph: &Graph, mistaken: &Mistaken) -> BTreeMap<Name, Exp
     let pairs = old()
         .zip(new)
         .filter_map(|(old, new)| Some((Name::new(old), marked.apply(&new).ok()?)));
-    pairs.collect()
+    crate::numerics::gather(pairs)
 }
 
 /// No name that can be written begins with this sign.

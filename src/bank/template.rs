@@ -253,7 +253,7 @@ impl Template {
         };
         let unit = parameter.unit;
         let title = info.and_then(|info| info.title.as_deref()).unwrap_or("");
-        let title = title.to_lowercase();
+        let title = title.to_ascii_lowercase();
         let gravity = Unit::parse("m/s^2").is_ok_and(|own| own.dimension() == unit.dimension());
         let is_length = Unit::parse("m").is_ok_and(|own| own.dimension() == unit.dimension());
         Datum {

@@ -49,7 +49,7 @@ impl Expr {
         let mut collector = Collector::default();
         collector.visit(self, 0);
         let mut free = collector.free;
-        free.sort_unstable();
+        crate::numerics::sort_by(&mut free, Ord::cmp);
         free.dedup();
         Names {
             free: free

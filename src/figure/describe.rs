@@ -4,6 +4,7 @@ use super::element::Role;
 use super::part::Part;
 use super::schematic::Item;
 use super::{Path, Point};
+use crate::source::capital;
 
 /// A title of a few words, and a description.
 pub(super) struct Story {
@@ -90,7 +91,7 @@ fn joins(elements: &[(&Item, &Part<'_>)]) -> Vec<String> {
             continue;
         };
         let mut ends = [first, last].map(|end| met(elements, end.point, noun));
-        ends.sort();
+        crate::numerics::sort_by(&mut ends, Ord::cmp);
         let link = format!("{} {noun}{}", article(noun), named(part));
         match groups.iter_mut().find(|(known, _)| *known == ends) {
             Some((_, links)) => links.push(link),
@@ -189,11 +190,4 @@ fn listed(words: &[String]) -> String {
         [one] => one.clone(),
         [rest @ .., last] => format!("{} and {last}", rest.join(", ")),
     }
-}
-
-fn capital(sentence: &str) -> String {
-    let mut letters = sentence.chars();
-    letters.next().map_or(String::new(), |first| {
-        first.to_uppercase().chain(letters).collect()
-    })
 }

@@ -71,7 +71,7 @@ impl<'s> Reader<'_, 's> {
         let free = self.free(&items);
         self.hold_wanted(&items);
         let mut order: Vec<usize> = (0..items.len()).collect();
-        order.sort_by_key(|place| items[*place].kind.layer());
+        crate::numerics::sort_by_key(&mut order, |place| items[*place].kind.layer());
         Figure {
             alt,
             labels: match labels {

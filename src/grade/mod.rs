@@ -147,7 +147,7 @@ impl Grade {
         responses: impl IntoIterator<Item = (usize, &'r str)>,
     ) -> Self {
         let mut responses: Vec<(usize, &str)> = responses.into_iter().collect();
-        responses.sort_by_key(|(place, _)| *place);
+        crate::numerics::sort_by_key(&mut responses, |(place, _)| *place);
         let mut all = vec![""; solution.template().parts.len()];
         for (place, response) in &responses {
             all[*place] = response;

@@ -1,6 +1,7 @@
 //! What people write where they have no answer.
 
 use crate::answer::{Marking, Verdict};
+use crate::source::lower;
 
 /// Words of several languages, small, without signs around them.
 const WORDS: [&str; 36] = [
@@ -55,10 +56,7 @@ pub(super) fn heard(response: &str, marking: Marking) -> Marking {
 /// Whether a text says that there is no answer: signs alone, or words for it.
 fn is_no_answer(response: &str) -> bool {
     let is_sign = |sign: char| "?¿!.,-–—−_~/\\*…()[]: ".contains(sign);
-    let words = response
-        .trim_matches(is_sign)
-        .to_lowercase()
-        .replace('’', "'");
+    let words = lower(response.trim_matches(is_sign)).replace('’', "'");
     let words = words.split_whitespace().collect::<Vec<_>>().join(" ");
     // Signs alone are a dash or a row of dots; more of them than a blank has room for are something mistyped.
     const MAX_SIGNS: usize = 40;

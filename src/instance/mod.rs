@@ -171,7 +171,7 @@ impl<'t> Instance<'t> {
             }
             Some(MOST_DRAWS)
         });
-        broken.sort_by(|a, b| b.1.cmp(&a.1).then_with(|| a.0.cmp(b.0)));
+        crate::numerics::sort_by(&mut broken, |a, b| b.1.cmp(&a.1).then_with(|| a.0.cmp(b.0)));
         let Some(attempts) = tried.value else {
             self.broken = broken;
             return Ok(());

@@ -46,7 +46,7 @@ impl Balance {
     /// Sets all velocities and accelerations to zero.
     pub(super) fn of(residuals: &[Normal], coordinates: &[Name]) -> Result<Self, SymbolicError> {
         let time = BTreeSet::from([Name::new("t")]);
-        let moving: BTreeSet<_> = coordinates.iter().cloned().collect();
+        let moving: BTreeSet<_> = crate::numerics::gather(coordinates.iter().cloned());
         let mut balance = Self {
             restoring: Vec::new(),
             driving: Vec::new(),
@@ -115,7 +115,7 @@ impl Balance {
 
     /// The conditions as linear equations, if that is what they are.
     fn linear_system(&self, coordinates: &[Name]) -> Option<LinearSystem> {
-        let moving: BTreeSet<_> = coordinates.iter().cloned().collect();
+        let moving: BTreeSet<_> = crate::numerics::gather(coordinates.iter().cloned());
         let (mut matrix, mut right) = (Vec::new(), Vec::new());
         for restoring in &self.restoring {
             let (mut row, mut rest) = (Vec::new(), restoring.clone());

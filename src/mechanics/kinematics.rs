@@ -24,7 +24,8 @@ impl Kinematics {
         };
         let mut open: Vec<&(Name, Expr)> = definition.kinematics.iter().collect();
         while !open.is_empty() {
-            let waiting: BTreeSet<_> = open.iter().map(|(name, _)| name.clone()).collect();
+            let waiting: BTreeSet<_> =
+                crate::numerics::gather(open.iter().map(|(name, _)| name.clone()));
             let (ready, rest): (Vec<_>, Vec<_>) = open
                 .into_iter()
                 .partition(|(_, formula)| !mentions_any(formula, &waiting));

@@ -128,7 +128,7 @@ impl Energies {
 
     /// The left side of `d/dt ∂T/∂q' − ∂T/∂q + ∂V/∂q + ∂D/∂q' − Q = 0` for each coordinate.
     pub(super) fn residuals(&self, sums: &Sums) -> Result<Vec<Normal>, SymbolicError> {
-        let moving: BTreeSet<_> = self.coordinates.iter().cloned().collect();
+        let moving: BTreeSet<_> = crate::numerics::gather(self.coordinates.iter().cloned());
         let residual = |(name, force): (&Name, &Expr)| {
             let (position, velocity) = (Variable::of(name, 0), Variable::of(name, 1));
             let momentum = sums.kinetic.derivative_of(&self.kinetic, &velocity)?;

@@ -28,7 +28,7 @@ impl Linear {
             stiffness: Vec::new(),
             driving: Vec::new(),
         };
-        let moving: BTreeSet<_> = coordinates.iter().cloned().collect();
+        let moving: BTreeSet<_> = crate::numerics::gather(coordinates.iter().cloned());
         let time = BTreeSet::from([Name::new("t")]);
         for residual in residuals {
             let mut rest = residual.clone();

@@ -197,7 +197,7 @@ impl Model {
 
     /// Lagrange's equation along one coordinate, as it is.
     pub fn full_equation(&self, coordinate: usize) -> Option<Equation> {
-        let moving: BTreeSet<_> = self.coordinates().iter().cloned().collect();
+        let moving: BTreeSet<_> = crate::numerics::gather(self.coordinates().iter().cloned());
         let (left, right) = self.residuals.get(coordinate)?.split_by(&moving);
         Some(Equation {
             left: left.to_expr(&self.order),

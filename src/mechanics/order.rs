@@ -11,7 +11,7 @@ pub(super) fn textbook(definition: &Definition) -> Order {
     let coordinates = definition.coordinates.iter();
     let moving: Vec<_> = coordinates.map(|own| own.name.clone()).collect();
     let mut names = names_by_appearance(definition);
-    names.sort_by_key(|name| {
+    crate::numerics::sort_by_key(&mut names, |name| {
         definition
             .dimensions
             .get(name)

@@ -28,7 +28,7 @@ pub(crate) fn singular_values(diagonal: Vec<f64>, off_diagonal: Vec<f64>) -> Opt
     while let Some(block) = blocks.pop() {
         block.reduce(&mut blocks, &mut eigenvalues)?;
     }
-    eigenvalues.sort_by(f64::total_cmp);
+    super::sort_by(&mut eigenvalues, f64::total_cmp);
     Some(eigenvalues.into_iter().map(f64::sqrt).collect())
 }
 

@@ -10,7 +10,7 @@
 //! - [`ExactNumber`], [`sign_of_sum`]: numbers as they were written, compared without rounding.
 //! - [`Complex`]: complex numbers.
 //! - [`agm`], [`carlson_rf`], [`JacobiFunctions`]: elliptic integrals and functions.
-//! - [`ascending`]: the order of numbers.
+//! - [`ascending`], [`sort_by`]: the order of numbers, and of anything else.
 //! - `pencil`: eigenvalues of small matrices that need not be symmetric.
 //! - [`bracketed_root`], [`integral`]: a zero in an interval, the area under a curve, with their error bounds.
 //!
@@ -48,7 +48,7 @@ pub use elliptic::{
 };
 pub use exact::{diff_of_products, fast_two_sum, sum_of_products, two_prod, two_sum};
 pub use exact_number::{ExactNumber, sign_of_sum};
-pub use order::ascending;
+pub use order::{ascending, gather, sort_by, sort_by_key};
 pub use pencil::{EigenPair, pencil};
 pub use quadrature::{Integral, IntegralError, integral};
 pub use rational::Rational;

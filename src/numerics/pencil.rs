@@ -48,7 +48,7 @@ pub fn pencil(mass: &[f64], stiffness: &[f64]) -> Option<Vec<EigenPair>> {
         return None;
     }
     let mut values: Vec<f64> = values.iter().map(|value| value.re).collect();
-    values.sort_by(f64::total_cmp);
+    super::sort_by(&mut values, f64::total_cmp);
     if values.windows(2).any(|pair| is_rounding(pair[1] - pair[0])) {
         return None;
     }

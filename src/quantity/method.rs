@@ -204,9 +204,8 @@ impl Graph {
             }
         }
         // The key's own formula first, then as they were written.
-        formulas.sort();
-        formulas.sort_by_key(|node| *node != key);
-        data.sort();
+        crate::numerics::sort_by_key(&mut formulas, |node| (*node != key, *node));
+        crate::numerics::sort_by(&mut data, Ord::cmp);
         (formulas, data, held.into())
     }
 }

@@ -47,11 +47,10 @@ fn needed_by<'d>(
     definition: &'d Definition,
     formulas: impl Iterator<Item = &'d Expr>,
 ) -> BTreeSet<Name> {
-    let own: BTreeSet<&Name> = own_names(definition).collect();
+    let own: BTreeSet<&Name> = crate::numerics::gather(own_names(definition));
     let names = formulas.map(Expr::names);
     let free = names.flat_map(|names| names.free.into_iter().map(|variable| variable.name));
-    free.filter(|name| !own.contains(name) && name.as_str() != "t")
-        .collect()
+    crate::numerics::gather(free.filter(|name| !own.contains(name) && name.as_str() != "t"))
 }
 
 /// The names that a definition brings along.
@@ -208,7 +207,7 @@ impl Graph {
             return unknown;
         }
         let mut definition = system.definition.clone();
-        let all = needed.union(&for_bodies).cloned().collect();
+        let all = crate::numerics::gather(needed.union(&for_bodies).cloned());
         let names = match self.put_functions_into(&mut definition, all) {
             Ok(names) => names,
             Err(error) => return vec![GraphError::Compile(error.into())],

@@ -398,7 +398,7 @@ impl Folder<'_> {
         let word = match letter {
             "CurlyPhi" => "varphi".to_owned(),
             _ if is_capital => letter.to_owned(),
-            _ => letter.to_lowercase(),
+            _ => letter.to_ascii_lowercase(),
         };
         let is_greek = greek_word(&word).is_some();
         if is_greek {

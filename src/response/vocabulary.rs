@@ -197,7 +197,7 @@ impl Words {
             let Some(name) = Some(function.name()).filter(is_capital) else {
                 continue;
             };
-            let upper = name.to_uppercase();
+            let upper = name.to_ascii_uppercase();
             let capital = format!("{}{}", &upper[..1], &name[1..]);
             words.add_function(&upper, *function);
             words.add_function(&capital, *function);

@@ -255,7 +255,8 @@ mod tests {
         fn of(scene: &'s Scene<'a, 't>, model: &crate::mechanics::Model, steps: &[Step]) -> Self {
             let notation = Symbols(scene.solution());
             let mut names = BTreeSet::new();
-            let mut moving: BTreeSet<Name> = model.coordinates().iter().cloned().collect();
+            let mut moving: BTreeSet<Name> =
+                crate::numerics::gather(model.coordinates().iter().cloned());
             for line in steps.iter().flat_map(|step| &step.lines) {
                 for side in &line.sides {
                     let formulas: Vec<&Expr> = match side {

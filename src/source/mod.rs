@@ -4,6 +4,7 @@
 //! typed fields out of it, and notes what is wrong ([`Problem`]) instead of stopping.
 //! Reading TOML itself belongs to the feature `render`: a compiled item brings its tree along.
 
+mod case;
 mod nearest;
 mod problem;
 mod span;
@@ -13,6 +14,7 @@ mod text;
 pub mod toml;
 mod value;
 
+pub use case::{capital, lower};
 pub use nearest::nearest;
 pub use problem::Problem;
 pub use span::Span;

@@ -334,9 +334,7 @@ impl Unit {
         for factor in raised.since(0) {
             factor.below = factor.power.is_negative() && (factor.below != power.is_negative());
         }
-        raised
-            .since(0)
-            .sort_by_key(|factor| factor.power.is_negative());
+        crate::numerics::sort_by_key(raised.since(0), |factor| factor.power.is_negative());
         raised.finish().ok()
     }
 }

@@ -87,7 +87,7 @@ impl Chosen {
     /// The pairs of neighbours in the right order count.
     fn mark_ranking(&self, places: &[usize]) -> Marking {
         let mut seen = places.to_vec();
-        seen.sort_unstable();
+        crate::numerics::sort_by(&mut seen, Ord::cmp);
         seen.dedup();
         if seen.len() != self.ids.len() || places.len() != self.ids.len() {
             return Marking::unreadable(Why::Ranking(self.ids.len()));
@@ -121,7 +121,7 @@ impl Marker for Chosen {
         let mut trials = vec![Trial::new(Nature::Unreadable, "zz9")];
         if !right.is_empty() {
             trials.push(Trial::new(Nature::Right, letters(&right)));
-            let loud = letters(&right).to_uppercase().replace(',', ";");
+            let loud = letters(&right).to_ascii_uppercase().replace(',', ";");
             trials.push(Trial::new(Nature::Borderline, loud));
         }
         if !wrong.is_empty() {

@@ -3,6 +3,7 @@
 use super::formula::Formula;
 use super::marker::Chosen;
 use crate::response::Folded;
+use crate::source::lower;
 
 /// The words of an option as those of a response are compared with them.
 pub(super) fn words(option: &str) -> String {
@@ -12,12 +13,9 @@ pub(super) fn words(option: &str) -> String {
 
 /// Words without regard to case and spacing.
 pub(super) fn normalized(text: &str) -> String {
-    text.split_whitespace()
-        .collect::<Vec<_>>()
-        .join(" ")
-        .trim_matches(['"', '\''])
-        .trim_end_matches(['.', '!', ',', ';', ':'])
-        .to_lowercase()
+    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let words = words.trim_matches(['"', '\'']);
+    lower(words.trim_end_matches(['.', '!', ',', ';', ':']))
 }
 
 /// Letters of the shortest words that stand for an option in another form than its own.
@@ -196,7 +194,7 @@ impl Chosen {
     fn are_letters(&self, word: &str) -> bool {
         let last = b'a' + (self.ids.len() - 1) as u8;
         let mut letters = word.to_ascii_lowercase().into_bytes();
-        letters.sort_unstable();
+        crate::numerics::sort_by(&mut letters, Ord::cmp);
         (self.is_several || self.is_ranking)
             && letters.iter().all(|letter| (b'a'..=last).contains(letter))
             && letters.windows(2).all(|pair| pair[0] != pair[1])

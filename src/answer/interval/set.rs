@@ -87,7 +87,7 @@ impl Set {
     /// The union of intervals.
     pub(super) fn of(mut pieces: Vec<Piece>) -> Self {
         pieces.retain(|piece| piece.common(piece).is_some());
-        pieces.sort_by(|a, b| {
+        crate::numerics::sort_by(&mut pieces, |a, b| {
             a.0[0]
                 .value
                 .total_cmp(&b.0[0].value)

@@ -52,7 +52,7 @@ impl Numbers {
             .map(|turns| band(target.value + f64::from(turns) * period))
             .collect();
         // The first that fits counts: what is right comes before what is half right.
-        bands.sort_by_key(|band| std::cmp::Reverse(band.credit));
+        crate::numerics::sort_by_key(&mut bands, |band| std::cmp::Reverse(band.credit));
         bands
     }
 

@@ -77,7 +77,7 @@ pub(super) fn list(
             .for_each(|(_, item)| item.quantity.unit = unit);
     }
     if items.iter().all(|(label, _)| label.is_some()) {
-        items.sort_by_key(|(label, _)| *label);
+        crate::numerics::sort_by_key(&mut items, |(label, _)| *label);
     }
     Ok(items.into_iter().map(|(_, item)| item).collect())
 }

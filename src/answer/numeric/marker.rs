@@ -405,8 +405,8 @@ impl Marker for Numbers {
         let mut targets: Vec<&Target> = self.targets.iter().collect();
         let mut numbers = si.to_vec();
         if !self.is_ordered {
-            targets.sort_by(|a, b| a.value.total_cmp(&b.value));
-            numbers.sort_by(f64::total_cmp);
+            crate::numerics::sort_by(&mut targets, |a, b| a.value.total_cmp(&b.value));
+            crate::numerics::sort_by(&mut numbers, f64::total_cmp);
         }
         let pairs = targets.iter().zip(numbers);
         let distances = pairs.map(|(target, number)| {

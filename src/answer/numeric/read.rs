@@ -231,7 +231,7 @@ fn counted(value: &str) -> Option<&str> {
     ];
     let word = value.trim_start_matches(|char: char| !char.is_alphabetic());
     WORDS
-        .contains(&word.to_lowercase().as_str())
+        .contains(&word.to_ascii_lowercase().as_str())
         .then_some(word)
 }
 

@@ -14,7 +14,7 @@ pub(super) fn miswritten(typed: &Unit, asked: &Unit) -> Option<Why> {
     if text == "g" && Ok(asked.dimension()) == Dimension::parse("m/s^2") {
         return Some(Why::Gram);
     }
-    if let Some(small) = fits(&text.to_lowercase()) {
+    if let Some(small) = fits(&text.to_ascii_lowercase()) {
         let meant = small.text();
         return Some(Why::Capitals { meant, typed: text });
     }

@@ -133,11 +133,8 @@ impl<'s> Reader<'s> {
         }
         self.has_figure = table.has("figure");
         if let Some(plots) = table.table("plots") {
-            self.plots = plots
-                .entries()
-                .iter()
-                .map(|entry| entry.key.clone())
-                .collect();
+            self.plots =
+                crate::numerics::gather(plots.entries().iter().map(|entry| entry.key.clone()));
         }
         self.data(table);
         self.quantities(table);
@@ -175,11 +172,11 @@ impl<'s> Reader<'s> {
             constraints,
             graph: std::mem::take(&mut self.graph),
             quantities: std::mem::take(&mut self.quantities),
-            symbols: self
-                .free
-                .iter()
-                .map(|known| (known.name.clone(), known.symbol.clone()))
-                .collect(),
+            symbols: crate::numerics::gather(
+                self.free
+                    .iter()
+                    .map(|known| (known.name.clone(), known.symbol.clone())),
+            ),
             plots,
             statement: statement?,
             solution: solution.unwrap_or_default(),

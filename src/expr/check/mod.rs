@@ -130,7 +130,7 @@ impl<'a> Checker<'a> {
     }
 
     fn finish(mut self, found: Option<Type>) -> Result<Type, Vec<CheckError>> {
-        self.findings.sort_by_key(CheckError::span);
+        crate::numerics::sort_by_key(&mut self.findings, CheckError::span);
         match found {
             Some(found) if self.findings.is_empty() => Ok(found),
             _ => Err(self.findings),

@@ -83,7 +83,7 @@ impl Program {
             _ => None,
         };
         let mut slots: Vec<u32> = self.code.iter().filter_map(slot).collect();
-        slots.sort_unstable();
+        crate::numerics::sort_by(&mut slots, Ord::cmp);
         slots.dedup();
         slots
     }
@@ -95,7 +95,7 @@ impl Program {
             _ => None,
         };
         let mut motions: Vec<u32> = self.code.iter().filter_map(motion).collect();
-        motions.sort_unstable();
+        crate::numerics::sort_by(&mut motions, Ord::cmp);
         motions.dedup();
         motions
     }

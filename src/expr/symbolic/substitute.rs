@@ -54,7 +54,7 @@ impl Substitution {
     /// Nothing to be put in yet, where these names move with time.
     pub fn moving(names: impl IntoIterator<Item = Name>) -> Self {
         Self {
-            moving: names.into_iter().collect(),
+            moving: crate::numerics::gather(names),
             ..Self::default()
         }
     }

@@ -72,7 +72,7 @@ impl Element for Ground {
         let mut spots = spots::beside(a, b, DEPTH, part.at);
         // The hatched side is the outside.
         let out = -(b - a).unit().left();
-        spots.sort_by_key(|spot| (spot.at - a).dot(out) < 0.0);
+        crate::numerics::sort_by_key(&mut spots, |spot| (spot.at - a).dot(out) < 0.0);
         spots
     }
 }

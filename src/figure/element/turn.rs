@@ -59,8 +59,9 @@ impl Element for Turn {
             spots.extend(spots::off(centre, direction, radius));
         }
         if let Some(side) = part.at {
-            spots
-                .sort_by_key(|spot| spot.anchor != crate::figure::Anchor::facing(side.direction()));
+            crate::numerics::sort_by_key(&mut spots, |spot| {
+                spot.anchor != crate::figure::Anchor::facing(side.direction())
+            });
         }
         let direction = Point::at_angle(f64::midpoint(from, to));
         spots.extend(spots::off(

@@ -25,7 +25,7 @@ pub(super) fn draw(plot: &Plot<'_>) -> Result<Picture, PlotError> {
     let pens = pens(plot);
     // Thin lines first: what moves stands out over its limits.
     let mut order: Vec<&Line> = lines.iter().collect();
-    order.sort_by_key(|line| is_guide(plot, line));
+    crate::numerics::sort_by_key(&mut order, |line| is_guide(plot, line));
     for line in order.into_iter().rev() {
         drawing.stroke(line.path(&frame), pens[line.curve]);
     }

@@ -210,7 +210,7 @@ impl Letterer {
 
     /// Names outside of the frame, at the height where their curves end, moved apart where they are close.
     fn at_ends(&mut self, drawing: &mut Drawing, mut ends: Vec<(Point, Label)>) {
-        ends.sort_by(|a, b| a.0.y.total_cmp(&b.0.y));
+        crate::numerics::sort_by(&mut ends, |a, b| a.0.y.total_cmp(&b.0.y));
         let mut heights: Vec<f64> = ends.iter().map(|(end, _)| end.y).collect();
         spread(&mut heights);
         lift(&mut heights);

@@ -181,7 +181,7 @@ impl Answers {
         let formulas = own
             .iter()
             .filter_map(|own| Some((own.name.clone(), own.formula.clone()?)));
-        formulas.collect()
+        crate::numerics::gather(formulas)
     }
 
     fn add_right(&mut self, solution: &Solution<'_>, node: NodeId) {
@@ -280,7 +280,7 @@ fn as_written(right: &Value, si: &[f64]) -> Option<Value> {
     ) && si.len() == right.numbers().len()
     {
         let mut sorted = numbers.clone();
-        sorted.sort_by(f64::total_cmp);
+        crate::numerics::sort_by(&mut sorted, f64::total_cmp);
         ascending(si.len(), &|place| right.numbers()[place])
             .into_iter()
             .zip(sorted)

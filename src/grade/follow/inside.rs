@@ -116,7 +116,7 @@ impl Data {
             .iter()
             .map(|parameter| parameter.name.clone())
             .collect();
-        names.sort();
+        crate::numerics::sort_by(&mut names, Ord::cmp);
         let is_known = |name: &Name| names.contains(name);
         if formula
             .names()

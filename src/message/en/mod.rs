@@ -12,6 +12,7 @@ use crate::answer::{
 use crate::document::{Block, Document, Inline};
 use crate::expr::{CheckError, Joint};
 use crate::math::Math;
+use crate::source::capital;
 use crate::unit::{DecimalMark, Dimension, Unit};
 
 /// What is said of a remark.
@@ -537,11 +538,4 @@ fn units(typed: &Unit, asked: &Unit) -> String {
         "The unit does not fit{is}. What is asked is {due}in {}.",
         asked.text()
     )
-}
-
-fn capital(sentence: &str) -> String {
-    let mut letters = sentence.chars();
-    letters.next().map_or(String::new(), |first| {
-        first.to_uppercase().chain(letters).collect()
-    })
 }

@@ -308,7 +308,9 @@ impl Basis<'_> {
                 (eigenvalue, shape.iter().map(|x| *x * factor).collect())
             })
             .collect();
-        found.sort_by(|(a, _), (b, _)| a.partial_cmp(b).unwrap_or(Ordering::Equal));
+        crate::numerics::sort_by(&mut found, |(a, _), (b, _)| {
+            a.partial_cmp(b).unwrap_or(Ordering::Equal)
+        });
         Refined {
             eigenvalues: found.iter().map(|(eigenvalue, _)| *eigenvalue).collect(),
             shapes: DMatrix::from_iterator(

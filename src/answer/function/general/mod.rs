@@ -236,12 +236,9 @@ impl Setup {
     }
 
     fn solution(&self, typed: &[Expr]) -> Option<Solution> {
-        let replaced: BTreeMap<Name, Expr> = self
-            .coordinates
-            .iter()
-            .cloned()
-            .zip(typed.iter().cloned())
-            .collect();
+        let coordinates = self.coordinates.iter().cloned();
+        let replaced: BTreeMap<Name, Expr> =
+            crate::numerics::gather(coordinates.zip(typed.iter().cloned()));
         let none = BTreeMap::new();
         let mut has_decimals = false;
         for expr in typed {

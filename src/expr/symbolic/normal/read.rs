@@ -154,13 +154,13 @@ impl Polynomial {
     /// The sums that stand in denominators.
     fn denominators(&self) -> BTreeSet<Inner> {
         let factors = self.0.keys().flat_map(|monomial| &monomial.0);
-        factors
+        let bases = factors
             .filter(|(_, exponent)| exponent.is_negative())
             .filter_map(|(atom, _)| match atom {
                 Atom::Base(base) if base.as_number().is_none() => Some(base.clone()),
                 _ => None,
-            })
-            .collect()
+            });
+        crate::numerics::gather(bases)
     }
 
     /// The form in which equal functions are the same: denominators cleared, angles taken apart, sin²

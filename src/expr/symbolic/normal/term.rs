@@ -152,7 +152,7 @@ impl Monomial {
                 factors.push((atom.clone(), *theirs));
             }
         }
-        factors.sort_by(|a, b| a.0.cmp(&b.0));
+        crate::numerics::sort_by(&mut factors, |a, b| a.0.cmp(&b.0));
         Self(factors)
     }
 }

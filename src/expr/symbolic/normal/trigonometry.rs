@@ -238,7 +238,7 @@ impl Polynomial {
                 _ => None,
             })
             .collect();
-        angles.sort();
+        crate::numerics::sort_by(&mut angles, Ord::cmp);
         angles.dedup();
         angles
     }

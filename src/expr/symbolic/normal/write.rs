@@ -37,7 +37,7 @@ impl Order {
     /// In products, these names come in this order, before all others.
     #[must_use]
     pub fn ranked(mut self, names: impl IntoIterator<Item = Name>) -> Self {
-        self.ranks = names.into_iter().zip(0..).collect();
+        self.ranks = crate::numerics::gather(names.into_iter().zip(0..));
         self
     }
 
@@ -55,7 +55,7 @@ impl Order {
 
     fn moving_names(&self) -> BTreeSet<Name> {
         let time = Name::new("t");
-        self.moving.iter().cloned().chain([time]).collect()
+        crate::numerics::gather(self.moving.iter().cloned().chain([time]))
     }
 }
 
@@ -131,7 +131,7 @@ fn collected_sum(sum: &Polynomial, writer: &Writer<'_>) -> Expr {
         group.0.insert(Monomial(rest), *coefficient);
     }
     let mut groups: Vec<_> = groups.into_iter().collect();
-    groups.sort_by_key(|(part, _)| rank(part, order));
+    crate::numerics::sort_by_key(&mut groups, |(part, _)| rank(part, order));
     let constants = groups
         .iter()
         .position(|(part, _)| part.is_one())
@@ -285,17 +285,14 @@ fn separate_terms(sum: &Polynomial, writer: &Writer<'_>) -> Vec<(bool, Expr)> {
 }
 
 fn sorted_terms<'a>(sum: &'a Polynomial, order: &Order) -> Vec<(&'a Monomial, Rational)> {
-    let mut terms: Vec<_> = sum
-        .0
-        .iter()
-        .map(|(monomial, own)| (monomial, *own))
-        .collect();
-    terms.sort_by_cached_key(|(monomial, coefficient)| {
+    let keyed = sum.0.iter().map(|(monomial, own)| {
         let factors = sorted_factors(monomial, order);
         let places: Vec<_> = factors.into_iter().map(|(place, ..)| place).collect();
-        (coefficient.is_negative(), places)
+        ((own.is_negative(), places), (monomial, *own))
     });
-    terms
+    let mut terms: Vec<_> = keyed.collect();
+    crate::numerics::sort_by(&mut terms, |a, b| a.0.cmp(&b.0));
+    terms.into_iter().map(|(_, term)| term).collect()
 }
 
 fn sorted_factors(monomial: &Monomial, order: &Order) -> Vec<(Place, Atom, Rational)> {
@@ -304,7 +301,7 @@ fn sorted_factors(monomial: &Monomial, order: &Order) -> Vec<(Place, Atom, Ratio
         .iter()
         .map(|(atom, exponent)| (place(atom, order), atom.clone(), *exponent))
         .collect();
-    factors.sort();
+    crate::numerics::sort_by(&mut factors, Ord::cmp);
     factors
 }
 
@@ -488,7 +485,7 @@ fn unsigned(own: &Polynomial, written: Expr, writer: &Writer<'_>) -> Expr {
         let terms = terms
             .into_iter()
             .map(|(monomial, own)| (monomial.clone(), own.abs()));
-        collected_sum(&Polynomial(terms.collect()), writer)
+        collected_sum(&Polynomial(crate::numerics::gather(terms)), writer)
     };
     let negative = terms_of(&part(negative));
     let first = part(positive);
