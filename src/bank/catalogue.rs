@@ -23,14 +23,18 @@ pub struct Catalogue {
     pub(super) by_id: BTreeMap<Arc<str>, usize>,
     /// Whether its items were taken out of their bank, so that nobody knows its topics.
     pub(super) is_loose: bool,
+    /// What a list shows of items, where it was made out before.
+    #[cfg(feature = "render")]
+    pub(super) listings: BTreeMap<ItemId, super::Listing>,
 }
 
 /// The file of an item, and what came of reading it.
 #[derive(Debug)]
 pub(super) struct Entry {
     pub(super) id: ItemId,
-    pub(super) revision: Revision,
     pub(super) source: Source,
+    /// Made out when it is asked for: a digest of all items takes longer than reading one.
+    revision: OnceLock<Revision>,
     reading: OnceLock<Reading>,
 }
 
@@ -46,10 +50,18 @@ impl Entry {
     pub(super) fn new(id: ItemId, source: &Source) -> Self {
         Self {
             id,
-            revision: Revision::of(&source.text),
             source: source.clone(),
+            revision: OnceLock::new(),
             reading: OnceLock::new(),
         }
+    }
+}
+
+impl Entry {
+    pub(super) fn revision(&self) -> Revision {
+        *self
+            .revision
+            .get_or_init(|| Revision::of(&self.source.text))
     }
 }
 
@@ -83,6 +95,12 @@ impl Catalogue {
         self.reading(entry).template.as_ref()
     }
 
+    /// The items of these identities that can be used; no other is read.
+    pub fn items_among(&self, wants: impl Fn(&ItemId) -> bool) -> impl Iterator<Item = &Template> {
+        let wanted = self.entries.iter().filter(move |entry| wants(&entry.id));
+        wanted.filter_map(|entry| self.reading(entry).template.as_ref())
+    }
+
     /// Whether the bank has an item of this identity; where [`find`](Self::find) has none, its file has findings.
     pub fn has(&self, id: &str) -> bool {
         self.by_id.contains_key(id)
@@ -97,13 +115,11 @@ impl Catalogue {
         (reading.template, reading.findings)
     }
 
-    /// What is wrong with the files of all items.
+    /// What is wrong with the files of these items.
     #[cfg(feature = "render")]
-    pub(super) fn item_findings(&self) -> Vec<Finding> {
-        let findings = self
-            .entries
-            .iter()
-            .flat_map(|entry| &self.reading(entry).findings);
+    pub(super) fn item_findings(&self, wants: impl Fn(&ItemId) -> bool) -> Vec<Finding> {
+        let wanted = self.entries.iter().filter(|entry| wants(&entry.id));
+        let findings = wanted.flat_map(|entry| &self.reading(entry).findings);
         findings.cloned().collect()
     }
 
@@ -128,7 +144,7 @@ impl Catalogue {
     pub fn digest(&self) -> String {
         let mut hash = Sha256::new();
         for entry in &self.entries {
-            hash.update(format!("{} {}\n", entry.id, entry.revision));
+            hash.update(format!("{} {}\n", entry.id, entry.revision()));
         }
         hash.finalize()
             .iter()

@@ -73,8 +73,13 @@ impl Catalogue {
 
     /// What is wrong with the items, all of which are read for it.
     pub fn findings(&self) -> Vec<Finding> {
-        let mut findings = self.item_findings();
-        for item in self.items() {
+        self.findings_among(|_| true)
+    }
+
+    /// What is wrong with these items; no others are read but those on which they build.
+    pub fn findings_among(&self, wants: impl Fn(&ItemId) -> bool) -> Vec<Finding> {
+        let mut findings = self.item_findings(&wants);
+        for item in self.items_among(&wants) {
             for after in item
                 .about
                 .after
@@ -154,7 +159,7 @@ pub(super) fn read(entry: &Entry, bank: Option<&BankFile>) -> Reading {
     let problems = Problems::default();
     let item = read::Item {
         id: entry.id.clone(),
-        revision: entry.revision,
+        revision: entry.revision(),
         source: &entry.source,
         tree: &toml::read(&entry.source, &problems),
         topics: bank.map(|bank| &bank.topics),

@@ -13,6 +13,8 @@ mod embedded;
 mod folder;
 mod identity;
 #[cfg(feature = "render")]
+mod listing;
+#[cfg(feature = "render")]
 mod load;
 mod parameter;
 mod passage;
@@ -28,6 +30,8 @@ pub use compiled::{Compiled, CompiledError};
 pub use embedded::embedded;
 pub use folder::{BankFile, Chapter, FORMAT};
 pub use identity::{ItemId, Revision};
+#[cfg(feature = "render")]
+pub use listing::{ListedPart, Listing};
 pub use parameter::{Domain, Grid, Parameter, ParameterError};
 pub use passage::{Passage, Piece, Target};
 pub use read::ItemError;

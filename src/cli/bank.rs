@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
-use vibank::bank::{Catalogue, ItemId, embedded};
+use vibank::bank::{Catalogue, ItemId, Listing, embedded};
 use vibank::diagnostic::{Finding, Severity};
 use vibank::source::{Problem, Source, Span};
 
@@ -20,28 +20,30 @@ pub(crate) struct BankArgument {
 
 impl BankArgument {
     /// The catalogue and all findings.
-    pub(crate) fn load(&self) -> Result<(Catalogue, Vec<Finding>), Failure> {
-        self.load_with(&[])
-    }
-
-    /// The same with further files, each with its path inside the bank; one of a known path takes its place.
-    pub(crate) fn load_with(
-        &self,
-        further: &[(String, String)],
-    ) -> Result<(Catalogue, Vec<Finding>), Failure> {
-        let (catalogue, mut findings) = self.open(further)?;
+    fn load(&self) -> Result<(Catalogue, Vec<Finding>), Failure> {
+        let (catalogue, mut findings) = self.open(&[])?;
         read_all(&catalogue);
         findings.append(&mut catalogue.findings());
         Finding::sort(&mut findings);
         Ok((catalogue, findings))
     }
 
-    /// The catalogue, of which no item is read, and what is wrong with the other files.
+    /// The catalogue, of which no item is read, and what is wrong with the other files. What a list shows of the bank that
+    /// comes with the program is known without reading it.
     pub(crate) fn unread(&self) -> Result<(Catalogue, Vec<Finding>), Failure> {
-        self.open(&[])
+        let (mut catalogue, findings) = self.open(&[])?;
+        if self.bank.is_none() {
+            catalogue.know(Listing::embedded());
+        }
+        Ok((catalogue, findings))
     }
 
-    fn open(&self, further: &[(String, String)]) -> Result<(Catalogue, Vec<Finding>), Failure> {
+    /// The catalogue with further files, each with its path inside the bank; one of a known path takes its place. No item
+    /// is read.
+    pub(crate) fn open(
+        &self,
+        further: &[(String, String)],
+    ) -> Result<(Catalogue, Vec<Finding>), Failure> {
         let mut found = Found::default();
         if let Some(folder) = &self.bank {
             found.collect(folder, "")?;
@@ -108,6 +110,26 @@ pub(crate) fn read_all(catalogue: &Catalogue) {
     ids.par_iter().for_each(|id| {
         catalogue.find(id.as_str());
     });
+}
+
+/// What a list shows of the items that can be used, and the number of errors in all of them.
+///
+/// An item that is not known is read, looked at and dropped, so that a large bank takes no more memory than its rows.
+pub(crate) fn listings(catalogue: &Catalogue) -> (Vec<Listing>, usize) {
+    let ids: Vec<&ItemId> = catalogue.ids().collect();
+    let looked = ids.par_iter().map(|id| match catalogue.listing(id) {
+        Some(row) => (Some(row.clone()), 0),
+        None => {
+            let (item, findings) = catalogue.read_apart(id);
+            (item.as_ref().map(Listing::of), errors(&findings))
+        }
+    });
+    let looked: Vec<(Option<Listing>, usize)> = looked.collect();
+    let errors = looked.iter().map(|(_, errors)| errors).sum();
+    (
+        looked.into_iter().filter_map(|(row, _)| row).collect(),
+        errors,
+    )
 }
 
 /// Stands in for the chapter of a file that is looked at by itself.

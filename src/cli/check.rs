@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use rayon::prelude::*;
-use vibank::bank::{Catalogue, Template};
+use vibank::bank::{Catalogue, ItemId, Template};
 use vibank::diagnostic::{Finding, Severity};
 use vibank::examine::Examination;
 use vibank::instance::Instance;
@@ -78,13 +78,19 @@ impl Wanted {
         })
     }
 
+    /// Whether an item is to be looked over.
+    fn wants_item(&self, id: &ItemId) -> bool {
+        self.wants(&format!("{id}.toml"))
+    }
+
     /// Whether a file of the bank is to be looked over.
     fn wants(&self, path: &str) -> bool {
         let wanted = |item: &String| path.contains(inside(item).trim_end_matches(".toml"));
         self.is_all || self.items.iter().any(wanted)
     }
 
-    /// The bank with the files that are named added to it; a name that leads to nothing is misuse.
+    /// The bank with the files that are named added to it, of which the items that are wanted are read, and what is wrong
+    /// with these and with the files around them; a name that leads to nothing is misuse.
     fn load(&self, bank: &BankArgument) -> Result<(Catalogue, Vec<Finding>), Failure> {
         let files: Vec<&Path> = self.items.iter().map(Path::new).collect();
         let files = files.into_iter().filter(|file| file.is_file());
@@ -93,16 +99,26 @@ impl Wanted {
             Ok((path, files::read(file)?))
         });
         let texts = texts.collect::<Result<Vec<(String, String)>, Failure>>()?;
-        let (catalogue, findings) = bank.load_with(&texts)?;
+        let (catalogue, mut findings) = bank.open(&texts)?;
         let is_known = |item: &&String| {
             let path = inside(item);
             let path = path.trim_end_matches(".toml");
-            let items = catalogue.items().map(|item| &*item.source.path);
+            let items = catalogue.ids().map(ItemId::as_str);
             let broken = findings.iter().map(|finding| &*finding.source.path);
             items.chain(broken).any(|known| known.contains(path)) || Path::new(item).is_file()
         };
         match self.items.iter().find(|item| !is_known(item)) {
-            None => Ok((catalogue, findings)),
+            None => {
+                let ids: Vec<&ItemId> = catalogue.ids().collect();
+                ids.par_iter()
+                    .filter(|id| self.wants_item(id))
+                    .for_each(|id| {
+                        catalogue.find(id.as_str());
+                    });
+                findings.append(&mut catalogue.findings_among(|id| self.wants_item(id)));
+                Finding::sort(&mut findings);
+                Ok((catalogue, findings))
+            }
             Some(unknown) => {
                 let failure = Failure::new(format!("there is no item or file `{unknown}`"));
                 Err(match catalogue.nearest(unknown) {
@@ -164,10 +180,7 @@ fn unfree(item: &Template, seeds: u64) -> Option<Finding> {
 
 /// What the known results and the second routes of the items disprove, and what their draws look like.
 fn look_over(catalogue: &Catalogue, wanted: &Wanted, arguments: &Arguments) -> Vec<Looked> {
-    let items: Vec<_> = catalogue
-        .items()
-        .filter(|item| wanted.wants(&item.source.path))
-        .collect();
+    let items: Vec<_> = catalogue.items_among(|id| wanted.wants_item(id)).collect();
     let progress = progress::bar(items.len() as u64, "items");
     let looked = items.par_iter().map(|item| {
         let mut findings = proof::findings(item, arguments.seeds);
@@ -230,7 +243,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let (errors, warnings) = (count(Severity::Error), count(Severity::Warning));
     let things = match wanted.blueprints.len() {
         count if count == arguments.items.len() && count > 0 => counted(count, "blueprint"),
-        _ => counted(catalogue.items().count(), "item"),
+        _ => counted(examined.len(), "item"),
     };
     eprintln!(
         "{things}, {}, {}",

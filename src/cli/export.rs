@@ -3,7 +3,7 @@
 use std::num::NonZeroU32;
 use std::path::{Path, PathBuf};
 
-use vibank::bank::{Catalogue, Template};
+use vibank::bank::Catalogue;
 use vibank::diagnostic::Finding;
 use vibank::export::Moodle;
 use vibank::scene::Data;
@@ -116,14 +116,7 @@ fn of_blueprint(
 
 /// The items that pass the filter, a category each.
 fn of_filter(arguments: &Arguments, catalogue: &Catalogue) -> Result<Made, Failure> {
-    bank::read_all(catalogue);
-    let items: Vec<&Template> = catalogue
-        .items()
-        .filter(|item| arguments.filter.wants(item))
-        .collect();
-    if items.is_empty() {
-        return Err(arguments.filter.refusal(catalogue));
-    }
+    let items = arguments.filter.items(catalogue)?;
     let mut moodle = Moodle::new(&catalogue.bank.title, Data::default(), arguments.essay);
     for item in items {
         let id = item.id.as_str();

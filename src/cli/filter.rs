@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use vibank::bank::{Catalogue, Template};
+use vibank::bank::{Catalogue, Listing, Template};
 use vibank::source::nearest;
 
-use super::Failure;
+use super::{Failure, bank};
 
 /// Items by chapter, topic, level and kind of answer.
 #[derive(clap::Args)]
@@ -34,25 +34,45 @@ impl Filter {
     }
 
     /// Whether an item passes.
-    pub(crate) fn wants(&self, item: &Template) -> bool {
+    pub(crate) fn wants(&self, item: &Listing) -> bool {
         let is_wanted = |(_, wanted, found): (&str, Option<&String>, Vec<&str>)| {
             wanted.is_none_or(|wanted| has(&found, wanted))
         };
         self.marks(item).into_iter().all(is_wanted)
-            && self.level.is_none_or(|level| level == item.about.level)
+            && self.level.is_none_or(|level| level == item.level)
+    }
+
+    /// The items of a catalogue that pass, all of which are read.
+    ///
+    /// # Errors
+    ///
+    /// Why none does.
+    pub(crate) fn items<'c>(&self, catalogue: &'c Catalogue) -> Result<Vec<&'c Template>, Failure> {
+        bank::read_all(catalogue);
+        let all: Vec<(&Template, Listing)> = catalogue
+            .items()
+            .map(|item| (item, Listing::of(item)))
+            .collect();
+        let wanted = all.iter().filter(|(_, row)| self.wants(row));
+        let wanted: Vec<&Template> = wanted.map(|(item, _)| *item).collect();
+        if wanted.is_empty() {
+            let rows: Vec<Listing> = all.into_iter().map(|(_, row)| row).collect();
+            return Err(self.refusal(&rows));
+        }
+        Ok(wanted)
     }
 
     /// Why no item passes.
-    pub(crate) fn refusal(&self, catalogue: &Catalogue) -> Failure {
-        self.unknown(catalogue).unwrap_or_else(|| {
+    pub(crate) fn refusal(&self, all: &[Listing]) -> Failure {
+        self.unknown(all).unwrap_or_else(|| {
             Failure::new("no item fits all of this")
                 .help("`vibank list` shows all items, chapters and topics")
         })
     }
 
     /// A wanted word that fits no item of the bank, with what would.
-    pub(crate) fn unknown(&self, catalogue: &Catalogue) -> Option<Failure> {
-        let all: Vec<_> = catalogue.items().map(|item| self.marks(item)).collect();
+    pub(crate) fn unknown(&self, all: &[Listing]) -> Option<Failure> {
+        let all: Vec<_> = all.iter().map(|item| self.marks(item)).collect();
         (0..all.first()?.len()).find_map(|at| {
             let (name, wanted, _) = all[0][at];
             let wanted = wanted?;
@@ -72,10 +92,10 @@ impl Filter {
     /// What is wanted of the chapter, the topics and the kinds of an item, beside what it has.
     fn marks<'a>(
         &'a self,
-        item: &'a Template,
+        item: &'a Listing,
     ) -> [(&'static str, Option<&'a String>, Vec<&'a str>); 3] {
-        let topics = item.about.topics.iter().map(|topic| topic.value.as_str());
-        let kinds = item.parts.iter().map(|part| part.answer.kind().name());
+        let topics = item.topics.iter().map(String::as_str);
+        let kinds = item.parts.iter().map(|part| part.kind.as_str());
         [
             ("chapter", self.chapter.as_ref(), vec![item.id.chapter()]),
             ("topic", self.topic.as_ref(), topics.collect()),

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use vibank::answer::Doubt;
-use vibank::bank::{Catalogue, Compiled, Template};
+use vibank::bank::{Catalogue, Compiled};
 use vibank::source::Source;
 use vibank::worksheet::{Blueprint, Plan, Practice};
 
@@ -82,13 +82,6 @@ fn planned(
 }
 
 fn filtered(filter: &Filter, catalogue: &Catalogue) -> Result<Offered, Failure> {
-    bank::read_all(catalogue);
-    let items: Vec<&Template> = catalogue
-        .items()
-        .filter(|item| filter.wants(item))
-        .collect();
-    if items.is_empty() {
-        return Err(filter.refusal(catalogue));
-    }
+    let items = filter.items(catalogue)?;
     Ok(Practice::of_items(catalogue, &items, &catalogue.bank.title))
 }

@@ -5,7 +5,7 @@ use std::thread;
 
 use serde_json::{Value as Json, json};
 use vibank::answer::{KeyValue, Verdict};
-use vibank::bank::{Catalogue, Template, embedded};
+use vibank::bank::{Catalogue, Listing, Template, embedded};
 use vibank::grade;
 use vibank::instance::Instance;
 use vibank::output::{self, Kind, Pages, Run};
@@ -268,4 +268,38 @@ fn apart(found: &Json, expected: &Json) -> Option<f64> {
         .map(|(a, b)| (a - b).abs())
         .fold(0.0, f64::max);
     Some(largest / size)
+}
+
+#[test]
+fn the_committed_list_is_that_of_the_bank() {
+    use std::fmt::Write as _;
+    let (catalogue, _) = Catalogue::load(embedded());
+    let mut rows = String::new();
+    for item in catalogue.items() {
+        let listing = Listing::of(item);
+        let row = serde_json::to_string(&listing).expect("a row is plain data");
+        assert_eq!(
+            serde_json::from_str::<Listing>(&row).expect("a row"),
+            listing
+        );
+        // The empty lines keep changes of neighbours apart when branches are merged.
+        let _ = writeln!(rows, "{row}\n");
+    }
+    crate::generated::compare("src/bank/listings.jsonl", &rows);
+}
+
+#[test]
+fn a_row_of_another_revision_does_not_count() {
+    let mut catalogue = crate::small_bank();
+    let id = catalogue.ids().next().expect("an item").clone();
+    let row = Listing::of(catalogue.find(id.as_str()).expect("it can be used"));
+    let stale = Listing {
+        revision: vibank::bank::Revision::of("another text"),
+        title: "Stale".to_owned(),
+        ..row.clone()
+    };
+    catalogue.know([stale]);
+    assert_eq!(catalogue.listing(&id), None);
+    catalogue.know([row.clone()]);
+    assert_eq!(catalogue.listing(&id), Some(&row));
 }

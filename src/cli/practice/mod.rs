@@ -9,7 +9,7 @@ use std::io::IsTerminal;
 use std::path::PathBuf;
 
 use vibank::answer::Doubt;
-use vibank::bank::{Catalogue, Template};
+use vibank::bank::{Catalogue, ItemId, Listing, Template};
 use vibank::instance::Instance;
 use vibank::seed::{Seed, Streams};
 use vibank::solution::Solution;
@@ -52,8 +52,8 @@ pub(crate) struct Arguments {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let catalogue = arguments.bank.catalogue()?;
-    let items = chosen(arguments, &catalogue)?;
+    let (catalogue, findings) = arguments.bank.unread()?;
+    let items = chosen(arguments, &catalogue, bank::errors(&findings))?;
     let seed = arguments.seed.unwrap_or_else(any_seed);
     let mut session = Session::begin(Screen::of_stdout(), Log::open(arguments.log.as_deref())?);
     session.welcome(items.len(), seed);
@@ -70,7 +70,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             if number == most {
                 break 'rounds;
             }
-            let solution = instance(items[at], seed, number)?.settling(arguments.doubt);
+            let item = catalogue.find(items[at].as_str());
+            let item =
+                item.ok_or_else(|| Failure::new(format!("`{}` cannot be used", items[at])))?;
+            let solution = instance(item, seed, number)?.settling(arguments.doubt);
             if let End::Session = session.exercise(&solution)? {
                 break 'rounds;
             }
@@ -81,26 +84,29 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Done)
 }
 
-/// The items that are meant, in the order of the bank.
-fn chosen<'c>(
+/// The items that are meant, in the order of the bank; errors in the bank are reported, with those that are known.
+fn chosen(
     arguments: &Arguments,
-    catalogue: &'c Catalogue,
-) -> Result<Vec<&'c Template>, Failure> {
+    catalogue: &Catalogue,
+    errors: usize,
+) -> Result<Vec<ItemId>, Failure> {
     let wanted = arguments.item.as_deref().unwrap_or_default();
     if let Some(item) = catalogue.find(wanted) {
-        return Ok(vec![item]);
+        return Ok(vec![item.id.clone()]);
     }
-    bank::read_all(catalogue);
-    let items: Vec<&Template> = catalogue
-        .items()
+    let (all, further) = bank::listings(catalogue);
+    bank::warn(errors + further);
+    let items = all.iter();
+    let items: Vec<ItemId> = items
         .filter(|item| arguments.filter.wants(item) && is_meant(item, wanted))
+        .map(|item| item.id.clone())
         .collect();
     if !items.is_empty() {
         return Ok(items);
     }
     let filter = &arguments.filter;
-    if wanted.is_empty() || filter.unknown(catalogue).is_some() {
-        return Err(filter.refusal(catalogue));
+    if wanted.is_empty() || filter.unknown(&all).is_some() {
+        return Err(filter.refusal(&all));
     }
     if catalogue.has(wanted) {
         let failure = Failure::new(format!("there is something wrong with the item `{wanted}`"));
@@ -114,15 +120,11 @@ fn chosen<'c>(
 }
 
 /// Whether a word names the chapter or a topic of an item, or stands in its title or identity.
-fn is_meant(item: &Template, word: &str) -> bool {
+fn is_meant(item: &Listing, word: &str) -> bool {
     let word = word.to_lowercase();
-    let about = &item.about;
     item.id.chapter() == word
-        || about
-            .topics
-            .iter()
-            .any(|topic| topic.value.to_lowercase() == word)
-        || about.title.to_lowercase().contains(&word)
+        || item.topics.iter().any(|topic| topic.to_lowercase() == word)
+        || item.title.to_lowercase().contains(&word)
         || !item.id.chapter().contains(&word) && item.id.as_str().contains(&word)
 }
 
