@@ -76,7 +76,7 @@ impl Catalogue {
         self.findings_among(|_| true)
     }
 
-    /// What is wrong with these items; no others are read but those on which they build.
+    /// What is wrong with these items; no others are read.
     pub fn findings_among(&self, wants: impl Fn(&ItemId) -> bool) -> Vec<Finding> {
         let mut findings = self.item_findings(&wants);
         for item in self.items_among(&wants) {

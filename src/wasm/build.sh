@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # Builds the grader of the self-check page from the sources of the library: a WebAssembly module, deflated.
-# Needs the target wasm32-unknown-unknown and zopfli, which deflates better than what a page could afford to run; with
-# binaryen's wasm-opt the module becomes a tenth smaller.
+# Needs the target wasm32-unknown-unknown, Python, and zopfli, which deflates better than what a page could afford to run;
+# with binaryen's wasm-opt the module becomes a tenth smaller.
 # With `--fresh`, the module alone, for tests: neither made smaller nor committed.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
 # Small before fast: the module travels in every page. The names of source files stay out of it.
 export CARGO_PROFILE_RELEASE_OPT_LEVEL="${OPT_LEVEL:-z}" CARGO_PROFILE_RELEASE_LTO=fat CARGO_PROFILE_RELEASE_PANIC=abort
-export CARGO_PROFILE_RELEASE_CODEGEN_UNITS=1 CARGO_PROFILE_RELEASE_STRIP=true
+# Names of functions stay until these are put in order by them.
+export CARGO_PROFILE_RELEASE_CODEGEN_UNITS=1 CARGO_PROFILE_RELEASE_STRIP=debuginfo
 export RUSTFLAGS="--remap-path-prefix=$PWD=. --remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}=cargo"
 target="${CARGO_TARGET_DIR:-target}"
 cargo rustc --locked --release --lib --crate-type cdylib --no-default-features --target wasm32-unknown-unknown
@@ -19,10 +20,11 @@ if [ "${1-}" = --fresh ]; then
     exit
 fi
 if command -v wasm-opt >/dev/null; then
-    wasm-opt --flatten --rereloop -Os --all-features "$module" -o "$module.small"
+    wasm-opt --flatten --rereloop -Os --all-features -g "$module" -o "$module.small"
     module="$module.small"
 fi
-zopfli --deflate --i60 -c "$module" >src/wasm/grader.deflate
+python3 src/wasm/order.py "$module" "$module.ordered"
+zopfli --deflate --i60 -c "$module.ordered" >src/wasm/grader.deflate
 # What it was built from: `cargo test` says when that has changed since.
 src/wasm/digest.sh >src/wasm/grader.sources
 wc -c src/wasm/grader.deflate

@@ -294,7 +294,7 @@ fn is_current() -> bool {
     for file in files {
         hash.update(without_tests(&content(&file)));
     }
-    for file in ["Cargo.lock", "src/wasm/build.sh"] {
+    for file in ["Cargo.lock", "src/wasm/build.sh", "src/wasm/order.py"] {
         hash.update(content(Path::new(file)));
     }
     let digest: String = hash
