@@ -53,7 +53,9 @@ pub mod report;
 pub mod survey;
 pub mod worksheet;
 
-// Layer 10: formats, and exports to course platforms.
+// Layer 10: courses, formats, and exports to course platforms.
+#[cfg(feature = "render")]
+pub mod course;
 #[cfg(feature = "render")]
 pub mod export;
 #[cfg(feature = "render")]

@@ -51,6 +51,12 @@ impl Compiled {
     /// ```
     #[cfg(feature = "render")]
     pub fn of(template: &Template) -> Self {
+        Self::without(template, &[])
+    }
+
+    /// Compiles the file of a template without the texts under these keys, such as `solution` and `feedback`.
+    #[cfg(feature = "render")]
+    pub fn without(template: &Template, keys: &[&str]) -> Self {
         let problems = Problems::default();
         let mut tree = crate::source::toml::read(&template.source, &problems);
         let mut noted = read::Noting::default();
@@ -64,6 +70,7 @@ impl Compiled {
         // The template was read before: there is nothing new to find.
         let _ = read::item(item, &problems, &mut noted);
         noting::strip(&mut tree);
+        noting::silence(&tree, keys, &mut noted);
         let (documents, symbols) = noting::number(&mut tree, noted);
         Self {
             id: template.id.clone(),
@@ -123,6 +130,31 @@ mod noting {
         let about = entries.iter_mut().find(|entry| entry.key == "item");
         if let Some(Data::Table(entries)) = about.map(|entry| &mut entry.value.data) {
             entries.retain(|entry| entry.key != "notes");
+        }
+    }
+
+    /// Empties the texts under these keys.
+    pub(super) fn silence(tree: &Value, keys: &[&str], noted: &mut Noting) {
+        let mut silent = Vec::new();
+        texts_under(tree, keys, false, &mut silent);
+        for (span, document) in &mut noted.documents {
+            if silent.contains(span) {
+                *document = Document::default();
+            }
+        }
+    }
+
+    fn texts_under(value: &Value, keys: &[&str], is_under: bool, found: &mut Vec<Span>) {
+        match &value.data {
+            Data::Text(_) if is_under => found.push(value.span),
+            Data::List(items) => items
+                .iter()
+                .for_each(|item| texts_under(item, keys, is_under, found)),
+            Data::Table(entries) => entries.iter().for_each(|entry| {
+                let is_under = is_under || keys.contains(&entry.key.as_str());
+                texts_under(&entry.value, keys, is_under, found);
+            }),
+            _ => {}
         }
     }
 

@@ -47,6 +47,7 @@ mod lines;
 mod list;
 mod mark;
 mod new;
+mod package;
 mod page;
 mod practice;
 mod press;

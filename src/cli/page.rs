@@ -4,8 +4,10 @@ use std::path::{Path, PathBuf};
 
 use vibank::answer::Doubt;
 use vibank::bank::{Catalogue, Compiled};
+use vibank::course::Package;
+use vibank::output::Scorm;
 use vibank::source::Source;
-use vibank::worksheet::{Blueprint, Plan, Practice};
+use vibank::worksheet::{Blueprint, Feedback, Plan, Practice, Rules, Worked};
 
 use super::bank::{self, BankArgument};
 use super::doubt::doubt;
@@ -14,6 +16,9 @@ use super::filter::Filter;
 use super::{Failure, Outcome};
 
 /// Write a page on which students practise and check themselves: one file, which works without a network.
+///
+/// As a SCORM package it goes into a course of Moodle, Canvas, Ilias or Blackboard: each learner has data of their own,
+/// and the score stands in the course. The rules are in `[page]` of the blueprint.
 ///
 /// Example: vibank page --chapter ch3 --out damping.html
 #[derive(clap::Args)]
@@ -29,45 +34,106 @@ pub(crate) struct Arguments {
     /// back.
     #[arg(long, value_name = "POLICY", value_parser = doubt())]
     doubt: Option<Doubt>,
-    /// The file to write.
-    #[arg(long, value_name = "FILE", default_value = "practice.html")]
-    out: PathBuf,
+    /// Write a package of this version of SCORM for a course platform.
+    #[arg(long, value_name = "VERSION")]
+    scorm: Option<Version>,
+    /// The file to write; else practice.html or practice.zip.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
     #[command(flatten)]
     bank: BankArgument,
 }
 
+/// A version of SCORM.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum Version {
+    /// SCORM 1.2, which nearly every platform plays; keeps 4,096 characters.
+    #[value(name = "1.2")]
+    V12,
+    /// SCORM 2004, 4th edition; keeps 64,000 characters.
+    #[value(name = "2004")]
+    V2004,
+}
+
+/// What a page is made of.
+struct Offered {
+    practice: Practice,
+    items: Vec<Compiled>,
+    rules: Rules,
+    seed: u64,
+}
+
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let catalogue = arguments.bank.catalogue()?;
-    let (mut practice, items) = match &arguments.blueprint {
+    let mut offered = match &arguments.blueprint {
         Some(path) if arguments.filter.is_open() => match planned(path, &catalogue)? {
-            Ok(practice) => practice,
+            Ok(offered) => offered,
             Err(findings) => return bank::refuse(&findings),
         },
         Some(_) => {
             return Err(Failure::new("a page is made of a blueprint or of a filter")
-                .help("leave one of the two out"));
+                .help("give one of the two"));
         }
         None => filtered(&arguments.filter, &catalogue)?,
     };
     if let Some(title) = &arguments.title {
-        practice.title.clone_from(title);
+        offered.practice.title.clone_from(title);
     }
     if let Some(doubt) = arguments.doubt {
-        practice.doubt = doubt;
+        offered.practice.doubt = doubt;
     }
-    let page = vibank::output::practice(&practice, &items)
-        .map_err(|error| Failure::new(error.to_string()))?;
-    files::write(&arguments.out, page.as_bytes(), Access::Usual)?;
+    let (written, usual) = match arguments.scorm {
+        None => (page(&offered)?, "practice.html"),
+        Some(version) => (package(&offered, version, &catalogue)?, "practice.zip"),
+    };
+    let out = arguments.out.clone().unwrap_or_else(|| usual.into());
+    files::write(&out, &written, Access::Usual)?;
     println!(
         "{}: {} questions, {} kB",
-        arguments.out.display(),
-        practice.questions.len(),
-        page.len().div_ceil(1000)
+        out.display(),
+        offered.practice.questions.len(),
+        written.len().div_ceil(1000)
     );
     Ok(Outcome::Done)
 }
 
-type Offered = (Practice, Vec<Compiled>);
+fn page(offered: &Offered) -> Result<Vec<u8>, Failure> {
+    let page = vibank::output::practice(&offered.practice, &offered.items);
+    let page = page.map_err(|error| Failure::new(error.to_string()))?;
+    Ok(page.into_bytes())
+}
+
+fn package(offered: &Offered, version: Version, catalogue: &Catalogue) -> Result<Vec<u8>, Failure> {
+    let version = match version {
+        Version::V12 => Scorm::V12,
+        Version::V2004 => Scorm::V2004,
+    };
+    let Offered {
+        practice,
+        items,
+        rules,
+        seed,
+    } = offered;
+    let package = Package::of(practice, items, rules, *seed);
+    package.fits(version.room()).map_err(|error| {
+        let way = match version {
+            Scorm::V12 => "take fewer questions or parts, or `--scorm 2004`",
+            Scorm::V2004 => "take fewer questions or parts, in several packages",
+        };
+        Failure::new(error.to_string()).help(way)
+    })?;
+    // What is never shown does not travel.
+    let mut silent = Vec::new();
+    if rules.solution == Worked::Never {
+        silent.push("solution");
+    }
+    if rules.feedback == Feedback::Never {
+        silent.push("feedback");
+    }
+    let items = Practice::silenced(catalogue, items, &silent);
+    vibank::output::scorm(practice, &items, &package, version)
+        .map_err(|error| Failure::new(error.to_string()))
+}
 
 /// The practice of a blueprint, or what is wrong with it.
 fn planned(
@@ -76,12 +142,26 @@ fn planned(
 ) -> Result<Result<Offered, Vec<vibank::diagnostic::Finding>>, Failure> {
     let source = Source::new(path.display().to_string(), files::read(path)?);
     let plan = |blueprint: Blueprint| {
-        Plan::of(&blueprint, catalogue, None).map(|plan| Practice::of_plan(&plan, catalogue))
+        Plan::of(&blueprint, catalogue, None).map(|plan| {
+            let (practice, items) = Practice::of_plan(&plan, catalogue);
+            Offered {
+                practice,
+                items,
+                rules: blueprint.rules.clone(),
+                seed: blueprint.seed,
+            }
+        })
     };
     Ok(Blueprint::read(&source).and_then(plan))
 }
 
 fn filtered(filter: &Filter, catalogue: &Catalogue) -> Result<Offered, Failure> {
     let items = filter.items(catalogue)?;
-    Ok(Practice::of_items(catalogue, &items, &catalogue.bank.title))
+    let (practice, items) = Practice::of_items(catalogue, &items, &catalogue.bank.title);
+    Ok(Offered {
+        practice,
+        items,
+        rules: Rules::default(),
+        seed: 0,
+    })
 }

@@ -12,14 +12,14 @@ use vibank::source::Source;
 use vibank::worksheet::{Blueprint, PartEntry, Plan, Sheet, letter};
 
 use super::bank::{self, BankArgument};
-use super::{Failure, Outcome, files, solve};
+use super::{Failure, Outcome, files, package, solve};
 
 /// Show an item, or the sheet of a code, in the terminal.
 ///
 /// Example: vibank show ch3/e5-log-decrement --seed 7 --solution
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
-    /// The item, or the code of a sheet.
+    /// The item, the code of a sheet, or with `--learner` the file of a package.
     item: String,
     /// The manifest in which a code is looked up.
     #[arg(long, value_name = "FILE")]
@@ -27,6 +27,9 @@ pub(crate) struct Arguments {
     /// The blueprint whose sheet a code is; its bank has to be as it was then.
     #[arg(long, value_name = "FILE", conflicts_with = "manifest")]
     blueprint: Option<PathBuf>,
+    /// The data of this learner in a SCORM package, which is named in place of an item.
+    #[arg(long, value_name = "ID", conflicts_with_all = ["manifest", "blueprint", "seed", "set"])]
+    learner: Option<String>,
     /// Draw the data from this seed; else those of the source are shown.
     #[arg(long)]
     seed: Option<u64>,
@@ -48,6 +51,9 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let catalogue = arguments.bank.catalogue()?;
+    if let Some(learner) = &arguments.learner {
+        return of_learner(arguments, learner, &catalogue);
+    }
     if let Some(template) = catalogue.find(&arguments.item) {
         let set = solve::settings(&arguments.set)?;
         let set: Vec<(&str, &str)> = set
@@ -127,6 +133,34 @@ fn of_blueprint(
             blueprint.data,
             &question.parts,
         );
+    }
+    Ok(Outcome::Done)
+}
+
+/// Shows what a learner has in a package.
+fn of_learner(
+    arguments: &Arguments,
+    learner: &str,
+    catalogue: &Catalogue,
+) -> Result<Outcome, Failure> {
+    let package = package::read(Path::new(&arguments.item), catalogue)?;
+    for (place, question) in package.practice.questions.iter().enumerate() {
+        let key = question.key();
+        let code = package.variant(place, learner)?;
+        println!("{key}  {code}");
+        let template = package::current(catalogue, question)?;
+        let set: Vec<(&str, &str)> = question
+            .set
+            .iter()
+            .map(|(name, value)| (name.as_str(), value.as_str()))
+            .collect();
+        let seed = code.item(template.id.as_str(), None);
+        let instance = Instance::of(template, Some(seed), &set)
+            .map_err(|error| Failure::new(error.to_string()))?;
+        let solution = Solution::of(instance);
+        let mut places = asked(&solution);
+        places.retain(|place| question.asks(&template.parts[*place].id));
+        show(arguments, &solution, package.practice.data, &places);
     }
     Ok(Outcome::Done)
 }

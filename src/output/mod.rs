@@ -17,6 +17,7 @@ mod pages;
 mod pdf;
 mod quoted;
 mod report;
+mod scorm;
 mod view;
 
 pub use key_table::{KeyRow, KeyTable};
@@ -24,6 +25,7 @@ pub use layouts::{Layouts, OutputError};
 pub use page::practice;
 pub use pages::{Kind, Names, Page, Pages, Run};
 pub use report::{Analysed, Lost, LostSheet};
+pub use scorm::{DESCRIPTION, Scorm, scorm};
 
 use crate::document::{Block, Document};
 use crate::math::Math;

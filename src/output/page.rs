@@ -23,7 +23,28 @@ const LEVEL: u8 = 10;
 ///
 /// [`OutputError`] if the layout cannot be filled.
 pub fn practice(practice: &Practice, items: &[Compiled]) -> Result<String, OutputError> {
-    let script = &unspaced(layouts::text("page/page.js"), "/**");
+    page(practice, items, None)
+}
+
+/// The page as a course has it: with the adapter to the platform, and what it has to know, as JSON.
+pub(super) fn in_course(
+    practice: &Practice,
+    items: &[Compiled],
+    course: &str,
+) -> Result<String, OutputError> {
+    page(practice, items, Some(course))
+}
+
+fn page(
+    practice: &Practice,
+    items: &[Compiled],
+    course: Option<&str>,
+) -> Result<String, OutputError> {
+    let adapter = course.map_or("", |_| layouts::text("page/scorm.js"));
+    let script = &unspaced(
+        &format!("{adapter}{}", layouts::text("page/page.js")),
+        "/**",
+    );
     let texts = texts(&practice.language);
     let fail = |message: String| OutputError::Page {
         layout: "page.html".to_owned(),
@@ -52,6 +73,7 @@ pub fn practice(practice: &Practice, items: &[Compiled]) -> Result<String, Outpu
     context.insert("texts_json", &in_script(texts));
     context.insert("style", &style);
     context.insert("font", &base93(layouts::font_file()));
+    context.insert("course", &course.map(in_script));
     context.insert("script", script);
     context.insert("script_digest", &base64(&Sha256::digest(script.as_bytes())));
     let items = practice.lines(items);

@@ -1,6 +1,7 @@
 //! A blueprint: what a sheet is made of, as a teacher writes it.
 
 use super::manifest::Csv;
+use super::rules::Rules;
 use crate::answer::{Credit, Doubt};
 use crate::diagnostic::{Code, Diagnose, Finding, Label};
 use crate::document::Document;
@@ -103,6 +104,8 @@ pub struct Blueprint {
     pub keys: Keys,
     /// Whether worked solutions are made.
     pub solutions: bool,
+    /// The rules of the page that is made of it for a course.
+    pub rules: Rules,
     /// The questions.
     pub questions: Vec<Question>,
 }
@@ -211,6 +214,9 @@ pub enum BlueprintError {
     /// No output format.
     #[error("`formats` is empty, so that no sheet would be written")]
     NoFormat(Span),
+    /// An `id` of `[page]` that is no name.
+    #[error("the `id` of a page has 1 to 64 letters, digits, dots and hyphens")]
+    PageId(Span),
     /// An output format that is listed twice.
     #[error("the format `{0}` is listed twice")]
     FormatTwice(String, Span),
@@ -230,6 +236,7 @@ impl Diagnose for BlueprintError {
             | Self::SeedAndSecret(span)
             | Self::SparesWithoutList(span)
             | Self::NoFormat(span)
+            | Self::PageId(span)
             | Self::FormatTwice(_, span) => vec![Label {
                 span: *span,
                 text: String::new(),
@@ -253,6 +260,7 @@ impl Diagnose for BlueprintError {
             Self::NoFormat(_) => {
                 "list at least one of html, md, pdf, tex, json, or remove the key for html".to_owned()
             }
+            Self::PageId(_) => "write a name such as `dynamics-week-3`, and keep it".to_owned(),
             Self::FormatTwice(..) => "list each format once".to_owned(),
         })
     }
@@ -309,13 +317,13 @@ impl Blueprint {
     }
 }
 
-struct Faults<'s> {
+pub(super) struct Faults<'s> {
     source: &'s Source,
     findings: Vec<Finding>,
 }
 
 impl Faults<'_> {
-    fn add(&mut self, error: &BlueprintError) {
+    pub(super) fn add(&mut self, error: &BlueprintError) {
         self.findings.push(Finding::of(error, self.source));
     }
 
@@ -333,7 +341,7 @@ impl Faults<'_> {
     }
 
     /// The meaning of a word out of a short list.
-    fn word<T: Copy>(
+    pub(super) fn word<T: Copy>(
         &mut self,
         table: &Table<'_>,
         key: &'static str,
@@ -430,6 +438,8 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
         document
     });
     let instructions = instructions.unwrap_or_default();
+    let rules = table.table("page");
+    let rules = rules.map(|table| Rules::read(&table, &mut faults));
     let is_whole = title.is_some() && audience.is_some();
     let read = Blueprint {
         source: table.source().clone(),
@@ -483,6 +493,7 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
         shuffle: table.boolean("shuffle").unwrap_or(false),
         keys,
         solutions: table.boolean("solutions").unwrap_or(true),
+        rules: rules.unwrap_or_default(),
         questions,
     };
     table.finish();

@@ -15,6 +15,8 @@ mod plan;
 mod points;
 mod practice;
 #[cfg(feature = "render")]
+mod rules;
+#[cfg(feature = "render")]
 mod seat;
 mod sheet;
 #[cfg(feature = "render")]
@@ -33,7 +35,9 @@ pub use manifest::{
 };
 #[cfg(feature = "render")]
 pub use plan::{Plan, Planned};
-pub use practice::{Practice, PracticeError, PracticeQuestion};
+pub use practice::{Practice, PracticeError, PracticeQuestion, Weighed};
+#[cfg(feature = "render")]
+pub use rules::{Feedback, Rules, Worked};
 pub use sheet::{Sheet, SheetQuestion, Student, letter};
 #[cfg(feature = "render")]
 pub use variants::{Candidate, Chooser, Fixed, SheetError};

@@ -10,6 +10,7 @@ use crate::answer::Doubt;
 use crate::bank::Catalogue;
 use crate::bank::{Compiled, ItemId, Template};
 use crate::document::Document;
+use crate::numerics::Rational;
 use crate::scene::Data;
 
 /// What a page offers.
@@ -57,6 +58,21 @@ pub struct PracticeQuestion {
     /// Data that are fixed.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub set: Vec<(String, String)>,
+    /// What its parts are worth, which only courses ask about.
+    #[serde(skip)]
+    pub weights: Vec<Weighed>,
+}
+
+/// A part and what it is worth.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Weighed {
+    /// The part.
+    pub id: String,
+    /// Its points.
+    pub points: f64,
+    /// Whether it is asked for some data only.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub varies: bool,
 }
 
 /// Why the lines of a page cannot be read.
@@ -87,7 +103,23 @@ impl PracticeQuestion {
             minutes: item.minutes(),
             parts: Vec::new(),
             set: Vec::new(),
+            weights: Weighed::of(
+                item,
+                &(0..item.parts.len()).collect::<Vec<_>>(),
+                &item
+                    .parts
+                    .iter()
+                    .map(|part| part.points)
+                    .collect::<Vec<_>>(),
+            ),
         }
+    }
+
+    /// By what it is known, on the page and in a course: its item, and its parts where not all are asked.
+    pub fn key(&self) -> String {
+        let words =
+            std::iter::once(self.item.as_str()).chain(self.parts.iter().map(String::as_str));
+        words.collect::<Vec<_>>().join(" ")
     }
 
     /// Whether a part is asked.
@@ -96,8 +128,28 @@ impl PracticeQuestion {
     }
 }
 
+impl Weighed {
+    /// Some parts of an item, by their places.
+    fn of(item: &Template, places: &[usize], points: &[Rational]) -> Vec<Self> {
+        let weighed = |(place, points): (&usize, &Rational)| Self {
+            id: item.parts[*place].id.clone(),
+            points: points.to_f64(),
+            varies: item.parts[*place].when.is_some(),
+        };
+        places.iter().zip(points).map(weighed).collect()
+    }
+}
+
 #[cfg(feature = "render")]
 impl Practice {
+    /// What remains of items of which some texts are left out, in the order of the compiled ones.
+    pub fn silenced(catalogue: &Catalogue, items: &[Compiled], keys: &[&str]) -> Vec<Compiled> {
+        let found = items
+            .iter()
+            .filter_map(|item| catalogue.find(item.id.as_str()));
+        found.map(|item| Compiled::without(item, keys)).collect()
+    }
+
     /// A practice of whole items.
     pub fn of_items(
         catalogue: &Catalogue,
@@ -136,6 +188,11 @@ impl Practice {
                 let question = practice.questions.last_mut().expect("one was added");
                 question.parts.clone_from(&planned.parts);
                 question.set.clone_from(&planned.set);
+                let asked: Vec<usize> = (0..item.parts.len())
+                    .filter(|place| question.asks(&item.parts[*place].id))
+                    .collect();
+                let points = super::variants::points_of(planned, item, &asked);
+                question.weights = Weighed::of(item, &asked, &points);
                 let question = question.clone();
                 let (_, earlier) = practice.questions.split_last().expect("one was added");
                 if earlier.contains(&question) {

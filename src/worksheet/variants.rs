@@ -676,8 +676,24 @@ fn question<'c>(
     planned: &Planned<'c>,
     solution: Solution<'c>,
 ) -> SheetQuestion<'c> {
-    let all = &solution.template().parts;
     let parts = asked(planned, &solution);
+    let points = points_of(planned, solution.template(), &parts);
+    SheetQuestion {
+        number,
+        place,
+        solution,
+        parts,
+        points,
+    }
+}
+
+/// The points of the parts of an item that are asked.
+pub(super) fn points_of(
+    planned: &Planned<'_>,
+    template: &Template,
+    parts: &[usize],
+) -> Vec<Rational> {
+    let all = &template.parts;
     let named = |place: &usize| {
         let mut named = planned.part_points.iter();
         let found = named.find(|(part, _)| *part == all[*place].id);
@@ -698,18 +714,11 @@ fn question<'c>(
         None => others,
     }
     .into_iter();
-    let points = parts
+    parts
         .iter()
         .map(|place| named(place).or_else(|| shares.next()))
         .map(|points| points.unwrap_or(Rational::ZERO))
-        .collect();
-    SheetQuestion {
-        number,
-        place,
-        solution,
-        parts,
-        points,
-    }
+        .collect()
 }
 
 /// The parts that a question asks for these data, as places in the item.

@@ -95,9 +95,10 @@ class Memory {
     this.name = `vibank practice ${name}`;
     this.questions = {};
     this.current = "";
+    this.submitted = false;
     try {
       const kept = JSON.parse(localStorage.getItem(this.name) ?? "{}");
-      if (kept.questions) Object.assign(this, { questions: kept.questions, current: kept.current });
+      if (kept.questions) Object.assign(this, kept);
       localStorage.setItem(this.name, JSON.stringify(kept));
     } catch {
       element("kept").hidden = false;
@@ -106,7 +107,8 @@ class Memory {
 
   keep() {
     try {
-      localStorage.setItem(this.name, JSON.stringify({ questions: this.questions, current: this.current }));
+      const { questions, current, submitted } = this;
+      localStorage.setItem(this.name, JSON.stringify({ questions, current, submitted }));
     } catch {
       element("kept").hidden = false;
     }
@@ -118,6 +120,7 @@ class Memory {
 
   forget() {
     this.questions = {};
+    this.submitted = false;
     this.keep();
   }
 }
@@ -126,13 +129,19 @@ class Memory {
 
 const MARKS = { new: "○", tried: "◔", seen: "◐", done: "●" };
 
+/** The rules of a page on its own. */
+const FREE = { attempts: null, feedback: "at once", isSilent: false, solution: "always" };
+
 class Page {
-  constructor(practice, grader, memory) {
-    Object.assign(this, { practice, grader, memory });
+  /** In a course, what keeps the answers is the course itself. */
+  constructor(practice, grader, memory, course) {
+    Object.assign(this, { practice, grader, memory, course, rules: course?.rules ?? FREE });
     this.keys = practice.questions.map(({ item, parts = [] }) => [item, ...parts].join(" "));
     this.list();
     element("topic").addEventListener("change", () => this.filter());
     element("forget").addEventListener("click", () => this.forget());
+    element("forget").hidden = Boolean(course?.platform);
+    element("submit")?.addEventListener("click", () => this.submit());
     addEventListener("hashchange", () => this.open(this.wanted(), true));
     this.open(this.wanted(), false);
   }
@@ -140,14 +149,15 @@ class Page {
   /** The question and variant that the address names, else those of last time. */
   wanted() {
     const address = decodeURIComponent(location.hash.slice(1));
-    const code = address.match(/\/([0-9A-Za-z]{3}-[0-9A-Za-z]{3}-[0-9A-Za-z]{3})$/)?.[1];
-    const item = code ? address.slice(0, -code.length - 1) : address;
+    const named = address.match(/\/([0-9A-Za-z]{3}-[0-9A-Za-z]{3}-[0-9A-Za-z]{3})$/)?.[1];
+    const item = named ? address.slice(0, -named.length - 1) : address;
+    const code = this.course?.isPinned ? undefined : named;
     const number = this.practice.questions.findIndex((question) => question.item === item);
     if (number >= 0) return { number, code };
     return { number: Math.max(0, this.keys.indexOf(this.memory.current)) };
   }
 
-  list() {
+  list(course = this.course) {
     const topics = new Map();
     let chapter = null;
     this.links = this.practice.questions.map((question, number) => {
@@ -176,7 +186,7 @@ class Page {
       element("topics").append(make("li", {}, make("span", { id, textContent: topic }), words, meter));
       return { meter, words, numbers };
     });
-    element("footer").textContent = say("footer", { program: this.practice.program });
+    element("footer").textContent = say(course?.platform ? "footer_course" : "footer", { program: this.practice.program });
     if (matchMedia("(max-width: 52rem)").matches) element("contents").open = false;
     this.score();
   }
@@ -208,6 +218,35 @@ class Page {
     };
     this.meters.forEach(({ meter, words, numbers }) => show(meter, words, numbers));
     show(element("score"), element("score-words"), this.links.map((_, number) => number));
+    if (this.course) this.standing();
+  }
+
+  /** What is known of verdicts: all of them, or none where nothing is said before all is submitted. */
+  get isSilent() {
+    return this.rules.isSilent && !(this.memory.submitted && this.rules.feedback === "after submitting");
+  }
+
+  /** How it stands in the course. */
+  standing() {
+    const { share, answered } = this.course.result();
+    const percent = (of) => Math.floor(1000 * of + 1e-6) / 10;
+    const words = say(this.isSilent ? "answered_share" : "points_share", { percent: percent(this.isSilent ? answered : share) });
+    if (this.isSilent) {
+      element("score").value = answered * element("score").max;
+      element("score-words").textContent = words;
+    } else {
+      element("score-words").textContent += ` · ${words}`;
+    }
+    const submit = element("submit");
+    submit.hidden = !this.rules.isSilent;
+    submit.disabled = this.memory.submitted;
+    submit.textContent = say(this.memory.submitted ? "submitted" : "submit");
+  }
+
+  submit() {
+    if (!confirm(say("submit_really"))) return;
+    this.course.submit();
+    this.open({ number: this.number }, true);
   }
 
   forget() {
@@ -218,6 +257,7 @@ class Page {
 
   /** A new variant: data that the student has not seen. */
   fresh(number) {
+    if (this.course?.isPinned) return this.grader.ask({ do: "choose", question: number, from: this.course.from(number) }).code;
     const [high, low] = crypto.getRandomValues(new Uint32Array(2));
     const from = (high % 256) * 2 ** 32 + low;
     return this.grader.ask({ do: "choose", question: number, from }).code;
@@ -226,13 +266,15 @@ class Page {
   open({ number, code }, focus) {
     const record = this.memory.question(this.keys[number]);
     const variant = code?.toUpperCase() ?? (record.code || this.fresh(number));
-    if (record.code !== variant) Object.assign(record, { code: variant, parts: {} });
+    if (record.code && record.code !== variant) record.parts = {};
+    record.code = variant;
     this.number = number;
     this.memory.current = this.keys[number];
     this.memory.keep();
     this.stage = new Question(this, number, record);
     element("stage").replaceChildren(this.stage.root);
-    history.replaceState(null, "", `#${this.practice.questions[number].item}/${record.code}`);
+    const { item } = this.practice.questions[number];
+    history.replaceState(null, "", this.course?.isPinned ? `#${item}` : `#${item}/${record.code}`);
     this.score();
     requestAnimationFrame(() => this.reveal());
     if (focus) this.stage.root.querySelector("h2").focus();
@@ -280,6 +322,8 @@ class Question {
     on("another", () => page.another());
     on("print", () => print());
     on("link", () => this.link());
+    // In a course, each learner has data of their own, and no other.
+    for (const name of ["another", "link"]) find(`[data-do=${name}]`).hidden = Boolean(page.course?.isPinned);
     const step = (name, to) => {
       on(name, () => page.open({ number: to }, true));
       find(`[data-do=${name}]`).disabled = !page.practice.questions[to];
@@ -309,9 +353,19 @@ class Question {
     return Object.fromEntries(answered.map((other) => [other.id, other.record.response]));
   }
 
+  /** A solution that was seen freezes the credit of its question. */
+  get isFrozen() {
+    return this.parts.some((part) => part.record.solved);
+  }
+
   /** Takes stock after a mark or a look at a solution. */
   settle() {
     const records = this.parts.map((part) => part.record);
+    if (this.page.isSilent) {
+      this.record.status = "tried";
+      this.page.memory.keep();
+      return this.page.score();
+    }
     const right = records.every((record) => record.verdict === "right");
     const seen = records.some((record) => record.solved);
     const best = this.record.status === "done" || (right && !seen) ? "done" : seen ? "seen" : "tried";
@@ -374,7 +428,9 @@ class Part {
       this.input.fill(this.record.response);
       this.echo();
     }
-    if (this.record.verdict) this.show(this.ask("mark", this.asked(this.record.response)));
+    const { verdict, response } = this.record;
+    if (verdict && response) this.tell(this.ask("mark", this.asked(response)));
+    else if (verdict) this.tell({ verdict, feedback: say("text_not_kept") });
     for (let number = 0; number < this.record.hints; number += 1) this.addHint(number);
     if (this.record.solved) this.addSolution();
     this.refresh();
@@ -386,7 +442,16 @@ class Part {
     hint.hidden = this.part.hints === 0;
     hint.disabled = hints >= this.part.hints;
     hint.textContent = say(hints > 0 ? "next_hint" : "hint");
-    this.find("[data-do=solve]").disabled = Boolean(solved);
+    const { rules, memory } = this.question.page;
+    const solve = this.find("[data-do=solve]");
+    const isDue = rules.solution === "always" || (rules.isSilent ? memory.submitted : attempts > 0);
+    solve.hidden = rules.solution === "never" || !isDue;
+    solve.disabled = Boolean(solved);
+    const isOver = (rules.isSilent && memory.submitted) || (rules.attempts && !rules.isSilent && attempts >= rules.attempts);
+    const check = this.find("[type=submit]");
+    check.disabled = Boolean(isOver);
+    check.textContent = say(rules.isSilent ? "keep" : "check");
+    for (const input of this.find(".answer").querySelectorAll("input, button")) input.disabled = Boolean(isOver);
     this.find(".attempts").textContent =
       attempts === 0 ? "" : say(attempts === 1 ? "attempts_one" : "attempts", { count: attempts });
   }
@@ -394,6 +459,7 @@ class Part {
   /** The answer was changed: it is read again, and marks of another answer are taken away. */
   changed() {
     this.record.response = this.input.value();
+    this.record.at = Date.now();
     if (this.record.verdict) {
       delete this.record.verdict;
       this.find(".feedback").replaceChildren();
@@ -423,17 +489,40 @@ class Part {
     this.record.response = this.input.value();
     const marking = this.ask("mark", this.asked(this.record.response));
     if (marking.error) return this.show({ verdict: "unreadable", feedback: "" });
-    if (["right", "partial", "wrong"].includes(marking.verdict)) {
+    const counts = ["right", "partial", "wrong"].includes(marking.verdict);
+    if (counts) {
       this.record.attempts += 1;
       this.record.verdict = marking.verdict;
+      this.reward(marking.credit);
     } else {
       delete this.record.verdict;
     }
     if (marking.reading) this.echo();
     else this.find(".echo").replaceChildren();
-    this.show(marking);
+    this.tell(marking);
     this.refresh();
+    const { course, number } = this.question.page;
+    if (counts) course?.marked(number, this.id, this.record);
     this.question.settle();
+  }
+
+  /** Keeps what an answer is worth: the best of all, or the last where nothing is said before all is submitted. */
+  reward(credit) {
+    const { record } = this;
+    const isFrozen = this.question.isFrozen;
+    record.markedCredit = isFrozen ? (record.credit ?? 0) : credit;
+    if (isFrozen) return;
+    record.credit = this.question.page.rules.isSilent ? credit : Math.max(record.credit ?? 0, credit);
+  }
+
+  /** Shows marks, or where these have to wait, that the answer was kept. */
+  tell(marking) {
+    const counts = ["right", "partial", "wrong"].includes(marking.verdict);
+    if (!counts || !this.question.page.isSilent) return this.show(marking);
+    const place = this.find(".feedback");
+    place.className = "feedback";
+    const words = this.record.response ? say("answer_kept") : say("text_not_kept");
+    place.replaceChildren(make("p", { className: "verdict", textContent: words }));
   }
 
   show({ verdict, feedback, reasons = [] }) {
@@ -456,6 +545,7 @@ class Part {
     this.addHint(this.record.hints);
     this.record.hints += 1;
     this.refresh();
+    this.question.page.course?.seen();
     this.question.settle();
   }
 
@@ -479,6 +569,7 @@ class Part {
     this.record.solved = true;
     this.addSolution();
     this.refresh();
+    this.question.page.course?.seen();
     this.question.settle();
   }
 }
@@ -647,7 +738,9 @@ async function begin() {
   const practice = JSON.parse(first);
   const grader = new Grader(code, items);
   await grader.start();
-  globalThis.page = new Page(practice, grader, new Memory(practice.title));
+  const about = element("course");
+  const course = about ? new Course(JSON.parse(about.textContent), practice, grader) : undefined;
+  globalThis.page = new Page(practice, grader, course ?? new Memory(practice.title), course);
   document.documentElement.dataset.ready = Math.round(performance.now());
 }
 

@@ -19,6 +19,8 @@ mod cli;
 #[cfg(feature = "render")]
 mod compiled;
 #[cfg(feature = "render")]
+mod course;
+#[cfg(feature = "render")]
 mod export;
 #[cfg(feature = "render")]
 mod figures;

@@ -1,0 +1,129 @@
+//! Reading a SCORM package back: which questions it has, and which data a learner has in it.
+
+use std::io::{Cursor, Read};
+use std::path::Path;
+
+use serde::Deserialize;
+use vibank::bank::{Catalogue, Compiled, Template};
+use vibank::course::first_variant;
+use vibank::output::DESCRIPTION;
+use vibank::seed::Variant;
+use vibank::wasm::Grader;
+use vibank::worksheet::{Practice, PracticeQuestion};
+
+use super::{Failure, files};
+
+/// Most that the description of a package unpacks to; that of the whole bank has 60 kB.
+const LONGEST: u64 = 8_000_000;
+
+/// What a package says of itself.
+#[derive(Deserialize)]
+struct Described {
+    id: String,
+    questions: Vec<Asked>,
+    practice: Practice,
+}
+
+#[derive(Deserialize)]
+struct Asked {
+    key: String,
+    revision: String,
+}
+
+/// A package with the items of the bank that it was made of.
+pub(super) struct ReadPackage {
+    id: String,
+    pub(super) practice: Practice,
+    /// What chooses variants in the page, too.
+    grader: Grader,
+}
+
+/// Reads a package, whose items have to be in the bank as they were.
+pub(super) fn read(path: &Path, catalogue: &Catalogue) -> Result<ReadPackage, Failure> {
+    let name = path.display();
+    let described: Described = serde_json::from_str(&description(path)?).map_err(|error| {
+        Failure::new(format!("{name}: `{DESCRIPTION}` cannot be read: {error}"))
+            .help("a package is made by `vibank page --scorm`")
+    })?;
+    let mut practice = described.practice;
+    let mut items: Vec<Compiled> = Vec::new();
+    for (question, asked) in practice.questions.iter_mut().zip(&described.questions) {
+        let template = current(catalogue, question)?;
+        if template.revision.to_string() != asked.revision {
+            let id = &question.item;
+            return Err(Failure::new(format!(
+                "{name}: `{}` was made of `{id}` @ {}, and the bank has {}",
+                asked.key, asked.revision, template.revision
+            ))
+            .help("give the bank that the package was made of with `--bank`"));
+        }
+        question.place = items.len();
+        items.push(Compiled::of(template));
+    }
+    let program = concat!("vibank ", env!("CARGO_PKG_VERSION"));
+    if practice.program != program {
+        eprintln!(
+            "{name}: made by {}, and this is {program}, which may choose other data",
+            practice.program
+        );
+    }
+    let grader = Grader::of(&practice.lines(&items));
+    let grader = grader.map_err(|error| Failure::new(error.to_string()))?;
+    Ok(ReadPackage {
+        id: described.id,
+        practice,
+        grader,
+    })
+}
+
+impl ReadPackage {
+    /// The variant of a learner's question.
+    pub(super) fn variant(&self, place: usize, learner: &str) -> Result<Variant, Failure> {
+        let key = self.practice.questions[place].key();
+        let from = first_variant(&self.id, &key, learner);
+        let request = serde_json::json!({ "do": "choose", "question": place, "from": from });
+        let reply = self.grader.answer(&request.to_string());
+        let reply: serde_json::Value = serde_json::from_str(&reply).unwrap_or_default();
+        let code = reply["code"].as_str().and_then(|code| code.parse().ok());
+        code.ok_or_else(|| {
+            let why = reply["error"].as_str().unwrap_or("no variant was found");
+            Failure::new(format!("`{key}`: {why}"))
+        })
+    }
+}
+
+/// The item of a question in this bank.
+pub(super) fn current<'c>(
+    catalogue: &'c Catalogue,
+    question: &PracticeQuestion,
+) -> Result<&'c Template, Failure> {
+    let id = &question.item;
+    catalogue.find(id.as_str()).ok_or_else(|| {
+        Failure::new(format!(
+            "the package asks `{id}`, which this bank does not have"
+        ))
+        .help("give the bank that the package was made of with `--bank`")
+    })
+}
+
+fn description(path: &Path) -> Result<String, Failure> {
+    let name = path.display();
+    let refuse = |why: String| {
+        Failure::new(format!("{name} is no package of this program: {why}"))
+            .help("give the ZIP file that `vibank page --scorm` wrote")
+    };
+    let bytes = files::read_bytes(path)?;
+    let archive = zip::ZipArchive::new(Cursor::new(bytes));
+    let mut archive = archive.map_err(|error| refuse(error.to_string()))?;
+    let file = archive.by_name(DESCRIPTION);
+    let file = file.map_err(|error| refuse(format!("`{DESCRIPTION}`: {error}")))?;
+    let mut text = String::new();
+    let read = file.take(LONGEST + 1).read_to_string(&mut text);
+    read.map_err(|error| refuse(format!("`{DESCRIPTION}`: {error}")))?;
+    if text.len() as u64 > LONGEST {
+        return Err(refuse(format!(
+            "`{DESCRIPTION}` has more than {LONGEST} bytes"
+        )));
+    }
+    Ok(text)
+}

@@ -1,0 +1,54 @@
+//! How much of a sitting a platform keeps, and what has to fit.
+
+use super::Package;
+
+/// How much state a standard lets a package keep.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Room {
+    /// The standard, in words.
+    pub standard: &'static str,
+    /// Characters.
+    pub characters: usize,
+}
+
+/// A package whose state would not fit.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "{parts} parts need {needed} characters of state, and {} keeps {}",
+    room.standard, room.characters
+)]
+pub struct NoRoom {
+    /// Parts of the package.
+    pub parts: usize,
+    /// What they need without any typed text.
+    pub needed: usize,
+    /// What there is.
+    pub room: Room,
+}
+
+/// What stands before the parts: format, digest, submitted or not, count of changes, question.
+const HEADER: usize = 16;
+
+/// Credit in 2520ths, verdict, attempts, hints and solution seen are 24 bits: four digits of base 64.
+const PART: usize = 4;
+
+impl Package {
+    /// What its state needs whatever happens: credit, verdict, attempts, hints and solutions seen of all parts, in a code
+    /// of fixed length. Typed text gets what is left.
+    ///
+    /// # Errors
+    ///
+    /// [`NoRoom`].
+    pub fn fits(&self, room: Room) -> Result<usize, NoRoom> {
+        let parts = self.parts();
+        let needed = HEADER + PART * parts;
+        if needed > room.characters {
+            return Err(NoRoom {
+                parts,
+                needed,
+                room,
+            });
+        }
+        Ok(needed)
+    }
+}
