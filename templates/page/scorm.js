@@ -201,7 +201,7 @@ class Course {
     this.isPinned = this.learner !== "";
     this.restore(platform.get(dialect.entry));
     if (!this.reports) return this.tell(mode === "normal" ? "course_nobody" : "course_review");
-    this.tell("course_reports");
+    this.tell(this.reached);
     this.raise("incomplete");
     platform.set(dialect.exit, "suspend");
     if (this.pending.length > 0) {
@@ -252,6 +252,11 @@ class Course {
     } catch {
       return null;
     }
+  }
+
+  /** What is said where the platform can be reached. */
+  get reached() {
+    return this.rules.isSilent && !this.submitted ? "course_waits" : "course_reports";
   }
 
   /** Says how it stands with the platform. */
@@ -358,6 +363,7 @@ class Course {
     });
     this.report();
     this.keep();
+    if (this.reports) this.tell(this.reached);
     this.save();
   }
 
@@ -438,7 +444,7 @@ class Course {
       } catch {
         // There is none.
       }
-      if (this.told === "course_unsaved") this.tell("course_reports");
+      if (this.told === "course_unsaved") this.tell(this.reached);
       return;
     }
     this.delay = Math.min(60, 2 * (this.delay ?? 2.5));
