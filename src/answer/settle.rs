@@ -85,8 +85,15 @@ pub(super) fn settle(
     if rule == Rule::Stated && first.marking.verdict == Verdict::Right {
         return first.marking;
     }
+    // What cannot be marked, as an angle of many turns, was not meant.
+    let is_read = |reading: &Candidate| reading.marking.verdict != Verdict::Unreadable;
+    let mut others = others.into_iter().take(MOST_READINGS - 1).filter(is_read);
+    let first = if is_read(&first) {
+        first
+    } else {
+        others.next().unwrap_or(first)
+    };
     let differs = |other: &Candidate| other.marking.verdict != first.marking.verdict;
-    let others = others.into_iter().take(MOST_READINGS - 1);
     let differing = others.filter(differs);
     // The best of them, and the first of several that are as good.
     let Some(other) = differing.reduce(|best, other| {
@@ -167,6 +174,18 @@ mod tests {
         ] {
             assert_eq!(verdict(doubt, first, other), due, "{doubt:?}");
         }
+    }
+
+    #[test]
+    fn a_reading_that_cannot_be_marked_was_not_meant() {
+        let unreadable = |shown: &str| Candidate {
+            shown: shown.to_owned(),
+            marking: Marking::unreadable(Why::Form),
+        };
+        let of = |first, other| settle(Doubt::Ask, Rule::None, first, vec![other]).verdict;
+        let right = || candidate("-90", Credit::FULL);
+        assert_eq!(of(right(), unreadable("-90000")), Verdict::Right);
+        assert_eq!(of(unreadable("-90000"), right()), Verdict::Right);
     }
 
     #[test]

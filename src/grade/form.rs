@@ -2,7 +2,7 @@
 //! statement, `ω = sqrt(k/m) = 15.81 rad/s`.
 
 use super::Sheet;
-use crate::answer::{Credit, Marker, Marking, Note, Reason, Remark, Slip, Verdict};
+use crate::answer::{Credit, Marker, Marking, Note, Reason, Remark, Slip, Verdict, Why};
 use crate::numerics::Rational;
 use crate::response::{self, Folded};
 use crate::solution::Solution;
@@ -26,7 +26,7 @@ pub(super) fn otherwise(
     if let Some(marking) = statement(own, other, text) {
         return Some(marking);
     }
-    if first.verdict != Verdict::Unreadable {
+    if first.verdict != Verdict::Unreadable || is_doubtful(first) {
         return None;
     }
     let marking = other.mark(text);
@@ -84,6 +84,17 @@ fn statement(own: &dyn Marker, other: &dyn Marker, text: &str) -> Option<Marking
     }
     let reading = counts.reading.clone()?;
     Some(Marking::wrong(reading, Remark::from(Slip::UnequalSides)))
+}
+
+/// Whether it was handed back since it can be read in two ways.
+fn is_doubtful(marking: &Marking) -> bool {
+    marking.remarks.iter().any(|remark| {
+        let why = match remark {
+            Remark::Unreadable(unreadable) => &*unreadable.why,
+            _ => return false,
+        };
+        matches!(why, Why::TwoReadings(..) | Why::CommaOfThree { .. })
+    })
 }
 
 /// Whether it is the key, though it may lack a unit or figures.

@@ -52,7 +52,15 @@ impl Parser<'_> {
             }
             _ => {}
         }
-        let arguments = self.arguments(function)?;
+        let is_square = self.is_sign('[');
+        let mut arguments = self.arguments(function)?;
+        if function == Function::Atan && arguments.len() == 2 {
+            // `ArcTan[x, y]` of Mathematica has the abscissa first.
+            if is_square {
+                arguments.reverse();
+            }
+            function = Function::Atan2;
+        }
         let call = Expr::new(Kind::Call(function, arguments), span);
         match exponent {
             Some(exponent) => Self::binary(Operator::Power, call, exponent),
@@ -113,9 +121,36 @@ impl Parser<'_> {
         Self::counted(function, self.listed()?, open)
     }
 
+    /// Whether a brace opens here right around a bracket, as in `\operatorname{atan2}{(y, x)}`.
+    fn is_brace_around(&self) -> bool {
+        let mut depth = 0_usize;
+        let close = (self.at..self.tokens.len()).find(|at| {
+            match self.tokens[*at].item {
+                Item::Sign('(' | '[' | '{') => depth += 1,
+                Item::Sign(')' | ']' | '}') => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            depth <= 1 && *at > self.at + 1
+        });
+        let is = |at: usize, sign: char| {
+            self.tokens
+                .get(at)
+                .is_some_and(|token| token.item == Item::Sign(sign))
+        };
+        is(self.at, '{')
+            && is(self.at + 1, '(')
+            && close.is_some_and(|close| is(close, ')') && is(close + 1, '}'))
+    }
+
     /// The formulas in a bracket.
     fn listed(&mut self) -> Result<Vec<Expr>> {
         let open = self.here();
+        if self.is_brace_around() {
+            self.at += 1;
+            let arguments = self.listed()?;
+            self.close('}', open)?;
+            return Ok(arguments);
+        }
         let close = match self.item() {
             Some(Item::Sign('(')) => ')',
             Some(Item::Sign('[')) => ']',
@@ -135,6 +170,8 @@ impl Parser<'_> {
 
     fn counted(function: Function, arguments: Vec<Expr>, span: Span) -> Result<Vec<Expr>> {
         let (least, most) = function.arity();
+        // `atan(y, x)` and `ArcTan[x, y]`.
+        let most = if function == Function::Atan { 2 } else { most };
         if (least..=most).contains(&arguments.len()) {
             return Ok(arguments);
         }

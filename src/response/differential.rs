@@ -16,15 +16,19 @@ pub(super) fn leibniz(text: &str, at: usize) -> Option<(String, u8, usize)> {
 }
 
 /// Reads a derivative whose name stands behind the quotient, `d/dt(x)`, `\frac{d}{dt}\left(\frac{dx}{dt}\right)`,
-/// `\frac{d^2}{dt^2} x`: spelling of the name, order, end.
+/// `\frac{d^2}{dt^2} x`, `(d/dt) x`: spelling of the name, order, end.
 pub(super) fn behind(text: &str, at: usize) -> Option<(String, u8, usize)> {
     const LONGEST: usize = 80;
     const MOST: u8 = 2;
     let mut scanner = Differentials { text, at };
+    let is_bracketed = scanner.take("(");
     let is_fraction = scanner.fraction();
     scanner.differential()?;
     let order = scanner.order();
     scanner.over_time(is_fraction, order)?;
+    if is_bracketed && !scanner.take(")") {
+        return None;
+    }
     let is_sized = scanner.take("\\left");
     let rest = &text[scanner.at..];
     let (inner, end) = match rest.trim_start().strip_prefix('(') {

@@ -7,7 +7,7 @@ use super::signs::{
     CASES, COMMANDS, DISPLAYS, FACES, Plain, RUNS, TURNS, UNITS, WRAPPERS, escaped, of_char,
 };
 use super::surroundings::answer_in;
-use super::words::{JOINING, ROOTS, VERBS, WORDS};
+use super::words::{EQUATIONS, JOINING, LISTS, NUMBERS, ROOTS, VERBS, WORDS};
 use crate::source::Span;
 
 /// A response in plain signs: letters of mathematical alphabets as ordinary ones, one minus, one sign for "at most",
@@ -60,6 +60,8 @@ impl<'t> Folded<'t> {
             text: String::with_capacity(typed.len()),
             pieces: Vec::new(),
             blanked: Vec::new(),
+            equals: Vec::new(),
+            has_cells: has_cells(typed),
             open: Vec::new(),
         };
         while folder.at < typed.len() {
@@ -142,9 +144,24 @@ fn is_plain(typed: &str) -> bool {
         && !typed.contains("...")
         && !typed.contains('\n')
         && !TURNS.iter().any(|(turn, _)| typed.contains(turn))
-        && !(typed.contains('(') && ROOTS.iter().any(|root| typed.contains(root)))
+        && !typed
+            .match_indices('(')
+            .any(|(at, _)| is_called(&typed[..at]))
         && !typed.split(' ').any(begins_words)
         && answer_in(typed).len() == typed.len()
+}
+
+/// Whether what stands before a bracket is a call of which the fold knows.
+fn is_called(before: &str) -> bool {
+    [ROOTS, NUMBERS, LISTS, EQUATIONS]
+        .iter()
+        .any(|names| names.iter().any(|name| before.ends_with(name)))
+}
+
+/// Whether tabs part the cells of several rows, as spreadsheets copy them.
+fn has_cells(typed: &str) -> bool {
+    let mut rows = typed.trim().lines();
+    typed.trim().contains('\n') && rows.all(|row| row.trim().is_empty() || row.contains('\t'))
 }
 
 /// Whether one of the words that stand for others begins with a word.
@@ -168,6 +185,10 @@ struct Folder<'t> {
     pieces: Vec<(u32, u32)>,
     /// Braces of wrappers, which become spaces.
     blanked: Vec<usize>,
+    /// Commas that stand for an equals sign.
+    equals: Vec<usize>,
+    /// Whether tabs part cells.
+    has_cells: bool,
     /// The environments of LaTeX that are open.
     open: Vec<Environment>,
 }
@@ -248,9 +269,21 @@ impl Folder<'_> {
         if char == '&' && self.alignment() {
             return;
         }
+        if char == '\t' && self.has_cells {
+            return self.write("&", 1);
+        }
+        if self.equals.contains(&self.at) {
+            return self.write("=", 1);
+        }
+        if char == '~' && self.is_nearly() {
+            return self.write("≈", 1);
+        }
         // A dot belongs to the letter before it, whatever stands between.
         if char == ' ' && self.rest()[1..].starts_with(['\u{307}', '\u{308}', '¨', '˙']) {
             return self.write("", width);
+        }
+        if char.is_ascii_alphabetic() && self.equation() {
+            return;
         }
         if let Some((length, plain)) = self.word() {
             return self.write(plain, length);
@@ -337,15 +370,68 @@ impl Folder<'_> {
         if let Some((turn, plain)) = TURNS.iter().find(|(turn, _)| rest.starts_with(turn)) {
             return Some((turn.len(), plain));
         }
-        let is_root = |root: &&&str| {
-            rest.strip_prefix(**root)
+        let is_call = |name: &&&str| {
+            rest.strip_prefix(**name)
                 .is_some_and(|rest| rest.starts_with('('))
         };
-        ROOTS.iter().find(is_root).map(|root| (root.len(), "sqrt"))
+        if let Some(root) = ROOTS.iter().find(is_call) {
+            return Some((root.len(), "sqrt"));
+        }
+        let number = NUMBERS.iter().find(is_call);
+        // `mat(1 + x)` may be a product of letters.
+        let holds_list = |name: &&&str| holds_list(&rest[name.len() + 1..]);
+        let list = || LISTS.iter().find(is_call).filter(holds_list);
+        let name = number.or_else(list)?;
+        Some((name.len(), ""))
+    }
+
+    /// `Eq(a, b)`: what its brackets become spaces for; whether it stands here.
+    fn equation(&mut self) -> bool {
+        let rest = self.rest();
+        let is_letter = |before: char| before.is_alphanumeric() || before == '_';
+        let behind = EQUATIONS.iter().find_map(|name| {
+            let inner = rest.strip_prefix(*name)?.strip_prefix('(')?;
+            Some((name.len(), inner))
+        });
+        let Some((length, inner)) = behind.filter(|_| !self.typed[..self.at].ends_with(is_letter))
+        else {
+            return false;
+        };
+        let (close, commas) = arguments_of_call(inner);
+        let (Some(close), [comma]) = (close, &commas[..]) else {
+            return false;
+        };
+        let start = self.at + length + 1;
+        self.equals.push(start + comma);
+        self.blanked.push(start + close);
+        self.write(" ", length + 1);
+        true
+    }
+
+    /// Whether `~` says what a symbol nearly is: `x ~ 0.24`. Otherwise it is the space of LaTeX.
+    fn is_nearly(&self) -> bool {
+        let before = &self.typed[self.answer.start..self.at];
+        let last = before.trim_end().chars().next_back();
+        let is_tight = !before.ends_with(' ');
+        let follows = last.is_some_and(|last| {
+            last.is_alphabetic() || "})'".contains(last) || !is_tight && last.is_alphanumeric()
+        });
+        let next = self.rest()[1..].trim_start().chars().next();
+        follows
+            && next
+                .is_some_and(|next| next.is_ascii_digit() || ".+√".contains(next) || is_minus(next))
     }
 
     /// Writes what a sign of alignment stands for in an environment that is no matrix; whether it stands in one.
     fn alignment(&mut self) -> bool {
+        let is_open = matches!(
+            self.open.last(),
+            Some(Environment::Matrix | Environment::Cases)
+        );
+        if !is_open && self.rest()[1..].trim_start().starts_with('=') {
+            self.write(" ", 1);
+            return true;
+        }
         let is_parted = self.text.trim_end().ends_with([',', ';']);
         match self.open.last() {
             Some(Environment::Display) => self.write(" ", 1),
@@ -476,6 +562,26 @@ impl Folder<'_> {
             }
         }
     }
+}
+
+/// Where a bracket closes that stands open before a text, and where signs part what it holds.
+fn arguments_of_call(inner: &str) -> (Option<usize>, Vec<usize>) {
+    let (mut depth, mut parts) = (1_usize, Vec::new());
+    let close = inner.char_indices().find_map(|(at, char)| {
+        match char {
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth -= 1,
+            ',' | ';' if depth == 1 => parts.push(at),
+            _ => {}
+        }
+        (depth == 0).then_some(at)
+    });
+    (close, parts)
+}
+
+/// Whether a list stands in the bracket that is open before a text.
+fn holds_list(inner: &str) -> bool {
+    inner.trim_start().starts_with(['[', '{', '(']) || !arguments_of_call(inner).1.is_empty()
 }
 
 /// Whether a sign is one of those that stand for a minus.

@@ -23,6 +23,8 @@ impl Reader<'_> {
         let (start, end, list) = (piece.range().start, piece.range().end, list.range());
         let before = self.text[..list.start].trim_end();
         let plain = before.strip_suffix("diag").unwrap_or(before);
+        let is_diagonal = plain.len() < before.len();
+        let plain = self.without_free_factor(plain, start);
         let after = self.text[list.end..end].trim_start();
         let behind = without_transposition(after);
         // The text with a one in place of the list, all else where it was.
@@ -37,9 +39,22 @@ impl Reader<'_> {
         Ok(Frame {
             factor,
             is_transposed: behind.len() < after.len(),
-            is_diagonal: plain.len() < before.len(),
+            is_diagonal,
             unit,
         })
+    }
+
+    /// What stands before a list, without a letter that is no name where a factor is free.
+    fn without_free_factor<'t>(&self, before: &'t str, start: usize) -> &'t str {
+        let Some(own) = before.get(start..).filter(|_| self.is_up_to_factor) else {
+            return before;
+        };
+        let own = without_times(own).trim_end();
+        let is_of_name = |char: char| char.is_alphanumeric() || "_{}\\".contains(char);
+        let is_factor = !own.is_empty()
+            && own.chars().all(is_of_name)
+            && self.formula_in(own, Span::new(0, own.len())).is_err();
+        if is_factor { &before[..start] } else { before }
     }
 
     /// The factor and the unit of a list in whose place a one stands. Letters that are both are a unit where it fits
@@ -136,6 +151,8 @@ fn without_transposition(text: &str) -> &str {
         "^T",
         "^t",
         "ᵀ",
+        ".transpose()",
+        ".T",
         "'",
     ];
     let rest = SIGNS.iter().find_map(|sign| text.strip_prefix(sign));

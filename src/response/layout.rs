@@ -8,27 +8,8 @@ use crate::source::Span;
 
 /// The text of a list with brackets and separators as they are read.
 pub(super) fn laid_out(text: &str) -> String {
-    let mut plain = rows_by_line(&without_latex(text));
-    plain = plain.replace(" and ", " ;   ");
-    for call in CALLS {
-        let call = format!("{call}(");
-        plain = plain.replace(&call, &format!("{:>1$}", '(', call.len()));
-    }
-    plain
+    rows_by_line(&without_latex(text)).replace(" and ", " ;   ")
 }
-
-/// What programs put before the brackets of a matrix, the longest first.
-const CALLS: &[&str] = &[
-    "numpy.array",
-    "np.array",
-    "array",
-    "numpy.matrix",
-    "np.matrix",
-    "sympy.Matrix",
-    "sp.Matrix",
-    "Matrix",
-    "matrix",
-];
 
 /// The text with brackets in place of those of LaTeX, `\left\{ a, b \right\}`, and of its environments,
 /// `\begin{pmatrix} a & b \\ c & d \end{pmatrix}`.
@@ -136,7 +117,7 @@ fn environments(plain: &mut String) {
 
 /// A list with semicolons for the ends of lines between its rows, whose entries semicolons may part as well.
 fn rows_by_line(text: &str) -> String {
-    let text = text.replace('\r', " ");
+    let text = barred_rows(text).unwrap_or_else(|| text.to_owned());
     let ends = |at: usize| {
         let before = text[..at]
             .trim_end()
@@ -144,10 +125,14 @@ fn rows_by_line(text: &str) -> String {
         let after = text[at..]
             .trim_start()
             .starts_with([']', ')', '}', ',', ';']);
-        !before && !after
+        let is_blank = text[at + 1..].trim_start_matches(' ').starts_with('\n');
+        !before && !after && !is_blank
     };
     let mut line_ends = text.match_indices('\n').map(|(at, _)| at);
-    let parts_entries = line_ends.any(&ends) && !text.contains([',', '&', '[', '(']);
+    let digit = |char: char| char.is_ascii_digit();
+    let is_decimal = |at: usize| text[..at].ends_with(digit) && text[at + 1..].starts_with(digit);
+    let has_decimals = text.match_indices(',').all(|(at, _)| is_decimal(at));
+    let parts_entries = line_ends.any(&ends) && has_decimals && !text.contains(['&', '[', '(']);
     let sign = |(at, char): (usize, char)| match char {
         '\n' if ends(at) => ';',
         '\n' => ' ',
@@ -155,6 +140,22 @@ fn rows_by_line(text: &str) -> String {
         char => char,
     };
     text.char_indices().map(sign).collect()
+}
+
+/// Rows between bars, as programs draw them, in brackets; nothing where not all lines are so.
+fn barred_rows(text: &str) -> Option<String> {
+    let row = |line: &str| {
+        let inner = line.trim().strip_prefix('|')?.strip_suffix('|')?;
+        let start = line.len() - line.trim_start().len();
+        Some(format!(
+            "{}[{inner}]{}",
+            &line[..start],
+            &line[start + inner.len() + 2..]
+        ))
+    };
+    let rows: Option<Vec<String>> = text.split('\n').map(row).collect();
+    rows.filter(|rows| rows.len() > 1)
+        .map(|rows| rows.join("\n"))
 }
 
 /// The same list with `&` for each space that parts entries, as in `[1 -2; 0 3]`. A space parts two values, and a value
@@ -168,6 +169,18 @@ pub(super) fn spaced(text: &str) -> String {
     parted(&inner, |depth, before, next| {
         depth == 0 && (!has_list || ")]}".contains(before) && "([{".contains(next))
     })
+}
+
+/// Whether a sign stands at the number behind a space, where commas may be decimal signs.
+pub(super) fn has_signed_gap(text: &str) -> bool {
+    let digit = |char: char| char.is_ascii_digit();
+    let has_decimals = text
+        .match_indices(',')
+        .any(|(at, _)| text[..at].ends_with(digit) && text[at + 1..].starts_with(digit));
+    let is_signed = |(at, _): (usize, &str)| {
+        entries_around(text, at).is_some_and(|(before, next)| digit(before) && "+-".contains(next))
+    };
+    has_decimals && text.match_indices(' ').any(is_signed)
 }
 
 /// The text with `&` for spaces between entries where it may stand, by the depth of brackets and the signs around.

@@ -3,7 +3,7 @@
 use super::behind::with_unit;
 use super::frame::{balanced, groups};
 use super::labels::in_order;
-use super::layout::{laid_out, spaced};
+use super::layout::{has_signed_gap, laid_out, spaced};
 use super::parser::Parser;
 use super::vocabulary::is_function;
 use super::{DEEPEST, LONGEST, Lexicon, Manner, Trouble, Typed, TypedError, read};
@@ -36,32 +36,42 @@ impl Listed {
 }
 
 /// Reads a list of the form that is asked. A comma parts entries, but is a decimal sign where only so the list has that
-/// form; entries may also be parted by spaces. A list of another form is as it was typed.
+/// form; entries may also be parted by spaces. A list of another form is as it was typed. Where a factor is free, a letter
+/// that is no name may be one.
 pub(crate) fn list_of_form(
     text: &str,
     lexicon: &Lexicon,
     units: &[Unit],
+    is_up_to_factor: bool,
     fits: impl Fn(&Listed) -> bool,
 ) -> Result<Listed, TypedError> {
     let plain = laid_out(text);
     let spaced = spaced(&plain);
+    let mut ways = vec![
+        (false, &plain),
+        (false, &spaced),
+        (true, &plain),
+        (true, &spaced),
+    ];
+    if has_signed_gap(&plain) {
+        // Of `[1 -0,34]` the minus is the sign of a number.
+        ways.rotate_right(1);
+    }
     let mut others = Vec::new();
-    for comma_is_decimal in [false, true] {
+    for (comma_is_decimal, text) in ways {
         let manner = Manner {
             comma_is_decimal,
             ..Manner::default()
         };
-        for text in [&plain, &spaced] {
-            let listed = list(text, lexicon, manner, units);
-            let is_final = match &listed {
-                Ok(listed) => fits(listed),
-                Err(error) => matches!(error.trouble, Trouble::UnitOrLetter | Trouble::Order),
-            };
-            if is_final {
-                return listed;
-            }
-            others.push(listed);
+        let listed = list(text, lexicon, manner, units, is_up_to_factor);
+        let is_final = match &listed {
+            Ok(listed) => fits(listed),
+            Err(error) => matches!(error.trouble, Trouble::UnitOrLetter | Trouble::Order),
+        };
+        if is_final {
+            return listed;
         }
+        others.push(listed);
     }
     let typed = others.iter().position(Result::is_ok).unwrap_or(0);
     others.swap_remove(typed)
@@ -73,6 +83,7 @@ pub(super) fn list(
     lexicon: &Lexicon,
     manner: Manner,
     units: &[Unit],
+    is_up_to_factor: bool,
 ) -> Result<Listed, TypedError> {
     if text.len() > LONGEST {
         return Err(TypedError::new(Trouble::TooLong, LONGEST, text.len()));
@@ -83,6 +94,7 @@ pub(super) fn list(
         lexicon,
         manner,
         units,
+        is_up_to_factor,
     };
     let end = text.trim_end_matches(|char: char| char.is_whitespace() || ";,.".contains(char));
     reader.framed(Span::new(0, end.len()), 0)
@@ -94,6 +106,8 @@ pub(super) struct Reader<'a> {
     pub(super) manner: Manner,
     /// Those of what is asked.
     units: &'a [Unit],
+    /// Whether a letter that is no name may be a factor.
+    pub(super) is_up_to_factor: bool,
 }
 
 impl Reader<'_> {

@@ -452,8 +452,15 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// `x(t)` and `x[t]` are `x`.
+    /// `x(t)` and `x[t]` are `x`, and `PI()` of spreadsheets is π.
     fn skip_time(&mut self, leaf: &Expr) {
+        if *leaf.kind() == Kind::Constant(Constant::Pi)
+            && let Some([open, close]) = self.tokens.get(self.at..self.at + 2)
+            && (&open.item, &close.item) == (&Item::Sign('('), &Item::Sign(')'))
+        {
+            self.at += 2;
+            return;
+        }
         let is_name = matches!(leaf.kind(), Kind::Name(name) if name.as_str() != "t")
             || matches!(leaf.kind(), Kind::Prime(..));
         if let Some([open, time, close]) = self.tokens.get(self.at..self.at + 3)

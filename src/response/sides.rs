@@ -79,6 +79,10 @@ fn symbol(text: &str, lexicon: &Lexicon) -> Option<Symbol> {
     if leibniz(text, 0).is_some_and(|(.., end)| end == text.len()) {
         return Some(Symbol::Asked);
     }
+    let is_marked = |mark: &str| text.strip_suffix(mark).is_some_and(is_word);
+    if MARKS.iter().any(|mark| is_marked(mark)) {
+        return Some(Symbol::Asked);
+    }
     if !is_word(text) || begins_with_function(text) {
         return None;
     }
@@ -100,6 +104,23 @@ fn symbol(text: &str, lexicon: &Lexicon) -> Option<Symbol> {
         Err(_) => Some(Symbol::Asked),
     }
 }
+
+/// Marks behind a letter that are no letters: those of conjugate values and of parallel springs.
+const MARKS: &[&str] = &[
+    "^*",
+    "^{*}",
+    "*",
+    "^\\star",
+    "^{\\star}",
+    "_\\parallel",
+    "_∥",
+    "_//",
+    "_{//}",
+    "_||",
+    "_{||}",
+    "_\\perp",
+    "_⊥",
+];
 
 /// A text without what stands behind a symbol, `(t)`, `(0)`, `[rad/s]`.
 fn without_arguments(text: &str) -> &str {

@@ -44,6 +44,13 @@ pub(super) fn of_char(char: char) -> Option<Plain> {
         // Brackets, points, raising.
         '⟨' | '〈' => "(",
         '⟩' | '〉' => ")",
+        // Brackets over several lines, as programs draw them.
+        '⎡' | '⎛' => "[",
+        '⎦' | '⎠' => "]",
+        '⎢' | '⎣' | '⎜' | '⎝' | '⎤' | '⎥' | '⎞' | '⎟' => " ",
+        // A matrix as word processors write it on one line.
+        '■' => return Some(Nothing),
+        '@' => ";",
         '∶' => ":",
         '、' => ",",
         'ˆ' => "^",
@@ -154,6 +161,8 @@ pub(super) const COMMANDS: &[(&str, Plain)] = &[
     ("rvert", Text("|")),
     ("vert", Text("|")),
     ("mid", Text("|")),
+    ("langle", Text("(")),
+    ("rangle", Text(")")),
     ("lbrace", Text("{")),
     ("rbrace", Text("}")),
     ("lbrack", Text("[")),

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::signs::QUOTES;
-use super::words::{LEADS, TRAILS};
+use super::words::{ASIDES, LEADS, TRAILS};
 
 /// Where the answer stands in what was typed.
 pub(super) fn answer_in(typed: &str) -> Range<usize> {
@@ -52,15 +52,30 @@ fn lead(text: &str) -> Option<usize> {
     })
 }
 
-/// The length of words behind an answer, or of a comma behind its unit.
+/// The length of words behind an answer, of a remark in brackets, of a semicolon, or of a comma.
 fn trail(text: &str) -> Option<usize> {
     let words = TRAILS.iter().find(|trail| text.ends_with(**trail));
     if let Some(words) = words {
         let before = &text[..text.len() - words.len()];
-        return before.ends_with([' ', ')']).then_some(words.len());
+        let is_apart = before.ends_with([' ', ')']) || words.starts_with(',');
+        return is_apart.then_some(words.len());
     }
-    let before = text.strip_suffix([',', ';'])?;
-    before.ends_with(char::is_alphabetic).then_some(1)
+    if let Some((before, aside)) = text
+        .strip_suffix(')')
+        .and_then(|text| text.rsplit_once(" ("))
+    {
+        let is_number = |word: &str| word.bytes().all(|byte| byte.is_ascii_digit());
+        let mut words = aside.split_whitespace();
+        let is_said = words.all(|word| is_number(word) || ASIDES.contains(&word));
+        let is_aside = is_said && !aside.split_whitespace().all(is_number);
+        return is_aside.then(|| text.len() - before.len());
+    }
+    if let Some(before) = text.strip_suffix(';') {
+        let ends = |last: char| last.is_alphanumeric() || ")]}°%²³'".contains(last);
+        return before.ends_with(ends).then_some(1);
+    }
+    let before = text.strip_suffix(',')?;
+    before.ends_with(char::is_alphanumeric).then_some(1)
 }
 
 /// The lengths of the marks around an answer.
@@ -93,7 +108,15 @@ mod tests {
             ("5\"", "5\""),
             ("\"\"", "\"\""),
             ("k = 3 N/m,", "k = 3 N/m"),
-            ("5,", "5,"),
+            ("5,", "5"),
+            ("5 m/s²;", "5 m/s²"),
+            ("5; ;", "5; ;"),
+            ("5 m (3 s.f.)", "5 m"),
+            ("5 m (to 3 significant figures)", "5 m"),
+            ("2 cos(3) (4)", "2 cos(3) (4)"),
+            ("2 sin(t) (in SI units)", "2 sin(t)"),
+            ("lambda t: 2*t", "2*t"),
+            ("t -> 2*t", "2*t"),
             ("sons", "sons"),
             ("so", "so"),
         ] {

@@ -216,7 +216,13 @@ impl Lexer<'_> {
             .iter()
             .find(|module| self.rest().starts_with(**module) && is_word(module.len()));
         self.at += found.map_or(0, |module| module.len());
-        found.is_some()
+        // What programs call so is the natural one; alone, people mean the other as well.
+        let natural = if found.is_some() { "log(" } else { "Log[" };
+        let is_natural = self.rest().starts_with(natural);
+        if is_natural {
+            self.take("log".len(), Item::Function(Function::Ln));
+        }
+        found.is_some() || is_natural
     }
 
     /// `1.4 x 10^-2`; whether the sign of times stands here as a letter.
@@ -266,11 +272,12 @@ impl Lexer<'_> {
 
     /// `m.g.h`, and `.*` for entries; whether a point stands here between factors.
     fn product_by_point(&mut self, char: char) -> bool {
-        if char != '.' || self.tokens.is_empty() || self.is_spaced {
+        if char != '.' || self.tokens.is_empty() {
             return false;
         }
         let next = self.rest()[1..].chars().next();
-        let is_factor = next.is_some_and(|next| next.is_alphabetic() || next == '(');
+        let begins = |next: char| next.is_alphabetic() || next == '(';
+        let is_factor = !self.is_spaced && next.is_some_and(begins);
         let is_entrywise = next.is_some_and(|next| matches!(next, '*' | '/' | '^'));
         if is_factor {
             self.take(1, Item::Sign('*'));
@@ -574,7 +581,7 @@ impl Lexer<'_> {
 
     /// `dx/dt`, `d²x/dt²`, `\frac{d^2 x}{dt^2}`; whether one stands here.
     fn derivative_over_time(&mut self) -> bool {
-        let may_begin = self.rest().starts_with(['d', 'D', '∂', '\\'])
+        let may_begin = self.rest().starts_with(['d', 'D', '∂', '\\', '('])
             || self.rest().starts_with(char::is_alphabetic) && method(self.text, self.at).is_some();
         if !may_begin {
             return false;

@@ -78,6 +78,7 @@ pub(super) const ALIASES: &[(&str, Function)] = &[
     ("ARCTAN", Function::Atan),
     ("ArcSin", Function::Asin),
     ("ArcCos", Function::Acos),
+    ("fabs", Function::Abs),
     ("Abs", Function::Abs),
     ("ABS", Function::Abs),
     ("tg", Function::Tan),
@@ -165,6 +166,8 @@ impl Words {
             (Constant::Pi, "pi"),
             (Constant::Pi, "Pi"),
             (Constant::Pi, "PI"),
+            // `M_PI`, as C has it.
+            (Constant::Pi, "MPI"),
             (Constant::E, "e"),
         ] {
             words.add(spelling, Sense::Leaf(Expr::constant(constant)), 0);

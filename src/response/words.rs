@@ -114,6 +114,19 @@ pub(super) const LEADS: &[&str] = &[
     "environ",
     "etwa",
     "ungefähr",
+    "eom",
+    "equation of motion",
+    "equation",
+    "équation du mouvement",
+    "équation",
+    "bewegungsgleichung",
+    "lambda t",
+    "@(t)",
+    "t ->",
+    "t →",
+    "t ↦",
+    "t \\mapsto",
+    "t \\to",
     "\\therefore",
     "\\Rightarrow",
     "\\implies",
@@ -125,12 +138,93 @@ pub(super) const LEADS: &[&str] = &[
 ];
 
 /// What is said behind an answer and is no part of it.
-pub(super) const TRAILS: &[&str] = &["(approx.)", "(approx)", "approx.", "approximately"];
+pub(super) const TRAILS: &[&str] = &[
+    "approx.",
+    "approximately",
+    "in SI units",
+    "in SI",
+    ", t in s",
+    ", t in seconds",
+];
+
+/// Words of a remark in brackets behind an answer, `(to 3 s.f.)`, `(in SI units)`.
+pub(super) const ASIDES: &[&str] = &[
+    "approx",
+    "approx.",
+    "approximately",
+    "rounded",
+    "exact",
+    "exactly",
+    "about",
+    "to",
+    "in",
+    "SI",
+    "units",
+    "s.f.",
+    "sf",
+    "s.f",
+    "sig",
+    "sig.",
+    "fig",
+    "fig.",
+    "figs",
+    "figs.",
+    "figures",
+    "significant",
+    "d.p.",
+    "dp",
+    "decimal",
+    "decimals",
+    "places",
+    "digits",
+    "environ",
+    "arrondi",
+    "unités",
+    "gerundet",
+    "ca.",
+    "Einheiten",
+];
 
 /// Roots in other languages, before a bracket.
 pub(super) const ROOTS: &[&str] = &[
     "racine", "RACINE", "Racine", "wurzel", "WURZEL", "Wurzel", "raiz", "RAIZ", "raíz", "RAÍZ",
 ];
+
+/// Calls of programs that stand for the number in their brackets.
+pub(super) const NUMBERS: &[&str] = &[
+    "np.float64",
+    "np.float32",
+    "np.complex128",
+    "numpy.float64",
+    "float",
+];
+
+/// Calls of programs that stand for the list in their brackets.
+pub(super) const LISTS: &[&str] = &[
+    "np.array",
+    "numpy.array",
+    "array",
+    "np.matrix",
+    "numpy.matrix",
+    "sp.Matrix",
+    "sympy.Matrix",
+    "Matrix",
+    "matrix",
+    "np.transpose",
+    "transpose",
+    "Transpose",
+    "mat",
+    "vec",
+    "vector",
+    "Vector",
+    "col",
+    "list",
+    "List",
+    "tuple",
+];
+
+/// Calls of programs that make an equation of their two arguments.
+pub(super) const EQUATIONS: &[&str] = &["Eq", "sp.Eq", "sympy.Eq", "Equal", "Equality"];
 
 /// Words that join values, also where they are set as text within a formula.
 pub(super) const JOINING: &[&str] = &["and", "or", "et", "ou", "und", "oder", "in", "at", "cis"];

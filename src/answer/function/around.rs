@@ -63,12 +63,19 @@ fn conditional(text: &str) -> Option<Vec<Piece<'_>>> {
 fn piece(text: &str) -> Piece<'_> {
     let text = text.trim().trim_end_matches([',', '.']);
     let is_condition = |text: &str| text.contains(['<', '>', '≤', '≥']);
+    // The comma of `atan2(y, x)` parts nothing.
+    let is_outside = |at: usize| {
+        let count = |signs: &[char]| text[..at].matches(signs).count();
+        count(&['(', '[', '{']) == count(&[')', ']', '}'])
+    };
     let words = [",", ";", " for ", " if ", " when ", " where "].into_iter();
     let bracket = text.ends_with(')').then_some("(");
     let cuts = words
         .chain(bracket)
         .filter_map(|sign| Some((text.rfind(sign)?, sign)));
-    let cut = cuts.filter(|(at, _)| is_condition(&text[*at..])).min();
+    let cut = cuts
+        .filter(|(at, _)| is_condition(&text[*at..]) && is_outside(*at))
+        .min();
     match cut {
         Some((at, sign)) => {
             let condition = text[at + sign.len()..].trim();

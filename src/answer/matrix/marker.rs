@@ -256,7 +256,7 @@ impl Marker for Prepared {
             listed.rows.len() == setup.rows
                 && listed.rows.iter().all(|row| row.len() == setup.columns)
         };
-        let listed = response::list_of_form(response, &setup.lexicon, &setup.units, fits);
+        let listed = response::list_of_form(response, &setup.lexicon, &setup.units, false, fits);
         let listed = match listed {
             Ok(listed) if fits(&listed) => listed,
             Ok(Listed { rows, .. }) => {

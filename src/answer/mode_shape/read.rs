@@ -25,7 +25,14 @@ impl Prepared {
         let response = &components(response);
         let (width, count) = (self.width(), self.keys.len());
         let fits = |listed: &Listed| !arrangements(&listed.rows, width, count).is_empty();
-        let listed = response::list_of_form(response, &setup.lexicon, &setup.units, fits);
+        let is_up_to_factor = setup.scale == Scale::Any;
+        let listed = response::list_of_form(
+            response,
+            &setup.lexicon,
+            &setup.units,
+            is_up_to_factor,
+            fits,
+        );
         let listed = listed.map_err(|error| error.remark(response))?;
         let has_names = !listed.is_numeric();
         let Listed { rows, unit } = listed;

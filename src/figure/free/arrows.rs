@@ -210,7 +210,7 @@ impl<'f> Scene<'f> {
                         .as_ref()
                         .map(|share| self.values.amount(share));
                     works(body, force, &moved, at, direction, share)?;
-                    drawn.arrows.push(self.contact(written, part, direction));
+                    drawn.arrows.push(Self::contact(written, part, direction));
                     let mut words = told(written.kind.noun(), &written.label.1, direction);
                     if let Some(velocity) = &force.velocity {
                         words.push_str(&format!(" (where {velocity} is positive)"));
@@ -231,7 +231,7 @@ impl<'f> Scene<'f> {
                     arrow: written.kind.noun(),
                 });
             }
-            drawn.arrows.push(self.contact(written, part, direction));
+            drawn.arrows.push(Self::contact(written, part, direction));
             drawn
                 .words
                 .push(told(written.kind.noun(), &written.label.1, direction));
@@ -411,7 +411,7 @@ impl<'f> Scene<'f> {
         }
     }
 
-    fn contact<'w>(&self, written: &'w Written, part: &Part<'_>, direction: Point) -> Arrow<'w> {
+    fn contact<'w>(written: &'w Written, part: &Part<'_>, direction: Point) -> Arrow<'w> {
         let at = part.point();
         let is_push = written.kind == Contact::Normal;
         let (from, to) = match written.kind {
@@ -473,9 +473,8 @@ impl<'f> Scene<'f> {
     /// A body in words.
     fn named(&self, body: &Body) -> String {
         let words = |place: &usize| {
-            let noun = match self.items[*place].kind.role() {
-                Role::Body(noun) | Role::Link(noun) => noun,
-                _ => return None,
+            let (Role::Body(noun) | Role::Link(noun)) = self.items[*place].kind.role() else {
+                return None;
             };
             let words = self.parts[*place].words;
             Some(format!("the {noun} {words}").trim_end().to_owned())
