@@ -5,7 +5,10 @@
 //! within two half-widths of it. Honest work by a wrong method is itself off by up to one half-width; what lies two
 //! of them away stays outside.
 
-use crate::answer::Kind;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+use crate::answer::{Kind, Marker};
 use crate::expr::Precise;
 use crate::quantity::{Evaluation, Function, Method, NodeId, Wrong};
 use crate::solution::Solution;
@@ -110,9 +113,10 @@ pub fn judge_methods(solution: &Solution<'_>, parts: &[usize]) -> Result<(), Unf
                 tolerances,
             });
         }
+        let beside = Beside::of(solution, *place);
         for method in solution.template().methods(*place) {
-            let tolerances = distance(solution, *place, method);
-            if let Some(tolerances) = tolerances.filter(|distance| *distance < CLEARANCE) {
+            let tolerances = beside.as_ref().and_then(|beside| beside.near(method));
+            if let Some(tolerances) = tolerances {
                 return Err(Unfit::NearMethod {
                     part: part.id.clone(),
                     method: method.slip.clone(),
@@ -127,29 +131,126 @@ pub fn judge_methods(solution: &Solution<'_>, parts: &[usize]) -> Result<(), Unf
 /// How far what a wrong method gives lies from the key of a part that asks for numbers or a function, in tolerances; none
 /// where the method gives nothing, or the very key.
 pub fn distance(solution: &Solution<'_>, place: usize, method: &Method) -> Option<f64> {
-    let answer = &solution.template().parts[place].answer;
-    let key = *answer.keys().first()?;
-    let marker = solution.marker(place).ok()?;
-    let evaluation = solution.evaluation();
-    let (wrong, right) = match answer.kind() {
-        Kind::Numeric => {
-            let wrong = evaluation.wrongly(method).ok()?;
-            let wrong = wrong.value(key).ok()?.numbers().to_vec();
-            (wrong, evaluation.value(key).ok()?.numbers().to_vec())
+    Beside::of(solution, place)?.distance(method)
+}
+
+/// The key of a part, with which what wrong methods give is compared.
+struct Beside<'s> {
+    evaluation: &'s Evaluation<'s>,
+    marker: &'s dyn Marker,
+    key: NodeId,
+    /// The times at which it is compared, if it is a function.
+    times: Option<&'s [Precise]>,
+    /// Its numbers, or its values at these times.
+    right: Vec<f64>,
+    /// Which functions are the key for these data.
+    in_force: RefCell<BTreeMap<NodeId, bool>>,
+}
+
+impl<'s> Beside<'s> {
+    /// None where the part asks for something else, or has no key.
+    fn of(solution: &'s Solution<'_>, place: usize) -> Option<Self> {
+        let answer = &solution.template().parts[place].answer;
+        let key = *answer.keys().first()?;
+        let marker = solution.marker(place).ok()?;
+        let evaluation = solution.evaluation();
+        let times = match answer.kind() {
+            Kind::Numeric => None,
+            Kind::Function => Some(marker.times()).filter(|times| !times.is_empty()),
+            _ => return None,
+        };
+        let right = match (answer.kind(), times) {
+            (Kind::Numeric, _) => evaluation.value(key).ok()?.numbers().to_vec(),
+            (_, Some(times)) => samples(&evaluation.function(key).ok()?, times)?,
+            _ => return None,
+        };
+        Some(Self {
+            evaluation,
+            marker,
+            key,
+            times,
+            right,
+            in_force: RefCell::default(),
+        })
+    }
+
+    /// How far what a method gives lies from the key; none where it gives nothing, or the very key.
+    fn distance(&self, method: &Method) -> Option<f64> {
+        let wrong = match self.times {
+            None => {
+                let wrong = self.evaluation.wrongly(method).ok()?;
+                wrong.value(self.key).ok()?.numbers().to_vec()
+            }
+            Some(times) => self.course(method, |wrong| samples(wrong, times))?,
+        };
+        let size = largest(&self.right);
+        let mut pairs = wrong.iter().zip(&self.right);
+        let is_same = pairs.all(|(a, b)| (a - b).abs() <= SAME * size);
+        let is_finite = wrong.iter().all(|number| number.is_finite());
+        let distance = self.marker.distance(&wrong);
+        distance.filter(|_| is_finite && !is_same)
+    }
+
+    /// The distance of what a method gives, where it is too near.
+    fn near(&self, method: &Method) -> Option<f64> {
+        if self.is_seen_apart(method) {
+            return None;
         }
-        Kind::Function => {
-            let times = marker.times();
-            let right = samples(&evaluation.function(key).ok()?, times)?;
-            (course(evaluation, key, method, times, &right)?, right)
+        self.distance(method)
+            .filter(|distance| *distance < CLEARANCE)
+    }
+
+    /// Whether one time already shows that a function by a wrong method is far from the key, since the farthest decides.
+    fn is_seen_apart(&self, method: &Method) -> bool {
+        let Some(times) = self.times else {
+            return false;
+        };
+        let apart = self.course(method, |wrong| {
+            // Late, where a wrong frequency or a wrong decay shows; early, where a wrong start does; and between.
+            let last = times.len() - 1;
+            let is_apart = [last, last / 2, last / 5, 0].into_iter().any(|place| {
+                let Some(value) = value(wrong, times[place]).filter(|value| value.is_finite())
+                else {
+                    return false;
+                };
+                let mut values = self.right.clone();
+                values[place] = value;
+                let distance = self.marker.distance(&values);
+                distance.is_some_and(|distance| distance >= CLEARANCE)
+            });
+            Some(is_apart)
+        });
+        apart.unwrap_or(false)
+    }
+
+    /// What becomes of the function by a wrong method.
+    fn course<T>(
+        &self,
+        method: &Method,
+        look: impl Fn(&Function<'_, '_>) -> Option<T>,
+    ) -> Option<T> {
+        let evaluation = self.evaluation;
+        if evaluation.graph().variables(method.step).is_empty() {
+            return look(&evaluation.wrongly(method).ok()?.function(self.key).ok()?);
         }
-        _ => return None,
-    };
-    let size = largest(&right);
-    let mut pairs = wrong.iter().zip(&right);
-    let is_same = pairs.all(|(a, b)| (a - b).abs() <= SAME * size);
-    let is_finite = wrong.iter().all(|number| number.is_finite());
-    let distance = marker.distance(&wrong);
-    distance.filter(|_| is_finite && !is_same)
+        // A function that is one of the cases of the key is wrong where it is the one in force.
+        if !self.is_in_force(method.step) {
+            return None;
+        }
+        look(&evaluation.function_wrongly(method)?)
+    }
+
+    fn is_in_force(&self, step: NodeId) -> bool {
+        let is_in_force = || {
+            let own = self.evaluation.function(step).ok()?;
+            Some(samples(&own, self.times?)? == self.right)
+        };
+        let mut known = self.in_force.borrow_mut();
+        let found = known
+            .entry(step)
+            .or_insert_with(|| step == self.key || is_in_force() == Some(true));
+        *found
+    }
 }
 
 /// How far half of the key lies from it, in tolerances: what is lost in a difference of nearly equal terms has a tolerance
@@ -165,35 +266,14 @@ fn half_away(solution: &Solution<'_>, place: usize) -> Option<f64> {
         .filter(|_| answer.kind() == Kind::Numeric && largest(&halved) > 0.0)
 }
 
-/// The values of a function by a wrong method; `right` are those of the right one.
-fn course(
-    evaluation: &Evaluation<'_>,
-    key: NodeId,
-    method: &Method,
-    times: &[Precise],
-    right: &[f64],
-) -> Option<Vec<f64>> {
-    if times.is_empty() {
-        return None;
-    }
-    if evaluation.graph().variables(method.step).is_empty() {
-        return samples(&evaluation.wrongly(method).ok()?.function(key).ok()?, times);
-    }
-    // A function that is one of the cases of the key is wrong where it is the one in force.
-    let own = samples(&evaluation.function(method.step).ok()?, times)?;
-    let is_in_force = method.step == key || own == right;
-    let wrong = evaluation
-        .function_wrongly(method)
-        .filter(|_| is_in_force)?;
-    samples(&wrong, times)
-}
-
 /// The values of a function of time.
 fn samples(function: &Function<'_, '_>, times: &[Precise]) -> Option<Vec<f64>> {
-    let values = times
-        .iter()
-        .map(|time| function.at(&[*time]).ok()?.as_real());
-    values.collect()
+    times.iter().map(|time| value(function, *time)).collect()
+}
+
+/// The value of a function of time.
+fn value(function: &Function<'_, '_>, time: Precise) -> Option<f64> {
+    function.at(&[time]).ok()?.as_real()
 }
 
 fn largest(numbers: &[f64]) -> f64 {
