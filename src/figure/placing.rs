@@ -26,22 +26,35 @@ impl Drawing {
         // Whatever is in the way ends the count, as long as a free place may follow.
         const ANYTHING: f64 = 1e-9;
         let first = wish.spots.first()?;
-        if self.cost(wish, first, &self.obstacles, ANYTHING) == 0.0 {
+        let others = self.others(wish);
+        if self.cost(wish, first, &others, &self.obstacles, ANYTHING) == 0.0 {
             return Some(*first);
         }
         let near = self.near(wish);
-        let is_free = |spot: &&Spot| self.cost(wish, spot, &near, ANYTHING) == 0.0;
+        let is_free = |spot: &&Spot| self.cost(wish, spot, &others, &near, ANYTHING) == 0.0;
         if let Some(free) = wish.spots.iter().find(is_free) {
             return Some(*free);
         }
         let mut best = (f64::INFINITY, *first);
         for spot in &wish.spots {
-            let cost = self.cost(wish, spot, &near, best.0);
+            let cost = self.cost(wish, spot, &others, &near, best.0);
             if cost < best.0 {
                 best = (cost, *spot);
             }
         }
         Some(best.1)
+    }
+
+    /// The areas of other things; not those that the labelled thing lies across, as a radius does in its disk.
+    fn others(&self, wish: &Wish) -> Vec<Bounds> {
+        let own = self.marks.iter().filter(|mark| mark.owner == wish.owner);
+        let own = own.map(|mark| mark.path.bounds()).reduce(Bounds::joined);
+        let middle = own.map(Bounds::centre);
+        let areas = self.areas.iter().filter(|area| area.owner != wish.owner);
+        areas
+            .map(|area| area.bounds)
+            .filter(|area| middle.is_none_or(|middle| !area.has(middle)))
+            .collect()
     }
 
     /// The obstacles that any place of a label may meet.
@@ -56,15 +69,22 @@ impl Drawing {
     }
 
     /// What is in the way of a label there; 0 if nothing. Counting stops at the limit.
-    fn cost(&self, wish: &Wish, spot: &Spot, obstacles: &[Obstacle], limit: f64) -> f64 {
+    fn cost(
+        &self,
+        wish: &Wish,
+        spot: &Spot,
+        areas: &[Bounds],
+        obstacles: &[Obstacle],
+        limit: f64,
+    ) -> f64 {
         let bounds = spot.anchor.bounds(&wish.label, spot.at);
         let mut cost = 0.0;
         let near = bounds.grown(APART);
         for other in &self.labels {
             cost += 40.0 * near.overlap(other.bounds);
         }
-        for area in self.areas.iter().filter(|area| area.owner != wish.owner) {
-            cost += 2.0 * bounds.overlap(area.bounds);
+        for area in areas {
+            cost += 2.0 * bounds.overlap(*area);
         }
         for obstacle in obstacles {
             if cost >= limit {

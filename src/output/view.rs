@@ -24,20 +24,28 @@ pub(super) struct SheetView {
     group: String,
     count: String,
     points: String,
-    /// The points as a number.
-    worth: String,
-    /// Whether there is a table where marks are written in.
-    has_marks: bool,
+    /// Rows of the table where marks are written in; none where nothing is written on the sheet.
+    marks: Vec<Vec<MarkView>>,
     questions: Vec<QuestionView>,
 }
+
+/// A column of the table of marks: a question, or the sum.
+#[derive(Serialize)]
+struct MarkView {
+    name: String,
+    /// The points as a number.
+    worth: String,
+    is_sum: bool,
+}
+
+/// Most columns of the table of marks: on paper each is then a centimetre wide, enough to write in.
+const MARKS: usize = 13;
 
 #[derive(Default, Serialize)]
 struct QuestionView {
     number: usize,
     title: String,
     points: String,
-    /// The points as a number.
-    worth: String,
     statement: String,
     figure: String,
     caption: String,
@@ -111,14 +119,37 @@ impl<'p> View<'p> {
             group: self.placed(self.run.plain_name(&student.group)),
             count: format!("{count} question{}", if count == 1 { "" } else { "s" }),
             points: self.run.points(sheet.points()),
-            worth: self.run.number(sheet.points()),
-            has_marks: count > 1 && self.run.answer_space != "none",
+            marks: self.marks(sheet),
             questions: sheet
                 .questions
                 .iter()
                 .map(|question| self.question(sheet, question))
                 .collect(),
         }
+    }
+
+    /// The table where marks are written in, in rows of nearly equal length; one question needs none.
+    fn marks(&self, sheet: &Sheet<'_>) -> Vec<Vec<MarkView>> {
+        if sheet.questions.len() < 2 || self.run.answer_space == "none" {
+            return Vec::new();
+        }
+        let questions = sheet.questions.iter().map(|question| MarkView {
+            name: question.number.to_string(),
+            worth: self.run.number(question.total()),
+            is_sum: false,
+        });
+        let sum = MarkView {
+            name: "Sum".to_owned(),
+            worth: self.run.number(sheet.points()),
+            is_sum: true,
+        };
+        let mut rest: Vec<MarkView> = questions.chain([sum]).collect();
+        let mut rows = Vec::new();
+        for left in (1..=rest.len().div_ceil(MARKS)).rev() {
+            let next = rest.split_off(rest.len().div_ceil(left));
+            rows.push(std::mem::replace(&mut rest, next));
+        }
+        rows
     }
 
     /// Words that a layout places: where it does not escape, they are escaped here.
@@ -159,7 +190,6 @@ impl<'p> View<'p> {
             number: question.number,
             title: self.placed(&template.about.title),
             points: self.run.points(question.total()),
-            worth: self.run.number(question.total()),
             ..QuestionView::default()
         };
         if self.kind != Kind::Key {

@@ -46,6 +46,7 @@ fn faults(template: &Template, instance: Instance<'_>) -> Vec<String> {
 fn faults_of(drawing: &Drawing, picture: &Picture) -> Vec<String> {
     let mut faults = overlaps(drawing);
     faults.extend(outside(drawing));
+    faults.extend(astray(drawing));
     if picture.svg.len() > 40_000 {
         faults.push(format!("{} bytes", picture.svg.len()));
     }
@@ -84,6 +85,37 @@ fn overlaps(drawing: &Drawing) -> Vec<String> {
             if is_hit {
                 faults.push(format!("`{name}` lies on a line of element {}", mark.owner));
             }
+        }
+    }
+    faults
+}
+
+/// The room between a label and what it names, in figure units; beyond it a reader looks for another element.
+const REACH: f64 = 0.45;
+
+/// Labels that lie apart from the element that they name; words alone have none.
+fn astray(drawing: &Drawing) -> Vec<String> {
+    let mut faults = Vec::new();
+    for lettering in drawing.labels() {
+        let mut own = drawing
+            .marks()
+            .iter()
+            .filter(|mark| mark.owner == lettering.owner)
+            .peekable();
+        let near = lettering.bounds.grown(REACH);
+        let is_alone = own.peek().is_none();
+        let is_near = own.any(|mark| {
+            let mut is_met = mark.fill != Fill::None && mark.path.bounds().meets(near);
+            mark.path
+                .for_each_segment(|a, b| is_met |= near.chord(a, b).is_some());
+            is_met
+        });
+        if !is_alone && !is_near {
+            let name = lettering.label.plain();
+            faults.push(format!(
+                "`{name}` lies apart from element {}",
+                lettering.owner
+            ));
         }
     }
     faults
