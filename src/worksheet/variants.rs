@@ -45,6 +45,8 @@ pub struct Chooser<'p, 'c> {
     marks: BTreeMap<u64, Vec<BTreeSet<u64>>>,
     /// Seeds that were tried and not taken.
     rejected: u64,
+    /// By item, how often its data were not suitable.
+    unsuitable: BTreeMap<String, u64>,
     fairness: Fairness,
 }
 
@@ -89,6 +91,8 @@ pub struct Candidate {
     is_fixed: bool,
     /// Whether an earlier attempt repeated what another has.
     gave_way: bool,
+    /// The items whose data were not suitable in earlier attempts.
+    unsuitable: Vec<String>,
     /// By place in the plan.
     questions: Vec<Asked>,
 }
@@ -180,6 +184,7 @@ impl<'p, 'c> Chooser<'p, 'c> {
             room,
             marks: BTreeMap::new(),
             rejected: 0,
+            unsuitable: BTreeMap::new(),
             fairness: Fairness {
                 questions: questions.map(|_| QuestionFairness::default()).collect(),
                 ..Fairness::default()
@@ -242,6 +247,14 @@ impl<'p, 'c> Chooser<'p, 'c> {
         self.rejected
     }
 
+    /// The items whose data were not suitable in seeds that were tried, with how often; the costliest first.
+    pub fn unsuitable(&self) -> Vec<(&str, u64)> {
+        let counts = self.unsuitable.iter();
+        let mut counts: Vec<(&str, u64)> = counts.map(|(item, n)| (item.as_str(), *n)).collect();
+        counts.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+        counts
+    }
+
     /// The variants that were taken so far, by place in the run.
     pub fn taken(&self) -> impl Iterator<Item = Variant> + '_ {
         self.taken.values().copied()
@@ -266,6 +279,7 @@ impl<'p, 'c> Chooser<'p, 'c> {
             return Ok(candidate);
         }
         let mut last = None;
+        let mut unsuitable = Vec::new();
         // Whoever proposes again does so because another has what was proposed before.
         let mut gave_way = from > 0;
         for attempt in from..MOST_TRIES {
@@ -275,18 +289,23 @@ impl<'p, 'c> Chooser<'p, 'c> {
                 Ok(candidate) => {
                     return Ok(Candidate {
                         gave_way,
+                        unsuitable,
                         ..candidate
                     });
                 }
-                Err(objection) => {
+                Err((objection, item)) => {
+                    unsuitable.extend(item.clone());
                     gave_way |= matches!(objection, Objection::Repeats | Objection::Neighbour);
-                    last = Some(objection);
+                    last = Some(item.map_or_else(
+                        || objection.to_string(),
+                        |item| format!("{item}, {objection}"),
+                    ));
                 }
             }
         }
         Err(SheetError::NoVariant {
             attempts: MOST_TRIES,
-            reason: last.map_or_else(String::new, |objection| objection.to_string()),
+            reason: last.unwrap_or_default(),
         })
     }
 
@@ -317,6 +336,9 @@ impl<'p, 'c> Chooser<'p, 'c> {
         self.codes.insert(candidate.variant);
         self.taken.insert(candidate.index, candidate.variant);
         self.rejected += candidate.attempt;
+        for item in &candidate.unsuitable {
+            *self.unsuitable.entry(item.clone()).or_default() += 1;
+        }
         self.fairness.variants += 1;
         let neighbours = self.neighbours(candidate.index);
         let count = neighbours.clone().count();
@@ -351,23 +373,43 @@ impl<'p, 'c> Chooser<'p, 'c> {
         true
     }
 
-    /// Whether a sheet can be taken; the cheapest questions come first.
-    fn judge(&self, index: u64, attempt: u64, sheet: &Sheet<'c>) -> Result<Candidate, Objection> {
+    /// Whether a sheet can be taken; the cheapest questions come first. With an objection, the item that it is about.
+    fn judge(
+        &self,
+        index: u64,
+        attempt: u64,
+        sheet: &Sheet<'c>,
+    ) -> Result<Candidate, (Objection, Option<String>)> {
+        let of_all = |objection| (objection, None);
         let mut candidate = Candidate::of(index, attempt, sheet);
-        self.accepts(&candidate)?;
+        self.accepts(&candidate).map_err(of_all)?;
         for question in &sheet.questions {
-            suitability::judge(&question.solution, &question.parts)?;
-            let asked = self.asked(question, candidate.questions[question.place].data);
-            if attempt < TRIES_FOR_FAIRNESS {
-                suitability::judge_methods(&question.solution, &question.parts)?;
-                if asked.is_unusual {
-                    self.usual(question).judge(question)?;
-                }
-            }
-            candidate.questions[question.place] = asked;
+            let data = candidate.questions[question.place].data;
+            let asked = self.judge_question(attempt, question, data);
+            candidate.questions[question.place] = asked.map_err(|objection| {
+                let item = question.solution.template().id.to_string();
+                (objection, Some(item))
+            })?;
         }
-        self.accepts(&candidate)?;
+        self.accepts(&candidate).map_err(of_all)?;
         Ok(candidate)
+    }
+
+    fn judge_question(
+        &self,
+        attempt: u64,
+        question: &SheetQuestion<'_>,
+        data: u64,
+    ) -> Result<Asked, Objection> {
+        suitability::judge(&question.solution, &question.parts)?;
+        let asked = self.asked(question, data);
+        if attempt < TRIES_FOR_FAIRNESS {
+            suitability::judge_methods(&question.solution, &question.parts)?;
+            if asked.is_unusual {
+                self.usual(question).judge(question)?;
+            }
+        }
+        Ok(asked)
     }
 
     /// Whether a candidate repeats nothing, or has to be taken anyway.
@@ -460,6 +502,7 @@ impl Candidate {
             variant: sheet.variant,
             is_fixed: false,
             gave_way: false,
+            unsuitable: Vec::new(),
             questions: vec![Asked::default(); sheet.questions.len()],
         };
         for question in &sheet.questions {

@@ -23,6 +23,8 @@ mod course;
 #[cfg(feature = "render")]
 mod export;
 #[cfg(feature = "render")]
+mod fairness;
+#[cfg(feature = "render")]
 mod figures;
 mod free_bodies;
 mod generated;

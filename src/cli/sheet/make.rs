@@ -54,6 +54,8 @@ pub(super) struct Made {
     pub(super) sheets: usize,
     pub(super) unchanged: usize,
     pub(super) rejected: u64,
+    /// The item whose data were not suitable most often, with how often.
+    pub(super) unsuitable: Option<(String, u64)>,
     pub(super) fairness: Fairness,
     /// Files that could not be printed, and why.
     pub(super) unprinted: Vec<String>,
@@ -96,6 +98,10 @@ impl Job<'_, '_> {
             sheets: share.len(),
             unchanged: 0,
             rejected: chooser.rejected(),
+            unsuitable: chooser
+                .unsuitable()
+                .first()
+                .map(|(item, count)| ((*item).to_owned(), *count)),
             fairness: chooser.fairness().clone(),
             unprinted: Vec::new(),
             shown: Vec::new(),

@@ -258,6 +258,8 @@ struct Summary {
     /// Sheets whose files were there and are left as they are.
     unchanged: usize,
     rejected: u64,
+    /// The item whose data were not suitable most often, with how often.
+    unsuitable: Option<(String, u64)>,
     /// Nothing where nothing was made.
     fairness: Option<Fairness>,
     /// Each with what it is.
@@ -275,6 +277,7 @@ impl Summary {
             sheets: made.sheets,
             unchanged: made.unchanged,
             rejected: made.rejected,
+            unsuitable: made.unsuitable,
             fairness: Some(made.fairness),
             files: made.shown,
             unprinted: made.unprinted,
@@ -288,6 +291,7 @@ impl Summary {
             sheets: count,
             unchanged: count,
             rejected: 0,
+            unsuitable: None,
             fairness: None,
             files: Vec::new(),
             unprinted: Vec::new(),
@@ -304,6 +308,7 @@ impl Summary {
                 "unchanged": self.unchanged,
                 "questions": plan.questions.len(),
                 "rejected": self.rejected,
+                "unsuitable": self.unsuitable,
                 "fairness": self.fairness,
                 "files": files.collect::<Vec<_>>(),
                 "unprinted": self.unprinted,
@@ -357,7 +362,12 @@ impl Summary {
         if self.rejected > 0 {
             let were = if self.rejected == 1 { "was" } else { "were" };
             let seeds = counted(self.rejected as usize, "seed");
-            eprintln!("{seeds} {were} not suitable and passed over");
+            let most = self.unsuitable.as_ref();
+            let most = most.map(|(item, count)| format!(", {count} of them for {item}"));
+            eprintln!(
+                "{seeds} {were} not suitable and passed over{}",
+                most.unwrap_or_default()
+            );
         }
     }
 }

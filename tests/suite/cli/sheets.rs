@@ -632,3 +632,40 @@ fn points_of_parts_sum_up_to_those_of_their_question() {
         sheet(keys).0.ends(2).complains(words);
     }
 }
+
+#[test]
+fn the_table_of_marks_has_a_second_row_where_one_is_too_narrow() {
+    let folder = folder("marks");
+    for (questions, rows) in [(12, vec![13]), (13, vec![7, 7]), (24, vec![13, 12])] {
+        let question = "[[question]]\nitem = \"ch1/e3-ke-simple-pendulum\"\n";
+        let top = "title = \"T\"\nseed = 1\nvariants = 1\nformats = [\"html\"]\n";
+        let text = format!("{top}{}", question.repeat(questions));
+        let plan = put(&folder, &format!("{questions}.toml"), text);
+        let out = folder.join(questions.to_string());
+        vibank(&["sheet", &plan, "--out", &text_of(&out)]).ends(0);
+        let page = content(out.join("sheets.html"));
+        let tables = page.split("<tr><th scope=\"row\">Question</th>").skip(1);
+        let lengths: Vec<usize> = tables
+            .map(|row| {
+                let (row, _) = row.split_once("</tr>").expect("the row ends");
+                row.matches("<th scope=\"col\">").count()
+            })
+            .collect();
+        assert_eq!(lengths, rows, "{questions} questions");
+    }
+}
+
+#[test]
+fn seeds_that_were_not_suitable_are_put_down_to_their_item() {
+    let folder = folder("unsuitable");
+    let questions = [
+        "ch2/p2-centre-pinned-bar-cable",
+        "ch1/e3-ke-simple-pendulum",
+    ];
+    let questions = questions.map(|item| format!("[[question]]\nitem = \"{item}\"\n"));
+    let top = "title = \"T\"\nseed = 1\nvariants = 8\nformats = [\"html\"]\n";
+    let plan = put(&folder, "test.toml", format!("{top}{}", questions.concat()));
+    vibank(&["sheet", &plan, "--out", &text_of(&folder.join("out"))])
+        .ends(0)
+        .complains("of them for ch2/p2-centre-pinned-bar-cable");
+}

@@ -1,0 +1,88 @@
+//! Honest work on the bank is right, wrong methods are not: the counts behind both.
+
+use vibank::answer::Kind;
+use vibank::bank::{Catalogue, Template, embedded};
+use vibank::diagnostic::{Code, Finding};
+use vibank::examine::Examination;
+
+/// Draws of each item; `vibank check` takes 200.
+const DRAWS: u64 = 25;
+
+/// What is counted over items.
+#[derive(Default)]
+struct Counts {
+    /// Parts that ask for numbers which rounding moves, and functions.
+    parts: usize,
+    /// Answers of honest work, each step rounded to the figures that are asked for.
+    honest: u64,
+    /// Ways that lead elsewhere: standard wrong methods and named mistakes.
+    wrong: usize,
+    unfair: Vec<String>,
+}
+
+fn count(template: &Template) -> Counts {
+    let examined = Examination::of(template, DRAWS);
+    let mut counts = Counts::default();
+    for (part, own) in template.parts.iter().zip(&examined.parts) {
+        if own.honest == 0 && part.answer.kind() == Kind::Numeric {
+            counts
+                .unfair
+                .push(format!("{}, {}: no honest work", template.id, part.id));
+        }
+        counts.parts += usize::from(own.honest > 0);
+        counts.honest += own.honest;
+        counts.wrong += own.methods + own.mistakes;
+    }
+    let is_unfair = |finding: &&Finding| {
+        [
+            Code::CHECK_HONEST_WORK,
+            Code::CHECK_METHOD_RIGHT,
+            Code::CHECK_MISTAKE_RIGHT,
+        ]
+        .contains(&finding.code)
+    };
+    let unfair = examined.findings.iter().filter(is_unfair);
+    counts.unfair.extend(unfair.map(ToString::to_string));
+    counts
+}
+
+#[test]
+fn honest_work_is_right_and_wrong_methods_are_not() {
+    let (catalogue, _) = Catalogue::load(embedded());
+    let items: Vec<&Template> = catalogue.items().collect();
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let all = std::thread::scope(|scope| {
+        let runs: Vec<_> = (0..threads)
+            .map(|own| {
+                let items = &items;
+                scope.spawn(move || {
+                    let mine = items.iter().skip(own).step_by(threads);
+                    mine.map(|item| count(item)).collect::<Vec<Counts>>()
+                })
+            })
+            .collect();
+        runs.into_iter()
+            .flat_map(|run| run.join().expect("no examination panics"))
+            .fold(Counts::default(), |mut all, own| {
+                all.parts += own.parts;
+                all.honest += own.honest;
+                all.wrong += own.wrong;
+                all.unfair.extend(own.unfair);
+                all
+            })
+    });
+    println!(
+        "{} answers of honest work to {} parts, {} ways that lead elsewhere",
+        all.honest, all.parts, all.wrong
+    );
+    // `examine` reports a part of which one answer in so few is not right.
+    assert!(all.unfair.is_empty(), "{}", all.unfair.join("\n"));
+    // Nothing is counted as right because nothing was counted.
+    assert!(
+        all.parts >= 350 && all.honest >= 8_000,
+        "{} {}",
+        all.parts,
+        all.honest
+    );
+    assert!(all.wrong >= 5_000, "{}", all.wrong);
+}
