@@ -51,7 +51,9 @@ impl Reader<'_> {
         };
         let own = without_times(own).trim_end();
         let is_of_name = |char: char| char.is_alphanumeric() || "_{}\\".contains(char);
-        let is_factor = !own.is_empty()
+        // `transpose` is no letter.
+        let letter = own.split('_').next().unwrap_or(own);
+        let is_factor = letter.chars().count() == 1
             && own.chars().all(is_of_name)
             && self.formula_in(own, Span::new(0, own.len())).is_err();
         if is_factor { &before[..start] } else { before }

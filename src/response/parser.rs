@@ -256,8 +256,8 @@ impl<'a> Parser<'a> {
         let is_bare = self.has_units && !has_unit(numerator);
         while !is_closed && self.begins_factor() {
             if let Some(Item::Unit(_)) = self.item() {
-                // In `1/2 m` the unit is that of the fraction, in `5 m/2 s` each number has its own.
-                if is_bare && is_number(&divisor) {
+                // In `1/2 m` and `100/i ohm` the unit is that of the fraction, in `5 m/2 s` each number has its own.
+                if is_bare && is_constant(&divisor) {
                     break;
                 }
                 let unit = self.power()?;
@@ -552,4 +552,14 @@ fn has_unit(expr: &Expr) -> bool {
 
 fn is_number(expr: &Expr) -> bool {
     expr.as_number().is_some()
+}
+
+/// Whether a factor is a number, π, e or the imaginary unit, or a product of such.
+fn is_constant(expr: &Expr) -> bool {
+    match expr.kind() {
+        Kind::Constant(_) => true,
+        Kind::Negate(inner) => is_constant(inner),
+        Kind::Binary(Operator::Multiply, left, right) => is_constant(left) && is_constant(right),
+        _ => is_number(expr),
+    }
 }

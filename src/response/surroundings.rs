@@ -67,7 +67,9 @@ fn trail(text: &str) -> Option<usize> {
         let is_number = |word: &str| word.bytes().all(|byte| byte.is_ascii_digit());
         let mut words = aside.split_whitespace();
         let is_said = words.all(|word| is_number(word) || ASIDES.contains(&word));
-        let is_aside = is_said && !aside.split_whitespace().all(is_number);
+        // `12 (in)` has inches.
+        let says_nothing = |word: &str| is_number(word) || ["in", "to"].contains(&word);
+        let is_aside = is_said && !aside.split_whitespace().all(says_nothing);
         return is_aside.then(|| text.len() - before.len());
     }
     if let Some(before) = text.strip_suffix(';') {
@@ -114,6 +116,7 @@ mod tests {
             ("5 m (3 s.f.)", "5 m"),
             ("5 m (to 3 significant figures)", "5 m"),
             ("2 cos(3) (4)", "2 cos(3) (4)"),
+            ("12 (in)", "12 (in)"),
             ("2 sin(t) (in SI units)", "2 sin(t)"),
             ("lambda t: 2*t", "2*t"),
             ("t -> 2*t", "2*t"),

@@ -22,7 +22,10 @@ fn typed_answers_are_marked_as_they_were_meant() {
         let place = parts.iter().position(|own| own.id == part);
         let place = place.expect("a part of the item");
         // `\neq` is a command.
-        let response = response.replace("\\neq", "≠").replace("\\n", "\n");
+        let response = response
+            .replace("\\neq", "≠")
+            .replace("\\n", "\n")
+            .replace('⇥', "\t");
         let mut responses = vec![""; parts.len()];
         responses[place] = &response;
         let marking = grade::mark_among(&solution, place, &responses);
