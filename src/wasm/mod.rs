@@ -95,7 +95,7 @@ impl Grader {
     /// let item = catalogue.find("ch3/e5-log-decrement").unwrap();
     /// let practice = Practice {
     ///     program: "doc".into(), title: "Practice".into(), instructions: Document::default(),
-    ///     language: "en".into(), decimal: '.', doubt: Default::default(), data: Default::default(),
+    ///     language: "en".into(), decimal: '.', doubt: Default::default(), other_form: None, data: Default::default(),
     ///     questions: vec![PracticeQuestion::of(item, 0, "Damping")],
     /// };
     /// let grader = Grader::of(&practice.lines(&[Compiled::of(item)])).unwrap();

@@ -9,7 +9,7 @@ use super::Grader;
 use super::question::{Insertion, ShownOption, asked, figure, html, insertions, options, shape};
 use crate::answer::{Choosing, Credit, Marking, Reason, Verdict};
 use crate::bank::{Passage, Template};
-use crate::grade::{self, Grade};
+use crate::grade::{self, Grade, Sheet};
 use crate::math::Display;
 use crate::message::Language;
 use crate::seed::Variant;
@@ -261,7 +261,12 @@ impl Asked<'_> {
                 responses.push((before, response));
             }
         }
-        let grade = Grade::mark(&self.solution, responses);
+        let share = self.grader.practice.other_form;
+        let sheet = Sheet {
+            asked: &self.parts,
+            other_form: share.and_then(|share| Credit::read(&share.to_string())),
+        };
+        let grade = Grade::mark_on(&self.solution, &sheet, responses);
         let marking = grade.part(place).ok_or("the part was not marked")?;
         let reading = marking.reading.as_ref();
         Ok(Reply::Marked {

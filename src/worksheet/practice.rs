@@ -29,6 +29,9 @@ pub struct Practice {
     /// What becomes of answers with two readings.
     #[serde(default)]
     pub doubt: Doubt,
+    /// What an answer in the other form is worth; the items decide where this is none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub other_form: Option<f64>,
     /// Data as numbers or symbols.
     pub data: Data,
     /// The questions in order.
@@ -163,6 +166,7 @@ impl Practice {
             language: catalogue.bank.language.clone(),
             decimal: '.',
             doubt: Doubt::Ask,
+            other_form: None,
             data: Data::default(),
             questions: Vec::new(),
         };
@@ -181,6 +185,7 @@ impl Practice {
         practice.language.clone_from(&blueprint.language.value);
         practice.decimal = blueprint.decimal;
         practice.doubt = blueprint.doubt.unwrap_or_default();
+        practice.other_form = blueprint.other_form.map(|share| share.share().to_f64());
         practice.data = blueprint.data;
         for planned in &plan.questions {
             for item in &planned.candidates {

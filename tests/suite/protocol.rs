@@ -69,6 +69,7 @@ fn the_replies_of_a_page_are_kept() {
         language: "en".into(),
         decimal: '.',
         doubt: vibank::answer::Doubt::default(),
+        other_form: None,
         data: Data::Both,
         questions: vec![PracticeQuestion {
             parts: vec!["omega_n".into(), "both".into()],

@@ -1,12 +1,22 @@
 //! Values in place of formulas, formulas in place of values, and statements in both forms.
 
+use std::sync::OnceLock;
+
 use vibank::answer::{Credit, Verdict};
 use vibank::bank::{Catalogue, embedded};
 use vibank::grade::{Grade, Sheet};
 use vibank::instance::Instance;
 use vibank::solution::Solution;
+use vibank::wasm::Grader;
+use vibank::worksheet::{Practice, PracticeQuestion};
 
 const ITEM: &str = "ch2/p3-parallel-springs-damper";
+
+/// The bank, read once.
+fn bank() -> &'static Catalogue {
+    static BANK: OnceLock<Catalogue> = OnceLock::new();
+    BANK.get_or_init(|| Catalogue::load(embedded()).0)
+}
 
 /// The marking of a response to one part on a sheet that asks for these.
 fn marked(
@@ -15,8 +25,7 @@ fn marked(
     asked: &[&str],
     share: Option<&str>,
 ) -> (Verdict, f64, String) {
-    let (catalogue, _) = Catalogue::load(embedded());
-    let template = catalogue.find(ITEM).expect("the item");
+    let template = bank().find(ITEM).expect("the item");
     let set = [("m", "2 kg"), ("k1", "30 N/m"), ("k2", "20 N/m")];
     let instance = Instance::of(template, None, &set).expect("the data");
     let solution = Solution::of(instance);
@@ -123,4 +132,38 @@ fn alternatives_have_no_better_one() {
             assert_eq!(credit, 0.0, "{part}: {response}: {found:?} {why}");
         }
     }
+}
+
+/// The credit of a value for `omega_n` on a page that asks for these parts.
+fn credit_on_page(asked: &[&str], share: Option<f64>) -> f64 {
+    let catalogue = bank();
+    let item = catalogue.find(ITEM).expect("the item");
+    let (mut practice, items) = Practice::of_items(catalogue, &[item], "Practice");
+    practice.other_form = share;
+    practice.questions = vec![PracticeQuestion {
+        parts: asked.iter().map(|id| (*id).to_owned()).collect(),
+        set: [("m", "2 kg"), ("k1", "30 N/m"), ("k2", "20 N/m")]
+            .map(|(name, value)| (name.to_owned(), value.to_owned()))
+            .to_vec(),
+        ..PracticeQuestion::of(item, 0, "Free vibrations")
+    }];
+    let grader = Grader::of(&practice.lines(&items)).expect("a page");
+    let read = |text: String| -> serde_json::Value { serde_json::from_str(&text).expect("JSON") };
+    let chosen = read(grader.answer(r#"{"do":"choose","question":0,"from":7}"#));
+    let request = serde_json::json!({
+        "do": "mark", "question": 0, "code": chosen["code"], "part": "omega_n", "response": "5 rad/s",
+    });
+    let marked = read(grader.answer(&request.to_string()));
+    let credit = &marked["credit"];
+    credit
+        .as_f64()
+        .unwrap_or_else(|| panic!("no credit in {marked}"))
+}
+
+#[test]
+fn a_page_pays_for_the_other_form_by_the_parts_that_it_asks() {
+    assert_eq!(credit_on_page(&["omega_n"], None), 0.5);
+    assert_eq!(credit_on_page(&["omega_n"], Some(0.25)), 0.25);
+    assert_eq!(credit_on_page(&["omega_n", "omega_n_value"], None), 0.0);
+    assert_eq!(credit_on_page(&[], None), 0.0);
 }
