@@ -14,6 +14,11 @@ const ALONG: [f64; 9] = [0.5, 0.42, 0.58, 0.34, 0.66, 0.25, 0.75, 0.12, 0.88];
 
 /// Beside a line that needs this much room on each side.
 pub(super) fn beside(a: Point, b: Point, clear: f64, at: Option<Side>) -> Vec<Spot> {
+    beside_at(a, b, clear, at, &FARTHER)
+}
+
+/// The same at some of the distances.
+fn beside_at(a: Point, b: Point, clear: f64, at: Option<Side>, farther: &[f64]) -> Vec<Spot> {
     let across = (b - a).unit().left();
     // Above; of an upright line to the left.
     let usual = if across.y < -0.3 || (across.y.abs() <= 0.3 && across.x > 0.0) {
@@ -25,9 +30,9 @@ pub(super) fn beside(a: Point, b: Point, clear: f64, at: Option<Side>) -> Vec<Sp
         Some(wanted) if across.dot(wanted).abs() > 0.2 => across * across.dot(wanted).signum(),
         _ => usual,
     };
-    let mut spots = Vec::with_capacity(2 * FARTHER.len() * ALONG.len());
+    let mut spots = Vec::with_capacity(2 * farther.len() * ALONG.len());
     for normal in [normal, -normal] {
-        for more in FARTHER {
+        for more in farther {
             for share in ALONG {
                 let at = a.towards(b, share) + normal * (clear + GAP + more);
                 spots.push(Spot::new(at, Anchor::facing(normal)));
@@ -37,7 +42,7 @@ pub(super) fn beside(a: Point, b: Point, clear: f64, at: Option<Side>) -> Vec<Sp
     spots
 }
 
-/// At the tip of an arrow, beyond it or at its side, then along it.
+/// At the tip of an arrow, beyond it or at its side, then along it; anywhere near the arrow before farther off.
 pub(super) fn at_tip(from: Point, tip: Point, at: Option<Side>) -> Vec<Spot> {
     let along = (tip - from).unit();
     let mut spots = Vec::new();
@@ -45,16 +50,21 @@ pub(super) fn at_tip(from: Point, tip: Point, at: Option<Side>) -> Vec<Spot> {
         spots.extend(off(tip, side.direction(), 0.08));
         spots.extend(beside(from, tip, 0.08, at));
     }
-    spots.push(Spot::beside(tip, along, GAP));
     let mut normals = [along.left(), -along.left()];
     if normals[1].y > normals[0].y + 1e-9 || (normals[0].y.abs() < 1e-9 && normals[1].x > 0.0) {
         normals.swap(0, 1);
     }
-    for normal in normals {
-        spots.extend(off(tip - along * 0.1, normal, 0.08));
+    let (near, far) = FARTHER.split_at(2);
+    for farther in [near, far] {
+        for more in farther {
+            spots.push(Spot::beside(tip, along, GAP + more));
+            for normal in normals {
+                let spot = Spot::beside(tip - along * 0.1, normal, 0.08 + GAP + more);
+                spots.push(spot);
+            }
+        }
+        spots.extend(beside_at(from, tip, 0.08, at, farther));
     }
-    spots.extend(off(tip, along, 0.0));
-    spots.extend(beside(from, tip, 0.08, at));
     spots
 }
 

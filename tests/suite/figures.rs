@@ -28,8 +28,6 @@ fn faults(template: &Template, instance: Instance<'_>) -> Vec<String> {
     };
     let picture = scene.picture().expect("what is drawn has a picture");
     let mut faults = faults_of(&drawing, &picture);
-    // Forces of a free-body diagram stand around one body: their labels go farther out.
-    faults.extend(astray(&drawing));
     if figure.has_free() {
         let free = figure.draw_free(&scene);
         let picture = scene.free_picture().expect("it has one");
@@ -47,6 +45,7 @@ fn faults(template: &Template, instance: Instance<'_>) -> Vec<String> {
 /// What is wrong with a drawing and its picture.
 fn faults_of(drawing: &Drawing, picture: &Picture) -> Vec<String> {
     let mut faults = overlaps(drawing);
+    faults.extend(astray(drawing));
     faults.extend(outside(drawing));
     if picture.svg.len() > 40_000 {
         faults.push(format!("{} bytes", picture.svg.len()));
