@@ -19,6 +19,7 @@ mod load;
 mod parameter;
 mod passage;
 pub mod plot;
+mod points;
 mod read;
 mod rule;
 mod template;
@@ -34,9 +35,10 @@ pub use identity::{ItemId, Revision};
 pub use listing::{ListedPart, Listing};
 pub use parameter::{Domain, Grid, Parameter, ParameterError};
 pub use passage::{Passage, Piece, Target};
+pub use points::{share_in_group, share_out};
 pub use read::ItemError;
 pub use rule::Rule;
 pub use template::{
-    Allowed, Check, Constraint, Expected, Mistake, MistakeAnswer, Part, QuantityInfo, Template,
-    Units,
+    Allowed, Check, Constraint, Expected, Group, Mistake, MistakeAnswer, Part, QuantityInfo,
+    Template, Units,
 };

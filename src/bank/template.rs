@@ -109,22 +109,69 @@ pub enum Units {
 /// One thing that is asked.
 #[derive(Debug)]
 pub struct Part {
-    /// Its identity in the item.
+    /// Its identity in the item; of a blank, `group.blank`.
     pub id: String,
+    /// The identities that it had in earlier versions of the item.
+    pub was: Vec<String>,
+    /// The group of small questions to which it belongs.
+    pub group: Option<Arc<Group>>,
     /// The question.
     pub ask: Passage,
     /// What answers it.
     pub answer: Box<dyn Answer>,
-    /// Its weight.
+    /// Its weight; the weights of the blanks of a group add up to that of the group.
     pub points: Rational,
     /// It is asked only if this holds.
     pub when: Option<NodeId>,
-    /// From a nudge to the way.
+    /// From a nudge to the way; those of its group come first.
     pub hints: Vec<Passage>,
     /// The worked solution.
     pub solution: Passage,
     /// Known wrong, or also acceptable, answers.
     pub mistakes: Vec<Mistake>,
+}
+
+/// Small questions that are asked together and count as one.
+#[derive(Debug)]
+pub struct Group {
+    /// Its identity in the item.
+    pub id: String,
+    /// What its blanks have in common.
+    pub text: Passage,
+    /// Hints for all of them.
+    pub hints: Vec<Passage>,
+    /// What comes before their worked solutions.
+    pub solution: Passage,
+}
+
+impl Part {
+    /// Whether this names it: its identity, that of its group, or one that it had.
+    pub fn is_named(&self, name: &str) -> bool {
+        self.has_id(name) || self.is_in(name)
+    }
+
+    /// Whether this is its identity, or one that it had.
+    pub fn has_id(&self, id: &str) -> bool {
+        self.id == id || self.was.iter().any(|was| was == id)
+    }
+
+    /// Whether it belongs to the group of this identity.
+    pub fn is_in(&self, group: &str) -> bool {
+        self.group.as_ref().is_some_and(|own| own.id == group)
+    }
+
+    /// The hints that are its own, and not its group's.
+    pub fn own_hints(&self) -> &[Passage] {
+        let shared = self.group.as_ref().map_or(0, |group| group.hints.len());
+        self.hints.get(shared..).unwrap_or_default()
+    }
+
+    /// Its worked solution, behind that of its group.
+    pub fn worked(&self) -> impl Iterator<Item = &Passage> {
+        let shared = self.group.iter().map(|group| &group.solution);
+        let all = shared.chain(std::iter::once(&self.solution));
+        all.filter(|passage| !passage.is_empty())
+    }
 }
 
 /// A known wrong, or also acceptable, answer.
@@ -174,16 +221,48 @@ pub struct Expected {
 }
 
 impl Template {
-    /// The part of this id.
+    /// The part of this identity, or the one that had it once.
     pub fn part(&self, id: &str) -> Option<&Part> {
-        self.parts.iter().find(|part| part.id == id)
+        self.parts.get(self.place(id)?)
+    }
+
+    /// The place of the part of this identity, or of the one that had it once.
+    ///
+    /// ```
+    /// # #[cfg(feature = "render")] {
+    /// use vibank::bank::{Catalogue, embedded};
+    /// let (catalogue, _) = Catalogue::open(embedded());
+    /// let item = catalogue.find("ch3/e5-log-decrement").unwrap();
+    /// assert_eq!(item.place(&item.parts[1].id), Some(1));
+    /// # }
+    /// ```
+    pub fn place(&self, id: &str) -> Option<usize> {
+        let mut parts = self.parts.iter();
+        parts.position(|part| part.has_id(id))
+    }
+
+    /// What a list of parts may name: parts, and groups of blanks.
+    pub fn part_names(&self) -> impl Iterator<Item = &str> {
+        let groups = self.parts.iter().filter_map(|part| part.group.as_deref());
+        let parts = self.parts.iter().map(|part| part.id.as_str());
+        parts.chain(groups.map(|group| group.id.as_str()))
+    }
+
+    /// How many questions it asks, where a group counts as one.
+    pub fn questions(&self) -> usize {
+        let is_later = |pair: &&[Part]| match (&pair[0].group, &pair[1].group) {
+            (Some(before), Some(own)) => Arc::ptr_eq(before, own),
+            _ => false,
+        };
+        self.parts.len() - self.parts.windows(2).filter(is_later).count()
     }
 
     /// All texts that placeholders stand in, in the order in which they are shown.
     pub fn passages(&self) -> impl Iterator<Item = &Passage> {
         let parts = self.parts.iter().flat_map(|part| {
             let feedback = part.mistakes.iter().map(|mistake| &mistake.feedback);
-            let texts = std::iter::once(&part.ask).chain(&part.hints);
+            let shared = part.group.iter().flat_map(|own| [&own.text, &own.solution]);
+            let texts = shared.chain([&part.ask]).chain(&part.hints);
             texts.chain(std::iter::once(&part.solution)).chain(feedback)
         });
         [&self.statement, &self.solution, &self.notes]

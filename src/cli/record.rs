@@ -5,9 +5,10 @@ use std::path::Path;
 
 use vibank::answer::Doubt;
 use vibank::bank::Catalogue;
+use vibank::numerics::Rational;
 use vibank::worksheet::{
-    BankStamp, FORMAT, FileStamp, Manifest, PartEntry, Plan, QuestionEntry, Sheet, VariantEntry,
-    letter,
+    BankStamp, FORMAT, FileStamp, Heading, Manifest, PartEntry, Plan, QuestionEntry, Sheet,
+    VariantEntry, headings,
 };
 
 use serde_json::json;
@@ -54,11 +55,11 @@ pub(crate) fn entry(sheet: &Sheet<'_>) -> VariantEntry {
         let solution = &question.solution;
         let template = solution.template();
         let values = template.parameters.iter().zip(solution.instance().values());
-        let part = |(position, (place, points)): (usize, (&usize, &vibank::numerics::Rational))| {
+        let part = |(heading, (place, points)): (Heading<'_>, (&usize, &Rational))| {
             let part = &template.parts[*place];
             let options = part.answer.options();
             PartEntry {
-                letter: letter(position),
+                letter: heading.letter,
                 id: part.id.clone(),
                 kind: part.answer.kind().name().to_owned(),
                 unit: part
@@ -87,11 +88,9 @@ pub(crate) fn entry(sheet: &Sheet<'_>) -> VariantEntry {
             values: values
                 .map(|(parameter, value)| (parameter.name.to_string(), value.to_string()))
                 .collect(),
-            parts: question
-                .parts
-                .iter()
-                .zip(&question.points)
-                .enumerate()
+            parts: headings(template, &question.parts)
+                .into_iter()
+                .zip(question.parts.iter().zip(&question.points))
                 .map(part)
                 .collect(),
         }

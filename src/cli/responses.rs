@@ -207,12 +207,14 @@ pub(crate) fn begins_sheet(row: &table::Row<'_>, code: usize) -> bool {
     row.cells.len() > 1 && row.cell(code).parse::<Variant>().is_ok()
 }
 
-/// A column such as `2b`: question and part.
+/// A column such as `2b`, or `2b1` of a blank: question and part.
 fn part_column(name: &str) -> Option<(&str, &str)> {
     let digits = name.find(|letter: char| !letter.is_ascii_digit())?;
     let (question, part) = name.split_at(digits);
+    let letters = part.trim_end_matches(|char: char| char.is_ascii_digit());
     let is_part = !question.is_empty()
-        && part.len() <= 2
-        && part.bytes().all(|byte| byte.is_ascii_lowercase());
+        && (1..=2).contains(&letters.len())
+        && part.len() - letters.len() <= 3
+        && letters.bytes().all(|byte| byte.is_ascii_lowercase());
     is_part.then_some((question, part))
 }

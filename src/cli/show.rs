@@ -2,14 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use vibank::bank::Catalogue;
+use vibank::bank::{Catalogue, Part};
 use vibank::instance::Instance;
 use vibank::message::Language;
 use vibank::scene::{Data, Scene, Shown};
 use vibank::seed::{Seed, Variant};
 use vibank::solution::Solution;
 use vibank::source::Source;
-use vibank::worksheet::{Blueprint, PartEntry, Plan, Sheet, letter};
+use vibank::worksheet::{Blueprint, PartEntry, Plan, Sheet, headings, letter};
 
 use super::bank::{self, BankArgument};
 use super::{Failure, Outcome, files, package, solve};
@@ -99,8 +99,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     for question in &entry.questions {
         println!("Question {}", question.number);
         let solution = super::grade::solution(&items, question, manifest.decimal, manifest.doubt)?;
-        let parts = &solution.template().parts;
-        let place = |part: &PartEntry| parts.iter().position(|found| found.id == part.id);
+        let place = |part: &PartEntry| solution.template().place(&part.id);
         let places: Vec<usize> = question.parts.iter().filter_map(place).collect();
         show(arguments, &solution, manifest.data, &places);
     }
@@ -159,7 +158,7 @@ fn of_learner(
             .map_err(|error| Failure::new(error.to_string()))?;
         let solution = Solution::of(instance);
         let mut places = asked(&solution);
-        places.retain(|place| question.asks(&template.parts[*place].id));
+        places.retain(|place| question.asks(&template.parts[*place]));
         show(arguments, &solution, package.practice.data, &places);
     }
     Ok(Outcome::Done)
@@ -192,13 +191,18 @@ fn show(arguments: &Arguments, solution: &Solution<'_>, data: Data, parts: &[usi
             println!("\n{before}");
         }
     }
-    for (position, place) in parts.iter().copied().enumerate() {
+    for (heading, place) in headings(template, parts).iter().zip(parts.iter().copied()) {
         let part = &template.parts[place];
-        println!(
-            "\n{}) {}",
-            letter(position),
-            text(&scene.passage(&part.ask))
-        );
+        if let Some((letter, group)) = heading.opened() {
+            println!("\n{letter}) {}", text(&scene.passage(&group.text)));
+            if arguments.solution {
+                let hints = group.hints.iter();
+                hints.for_each(|hint| println!("   hint: {}", text(&scene.passage(hint))));
+                let worked = text(&scene.passage(&group.solution));
+                worked.lines().for_each(|line| println!("   {line}"));
+            }
+        }
+        println!("\n{}", called(&heading.letter, &scene, part));
         let options = part.answer.options();
         for (at, option) in solution
             .order(place)
@@ -214,7 +218,7 @@ fn show(arguments: &Arguments, solution: &Solution<'_>, data: Data, parts: &[usi
         }
         println!("   {}", answer_line(&scene, place));
         if arguments.solution {
-            part.hints
+            part.own_hints()
                 .iter()
                 .for_each(|hint| println!("   hint: {}", text(&scene.passage(hint))));
         }
@@ -236,6 +240,12 @@ fn show(arguments: &Arguments, solution: &Solution<'_>, data: Data, parts: &[usi
         eprintln!("computed: {}", trace.computed.join(", "));
         eprintln!("skipped:  {}", trace.skipped.join(", "));
     }
+}
+
+/// A part and what it asks, `b) …`.
+pub(super) fn called(letter: &str, scene: &Scene<'_, '_>, part: &Part) -> String {
+    let ask = text(&scene.passage(&part.ask));
+    format!("{letter}) {ask}").trim_end().to_owned()
 }
 
 /// The line for an answer: `ω_n = ____ rad/s (value, 3 figures)`.

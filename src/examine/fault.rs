@@ -164,8 +164,21 @@ fn definition(text: &str, name: &str) -> Span {
     })
 }
 
-/// The line of a part that gives its identity: its `id`, or the `key` that stands for it.
+/// The line of a part that gives its identity: its `id`, or the `key` that stands for it; of a blank behind that of its
+/// group.
 fn part_place(text: &str, part: &str) -> Span {
+    let (group, id) = part.split_once('.').unwrap_or(("", part));
+    let before = match part_line(text, group) {
+        place if group.is_empty() || place == Span::NONE => 0,
+        place => place.end as usize,
+    };
+    match part_line(&text[before..], id) {
+        Span::NONE => Span::NONE,
+        place => Span::new(before + place.start as usize, before + place.end as usize),
+    }
+}
+
+fn part_line(text: &str, part: &str) -> Span {
     let gives = |key: &str, line: &str| {
         let value = line
             .strip_prefix(key)

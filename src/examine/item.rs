@@ -207,7 +207,7 @@ fn missing(template: &Template, part: &Part) -> Vec<Fault> {
     if part.hints.iter().all(Passage::is_empty) {
         faults.push(Fault::NoHint { part: own() });
     }
-    if part.solution.is_empty() {
+    if part.worked().next().is_none() {
         faults.push(Fault::NoSolution { part: own() });
     }
     faults

@@ -42,6 +42,12 @@ pub struct Examination {
     pub findings: Vec<Finding>,
 }
 
+/// Whether a fault is about the part of this name, or about a blank of the group of this name.
+fn is_about(template: &Template, fault: &Fault, name: &str) -> bool {
+    let part = fault.part().and_then(|part| template.part(part));
+    part.is_some_and(|part| part.is_named(name))
+}
+
 /// A finding that is in order in an item.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Exception {
@@ -253,7 +259,7 @@ impl<'t> Course<'t> {
                     && own
                         .part
                         .as_deref()
-                        .is_none_or(|part| fault.part() == Some(part))
+                        .is_none_or(|name| is_about(template, &fault, name))
             });
             match exception {
                 Some(own) => allowed.push(Exception {

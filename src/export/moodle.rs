@@ -17,7 +17,7 @@ use crate::document::{Document, Filling};
 use crate::math::{Display, escape};
 use crate::numerics::Rational;
 use crate::scene::{Data, Scene};
-use crate::worksheet::{Sheet, SheetQuestion, letter};
+use crate::worksheet::{Heading, Sheet, SheetQuestion, headings};
 
 /// Where Moodle has the files of a question.
 const FILES: &str = "@@PLUGINFILE@@/";
@@ -44,6 +44,9 @@ pub struct Unfit {
     /// Why.
     pub reason: &'static str,
 }
+
+/// A part by its place in the item, and what it is called.
+type Called<'t> = (Heading<'t>, usize);
 
 /// How a part is asked.
 enum Blank {
@@ -87,13 +90,21 @@ impl Moodle {
         let mut essays = Vec::new();
         let mut has_blanks = false;
         let weights = weights(question, &scene);
-        for (position, (place, weight)) in question.parts.iter().zip(&weights).enumerate() {
+        let headings = headings(template, &question.parts);
+        let mut opened = None;
+        for ((heading, place), weight) in headings.iter().zip(&question.parts).zip(&weights) {
             let part = &template.parts[*place];
             match blank(&scene, *place, &mut pictures) {
                 Ok(blank) => {
                     has_blanks = true;
                     self.blanks += 1;
-                    ask(&mut body, &scene, position, *place, &mut pictures);
+                    ask(
+                        &mut body,
+                        &scene,
+                        (heading, *place),
+                        &mut opened,
+                        &mut pictures,
+                    );
                     write_blank(&mut body, &scene, *place, *weight, &blank);
                 }
                 Err(reason) => {
@@ -105,14 +116,17 @@ impl Moodle {
                     if !self.unfit.contains(&unfit) {
                         self.unfit.push(unfit);
                     }
-                    essays.push((position, *place));
+                    essays.push((heading.clone(), *place));
                 }
             }
         }
         let origin = format!("{} {}", template.id.as_str(), sheet.variant);
         if has_blanks {
             let _ = write!(body, "<p><small>{origin}</small></p>");
-            let parts: Vec<(usize, usize)> = question.parts.iter().copied().enumerate().collect();
+            let parts: Vec<Called<'_>> = headings
+                .into_iter()
+                .zip(question.parts.iter().copied())
+                .collect();
             let worked = worked(&scene, &parts, &mut pictures);
             let hints = hints(&scene, &parts, &mut pictures);
             let name = format!("{} [{origin}]", template.about.title);
@@ -134,18 +148,27 @@ impl Moodle {
         &mut self,
         scene: &Scene<'_, '_>,
         question: &SheetQuestion<'_>,
-        parts: &[(usize, usize)],
+        parts: &[Called<'_>],
         origin: &str,
     ) {
         let template = question.solution.template();
         let mut pictures = Pictures::default();
         let mut body = statement(scene, &mut pictures);
         let mut points = Rational::ZERO;
-        for (position, place) in parts {
-            ask(&mut body, scene, *position, *place, &mut pictures);
-            points = points
-                .checked_add(question.points[*position])
-                .unwrap_or(points);
+        let mut opened = None;
+        for (heading, place) in parts {
+            ask(
+                &mut body,
+                scene,
+                (heading, *place),
+                &mut opened,
+                &mut pictures,
+            );
+            let asked = question.parts.iter().zip(&question.points);
+            let own = asked
+                .filter(|(own, _)| *own == place)
+                .map(|(_, points)| *points);
+            points = own.fold(points, |sum, own| sum.checked_add(own).unwrap_or(sum));
         }
         let _ = write!(body, "<p><small>{origin}</small></p>");
         let mut of_solution = Pictures::default();
@@ -264,17 +287,24 @@ fn line(document: &Document) -> String {
     out
 }
 
-/// The letter of a part and its question.
-fn ask(
+/// The letter of a part and its question; before the first one of a group, what its blanks have in common.
+fn ask<'t>(
     out: &mut String,
     scene: &Scene<'_, '_>,
-    position: usize,
-    place: usize,
+    (heading, place): (&Heading<'t>, usize),
+    opened: &mut Option<&'t str>,
     pictures: &mut Pictures,
 ) {
     let part = &scene.solution().template().parts[place];
+    let own = heading.group.map(|group| group.id.as_str());
+    if let Some(group) = heading.group.filter(|_| *opened != own) {
+        let asked = pictures.html(FILES, &scene.passage(&group.text));
+        let letter = heading.group_letter();
+        let _ = write!(out, "<p><strong>{letter})</strong></p>{asked}");
+    }
+    *opened = own;
     let asked = pictures.html(FILES, &scene.passage(&part.ask));
-    let _ = write!(out, "<p><strong>{})</strong></p>{asked}", letter(position));
+    let _ = write!(out, "<p><strong>{})</strong></p>{asked}", heading.letter);
 }
 
 /// How a part is asked, or why it cannot be.
@@ -391,11 +421,17 @@ fn gcd(a: u64, b: u64) -> u64 {
 }
 
 /// The worked solution, with the key of each part.
-fn worked(scene: &Scene<'_, '_>, parts: &[(usize, usize)], pictures: &mut Pictures) -> String {
+fn worked(scene: &Scene<'_, '_>, parts: &[Called<'_>], pictures: &mut Pictures) -> String {
     let template = scene.solution().template();
     let mut out = pictures.html(FILES, &scene.passage(&template.solution));
-    for (position, place) in parts {
-        let _ = write!(out, "<p><strong>{})</strong> ", letter(*position));
+    let mut opened = None;
+    for (heading, place) in parts {
+        let own = heading.group.map(|group| group.id.as_str());
+        if let Some(group) = heading.group.filter(|_| opened != own) {
+            out.push_str(&pictures.html(FILES, &scene.passage(&group.solution)));
+        }
+        opened = own;
+        let _ = write!(out, "<p><strong>{})</strong> ", heading.letter);
         if let Ok(Some(key)) = scene.key(*place) {
             out.push_str(&key.mathml(Display::Inline));
         }
@@ -405,8 +441,8 @@ fn worked(scene: &Scene<'_, '_>, parts: &[(usize, usize)], pictures: &mut Pictur
     out
 }
 
-/// The first hints of all parts, then the second ones, and so on.
-fn hints(scene: &Scene<'_, '_>, parts: &[(usize, usize)], pictures: &mut Pictures) -> Vec<String> {
+/// The first hints of all parts, then the second ones, and so on; those of a group once.
+fn hints(scene: &Scene<'_, '_>, parts: &[Called<'_>], pictures: &mut Pictures) -> Vec<String> {
     let template = scene.solution().template();
     let most = parts
         .iter()
@@ -415,10 +451,20 @@ fn hints(scene: &Scene<'_, '_>, parts: &[(usize, usize)], pictures: &mut Picture
     (0..most.unwrap_or(0))
         .map(|number| {
             let mut out = String::new();
-            for (position, place) in parts {
-                if let Some(hint) = template.parts[*place].hints.get(number) {
+            let mut opened = None;
+            for (heading, place) in parts {
+                let shared = heading.group.filter(|group| number < group.hints.len());
+                let group = heading.group.map(|group| group.id.as_str());
+                let is_repeated = shared.is_some() && opened == group;
+                opened = group;
+                let letter = match shared {
+                    Some(_) => heading.group_letter(),
+                    None => &heading.letter,
+                };
+                let hint = template.parts[*place].hints.get(number);
+                if let Some(hint) = hint.filter(|_| !is_repeated) {
                     let words = pictures.html(FILES, &scene.passage(hint));
-                    let _ = write!(out, "<p><strong>{})</strong></p>{words}", letter(*position));
+                    let _ = write!(out, "<p><strong>{letter})</strong></p>{words}");
                 }
             }
             out

@@ -142,7 +142,7 @@ fn marked(session: &mut Session<'_>, request: &Request) -> Result<Marked, Refusa
 
 /// The place of a part in its item.
 fn place(template: &Template, part: &str) -> Result<usize, Refusal> {
-    let found = template.parts.iter().position(|own| own.id == part);
+    let found = template.place(part);
     found.ok_or_else(|| {
         let ids = template.parts.iter().map(|own| own.id.as_str());
         let near = crate::source::nearest(part, ids)

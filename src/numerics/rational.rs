@@ -122,6 +122,18 @@ impl Rational {
         }
     }
 
+    /// A sum, if it can be held.
+    ///
+    /// ```
+    /// use vibank::numerics::Rational;
+    /// let half = Rational::new(1, 2).unwrap();
+    /// assert_eq!(Rational::sum(&[half, half]), Some(Rational::ONE));
+    /// ```
+    pub fn sum(terms: &[Self]) -> Option<Self> {
+        let mut terms = terms.iter();
+        terms.try_fold(Self::ZERO, |sum, term| sum.checked_add(*term))
+    }
+
     /// The sum.
     pub fn checked_add(self, other: Self) -> Option<Self> {
         if self.is_integer() && other.is_integer() {

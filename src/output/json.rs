@@ -6,7 +6,7 @@ use crate::answer::Blank;
 use crate::message::Language;
 use crate::scene::{Data, Scene};
 use crate::solution::Solution;
-use crate::worksheet::{Sheet, SheetQuestion, letter};
+use crate::worksheet::{Sheet, SheetQuestion, headings};
 
 /// A sheet with its data and keys.
 pub fn sheet(sheet: &Sheet<'_>) -> Json {
@@ -31,11 +31,12 @@ fn question(question: &SheetQuestion<'_>) -> Json {
         "title": template.about.title,
         "points": question.total().to_f64(),
         "values": values.map(|(parameter, value)| (parameter.name.to_string(), json!(value.to_string()))).collect::<serde_json::Map<_, _>>(),
-        "parts": question.parts.iter().zip(&question.points).enumerate().map(|(position, (place, points))| {
+        "parts": headings(template, &question.parts).iter().zip(question.parts.iter().zip(&question.points)).map(|(heading, (place, points))| {
             let part = &template.parts[*place];
             json!({
-                "letter": letter(position),
+                "letter": heading.letter,
                 "id": part.id,
+                "group": part.group.as_ref().map(|group| &group.id),
                 "kind": part.answer.kind().name(),
                 "points": points.to_f64(),
                 "blank": blank(&part.answer.blank()),

@@ -15,7 +15,7 @@ use crate::math::quote;
 use crate::numerics::Rational;
 use crate::scene::{Data, Scene, Shown};
 use crate::unit::DecimalMark;
-use crate::worksheet::{AnswerSpace, Blueprint, Fairness, Paper, Sheet, letter};
+use crate::worksheet::{AnswerSpace, Blueprint, Fairness, Paper, Sheet, headings};
 
 /// What a page is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -424,9 +424,10 @@ impl Pages {
         };
         for question in &sheet.questions {
             let scene = Scene::of(&question.solution, self.run.data);
-            for (position, place) in question.parts.iter().enumerate() {
+            let headings = headings(question.solution.template(), &question.parts);
+            for (heading, place) in headings.iter().zip(&question.parts) {
                 row.parts
-                    .push(format!("{}{}", question.number, letter(position)));
+                    .push(format!("{}{}", question.number, heading.letter));
                 let (cell, width) = match scene.key(*place) {
                     Ok(Some(key)) => (self.writer.math(key), key.plain().chars().count()),
                     Ok(None) => (self.writer.words(IN_THE_SOLUTION), IN_THE_SOLUTION.len()),

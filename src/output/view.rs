@@ -8,13 +8,13 @@ use serde::Serialize;
 use super::pages::{Kind, Run};
 use super::{Writer, is_line};
 use crate::answer::{Choosing, KeyValue};
-use crate::bank::Passage;
+use crate::bank::{Group, Passage};
 use crate::document::{Document, Filling};
 use crate::message::Language;
 use crate::numerics::Rational;
 use crate::scene::Scene;
 use crate::solution::Solution;
-use crate::worksheet::{Sheet, SheetQuestion, letter};
+use crate::worksheet::{Sheet, SheetQuestion, headings, letter};
 
 #[derive(Serialize)]
 pub(super) struct SheetView {
@@ -55,8 +55,22 @@ struct QuestionView {
     parts: Vec<PartView>,
 }
 
+/// What is printed before the first blank of a group.
+#[derive(Serialize)]
+struct GroupView {
+    letter: String,
+    points: String,
+    ask: String,
+    hints: Vec<String>,
+    solution: String,
+}
+
 #[derive(Default, Serialize)]
 struct PartView {
+    /// The group that begins with it.
+    group: Option<GroupView>,
+    /// Whether it belongs to a group.
+    is_blank: bool,
     letter: String,
     /// Kind of the answer.
     kind: &'static str,
@@ -216,11 +230,43 @@ impl<'p> View<'p> {
             Kind::Solutions if self.run.is_keyed => instance.origin(),
             Kind::Solutions | Kind::Key => instance.identity(),
         };
-        let parts = question.parts.iter().zip(&question.points).enumerate();
-        view.parts = parts
-            .map(|(position, (place, points))| self.part(&scene, position, *place, *points))
+        let headings = headings(template, &question.parts);
+        let parts = question.parts.iter().zip(&question.points);
+        view.parts = headings
+            .into_iter()
+            .zip(parts)
+            .map(|(heading, (place, points))| PartView {
+                group: heading.opened().map(|(letter, group)| {
+                    let points = question.points_of(group);
+                    self.group(&scene, letter, group, points)
+                }),
+                letter: heading.letter.clone(),
+                ..self.part(&scene, *place, *points)
+            })
             .collect();
         view
+    }
+
+    fn group(
+        &self,
+        scene: &Scene<'_, '_>,
+        letter: &str,
+        group: &Group,
+        points: Rational,
+    ) -> GroupView {
+        let text = |passage: &Passage, is_shown: bool| {
+            let passage = Some(passage).filter(|passage| is_shown && !passage.is_empty());
+            passage.map_or_else(String::new, |passage| self.texts(scene, passage))
+        };
+        let hints = group.hints.iter();
+        let hints = hints.filter(|_| self.kind == Kind::Sheet && self.run.hints);
+        GroupView {
+            letter: letter.to_owned(),
+            points: self.run.points(points),
+            ask: text(&group.text, self.kind != Kind::Key),
+            hints: hints.map(|hint| text(hint, true)).collect(),
+            solution: text(&group.solution, self.kind == Kind::Solutions),
+        }
     }
 
     /// What is written under a figure.
@@ -232,18 +278,12 @@ impl<'p> View<'p> {
         }
     }
 
-    fn part(
-        &self,
-        scene: &Scene<'_, '_>,
-        position: usize,
-        place: usize,
-        points: Rational,
-    ) -> PartView {
+    fn part(&self, scene: &Scene<'_, '_>, place: usize, points: Rational) -> PartView {
         let solution = scene.solution();
         let part = &solution.template().parts[place];
         let texts = |passage| self.texts(scene, passage);
         let mut view = PartView {
-            letter: letter(position),
+            is_blank: part.group.is_some(),
             kind: part.answer.kind().name(),
             points: self.run.points(points),
             ..PartView::default()
@@ -252,7 +292,7 @@ impl<'p> View<'p> {
             view.ask = texts(&part.ask);
         }
         if self.kind == Kind::Sheet && self.run.hints {
-            view.hints = part.hints.iter().map(texts).collect();
+            view.hints = part.own_hints().iter().map(texts).collect();
         }
         view.options = self.options(scene, place);
         view.ranked = part.answer.choosing() == Some(Choosing::Ranking);

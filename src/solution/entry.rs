@@ -79,11 +79,16 @@ impl Solution<'_> {
     /// The entry of an answer id: a quantity with a unit, or a part. Functions of time are given at the times `at`.
     pub fn entry(&self, id: &str, at: &[Precise]) -> Option<Entry> {
         let template = self.template();
-        let part = template.parts.iter().position(|part| part.id == id);
+        let part = template.place(id);
         let kind = part.map_or("quantity", |place| {
             template.parts[place].answer.kind().name()
         });
-        let named = template.graph.find(&Name::new(id));
+        // A blank whose key is a quantity bore its name before it belonged to a group.
+        let old = part
+            .into_iter()
+            .flat_map(|place| &template.parts[place].was);
+        let mut names = std::iter::once(id).chain(old.map(String::as_str));
+        let named = names.find_map(|name| template.graph.find(&Name::new(name)));
         let quantity = named.and_then(|node| Some((node, template.info(node)?)));
         if let Some((node, info)) = quantity.filter(|(_, info)| info.units.is_some()) {
             return Some(self.quantity_entry(kind, node, info, at));

@@ -220,7 +220,7 @@ fn at(error: &Disproof, template: &Template, place: Span) -> Finding {
 fn compare(solution: &Solution<'_>, check: &Check, expected: &Expected) -> Result<(), Disproof> {
     let id = expected.id.value.as_str();
     let template = solution.template();
-    let part = template.parts.iter().position(|part| part.id == id);
+    let part = template.place(id);
     let node = template.graph.find(&Name::new(id));
     let quantity = node
         .and_then(|node| Some((node, template.info(node)?)))

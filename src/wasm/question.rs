@@ -16,7 +16,7 @@ use crate::worksheet::{PracticeQuestion, letter};
 pub(super) fn asked(question: &PracticeQuestion, solution: &Solution<'_>) -> Vec<usize> {
     let parts = &solution.template().parts;
     (0..parts.len())
-        .filter(|place| question.asks(&parts[*place].id) && solution.asks(*place))
+        .filter(|place| question.asks(&parts[*place]) && solution.asks(*place))
         .collect()
 }
 

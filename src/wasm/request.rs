@@ -14,7 +14,7 @@ use crate::math::Display;
 use crate::message::Language;
 use crate::seed::Variant;
 use crate::solution::Solution;
-use crate::worksheet::letter;
+use crate::worksheet::{Heading, headings};
 
 /// One request.
 #[derive(Deserialize)]
@@ -100,11 +100,24 @@ pub(super) enum Reply {
     },
 }
 
+/// A group as it is shown before its first blank.
+#[derive(Serialize)]
+pub(super) struct ShownGroup {
+    letter: String,
+    ask: String,
+}
+
 /// A part as it is shown.
 #[derive(Serialize)]
 pub(super) struct ShownPart {
     id: String,
+    /// The identities that it had, under which a page may have kept answers.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    was: Vec<String>,
     letter: String,
+    /// The group that begins with it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    group: Option<ShownGroup>,
     kind: &'static str,
     ask: String,
     lead: Option<String>,
@@ -196,11 +209,12 @@ impl Asked<'_> {
 
     fn show(&self) -> Reply {
         let template = self.template();
-        let parts = self.parts.iter().enumerate();
+        let headings = headings(template, &self.parts);
+        let parts = headings.iter().zip(&self.parts);
         Reply::Shown {
             identity: self.solution.instance().identity(),
             statement: self.texts(&template.statement) + &self.figure(),
-            parts: parts.map(|(at, place)| self.part(at, *place)).collect(),
+            parts: parts.map(|(own, place)| self.part(own, *place)).collect(),
         }
     }
 
@@ -214,7 +228,7 @@ impl Asked<'_> {
         picture.map_or_else(String::new, |picture| figure(&picture, &template.caption))
     }
 
-    fn part(&self, at: usize, place: usize) -> ShownPart {
+    fn part(&self, heading: &Heading<'static>, place: usize) -> ShownPart {
         let part = &self.template().parts[place];
         let scene = self.grader.scene(&self.solution);
         let blank = part.answer.blank();
@@ -223,7 +237,12 @@ impl Asked<'_> {
         let (rows, columns) = shape(part, self.template()).unzip();
         ShownPart {
             id: part.id.clone(),
-            letter: letter(at),
+            was: part.was.clone(),
+            letter: heading.letter.clone(),
+            group: heading.opened().map(|(letter, group)| ShownGroup {
+                letter: letter.to_owned(),
+                ask: self.texts(&group.text),
+            }),
             kind: part.answer.kind().name(),
             ask: self.texts(&part.ask),
             lead: scene.lead(place).map(|math| math.mathml(Display::Inline)),
@@ -312,7 +331,9 @@ impl Asked<'_> {
         Ok(Reply::Solved {
             key: key.math.mathml(Display::Inline),
             right,
-            html: before + &self.texts(&part.solution),
+            html: part
+                .worked()
+                .fold(before, |html, passage| html + &self.texts(passage)),
         })
     }
 }

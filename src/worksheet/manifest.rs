@@ -196,8 +196,12 @@ impl VariantEntry {
             return Err(EntryError::Code(shown(&self.code)));
         }
         for part in self.questions.iter().flat_map(|question| &question.parts) {
-            let is_letter = (1..=4).contains(&part.letter.len())
-                && part.letter.bytes().all(|byte| byte.is_ascii_lowercase());
+            let number = part
+                .letter
+                .trim_start_matches(|char: char| char.is_ascii_lowercase());
+            let is_letter = (1..=4).contains(&(part.letter.len() - number.len()))
+                && number.len() <= 3
+                && number.bytes().all(|byte| byte.is_ascii_digit());
             if !is_letter {
                 return Err(EntryError::Letter(shown(&part.letter)));
             }

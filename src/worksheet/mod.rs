@@ -11,8 +11,6 @@ mod fairness;
 mod manifest;
 #[cfg(feature = "render")]
 mod plan;
-#[cfg(feature = "render")]
-mod points;
 mod practice;
 #[cfg(feature = "render")]
 mod rules;
@@ -38,6 +36,6 @@ pub use plan::{Plan, Planned};
 pub use practice::{Practice, PracticeError, PracticeQuestion, Weighed};
 #[cfg(feature = "render")]
 pub use rules::{Feedback, Rules, Worked};
-pub use sheet::{Sheet, SheetQuestion, Student, letter};
+pub use sheet::{Heading, Sheet, SheetQuestion, Student, headings, letter};
 #[cfg(feature = "render")]
 pub use variants::{Candidate, Chooser, Fixed, SheetError};

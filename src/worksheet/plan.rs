@@ -4,8 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::blueprint::{Blueprint, Choice, Filter, Question};
 use super::fairness::Fairness;
-use super::points;
-use crate::bank::{Catalogue, Chapter, ItemId, Template};
+use crate::bank::{Catalogue, Chapter, ItemId, Part, Template};
 use crate::diagnostic::{Code, Diagnose, Finding, Label};
 use crate::numerics::Rational;
 use crate::seed::{Secret, Seed, Streams, Variant};
@@ -29,11 +28,11 @@ pub struct Plan<'c> {
 pub struct Planned<'c> {
     /// The item, or those of which one is drawn for each variant.
     pub candidates: Vec<&'c Template>,
-    /// The parts that are asked, as places in the item; all if empty.
+    /// The parts and groups that are asked, by name; all if empty.
     pub parts: Vec<String>,
     /// Points of the whole question.
     pub points: Option<Rational>,
-    /// Points of single parts.
+    /// Points of single parts and groups.
     pub part_points: Vec<(String, Rational)>,
     /// Data that are fixed.
     pub set: Vec<(String, String)>,
@@ -82,6 +81,8 @@ enum PlanError {
     PartPoints { span: Span },
     #[error("part `{found}` is not asked")]
     NotAsked { found: String, span: Span },
+    #[error("`part_points` gives points to part `{found}` twice")]
+    Twice { found: String, span: Span },
     #[error("{stated}")]
     Sum { stated: String, span: Span },
     #[error("the chapters of these items have no formulas")]
@@ -164,6 +165,11 @@ impl<'c> Plan<'c> {
 }
 
 impl Planned<'_> {
+    /// Whether it asks a part of its item.
+    pub fn asks(&self, part: &Part) -> bool {
+        self.parts.is_empty() || self.parts.iter().any(|name| part.is_named(name))
+    }
+
     /// How many different data its items can have, constraints aside; saturates.
     pub fn instances(&self) -> u64 {
         let is_free = |name: &str| self.set.iter().all(|(set, _)| set != name);
@@ -335,9 +341,8 @@ impl<'c> Planner<'c> {
     fn fits(&mut self, item: &Template, question: &Question) {
         let named = question.part_points.iter().map(|(part, _)| part);
         for part in question.parts.iter().chain(named) {
-            if item.part(&part.value).is_none() {
-                let near = nearest(&part.value, item.parts.iter().map(|part| part.id.as_str()))
-                    .map(str::to_owned);
+            if item.parts.iter().all(|own| !own.is_named(&part.value)) {
+                let near = nearest(&part.value, item.part_names()).map(str::to_owned);
                 let (found, span) = (part.value.clone(), part.span);
                 self.find(&PlanError::Part {
                     item: item.id.to_string(),
@@ -385,22 +390,29 @@ impl<'c> Planner<'c> {
         whole: Option<Rational>,
         part_points: &[(String, Rational)],
     ) {
-        let is_asked = |id: &str| {
-            question.parts.is_empty() || question.parts.iter().any(|part| part.value == id)
+        let is_asked = |part: &&Part| {
+            let mut named = question.parts.iter();
+            question.parts.is_empty() || named.any(|name| part.is_named(&name.value))
         };
-        for (part, _) in &question.part_points {
-            if item.part(&part.value).is_some() && !is_asked(&part.value) {
-                let (found, span) = (part.value.clone(), part.span);
+        let mut pointed = BTreeSet::new();
+        for (name, _) in &question.part_points {
+            let mut named = item.parts.iter().filter(|part| part.is_named(&name.value));
+            let is_twice = named.clone().any(|part| !pointed.insert(part.id.as_str()));
+            let (found, span) = (name.value.clone(), name.span);
+            if named.clone().next().is_some() && !named.any(|part| is_asked(&part)) {
                 self.find(&PlanError::NotAsked { found, span });
+            } else if is_twice {
+                self.find(&PlanError::Twice { found, span });
             }
         }
         let given: Vec<Rational> = part_points.iter().map(|(_, points)| *points).collect();
-        let (Some(whole), Some(sum), false) = (whole, points::sum(&given), part_points.is_empty())
+        let (Some(whole), Some(sum), false) =
+            (whole, Rational::sum(&given), part_points.is_empty())
         else {
             return;
         };
-        let mut asked = item.parts.iter().filter(|part| is_asked(&part.id));
-        let is_whole = asked.all(|part| part_points.iter().any(|(id, _)| *id == part.id));
+        let mut asked = item.parts.iter().filter(is_asked);
+        let is_whole = asked.all(|part| pointed.contains(part.id.as_str()));
         let is_sound = if is_whole { sum == whole } else { sum < whole };
         if !is_sound {
             let (parts, whole) = (sum.to_f64(), whole.to_f64());
@@ -451,6 +463,7 @@ impl Diagnose for PlanError {
         | Self::Points { span }
         | Self::PartPoints { span }
         | Self::NotAsked { span, .. }
+        | Self::Twice { span, .. }
         | Self::Sum { span, .. }
         | Self::NoFormulas { span }
         | Self::Language { span, .. }) = self;
@@ -478,6 +491,9 @@ impl Diagnose for PlanError {
                 Some("give `points` of the question, which are shared out by weights".to_owned())
             }
             Self::NotAsked { .. } => Some("add it to `parts`, or remove its points".to_owned()),
+            Self::Twice { .. } => Some(
+                "name a group of blanks or single blanks of it, and a part by one name".to_owned(),
+            ),
             Self::Sum { .. } => {
                 Some("leave `points` of the question out, or let the sums agree".to_owned())
             }

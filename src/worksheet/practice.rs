@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use crate::answer::Doubt;
 #[cfg(feature = "render")]
 use crate::bank::Catalogue;
-use crate::bank::{Compiled, ItemId, Template};
+use crate::bank::{Compiled, ItemId, Part, Template};
 use crate::document::Document;
 use crate::numerics::Rational;
 use crate::scene::Data;
@@ -55,7 +55,7 @@ pub struct PracticeQuestion {
     pub level: u8,
     /// Expected working time.
     pub minutes: u32,
-    /// The parts that are asked; all if empty.
+    /// The parts and groups that are asked; all if empty.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub parts: Vec<String>,
     /// Data that are fixed.
@@ -126,8 +126,8 @@ impl PracticeQuestion {
     }
 
     /// Whether a part is asked.
-    pub fn asks(&self, part: &str) -> bool {
-        self.parts.is_empty() || self.parts.iter().any(|asked| asked == part)
+    pub fn asks(&self, part: &Part) -> bool {
+        self.parts.is_empty() || self.parts.iter().any(|asked| part.is_named(asked))
     }
 }
 
@@ -194,7 +194,7 @@ impl Practice {
                 question.parts.clone_from(&planned.parts);
                 question.set.clone_from(&planned.set);
                 let asked: Vec<usize> = (0..item.parts.len())
-                    .filter(|place| question.asks(&item.parts[*place].id))
+                    .filter(|place| question.asks(&item.parts[*place]))
                     .collect();
                 let points = super::variants::points_of(planned, item, &asked);
                 question.weights = Weighed::of(item, &asked, &points);

@@ -1,7 +1,9 @@
 //! A sheet: the questions of one variant, before any format.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
+use crate::bank::{Group, Part, Template};
 use crate::numerics::Rational;
 use crate::seed::Variant;
 use crate::solution::Solution;
@@ -56,6 +58,15 @@ impl Sheet<'_> {
 }
 
 impl SheetQuestion<'_> {
+    /// The points of the blanks of a group.
+    pub fn points_of(&self, group: &Group) -> Rational {
+        let parts = &self.solution.template().parts;
+        let of_group = self.parts.iter().zip(&self.points);
+        let of_group = of_group.filter(|(place, _)| parts[**place].is_in(&group.id));
+        let points: Vec<Rational> = of_group.map(|(_, points)| *points).collect();
+        Rational::sum(&points).unwrap_or(Rational::ZERO)
+    }
+
     /// The points of all its parts.
     pub fn total(&self) -> Rational {
         self.points.iter().fold(Rational::ZERO, |sum, points| {
@@ -64,7 +75,71 @@ impl SheetQuestion<'_> {
     }
 }
 
-/// The letter of the part at a place, from 0: a, b, …, z, aa, ab, ….
+/// What a part is called where it is printed.
+#[derive(Clone, Debug)]
+pub struct Heading<'t> {
+    /// `b`, or `b2` for the second blank of a group.
+    pub letter: String,
+    /// The group to which it belongs.
+    pub group: Option<&'t Group>,
+    /// Whether it is the first blank of its group, so that the text of the group comes before it.
+    pub opens: bool,
+}
+
+impl<'t> Heading<'t> {
+    /// The group that is printed before this part, and its letter.
+    pub fn opened(&self) -> Option<(&str, &'t Group)> {
+        self.group
+            .filter(|_| self.opens)
+            .map(|group| (self.group_letter(), group))
+    }
+
+    /// The letter of its group.
+    pub fn group_letter(&self) -> &str {
+        self.letter
+            .trim_end_matches(|char: char| char.is_ascii_digit())
+    }
+}
+
+/// What the parts of an item are called that are asked, given as places in it: a group has a letter, its blanks have
+/// numbers.
+///
+/// ```
+/// # #[cfg(feature = "render")] {
+/// use vibank::bank::{Catalogue, embedded};
+/// use vibank::worksheet::headings;
+/// let (catalogue, _) = Catalogue::open(embedded());
+/// let item = catalogue.find("ch3/e5-log-decrement").unwrap();
+/// assert_eq!(headings(item, &[1])[0].letter, "a");
+/// # }
+/// ```
+pub fn headings<'t>(template: &'t Template, places: &[usize]) -> Vec<Heading<'t>> {
+    let parts: Vec<&Part> = places.iter().map(|place| &template.parts[*place]).collect();
+    let mut headings = Vec::new();
+    for (at, blanks) in parts.chunk_by(|a, b| is_one_group(a, b)).enumerate() {
+        let letter = letter(at);
+        let group = blanks[0].group.as_deref();
+        headings.extend((1..=blanks.len()).map(|number| Heading {
+            letter: match group {
+                Some(_) => format!("{letter}{number}"),
+                None => letter.clone(),
+            },
+            group,
+            opens: group.is_some() && number == 1,
+        }));
+    }
+    headings
+}
+
+/// Whether two parts are blanks of one group.
+pub(super) fn is_one_group(a: &Part, b: &Part) -> bool {
+    match (&a.group, &b.group) {
+        (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+        _ => false,
+    }
+}
+
+/// The letter of the question, or of the option, at a place, from 0: a, b, …, z, aa, ab, ….
 pub fn letter(place: usize) -> String {
     let last = char::from(b'a' + (place % 26) as u8);
     match place / 26 {

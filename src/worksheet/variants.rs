@@ -12,11 +12,10 @@ use sha2::{Digest, Sha256};
 use super::fairness::{Alike, Fairness, ItemFairness, QuestionFairness, Range};
 use super::manifest::QuestionEntry;
 use super::plan::{Plan, Planned};
-use super::points;
 use super::seat::Seat;
-use super::sheet::{Sheet, SheetQuestion, Student};
+use super::sheet::{Sheet, SheetQuestion, Student, is_one_group};
 use super::usual::{Unusual, Usual, size};
-use crate::bank::Template;
+use crate::bank::{Part, Template, share_in_group, share_out};
 use crate::instance::{Instance, InstanceError};
 use crate::numerics::Rational;
 use crate::seed::{Seed, Streams, Variant};
@@ -731,45 +730,56 @@ fn question<'c>(
 }
 
 /// The points of the parts of an item that are asked.
+///
+/// Those of a question are shared out over its parts, where a group counts as one; those of a group over its blanks.
 pub(super) fn points_of(
     planned: &Planned<'_>,
     template: &Template,
     parts: &[usize],
 ) -> Vec<Rational> {
-    let all = &template.parts;
-    let named = |place: &usize| {
+    let all: Vec<&Part> = parts.iter().map(|place| &template.parts[*place]).collect();
+    let named = |part: &Part| {
         let mut named = planned.part_points.iter();
-        let found = named.find(|(part, _)| *part == all[*place].id);
-        found.map(|(_, points)| *points)
+        named.find(|(name, _)| part.is_named(name))
     };
-    let weight = |place: &usize| all[*place].points;
-    let others: Vec<Rational> = parts
+    // Parts among which something is shared: those of one name, else those of one group, else a part alone.
+    let belong = |a: &&Part, b: &&Part| match (named(a), named(b)) {
+        (None, None) => is_one_group(a, b),
+        (Some((name, _)), Some((other, _))) => name == other,
+        _ => false,
+    };
+    let weights = |unit: &[&Part]| unit.iter().map(|part| part.points).collect::<Vec<_>>();
+    let units: Vec<&[&Part]> = all.chunk_by(belong).collect();
+    let fixed: Vec<Option<Rational>> = units
         .iter()
-        .filter(|place| named(place).is_none())
-        .map(weight)
+        .map(|unit| named(unit[0]).map(|(_, points)| *points))
         .collect();
-    let fixed: Vec<Rational> = parts.iter().filter_map(named).collect();
+    let others = units.iter().zip(&fixed).filter(|(_, own)| own.is_none());
+    let others: Vec<Rational> = others
+        .filter_map(|(unit, _)| Rational::sum(&weights(unit)))
+        .collect();
+    let given: Vec<Rational> = fixed.iter().copied().flatten().collect();
     let rest = planned
         .points
-        .and_then(|whole| whole.checked_sub(points::sum(&fixed)?));
-    let mut shares = match rest {
-        Some(rest) => points::share_out(rest, &others),
-        None => others,
-    }
-    .into_iter();
-    parts
-        .iter()
-        .map(|place| named(place).or_else(|| shares.next()))
-        .map(|points| points.unwrap_or(Rational::ZERO))
-        .collect()
+        .and_then(|whole| whole.checked_sub(Rational::sum(&given)?));
+    let mut shares = rest.map(|rest| share_out(rest, &others).into_iter());
+    let of_unit = |(unit, fixed): (&&[&Part], &Option<Rational>)| {
+        let whole = fixed.or_else(|| {
+            shares
+                .as_mut()
+                .map(|shares| shares.next().unwrap_or(Rational::ZERO))
+        });
+        match whole {
+            Some(whole) => share_in_group(whole, &weights(unit)),
+            None => weights(unit),
+        }
+    };
+    units.iter().zip(&fixed).flat_map(of_unit).collect()
 }
 
 /// The parts that a question asks for these data, as places in the item.
 pub(super) fn asked(planned: &Planned<'_>, solution: &Solution<'_>) -> Vec<usize> {
     let all = &solution.template().parts;
-    let is_asked = |place: &usize| {
-        let wanted = planned.parts.is_empty() || planned.parts.contains(&all[*place].id);
-        wanted && solution.asks(*place)
-    };
+    let is_asked = |place: &usize| planned.asks(&all[*place]) && solution.asks(*place);
     (0..all.len()).filter(is_asked).collect()
 }

@@ -315,7 +315,7 @@ class Question {
       find(".statement").innerHTML = shown.statement;
       find(".identity").append(say("code"), " ", make("b", { textContent: record.code }), ` · ${shown.identity}`);
       this.parts = shown.parts.map((part) => new Part(this, part));
-      find(".parts").append(...this.parts.map((part) => part.root));
+      find(".parts").append(...this.parts.flatMap((part) => part.opened()));
       this.parts.forEach((part) => part.restore());
     }
     const on = (name, action) => find(`[data-do=${name}]`).addEventListener("click", action);
@@ -379,7 +379,9 @@ class Question {
 class Part {
   constructor(question, part) {
     Object.assign(this, { question, part, id: part.id });
-    this.record = question.record.parts[part.id] ??= { response: "", attempts: 0, hints: 0 };
+    const { parts } = question.record;
+    const old = part.was?.find((id) => id in parts);
+    this.record = parts[part.id] ??= parts[old] ?? { response: "", attempts: 0, hints: 0 };
     this.root = copy("t-part");
     this.name = `part-${part.letter}`;
     const heading = this.find("h3");
@@ -393,7 +395,10 @@ class Part {
     this.find(".asked").innerHTML = part.asked;
     this.find(".asked").id = `${this.name}-asked`;
     /** What describes a field: the question, what its line asks for, how the answer is read. */
-    this.described = ["ask", "asked", "echo"].map((of) => `${this.name}-${of}`).join(" ");
+    /** Of a blank, such as `b2`: the name of its group. */
+    this.group = /\d$/.test(part.letter) && this.name.replace(/\d+$/, "");
+    const shared = this.group ? `${this.group}-ask ` : "";
+    this.described = shared + ["ask", "asked", "echo"].map((of) => `${this.name}-${of}`).join(" ");
     this.input = this.field();
     this.find(".answer").append(this.input.root);
     keys(this);
@@ -409,6 +414,16 @@ class Part {
 
   find(selector) {
     return this.root.querySelector(selector);
+  }
+
+  /** Its section, behind what the blanks of its group have in common where it is the first of them. */
+  opened() {
+    if (this.group) this.root.classList.add("blank");
+    const { group } = this.part;
+    if (!group) return [this.root];
+    const opens = make("section", { className: "part opens" });
+    opens.append(make("h3", { textContent: `${group.letter})` }), make("div", { id: `${this.group}-ask`, innerHTML: group.ask }));
+    return [opens, this.root];
   }
 
   ask(what, more = {}) {

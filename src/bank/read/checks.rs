@@ -113,7 +113,7 @@ impl<'s> Reader<'s> {
                 value: entry.key.clone(),
                 span: entry.span,
             };
-            let is_known = parts.iter().any(|part| part.id == entry.key)
+            let is_known = parts.iter().any(|part| part.has_id(&entry.key))
                 || self.graph.find(&Name::new(entry.key.as_str())).is_some();
             if is_known {
                 expected.push(Expected { id, response });

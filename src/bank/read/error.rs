@@ -122,6 +122,9 @@ pub enum ItemError {
         /// The identity.
         found: String,
     },
+    /// A group that is none.
+    #[error("a group has at least two blanks")]
+    SmallGroup,
     /// A share of the points that is none.
     #[error("a credit lies from 0 to 1")]
     Credit,
@@ -213,7 +216,7 @@ impl Diagnose for ItemError {
             Self::Topic { .. } => Code::TOPIC,
             Self::Allow { .. } | Self::Rule { .. } | Self::Reason => Code::ALLOW,
             Self::Kind { .. } => Code::ANSWER_KIND,
-            Self::PartId | Self::PartTwice { .. } | Self::Points => Code::PART,
+            Self::PartId | Self::PartTwice { .. } | Self::SmallGroup | Self::Points => Code::PART,
             Self::Credit | Self::Mistake => Code::MISTAKE,
             Self::Expected { .. } | Self::Parameter { .. } => Code::CHECK,
             Self::PlotKind { .. }
@@ -291,6 +294,7 @@ impl Diagnose for ItemError {
                 "mode shapes are those of `[model]` or of the model named in `model`".to_owned(),
             ),
             Self::NoCondition => Some("compare two numbers, for example `zeta < 1`".to_owned()),
+            Self::SmallGroup => Some("write a single blank as a part of its own".to_owned()),
             Self::PartId => Some("add `id = \"…\"`".to_owned()),
             Self::NoEquation { .. } => {
                 Some("write `\"a = b\"`, or name an equation of a model".to_owned())

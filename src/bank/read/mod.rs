@@ -55,6 +55,8 @@ struct Reader<'s> {
     constraints: Vec<NodeId>,
     /// The part that is being read.
     part: String,
+    /// Where the identities stand that parts had.
+    was: BTreeMap<String, Span>,
 }
 
 /// An item file, or what a compiled item has of it.
@@ -122,6 +124,7 @@ impl<'s> Reader<'s> {
             asked: Vec::new(),
             constraints: Vec::new(),
             part: String::new(),
+            was: BTreeMap::new(),
         }
     }
 
@@ -233,7 +236,7 @@ impl<'s> Reader<'s> {
                 self.find(&ItemError::Rule { found }, rule);
             }
             if let Some(part) = &part
-                && !parts.iter().any(|known| known.id == part.value)
+                && !parts.iter().any(|known| known.is_named(&part.value))
             {
                 let ids = parts.iter().map(|known| known.id.as_str());
                 let nearest = crate::source::nearest(&part.value, ids).map(str::to_owned);

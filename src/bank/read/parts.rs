@@ -1,44 +1,118 @@
 //! What is asked, and what is known to go wrong.
 
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
 use super::{ItemError, Reader};
 use crate::answer::{self, Answer, Credit, Declare, Known, Role};
 use crate::bank::Domain;
-use crate::bank::template::{Mistake, MistakeAnswer, Part, Units};
+use crate::bank::points::share_in_group;
+use crate::bank::template::{Group, Mistake, MistakeAnswer, Part, Units};
 use crate::diagnostic::{Diagnose, Finding};
 use crate::document::Document;
 use crate::expr::{Equation, Expr, Kind, Name};
 use crate::numerics::Rational;
 use crate::quantity::{Graph, NodeId};
-use crate::source::{Data, Table, Text};
+use crate::source::{Data, Span, Table, Text};
 use crate::unit::Unit;
 
 impl<'s> Reader<'s> {
     pub(super) fn parts(&mut self, table: &Table<'s>) -> Vec<Part> {
         let mut parts: Vec<Part> = Vec::new();
-        for part in table.tables("part") {
-            let span = part.span();
-            let Some(part) = self.part(part) else {
-                continue;
-            };
-            if parts.iter().any(|other| other.id == part.id) {
-                let text = Text {
-                    value: part.id.clone(),
-                    span,
-                };
-                self.find(
-                    &ItemError::PartTwice {
-                        found: part.id.clone(),
-                    },
-                    &text,
-                );
+        for question in table.tables("part") {
+            if question.has("blank") {
+                let blanks = self.group(question, &parts);
+                parts.extend(blanks);
                 continue;
             }
-            parts.push(part);
+            let span = question.span();
+            if let Some(part) = self.part(question, None)
+                && self.is_new(&part, span, &parts)
+            {
+                parts.push(part);
+            }
         }
+        self.old_ids(&parts);
         parts
     }
 
-    fn part(&mut self, table: Table<'s>) -> Option<Part> {
+    /// Whether no part before has the identity of this one; a finding if one has.
+    fn is_new(&mut self, part: &Part, span: Span, before: &[Part]) -> bool {
+        let is_taken = |other: &Part| other.id == part.id || other.is_in(&part.id);
+        let is_new = !before.iter().any(is_taken);
+        if !is_new {
+            self.part_twice(&part.id, span);
+        }
+        is_new
+    }
+
+    fn part_twice(&mut self, id: &str, span: Span) {
+        let (found, value) = (id.to_owned(), id.to_owned());
+        self.find(&ItemError::PartTwice { found }, &Text { value, span });
+    }
+
+    /// An identity that a part had is that of no other.
+    fn old_ids(&mut self, parts: &[Part]) {
+        let mut old: BTreeSet<&str> = BTreeSet::new();
+        let all = parts.iter().flat_map(|part| &part.was);
+        for was in all {
+            let is_taken = parts.iter().any(|part| part.id == *was || part.is_in(was));
+            if is_taken || !old.insert(was) {
+                let span = self.was.get(was).copied().unwrap_or(Span::NONE);
+                self.part_twice(was, span);
+            }
+        }
+    }
+
+    /// Blanks that are asked together, as parts with one group.
+    fn group(&mut self, table: Table<'s>, before: &[Part]) -> Vec<Part> {
+        let span = table.span();
+        let id = table.required_text("id");
+        if let Some(id) = &id {
+            self.own_name(&id.value, None, &table);
+            if !is_name(&id.value) {
+                let (found, is_reserved) = (id.value.clone(), false);
+                self.find(&ItemError::Name { found, is_reserved }, id);
+            }
+            if before.iter().any(|part| part.is_named(&id.value)) {
+                self.part_twice(&id.value, id.span);
+            }
+        }
+        let text = table
+            .required("text")
+            .map(|text| self.passage(&table, "text", text));
+        let points = self.points(&table);
+        let group = Arc::new(Group {
+            id: id.map(|id| id.value).unwrap_or_default(),
+            text: text.unwrap_or_default(),
+            hints: self.passages(&table, "hints"),
+            solution: self.optional_passage(&table, "solution"),
+        });
+        let mut blanks: Vec<Part> = Vec::new();
+        let tables = table.tables("blank");
+        if tables.len() < 2 {
+            let value = String::new();
+            self.find(&ItemError::SmallGroup, &Text { value, span });
+        }
+        for blank in tables {
+            let span = blank.span();
+            if let Some(part) = self.part(blank, Some(&group))
+                && self.is_new(&part, span, &blanks)
+            {
+                blanks.push(part);
+            }
+        }
+        table.finish();
+        let weights: Vec<Rational> = blanks.iter().map(|blank| blank.points).collect();
+        let shares = share_in_group(points, &weights);
+        for (blank, share) in blanks.iter_mut().zip(shares) {
+            blank.points = share;
+        }
+        blanks
+    }
+
+    /// A question, or a blank of a group.
+    fn part(&mut self, table: Table<'s>, group: Option<&Arc<Group>>) -> Option<Part> {
         let kind_text = table.text("kind");
         let kind_name = kind_text
             .as_ref()
@@ -74,8 +148,19 @@ impl<'s> Reader<'s> {
             );
             return None;
         };
-        self.own_name(&id, key.as_deref(), &table);
-        self.part = id;
+        // Behind the name of its group a blank may have any name.
+        self.part = match group {
+            Some(group) => format!("{}.{id}", group.id),
+            None => {
+                self.own_name(&id, key.as_deref(), &table);
+                id
+            }
+        };
+        let mut was = Vec::new();
+        for old in table.texts("was") {
+            self.was.insert(old.value.clone(), old.span);
+            was.push(old.value);
+        }
         let ask = table
             .required("ask")
             .map(|ask| self.passage(&table, "ask", ask));
@@ -83,7 +168,8 @@ impl<'s> Reader<'s> {
         let when = table
             .text("when")
             .and_then(|text| self.condition("condition of a part", &text));
-        let hints = self.passages(&table, "hints");
+        let mut hints = group.map_or_else(Vec::new, |group| group.hints.clone());
+        hints.extend(self.passages(&table, "hints"));
         let solution = self.optional_passage(&table, "solution");
         let mut answer = kind.read(&table, self);
         let mistakes = match &mut answer {
@@ -113,6 +199,8 @@ impl<'s> Reader<'s> {
         let id = std::mem::take(&mut self.part);
         Some(Part {
             id,
+            was,
+            group: group.cloned(),
             ask: ask?,
             answer: answer?,
             points,

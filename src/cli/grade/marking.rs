@@ -117,7 +117,7 @@ impl Marker<'_> {
         template: &Template,
     ) -> Result<Vec<Answered<'q>>, Failure> {
         let place = |entry: &PartEntry| {
-            let found = template.parts.iter().position(|part| part.id == entry.id);
+            let found = template.place(&entry.id);
             found.ok_or_else(|| {
                 let id = &entry.id;
                 Failure::new(format!("`{}` has no part `{id}` any more", template.id))

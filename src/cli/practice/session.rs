@@ -8,7 +8,7 @@ use vibank::grade::{self, Grade};
 use vibank::message::Language;
 use vibank::scene::{Data, Scene, Shown};
 use vibank::solution::Solution;
-use vibank::worksheet::letter;
+use vibank::worksheet::{headings, letter};
 
 use super::log::Log;
 use super::screen::{Screen, Tone};
@@ -94,10 +94,17 @@ impl Session {
         self.screen
             .say(Tone::Plain, "", &text(&scene.passage(&template.statement)));
         let mut answered: Vec<(usize, String)> = Vec::new();
-        let asked = (0..template.parts.len()).filter(|place| solution.asks(*place));
-        for (position, place) in asked.enumerate() {
-            self.question(&scene, position, place);
-            match self.part(&scene, position, place, &mut answered)? {
+        let asked: Vec<usize> = (0..template.parts.len())
+            .filter(|place| solution.asks(*place))
+            .collect();
+        for (heading, place) in headings(template, &asked).iter().zip(asked.iter().copied()) {
+            if let Some((letter, group)) = heading.opened() {
+                Screen::gap();
+                let words = format!("{letter}) {}", passage(&scene, &group.text));
+                self.screen.say(Tone::Plain, "", &words);
+            }
+            self.question(&scene, &heading.letter, place);
+            match self.part(&scene, &heading.letter, place, &mut answered)? {
                 End::Part => {}
                 End::Exercise => return Ok(End::Exercise),
                 End::Session => return Ok(End::Session),
@@ -106,13 +113,12 @@ impl Session {
         Ok(End::Exercise)
     }
 
-    fn question(&self, scene: &Scene<'_, '_>, position: usize, place: usize) {
+    fn question(&self, scene: &Scene<'_, '_>, own: &str, place: usize) {
         let solution = scene.solution();
         let part = &solution.template().parts[place];
         let options = part.answer.options();
-        let ask = text(&scene.passage(&part.ask));
         Screen::gap();
-        let words = format!("{}) {ask}", letter(position));
+        let words = super::super::show::called(own, scene, part);
         self.screen.say(Tone::Plain, "", &words);
         let order = solution.order(place).into_iter().enumerate();
         for (at, option) in order.filter(|_| !options.is_empty()) {
@@ -131,11 +137,11 @@ impl Session {
     fn part(
         &mut self,
         scene: &Scene<'_, '_>,
-        position: usize,
+        letter: &str,
         place: usize,
         answered: &mut Vec<(usize, String)>,
     ) -> Result<End, Failure> {
-        let (solution, letter) = (scene.solution(), letter(position));
+        let solution = scene.solution();
         let part = &solution.template().parts[place];
         let (mut hints, mut attempts) = (0, 0);
         loop {
@@ -224,8 +230,9 @@ impl Session {
             Ok(None) => {}
             Err(absent) => self.screen.say(Tone::Plain, "   ", &absent.to_string()),
         }
-        let worked = passage(scene, &part.solution);
-        self.screen.say(Tone::Plain, "   ", &worked);
+        for worked in part.worked() {
+            self.screen.say(Tone::Plain, "   ", &passage(scene, worked));
+        }
     }
 
     fn read(&self, letter: &str) -> Result<Typed, Failure> {

@@ -3,7 +3,7 @@
 //! While the run lasts, each row is a line of JSON in the draft, so that an interrupted run goes on behind it.
 
 use vibank::scene::Scene;
-use vibank::worksheet::{Sheet, letter};
+use vibank::worksheet::{Sheet, headings};
 
 use crate::cli::Failure;
 use crate::cli::table::workbook::{self, Cell};
@@ -29,13 +29,14 @@ pub(super) fn line(sheet: &Sheet<'_>) -> String {
     let mut keys = Vec::new();
     for question in &sheet.questions {
         let scene = Scene::of(&question.solution, vibank::scene::Data::Both);
-        for (position, place) in question.parts.iter().enumerate() {
+        let headings = headings(question.solution.template(), &question.parts);
+        for (heading, place) in headings.iter().zip(&question.parts) {
             let key = match scene.key(*place) {
                 Ok(Some(key)) => key.plain(),
                 Ok(None) => "see the solution".to_owned(),
                 Err(_) => "–".to_owned(),
             };
-            keys.push((format!("{}{}", question.number, letter(position)), key));
+            keys.push((format!("{}{}", question.number, heading.letter), key));
         }
     }
     let row: Row = (first, keys);

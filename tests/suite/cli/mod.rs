@@ -6,6 +6,7 @@ mod desk;
 mod forget;
 mod golden;
 mod grading;
+mod groups;
 mod hostile;
 mod practice;
 mod press;

@@ -95,6 +95,19 @@ ask = "Y"
 kind = "interval"
 @interval@
 [[part]]
+id = "p"
+text = "T"
+@group@
+[[part.blank]]
+key = "w"
+ask = "Y"
+@blank@
+[[part.blank]]
+id = "q"
+key = "2*w"
+unit = "rad/s"
+ask = "Y"
+[[part]]
 id = "o"
 ask = "Y"
 kind = "choice"
@@ -107,7 +120,7 @@ expect = { w = "1 rad/s" }
 "#;
 
 /// Where the schema has the keys of a table of the specimen; parts are looked at apart.
-pub(super) const PLACES: [(&str, &str); 22] = [
+pub(super) const PLACES: [(&str, &str); 24] = [
     ("top", ""),
     ("item", "/properties/item"),
     (
@@ -157,6 +170,8 @@ pub(super) const PLACES: [(&str, &str); 22] = [
     ("option", "/properties/part/items/properties/options/items"),
     ("check", "/properties/check/items"),
     ("numeric", "/properties/part/items"),
+    ("group", "/properties/part/items"),
+    ("blank", "/properties/part/items"),
 ];
 
 /// The keys that the reader knows at a place of the specimen, as its finding lists them.

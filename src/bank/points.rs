@@ -10,8 +10,15 @@ const STEPS: [i128; 8] = [1, 2, 4, 10, 20, 100, 1_000, 1_000_000];
 ///
 /// Each part gets its proportional share rounded down to the step; what is left goes, a step each, to those that were
 /// rounded down most, of equal ones to the earlier (the method of largest remainders, Hamilton 1792).
-pub(super) fn share_out(whole: Rational, weights: &[Rational]) -> Vec<Rational> {
-    let total = sum(weights);
+///
+/// ```
+/// use vibank::{bank::share_out, numerics::Rational};
+/// let one = Rational::ONE;
+/// let shares = share_out(one, &[one, one, one]);
+/// assert_eq!(shares.iter().map(|share| share.to_f64()).collect::<Vec<_>>(), [0.5, 0.25, 0.25]);
+/// ```
+pub fn share_out(whole: Rational, weights: &[Rational]) -> Vec<Rational> {
+    let total = Rational::sum(weights);
     let steps = STEPS.into_iter();
     let shares = steps.filter_map(|step| in_steps(whole, step, weights, total?));
     let has_something = |shares: &Vec<Rational>| {
@@ -20,6 +27,27 @@ pub(super) fn share_out(whole: Rational, weights: &[Rational]) -> Vec<Rational> 
     };
     let mut fair = shares.filter(has_something);
     fair.next().unwrap_or_else(|| exact(whole, weights, total))
+}
+
+/// Points of a group, shared out over its blanks: proportional shares where these are so many twentieths, else those of
+/// [`share_out`].
+///
+/// ```
+/// use vibank::{bank::share_in_group, numerics::Rational};
+/// let [one, two, three] = [1, 2, 3].map(|whole| Rational::new(whole, 1).unwrap());
+/// let shares = share_in_group(two, &[one, three]);
+/// assert_eq!(shares.iter().map(|share| share.to_f64()).collect::<Vec<_>>(), [0.5, 1.5]);
+/// ```
+pub fn share_in_group(whole: Rational, weights: &[Rational]) -> Vec<Rational> {
+    /// Parts of a point that people still add up in their heads.
+    const FINEST: i128 = 20;
+    let shares = exact(whole, weights, Rational::sum(weights));
+    let is_plain = |share: &Rational| FINEST % share.denominator() == 0;
+    if shares.iter().all(is_plain) {
+        shares
+    } else {
+        share_out(whole, weights)
+    }
 }
 
 /// The shares in parts of one of this size, if the whole is so many of them.
@@ -53,12 +81,6 @@ fn exact(whole: Rational, weights: &[Rational], total: Option<Rational>) -> Vec<
     let share = |weight: &Rational| whole.checked_mul(*weight)?.checked_div(total?);
     let shares = weights.iter().map(share).collect::<Option<Vec<_>>>();
     shares.unwrap_or_else(|| weights.to_vec())
-}
-
-/// A sum, if it can be held.
-pub(super) fn sum(points: &[Rational]) -> Option<Rational> {
-    let mut points = points.iter();
-    points.try_fold(Rational::ZERO, |sum, points| sum.checked_add(*points))
 }
 
 #[cfg(test)]
@@ -107,7 +129,7 @@ mod tests {
             let whole = Rational::new(whole, 100).expect("it is a number");
             let weights: Vec<Rational> = weights.iter().filter_map(|weight| Rational::new(*weight, 2)).collect();
             let shares = share_out(whole, &weights);
-            prop_assert_eq!(sum(&shares), Some(whole));
+            prop_assert_eq!(Rational::sum(&shares), Some(whole));
             for (a, b) in shares.iter().zip(&weights) {
                 prop_assert!(!a.is_zero() && !a.is_negative());
                 for (c, d) in shares.iter().zip(&weights) {
