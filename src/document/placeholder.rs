@@ -83,7 +83,7 @@ impl Form {
 fn is_derivation(name: &str) -> bool {
     matches!(
         name,
-        "lagrange" | "energy" | "newton" | "characteristic" | "row"
+        "lagrange" | "energy" | "newton" | "characteristic" | "row" | "turning_points"
     )
 }
 

@@ -33,6 +33,6 @@ pub use error::{Key, ModelError};
 pub use lack::Lack;
 pub use model::{MOST_COORDINATES, Model};
 pub use nature::Nature;
-pub use numbers::{Frictional, Linearization, Motion, Numbers, Single};
+pub use numbers::{Frictional, Linearization, Motion, Numbers, Single, TurningPoints};
 pub use quantity::{Quantity, QuantityError};
 pub use steps::{Line, NewtonError, Reason, Side, Step, Term, Way};

@@ -5,8 +5,10 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use crate::expr::{Absence, Approx, Inputs, Name, Precise, Scalar, Undefined, Value, Workspace};
-use crate::mechanics::{Lack, Motion, Numbers};
+use crate::expr::{
+    Absence, Approx, Inputs, Name, Path, Precise, Scalar, Undefined, Value, Workspace,
+};
+use crate::mechanics::{Lack, Model, Motion, Numbers, TurningPoints};
 use crate::numerics::Dd;
 use crate::work;
 
@@ -371,7 +373,19 @@ impl<'g> Evaluation<'g> {
 
     /// A model with the numbers of these data.
     fn numbers(&self, offered: &Offered) -> Rc<Numbers> {
-        if let Some(numbers) = self.systems.borrow().get(&offered.system) {
+        self.system(offered.system, &offered.model)
+    }
+
+    /// The turning points of the motion of a model with dry friction, `most` of them at most; none where the path names
+    /// no such model or the data have no such motion.
+    pub fn turning_points(&self, path: &Path, most: usize) -> Option<TurningPoints> {
+        let system = self.graph.model_of(path)?;
+        let model = self.graph.system(system)?.model.as_ref()?;
+        self.system(system, model).turning_points(most).ok()
+    }
+
+    fn system(&self, system: NodeId, model: &Arc<Model>) -> Rc<Numbers> {
+        if let Some(numbers) = self.systems.borrow().get(&system) {
             return Rc::clone(numbers);
         }
         let value = |name: &Name| {
@@ -381,10 +395,10 @@ impl<'g> Evaluation<'g> {
             let number = numbers.first().ok_or(missing)?;
             Ok(Precise::of_dd(number.value, number.bound))
         };
-        let numbers = Rc::new(Numbers::of(Arc::clone(&offered.model), value));
+        let numbers = Rc::new(Numbers::of(Arc::clone(model), value));
         self.systems
             .borrow_mut()
-            .insert(offered.system, Rc::clone(&numbers));
+            .insert(system, Rc::clone(&numbers));
         numbers
     }
 

@@ -19,7 +19,7 @@ impl Scene<'_, '_> {
             Target::Free => self.shown(self.free_picture().and_then(Result::ok)),
             Target::Plot(name) => self.drawn_plot(name),
             Target::Model(path) => Filling::Math(self.offered(path)),
-            Target::Derivation(path) => self.derivation(path),
+            Target::Derivation(path) => self.steps(path),
             Target::Nothing => Filling::words("?"),
         }
     }

@@ -12,6 +12,7 @@ mod picture;
 mod plot;
 mod proof;
 mod steps;
+mod turns;
 
 pub use plot::Undrawn;
 pub use proof::{underived, undrawn, unfree};

@@ -8,7 +8,7 @@ use crate::bank::QuantityInfo;
 use crate::document::{Filling, Inline, Step as Shown};
 use crate::expr::{Expr, Kind, Name, Notation, Path};
 use crate::math::{Class, Math, TableKind};
-use crate::mechanics::{Line, Reason, Side, Step, Term};
+use crate::mechanics::{Line, Reason, Side, Step, Term, Way};
 use crate::quantity::{Graph, NodeId};
 
 /// Characters of a formula with its helpers opened beyond which nobody follows the numbers in it.
@@ -16,12 +16,13 @@ const LONGEST_WORKED: usize = 90;
 
 impl Scene<'_, '_> {
     /// The derivation that a path asks for.
-    pub(super) fn derivation(&self, path: &Path) -> Filling {
+    pub(super) fn steps(&self, path: &Path) -> Filling {
         let graph = &self.solution.template().graph;
-        let steps = graph
-            .way(path)
-            .and_then(|(model, way)| model.derivation(way).ok());
-        let steps = steps.unwrap_or_default();
+        let steps = match graph.way(path) {
+            Some((_, Way::TurningPoints)) => return self.turning_points(path),
+            Some((model, way)) => model.derivation(way).unwrap_or_default(),
+            None => Vec::new(),
+        };
         Filling::Steps(steps.iter().map(|step| self.step(step)).collect())
     }
 
@@ -227,7 +228,6 @@ mod tests {
     use crate::bank::{Catalogue, Template, embedded};
     use crate::expr::{Normal, Substitution};
     use crate::instance::Instance;
-    use crate::mechanics::Way;
     use crate::response::{Folded, Lexicon, Manner, formula};
     use crate::scene::Data;
     use crate::seed::Seed;

@@ -34,7 +34,9 @@ pub use forced::{
     ForcedResponse, FrequencyResponse, Harmonic, HarmonicForce, PeriodicForce, PeriodicResponse,
 };
 pub use free::FreeResponse;
-pub use friction::{DryFriction, FrictionError, FrictionMotion, FrictionOscillator, FrictionPath};
+pub use friction::{
+    DryFriction, FrictionError, FrictionMotion, FrictionOscillator, FrictionPath, TurningPoint,
+};
 pub use oscillator::{Oscillator, OscillatorError, Regime};
 pub use pendulum::{Pendulum, PendulumError, PendulumMotion, PendulumRegime};
 pub use resonance::{DisplacementResonance, VelocityResonance};

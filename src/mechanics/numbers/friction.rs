@@ -1,9 +1,10 @@
 //! Dry friction along a single coordinate.
 
 use super::{Lack, Motion, Numbers};
-use crate::expr::{Form, Precise, Value};
+use crate::expr::{Form, Name, Precise, Value};
 use crate::numerics::ExactNumber;
-use crate::vibration::{DryFriction, FrictionMotion, FrictionOscillator};
+use crate::unit::Dimension;
+use crate::vibration::{DryFriction, FrictionMotion, FrictionOscillator, TurningPoint};
 
 /// A number about the motion of a model with dry friction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -22,7 +23,39 @@ pub enum Frictional {
     DissipatedEnergy,
 }
 
+/// The turning points of a motion with dry friction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TurningPoints {
+    /// The first ones, up to the rest if they are not too many.
+    pub points: Vec<TurningPoint>,
+    /// The number of the first: 0 if it is the start, 1 if the mass was thrown.
+    pub first: usize,
+    /// The largest friction at rest, in the coherent unit of force or moment.
+    pub holding: f64,
+    /// The coordinate.
+    pub coordinate: Name,
+    /// Its dimension.
+    pub dimension: Dimension,
+}
+
 impl Numbers {
+    /// The turning points of the motion from the initial state, `most` of them at most.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Self::frictional`].
+    pub fn turning_points(&self, most: usize) -> Result<TurningPoints, Lack> {
+        let motion = self.friction_motion()?;
+        let coordinate = &self.model.definition.coordinates[0];
+        Ok(TurningPoints {
+            coordinate: coordinate.name.clone(),
+            dimension: coordinate.dimension,
+            points: motion.turning_points().take(most).collect(),
+            first: usize::from(!motion.is_released()),
+            holding: self.friction_forces()?.numbers()[1],
+        })
+    }
+
     /// A number about the motion with dry friction from the initial state.
     ///
     /// # Errors

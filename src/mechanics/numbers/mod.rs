@@ -21,7 +21,7 @@ use crate::expr::{Name, Precise, Undefined, Value};
 use crate::vibration::Oscillator;
 use crate::vibration::modes::Modes;
 use driving::Drive;
-pub use friction::Frictional;
+pub use friction::{Frictional, TurningPoints};
 pub use hyper_dual::Linearization;
 use matrices::Matrices;
 use modal::Response;

@@ -223,7 +223,7 @@ fn is_zero(formula: &Expr) -> Result<bool, SymbolicError> {
 }
 
 impl Model {
-    /// The lines of a derivation.
+    /// The lines of a derivation in letters; none for [`Way::TurningPoints`], which needs numbers.
     ///
     /// # Errors
     ///
@@ -237,6 +237,8 @@ impl Model {
             Way::Newton => deriver.newton(),
             Way::Characteristic => deriver.characteristic(),
             Way::Row(mode) => deriver.row(mode),
+            Way::TurningPoints if self.definition.friction.is_empty() => Err(Lack::NoFriction),
+            Way::TurningPoints => Ok(Vec::new()),
         }
     }
 }

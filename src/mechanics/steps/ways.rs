@@ -18,11 +18,21 @@ pub enum Way {
     Characteristic,
     /// A row of (K − ω² M) u = 0 and its ratio, for a mode of two coordinates, counted from 0.
     Row(usize),
+    /// The turning points under dry friction. Their lines are numbers, which the data of an instance give:
+    /// [`Numbers::turning_points`](super::super::Numbers::turning_points).
+    TurningPoints,
 }
 
 impl Way {
     /// The names of all ways.
-    pub const NAMES: [&str; 5] = ["lagrange", "energy", "newton", "characteristic", "row"];
+    pub const NAMES: [&str; 6] = [
+        "lagrange",
+        "energy",
+        "newton",
+        "characteristic",
+        "row",
+        "turning_points",
+    ];
 }
 
 impl Model {
@@ -42,6 +52,7 @@ impl Model {
             "energy" => Way::Energy,
             "newton" => Way::Newton,
             "characteristic" => Way::Characteristic,
+            "turning_points" => Way::TurningPoints,
             "row" => return self.mode(rest).map(Way::Row),
             name => return Err(unknown(name)),
         };

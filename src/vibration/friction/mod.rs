@@ -22,7 +22,7 @@ mod path;
 mod scale;
 mod ties;
 
-pub use motion::FrictionMotion;
+pub use motion::{FrictionMotion, TurningPoint};
 pub use path::FrictionPath;
 
 use thiserror::Error;

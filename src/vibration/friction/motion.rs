@@ -47,6 +47,17 @@ pub struct FrictionMotion {
     offset: Dd,
 }
 
+/// An instant at which a mass with dry friction has no velocity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TurningPoint {
+    /// Where the mass is, in m.
+    pub position: f64,
+    /// The size of all forces but friction together, `|k x - F|`, in N.
+    pub pull: f64,
+    /// Whether friction holds the mass there for good.
+    pub is_held: bool,
+}
+
 /// What happens before the first turning point.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Opening {
@@ -278,6 +289,53 @@ impl FrictionMotion {
         let speed = Dd::from(self.initial.velocity);
         let elastic = (self.offset - rest) * (self.offset + rest) * oscillator.stiffness();
         ((elastic + speed.square() * oscillator.mass()) * 0.5).hi()
+    }
+
+    /// The turning points from the first to the rest, without end if it swings for ever; none if it creeps from its
+    /// start. Released from rest, the first is the start.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use vibank::numerics::ExactNumber;
+    /// use vibank::vibration::{DryFriction, FrictionOscillator};
+    ///
+    /// let number = |text| ExactNumber::from_decimal(text).unwrap();
+    /// let friction = DryFriction::of_forces(number("1"), number("1"));
+    /// let block = FrictionOscillator::new(number("1"), number("0"), number("8"), friction)?;
+    /// let motion = block.motion(number("0.5"), number("0"))?;
+    /// let points: Vec<_> = motion.turning_points().collect();
+    /// assert_eq!(points.len(), 3);
+    /// assert_eq!((points[1].position, points[1].pull), (-0.25, 2.0));
+    /// assert!(points[2].is_held && points[2].pull == 0.0);
+    /// # Ok::<(), vibank::vibration::FrictionError>(())
+    /// ```
+    pub fn turning_points(&self) -> impl Iterator<Item = TurningPoint> + '_ {
+        let count = match (self.opening, self.ending) {
+            (Opening::Creeping, _) => 0,
+            (_, Ending::Rest(half_cycles)) => half_cycles.saturating_add(1),
+            (_, Ending::Creeping) => 1,
+            (_, Ending::Endless) => u64::MAX,
+        };
+        let stiffness = self.system.oscillator.stiffness();
+        (0..count).map(move |half_cycles| {
+            let is_held = self.ending == Ending::Rest(half_cycles);
+            let offset = if is_held {
+                self.rest_offset().unwrap_or(Dd::ZERO)
+            } else {
+                self.turning_point(half_cycles as f64)
+            };
+            TurningPoint {
+                position: (self.system.equilibrium + offset).hi(),
+                pull: (offset.abs() * stiffness).hi(),
+                is_held,
+            }
+        })
+    }
+
+    /// Whether it was released from rest, so that its first turning point is its start.
+    pub fn is_released(&self) -> bool {
+        matches!(self.opening, Opening::Released)
     }
 
     /// Position and velocity as functions of time.

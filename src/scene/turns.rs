@@ -1,0 +1,157 @@
+//! The turning points of a motion with dry friction as lines: where, which force is left to friction, and whether it
+//! holds.
+
+use super::Scene;
+use super::lines::{Chain, aligned};
+use super::notation::Symbols;
+use crate::document::{Filling, Inline, Step as Shown};
+use crate::expr::{Notation, Path};
+use crate::math::Math;
+use crate::unit::{Decimal, Dimension, Quantity, Unit};
+
+/// Lines beyond which a list teaches nothing more; the last one shows that it goes on.
+const MOST_LINES: usize = 8;
+
+impl Scene<'_, '_> {
+    pub(super) fn turning_points(&self, path: &Path) -> Filling {
+        let evaluation = self.solution.evaluation();
+        // One more tells whether the list ends.
+        let Some(turns) = evaluation.turning_points(path, MOST_LINES + 1) else {
+            return Filling::Steps(Vec::new());
+        };
+        let digits = u32::from(self.solution.template().about.digits);
+        let mark = self.solution.mark();
+        let value = |si: f64, unit: Unit| {
+            let number = Decimal::rounded(unit.of_si(si), digits).unwrap_or(Decimal::ZERO);
+            Quantity::new(number, unit).math(mark)
+        };
+        let (length, force) = units(turns.dimension);
+        let coordinate = Symbols(self.solution).name(&turns.coordinate).math;
+        let line = |at: usize| {
+            let point = &turns.points[at];
+            let number = Math::number(&(turns.first + at).to_string());
+            let relation = if point.is_held { "≤" } else { ">" };
+            let sides = [
+                value(point.position, length),
+                Math::row([
+                    Math::punctuation(":"),
+                    Math::Space(18),
+                    value(point.pull, force),
+                    Math::relation(relation),
+                    value(turns.holding, force),
+                ]),
+            ];
+            Chain {
+                sides: vec![coordinate.clone().with_sub(number), Math::row(sides)],
+                is_approximate: false,
+            }
+        };
+        let shown = 0..turns.points.len().min(MOST_LINES);
+        let mut lines = aligned(&shown.map(line).collect::<Vec<_>>());
+        if turns.points.len() > MOST_LINES {
+            lines.push([Math::row([]), Math::text("and so on")]);
+        }
+        Filling::Steps(vec![Shown {
+            words: vec![Inline::Text(
+                "Turning points, and the pull of all other forces there against the largest friction:"
+                    .to_owned(),
+            )],
+            lines,
+        }])
+    }
+}
+
+/// The coherent units of a coordinate and of what acts along it.
+fn units(dimension: Dimension) -> (Unit, Unit) {
+    let unit = |text: &str| Unit::parse(text).unwrap_or(Unit::ONE);
+    if dimension == Dimension::LENGTH {
+        (unit("m"), unit("N"))
+    } else if dimension == Dimension::PURE {
+        (unit("rad"), unit("N m"))
+    } else {
+        let coherent = |dimension: Dimension| unit(&dimension.describe());
+        let force = unit("J").dimension() / dimension;
+        (coherent(dimension), coherent(force))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bank::{Catalogue, embedded};
+    use crate::expr::Name;
+    use crate::instance::Instance;
+    use crate::scene::Data;
+    use crate::seed::Seed;
+    use crate::solution::Solution;
+
+    fn path() -> Path {
+        Path::new(["model", "turning_points"].map(Name::new).to_vec())
+    }
+
+    /// The closed forms of the items know nothing of the list.
+    #[test]
+    fn lists_end_where_the_closed_forms_of_the_items_say() {
+        let (catalogue, _) = Catalogue::load(embedded());
+        let mut lists = 0;
+        for template in catalogue.items() {
+            let graph = &template.graph;
+            let named = |name: &str| graph.find(&Name::new(name));
+            let (Some(count), Some(rest)) = (named("n_half"), named("x_rest")) else {
+                continue;
+            };
+            for seed in 0..5 {
+                let Ok(instance) = Instance::draw(template, Seed::new(seed)) else {
+                    continue;
+                };
+                let solution = Solution::of(instance);
+                let evaluation = solution.evaluation();
+                let turns = evaluation.turning_points(&path(), 100).expect("friction");
+                let (count, rest) = (evaluation.real(count), evaluation.real(rest));
+                let (count, rest) = (count.expect("a number"), rest.expect("a number"));
+                assert_eq!(turns.first, 0, "{}", template.id);
+                assert_eq!(turns.points.len() as f64, count + 1.0, "{}", template.id);
+                for point in &turns.points {
+                    assert_eq!(
+                        point.is_held,
+                        point.pull <= turns.holding,
+                        "{}",
+                        template.id
+                    );
+                }
+                let last = turns.points.last().expect("a rest");
+                assert!(last.is_held && (last.position - rest).abs() < 1e-12);
+                lists += 1;
+            }
+        }
+        assert!(lists >= 25, "{lists} lists");
+    }
+
+    #[test]
+    fn a_list_shows_place_pull_and_friction() {
+        let (catalogue, _) = Catalogue::load(embedded());
+        let template = catalogue
+            .items()
+            .find(|own| own.id.as_str().starts_with("ch3/p1-"));
+        let solution = Solution::of(Instance::of_source(template.expect("it is in the bank")));
+        let scene = Scene::of(&solution, Data::Both);
+        let Filling::Steps(steps) = scene.turning_points(&path()) else {
+            panic!("lines");
+        };
+        let lines: Vec<String> = steps[0]
+            .lines
+            .iter()
+            .map(|[left, right]| format!("{}{}", left.plain(), right.plain()))
+            .collect();
+        // By hand: the band is 5 k δ = 0.5·6·9.81 N = 29.43 N wide on either side, and each half-cycle takes 2 δ.
+        assert_eq!(lines.len(), 4);
+        assert!(
+            lines[0].contains("0.300 m") && lines[0].contains("192 N"),
+            "{lines:?}"
+        );
+        assert!(
+            lines[3].contains("0.0241 m") && lines[3].contains("≤"),
+            "{lines:?}"
+        );
+    }
+}
