@@ -14,6 +14,7 @@
 //! ```
 
 pub mod generate;
+pub mod packed;
 pub mod seeds;
 pub mod targets;
 pub mod typed;

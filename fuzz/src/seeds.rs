@@ -64,7 +64,7 @@ pub fn of(target: &str) -> Vec<Vec<u8>> {
             typed
         }
         "compute" => lines(include_str!("../../tests/fixtures/reference.jsonl")),
-        "class_list" | "responses" | "manifest" | "page" => Vec::new(),
+        "class_list" | "responses" | "manifest" | "page" | "workbook" => Vec::new(),
         _ => Vec::new(),
     };
     let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("seeds").join(target);

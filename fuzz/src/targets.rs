@@ -21,8 +21,10 @@ use vibank::wasm::Grader;
 use vibank::work;
 use vibank::worksheet::{Blueprint, Plan, Practice, PracticeQuestion, Sheet};
 
+use crate::packed;
+
 /// All targets.
-pub const NAMES: [&str; 9] = [
+pub const NAMES: [&str; 10] = [
     "answer",
     "blueprint",
     "class_list",
@@ -32,6 +34,7 @@ pub const NAMES: [&str; 9] = [
     "page",
     "responses",
     "text",
+    "workbook",
 ];
 
 /// Units of work that no input may take: some seconds.
@@ -54,6 +57,7 @@ pub fn run(target: &str, bytes: &[u8]) -> u64 {
         "page" => page(&text()),
         "responses" => saw(&vibank::cli::fuzz::responses(bytes)),
         "text" => prose(&text()),
+        "workbook" => workbook(bytes),
         other => panic!("there is no target `{other}`"),
     });
     assert!(!seen.is_exhausted, "more than {MOST_WORK} units of work");
@@ -237,6 +241,13 @@ fn manifest(bytes: &[u8]) -> u64 {
         assert!(again.is_ok_and(|again| again == manifest), "not the same");
     }
     saw(&read)
+}
+
+/// A workbook, as a class list and as responses.
+fn workbook(bytes: &[u8]) -> u64 {
+    let book = packed::archive(bytes);
+    let students = vibank::cli::fuzz::class_list(&book);
+    saw(&(students, vibank::cli::fuzz::responses(&book)))
 }
 
 /// A request of `compute`: the reply is one line of JSON.

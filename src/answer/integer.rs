@@ -1,4 +1,4 @@
-//! `integer`: a whole number, such as a count.
+//! `integer`: an integer, such as a count.
 //!
 //! The student types `3`, or `3N` where *N* is a number of the question. Only the number itself is right; an integer
 //! has no tolerance.
@@ -104,7 +104,7 @@ impl Answer for Integer {
     }
 
     fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
-        // A key that is whole but for its rounding is that whole number.
+        // A key that is whole but for its rounding is that integer.
         let key = context.evaluation.real(self.key)?.round();
         let numbers = context.mistakes.iter().filter_map(|mistake| {
             let number = mistake.values.first()?.as_real()?.round();

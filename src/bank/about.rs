@@ -53,12 +53,12 @@ impl About {
             topics: table.texts("topics"),
             level: table.integer("level", "1, 2 or 3", 1..=3).unwrap_or(1) as u8,
             minutes: table
-                .integer("minutes", "a whole number from 1 to 600", 1..=600)
+                .integer("minutes", "an integer from 1 to 600", 1..=600)
                 .map(|minutes| minutes as u32),
             other_form: Credit::of_table(&table, "other_form"),
             after: table.texts("after"),
             digits: table
-                .integer("digits", "a whole number from 1 to 12", 1..=12)
+                .integer("digits", "an integer from 1 to 12", 1..=12)
                 .unwrap_or(3) as u8,
             allow: table.texts("allow"),
             notes: table.text("notes"),

@@ -101,7 +101,7 @@ impl BankFile {
                     })
                     .collect();
             }
-            let format = table.integer("format", "a whole number", 0..=i64::MAX);
+            let format = table.integer("format", "an integer", 0..=i64::MAX);
             if let Some(found) = format.filter(|format| *format != FORMAT) {
                 let span = table.value("format").map_or(Span::NONE, |value| value.span);
                 findings.push(Finding::of(
@@ -143,7 +143,7 @@ impl Chapter {
             if let Some(title) = table.required_text("title") {
                 chapter.title = title.value;
             }
-            if let Some(number) = table.integer("number", "a whole number", 0..=i64::MAX) {
+            if let Some(number) = table.integer("number", "an integer", 0..=i64::MAX) {
                 chapter.number = number;
             }
             let mut bare = |text: &Text| {

@@ -49,11 +49,11 @@ pub enum Function {
     Clamp,
     /// −1, 0 or 1.
     Sign,
-    /// Largest whole number below.
+    /// Largest integer below.
     Floor,
-    /// Smallest whole number above.
+    /// Smallest integer above.
     Ceil,
-    /// Nearest whole number, halves away from zero.
+    /// Nearest integer, halves away from zero.
     Round,
     /// `mod(x, n)`, with the sign of n.
     Mod,

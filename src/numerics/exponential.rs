@@ -63,7 +63,7 @@ impl Propagator {
         let steps = (time / self.base).floor();
         let rest = (Dd::from(time) - Dd::product(steps, self.base)).hi();
         self.series(state, rest);
-        // Bits of a whole number of at most as many digits as there are powers.
+        // Bits of an integer of at most as many digits as there are powers.
         let mut left = steps;
         for (level, power) in self.powers.iter().enumerate().rev() {
             let weight = scale_by_power_of_two(1.0, level as i32);

@@ -103,7 +103,7 @@ impl Rational {
         self.numerator == 0
     }
 
-    /// Whether it is a whole number.
+    /// Whether it is an integer.
     pub fn is_integer(self) -> bool {
         self.denominator == 1
     }

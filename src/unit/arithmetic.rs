@@ -53,7 +53,7 @@ impl Decimal {
         Self::of_parts(self.is_negative(), digits, exponent, false)
     }
 
-    /// How often `step` goes into this number, if it does so a whole number of times.
+    /// How often `step` goes into this number, if it does so an integer number of times.
     pub(super) fn whole_ratio(self, step: Self) -> Option<u64> {
         let exponent = self.exponent().min(step.exponent());
         let (digits, step_digits) = (

@@ -175,7 +175,7 @@ impl Decimal {
         self.negative
     }
 
-    /// Whether it is a whole number.
+    /// Whether it is an integer.
     pub fn is_integer(&self) -> bool {
         self.trimmed().1 >= 0
     }

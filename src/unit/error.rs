@@ -156,9 +156,7 @@ impl Error {
             ErrorKind::NumberWithinUnit => {
                 "type one number, and its unit behind it, as in `15.8 rad/s`"
             }
-            ErrorKind::NotAnExponent => {
-                "write a small whole number or fraction, `m^2` or `kg^(-1/2)`"
-            }
+            ErrorKind::NotAnExponent => "write a small integer or fraction, `m^2` or `kg^(-1/2)`",
             ErrorKind::NotARange | ErrorKind::EmptyRange => {
                 "write `lo .. hi unit`, as in `0.5 .. 5 kg`"
             }

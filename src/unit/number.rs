@@ -273,7 +273,7 @@ fn power_of_ten(scanner: &mut Scanner<'_>) -> Option<i32> {
     Some(power)
 }
 
-/// Whether a whole number stands alone at the beginning of a text.
+/// Whether an integer stands alone at the beginning of a text.
 fn is_exponent(text: &str) -> bool {
     let unsigned = text.strip_prefix(['-', '−', '–', '+']).unwrap_or(text);
     let rest = unsigned.trim_start_matches(|char: char| char.is_ascii_digit());

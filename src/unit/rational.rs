@@ -71,7 +71,7 @@ impl Rational {
         self.numerator < 0
     }
 
-    /// Whether it is a whole number.
+    /// Whether it is an integer.
     pub const fn is_integer(self) -> bool {
         self.denominator == 1
     }

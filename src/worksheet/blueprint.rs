@@ -418,7 +418,7 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
     }
     let spares = spares(&table, &mut faults);
     let secret = table.text("secret");
-    let seed = table.integer("seed", "a whole number, 0 or larger", 0..=i64::MAX);
+    let seed = table.integer("seed", "an integer, 0 or larger", 0..=i64::MAX);
     if seed.is_none() && secret.is_none() && !table.has("seed") {
         table.required("seed");
     }
@@ -517,11 +517,7 @@ fn spares(table: &Table<'_>, faults: &mut Faults<'_>) -> usize {
 }
 
 fn audience(table: &Table<'_>, faults: &mut Faults<'_>) -> Option<Audience> {
-    let variants = table.integer(
-        "variants",
-        "a whole number from 1 to 100000",
-        1..=MOST_VARIANTS,
-    );
+    let variants = table.integer("variants", "an integer from 1 to 100000", 1..=MOST_VARIANTS);
     let students = table.text("students");
     match (variants, students) {
         (Some(count), None) => Some(Audience::Variants(count as usize)),
@@ -601,7 +597,7 @@ fn question(table: Table<'_>, faults: &mut Faults<'_>) -> Option<Question> {
     let item = table.text("item");
     let pick = table.table("pick").map(filter);
     let count = table
-        .integer("count", "a whole number from 1 to 100", 1..=100)
+        .integer("count", "an integer from 1 to 100", 1..=100)
         .unwrap_or(1) as usize;
     let same = table.boolean("same").unwrap_or(true);
     let choice = match (item, pick) {

@@ -79,7 +79,7 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         part.text("modulo"),
     );
     let is_ordered = part.boolean("ordered").unwrap_or(false);
-    let ask_digits = part.integer("ask_digits", "a whole number from 1 to 12", 1..=12);
+    let ask_digits = part.integer("ask_digits", "an integer from 1 to 12", 1..=12);
     let penalty = part
         .value("digits_penalty")
         .and_then(|value| part.as_formula("digits_penalty", value));

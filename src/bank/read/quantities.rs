@@ -268,7 +268,7 @@ impl<'s> Reader<'s> {
             .and_then(|value| inner.as_formula("verify", value));
         let when = inner.text("when");
         let digits = inner
-            .integer("digits", "a whole number from 1 to 12", 1..=12)
+            .integer("digits", "an integer from 1 to 12", 1..=12)
             .map(|digits| digits as u8);
         inner.finish();
         let formula = formula?;

@@ -34,7 +34,7 @@ pub(super) struct PartOutcome {
     pub(super) other: Option<String>,
 }
 
-/// An exact fraction as two whole numbers.
+/// An exact fraction as two integers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Fraction(pub(super) Rational);
 

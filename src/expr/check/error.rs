@@ -130,8 +130,8 @@ pub enum CheckError {
         /// Where the two stand.
         spans: [Span; 2],
     },
-    /// An index that is not a whole number from 1.
-    #[error("an index is a whole number from 1, written out")]
+    /// An index that is not an integer from 1.
+    #[error("an index is an integer from 1, written out")]
     IndexNotWhole {
         /// Where.
         span: Span,

@@ -488,7 +488,7 @@ mod tests {
             ),
             (
                 "[1, 2][n]",
-                vec!["an index is a whole number from 1, written out @n"],
+                vec!["an index is an integer from 1, written out @n"],
             ),
             ("x[1]", vec!["a number has no component with 1 index @x[1]"]),
             (

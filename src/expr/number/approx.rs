@@ -9,7 +9,7 @@ use crate::numerics;
 /// A number and a running bound on its error: the exact number lies within `value ± bound`.
 ///
 /// The bound follows the data (a decimal is off by half a unit in the last place) and every operation (running error
-/// analysis). Two numbers within their bounds count as equal, and one within its bound of a whole number as that number.
+/// analysis). Two numbers within their bounds count as equal, and one within its bound of an integer as that number.
 ///
 /// # Examples
 ///
@@ -90,7 +90,7 @@ impl<T: Real> Approx<T> {
         Self::new(value, bound + T::FUNCTION * value.to_f64().abs())
     }
 
-    /// The whole number from which it cannot be told, if there is one.
+    /// The integer from which it cannot be told, if there is one.
     #[inline]
     fn whole_value(&self) -> Option<T> {
         let nearest = (self.value + T::of_pair(0.5, 0.0)).floor();
@@ -98,7 +98,7 @@ impl<T: Real> Approx<T> {
         (off <= self.bound * SLACK).then_some(nearest)
     }
 
-    /// Largest whole number that is not above.
+    /// Largest integer that is not above.
     fn floor(&self, doubt: &mut Doubt) -> Self {
         Self::certain(match self.whole_value() {
             Some(whole) => {
@@ -113,7 +113,7 @@ impl<T: Real> Approx<T> {
         Self::new(self.value + T::of_pair(by, 0.0), self.bound)
     }
 
-    /// Nearest whole number, halves away from zero.
+    /// Nearest integer, halves away from zero.
     fn round(&self, doubt: &mut Doubt) -> Self {
         if self.value.to_f64() < 0.0 {
             return self.negate().round(doubt).negate();
@@ -129,7 +129,7 @@ impl<T: Real> Approx<T> {
         Self::exact(self.value.to_f64().signum())
     }
 
-    /// x − n ⌊x/n⌋, exactly 0 where x/n cannot be told from a whole number.
+    /// x − n ⌊x/n⌋, exactly 0 where x/n cannot be told from an integer.
     fn modulo(&self, other: &Self, doubt: &mut Doubt) -> Result<Self, Undefined> {
         let quotient = self.divide(other)?;
         if quotient.whole_value().is_some() {

@@ -36,7 +36,7 @@ pub trait Real:
     /// The product, and whether it is known to be exact.
     fn exact_product(self, other: Self) -> (Self, bool);
 
-    /// Largest whole number below.
+    /// Largest integer below.
     #[must_use]
     fn floor(self) -> Self;
     /// Square root.

@@ -21,7 +21,7 @@ pub enum Undefined {
     #[error("logarithm of a negative number")]
     LogarithmOfNegative,
     /// A power of a negative number whose exponent is not whole, in real numbers.
-    #[error("power of a negative number with an exponent that is not a whole number")]
+    #[error("power of a negative number with an exponent that is not an integer")]
     PowerOfNegative,
     /// An argument outside the domain of a function.
     #[error("argument outside the domain of `{}`", .0.name())]

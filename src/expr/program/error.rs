@@ -32,8 +32,8 @@ pub enum CompileError {
         /// What there is.
         found: Form,
     },
-    /// An index that is not a whole number.
-    #[error("an index has to be a whole number")]
+    /// An index that is not an integer.
+    #[error("an index has to be an integer")]
     Index {
         /// Where.
         span: Span,

@@ -79,7 +79,7 @@ impl<'a> Parameters<'a> {
 
     /// A whole number from one up.
     pub(super) fn count(&self, name: &'static str) -> Result<u64, RequestError> {
-        const EXPECTED: &str = "a whole number from 1 to 9007199254740992";
+        const EXPECTED: &str = "an integer from 1 to 9007199254740992";
         let value = self.number(name)?;
         let is_count = value == value.trunc() && (1.0..=9_007_199_254_740_992.0).contains(&value);
         if is_count {

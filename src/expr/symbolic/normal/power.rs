@@ -82,7 +82,7 @@ impl Polynomial {
         power.times(&outside, work)
     }
 
-    /// The positive number that divides all coefficients and leaves whole numbers without common divisor.
+    /// The positive number that divides all coefficients and leaves integers without common divisor.
     pub(super) fn content(&self) -> Result<Rational, SymbolicError> {
         let mut coefficients = self.0.values();
         let first = coefficients.next().copied().unwrap_or(Rational::ONE).abs();
@@ -121,7 +121,7 @@ fn is_positive(atom: &Atom) -> bool {
     matches!(atom, Atom::Constant(Constant::Pi | Constant::E))
 }
 
-/// The greatest fraction that goes into both a whole number of times.
+/// The greatest fraction that goes into both an integer number of times.
 pub(super) fn common_divisor(a: Rational, b: Rational) -> Option<Rational> {
     let gcd = |mut a: i128, mut b: i128| {
         while b != 0 {
