@@ -7,7 +7,7 @@ use std::io::{Cursor, Read};
 use calamine::{DataRef, Reader, SheetType, SheetVisible, Xlsx, XlsxError};
 use zip::ZipArchive;
 
-use super::places::misplaced;
+use super::places::misleading;
 use super::{Sheet, Spoilt};
 
 /// Bytes of all files in a workbook, unpacked: a workbook of 30,000 rows has a tenth of it. What is packed may be a
@@ -70,12 +70,8 @@ fn check_size(bytes: &[u8]) -> Result<(), String> {
                 MOST_UNPACKED >> 20
             )
         })?;
-        // Elsewhere names such as these mean other things.
-        let is_sheet = name.starts_with("xl/worksheets/");
-        if let Some(found) = is_sheet.then(|| misplaced(&content)).flatten() {
-            return Err(format!(
-                "a workbook with `{found}` in `{name}`, which is no place in a sheet"
-            ));
+        if let Some(found) = misleading(&content) {
+            return Err(format!("a workbook with a file `{name}` {found}"));
         }
     }
     Ok(())
