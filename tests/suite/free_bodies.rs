@@ -154,7 +154,7 @@ fn a_link_without_a_force_is_refused() {
         .replace("dissipation = \"1/2*c*x'^2\"\n", "");
     assert_eq!(
         refused(&model, FIGURE, FREE),
-        "figure::free: the damper c is fastened to `block` and is no force of the model"
+        "figure::free: the damper c is fastened to `block` and is not a force of the model"
     );
 }
 
@@ -191,7 +191,7 @@ fn what_is_no_force_of_the_model_does_no_work() {
     );
     assert_eq!(
         refused(MODEL, FIGURE, &free),
-        "figure::free: the normal force on `block` does work and is no force of the model"
+        "figure::free: the normal force on `block` does work and is not a force of the model"
     );
 }
 

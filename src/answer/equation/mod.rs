@@ -4,7 +4,7 @@
 //! order of terms and any common factor made of data is right; several equations, joined by semicolons,
 //! are right if they follow from the key and the key from them. Where several parts of an item ask for one
 //! equation each of one system, responses that make up the same equations together are right, too. What is
-//! wrong is told by terms: a sign, a term that is missing, a datum that a coefficient misses.
+//! wrong is named term by term: a sign, a term that is missing, a datum that a coefficient misses.
 //!
 //! ```toml
 //! [[part]]

@@ -4,7 +4,7 @@
 //! data is right, as long as the constraints of the item hold. Products need no sign, Greek letters come as words or signs, simple LaTeX is read.
 //! The letters of the answer are all parameters, symbols and coordinates, and the quantities of earlier parts, but for
 //! those that `without` lists; `in` lists the letters in which the key is printed, which may be used as well.
-//! A formula of another dimension is told so.
+//! A formula of another dimension is reported.
 //!
 //! ```toml
 //! [[part]]

@@ -3,7 +3,7 @@
 //! The student types `[[3m, 0], [0, m]]`, `[3m, 0; 0, m]`, `m [3 0; 0 1]`, `diag(3m, m)`, or with numbers
 //! `[[6, 0], [0, 2]] kg`; LaTeX matrices are read, too. Entries in symbols are right as the answers of
 //! the kind `formula` are, numbers within the tolerance. A sign, a factor or the order of the coordinates that
-//! is wrong throughout, and a wrong dimension are told. `form` asks for numbers or formulas alone.
+//! is wrong throughout, and a wrong dimension are named. `form` asks for numbers or formulas alone.
 //!
 //! ```toml
 //! [[part]]

@@ -6,7 +6,7 @@
 //! columns of a matrix, are asked by several modes: each has to lie in the space of its mode, those of one frequency
 //! have to be independent, and each that is right has its share of the credit. Where frequencies repeat, any shape of
 //! that frequency is right. The tolerance is an angle, a hundredth of a radian unless stated, a tenth of that for each
-//! figure above three in which the key is printed. A shape of another mode of the model is told as such.
+//! figure above three in which the key is printed. A shape of another mode of the model is recognized as such.
 //!
 //! ```toml
 //! [[part]]

@@ -62,7 +62,7 @@ pub enum FreeFault {
         force: String,
     },
     /// A link at the body that is the source of no force.
-    #[error("{link} is fastened to `{body}` and is no force of the model")]
+    #[error("{link} is fastened to `{body}` and is not a force of the model")]
     Uncut {
         /// The body.
         body: String,
@@ -104,7 +104,7 @@ pub enum FreeFault {
         force: String,
     },
     /// An arrow that does work and is none of the model's.
-    #[error("the {arrow} on `{body}` does work and is no force of the model")]
+    #[error("the {arrow} on `{body}` does work and is not a force of the model")]
     Idle {
         /// The body.
         body: String,

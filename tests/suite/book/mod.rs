@@ -5,6 +5,7 @@
 //! it also typesets what stands between dollar signs.
 
 mod authors;
+mod english;
 mod items;
 mod links;
 mod pictures;
@@ -23,14 +24,19 @@ const END: &str = "<!-- end -->";
 
 /// All pages.
 fn pages() -> Vec<PathBuf> {
+    files_with("book/src", "md")
+}
+
+/// All files below a folder with an extension, in order.
+fn files_with(folder: &str, extension: &str) -> Vec<PathBuf> {
     let mut found = Vec::new();
-    let mut folders = vec![PathBuf::from("book/src")];
+    let mut folders = vec![PathBuf::from(folder)];
     while let Some(folder) = folders.pop() {
         for entry in fs::read_dir(&folder).unwrap() {
             let path = entry.unwrap().path();
             if path.is_dir() {
                 folders.push(path);
-            } else if path.extension().is_some_and(|end| end == "md") {
+            } else if path.extension().is_some_and(|end| end == extension) {
                 found.push(path);
             }
         }
