@@ -28,7 +28,7 @@ const PHRASES: &[(&str, &str)] = &[
     ("turn the problem round", "reverse the problem"),
     ("is off?", "the error of …"),
     ("which time passes", "how much time passes"),
-    ("how often does", "what is the multiplicity of"),
+    ("how often does the natural", "what is the multiplicity of"),
     ("by which relative error", "what is the relative error"),
     ("from which angle", "what is the smallest angle at which"),
     ("after which smallest", "after how many"),
