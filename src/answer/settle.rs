@@ -1,6 +1,9 @@
 //! What becomes of a response with more than one reading: the one function that chooses, when an answer is submitted.
 
+use serde_json::Value as Json;
+
 use super::{Marking, Note, Verdict, Why};
+use crate::source::{FromJson, Misfit};
 
 /// What to do where readings of a response have different verdicts.
 ///
@@ -53,6 +56,13 @@ impl Doubt {
     /// ```
     pub fn of_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|own| own.name() == name)
+    }
+}
+
+impl FromJson for Doubt {
+    fn from_json(json: Json) -> Result<Self, Misfit> {
+        let name = String::from_json(json)?;
+        Self::of_name(&name).ok_or(Misfit::Expected("a policy of doubt"))
     }
 }
 

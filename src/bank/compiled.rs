@@ -5,17 +5,18 @@
 //! the same template: the formulas are read again, the texts are taken as they are.
 //! What only a bank's author needs is left out: known results, notes, and sources of figures in words.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
+use serde_json::Value as Json;
 
 use super::read;
 use super::{ItemId, Revision, Template};
 use crate::document::Document;
 use crate::math::Math;
-use crate::source::{Problems, Source, Value};
+use crate::source::{Fields, FromJson, Misfit, Problems, Source, Value, deserialize};
 
 /// An item, compiled. Its JSON is what a self-check page carries; it belongs to one version of the
 /// program and is no format to keep.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Compiled {
     /// Its identity.
     pub id: ItemId,
@@ -106,6 +107,21 @@ impl Compiled {
                 .first()
                 .map(|finding| finding.message.clone())
                 .unwrap_or_default(),
+        })
+    }
+}
+
+deserialize!(Compiled);
+
+impl FromJson for Compiled {
+    fn from_json(json: Json) -> Result<Self, Misfit> {
+        let mut fields = Fields::of(json)?;
+        Ok(Self {
+            id: fields.take("id")?,
+            revision: fields.take("revision")?,
+            tree: fields.take("tree")?,
+            documents: fields.take("texts")?,
+            symbols: fields.take("symbols")?,
         })
     }
 }

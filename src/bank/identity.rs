@@ -4,7 +4,10 @@ use std::fmt;
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
+use serde_json::Value as Json;
 use sha2::{Digest, Sha256};
+
+use crate::source::{FromJson, Misfit};
 
 /// The identity of an item: its path in the bank without extension, `ch4/p1-rolling-disk-hub-moment`.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -111,6 +114,18 @@ impl TryFrom<String> for ItemId {
 impl From<Revision> for String {
     fn from(revision: Revision) -> Self {
         revision.to_string()
+    }
+}
+
+impl FromJson for ItemId {
+    fn from_json(json: Json) -> Result<Self, Misfit> {
+        Self::try_from(String::from_json(json)?).map_err(|_| Misfit::Expected("`chapter/name`"))
+    }
+}
+
+impl FromJson for Revision {
+    fn from_json(json: Json) -> Result<Self, Misfit> {
+        Self::try_from(String::from_json(json)?).map_err(|_| Misfit::Expected("a revision"))
     }
 }
 

@@ -10,6 +10,7 @@
 
 mod fill;
 mod html;
+mod json;
 mod latex;
 mod markdown;
 mod placeholder;
@@ -27,23 +28,23 @@ pub use read::{Reading, TextError, read_math};
 #[cfg(feature = "render")]
 pub(crate) use typst::write_picture;
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use crate::math::Math;
 
 /// A text, compiled.
 ///
 /// Its JSON is the compiled form of item texts.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Document {
     #[serde(rename = "b")]
     blocks: Vec<Block>,
-    #[serde(rename = "p", default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(rename = "p", skip_serializing_if = "Vec::is_empty")]
     placeholders: Vec<Placeholder>,
 }
 
 /// A piece of a text that stands on lines of its own.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[non_exhaustive]
 pub enum Block {
     /// Running text.
@@ -63,7 +64,7 @@ pub enum Block {
     #[serde(rename = "l")]
     List {
         /// The first number, if the items are numbered.
-        #[serde(rename = "n", default, skip_serializing_if = "Option::is_none")]
+        #[serde(rename = "n", skip_serializing_if = "Option::is_none")]
         start: Option<u64>,
         /// Whether the items stand close together.
         #[serde(rename = "t")]
@@ -103,7 +104,7 @@ pub enum Block {
 }
 
 /// A piece of a line.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[non_exhaustive]
 pub enum Inline {
     /// Words.
@@ -140,20 +141,16 @@ pub enum Inline {
 }
 
 /// How a column of a table is aligned.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Alignment {
     /// As the page has it.
     #[default]
-    #[serde(rename = "n")]
     None,
     /// Left.
-    #[serde(rename = "l")]
     Left,
     /// Centred.
-    #[serde(rename = "c")]
     Centre,
     /// Right.
-    #[serde(rename = "r")]
     Right,
 }
 

@@ -1,23 +1,23 @@
 //! What a text asks for.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use crate::source::Span;
 
 /// A demand of a text: a value in a form.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Placeholder {
     /// The name, dotted: `omega_n`, `model.equation.x1`, `plots.response`, `figure`, `figure.free`.
     #[serde(rename = "n")]
     pub path: String,
     /// The form in which it is written.
-    #[serde(rename = "f", default, skip_serializing_if = "is_default")]
+    #[serde(rename = "f", skip_serializing_if = "is_default")]
     pub form: Form,
     /// Whether it stands inside a formula.
-    #[serde(rename = "m", default, skip_serializing_if = "std::ops::Not::not")]
+    #[serde(rename = "m", skip_serializing_if = "std::ops::Not::not")]
     pub in_math: bool,
     /// Where it stands in the text; not kept in a compiled text.
-    #[serde(skip, default = "nowhere")]
+    #[serde(skip)]
     pub span: Span,
 }
 
@@ -25,13 +25,8 @@ fn is_default<T: Default + PartialEq>(value: &T) -> bool {
     *value == T::default()
 }
 
-fn nowhere() -> Span {
-    Span::NONE
-}
-
 /// The form of a value in a text.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Form {
     /// The number with its unit.
     #[default]

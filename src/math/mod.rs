@@ -31,6 +31,7 @@
 mod alphabet;
 mod atom;
 mod build;
+mod json;
 mod latex;
 mod mathml;
 mod plain;
@@ -50,7 +51,7 @@ pub use symbol::symbol;
 pub use typst::PRELUDE as TYPST_PRELUDE;
 pub(crate) use typst::quote;
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// Whether a character leaves no ink: marks of direction, of byte order, and others without width.
 ///
@@ -96,7 +97,7 @@ impl Holes for Vec<Math> {
 }
 
 /// One piece of typeset mathematics.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub enum Math {
     /// Pieces side by side.
     #[serde(rename = "r")]
@@ -108,7 +109,7 @@ pub enum Math {
         #[serde(rename = "t")]
         text: String,
         /// How they are set.
-        #[serde(rename = "s", default, skip_serializing_if = "is_default")]
+        #[serde(rename = "s", skip_serializing_if = "is_default")]
         style: Style,
     },
     /// A number as it is printed, `2.50` or `2,50`.
@@ -143,10 +144,10 @@ pub enum Math {
         #[serde(rename = "d")]
         denominator: Box<Math>,
         /// Whether there is a bar (a binomial has none).
-        #[serde(rename = "b", default = "yes", skip_serializing_if = "Clone::clone")]
+        #[serde(rename = "b", skip_serializing_if = "Clone::clone")]
         bar: bool,
         /// Size of the parts.
-        #[serde(rename = "s", default, skip_serializing_if = "is_default")]
+        #[serde(rename = "s", skip_serializing_if = "is_default")]
         size: Size,
     },
     /// A root; without a degree, a square root.
@@ -156,7 +157,7 @@ pub enum Math {
         #[serde(rename = "r")]
         radicand: Box<Math>,
         /// The degree.
-        #[serde(rename = "d", default, skip_serializing_if = "Option::is_none")]
+        #[serde(rename = "d", skip_serializing_if = "Option::is_none")]
         degree: Option<Box<Math>>,
     },
     /// Sub- and superscript at the side.
@@ -166,10 +167,10 @@ pub enum Math {
         #[serde(rename = "b")]
         base: Box<Math>,
         /// Subscript.
-        #[serde(rename = "d", default, skip_serializing_if = "Option::is_none")]
+        #[serde(rename = "d", skip_serializing_if = "Option::is_none")]
         sub: Option<Box<Math>>,
         /// Superscript.
-        #[serde(rename = "u", default, skip_serializing_if = "Option::is_none")]
+        #[serde(rename = "u", skip_serializing_if = "Option::is_none")]
         sup: Option<Box<Math>>,
     },
     /// Below and above (limits, braces with a label).
@@ -179,10 +180,10 @@ pub enum Math {
         #[serde(rename = "b")]
         base: Box<Math>,
         /// Below it.
-        #[serde(rename = "d", default, skip_serializing_if = "Option::is_none")]
+        #[serde(rename = "d", skip_serializing_if = "Option::is_none")]
         under: Option<Box<Math>>,
         /// Above it.
-        #[serde(rename = "u", default, skip_serializing_if = "Option::is_none")]
+        #[serde(rename = "u", skip_serializing_if = "Option::is_none")]
         over: Option<Box<Math>>,
     },
     /// An accent above a base.
@@ -228,10 +229,6 @@ pub enum Math {
 
 fn is_default<T: Default + PartialEq>(value: &T) -> bool {
     *value == T::default()
-}
-
-fn yes() -> bool {
-    true
 }
 
 impl Math {
@@ -287,7 +284,7 @@ impl Math {
 }
 
 /// How a symbol is set.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Style {
     /// Italic for a single letter, upright for capital Greek, as in LaTeX.
     #[default]
@@ -305,7 +302,7 @@ pub enum Style {
 }
 
 /// How an operator is spaced.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
     /// `+`, `−`, `⋅` between two operands.
     Binary,
@@ -326,7 +323,7 @@ pub enum Class {
 }
 
 /// Size of the parts of a fraction.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Size {
     /// By context (`\frac`).
     #[default]
@@ -338,7 +335,7 @@ pub enum Size {
 }
 
 /// What stands above a letter.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Accent {
     /// First time derivative.
     Dot,
@@ -357,7 +354,7 @@ pub enum Accent {
 }
 
 /// What a table is for, which fixes its alignment and spacing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TableKind {
     /// Centred cells.
     Matrix,

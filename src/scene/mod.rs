@@ -27,8 +27,7 @@ use crate::quantity::Absent;
 use crate::solution::Solution;
 
 /// How the data of an instance are shown in its statement.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Data {
     /// Symbol and number, *m* = 2.0 kg.
     #[default]
@@ -38,6 +37,12 @@ pub enum Data {
     /// Symbols alone.
     Symbols,
 }
+
+crate::source::named!(Data, "`both`, `numbers` or `symbols`", {
+    "both" => Both,
+    "numbers" => Numbers,
+    "symbols" => Symbols,
+});
 
 /// What one output shows of an instance.
 pub struct Scene<'s, 't> {

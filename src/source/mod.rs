@@ -5,6 +5,7 @@
 //! Reading TOML itself belongs to the feature `render`: a compiled item brings its tree along.
 
 mod case;
+mod json;
 mod nearest;
 mod problem;
 mod span;
@@ -15,6 +16,8 @@ pub mod toml;
 mod value;
 
 pub use case::{capital, lower};
+pub use json::{Fields, FromJson, Misfit};
+pub(crate) use json::{deserialize, named, variant};
 pub use nearest::nearest;
 pub use problem::Problem;
 pub use span::Span;

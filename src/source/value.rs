@@ -1,13 +1,15 @@
 //! The tree of a bank file, with the place of every key and value.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
+use serde_json::Value as Json;
 
 use super::Span;
+use super::json::{Fields, FromJson, Misfit, deserialize, variant};
 
 /// A value as it stands in a file.
 ///
 /// Its JSON is that of compiled items; it keeps no places.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(transparent)]
 pub struct Value {
     /// What it is.
@@ -18,7 +20,7 @@ pub struct Value {
 }
 
 /// What a value is.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub enum Data {
     /// `true` or `false`.
     #[serde(rename = "b")]
@@ -42,7 +44,7 @@ pub enum Data {
 }
 
 /// One key of a table and its value, in file order.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Entry {
     /// The key.
     #[serde(rename = "k")]
@@ -65,5 +67,38 @@ impl Data {
             Self::Table(_) => "a table",
             Self::Number { .. } => "a number",
         }
+    }
+}
+
+deserialize!(Value);
+
+impl FromJson for Value {
+    fn from_json(json: Json) -> Result<Self, Misfit> {
+        let (name, held) = variant(json)?;
+        let data = match name.as_str() {
+            "b" => Data::Boolean(bool::from_json(held)?),
+            "s" => Data::Text(String::from_json(held)?),
+            "l" => Data::List(Vec::from_json(held)?),
+            "t" => Data::Table(Vec::from_json(held)?),
+            "n" => Data::Number {
+                number: Fields::of(held)?.take("d")?,
+            },
+            _ => return Err(Misfit::Expected("a value of a bank file")),
+        };
+        Ok(Self {
+            data,
+            span: Span::default(),
+        })
+    }
+}
+
+impl FromJson for Entry {
+    fn from_json(json: Json) -> Result<Self, Misfit> {
+        let mut fields = Fields::of(json)?;
+        Ok(Self {
+            key: fields.take("k")?,
+            span: Span::default(),
+            value: fields.take("v")?,
+        })
     }
 }

@@ -31,6 +31,7 @@ use crate::instance::Instance;
 use crate::scene::Scene;
 use crate::seed::{Seed, Variant};
 use crate::solution::Solution;
+use crate::source::FromJson;
 use crate::suitability;
 use crate::unit::DecimalMark;
 use crate::worksheet::{Practice, PracticeError, PracticeQuestion};
@@ -104,8 +105,9 @@ impl Grader {
     /// # }
     /// ```
     pub fn answer(&self, request: &str) -> String {
-        let reply = serde_json::from_str::<Request>(request)
+        let reply = serde_json::from_str(request)
             .map_err(|error| error.to_string())
+            .and_then(|json| Request::from_json(json).map_err(|misfit| misfit.to_string()))
             .and_then(|request| self.reply(&request));
         let reply = reply.unwrap_or_else(|error| Reply::Refused { error });
         serde_json::to_string(&reply).expect("a reply is plain data")

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use serde_json::{Map, Value as Json};
 
 use super::Grader;
@@ -14,11 +14,10 @@ use crate::math::Display;
 use crate::message::Language;
 use crate::seed::Variant;
 use crate::solution::Solution;
+use crate::source::{Fields, FromJson, Misfit, named};
 use crate::worksheet::{Heading, headings};
 
 /// One request.
-#[derive(Deserialize)]
-#[serde(tag = "do", rename_all = "lowercase", deny_unknown_fields)]
 pub(super) enum Request {
     /// A variant that is fit to be asked.
     Choose { question: usize, from: u64 },
@@ -37,7 +36,6 @@ pub(super) enum Request {
         code: String,
         part: String,
         response: String,
-        #[serde(default)]
         earlier: Map<String, Json>,
     },
     /// One hint.
@@ -53,6 +51,70 @@ pub(super) enum Request {
         code: String,
         part: String,
     },
+}
+
+/// What is asked for.
+#[derive(Clone, Copy)]
+enum Do {
+    Choose,
+    Show,
+    Read,
+    Mark,
+    Hint,
+    Solve,
+}
+
+named!(Do, "`choose`, `show`, `read`, `mark`, `hint` or `solve`", {
+    "choose" => Choose,
+    "show" => Show,
+    "read" => Read,
+    "mark" => Mark,
+    "hint" => Hint,
+    "solve" => Solve,
+});
+
+impl FromJson for Request {
+    fn from_json(json: Json) -> Result<Self, Misfit> {
+        let mut fields = Fields::of(json)?;
+        let what = fields.take("do")?;
+        let question = fields.take("question")?;
+        let request = match what {
+            Do::Choose => Self::Choose {
+                question,
+                from: fields.take("from")?,
+            },
+            Do::Show => Self::Show {
+                question,
+                code: fields.take("code")?,
+            },
+            Do::Read => Self::Read {
+                question,
+                code: fields.take("code")?,
+                part: fields.take("part")?,
+                response: fields.take("response")?,
+            },
+            Do::Mark => Self::Mark {
+                question,
+                code: fields.take("code")?,
+                part: fields.take("part")?,
+                response: fields.take("response")?,
+                earlier: fields.optional("earlier")?.unwrap_or_default(),
+            },
+            Do::Hint => Self::Hint {
+                question,
+                code: fields.take("code")?,
+                part: fields.take("part")?,
+                number: fields.take("number")?,
+            },
+            Do::Solve => Self::Solve {
+                question,
+                code: fields.take("code")?,
+                part: fields.take("part")?,
+            },
+        };
+        fields.finish()?;
+        Ok(request)
+    }
 }
 
 /// What is replied, a variant for each request.

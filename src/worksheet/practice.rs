@@ -3,7 +3,8 @@
 //! It is written as lines of JSON, so that a page can be opened before its items are read: the first
 //! line says what there is, each further one is an item.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
+use serde_json::Value as Json;
 
 use crate::answer::Doubt;
 #[cfg(feature = "render")]
@@ -12,9 +13,10 @@ use crate::bank::{Compiled, ItemId, Part, Template};
 use crate::document::Document;
 use crate::numerics::Rational;
 use crate::scene::Data;
+use crate::source::{Fields, FromJson, Misfit, deserialize};
 
 /// What a page offers.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Practice {
     /// Version of the program that wrote it; the module that reads it is of the same.
     pub program: String,
@@ -27,10 +29,9 @@ pub struct Practice {
     /// Decimal sign.
     pub decimal: char,
     /// What becomes of answers with two readings.
-    #[serde(default)]
     pub doubt: Doubt,
     /// What an answer in the other form is worth; the items decide where this is none.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub other_form: Option<f64>,
     /// Data as numbers or symbols.
     pub data: Data,
@@ -39,7 +40,7 @@ pub struct Practice {
 }
 
 /// A question, before its data are drawn.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PracticeQuestion {
     /// Its item.
     pub item: ItemId,
@@ -56,10 +57,10 @@ pub struct PracticeQuestion {
     /// Expected working time.
     pub minutes: u32,
     /// The parts and groups that are asked; all if empty.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub parts: Vec<String>,
     /// Data that are fixed.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub set: Vec<(String, String)>,
     /// What its parts are worth, which only courses ask about.
     #[serde(skip)]
@@ -250,5 +251,42 @@ impl Practice {
             message: error.to_string(),
         })?;
         Ok((practice, lines.collect()))
+    }
+}
+
+deserialize!(Practice);
+
+impl FromJson for Practice {
+    fn from_json(json: Json) -> Result<Self, Misfit> {
+        let mut fields = Fields::of(json)?;
+        Ok(Self {
+            program: fields.take("program")?,
+            title: fields.take("title")?,
+            instructions: fields.take("instructions")?,
+            language: fields.take("language")?,
+            decimal: fields.take("decimal")?,
+            doubt: fields.optional("doubt")?.unwrap_or_default(),
+            other_form: fields.optional("other_form")?,
+            data: fields.take("data")?,
+            questions: fields.take("questions")?,
+        })
+    }
+}
+
+impl FromJson for PracticeQuestion {
+    fn from_json(json: Json) -> Result<Self, Misfit> {
+        let mut fields = Fields::of(json)?;
+        Ok(Self {
+            item: fields.take("item")?,
+            place: fields.take("place")?,
+            title: fields.take("title")?,
+            chapter: fields.take("chapter")?,
+            topics: fields.take("topics")?,
+            level: fields.take("level")?,
+            minutes: fields.take("minutes")?,
+            parts: fields.optional("parts")?.unwrap_or_default(),
+            set: fields.optional("set")?.unwrap_or_default(),
+            weights: Vec::new(),
+        })
     }
 }
