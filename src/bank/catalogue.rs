@@ -1,6 +1,7 @@
 //! The catalogue: all items of a bank.
 
 use std::collections::BTreeMap;
+use std::fmt;
 use std::sync::{Arc, OnceLock};
 
 use sha2::{Digest, Sha256};
@@ -32,11 +33,26 @@ pub struct Catalogue {
 #[derive(Debug)]
 pub(super) struct Entry {
     pub(super) id: ItemId,
-    pub(super) source: Source,
+    pub(super) file: File,
     /// Made out when it is asked for: a digest of all items takes longer than reading one.
-    revision: OnceLock<Revision>,
+    pub(super) revision: OnceLock<Revision>,
     reading: OnceLock<Reading>,
 }
+
+/// Where the text of an item is.
+pub(super) enum File {
+    /// At hand.
+    Text(Source),
+    /// In a file that is opened when its item is asked for.
+    #[cfg_attr(
+        not(feature = "render"),
+        expect(dead_code, reason = "folders belong to the command line")
+    )]
+    Unopened { path: Arc<str>, open: Arc<Open> },
+}
+
+/// Opens the file at a path inside the bank: its text, or why there is none.
+pub type Open = dyn Fn(&str) -> Result<String, Box<Finding>> + Send + Sync;
 
 #[derive(Debug, Default)]
 pub(super) struct Reading {
@@ -47,10 +63,10 @@ pub(super) struct Reading {
 
 #[cfg(feature = "render")]
 impl Entry {
-    pub(super) fn new(id: ItemId, source: &Source) -> Self {
+    pub(super) fn new(id: ItemId, file: File) -> Self {
         Self {
             id,
-            source: source.clone(),
+            file,
             revision: OnceLock::new(),
             reading: OnceLock::new(),
         }
@@ -58,10 +74,38 @@ impl Entry {
 }
 
 impl Entry {
+    /// The revision of its text; one that cannot be read has that of no text.
     pub(super) fn revision(&self) -> Revision {
-        *self
-            .revision
-            .get_or_init(|| Revision::of(&self.source.text))
+        *self.revision.get_or_init(|| {
+            let source = self.file.source();
+            Revision::of(source.as_ref().map_or("", |source| &source.text))
+        })
+    }
+}
+
+impl File {
+    /// Its text; a file is opened each time.
+    pub(super) fn source(&self) -> Result<Source, Box<Finding>> {
+        match self {
+            Self::Text(source) => Ok(source.clone()),
+            Self::Unopened { path, open } => Ok(Source::new(Arc::clone(path), open(path)?)),
+        }
+    }
+
+    /// The file, for a finding that says nothing of its text.
+    #[cfg(feature = "render")]
+    pub(super) fn named(&self) -> Source {
+        match self {
+            Self::Text(source) => source.clone(),
+            Self::Unopened { path, .. } => Source::new(Arc::clone(path), ""),
+        }
+    }
+}
+
+impl fmt::Debug for File {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (Self::Text(Source { path, .. }) | Self::Unopened { path, .. }) = self;
+        formatter.write_str(path)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::catalogue::File;
 use super::{Catalogue, ItemId, Revision, Template};
 
 /// What a list shows of an item, and what items are chosen by.
@@ -83,10 +84,17 @@ impl Catalogue {
             .extend(rows.into_iter().map(|row| (row.id.clone(), row)));
     }
 
-    /// What a list shows of an item whose row is known; another one has to be read for it.
+    /// What a list shows of an item whose row is known; another one has to be read for it. No file is opened for that: a row
+    /// counts until its item is read and turns out to have another text.
     pub fn listing(&self, id: &ItemId) -> Option<&Listing> {
         let row = self.listings.get(id)?;
         let entry = &self.entries[*self.by_id.get(id.as_str())?];
-        (entry.revision() == row.revision).then_some(row)
+        let revision = match entry.file {
+            File::Text(_) => Some(entry.revision()),
+            File::Unopened { .. } => entry.revision.get().copied(),
+        };
+        revision
+            .is_none_or(|revision| revision == row.revision)
+            .then_some(row)
     }
 }

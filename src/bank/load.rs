@@ -1,8 +1,10 @@
 //! A bank from the texts of its files.
 
-use super::catalogue::{Catalogue, Entry, Reading};
+use std::sync::Arc;
+
+use super::catalogue::{Catalogue, Entry, File, Open, Reading};
 use super::folder::{BankFile, Chapter};
-use super::{ItemId, bounds, read};
+use super::{ItemId, Revision, bounds, read};
 use crate::diagnostic::{Code, Diagnose, Finding, Label, Severity};
 use crate::source::{Problems, Source, toml};
 
@@ -35,6 +37,20 @@ impl Catalogue {
 
     /// Takes the files of a bank, each with its path inside the bank, and reads those that are no items.
     pub fn open<'f>(files: impl IntoIterator<Item = (&'f str, &'f str)>) -> (Self, Vec<Finding>) {
+        Self::open_beside(
+            files,
+            [],
+            &(Arc::new(|_: &str| Ok(String::new())) as Arc<Open>),
+        )
+    }
+
+    /// The same beside items whose files, at these paths inside the bank, are not opened before somebody asks for them,
+    /// and anew each time.
+    pub fn open_beside<'f>(
+        files: impl IntoIterator<Item = (&'f str, &'f str)>,
+        unopened: impl IntoIterator<Item = ItemId>,
+        open: &Arc<Open>,
+    ) -> (Self, Vec<Finding>) {
         let mut sources: Vec<Source> = files
             .into_iter()
             .map(|(path, text)| Source::new(path, text))
@@ -56,6 +72,12 @@ impl Catalogue {
         for source in &sources {
             catalogue.add(source, &mut findings);
         }
+        let unopened = unopened.into_iter().map(|id| {
+            let path = format!("{id}.toml").into();
+            let open = Arc::clone(open);
+            Entry::new(id, File::Unopened { path, open })
+        });
+        catalogue.entries.extend(unopened);
         catalogue.arrange(&mut findings);
         Finding::sort(&mut findings);
         (catalogue, findings)
@@ -106,7 +128,9 @@ impl Catalogue {
             self.chapters.push(chapter);
         } else if &*source.path != "bank.toml" {
             match ItemId::of_path(&source.path) {
-                Some(id) => self.entries.push(Entry::new(id, source)),
+                Some(id) => self
+                    .entries
+                    .push(Entry::new(id, File::Text(source.clone()))),
                 None => findings.push(Finding::of(
                     &FolderError::Path(source.path.to_string()),
                     source,
@@ -141,27 +165,38 @@ impl Catalogue {
             .filter(|entry| place(&entry.id).is_none())
         {
             let error = FolderError::NoChapterFile(entry.id.chapter().to_owned());
-            findings.push(Finding::of(&error, &entry.source));
+            findings.push(Finding::of(&error, &entry.file.named()));
         }
     }
 }
 
 /// Reads the file of an item.
 pub(super) fn read(entry: &Entry, bank: Option<&BankFile>) -> Reading {
-    let found = entry.source.text.len();
+    let source = match entry.file.source() {
+        Ok(source) => source,
+        Err(finding) => {
+            return Reading {
+                template: None,
+                findings: vec![*finding],
+            };
+        }
+    };
+    let found = source.text.len();
     if found > bounds::LARGEST_FILE {
         let excess = bounds::Excess::File { found };
         return Reading {
             template: None,
-            findings: vec![Finding::of(&excess, &entry.source)],
+            findings: vec![Finding::of(&excess, &source)],
         };
     }
+    // That of the text which is read: the file may be another by the time somebody asks for it.
+    let revision = *entry.revision.get_or_init(|| Revision::of(&source.text));
     let problems = Problems::default();
     let item = read::Item {
         id: entry.id.clone(),
-        revision: entry.revision(),
-        source: &entry.source,
-        tree: &toml::read(&entry.source, &problems),
+        revision,
+        source: &source,
+        tree: &toml::read(&source, &problems),
         topics: bank.map(|bank| &bank.topics),
     };
     let (template, findings) = read::item(item, &problems, &mut read::Parsers);

@@ -25,7 +25,7 @@ mod rule;
 mod template;
 
 pub use about::About;
-pub use catalogue::Catalogue;
+pub use catalogue::{Catalogue, Open};
 pub use compiled::{Compiled, CompiledError};
 #[cfg(feature = "render")]
 pub use embedded::embedded;

@@ -1,12 +1,15 @@
 //! The bank that a command works on: the one that comes with the program, or a folder.
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use rayon::prelude::*;
-use vibank::bank::{Catalogue, ItemId, Listing, embedded};
+use vibank::bank::{Catalogue, ItemId, Listing, Open, embedded};
 use vibank::diagnostic::{Finding, Severity};
 use vibank::source::{Problem, Source, Span};
 
+use super::index::{Index, Stamp};
 use super::report::Reporter;
 use super::{Failure, Outcome, files};
 
@@ -16,24 +19,23 @@ pub(crate) struct BankArgument {
     /// A folder with a bank of your own, in place of the one that comes with the program.
     #[arg(long, value_name = "FOLDER")]
     bank: Option<PathBuf>,
+    /// Read all items of the folder anew, and keep no index of it.
+    #[arg(long, requires = "bank")]
+    no_index: bool,
 }
 
 impl BankArgument {
-    /// The catalogue and all findings.
-    fn load(&self) -> Result<(Catalogue, Vec<Finding>), Failure> {
-        let (catalogue, mut findings) = self.open(&[])?;
-        read_all(&catalogue);
-        findings.append(&mut catalogue.findings());
-        Finding::sort(&mut findings);
-        Ok((catalogue, findings))
-    }
-
-    /// The catalogue, of which no item is read, and what is wrong with the other files. What a list shows of the bank that
-    /// comes with the program is known without reading it.
+    /// The catalogue, of which no item is read that is known, and what is wrong with the files that are no items. What a
+    /// list shows is known of the bank that comes with the program, and of a folder by its index.
     pub(crate) fn unread(&self) -> Result<(Catalogue, Vec<Finding>), Failure> {
-        let (mut catalogue, findings) = self.open(&[])?;
+        let found = self.found()?;
+        let (mut catalogue, findings) = open(&found, &[]);
         if self.bank.is_none() {
             catalogue.know(Listing::embedded());
+        } else if let Some(mut index) = self.index(&found) {
+            look(&catalogue, &found, &mut index);
+            catalogue.know(index.listings(&found.items));
+            index.save(&found.items);
         }
         Ok((catalogue, findings))
     }
@@ -44,49 +46,99 @@ impl BankArgument {
         &self,
         further: &[(String, String)],
     ) -> Result<(Catalogue, Vec<Finding>), Failure> {
-        let mut found = Found::default();
-        if let Some(folder) = &self.bank {
-            found.collect(folder, "")?;
-        }
-        let embedded = if self.bank.is_none() {
-            embedded()
-        } else {
-            Vec::new()
-        };
-        let own = found
-            .texts
-            .iter()
-            .map(|(path, text)| (path.as_str(), text.as_str()));
-        let known: Vec<(&str, &str)> = embedded
-            .into_iter()
-            .chain(own)
-            .filter(|(path, _)| further.iter().all(|(given, _)| given != path))
-            .collect();
-        let chapters: Vec<String> = further
-            .iter()
-            .filter_map(|(path, _)| Some(format!("{}/_chapter.toml", path.split_once('/')?.0)))
-            .filter(|chapter| known.iter().all(|(path, _)| path != chapter))
-            .collect();
-        let chapters = chapters.iter().map(|path| (path.as_str(), CHAPTER));
-        let further = further
-            .iter()
-            .map(|(path, text)| (path.as_str(), text.as_str()));
-        let texts = known.into_iter().chain(chapters).chain(further);
-        let (catalogue, mut findings) = Catalogue::open(texts);
-        findings.append(&mut found.unreadable);
-        Ok((catalogue, findings))
+        Ok(open(&self.found()?, further))
     }
 
-    /// The catalogue, its items to be read when they are asked for. Those of a folder are read at once: errors in them are
-    /// told in one line, since they hide items.
+    /// The catalogue, its items to be read when they are asked for. Errors in a folder are told in one line, since they
+    /// hide items: those that its index does not know are read for it.
     pub(crate) fn catalogue(&self) -> Result<Catalogue, Failure> {
+        let found = self.found()?;
+        let (catalogue, mut findings) = open(&found, &[]);
         if self.bank.is_none() {
-            return Ok(self.open(&[])?.0);
+            return Ok(catalogue);
         }
-        let (catalogue, findings) = self.load()?;
-        warn(errors(&findings));
+        if let Some(mut index) = self.index(&found) {
+            let further = look(&catalogue, &found, &mut index);
+            index.save(&found.items);
+            warn(errors(&findings) + further);
+        } else {
+            read_all(&catalogue);
+            findings.append(&mut catalogue.findings());
+            warn(errors(&findings));
+        }
         Ok(catalogue)
     }
+
+    fn found(&self) -> Result<Found, Failure> {
+        let mut found = Found::default();
+        match &self.bank {
+            Some(folder) => {
+                found.folder.clone_from(folder);
+                found.collect(folder, "")?;
+            }
+            None => {
+                let files = embedded().into_iter();
+                found.texts = files
+                    .map(|(path, text)| (path.to_owned(), Cow::Borrowed(text)))
+                    .collect();
+            }
+        }
+        Ok(found)
+    }
+
+    fn index(&self, found: &Found) -> Option<Index> {
+        let mut texts = found.texts.iter();
+        let bank = texts.find(|(path, _)| path == "bank.toml");
+        (!self.no_index)
+            .then(|| Index::of(&found.folder, bank.map_or("", |(_, text)| text)))
+            .flatten()
+    }
+}
+
+/// The catalogue of what was found, with further files.
+fn open(found: &Found, further: &[(String, String)]) -> (Catalogue, Vec<Finding>) {
+    let is_given = |path: &str| further.iter().any(|(given, _)| given == path);
+    let texts = found.texts.iter();
+    let known: Vec<(&str, &str)> = texts
+        .map(|(path, text)| (path.as_str(), text.as_ref()))
+        .filter(|(path, _)| !is_given(path))
+        .collect();
+    let chapters: Vec<String> = further
+        .iter()
+        .filter_map(|(path, _)| Some(format!("{}/_chapter.toml", path.split_once('/')?.0)))
+        .filter(|chapter| known.iter().all(|(path, _)| path != chapter))
+        .collect();
+    let chapters = chapters.iter().map(|path| (path.as_str(), CHAPTER));
+    let given = further.iter();
+    let given = given.map(|(path, text)| (path.as_str(), text.as_str()));
+    let texts = known.into_iter().chain(chapters).chain(given);
+    let items = found.items.iter().map(|(id, _)| id);
+    let items = items.filter(|id| further.is_empty() || !is_given(&format!("{id}.toml")));
+    let folder = found.folder.clone();
+    let opened: Arc<Open> = Arc::new(move |path: &str| text(&folder.join(path), path));
+    let (catalogue, mut findings) = Catalogue::open_beside(texts, items.cloned(), &opened);
+    findings.extend(found.unreadable.iter().cloned());
+    (catalogue, findings)
+}
+
+/// Reads the items of a folder that its index does not know, on all cores, and notes them; how many errors they have.
+fn look(catalogue: &Catalogue, found: &Found, index: &mut Index) -> usize {
+    let unknown = found.items.iter();
+    let unknown: Vec<&ItemId> = unknown
+        .filter(|(id, stamp)| !index.knows(id, stamp))
+        .map(|(id, _)| id)
+        .collect();
+    let looked = unknown.par_iter().map(|id| {
+        let (item, findings) = catalogue.read_apart(id);
+        (item.as_ref().map(Listing::of), errors(&findings))
+    });
+    let looked: Vec<(Option<Listing>, usize)> = looked.collect();
+    for (listing, errors) in &looked {
+        if let (Some(listing), 0) = (listing, errors) {
+            index.note(listing);
+        }
+    }
+    looked.iter().map(|(_, errors)| errors).sum()
 }
 
 /// How many findings are errors.
@@ -138,16 +190,20 @@ const CHAPTER: &str = "title = \"Files\"\nnumber = 99\n";
 /// The TOML files of a folder.
 #[derive(Default)]
 struct Found {
-    /// Each with its path inside the folder.
-    texts: Vec<(String, String)>,
-    /// Those that are no text; they do not hide the others.
+    folder: PathBuf,
+    /// What is no item, each with its path inside the folder; of the bank that comes with the program, everything.
+    texts: Vec<(String, Cow<'static, str>)>,
+    /// Items, which are not opened yet.
+    items: Vec<(ItemId, Stamp)>,
+    /// What is no text; it does not hide the others.
     unreadable: Vec<Finding>,
 }
 
 impl Found {
     /// The TOML files below a folder that stands at `inside`; what is hidden is left out.
     fn collect(&mut self, folder: &Path, inside: &str) -> Result<(), Failure> {
-        const MOST_FILES: usize = 10_000;
+        // Each takes some hundred bytes of memory.
+        const MOST_FILES: usize = 100_000;
         let fail = |error: std::io::Error| {
             Failure::new(format!("cannot read `{}`: {error}", folder.display()))
         };
@@ -155,7 +211,7 @@ impl Found {
             .map_err(fail)?
             .collect::<Result<Vec<_>, _>>()
             .map_err(fail)?;
-        entries.sort_by_key(std::fs::DirEntry::file_name);
+        entries.sort_by_cached_key(std::fs::DirEntry::file_name);
         for entry in entries {
             let name = entry.file_name().to_string_lossy().into_owned();
             let path = if inside.is_empty() {
@@ -167,9 +223,21 @@ impl Found {
             if kind.is_dir() && !name.starts_with('.') && path.matches('/').count() < 3 {
                 self.collect(&entry.path(), &path)?;
             } else if kind.is_file() && name.ends_with(".toml") {
-                self.add(path, files::read_bytes(&entry.path())?);
+                match ItemId::of_path(&path) {
+                    // A file that is gone by now is missed when it is opened.
+                    Some(id) => self.items.push((
+                        id,
+                        entry
+                            .metadata()
+                            .map_or_else(|_| Stamp::default(), |metadata| Stamp::of(&metadata)),
+                    )),
+                    None => match text(&entry.path(), &path) {
+                        Ok(text) => self.texts.push((path, text.into())),
+                        Err(finding) => self.unreadable.push(*finding),
+                    },
+                }
             }
-            if self.texts.len() > MOST_FILES {
+            if self.texts.len() + self.items.len() > MOST_FILES {
                 return Err(Failure::new(format!(
                     "`{}` has more than {MOST_FILES} files",
                     folder.display()
@@ -178,14 +246,20 @@ impl Found {
         }
         Ok(())
     }
+}
 
-    fn add(&mut self, path: String, bytes: Vec<u8>) {
-        match String::from_utf8(bytes) {
-            Ok(text) => self
-                .texts
-                .push((path, text.trim_start_matches('\u{feff}').to_owned())),
-            Err(error) => self.unreadable.push(no_text(path, error.as_bytes())),
-        }
+/// The text of a file of a bank, which has a path inside it.
+fn text(file: &Path, path: &str) -> Result<String, Box<Finding>> {
+    let bytes = files::read_bytes(file).map_err(|failure| {
+        let problem = Problem::Syntax {
+            message: failure.to_string(),
+            span: Span::NONE,
+        };
+        Box::new(Finding::of(&problem, &Source::new(path, "")))
+    })?;
+    match String::from_utf8(bytes) {
+        Ok(text) => Ok(text.trim_start_matches('\u{feff}').to_owned()),
+        Err(error) => Err(Box::new(no_text(path.to_owned(), error.as_bytes()))),
     }
 }
 

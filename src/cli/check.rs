@@ -54,6 +54,8 @@ struct Wanted {
     items: Vec<String>,
     blueprints: Vec<Source>,
     is_all: bool,
+    /// The items that are named in full: a longer name that begins alike is not meant.
+    exact: Vec<String>,
 }
 
 impl Wanted {
@@ -75,6 +77,7 @@ impl Wanted {
             items,
             blueprints,
             is_all: names.is_empty(),
+            exact: Vec::new(),
         })
     }
 
@@ -85,13 +88,21 @@ impl Wanted {
 
     /// Whether a file of the bank is to be looked over.
     fn wants(&self, path: &str) -> bool {
-        let wanted = |item: &String| path.contains(inside(item).trim_end_matches(".toml"));
+        let wanted = |item: &String| {
+            let name = inside(item);
+            let name = name.trim_end_matches(".toml");
+            if self.exact.iter().any(|exact| exact == name) {
+                path.strip_suffix(".toml") == Some(name)
+            } else {
+                path.contains(name)
+            }
+        };
         self.is_all || self.items.iter().any(wanted)
     }
 
     /// The bank with the files that are named added to it, of which the items that are wanted are read, and what is wrong
     /// with these and with the files around them; a name that leads to nothing is misuse.
-    fn load(&self, bank: &BankArgument) -> Result<(Catalogue, Vec<Finding>), Failure> {
+    fn load(&mut self, bank: &BankArgument) -> Result<(Catalogue, Vec<Finding>), Failure> {
         let files: Vec<&Path> = self.items.iter().map(Path::new).collect();
         let files = files.into_iter().filter(|file| file.is_file());
         let texts = files.map(|file| {
@@ -109,6 +120,9 @@ impl Wanted {
         };
         match self.items.iter().find(|item| !is_known(item)) {
             None => {
+                let names = self.items.iter().map(|item| inside(item));
+                let names = names.map(|name| name.trim_end_matches(".toml").to_owned());
+                self.exact = names.filter(|name| catalogue.has(name)).collect();
                 let ids: Vec<&ItemId> = catalogue.ids().collect();
                 ids.par_iter()
                     .filter(|id| self.wants_item(id))
@@ -205,7 +219,7 @@ fn look_over(catalogue: &Catalogue, wanted: &Wanted, arguments: &Arguments) -> V
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let wanted = Wanted::of(&arguments.items)?;
+    let mut wanted = Wanted::of(&arguments.items)?;
     let (catalogue, mut findings) = wanted.load(&arguments.bank)?;
     let (mut surveys, mut examined) = (Vec::new(), Vec::new());
     for looked in look_over(&catalogue, &wanted, arguments) {

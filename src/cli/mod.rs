@@ -43,6 +43,7 @@ mod forget;
 )]
 pub mod fuzz;
 mod grade;
+mod index;
 mod lines;
 mod list;
 mod mark;

@@ -128,6 +128,7 @@ impl Known {
 fn start(arguments: &[String]) -> Child {
     Command::new(env!("CARGO_BIN_EXE_vibank"))
         .args(arguments)
+        .env("VIBANK_CACHE", "")
         .stdin(Stdio::null())
         .stdout(Stdio::null())
         .stderr(Stdio::null())
@@ -218,6 +219,7 @@ fn without_room(blocks: u32, arguments: &[String]) -> Ran {
     let output = Command::new("sh")
         .args(["-c", &script, env!("CARGO_BIN_EXE_vibank")])
         .args(arguments)
+        .env("VIBANK_CACHE", "")
         .output()
         .expect("a shell");
     Ran {

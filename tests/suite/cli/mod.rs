@@ -8,6 +8,7 @@ mod golden;
 mod grading;
 mod groups;
 mod hostile;
+mod index;
 mod practice;
 mod press;
 mod privacy;
@@ -106,6 +107,8 @@ fn run_with(variables: &[(&str, &str)], arguments: &[&str]) -> Ran {
 fn started(variables: &[(&str, &str)], arguments: &[&str], input: Vec<u8>) -> Ran {
     let mut child = Command::new(env!("CARGO_BIN_EXE_vibank"))
         .args(arguments)
+        // No test leaves anything with the user.
+        .env("VIBANK_CACHE", "")
         .envs(variables.iter().copied())
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())

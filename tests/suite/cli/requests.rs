@@ -268,6 +268,7 @@ fn who_waits_for_a_reply_gets_it() {
     for command in ["mark", "solve"] {
         let mut child = Command::new(env!("CARGO_BIN_EXE_vibank"))
             .args([command, "--jsonl", "--bank", BANK])
+            .env("VIBANK_CACHE", "")
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .spawn()

@@ -283,7 +283,7 @@ fn a_reader_that_leaves_is_no_failure() {
         &["list", "--bank", BANK],
     ] {
         let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_vibank"));
-        let command = command.args(arguments);
+        let command = command.args(arguments).env("VIBANK_CACHE", "");
         let command = command
             .stdout(std::process::Stdio::piped())
             .stderr(std::process::Stdio::piped());

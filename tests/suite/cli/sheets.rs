@@ -312,6 +312,7 @@ fn a_run_that_was_killed_is_gone_on_with() {
         let arguments = [&["sheet", &plan, "--out", &place, "--bank", BANK], more].concat();
         let mut child = Command::new(env!("CARGO_BIN_EXE_vibank"))
             .args(&arguments)
+            .env("VIBANK_CACHE", "")
             .stdout(Stdio::null())
             .stderr(Stdio::null())
             .spawn()

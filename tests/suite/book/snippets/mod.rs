@@ -140,6 +140,7 @@ fn run(place: &Path, line: &str) -> Result<String, String> {
             format!("{}:{path}", program.parent().unwrap().display()),
         )
         .env("NO_COLOR", "1")
+        .env("VIBANK_CACHE", "")
         .output()
         .map_err(|error| error.to_string())?;
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
