@@ -38,6 +38,8 @@ mod page;
 mod physics;
 #[cfg(feature = "render")]
 mod plots;
+#[cfg(feature = "cli")]
+mod prose;
 #[cfg(feature = "render")]
 mod protocol;
 #[cfg(feature = "render")]

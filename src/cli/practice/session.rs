@@ -22,6 +22,8 @@ pub(super) struct Session {
     right: usize,
     right_at_once: usize,
     asked: usize,
+    /// Whether what comes before the solutions of the parts of this exercise is still to be shown.
+    is_principle_due: bool,
 }
 
 /// Where to go on after a part or an exercise.
@@ -59,6 +61,7 @@ impl Session {
             right: 0,
             right_at_once: 0,
             asked: 0,
+            is_principle_due: true,
         }
     }
 
@@ -86,6 +89,7 @@ impl Session {
     pub(super) fn exercise(&mut self, solution: &Solution<'_>) -> Result<End, Failure> {
         let template = solution.template();
         let scene = Scene::of(solution, Data::Both).in_words();
+        self.is_principle_due = !template.solution.is_empty();
         Screen::gap();
         self.screen.say(Tone::Bold, "", &template.about.title);
         self.screen
@@ -221,7 +225,7 @@ impl Session {
         }
     }
 
-    fn solution(&self, scene: &Scene<'_, '_>, part: &Part, place: usize) {
+    fn solution(&mut self, scene: &Scene<'_, '_>, part: &Part, place: usize) {
         match scene.key(place) {
             Ok(Some(key)) => {
                 let words = format!("= {}", key.plain());
@@ -229,6 +233,10 @@ impl Session {
             }
             Ok(None) => {}
             Err(absent) => self.screen.say(Tone::Plain, "   ", &absent.to_string()),
+        }
+        if std::mem::take(&mut self.is_principle_due) {
+            let principle = passage(scene, &scene.solution().template().solution);
+            self.screen.say(Tone::Plain, "   ", &principle);
         }
         for worked in part.worked() {
             self.screen.say(Tone::Plain, "   ", &passage(scene, worked));

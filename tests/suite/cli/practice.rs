@@ -77,3 +77,19 @@ fn what_is_typed_cannot_steer_the_terminal() {
         ran.out
     );
 }
+
+#[test]
+fn what_comes_before_the_solutions_of_the_parts_is_shown_with_the_first_of_them() {
+    let item = ["practice", "ch2/p4-disk-on-incline", "--seed", "1"];
+    let shown = |answers: &str| {
+        let ran = fed(&item, answers.into()).ends(0);
+        let words: Vec<&str> = ran.out.split_whitespace().collect();
+        let words = words.join(" ");
+        words
+            .matches("the disk turns about the contact point")
+            .count()
+    };
+    assert_eq!(shown("quit\n"), 0);
+    assert_eq!(shown(">\n!\nquit\n"), 1);
+    assert_eq!(shown("!\n!\n!\nquit\n"), 1);
+}
