@@ -4,7 +4,7 @@ use super::parser::{Parser, Result, number};
 use super::token::Item;
 use super::vocabulary::Powered;
 use super::{Trouble, TypedError};
-use crate::expr::{Expr, Function, Kind, Operator};
+use crate::expr::{Constant, Expr, Function, Kind, Operator};
 use crate::numerics::Rational;
 use crate::source::Span;
 
@@ -81,34 +81,38 @@ impl Parser<'_> {
         })
     }
 
-    /// `pow(base, exponent)`, `cbrt(base)`.
+    /// `pow(base, exponent)`, `cbrt(base)`, `root(base)`, `nthroot(base, degree)`.
     pub(super) fn powered(&mut self, powered: Powered, span: Span) -> Result<Expr> {
-        let (name, due) = match powered {
-            Powered::Any => ("pow", 2),
-            Powered::CubeRoot => ("cbrt", 1),
+        let (name, least, most) = match powered {
+            Powered::Any => ("pow", 2, 2),
+            Powered::CubeRoot => ("cbrt", 1, 1),
+            Powered::Root => ("root", 1, 2),
+            Powered::Complex => ("complex", 2, 2),
         };
+        let whole = |value| Expr::new(number(value), span);
         let mut arguments = self.listed()?.into_iter();
-        match (arguments.next(), arguments.next(), arguments.next()) {
-            (Some(base), Some(exponent), None) if due == 2 => {
-                Self::binary(Operator::Power, base, exponent)
+        let found = (arguments.next(), arguments.next(), arguments.next());
+        let (base, degree) = match (powered, found) {
+            (Powered::Any, (Some(base), Some(exponent), None)) => {
+                return Self::binary(Operator::Power, base, exponent);
             }
-            (Some(base), None, None) if due == 1 => {
-                let third = Self::binary(
-                    Operator::Divide,
-                    Expr::new(number(1), span),
-                    Expr::new(number(3), span),
-                )?;
-                Self::binary(Operator::Power, base, third)
+            (Powered::Complex, (Some(real), Some(imaginary), None)) => {
+                let unit = Expr::new(Kind::Constant(Constant::ImaginaryUnit), span);
+                let imaginary = Self::binary(Operator::Multiply, unit, imaginary)?;
+                return Self::binary(Operator::Add, real, imaginary);
             }
-            _ => Err(TypedError {
-                trouble: Trouble::Arguments {
-                    name,
-                    least: due,
-                    most: due,
-                },
-                span,
-            }),
-        }
+            (Powered::Root, (Some(base), None, None)) => {
+                return Ok(Expr::new(Kind::Call(Function::Sqrt, vec![base]), span));
+            }
+            (Powered::Root, (Some(base), Some(degree), None)) => (base, degree),
+            (Powered::CubeRoot, (Some(base), None, None)) => (base, whole(3)),
+            _ => {
+                let trouble = Trouble::Arguments { name, least, most };
+                return Err(TypedError { trouble, span });
+            }
+        };
+        let exponent = Self::binary(Operator::Divide, whole(1), degree)?;
+        Self::binary(Operator::Power, base, exponent)
     }
 
     fn arguments(&mut self, function: Function) -> Result<Vec<Expr>> {
@@ -210,6 +214,9 @@ impl Parser<'_> {
                 if is_sign || !unit.dimension().is_pure() {
                     break;
                 }
+                let angle = self.power()?;
+                argument = Self::binary(Operator::Multiply, argument, angle)?;
+                continue;
             }
             let is_tight = self.is_tight();
             let by_rule = match self.item() {

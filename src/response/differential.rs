@@ -5,6 +5,20 @@ use super::letters::{Letters, greek_word};
 /// Reads a quotient of differentials at a place: spelling of the name, order, end.
 pub(super) fn leibniz(text: &str, at: usize) -> Option<(String, u8, usize)> {
     let mut scanner = Differentials { text, at };
+    // `(d^2 x)/(d t^2)`.
+    if scanner.take("(") {
+        scanner.differential()?;
+        let order = scanner.order();
+        let spelling = scanner.name()?;
+        let is_whole = scanner.take(")")
+            && scanner.take("/")
+            && scanner.take("(")
+            && scanner.differential().is_some()
+            && scanner.take("t")
+            && scanner.order() == order
+            && scanner.take(")");
+        return is_whole.then_some((spelling, order, scanner.at));
+    }
     let is_fraction = scanner.fraction();
     scanner.differential()?;
     let order = scanner.order();
@@ -195,21 +209,21 @@ impl Differentials<'_> {
         if is_second { 2 } else { 1 }
     }
 
-    /// A name up to the slash or brace.
+    /// A name up to the slash, brace or bracket.
     fn name(&mut self) -> Option<String> {
         const LONGEST: usize = 80;
         let rest = &self.text[self.at..];
         let mut depth = 0_usize;
         let is_end = |(_, char): &(usize, char)| match char {
-            '{' => {
+            '{' | '(' => {
                 depth += 1;
                 false
             }
-            '}' if depth > 0 => {
+            '}' | ')' if depth > 0 => {
                 depth -= 1;
                 false
             }
-            char => matches!(char, '/' | '}'),
+            char => matches!(char, '/' | '}' | ')'),
         };
         let (end, _) = rest.char_indices().take(LONGEST).find(is_end)?;
         let spelling = spelling(&rest[..end])?;

@@ -83,7 +83,7 @@ impl Lexer<'_> {
         };
         let takes_several = |token: &Token| match token.item {
             Item::Function(function) => function.arity().1 > 1,
-            Item::Powered(powered) => powered == Powered::Any,
+            Item::Powered(powered) => powered != Powered::CubeRoot,
             _ => false,
         };
         let Some(open) = self.tokens.iter().rposition(opens) else {

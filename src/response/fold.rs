@@ -300,7 +300,9 @@ impl Folder<'_> {
         if let Some((run, sign)) = RUNS.iter().find(|(run, _)| self.rest().starts_with(run)) {
             return self.write(sign, run.len());
         }
-        if let Some(plain) = of_char(char) {
+        // Only in what word processors draw as a matrix does it part rows.
+        let is_alone = char == '@' && !self.typed.contains('■');
+        if let Some(plain) = of_char(char).filter(|_| !is_alone) {
             return self.plain(plain, width);
         }
         let letter = unstyled(char);

@@ -52,6 +52,20 @@ pub(super) fn in_order(text: &str, labels: &[Option<Span>]) -> Result<(), TypedE
     Ok(())
 }
 
+/// The columns of a matrix whose entries have symbols with two indices, `K11 = 2k, K12 = -k, K21 = …`, row by row.
+pub(super) fn columns(text: &str, labels: &[Option<Span>]) -> Option<usize> {
+    let indices = |label: &Option<Span>| {
+        let number = number(&text[label.as_ref()?.range()])?;
+        (11..=99)
+            .contains(&number)
+            .then_some((number / 10, number % 10))
+    };
+    let places: Vec<(u32, u32)> = labels.iter().map(indices).collect::<Option<_>>()?;
+    let (rows, columns) = *places.last()?;
+    let due = (1..=rows).flat_map(|row| (1..=columns).map(move |column| (row, column)));
+    (rows > 1 && due.eq(places)).then_some(columns as usize)
+}
+
 /// The number in a symbol, `2` of `x_2` and `ω₂`; a ratio of symbols has none.
 fn number(label: &str) -> Option<u32> {
     let digit = |char: char| match char {

@@ -25,7 +25,8 @@ fn without_latex(text: &str) -> Cow<'_, str> {
     for (sign, bracket) in [("\\left", ""), ("\\right", ""), ("\\{", "{"), ("\\}", "}")] {
         plain = plain.replace(sign, &format!("{bracket:>0$}", sign.len()));
     }
-    if plain.contains("\\begin{") {
+    let has_bare_rows = plain.contains("\\\\") && plain.contains('&');
+    if plain.contains("\\begin{") || has_bare_rows {
         environments(&mut plain);
     }
     binomials(&mut plain);

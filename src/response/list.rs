@@ -2,7 +2,7 @@
 
 use super::behind::with_unit;
 use super::frame::{balanced, groups};
-use super::labels::in_order;
+use super::labels::{columns, in_order};
 use super::layout::{has_signed_gap, laid_out, spaced};
 use super::parser::Parser;
 use super::vocabulary::is_function;
@@ -233,6 +233,9 @@ impl Reader<'_> {
                 rows.push(read);
             }
             unit = common(&entry_units)?;
+            if let ([row], Some(columns)) = (&rows[..], columns(self.text, &labels)) {
+                rows = row.chunks(columns).map(<[Expr]>::to_vec).collect();
+            }
         }
         if rows.iter().map(Vec::len).sum::<usize>() > MOST_ENTRIES {
             return Err(TypedError {

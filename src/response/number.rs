@@ -18,6 +18,17 @@ fn with_certain_sign(text: &str) -> Option<String> {
     Some(format!("{whole}.{decimals}"))
 }
 
+/// A text that begins with a number in the way of Fortran, `1.58D+01`, with an `e` in it.
+fn with_exponent_sign(text: &str) -> Option<String> {
+    let behind = text.trim_start_matches(|char: char| char.is_ascii_digit() || ".,".contains(char));
+    let digits = &text[..text.len() - behind.len()];
+    let power = behind.strip_prefix(['D', 'd'])?;
+    let figures = power.strip_prefix(['+', '-']).unwrap_or(power);
+    let count = figures.bytes().take_while(u8::is_ascii_digit).count();
+    let ends = !figures[count..].starts_with(char::is_alphanumeric);
+    (!digits.is_empty() && (1..=3).contains(&count) && ends).then(|| format!("{digits}e{power}"))
+}
+
 impl Lexer<'_> {
     /// What is read otherwise among values than within a formula; whether it stands here.
     pub(super) fn value(&mut self, char: char) -> Result<bool, TypedError> {
@@ -111,7 +122,12 @@ impl Lexer<'_> {
                 from = at + word.len();
             }
         });
-        &rest[..word.min().unwrap_or(line).min(line)]
+        let text = &rest[..word.min().unwrap_or(line).min(line)];
+        // In `5 ∠ 53 deg ohm` the angle has its unit, and the whole has its own behind that.
+        match text.split_once(' ') {
+            Some((first, _)) if self.is_behind_angle() => first,
+            _ => text,
+        }
     }
 
     /// Takes the unit that stands here; whether one does.
@@ -123,6 +139,15 @@ impl Lexer<'_> {
             self.take(end, Item::Unit(Box::new(unit)));
         }
         end > 0
+    }
+
+    /// Whether a number stands before this place, and the sign of an angle before that.
+    fn is_behind_angle(&self) -> bool {
+        let mut before = self.tokens.iter().rev();
+        let is_number = before.next().is_some_and(|token| token.literal.is_some());
+        let mut signs = before.skip_while(|token| matches!(token.item, Item::Sign('-' | '+')));
+        let is_angle = |item: &Item| matches!(item, Item::Sign('∠') | Item::Word("at" | "cis"));
+        is_number && signs.next().is_some_and(|token| is_angle(&token.item))
     }
 
     /// A sign of degrees; a rate of them if a slash follows.
@@ -192,6 +217,8 @@ impl Lexer<'_> {
             end = end.min(sentence.len() - 1);
         }
         let text = &rest[..end];
+        let plain = with_exponent_sign(text);
+        let text = plain.as_deref().unwrap_or(text);
         let certain = with_certain_sign(text);
         let read = match &certain {
             Some(plain) => Decimal::read(plain, DecimalMark::Point)

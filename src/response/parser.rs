@@ -160,7 +160,13 @@ impl<'a> Parser<'a> {
                     let divisor = self.divisor(&left)?;
                     left = Self::binary(Operator::Divide, left, divisor)?;
                 }
-                Some(Item::Number(_)) if !self.is_after_imaginary_unit() => {
+                // `√(50:2)`; outside of brackets a colon stands behind a name, or in a time of day.
+                Some(Item::Sign(':')) if self.has_units && self.depth > 0 => {
+                    self.at += 1;
+                    let right = self.signed()?;
+                    left = Self::binary(Operator::Divide, left, right)?;
+                }
+                Some(Item::Number(_)) if !self.is_after_constant() => {
                     return self.error(Trouble::NumberAfter);
                 }
                 Some(Item::Number(_)) => {
@@ -217,12 +223,20 @@ impl<'a> Parser<'a> {
         Ok(())
     }
 
-    /// Whether a number may stand here without a sign, as in `j100`.
+    /// Whether a number may stand here without a sign, as in `j100` and `2 π 0.8`.
+    fn is_after_constant(&self) -> bool {
+        self.is_after_imaginary_unit()
+            || self.has_units && self.is_after_leaf(Constant::Pi) && !self.is_tight()
+    }
+
     fn is_after_imaginary_unit(&self) -> bool {
-        let before = self.at.checked_sub(1).and_then(|at| self.tokens.get(at));
-        before.is_some_and(|token| {
-            matches!(&token.item, Item::Leaf(leaf) if *leaf.kind() == Kind::Constant(Constant::ImaginaryUnit))
-        })
+        self.is_after_leaf(Constant::ImaginaryUnit)
+    }
+
+    fn is_after_leaf(&self, constant: Constant) -> bool {
+        self.before(1).is_some_and(
+            |token| matches!(&token.item, Item::Leaf(leaf) if *leaf.kind() == Kind::Constant(constant)),
+        )
     }
 
     /// A factor with signs in front.
@@ -257,7 +271,9 @@ impl<'a> Parser<'a> {
         while !is_closed && self.begins_factor() {
             if let Some(Item::Unit(_)) = self.item() {
                 // In `1/2 m` and `100/i ohm` the unit is that of the fraction, in `5 m/2 s` each number has its own.
-                if is_bare && is_constant(&divisor) {
+                // Of `1/0.2s` that is not so clear.
+                if is_bare && is_constant(&divisor) && !(self.is_tight() && self.ways.choose(false))
+                {
                     break;
                 }
                 let unit = self.power()?;

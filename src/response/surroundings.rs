@@ -12,6 +12,7 @@ pub(super) fn answer_in(typed: &str) -> Range<usize> {
         let own = trimmed(typed, &range);
         let text = &typed[own.clone()];
         let inner = lead(text)
+            .or_else(|| definition(text))
             .map(|length| own.start + length..own.end)
             .or_else(|| trail(text).map(|length| own.start..own.end - length))
             .or_else(|| quotes(text).map(|(open, close)| own.start + open..own.end - close));
@@ -50,6 +51,21 @@ fn lead(text: &str) -> Option<usize> {
         let is_lead = !behind.trim().is_empty() && (*lead != "=>" || relates());
         is_lead.then(|| text.len() - behind.len())
     })
+}
+
+/// The length of a name that a function gets in a program, with what says of which argument it is one:
+/// `x = lambda t:`, `f = @(t)`.
+fn definition(text: &str) -> Option<usize> {
+    const HEADS: &[&str] = &["lambda t:", "@(t)", "t ->", "t →", "t ↦"];
+    let (name, behind) = text.split_once('=')?;
+    let name = name.trim_end_matches(':').trim();
+    let is_name = !name.is_empty()
+        && name
+            .chars()
+            .all(|char| char.is_alphanumeric() || "_()".contains(char));
+    let value = behind.trim_start();
+    let body = HEADS.iter().find_map(|head| value.strip_prefix(head))?;
+    (is_name && !body.trim().is_empty()).then(|| text.len() - body.len())
 }
 
 /// The length of words behind an answer, of a remark in brackets, of a semicolon, or of a comma.
@@ -119,6 +135,10 @@ mod tests {
             ("12 (in)", "12 (in)"),
             ("2 sin(t) (in SI units)", "2 sin(t)"),
             ("lambda t: 2*t", "2*t"),
+            ("x = lambda t: 2*t", "2*t"),
+            ("f = @(t) 2*t", "2*t"),
+            ("x(t) := t ↦ 2t", "2t"),
+            ("x = t", "x = t"),
             ("t -> 2*t", "2*t"),
             ("sons", "sons"),
             ("so", "so"),

@@ -557,6 +557,9 @@ impl Lexer<'_> {
                     return Err(trouble(Trouble::Sign));
                 }
                 Sense::Function(function) => Item::Function(function),
+                Sense::Power(Powered::Complex) if !self.manner.has_imaginary_unit => {
+                    return Err(trouble(self.lexicon.unknown("")));
+                }
                 Sense::Power(powered) => Item::Powered(powered),
                 Sense::Imaginary if is_last && primes > 0 => return Err(trouble(Trouble::Sign)),
                 Sense::Imaginary if self.manner.has_imaginary_unit => Item::Leaf(Expr::new(

@@ -17,8 +17,8 @@ use super::amount::{Amount, split};
 use super::lost_power::lost_power;
 use super::parser::Parser;
 use super::token::{Item, Token, tokens};
-use super::ways::Ways;
-use super::{Lexicon, Manner, Trouble, TypedError, ValueTrouble};
+use super::ways::readings;
+use super::{Lexicon, Manner, Trouble, Typed, TypedError, ValueTrouble};
 use crate::expr::{Constant, Expr, Kind, Operator};
 use crate::numerics::Rational;
 use crate::source::Span;
@@ -417,11 +417,8 @@ impl<'t> Values<'t> {
         if let Some(amount) = self.literal(part) {
             return Ok(amount);
         }
-        if let Some(inner) = self
-            .unbracketed(part)
-            .filter(|_| *self.first(part) == Item::Sign('('))
-            && let Some(amount) = self.literal(&inner)
-        {
+        let inner = self.unbracketed(part);
+        if let Some(amount) = inner.as_ref().and_then(|inner| self.literal(inner)) {
             return Ok(amount);
         }
         let span = self.span(part);
@@ -448,7 +445,10 @@ impl<'t> Values<'t> {
         if self.tokens[part.clone()].windows(2).any(are_doubled) {
             return error(Trouble::Value(ValueTrouble::TwoSigns));
         }
-        if self.unbracketed(part).is_some() && *self.first(part) != Item::Sign('(') {
+        // `[2]` is a list of one value, `[2, 3]` is not.
+        let is_list =
+            |inner: &Part| self.statements(inner).len() > 1 || self.spaced(inner).is_some();
+        if inner.as_ref().is_some_and(is_list) && *self.first(part) != Item::Sign('(') {
             return error(Trouble::List);
         }
         if matches!(self.first(part), Item::Unit(_)) {
@@ -461,10 +461,16 @@ impl<'t> Values<'t> {
         if let Some(mut amount) = lost_power(&self.tokens[part.clone()], self.text) {
             amount
                 .others
-                .extend(whole.and_then(|whole| self.checked(&whole, part)));
+                .extend(whole.and_then(|whole| self.checked(&whole.value, part)));
             return Ok(amount);
         }
-        self.checked(&whole?, part)
+        let whole = whole?;
+        let mut amount = self.checked(&whole.value, part)?;
+        let others = whole.others.iter();
+        amount
+            .others
+            .extend(others.filter_map(|other| self.checked(other, part).ok()));
+        Ok(amount)
     }
 
     fn first(&self, part: &Part) -> &Item {
@@ -474,11 +480,11 @@ impl<'t> Values<'t> {
             .map_or(NOTHING, |token| &token.item)
     }
 
-    /// The formula that a part is, units as factors.
-    fn formula(&self, part: &Part) -> Result<Expr, TypedError> {
+    /// The formula that a part is, units as factors, and what it may be meant as otherwise.
+    fn formula(&self, part: &Part) -> Result<Typed<Expr>, TypedError> {
         let end = self.span(part).range().end;
-        let mut ways = Ways::default();
-        Parser::of_values(&self.tokens[part.clone()], end, &mut ways).whole_formula()
+        let tokens = &self.tokens[part.clone()];
+        readings(|ways| Parser::of_values(tokens, end, ways).whole_formula())
     }
 
     /// A decimal with its unit.

@@ -54,6 +54,10 @@ pub(super) enum Powered {
     Any,
     /// `cbrt(base)`.
     CubeRoot,
+    /// `root(base)`, `nthroot(base, degree)`.
+    Root,
+    /// `complex(real, imaginary)`, which is no power at all.
+    Complex,
 }
 
 /// A word within a run of letters.
@@ -123,6 +127,13 @@ const POWERS: &[(&str, Powered)] = &[
     ("power", Powered::Any),
     ("Power", Powered::Any),
     ("cbrt", Powered::CubeRoot),
+    ("root", Powered::Root),
+    ("nroot", Powered::Root),
+    ("nthroot", Powered::Root),
+    ("complex", Powered::Complex),
+    ("Complex", Powered::Complex),
+    ("surd", Powered::Root),
+    ("Surd", Powered::Root),
 ];
 
 /// Functions that can stand within a run of letters, without a bracket after them.
@@ -434,6 +445,21 @@ impl Words {
     fn add_dotted(&mut self, spelling: &str, name: &Name) {
         let stem = spelling.trim_end_matches(|last: char| last.is_ascii_digit());
         let digits = &spelling[stem.len()..];
+        // As people call them in programs: `ddx1`, `xdd1`, `x1dd`, `D2x1`, `x1pp`; `dx` and `xp` mean other things, too.
+        let second = Sense::Leaf(Expr::name(name.clone()).prime(2));
+        for word in [
+            format!("dd{spelling}"),
+            format!("D2{spelling}"),
+            format!("d2{spelling}"),
+            format!("{spelling}dd"),
+            format!("{spelling}pp"),
+            format!("{stem}dd{digits}"),
+            format!("{stem}pp{digits}"),
+        ] {
+            if !self.is_taken(&word) {
+                self.add(&word, second.clone(), 0);
+            }
+        }
         for (word, order) in [("dot", 1), ("ddot", 2)] {
             let sense = Sense::Leaf(Expr::name(name.clone()).prime(order));
             self.add(&format!("{spelling}{word}"), sense.clone(), 0);

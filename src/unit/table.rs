@@ -281,6 +281,17 @@ pub(super) fn word(text: &str) -> Option<Found> {
     if let Some(row) = whole(text, false) {
         return Some(Found { row, prefix: 0 });
     }
+    // `msec`, `µsec`.
+    if let Some(head) = text.strip_suffix("secs").or(text.strip_suffix("sec"))
+        && let Some(prefix) = PREFIXES
+            .iter()
+            .find(|prefix| prefix.symbols.contains(&head))
+    {
+        return whole("sec", true).map(|row| Found {
+            row,
+            prefix: prefix.power,
+        });
+    }
     PREFIXES.iter().find_map(|prefix| {
         let head = text
             .get(..prefix.word.len())

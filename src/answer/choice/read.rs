@@ -57,6 +57,14 @@ fn announced(text: &str) -> &str {
         "letter",
         "only",
     ];
+    let text = text.trim().trim_end_matches(['.', '!']);
+    // `(option a)`, `(a).`
+    let inner = text
+        .strip_prefix('(')
+        .and_then(|text| text.strip_suffix(')'));
+    let text = inner
+        .filter(|inner| !inner.contains(['(', ')']))
+        .unwrap_or(text);
     let text = text.trim().trim_start_matches(['-', '=', ' ']);
     let rest = WORDS.iter().find_map(|word| {
         let rest = text

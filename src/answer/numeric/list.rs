@@ -36,7 +36,15 @@ pub(super) fn list(
     };
     let (inner, unit) = unframed(&values, &all);
     let is_framed = inner != all;
-    let pieces: Vec<Part> = match values.spaced(&inner).filter(|_| is_framed) {
+    // `[5 8.7]`; without brackets `5 8.7` alone is two numbers where two are asked, and `5 000` may be one.
+    let is_list = |pieces: &Vec<Part>| {
+        let is_group = |piece: &Part| {
+            let digits = values.text(piece);
+            digits.len() == 3 && digits.bytes().all(|byte| byte.is_ascii_digit())
+        };
+        is_framed || pieces.len() == count && !pieces.iter().skip(1).any(is_group)
+    };
+    let pieces: Vec<Part> = match values.spaced(&inner).filter(is_list) {
         Some(pieces) => pieces,
         None => values.statements(&inner),
     };
@@ -119,12 +127,23 @@ fn both_signs(values: &Values<'_>, piece: &Part) -> Result<Vec<Number>, Unreadab
     Ok(vec![plus, minus])
 }
 
-/// Without the brackets around a whole list, and the unit that stands behind them.
+/// Without the brackets around a whole list, `([5, 8.7])` included, and the unit that stands behind them.
 fn unframed(values: &Values<'_>, part: &Part) -> (Part, Option<Unit>) {
+    let (inner, unit) = unbracketed(values, part);
+    if inner == *part || values.unbracketed(&inner).is_none() {
+        return (inner, unit);
+    }
+    let (innermost, own) = unbracketed(values, &inner);
+    (innermost, unit.or(own))
+}
+
+fn unbracketed(values: &Values<'_>, part: &Part) -> (Part, Option<Unit>) {
     match values.front_bracket(part) {
         Some((inner, behind)) if behind.is_empty() => (inner, None),
         Some((inner, behind))
-            if values.statements(&inner).len() > 1 || values.spaced(&inner).is_some() =>
+            if values.statements(&inner).len() > 1
+                || values.spaced(&inner).is_some()
+                || values.unbracketed(&inner).is_some() =>
         {
             match values.unit(&behind) {
                 Some(unit) => (inner, Some(unit)),

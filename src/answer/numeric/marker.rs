@@ -269,8 +269,15 @@ impl Numbers {
         settle(self.doubt, Rule::None, candidate(items, first), others)
     }
 
-    /// With radians for its unit, where degrees are asked and a number has none, but π in it.
-    fn with_radians(&self, mut number: Number) -> Number {
+    /// A number as it is meant where this is asked: the one reading that has the dimension; radians for its unit, where
+    /// degrees are asked and it has none, but π in it.
+    fn meant(&self, mut number: Number) -> Number {
+        let fits = |number: &Number| self.si(&number.quantity).is_ok();
+        if !fits(&number)
+            && let Some(at) = number.others.iter().position(fits)
+        {
+            number = number.others.swap_remove(at);
+        }
         let has_pi = number.arithmetic.as_ref().is_some_and(has_pi);
         if has_pi && number.quantity.unit.is_one() && self.unit.text() == "°" {
             number.quantity.unit = Unit::radian();
@@ -349,10 +356,7 @@ impl Marker for Numbers {
         } else {
             vec![read::number(response, self.mark)?]
         };
-        let items: Vec<Number> = items
-            .into_iter()
-            .map(|item| self.with_radians(item))
-            .collect();
+        let items: Vec<Number> = items.into_iter().map(|item| self.meant(item)).collect();
         let otherwise: Vec<Number> = items.iter().map(Number::otherwise).collect();
         let readings = [items, otherwise].map(|items| Self::reading(&items, &[], self.mark));
         Echo::of(readings).ok_or_else(|| Why::Form.into())
@@ -362,10 +366,8 @@ impl Marker for Numbers {
         if self.is_list {
             return match list(response, self.targets.len(), self.mark) {
                 Ok(items) => {
-                    let items: Vec<Number> = items
-                        .into_iter()
-                        .map(|item| self.with_radians(item))
-                        .collect();
+                    let items: Vec<Number> =
+                        items.into_iter().map(|item| self.meant(item)).collect();
                     // One convention holds for the whole list.
                     let otherwise: Vec<Number> = items.iter().map(Number::otherwise).collect();
                     let is_doubtful = items.iter().any(|item| !item.others.is_empty());
@@ -377,7 +379,7 @@ impl Marker for Numbers {
         }
         match read::number(response, self.mark) {
             Ok(number) => {
-                let number = self.with_radians(number);
+                let number = self.meant(number);
                 let other = number.otherwise();
                 let other = (!number.others.is_empty()).then_some(std::slice::from_ref(&other));
                 self.settled(std::slice::from_ref(&number), other, |items| {

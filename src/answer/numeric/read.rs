@@ -15,7 +15,7 @@ pub(super) struct Number {
     /// What was typed instead of a decimal.
     pub(super) arithmetic: Option<Expr>,
     /// What else may have been meant.
-    pub(super) others: Vec<Quantity>,
+    pub(super) others: Vec<Self>,
 }
 
 impl Number {
@@ -32,7 +32,7 @@ impl Number {
         Some(Self {
             quantity: Quantity::new(value, amount.unit),
             arithmetic,
-            others: others.map(|other| other.quantity).collect(),
+            others: others.collect(),
         })
     }
 
@@ -64,20 +64,14 @@ impl Number {
 
     /// Its other reading, where it has one.
     pub(super) fn otherwise(&self) -> Self {
-        match self.others.first() {
-            None => self.clone(),
-            Some(other) => Self {
-                quantity: *other,
-                arithmetic: None,
-                others: Vec::new(),
-            },
-        }
+        self.others.first().unwrap_or(self).clone()
     }
 
     /// The question that is asked where the number may be meant otherwise.
     pub(super) fn question(&self, mark: DecimalMark) -> Option<Unreadable> {
         let other = self.others.first()?;
-        Some(Why::TwoReadings(self.quantity.text(mark), other.text(mark)).into())
+        let shown = |number: &Self| number.quantity.text(mark);
+        Some(Why::TwoReadings(shown(self), shown(other)).into())
     }
 }
 
@@ -193,7 +187,8 @@ pub(crate) fn readings(
     mark: DecimalMark,
 ) -> Result<(Quantity, Vec<Quantity>), Unreadable> {
     let number = number(response, mark)?;
-    Ok((number.quantity, number.others))
+    let others = number.others.iter().map(|other| other.quantity);
+    Ok((number.quantity, others.collect()))
 }
 
 /// The quantity that a response is without a doubt.
