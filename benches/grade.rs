@@ -63,7 +63,7 @@ fn numeric_from_the_data() -> vibank::answer::Verdict {
 fn other(bencher: Bencher, (item, part, response): (&str, &str, &str)) {
     let (catalogue, _) = Catalogue::load(embedded());
     let template = catalogue.find(item).expect("an item of the bank");
-    let Some(place) = template.parts.iter().position(|found| found.id == part) else {
+    let Some(place) = template.parts.iter().position(|found| found.has_id(part)) else {
         return;
     };
     let solution = Solution::of(Instance::of_source(template));

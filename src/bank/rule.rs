@@ -18,6 +18,7 @@ impl Rule {
         Self(Code::CHECK_REFUSED),
         Self(Code::CHECK_DISCLOSED),
         Self(Code::CHECK_VARIANTS_DIFFER),
+        Self(Code::CHECK_MANY_QUESTIONS),
         Self(Code::CHECK_SMALL_COMPONENT),
         Self(Code::CHECK_ANSWERS_COINCIDE),
         Self(Code::CHECK_SAME_CHOICE),

@@ -116,6 +116,8 @@ codes! {
         "The student reads there what an earlier part asks for.\nAsk in letters, or give the number under another name."
     CHECK_VARIANTS_DIFFER "check::variants-differ" "Variants that have other parts or points."
         "A `when` of a part drops it for some data, so that students of one class have exams of different length.\nNarrow the ranges, or ask what exists for all data."
+    CHECK_MANY_QUESTIONS "check::many-questions" "An item with more than eight questions."
+        "Many questions of a point each weigh a trifle as much as an equation of motion, and nobody has time for them.\nGroup small ones as `[[part.blank]]` tables of one part, which count as one question, or make two items."
     CHECK_SMALL_COMPONENT "check::small-component" "A mode shape with a component that is hardly there."
         "A component below 5 % of the largest one is lost in rounding, and nobody sees it in a drawing.\nKeep such data away by a constraint."
     CHECK_ANSWERS_COINCIDE "check::answers-coincide" "Two parts with the same answer in most variants."

@@ -77,6 +77,8 @@ pub(super) enum Fault {
     Disclosed { part: String, place: String },
     #[error("{what} between variants")]
     VariantsDiffer { what: String },
+    #[error("the item has {count} questions, more than {most}")]
+    ManyQuestions { count: usize, most: usize },
     #[error(
         "component {component} of the shape asked in part `{part}` is {percent:.1} % of the largest, seed {seed}"
     )]
@@ -134,6 +136,7 @@ impl Fault {
             Self::Redrawn { .. }
             | Self::Unfit { .. }
             | Self::VariantsDiffer { .. }
+            | Self::ManyQuestions { .. }
             | Self::UnusedDatum { .. }
             | Self::Work { .. } => None,
         }
@@ -219,6 +222,7 @@ impl Diagnose for Fault {
             Self::Redrawn { .. } | Self::Unfit { .. } => Code::CHECK_REFUSED,
             Self::Disclosed { .. } => Code::CHECK_DISCLOSED,
             Self::VariantsDiffer { .. } => Code::CHECK_VARIANTS_DIFFER,
+            Self::ManyQuestions { .. } => Code::CHECK_MANY_QUESTIONS,
             Self::SmallComponent { .. } => Code::CHECK_SMALL_COMPONENT,
             Self::AnswersCoincide { .. } => Code::CHECK_ANSWERS_COINCIDE,
             Self::SameChoice { .. } => Code::CHECK_SAME_CHOICE,
@@ -288,6 +292,9 @@ impl Diagnose for Fault {
             }
             Self::Disclosed { .. } => "ask in letters, or drop the number",
             Self::VariantsDiffer { .. } => "narrow the ranges, or ask what exists for all data",
+            Self::ManyQuestions { .. } => {
+                "group small ones as `[[part.blank]]` tables of one part, or make two items"
+            }
             Self::SmallComponent { .. } => "keep such data away by a constraint",
             Self::AnswersCoincide { .. } => "choose ranges in which they differ",
             Self::SameChoice { .. } => "widen the ranges so that another option can be right",

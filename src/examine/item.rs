@@ -8,10 +8,18 @@ use crate::expr::{Expr, Kind as Node, Name};
 use crate::quantity::NodeId;
 use crate::solution::Solution;
 
+/// Most questions of an item, where a group counts as one: an examination of an hour, at seven minutes each.
+const MOST_QUESTIONS: usize = 8;
+
 /// All of it.
 pub(super) fn faults(template: &Template, solution: &Solution<'_>) -> Vec<Fault> {
     let mut faults = unused(template, solution);
     faults.extend(disclosed(template));
+    let count = template.questions();
+    if count > MOST_QUESTIONS {
+        let most = MOST_QUESTIONS;
+        faults.push(Fault::ManyQuestions { count, most });
+    }
     for part in &template.parts {
         faults.extend(option_form(part));
         faults.extend(missing(template, part));
@@ -96,7 +104,11 @@ fn disclosed(template: &Template) -> Vec<Fault> {
             .iter()
             .enumerate()
             .filter(|(other, _)| *other >= place);
-        if let Some((_, other)) = others.into_iter().find(|(_, other)| shows(&other.ask)) {
+        let is_shown = |other: &Part| {
+            let mut group = other.group.iter();
+            shows(&other.ask) || group.any(|group| shows(&group.text))
+        };
+        if let Some((_, other)) = others.into_iter().find(|(_, other)| is_shown(other)) {
             let place = format!("the question of part `{}`", other.id);
             faults.push(Fault::Disclosed {
                 part: part.id.clone(),

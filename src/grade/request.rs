@@ -144,8 +144,9 @@ fn marked(session: &mut Session<'_>, request: &Request) -> Result<Marked, Refusa
 fn place(template: &Template, part: &str) -> Result<usize, Refusal> {
     let found = template.place(part);
     found.ok_or_else(|| {
-        let ids = template.parts.iter().map(|own| own.id.as_str());
-        let near = crate::source::nearest(part, ids)
+        let was = template.parts.iter().flat_map(|own| &own.was);
+        let ids = template.parts.iter().map(|own| &own.id).chain(was);
+        let near = crate::source::nearest(part, ids.map(String::as_str))
             .map(|near| format!(", did you mean `{near}`?"))
             .unwrap_or_default();
         let message = format!("`{}` has no part `{part}`{near}", template.id);

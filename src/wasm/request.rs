@@ -259,7 +259,7 @@ impl Asked<'_> {
     /// The place of a part in the item.
     fn place(&self, id: &str) -> Result<usize, String> {
         let parts = &self.template().parts;
-        let place = self.parts.iter().find(|place| parts[**place].id == id);
+        let place = self.parts.iter().find(|place| parts[**place].has_id(id));
         place
             .copied()
             .ok_or_else(|| format!("`{id}` is not asked here"))

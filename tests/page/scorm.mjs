@@ -151,7 +151,7 @@ const keys = {};
   for (const line of readFileSync(keysFile, "utf8").split("\n")) {
     const head = line.match(/^(ch\d+\/\S+)  ([0-9A-Z-]{11})$/);
     if (head) keys[(question = head[1])] = { code: head[2] };
-    letter = line.match(/^([a-z]+)\) /)?.[1] ?? letter;
+    letter = line.match(/^([a-z]+\d*)\) /)?.[1] ?? letter;
     const key = line.match(/^ {3}= (.*)$/)?.[1];
     if (key) keys[question][letter] = key;
   }

@@ -32,7 +32,7 @@ fn place(solution: &Solution<'_>, part: &str) -> usize {
     let parts = &solution.template().parts;
     parts
         .iter()
-        .position(|found| found.id == part)
+        .position(|found| found.has_id(part))
         .expect("the part is there")
 }
 

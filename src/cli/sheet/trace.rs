@@ -14,7 +14,11 @@ pub(super) fn first_sheet(plan: &Plan<'_>) -> Result<(), Failure> {
         let scene = Scene::of(&question.solution, plan.blueprint.data);
         scene.passage(&template.statement);
         for place in &question.parts {
-            scene.passage(&template.parts[*place].ask);
+            let part = &template.parts[*place];
+            part.group.iter().for_each(|group| {
+                scene.passage(&group.text);
+            });
+            scene.passage(&part.ask);
         }
         let trace = question.solution.trace();
         eprintln!(

@@ -33,7 +33,7 @@ fn known_results_are_right() {
                 let Some(place) = template
                     .parts
                     .iter()
-                    .position(|part| part.id == expected.id.value)
+                    .position(|part| part.has_id(&expected.id.value))
                 else {
                     continue;
                 };

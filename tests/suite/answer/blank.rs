@@ -89,7 +89,7 @@ fn a_letter_that_is_barred_is_handed_back() {
         .find("ch3/e4-underdamped-response")
         .expect("the item");
     let solution = Solution::of(Instance::of_source(template));
-    let place = template.parts.iter().position(|part| part.id == "x");
+    let place = template.parts.iter().position(|part| part.has_id("x"));
     let place = place.expect("the part");
     let line = Language::English.blank(&template.parts[place].answer.blank());
     let line = line.plain(&Vec::new());

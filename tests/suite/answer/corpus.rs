@@ -145,7 +145,7 @@ fn equations_of_motion_are_told_apart() {
         let place = template
             .parts
             .iter()
-            .position(|own| own.id == part)
+            .position(|own| own.has_id(part))
             .expect("a part of it");
         let solution = Solution::of(Instance::of_source(template));
         let marking = vibank::grade::mark(&solution, place, response);

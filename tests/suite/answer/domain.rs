@@ -15,7 +15,7 @@ static BANK: LazyLock<Catalogue> = LazyLock::new(|| Catalogue::load(embedded()).
 /// The verdict on a response to a part of an item with these data.
 fn verdict(item: &str, part: &str, set: &[(&str, &str)], response: &str) -> Verdict {
     let template = BANK.find(item).expect("the item is there");
-    let place = template.parts.iter().position(|own| own.id == part);
+    let place = template.parts.iter().position(|own| own.has_id(part));
     let instance = Instance::of(template, None, set).expect("an instance");
     let place = place.expect("the part is there");
     grade::mark(&Solution::of(instance), place, response).verdict

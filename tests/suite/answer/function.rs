@@ -347,7 +347,7 @@ fn the_functions_of_the_bank_are_asked_with_data() {
     ] {
         let template = catalogue.items().find(|own| own.id.to_string() == item);
         let template = template.expect("the item");
-        let place = template.parts.iter().position(|own| own.id == part);
+        let place = template.parts.iter().position(|own| own.has_id(part));
         let solution =
             vibank::solution::Solution::of(vibank::instance::Instance::of_source(template));
         let marker = solution

@@ -85,7 +85,7 @@ fn a_spelling_has_one_meaning_in_all_kinds() {
     let solution = Solution::of(Instance::of_source(template));
     let mut faults = Vec::new();
     for (part, digit, around) in PLACES {
-        let place = template.parts.iter().position(|own| own.id == *part);
+        let place = template.parts.iter().position(|own| own.has_id(part));
         let place = place.expect("a part of the item");
         let double = (2 * digit.to_digit(10).expect("a digit")).to_string();
         for spelling in SPELLINGS {
@@ -114,7 +114,7 @@ fn a_reading_is_read_as_itself() {
     let solution = Solution::of(Instance::of_source(template));
     let mut faults = Vec::new();
     for (part, digit, around) in PLACES {
-        let place = template.parts.iter().position(|own| own.id == *part);
+        let place = template.parts.iter().position(|own| own.has_id(part));
         let place = place.expect("a part of the item");
         for number in ["#", "-#", "2*#", "sqrt(#)", "#e-3", "# + 1", "pi*#"] {
             let number = number.replace('#', &digit.to_string());

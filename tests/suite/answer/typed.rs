@@ -19,7 +19,7 @@ fn typed_answers_are_marked_as_they_were_meant() {
         let [part, verdict, response] = fields[..] else {
             panic!("part, verdict, response: {line}");
         };
-        let place = parts.iter().position(|own| own.id == part);
+        let place = parts.iter().position(|own| own.has_id(part));
         let place = place.expect("a part of the item");
         // `\neq` is a command.
         let response = response
@@ -62,7 +62,7 @@ fn answers_to_parts_of_the_bank_are_marked_as_they_were_meant() {
             .into_iter()
             .collect();
         let template = bank.find(item).expect("an item of the bank");
-        let place = template.parts.iter().position(|own| own.id == part);
+        let place = template.parts.iter().position(|own| own.has_id(part));
         let place = place.expect("a part of the item");
         let instance = Instance::of(template, None, &set).expect("an instance");
         let response = response.replace('⏎', "\n");
@@ -87,7 +87,7 @@ fn with_responses(mut test: impl FnMut(&Solution<'_>, usize, &str)) {
         let [part, _, response] = line.split('\t').collect::<Vec<_>>()[..] else {
             panic!("part, verdict, response: {line}");
         };
-        let place = template.parts.iter().position(|own| own.id == part);
+        let place = template.parts.iter().position(|own| own.has_id(part));
         let response = response.replace("\\neq", "≠").replace("\\n", "\n");
         test(&solution, place.expect("a part of the item"), &response);
     }

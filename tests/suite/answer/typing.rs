@@ -18,7 +18,7 @@ fn the_examples_of_the_book_are_marked_as_it_says() {
                 .trim_end_matches(" -->")
                 .split_once(", ")
                 .expect("a part and a verdict");
-            let place = parts.iter().position(|own| own.id == part);
+            let place = parts.iter().position(|own| own.has_id(part));
             asked = Some((place.expect("a part of the item"), verdict));
         }
         // A table ends with the section that it stands in.

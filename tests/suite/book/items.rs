@@ -10,7 +10,7 @@ use vibank::math::Display;
 use vibank::scene::{Data, Scene, Shown};
 use vibank::seed::Seed;
 use vibank::solution::Solution;
-use vibank::worksheet::letter;
+use vibank::worksheet::headings;
 
 static BANK: LazyLock<Catalogue> = LazyLock::new(|| Catalogue::load(embedded()).0);
 
@@ -53,9 +53,19 @@ fn shown(solution: &Solution<'_>) -> String {
     }
     let mut worked = texts(&scene.passage(&template.solution));
     out.push_str("<ol type=\"a\">\n");
-    let asked = (0..template.parts.len()).filter(|place| solution.asks(*place));
-    for (position, place) in asked.enumerate() {
+    let asked: Vec<usize> = (0..template.parts.len())
+        .filter(|place| solution.asks(*place))
+        .collect();
+    let headings = headings(template, &asked);
+    for (number, (heading, place)) in headings.iter().zip(asked.iter().copied()).enumerate() {
         let part = &template.parts[place];
+        if let Some((letter, group)) = heading.opened() {
+            let _ = writeln!(out, "<li>{}<ol>", texts(&scene.passage(&group.text)));
+            if !group.solution.is_empty() {
+                let before = texts(&scene.passage(&group.solution));
+                let _ = writeln!(worked, "<p><strong>{letter})</strong></p>\n{before}");
+            }
+        }
         let _ = writeln!(out, "<li>{}", texts(&scene.passage(&part.ask)));
         let options = part.answer.options();
         if !options.is_empty() {
@@ -66,6 +76,12 @@ fn shown(solution: &Solution<'_>) -> String {
             out.push_str("</ol>\n");
         }
         out.push_str("</li>\n");
+        let is_last = headings
+            .get(number + 1)
+            .is_none_or(|next| next.opens || next.group.is_none());
+        if heading.group.is_some() && is_last {
+            out.push_str("</ol></li>\n");
+        }
         let key = scene
             .key(place)
             .map(|key| {
@@ -77,7 +93,7 @@ fn shown(solution: &Solution<'_>) -> String {
         let _ = writeln!(
             worked,
             "<p><strong>{})</strong> {}</p>\n{}",
-            letter(position),
+            heading.letter,
             key.unwrap_or_default(),
             texts(&scene.passage(&part.solution))
         );
@@ -86,6 +102,22 @@ fn shown(solution: &Solution<'_>) -> String {
         out,
         "</ol>\n<details>\n<summary>Worked solution</summary>\n{worked}</details>"
     );
+    out
+}
+
+/// The identities that the parts of the bank had, and where these parts are now.
+pub(super) fn renamed() -> String {
+    let mut out = String::from("| item | from → to |\n| --- | --- |\n");
+    for template in BANK.items() {
+        let parts = template.parts.iter();
+        let renamed = parts.flat_map(|part| part.was.iter().map(move |was| (was, &part.id)));
+        let renamed: Vec<String> = renamed
+            .map(|(was, id)| format!("`{was}` → `{id}`"))
+            .collect();
+        if !renamed.is_empty() {
+            let _ = writeln!(out, "| {} | {} |", template.id, renamed.join(", "));
+        }
+    }
     out
 }
 

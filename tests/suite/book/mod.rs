@@ -113,6 +113,7 @@ fn made(directive: &str) -> String {
         "codes" => reference::codes(),
         "answer-kinds" => reference::answer_kinds(),
         "elements" => reference::elements(),
+        "renamed" => items::renamed(),
         _ => panic!("there is no directive `{verb}`"),
     }
 }

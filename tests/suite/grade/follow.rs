@@ -22,7 +22,7 @@ fn marked(catalogue: &Catalogue, item: &str, responses: &[(&str, &str)]) -> Mark
     let place = |part: &str| {
         let mut parts = template.parts.iter();
         parts
-            .position(|own| own.id == part)
+            .position(|own| own.has_id(part))
             .expect("the part is there")
     };
     let all = responses
@@ -206,7 +206,7 @@ fn said(item: &str, earlier: (&str, &str), later: (&str, &str)) -> String {
     let place = |part: &str| {
         let mut parts = template.parts.iter();
         parts
-            .position(|own| own.id == part)
+            .position(|own| own.has_id(part))
             .expect("the part is there")
     };
     let responses = [earlier, later].map(|(part, response)| (place(part), response));

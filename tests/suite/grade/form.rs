@@ -30,7 +30,7 @@ fn marked(
     let instance = Instance::of(template, None, &set).expect("the data");
     let solution = Solution::of(instance);
     let place = |id: &str| {
-        let found = template.parts.iter().position(|part| part.id == id);
+        let found = template.parts.iter().position(|part| part.has_id(id));
         found.expect("the part")
     };
     let asked: Vec<usize> = asked.iter().map(|id| place(id)).collect();

@@ -16,7 +16,7 @@ fn last(item: &str, set: &[(&str, &str)], responses: &[(&str, &str)]) -> Marking
     let template = BANK.find(item).expect("the item is there");
     let solution = Solution::of(Instance::of(template, None, set).expect("an instance"));
     let place = |part: &str| {
-        let place = template.parts.iter().position(|own| own.id == part);
+        let place = template.parts.iter().position(|own| own.has_id(part));
         place.expect("the part is there")
     };
     let all = responses
