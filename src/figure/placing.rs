@@ -3,8 +3,8 @@
 //! Each label has a list of places, best first. Labels are settled in turn; each goes to the first place
 //! that is free, and where none is, to the one with the least in its way.
 
-use super::Bounds;
 use super::drawing::{Drawing, Obstacle, Spot, Wish};
+use super::{Bounds, Fill};
 
 /// Room between a label and a line.
 const GAP: f64 = 0.05;
@@ -12,28 +12,72 @@ const GAP: f64 = 0.05;
 /// Room between two labels.
 const APART: f64 = 0.06;
 
+/// How far a label may lie from what it names; beyond that a reader looks for another owner.
+const REACH: f64 = 0.45;
+
+/// How often labels are settled again for the sake of those that found no place; two rounds do for all of the bank.
+const ROUNDS: usize = 4;
+
 impl Drawing {
-    /// Settles the labels that have several places.
+    /// Settles the labels that have several places. Where some find none that is free and near, all are settled again,
+    /// these first; the round with the fewest of them counts.
     pub fn settle(&mut self) {
-        for wish in std::mem::take(&mut self.wishes) {
-            if let Some(spot) = self.best(&wish) {
-                self.letter(wish.label, wish.owner, spot);
+        let mut wishes = std::mem::take(&mut self.wishes);
+        let fixed = self.labels.len();
+        let mut best = (usize::MAX, Vec::new());
+        for _ in 0..ROUNDS {
+            let strays: Vec<bool> = wishes.iter().map(|wish| self.is_stray(wish)).collect();
+            let count = strays.iter().filter(|stray| **stray).count();
+            let settled = self.labels.split_off(fixed);
+            if count < best.0 {
+                best = (count, settled);
             }
+            if count == 0 {
+                break;
+            }
+            let mut first = Vec::with_capacity(wishes.len());
+            let mut later = Vec::with_capacity(wishes.len());
+            for (wish, is_stray) in wishes.into_iter().zip(strays) {
+                if is_stray { &mut first } else { &mut later }.push(wish);
+            }
+            first.append(&mut later);
+            wishes = first;
         }
+        self.labels.append(&mut best.1);
     }
 
-    fn best(&self, wish: &Wish) -> Option<Spot> {
+    /// Settles a label; whether it lies on something or apart from what it names.
+    fn is_stray(&mut self, wish: &Wish) -> bool {
+        let Some((is_free, spot)) = self.best(wish) else {
+            return false;
+        };
+        let near = self
+            .letter(wish.label.clone(), wish.owner, spot)
+            .grown(REACH);
+        let mut own = self.marks.iter().filter(|mark| mark.owner == wish.owner);
+        let is_alone = own.clone().next().is_none();
+        let is_near = own.any(|mark| {
+            let mut is_met = mark.fill != Fill::None && touches(near, mark.path.bounds());
+            mark.path
+                .for_each_segment(|a, b| is_met |= near.chord(a, b).is_some());
+            is_met
+        });
+        !is_free || !(is_alone || is_near)
+    }
+
+    /// The best place of a label, and whether nothing is in its way there.
+    fn best(&self, wish: &Wish) -> Option<(bool, Spot)> {
         // Whatever is in the way ends the count, as long as a free place may follow.
         const ANYTHING: f64 = 1e-9;
         let first = wish.spots.first()?;
         let others = self.others(wish);
         if self.cost(wish, first, &others, &self.obstacles, ANYTHING) == 0.0 {
-            return Some(*first);
+            return Some((true, *first));
         }
         let near = self.near(wish);
         let is_free = |spot: &&Spot| self.cost(wish, spot, &others, &near, ANYTHING) == 0.0;
         if let Some(free) = wish.spots.iter().find(is_free) {
-            return Some(*free);
+            return Some((true, *free));
         }
         let mut best = (f64::INFINITY, *first);
         for spot in &wish.spots {
@@ -42,7 +86,7 @@ impl Drawing {
                 best = (cost, *spot);
             }
         }
-        Some(best.1)
+        Some((false, best.1))
     }
 
     /// The areas of other things; not those that the labelled thing lies across, as a radius does in its disk.
@@ -125,5 +169,26 @@ mod tests {
         assert_eq!(drawing.labels()[0].anchor, Anchor::TOP);
         // The second one finds both taken: lying on a line is better than lying on a label.
         assert_eq!(drawing.labels()[1].anchor, Anchor::BOTTOM);
+    }
+    #[test]
+    fn a_label_makes_room_for_one_that_has_no_other_place() {
+        let mut drawing = Drawing::new();
+        let (a, b) = (Point::new(-1.0, 0.0), Point::new(1.0, 0.0));
+        drawing.stroke(Path::line(a, b), Pen::new(Weight::Thin));
+        let (above, below) = (Point::new(0.0, 0.1), Point::new(0.0, -0.1));
+        let spots = [
+            Spot::new(above, Anchor::BOTTOM),
+            Spot::new(below, Anchor::TOP),
+        ];
+        drawing.place(Label::words("k"), spots.to_vec());
+        drawing.place(Label::words("c"), spots[..1].to_vec());
+        drawing.settle();
+        let places: Vec<(String, Anchor)> = drawing
+            .labels()
+            .iter()
+            .map(|lettering| (lettering.label.plain(), lettering.anchor))
+            .collect();
+        assert!(places.contains(&("c".to_owned(), Anchor::BOTTOM)));
+        assert!(places.contains(&("k".to_owned(), Anchor::TOP)));
     }
 }

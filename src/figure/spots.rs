@@ -45,24 +45,26 @@ fn beside_at(a: Point, b: Point, clear: f64, at: Option<Side>, farther: &[f64]) 
 /// At the tip of an arrow, beyond it or at its side, then along it; anywhere near the arrow before farther off.
 pub(super) fn at_tip(from: Point, tip: Point, at: Option<Side>) -> Vec<Spot> {
     let along = (tip - from).unit();
-    let mut spots = Vec::new();
-    if let Some(side) = at {
-        spots.extend(off(tip, side.direction(), 0.08));
-        spots.extend(beside(from, tip, 0.08, at));
-    }
     let mut normals = [along.left(), -along.left()];
     if normals[1].y > normals[0].y + 1e-9 || (normals[0].y.abs() < 1e-9 && normals[1].x > 0.0) {
         normals.swap(0, 1);
     }
+    let mut spots = Vec::new();
     let (near, far) = FARTHER.split_at(2);
     for farther in [near, far] {
-        for more in farther {
-            spots.push(Spot::beside(tip, along, GAP + more));
-            for normal in normals {
-                let spot = Spot::beside(tip - along * 0.1, normal, 0.08 + GAP + more);
-                spots.push(spot);
-            }
+        if let Some(side) = at {
+            let beside_tip = |more: &f64| Spot::beside(tip, side.direction(), 0.08 + GAP + more);
+            spots.extend(farther.iter().map(beside_tip));
+            spots.extend(beside_at(from, tip, 0.08, at, farther));
         }
+        spots.push(Spot::beside(tip, along, GAP));
+        for normal in normals {
+            let beside_tip =
+                |more: &f64| Spot::beside(tip - along * 0.1, normal, 0.08 + GAP + more);
+            spots.extend(farther.iter().map(beside_tip));
+        }
+        let beyond = |more: &f64| Spot::beside(tip, along, GAP + more);
+        spots.extend(farther.iter().map(beyond));
         spots.extend(beside_at(from, tip, 0.08, at, farther));
     }
     spots

@@ -11,7 +11,7 @@ use crate::figure::schematic::Item;
 use crate::figure::{Drawing, Figure, Given, Label, Outline, Pen, Point, Weight, spots};
 
 /// Length of an arrow.
-const LENGTH: f64 = 0.95;
+const LENGTH: f64 = 1.05;
 
 /// Least length of an arrow at a short link.
 const SHORTEST: f64 = 0.6;
