@@ -1,5 +1,6 @@
 //! Answers of every kind: responses with the verdict that they get.
 
+mod altered;
 mod bank;
 mod blank;
 mod choice;
