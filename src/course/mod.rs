@@ -4,6 +4,8 @@
 //! that no state has to hold them: [`first_variant`] is the number from which a variant is looked for. The page computes
 //! the same (`templates/page/scorm.js`).
 
+#[cfg(feature = "render")]
+mod archive;
 mod state;
 
 use serde::Serialize;
@@ -13,6 +15,8 @@ use crate::bank::Compiled;
 use crate::seed::Variant;
 use crate::worksheet::{Practice, Rules, Weighed};
 
+#[cfg(feature = "render")]
+pub use archive::archive;
 pub use state::{NoRoom, Room};
 
 /// What a package is: its identity, its questions and its rules. Its JSON is what the page reads, and `vibank.json` in

@@ -1,4 +1,4 @@
-//! HTML fragments with MathML.
+//! HTML fragments with MathML, or with TeX where a course platform typesets that.
 //!
 //! All words are escaped; the only markup that passes through is that of a [`Fill::Figure`].
 
@@ -6,7 +6,45 @@ use std::fmt::Write;
 
 use super::fill::InMath;
 use super::{Alignment, Block, Document, Fill, Fills, Inline, Step};
-use crate::math::{Display, Math, escape};
+use crate::math::{Display, Empty, Holes, Math, escape};
+
+/// How formulas stand in HTML.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Formulas {
+    /// As MathML, which browsers typeset.
+    #[default]
+    MathMl,
+    /// As TeX between `\\(` and `\\)`, or `\\[` and `\\]`, which MathJax and filters of platforms typeset.
+    Tex,
+}
+
+impl Formulas {
+    /// Appends a formula.
+    pub fn write(self, out: &mut String, math: &Math, display: Display) {
+        self.write_with(out, math, display, &Empty);
+    }
+
+    /// Whether it is TeX, which the core without texts does not write.
+    fn is_tex(self) -> bool {
+        cfg!(feature = "render") && self == Self::Tex
+    }
+
+    fn write_with(self, out: &mut String, math: &Math, display: Display, holes: &dyn Holes) {
+        if !self.is_tex() {
+            math.write_mathml(out, display, holes);
+            return;
+        }
+        let [open, close] = match display {
+            Display::Inline => ["\\(", "\\)"],
+            Display::Block => ["\\[", "\\]"],
+        };
+        let mut tex = String::new();
+        math.write_latex(&mut tex, holes);
+        out.push_str(open);
+        escape(out, &tex);
+        out.push_str(close);
+    }
+}
 
 impl Document {
     /// As an HTML fragment.
@@ -18,13 +56,32 @@ impl Document {
 
     /// Appends an HTML fragment.
     pub fn write_html(&self, out: &mut String, fills: &dyn Fills) {
-        Writer { out, fills }.blocks(&self.blocks);
+        self.write_html_with(out, fills, Formulas::MathMl);
+    }
+
+    /// Appends an HTML fragment with its formulas as they are wanted.
+    pub fn write_html_with(&self, out: &mut String, fills: &dyn Fills, formulas: Formulas) {
+        let mut writer = Writer {
+            out,
+            fills,
+            formulas,
+        };
+        writer.blocks(&self.blocks);
     }
 
     /// Appends the words of its first paragraph without an element around them, for a heading or
     /// a cell; a text of any other shape is written whole.
     pub fn write_html_line(&self, out: &mut String, fills: &dyn Fills) {
-        let mut writer = Writer { out, fills };
+        self.write_html_line_with(out, fills, Formulas::MathMl);
+    }
+
+    /// As [`Self::write_html_line`], with its formulas as they are wanted.
+    pub fn write_html_line_with(&self, out: &mut String, fills: &dyn Fills, formulas: Formulas) {
+        let mut writer = Writer {
+            out,
+            fills,
+            formulas,
+        };
         match self.blocks.as_slice() {
             [Block::Paragraph(content)] => writer.inlines(content),
             blocks => writer.blocks(blocks),
@@ -35,6 +92,7 @@ impl Document {
 struct Writer<'a> {
     out: &'a mut String,
     fills: &'a dyn Fills,
+    formulas: Formulas,
 }
 
 impl Writer<'_> {
@@ -213,6 +271,10 @@ impl Writer<'_> {
             if !step.words.is_empty() {
                 self.element("p", &step.words);
             }
+            if self.formulas.is_tex() {
+                self.math(&step.aligned(), Display::Block);
+                continue;
+            }
             self.out.push_str("<div class=\"steps\">");
             for [left, right] in &step.lines {
                 Math::write_mathml_line(self.out, left, right, &InMath(self.fills));
@@ -222,7 +284,8 @@ impl Writer<'_> {
     }
 
     fn math(&mut self, math: &Math, display: Display) {
-        math.write_mathml(self.out, display, &InMath(self.fills));
+        let holes = InMath(self.fills);
+        self.formulas.write_with(self.out, math, display, &holes);
     }
 
     fn hole(&mut self, hole: u32) {

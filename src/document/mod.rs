@@ -20,6 +20,7 @@ mod read;
 mod typst;
 
 pub use fill::{Fill, Filling, Fills, Step};
+pub use html::Formulas;
 #[cfg(feature = "render")]
 pub(crate) use latex::{picture_name, write_words as latex_words};
 pub use placeholder::{Form, Placeholder};

@@ -60,8 +60,7 @@ impl Alternative {
         let share = if self.credit == Credit::FULL {
             "=".to_owned()
         } else {
-            // Whole percents are all that the notation has.
-            format!("%{}%", (100.0 * self.credit.share().to_f64()).round())
+            format!("%{}%", percent(self.credit))
         };
         let feedback = if self.feedback.is_empty() {
             String::new()
@@ -72,9 +71,14 @@ impl Alternative {
     }
 }
 
+/// Whole percents are all that the notation has.
+pub(super) fn percent(credit: Credit) -> f64 {
+    (100.0 * credit.share().to_f64()).round()
+}
+
 /// A number as the platform reads it: the shortest digits that give it back, with a power of ten where it is very
 /// large or small.
-fn number(value: f64) -> String {
+pub(super) fn number(value: f64) -> String {
     let size = value.abs();
     if value == 0.0 || (1e-4..1e15).contains(&size) {
         value.to_string()
@@ -83,14 +87,16 @@ fn number(value: f64) -> String {
     }
 }
 
-/// HTML within a blank: what ends an alternative or a blank is written as an entity, line breaks as spaces. The reader of
-/// the notation decodes entities once, so that a `<` of the words needs no letter behind it.
+/// HTML within a blank: what means something there is written as an entity, line breaks as spaces. The reader of the
+/// notation decodes entities once, so that a `<` of the words needs no letter behind it.
 fn escaped(html: &str) -> String {
+    // Behind its entities the platform takes `\}` for a brace, so that TeX would lose it.
     let html = html.trim();
+    let html = html.replace("\\}", "\\rbrace ").replace("\\{", "\\lbrace ");
     let mut out = String::with_capacity(html.len());
     for (place, sign) in html.char_indices() {
         match sign {
-            '~' | '#' | '\\' | '}' | '{' if !html[..place].ends_with('&') => {
+            '~' | '#' | '\\' | '}' | '{' | '/' | '"' if !html[..place].ends_with('&') => {
                 out.push_str(&format!("&#{};", u32::from(sign)));
             }
             '\n' | '\r' => out.push(' '),

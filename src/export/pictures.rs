@@ -1,6 +1,6 @@
 //! Figures as files of their own, beside the text that shows them.
 
-use crate::document::Filling;
+use crate::document::{Filling, Formulas};
 use crate::math::escape;
 use crate::scene::Shown;
 
@@ -9,14 +9,24 @@ use crate::scene::Shown;
 pub(super) struct Pictures {
     /// Name and SVG of each.
     pub(super) files: Vec<(String, String)>,
+    /// What their names begin with, where those of all questions lie in one folder.
+    prefix: String,
 }
 
 impl Pictures {
+    /// Figures whose names begin alike.
+    pub(super) fn named(prefix: String) -> Self {
+        Self {
+            prefix,
+            ..Self::default()
+        }
+    }
+
     /// An element that shows a figure, which becomes a file; `folder` is where the platform has it.
     pub(super) fn image(&mut self, folder: &str, svg: &str) -> String {
         let known = self.files.iter().position(|(_, known)| known == svg);
         let place = known.unwrap_or_else(|| {
-            let name = format!("figure-{}.svg", self.files.len() + 1);
+            let name = format!("{}figure-{}.svg", self.prefix, self.files.len() + 1);
             self.files.push((name, svg.to_owned()));
             self.files.len() - 1
         });
@@ -40,7 +50,7 @@ impl Pictures {
     }
 
     /// Texts as HTML, one after the other, their figures shown as files.
-    pub(super) fn html(&mut self, folder: &str, shown: &[Shown<'_>]) -> String {
+    pub(super) fn html(&mut self, folder: &str, formulas: Formulas, shown: &[Shown<'_>]) -> String {
         let mut out = String::new();
         for piece in shown {
             let fillings: Vec<Filling> = piece
@@ -52,7 +62,9 @@ impl Pictures {
                     other => other.clone(),
                 })
                 .collect();
-            piece.document.write_html(&mut out, &fillings);
+            piece
+                .document
+                .write_html_with(&mut out, &fillings, formulas);
         }
         out
     }

@@ -3,17 +3,13 @@
 //! SCORM 1.2 (ADL 2001) and SCORM 2004 4th edition (ADL 2009). An archive has fixed times: the same page gives the same
 //! bytes.
 
-use std::io::{Cursor, Write};
-
 use serde::Serialize;
 use tera::{Context, Tera};
-use zip::write::SimpleFileOptions;
-use zip::{CompressionMethod, DateTime, ZipWriter};
 
 use super::layouts::{self, OutputError};
 use super::page;
 use crate::bank::Compiled;
-use crate::course::{Package, Room};
+use crate::course::{Package, Room, archive};
 use crate::worksheet::Practice;
 
 /// A version of the standard.
@@ -95,7 +91,8 @@ pub fn scorm(
         ("index.html", page),
         (DESCRIPTION, stored),
     ];
-    archive(&files).map_err(|error| OutputError::Page {
+    let files = files.iter().map(|(name, text)| (*name, text.as_bytes()));
+    archive(files).map_err(|error| OutputError::Page {
         layout: "scorm".to_owned(),
         message: error.to_string(),
     })
@@ -120,19 +117,4 @@ fn manifest(practice: &Practice, package: &Package, version: Scorm) -> Result<St
     context.insert("title", &practice.title);
     context.insert("description", DESCRIPTION);
     tera.render(&layout, &context).map_err(fail)
-}
-
-/// Files as one archive, dated as early as archives can be.
-fn archive(files: &[(&str, String)]) -> zip::result::ZipResult<Vec<u8>> {
-    let options = SimpleFileOptions::default()
-        .compression_method(CompressionMethod::Deflated)
-        .compression_level(Some(9))
-        .last_modified_time(DateTime::default())
-        .unix_permissions(0o644);
-    let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
-    for (name, content) in files {
-        archive.start_file(*name, options)?;
-        archive.write_all(content.as_bytes())?;
-    }
-    Ok(archive.finish()?.into_inner())
 }

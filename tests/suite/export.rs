@@ -2,10 +2,9 @@
 //! the grader.
 
 use vibank::bank::{Catalogue, embedded};
-use vibank::export::Moodle;
-use vibank::scene::Data;
+use vibank::export::{Canvas, Export, Moodle, Qti, Version, Wish};
 use vibank::source::Source;
-use vibank::worksheet::{Blueprint, Plan, Sheet, SheetQuestion};
+use vibank::worksheet::{Blueprint, Plan, Sheet, SheetQuestion, headings};
 
 /// One alternative of a blank as Moodle reads it.
 #[derive(Debug)]
@@ -122,6 +121,13 @@ fn body(question: &str) -> &str {
     behind.split_once("]]>").expect("its end").0
 }
 
+/// The place among the parts that are asked of the one with this letter.
+fn position(question: &SheetQuestion<'_>, letter: &str) -> usize {
+    let headings = headings(question.solution.template(), &question.parts);
+    let found = headings.iter().position(|own| own.letter == letter);
+    found.expect("a part has this letter")
+}
+
 /// What the grader gives for a number typed into a part, in the unit that is printed there.
 fn graded(question: &SheetQuestion<'_>, place: usize, typed: f64) -> f64 {
     let unit = question.solution.template().parts[place].answer.unit();
@@ -171,14 +177,20 @@ fn each_question(variants: u64, mut call: impl FnMut(&Sheet<'_>, &SheetQuestion<
     }
 }
 
+/// The file with one question, in the category `a/b` of a chapter `c`.
+fn exported(sheet: &Sheet<'_>, question: &SheetQuestion<'_>, wish: Wish) -> String {
+    let mut moodle = Box::new(Moodle::new(wish));
+    moodle.category(&["c", "a/b"]);
+    moodle.add(sheet, question);
+    String::from_utf8(moodle.finish().expect("a file")).expect("text")
+}
+
 #[test]
 fn numbers_are_marked_by_moodle_as_by_the_grader() {
     let mut compared = 0;
     let mut differ = Vec::new();
     each_question(1, |sheet, question| {
-        let mut moodle = Moodle::new("T", Data::default(), false);
-        moodle.add(sheet, question);
-        let xml = moodle.finish();
+        let xml = exported(sheet, question, Wish::default());
         let Some(text) = questions(&xml).first().map(|question| body(question)) else {
             return;
         };
@@ -228,12 +240,14 @@ fn numbers_are_marked_by_moodle_as_by_the_grader() {
 fn exported_files_are_whole() {
     let mut pictures = 0;
     each_question(3, |sheet, question| {
-        let mut moodle = Moodle::new("T ]]> & <b>", Data::default(), true);
-        moodle.category("a/b");
-        moodle.add(sheet, question);
-        let xml = moodle.finish();
+        let wish = Wish {
+            title: "T ]]> & <b>".to_owned(),
+            has_essays: true,
+            ..Wish::default()
+        };
+        let xml = exported(sheet, question, wish);
         assert!(
-            xml.contains("$course$/top/T ]]&gt; &amp; &lt;b&gt;/a//b"),
+            xml.contains("$course$/top/T ]]&gt; &amp; &lt;b&gt;/c/a//b"),
             "{}",
             &xml[..400]
         );
@@ -277,4 +291,437 @@ fn exported_files_are_whole() {
         }
     });
     assert!(pictures > 100, "{pictures}");
+}
+
+/// The content of the first element of this name.
+fn element<'x>(xml: &'x str, name: &str) -> &'x str {
+    let (_, behind) = xml.split_once(&format!("<{name}>")).expect(name);
+    behind.split_once(&format!("</{name}>")).expect(name).0
+}
+
+/// What Moodle takes for a typed number with a unit: the number, by the factor of the first unit that is its text.
+fn converted(question: &str, number: f64, unit: &str) -> Option<f64> {
+    let mut units = question.split("<unit>").skip(1);
+    let found = units.find(|own| element(own, "unit_name") == unit)?;
+    let factor: f64 = element(found, "multiplier").parse().expect("a factor");
+    Some(number / factor)
+}
+
+#[test]
+fn units_are_read_by_moodle_as_by_the_grader() {
+    let mut compared = 0;
+    each_question(1, |sheet, question| {
+        let wish = Wish {
+            has_units: true,
+            ..Wish::default()
+        };
+        let xml = exported(sheet, question, wish);
+        let Some((_, numerical)) = xml.split_once("<question type=\"numerical\">") else {
+            return;
+        };
+        let letter = element(numerical, "idnumber").rsplit(' ').next();
+        let place = question.parts[position(question, letter.expect("a letter"))];
+        let ranges: Vec<(f64, f64, f64)> = numerical
+            .split("<answer fraction=\"")
+            .skip(1)
+            .map(|answer| {
+                let (share, rest) = answer.split_once('"').expect("a share");
+                let number = |text: &str| text.parse::<f64>().expect("a number");
+                (
+                    number(element(rest, "text")),
+                    number(element(rest, "tolerance")),
+                    number(share) / 100.0,
+                )
+            })
+            .collect();
+        let marker = question.solution.marker(place).expect("it has a key");
+        let units: Vec<&str> = numerical
+            .split("<unit_name>")
+            .skip(1)
+            .filter_map(|unit| unit.split('<').next())
+            .collect();
+        assert!(units.len() > 1, "{}", sheet.variant);
+        for unit in units {
+            let (value, half, _) = ranges[0];
+            // Far enough from the ends that the rounding of a conversion does not matter.
+            for offset in [0.0, 0.9, -0.9, 1.1, -1.1] {
+                let wanted = value + offset * half;
+                let own = wanted / converted(numerical, 1.0, unit).expect("it is listed");
+                let there = converted(numerical, own, unit).expect("it is listed");
+                let fits = |(value, half, _): &&(f64, f64, f64)| (there - value).abs() <= *half;
+                let share = ranges.iter().find(fits).map_or(0.0, |(_, _, share)| *share);
+                let marking = marker.mark(&format!("{own:e} {unit}"));
+                let graded = marking.credit.share().to_f64();
+                compared += 1;
+                assert!(
+                    (share - graded).abs() <= 0.005,
+                    "{own:e} {unit}: {share} there, {graded} of the grader"
+                );
+            }
+        }
+    });
+    assert!(compared > 100, "{compared}");
+}
+
+#[test]
+fn each_blank_names_its_part_and_what_it_says_is_read_back() {
+    each_question(1, |sheet, question| {
+        let xml = exported(sheet, question, Wish::default());
+        for question in questions(&xml) {
+            let name = element(element(question, "name"), "text");
+            let origin = name.rsplit_once('[').expect("an origin").1;
+            let mut words = origin.trim_end_matches(']').split(' ').skip(1);
+            assert_eq!(words.next(), Some(sheet.variant.to_string().as_str()));
+            let text = body(question);
+            assert_eq!(words.count(), blanks(text).len(), "{origin}");
+            assert!(text.contains(origin.trim_end_matches(']')));
+            // Nothing within a blank is written as it is that the notation gives a meaning.
+            for blank in text
+                .split('{')
+                .skip(1)
+                .filter(|own| own.contains("NUMERICAL:"))
+            {
+                let blank = &blank[..blank.find('}').expect("it ends")];
+                assert!(!blank.contains(['/', '"', '\\']), "{blank}");
+            }
+            for blank in blanks(text) {
+                for alternative in &blank.alternatives {
+                    let opened = alternative.feedback.matches("<p>").count();
+                    assert_eq!(alternative.feedback.matches("</p>").count(), opened);
+                }
+            }
+        }
+    });
+}
+
+#[test]
+fn formulas_can_be_tex() {
+    let mut formulas = 0;
+    each_question(1, |sheet, question| {
+        let wish = Wish {
+            formulas: vibank::document::Formulas::Tex,
+            has_essays: true,
+            ..Wish::default()
+        };
+        let xml = exported(sheet, question, wish);
+        assert!(!xml.contains("<math"));
+        assert_eq!(xml.matches("\\(").count(), xml.matches("\\)").count());
+        formulas += xml.matches("\\(").count();
+    });
+    assert!(formulas > 1000, "{formulas}");
+}
+
+/// The files of an archive.
+fn unpacked(bytes: Vec<u8>) -> std::collections::BTreeMap<String, String> {
+    let mut archive = zip::ZipArchive::new(std::io::Cursor::new(bytes)).expect("an archive");
+    let mut files = std::collections::BTreeMap::new();
+    for place in 0..archive.len() {
+        let mut file = archive.by_index(place).expect("a file");
+        let name = file.name().expect("a name").into_owned();
+        let mut text = String::new();
+        std::io::Read::read_to_string(&mut file, &mut text).expect("text");
+        files.insert(name, text);
+    }
+    files
+}
+
+/// The elements of well-formed XML: name, attributes, and the words up to the next tag.
+fn elements(xml: &str) -> Vec<(String, Vec<(String, String)>, String)> {
+    let (mut found, mut open) = (Vec::new(), Vec::new());
+    let mut rest = xml
+        .strip_prefix("<?xml version=\"1.0\" encoding=\"UTF-8\"?>")
+        .expect("a head");
+    let mut ids = std::collections::BTreeSet::new();
+    while let Some(at) = rest.find('<') {
+        let end = at + rest[at..].find('>').expect("a tag ends");
+        let tag = &rest[at + 1..end];
+        let words = &rest[end + 1..];
+        let words = &words[..words.find('<').unwrap_or(words.len())];
+        rest = &rest[end + 1..];
+        for entity in words.split('&').skip(1) {
+            let (name, _) = entity.split_once(';').expect("an entity ends");
+            assert!(
+                ["amp", "lt", "gt", "quot", "#39"].contains(&name),
+                "&{name};"
+            );
+        }
+        if let Some(name) = tag.strip_prefix('/') {
+            assert_eq!(open.pop().as_deref(), Some(name));
+            continue;
+        }
+        let (tag, is_closed) = match tag.strip_suffix('/') {
+            Some(tag) => (tag, true),
+            None => (tag, false),
+        };
+        let (name, mut behind) = tag.split_once(' ').unwrap_or((tag, ""));
+        let mut attributes: Vec<(String, String)> = Vec::new();
+        while !behind.trim().is_empty() {
+            let (own, value) = behind.split_once("=\"").expect("an attribute");
+            let (value, next) = value.split_once('"').expect("its value");
+            assert!(!attributes.iter().any(|(known, _)| known == own.trim()));
+            attributes.push((own.trim().to_owned(), value.to_owned()));
+            behind = next;
+        }
+        for (own, value) in &attributes {
+            assert!(own != "id" || ids.insert(value.clone()), "{value} twice");
+        }
+        if !is_closed {
+            open.push(name.to_owned());
+        }
+        found.push((name.to_owned(), attributes, words.to_owned()));
+    }
+    assert!(open.is_empty(), "{open:?}");
+    found
+}
+
+fn attribute<'e>(element: &'e (String, Vec<(String, String)>, String), name: &str) -> &'e str {
+    let mut attributes = element.1.iter();
+    let found = attributes.find(|(own, _)| own == name);
+    &found
+        .unwrap_or_else(|| panic!("{} has no {name}", element.0))
+        .1
+}
+
+/// The ranges of a box of an item of QTI 2 as a player goes through them: lower end, upper end, points.
+fn conditions(item: &str, field: &str) -> Vec<(f64, f64, f64)> {
+    let mut ranges = Vec::new();
+    let (_, processing) = item
+        .split_once("<responseProcessing>")
+        .expect("it is marked");
+    for condition in processing.split("<response").skip(1) {
+        if !condition.contains(&format!("<gte><variable identifier=\"{field}\"/>"))
+            && !condition.contains(&format!("<gte>\n<variable identifier=\"{field}\"/>"))
+        {
+            continue;
+        }
+        let numbers: Vec<f64> = condition
+            .split("<baseValue baseType=\"float\">")
+            .skip(1)
+            .map(|own| {
+                own.split('<')
+                    .next()
+                    .and_then(|own| own.parse().ok())
+                    .expect("a number")
+            })
+            .collect();
+        let [low, high, points] = numbers[..] else {
+            panic!("{condition}");
+        };
+        ranges.push((low, high, points));
+    }
+    ranges
+}
+
+#[test]
+fn numbers_are_marked_by_players_of_qti_as_by_the_grader() {
+    let mut compared = 0;
+    each_question(1, |sheet, question| {
+        let mut qti = Box::new(Qti::new(Wish::default(), Version::V21));
+        qti.add(sheet, question);
+        let files = unpacked(qti.finish().expect("a package"));
+        let Some((_, item)) = files.iter().find(|(name, _)| name.ends_with("/item.xml")) else {
+            return;
+        };
+        assert!(
+            !item.contains("<equal "),
+            "players read tolerances differently"
+        );
+        let headings = headings(question.solution.template(), &question.parts);
+        for (position, place) in question.parts.iter().enumerate() {
+            let marker = question.solution.marker(*place).expect("it has a key");
+            if marker.bands().len() != 1 {
+                continue;
+            }
+            let points = question.points[position].to_f64();
+            let ranges = conditions(item, &headings[position].letter);
+            assert_eq!(ranges.len(), marker.bands()[0].len());
+            let farthest = ranges.iter().fold(0.0, |far: f64, (low, high, _)| {
+                far.max(low.abs()).max(high.abs())
+            });
+            for (low, high, _) in &ranges {
+                let (middle, half) = (f64::midpoint(*low, *high), (high - low) / 2.0);
+                let mut typed = vec![middle, middle * 0.7, middle * 1.3];
+                for side in [-1.0, 1.0] {
+                    typed.extend([1.0 - 1e-9, 1.0 + 1e-9].map(|near| middle + side * half * near));
+                }
+                // Half a range of one number is nothing.
+                typed.retain(|typed| half > 0.0 || *typed == middle);
+                for typed in typed {
+                    if typed.abs() > farthest {
+                        continue;
+                    }
+                    let fits = |(low, high, _): &&(f64, f64, f64)| *low <= typed && typed <= *high;
+                    let there = ranges.iter().find(fits).map_or(0.0, |(_, _, own)| *own);
+                    let here = points * graded(question, *place, typed);
+                    compared += 1;
+                    assert!(
+                        (here - there).abs() < 1e-9,
+                        "{typed:e}: {there}, grader {here}"
+                    );
+                }
+            }
+        }
+    });
+    assert!(compared > 2_000, "{compared}");
+}
+
+#[test]
+fn packages_are_whole_in_each_version() {
+    let wish = Wish {
+        title: "T & \"<b>\"".to_owned(),
+        has_essays: true,
+        ..Wish::default()
+    };
+    let qti = |version| -> Box<dyn Export> { Box::new(Qti::new(wish.clone(), version)) };
+    let mut packages = [
+        (Some(Version::V21), qti(Version::V21)),
+        (Some(Version::V22), qti(Version::V22)),
+        (Some(Version::V30), qti(Version::V30)),
+        (None, Box::new(Canvas::new(wish.clone()))),
+    ];
+    let mut again = qti(Version::V21);
+    let mut last = String::new();
+    each_question(3, |sheet, question| {
+        let item = question.solution.template().id.to_string();
+        let is_new = item != last;
+        let all = packages.iter_mut().map(|(_, package)| package);
+        for package in all.chain([&mut again]) {
+            if is_new {
+                package.category(&["c", &item]);
+            }
+            package.add(sheet, question);
+        }
+        last = item;
+    });
+    let repeated = again.finish().expect("a package");
+    for (version, package) in packages {
+        let tally = package.tally().clone();
+        assert!(tally.questions > 300 && tally.boxes > 300, "{tally:?}");
+        let bytes = package.finish().expect("a package");
+        if version == Some(Version::V21) {
+            assert!(bytes == repeated, "the same bytes");
+        }
+        let files = unpacked(bytes);
+        let manifest = elements(&files["imsmanifest.xml"]);
+        let listed: Vec<&str> = manifest
+            .iter()
+            .filter(|element| element.0 == "file")
+            .map(|element| attribute(element, "href"))
+            .collect();
+        for name in files.keys().filter(|name| *name != "imsmanifest.xml") {
+            assert_eq!(
+                listed.iter().filter(|own| *own == name).count(),
+                1,
+                "{name}"
+            );
+        }
+        assert_eq!(listed.len(), files.len() - 1);
+        let mut pictures = 0;
+        for (name, text) in files.iter().filter(|(name, _)| name.ends_with(".xml")) {
+            let all = elements(text);
+            for image in all.iter().filter(|element| element.0 == "img") {
+                pictures += 1;
+                let folder = name.rsplit_once('/').expect("a folder").0;
+                assert!(files.contains_key(&format!("{folder}/{}", attribute(image, "src"))));
+                assert!(!attribute(image, "alt").is_empty());
+            }
+            if version.is_some() && name.ends_with("/item.xml") {
+                // `responseDeclaration` of version 2 is `qti-response-declaration` in version 3.
+                let count = |kind: &str| {
+                    let plain =
+                        |name: &str| name.replace("qti-", "").replace('-', "").to_lowercase();
+                    all.iter()
+                        .filter(|element| plain(&element.0) == kind)
+                        .count()
+                };
+                let asked = ["textentry", "choice", "extendedtext"];
+                let asked = asked.map(|kind| count(&format!("{kind}interaction")));
+                assert_eq!(
+                    asked.iter().sum::<usize>(),
+                    count("responsedeclaration"),
+                    "{name}"
+                );
+            }
+        }
+        if version.is_none() {
+            let text = &files["assessment/assessment.xml"];
+            for picture in files
+                .keys()
+                .filter(|name| name.starts_with("web_resources/"))
+            {
+                pictures += 1;
+                let name = picture.trim_start_matches("web_resources/");
+                assert!(
+                    text.contains(&format!("$IMS-CC-FILEBASE$/{name}")),
+                    "{name}"
+                );
+            }
+            assert_eq!(
+                text.matches("$IMS-CC-FILEBASE$/").count(),
+                text.matches("$IMS-CC-FILEBASE$/q.").count()
+            );
+        }
+        assert!(pictures > 100, "{pictures}");
+    }
+}
+
+#[test]
+fn canvas_gets_numbers_that_its_rounding_leaves() {
+    let mut compared = 0;
+    each_question(1, |sheet, question| {
+        let mut canvas = Box::new(Canvas::new(Wish::default()));
+        canvas.add(sheet, question);
+        let files = unpacked(canvas.finish().expect("a package"));
+        let text = &files["assessment/assessment.xml"];
+        for item in text.split("<item ident=\"").skip(1) {
+            let (identifier, item) = item.split_once('"').expect("its end");
+            let letter = identifier.rsplit('.').next().expect("a letter");
+            let position = position(question, letter);
+            let place = question.parts[position];
+            if !item.contains("numerical_question") {
+                continue;
+            }
+            let end = |name: &str| -> Vec<f64> {
+                let tag = format!("<{name} respident=\"response1\">");
+                let found = item.split(&tag).skip(1);
+                found
+                    .map(|own| {
+                        own.split('<')
+                            .next()
+                            .and_then(|own| own.parse().ok())
+                            .expect("a number")
+                    })
+                    .collect()
+            };
+            let title = item
+                .split_once("title=\"")
+                .expect("a title")
+                .1
+                .split('"')
+                .next();
+            let scale = title.and_then(|title| title.rsplit_once('*'));
+            let scale = scale.map_or(1.0, |(_, scale)| {
+                scale.trim_end_matches(']').parse().expect("a scale")
+            });
+            for (low, high) in end("vargte").into_iter().zip(end("varlte")) {
+                let middle = f64::midpoint(low, high);
+                assert!(
+                    middle == 0.0 || middle.abs() >= 1e-3,
+                    "{identifier}: {middle}"
+                );
+                assert!(
+                    high == low || high - low >= 2e-4,
+                    "{identifier}: {low} to {high}"
+                );
+                compared += 1;
+                for (typed, share) in [(middle, 1.0), (high + 0.01 * (high - low), 0.0)] {
+                    if high > low || share == 1.0 {
+                        let given = graded(question, place, typed * scale);
+                        assert!((share == 1.0) == (given == 1.0), "{identifier}: {typed}");
+                    }
+                }
+            }
+        }
+    });
+    assert!(compared > 100, "{compared}");
 }

@@ -3,6 +3,7 @@
 mod analysis;
 mod census;
 mod changes;
+mod gradebook;
 mod items;
 mod journal;
 mod manifest;
@@ -27,6 +28,7 @@ pub(crate) use self::manifest::{manifest, solution};
 use self::analysis::Analysis;
 use self::census::Census;
 use self::changes::Changes;
+use self::gradebook::Gradebook;
 use self::items::Items;
 use self::journal::Journal;
 use self::manifest::Sheets;
@@ -74,6 +76,17 @@ pub(crate) struct Arguments {
     /// Write no feedback pages.
     #[arg(long, conflicts_with = "feedback")]
     no_feedback: bool,
+    /// Also write the marks as the gradebook of a platform imports them.
+    #[arg(long, value_name = "PLATFORM")]
+    gradebook: Option<gradebook::Platform>,
+    /// The column of the class list by which that platform knows students.
+    #[arg(
+        long,
+        value_name = "COLUMN",
+        default_value = "id",
+        requires = "gradebook"
+    )]
+    gradebook_id: String,
     #[command(flatten)]
     bank: BankArgument,
 }
@@ -125,6 +138,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
         dialect,
         changes,
         analysis: Analysis::default(),
+        gradebook: arguments
+            .gradebook
+            .map(|platform| Gradebook::new(platform, &arguments.gradebook_id)),
         unprinted: Mutex::default(),
         undecided: Undecided::default(),
         arguments,
@@ -234,6 +250,8 @@ struct Job<'a> {
     dialect: Dialect,
     changes: Option<Changes>,
     analysis: Analysis,
+    /// The gradebook of a platform, where it is wanted.
+    gradebook: Option<Gradebook>,
     /// Feedback pages that could not be printed, and why.
     unprinted: Mutex<Vec<String>>,
     undecided: Undecided,
@@ -323,6 +341,9 @@ impl Job<'_> {
         self.tables.add(outcome)?;
         self.analysis.add(outcome);
         self.undecided.add(outcome);
+        if let Some(gradebook) = &mut self.gradebook {
+            gradebook.add(outcome);
+        }
         if let Some(changes) = &mut self.changes {
             changes.add(outcome);
         }
@@ -366,6 +387,18 @@ impl Job<'_> {
             },
         )?;
         let marks = self.tables.finish(self.out)?;
+        let has_gradebook = self.gradebook.is_some();
+        let unknown = self.gradebook.map_or(Ok(Vec::new()), |gradebook| {
+            gradebook.finish(self.out, &self.sheets.head.title)
+        })?;
+        if !unknown.is_empty() {
+            eprintln!(
+                "not in `{}`, since the class list has no `{}` for them: {}",
+                gradebook::FILE,
+                self.arguments.gradebook_id,
+                unknown.join(", ")
+            );
+        }
         self.journal.finish();
         told(&self.analysis, &lost, faults);
         if !changed.is_empty() {
@@ -412,6 +445,12 @@ impl Job<'_> {
             "item analysis; report.json and report.csv for programs",
         );
         file(marks, "one row a sheet");
+        if has_gradebook {
+            file(
+                gradebook::FILE,
+                "for the gradebook of the platform; marks that are not decided are empty",
+            );
+        }
         file(
             "details.csv",
             "one row a part, with reading and reasons; results.json for programs",

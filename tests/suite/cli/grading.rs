@@ -66,6 +66,10 @@ impl Exam {
 
     /// Grades the form; the details by sheet and part.
     fn grade(&self, more: &str) -> (Ran, BTreeMap<(String, String), Json>) {
+        self.grade_with(more, &[])
+    }
+
+    fn grade_with(&self, more: &str, options: &[&str]) -> (Ran, BTreeMap<(String, String), Json>) {
         let mut form = csv::Writer::from_writer(Vec::new());
         form.write_record(["code", "question", "part", "response"])
             .expect("it is in memory");
@@ -77,7 +81,8 @@ impl Exam {
         let form = put(&self.folder, "form.csv", form);
         let manifest = text_of(&self.folder.join("out/manifest.json"));
         let out = text_of(&self.folder.join("marks"));
-        let ran = small(&["grade", &manifest, &form, "--out", &out]);
+        let arguments = ["grade", &manifest, &form, "--out", &out];
+        let ran = small(&[&arguments[..], options].concat());
         let results: Vec<Json> =
             serde_json::from_str(&content(self.folder.join("marks/results.json"))).expect("JSON");
         let key = |entry: &Json| {
@@ -239,6 +244,53 @@ fn sums_agree(exam: &Exam, details: &BTreeMap<(String, String), Json>) {
         formula[6].starts_with('\''),
         "a spreadsheet takes it for text"
     );
+}
+
+#[test]
+fn marks_go_to_the_gradebook_of_a_platform_and_what_is_undecided_stays_empty() {
+    let mut exam = Exam::new("gradebook", "seed = 7\nstudents = \"class.csv\"");
+    let omega = exam.omega(0);
+    exam.answer(0, "1a", format!("{omega:.4} rad/s"));
+    exam.answer(1, "1a", "about three");
+    let book = |exam: &Exam, options: &[&str]| {
+        let (ran, results) = exam.grade_with("", options);
+        let points = results
+            .values()
+            .filter(|part| part["code"] == exam.code(0).as_str());
+        let points: f64 = points.filter_map(|part| part["points"].as_f64()).sum();
+        let most: f64 = results
+            .values()
+            .filter(|part| part["code"] == exam.code(0).as_str())
+            .filter_map(|part| part["max"].as_f64())
+            .sum();
+        let table = content(exam.folder.join("marks/gradebook.csv"));
+        let mut reader = csv::ReaderBuilder::new()
+            .has_headers(false)
+            .from_reader(table.as_bytes());
+        let rows: Vec<Vec<String>> = reader
+            .records()
+            .map(|row| row.expect("a row").iter().map(str::to_owned).collect())
+            .collect();
+        (ran, rows, points, most)
+    };
+    let (_, rows, points, _) = book(&exam, &["--gradebook", "moodle"]);
+    assert_eq!(rows[0][0], "ID number");
+    assert_eq!(rows[1][0], "1");
+    assert!((rows[1][1].parse::<f64>().expect("points") - points).abs() < 0.01 && points > 0.0);
+    assert_eq!(rows[2], ["2", ""], "nobody has decided it");
+    assert_eq!(rows.len(), 3);
+    let (_, rows, _, most) = book(&exam, &["--gradebook", "canvas"]);
+    let head = ["Student", "ID", "SIS User ID", "SIS Login ID", "Section"];
+    assert_eq!(rows[0][..5], head);
+    assert_eq!(rows[1][0], "Points Possible");
+    assert!((rows[1][5].parse::<f64>().expect("points") - most).abs() < 0.01);
+    assert_eq!(rows[2][2], "1");
+    assert_eq!([&rows[3][2], &rows[3][5]], ["2", ""]);
+    // A column that the class list does not have for anybody.
+    let options = ["--gradebook", "moodle", "--gradebook-id", "email"];
+    let (_, rows, _, _) = book(&exam, &options);
+    assert_eq!(rows.len(), 1);
+    assert_eq!(rows[0][0], "Email address");
 }
 
 #[test]

@@ -1,15 +1,18 @@
 //! `vibank export`
 
+mod manifest;
+
 use std::num::NonZeroU32;
 use std::path::{Path, PathBuf};
 
 use vibank::bank::Catalogue;
 use vibank::diagnostic::Finding;
-use vibank::export::Moodle;
-use vibank::scene::Data;
+use vibank::document::Formulas;
+use vibank::export::{Canvas, Export, Moodle, Qti, Version, Wish};
 use vibank::source::Source;
 use vibank::worksheet::{Audience, Blueprint, Choice, Chooser, Plan, Sheet, SheetError};
 
+use self::manifest::Record;
 use super::bank::{self, BankArgument};
 use super::files::{self, Access};
 use super::filter::Filter;
@@ -20,8 +23,9 @@ const VARIANTS: usize = 10;
 
 /// Write questions for a course platform.
 ///
-/// Numbers and choices are marked by the platform, with the tolerances and named mistakes of the grader. Other kinds are
-/// listed with the reason, or become essay questions with the key for whoever marks them.
+/// Numbers and choices are marked by the platform, with the tolerances of the grader. Other kinds are listed with the
+/// reason, or become essay questions with the key for whoever marks them. Beside the file a manifest is written, with
+/// which `vibank grade` marks the answers that the platform gives back.
 ///
 /// Example: vibank export moodle examples/midterm.toml --out midterm.xml
 #[derive(clap::Args)]
@@ -38,9 +42,18 @@ pub(crate) struct Arguments {
     /// Write parts that the platform cannot mark as essay questions.
     #[arg(long)]
     essay: bool,
-    /// The file to write.
-    #[arg(long, value_name = "FILE", default_value = "questions.xml")]
-    out: PathBuf,
+    /// Write questions for one number so that units are typed and read (Moodle).
+    #[arg(long)]
+    units: bool,
+    /// How formulas are written.
+    #[arg(long, value_name = "NOTATION", default_value = "mathml")]
+    formulas: Notation,
+    /// The version of QTI: 1.2 for Canvas, 2.1, 2.2 or 3.0.
+    #[arg(long, value_name = "VERSION", default_value = "2.1")]
+    qti: QtiVersion,
+    /// The file to write, else `questions.xml` or `questions.zip`; the manifest goes beside it.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
     #[command(flatten)]
     bank: BankArgument,
 }
@@ -50,10 +63,35 @@ pub(crate) struct Arguments {
 enum Platform {
     /// Moodle XML with cloze questions.
     Moodle,
+    /// A content package of QTI.
+    Qti,
+}
+
+/// A version of QTI.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum QtiVersion {
+    /// As Canvas reads it.
+    #[value(name = "1.2")]
+    V12,
+    /// Read most widely.
+    #[value(name = "2.1")]
+    V21,
+    #[value(name = "2.2")]
+    V22,
+    #[value(name = "3.0")]
+    V30,
+}
+
+/// How formulas are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Notation {
+    /// MathML, which browsers typeset.
+    Mathml,
+    /// TeX between `\(` and `\)`, for platforms that typeset it.
+    Tex,
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let Platform::Moodle = arguments.platform;
     let catalogue = arguments.bank.catalogue()?;
     let made = match &arguments.blueprint {
         Some(path) if arguments.filter.is_open() => of_blueprint(path, arguments, &catalogue)?,
@@ -65,18 +103,53 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         }
         None => of_filter(arguments, &catalogue)?,
     };
-    let moodle = match made {
-        Ok(moodle) => moodle,
+    let (export, record) = match made {
+        Ok(made) => made,
         Err(findings) => return bank::refuse(&findings),
     };
-    report(&moodle, arguments);
-    // It holds the keys.
-    files::write(&arguments.out, moodle.finish().as_bytes(), Access::Private)?;
+    let out = arguments.out.clone().unwrap_or_else(|| {
+        PathBuf::from(match arguments.platform {
+            Platform::Moodle => "questions.xml",
+            Platform::Qti => "questions.zip",
+        })
+    });
+    report(&*export, &out, arguments.essay);
+    let bytes = export.finish();
+    let bytes = bytes.map_err(|error| Failure::new(format!("`{}`: {error}", out.display())))?;
+    // Both hold the keys.
+    let manifest = out.with_extension("manifest.json");
+    files::write(&manifest, record.finish().as_bytes(), Access::Private)?;
+    files::write(&out, &bytes, Access::Private)?;
     Ok(Outcome::Done)
 }
 
-/// What was made, or what is wrong with the blueprint.
-type Made = Result<Moodle, Vec<Finding>>;
+/// What was made and its manifest, or what is wrong with the blueprint.
+type Made = Result<(Box<dyn Export>, Record), Vec<Finding>>;
+
+/// A file with nothing in it yet.
+fn begin(arguments: &Arguments, wish: Wish) -> Box<dyn Export> {
+    let wish = Wish {
+        formulas: match arguments.formulas {
+            Notation::Mathml => Formulas::MathMl,
+            Notation::Tex => Formulas::Tex,
+        },
+        has_essays: arguments.essay,
+        has_units: arguments.units,
+        ..wish
+    };
+    match arguments.platform {
+        Platform::Moodle => Box::new(Moodle::new(wish)),
+        Platform::Qti => {
+            let version = match arguments.qti {
+                QtiVersion::V12 => return Box::new(Canvas::new(wish)),
+                QtiVersion::V21 => Version::V21,
+                QtiVersion::V22 => Version::V22,
+                QtiVersion::V30 => Version::V30,
+            };
+            Box::new(Qti::new(wish, version))
+        }
+    }
+}
 
 /// The questions of a blueprint, a category each.
 fn of_blueprint(
@@ -103,22 +176,41 @@ fn of_blueprint(
         Audience::Students(_) => VARIANTS,
     };
     let sheets = sheets(&plan, count(arguments, stated))?;
-    let mut moodle = Moodle::new(&blueprint.title, blueprint.data, arguments.essay);
+    let mut export = begin(
+        arguments,
+        Wish {
+            title: blueprint.title.clone(),
+            data: blueprint.data,
+            ..Wish::default()
+        },
+    );
+    let mut record = Record::of(catalogue, &blueprint, plan.secret.is_some());
     for place in 0..plan.questions.len() {
-        moodle.category(&format!("Question {}", place + 1));
+        let number = place + 1;
+        export.category(&[&format!("Question {number}")]);
         for sheet in &sheets {
-            let question = sheet.questions.iter().find(|own| own.place == place);
-            question.into_iter().for_each(|own| moodle.add(sheet, own));
+            let mut questions = sheet.questions.iter();
+            if let Some(question) = questions.find(|own| own.place == place) {
+                export.add(sheet, question);
+                record.add(sheet, question, number);
+            }
         }
     }
-    Ok(Ok(moodle))
+    Ok(Ok((export, record)))
 }
 
 /// The items that pass the filter, a category each.
 fn of_filter(arguments: &Arguments, catalogue: &Catalogue) -> Result<Made, Failure> {
     let items = arguments.filter.items(catalogue)?;
-    let mut moodle = Moodle::new(&catalogue.bank.title, Data::default(), arguments.essay);
-    for item in items {
+    let mut export = begin(
+        arguments,
+        Wish {
+            title: catalogue.bank.title.clone(),
+            ..Wish::default()
+        },
+    );
+    let mut record = Record::new(catalogue);
+    for (place, item) in items.into_iter().enumerate() {
         let id = item.id.as_str();
         // Each by itself: on one sheet all would have to be suitable with the same code.
         let text = format!("title = 'T'\nseed = 1\nvariants = 1\n[[question]]\nitem = '{id}'\n");
@@ -135,15 +227,15 @@ fn of_filter(arguments: &Arguments, catalogue: &Catalogue) -> Result<Made, Failu
         let mut chapters = catalogue.chapters.iter();
         let chapter = chapters.find(|chapter| chapter.folder == item.id.chapter());
         let chapter = chapter.map_or(item.id.chapter(), |chapter| chapter.title.as_str());
-        moodle.category(&format!("{chapter}: {}", item.about.title));
+        export.category(&[chapter, &item.about.title]);
         for sheet in &sheets {
-            sheet
-                .questions
-                .iter()
-                .for_each(|own| moodle.add(sheet, own));
+            for question in &sheet.questions {
+                export.add(sheet, question);
+                record.add(sheet, question, place + 1);
+            }
         }
     }
-    Ok(Ok(moodle))
+    Ok(Ok((export, record)))
 }
 
 fn count(arguments: &Arguments, stated: usize) -> usize {
@@ -171,23 +263,24 @@ fn sheets<'c>(plan: &Plan<'c>, count: usize) -> Result<Vec<Sheet<'c>>, Failure> 
     variants.into_iter().map(draw).collect()
 }
 
-fn report(moodle: &Moodle, arguments: &Arguments) {
+fn report(export: &dyn Export, out: &Path, has_essays: bool) {
+    let tally = export.tally();
     println!(
-        "{}: {} questions with {} blanks",
-        arguments.out.display(),
-        moodle.questions(),
-        moodle.blanks()
+        "{}: {} questions with {} boxes that are marked there",
+        out.display(),
+        tally.questions,
+        tally.boxes
     );
-    if moodle.unfit().is_empty() {
+    if tally.unfit.is_empty() {
         return;
     }
-    let what = if arguments.essay {
+    let what = if has_essays {
         "are essays, which a person marks"
     } else {
-        "are not exported, since Moodle cannot mark them; `--essay` makes them essays"
+        "are not exported, since platforms cannot mark them; `--essay` makes them essays"
     };
-    eprintln!("{} parts {what}:", moodle.unfit().len());
-    for unfit in moodle.unfit() {
+    eprintln!("{} parts {what}:", tally.unfit.len());
+    for unfit in &tally.unfit {
         eprintln!("  {}/{}  {}", unfit.item, unfit.part, unfit.reason);
     }
 }

@@ -1,0 +1,117 @@
+//! The marks as a platform imports them into its gradebook: one row a student.
+//!
+//! Moodle: <https://docs.moodle.org/en/Grade_import>. Canvas: the columns of its own export, with the points that are
+//! possible in the second row.
+
+use vibank::grade;
+use vibank::numerics::Rational;
+use vibank::worksheet::Csv;
+
+use super::outcome::Outcome;
+use crate::cli::Failure;
+use crate::cli::folder::Folder;
+use crate::cli::table::Dialect;
+
+/// A platform with a gradebook.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(super) enum Platform {
+    Moodle,
+    Canvas,
+}
+
+/// The rows of a gradebook while sheets are marked.
+pub(super) struct Gradebook {
+    platform: Platform,
+    /// The column of the class list by which the platform knows students.
+    column: String,
+    rows: Vec<Row>,
+    most: Rational,
+    /// Codes of sheets whose student the platform cannot find.
+    unknown: Vec<String>,
+}
+
+struct Row {
+    id: String,
+    name: String,
+    /// Empty while something is undecided, so that the platform keeps what it has.
+    points: String,
+}
+
+/// The file that is written.
+pub(super) const FILE: &str = "gradebook.csv";
+
+impl Gradebook {
+    pub(super) fn new(platform: Platform, column: &str) -> Self {
+        Self {
+            platform,
+            column: column.to_lowercase(),
+            rows: Vec::new(),
+            most: Rational::ZERO,
+            unknown: Vec::new(),
+        }
+    }
+
+    pub(super) fn add(&mut self, sheet: &Outcome) {
+        let id = sheet.column(&self.column);
+        if id.is_empty() {
+            self.unknown.push(sheet.code.clone());
+            return;
+        }
+        self.most = self.most.max(sheet.max());
+        let is_decided = sheet.undecided().0 == 0;
+        let points = grade::rounded(sheet.points());
+        self.rows.push(Row {
+            id: id.to_owned(),
+            name: sheet.column("name").to_owned(),
+            points: if is_decided { points } else { String::new() },
+        });
+    }
+
+    /// The heading under which the platform looks for students.
+    fn heading(&self) -> &str {
+        match (self.platform, self.column.as_str()) {
+            (Platform::Moodle, "id") => "ID number",
+            (Platform::Moodle, "email") => "Email address",
+            (Platform::Moodle, "username") => "Username",
+            (Platform::Canvas, "id") => "SIS User ID",
+            (Platform::Canvas, "email" | "username" | "login") => "SIS Login ID",
+            (Platform::Canvas, _) => "ID",
+            (Platform::Moodle, other) => other,
+        }
+    }
+
+    /// Writes the file, with a column for a title; what the platform cannot find is returned.
+    pub(super) fn finish(self, out: &Folder, title: &str) -> Result<Vec<String>, Failure> {
+        let dialect = Dialect::new(Csv::Plain, '.');
+        let heading = self.heading();
+        let mut table = match self.platform {
+            Platform::Moodle => dialect.head(&[heading, title])?,
+            Platform::Canvas => {
+                let columns = [
+                    "Student",
+                    "ID",
+                    "SIS User ID",
+                    "SIS Login ID",
+                    "Section",
+                    title,
+                ];
+                let mut table = dialect.head(&columns)?;
+                let most = grade::rounded(self.most);
+                table.extend(dialect.line(&["Points Possible", "", "", "", "", &most])?);
+                table
+            }
+        };
+        for row in &self.rows {
+            table.extend(match self.platform {
+                Platform::Moodle => dialect.line(&[&row.id, &row.points])?,
+                Platform::Canvas => {
+                    let under = |own: &str| if own == heading { row.id.as_str() } else { "" };
+                    let [id, user, login] = ["ID", "SIS User ID", "SIS Login ID"].map(under);
+                    dialect.line(&[&row.name, id, user, login, "", &row.points])?
+                }
+            });
+        }
+        out.write(FILE, &table)?;
+        Ok(self.unknown)
+    }
+}

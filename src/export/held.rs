@@ -1,0 +1,209 @@
+//! What the boxes of a platform hold of a question: for each part the ranges or options that it is marked by, or why there
+//! are none. All formats begin here.
+
+use super::Unfit;
+use crate::answer::{Band, Choosing, KeyValue, Kind};
+use crate::bank::Group;
+use crate::numerics::Rational;
+use crate::scene::Scene;
+use crate::worksheet::{SheetQuestion, headings};
+
+/// A part of a question.
+#[derive(Clone, Debug)]
+pub(super) struct Asked<'t> {
+    /// What it is called: `a`, or `c2` for a blank of a group.
+    pub(super) letter: String,
+    /// The group whose blank it is.
+    pub(super) group: Option<&'t Group>,
+    /// Whether what its group has in common is shown before it.
+    pub(super) opens: bool,
+    /// Its place in the item.
+    pub(super) place: usize,
+    /// Its points.
+    pub(super) points: Rational,
+}
+
+/// How a part is marked.
+pub(super) enum Held {
+    /// For each number that is asked its ranges, of which the first that fits counts.
+    Numbers(Vec<Vec<Band>>),
+    /// The options in the order of the sheet, one of which is right.
+    Choice(Vec<Choosable>),
+}
+
+/// An option.
+pub(super) struct Choosable {
+    /// Its place among the options of the item.
+    pub(super) place: usize,
+    pub(super) is_right: bool,
+}
+
+/// The parts of a question, sorted.
+#[derive(Default)]
+pub(super) struct Sorted<'t> {
+    /// Those that a platform marks.
+    pub(super) fit: Vec<(Asked<'t>, Held)>,
+    /// Those that it cannot mark.
+    pub(super) unfit: Vec<Asked<'t>>,
+}
+
+impl<'t> Asked<'t> {
+    /// The letter of its group.
+    pub(super) fn group_letter(&self) -> &str {
+        self.letter
+            .trim_end_matches(|sign: char| sign.is_ascii_digit())
+    }
+
+    /// The same as a question of its own.
+    pub(super) fn alone(&self) -> Self {
+        Self {
+            opens: true,
+            ..self.clone()
+        }
+    }
+
+    /// The group that is begun with it.
+    pub(super) fn opened(&self) -> Option<&'t Group> {
+        self.group.filter(|_| self.opens)
+    }
+
+    /// Whether it is a blank of the group of another part.
+    fn is_beside(&self, other: &Asked<'_>) -> bool {
+        self.group.is_some() && self.group_letter() == other.group_letter()
+    }
+}
+
+impl Held {
+    /// How many boxes it takes.
+    pub(super) fn boxes(&self) -> usize {
+        match self {
+            Self::Numbers(values) => values.len(),
+            Self::Choice(_) => 1,
+        }
+    }
+}
+
+impl<'t> Sorted<'t> {
+    /// Sorts the parts of a question; what does not fit is added to a list, each once.
+    pub(super) fn of(
+        scene: &Scene<'_, 't>,
+        question: &SheetQuestion<'t>,
+        unfit: &mut Vec<Unfit>,
+    ) -> Self {
+        let template = scene.solution().template();
+        let mut sorted = Self::default();
+        let parts = question.parts.iter().zip(&question.points);
+        let headings = headings(template, &question.parts);
+        for (heading, (place, points)) in headings.into_iter().zip(parts) {
+            let mut asked = Asked {
+                letter: heading.letter,
+                group: heading.group,
+                opens: true,
+                place: *place,
+                points: *points,
+            };
+            match held(scene, *place) {
+                Ok(held) => {
+                    let before = sorted.fit.last();
+                    asked.opens = before.is_none_or(|(before, _)| !asked.is_beside(before));
+                    sorted.fit.push((asked, held));
+                }
+                Err(reason) => {
+                    let found = Unfit {
+                        item: template.id.as_str().to_owned(),
+                        part: template.parts[*place].id.clone(),
+                        reason,
+                    };
+                    if !unfit.contains(&found) {
+                        unfit.push(found);
+                    }
+                    let before = sorted.unfit.last();
+                    asked.opens = before.is_none_or(|before| !asked.is_beside(before));
+                    sorted.unfit.push(asked);
+                }
+            }
+        }
+        sorted
+    }
+
+    /// The letters of the boxes, in order: where a part has several, its letter comes as often.
+    pub(super) fn letters(&self) -> String {
+        let letters = self
+            .fit
+            .iter()
+            .flat_map(|(asked, held)| std::iter::repeat_n(asked.letter.clone(), held.boxes()));
+        letters.collect::<Vec<_>>().join(" ")
+    }
+
+    /// The weight of each box of each part: integers in the ratio of the points.
+    pub(super) fn weights(&self) -> Vec<u64> {
+        let shares: Vec<(u64, u64)> = self
+            .fit
+            .iter()
+            .map(|(asked, held)| {
+                let whole = |part: i128| u64::try_from(part).unwrap_or(1);
+                let bottom = whole(asked.points.denominator()) * held.boxes().max(1) as u64;
+                (whole(asked.points.numerator()), bottom)
+            })
+            .collect();
+        let common = shares.iter().fold(1, |common, (_, bottom)| {
+            common / gcd(common, *bottom) * bottom
+        });
+        let whole: Vec<u64> = shares
+            .iter()
+            .map(|(top, bottom)| top * (common / bottom))
+            .collect();
+        let divisor = whole.iter().copied().fold(0, gcd).max(1);
+        whole.iter().map(|own| own / divisor).collect()
+    }
+}
+
+/// How a part is marked, or why a platform cannot mark it.
+fn held(scene: &Scene<'_, '_>, place: usize) -> Result<Held, &'static str> {
+    let solution = scene.solution();
+    let part = &solution.template().parts[place];
+    match part.answer.kind() {
+        Kind::Choice => match part.answer.choosing() {
+            Some(Choosing::Ranking) => Err("an order of options"),
+            Some(Choosing::Several) => {
+                Err("several options, whose marks differ from those of platforms")
+            }
+            _ => Ok(Held::Choice(options(scene, place))),
+        },
+        Kind::Numeric | Kind::Integer => {
+            let marker = solution
+                .marker(place)
+                .map_err(|_| "a key that does not exist for some data")?;
+            let bands = marker.bands();
+            if bands.is_empty() {
+                return Err("complex numbers, or numbers in any order");
+            }
+            Ok(Held::Numbers(bands))
+        }
+        Kind::Formula => Err("a formula"),
+        Kind::Equation => Err("an equation"),
+        Kind::Function => Err("a function"),
+        Kind::Matrix => Err("a matrix"),
+        Kind::ModeShape => Err("mode shapes"),
+        Kind::Interval => Err("an interval"),
+    }
+}
+
+/// The options of a choice in the order of the sheet.
+fn options(scene: &Scene<'_, '_>, place: usize) -> Vec<Choosable> {
+    let solution = scene.solution();
+    let options = solution.template().parts[place].answer.options();
+    let right = match solution.key(place).map(|key| &key.value) {
+        Ok(KeyValue::Options { ids, .. }) => ids.clone(),
+        _ => Vec::new(),
+    };
+    let option = |place: usize| Choosable {
+        place,
+        is_right: right.contains(&options[place].id),
+    };
+    solution.order(place).into_iter().map(option).collect()
+}
+
+fn gcd(a: u64, b: u64) -> u64 {
+    if b == 0 { a } else { gcd(b, a % b) }
+}

@@ -1,0 +1,186 @@
+//! The texts of a question as HTML, alike for all platforms.
+
+use std::fmt::Write;
+
+use super::Wish;
+use super::held::Asked;
+use super::pictures::Pictures;
+use crate::answer::Band;
+use crate::document::{Document, Filling, Formulas};
+use crate::math::{Display, Math};
+use crate::scene::{Scene, Shown};
+use crate::worksheet::{Sheet, SheetQuestion};
+
+/// The texts of one question.
+pub(super) struct Words<'s, 'c> {
+    pub(super) scene: Scene<'s, 'c>,
+    /// The code of its variant.
+    code: String,
+    formulas: Formulas,
+    /// Where the platform has the files of the question.
+    folder: &'static str,
+}
+
+impl<'s, 'c> Words<'s, 'c> {
+    pub(super) fn of(
+        sheet: &Sheet<'_>,
+        question: &'s SheetQuestion<'c>,
+        wish: &Wish,
+        folder: &'static str,
+    ) -> Self {
+        let scope = format!("m-{}-{}", sheet.variant, question.number);
+        Self {
+            scene: Scene::of(&question.solution, wish.data).within(scope),
+            code: sheet.variant.to_string(),
+            formulas: wish.formulas,
+            folder,
+        }
+    }
+
+    /// Where a question comes from: item, code, and the letter of the part of each of its boxes.
+    pub(super) fn origin(&self, letters: &str) -> String {
+        let item = self.scene.solution().template().id.as_str();
+        format!("{item} {} {letters}", self.code)
+    }
+
+    /// A name of the question with its data that standards for identifiers allow.
+    pub(super) fn identifier(&self) -> String {
+        let item = self.scene.solution().template().id.as_str();
+        format!("q.{}.{}", item.replace('/', "."), self.code)
+    }
+
+    /// Its title.
+    pub(super) fn title(&self) -> &'s str {
+        &self.scene.solution().template().about.title
+    }
+
+    fn html(&self, pictures: &mut Pictures, shown: &[Shown<'_>]) -> String {
+        pictures.html(self.folder, self.formulas, shown)
+    }
+
+    /// A formula within a line.
+    pub(super) fn math(&self, math: &Math) -> String {
+        let mut out = String::new();
+        self.formulas.write(&mut out, math, Display::Inline);
+        out
+    }
+
+    /// A text of one paragraph, without the marks of a paragraph.
+    fn line(&self, document: &Document) -> String {
+        let mut out = String::new();
+        if !document.is_empty() {
+            document.write_html_line_with(&mut out, &Vec::<Filling>::new(), self.formulas);
+        }
+        out
+    }
+
+    /// The statement with its figure.
+    pub(super) fn statement(&self, pictures: &mut Pictures) -> String {
+        let template = self.scene.solution().template();
+        let mut out = self.html(pictures, &self.scene.passage(&template.statement));
+        if !template.statement.places_figure()
+            && let Some(picture) = self.scene.picture()
+        {
+            let image = pictures.image(self.folder, &picture.svg);
+            let caption = self.line(&template.caption);
+            let _ = write!(out, "<p>{image}</p>");
+            if !caption.is_empty() {
+                let _ = write!(out, "<p><small>{caption}</small></p>");
+            }
+        }
+        out
+    }
+
+    /// The letter of a part and its question; before the first one of a group, what its blanks have in common.
+    pub(super) fn ask(&self, asked: &Asked<'c>, pictures: &mut Pictures) -> String {
+        let mut out = String::new();
+        if let Some(group) = asked.opened() {
+            let words = self.html(pictures, &self.scene.passage(&group.text));
+            let letter = asked.group_letter();
+            let _ = write!(out, "<p><strong>{letter})</strong></p>{words}");
+        }
+        let part = &self.scene.solution().template().parts[asked.place];
+        let words = self.html(pictures, &self.scene.passage(&part.ask));
+        let _ = write!(out, "<p><strong>{})</strong></p>{words}", asked.letter);
+        out
+    }
+
+    /// The symbol that is asked for and an equals sign, where there is one.
+    pub(super) fn lead(&self, place: usize) -> String {
+        let lead = self.scene.lead(place);
+        lead.map_or_else(String::new, |lead| format!("{} ", self.math(&lead)))
+    }
+
+    /// The unit that is printed behind a box.
+    pub(super) fn unit(&self, place: usize) -> String {
+        let part = &self.scene.solution().template().parts[place];
+        let unit = part.answer.unit();
+        unit.map_or_else(String::new, |unit| format!(" {}", self.math(&unit.math())))
+    }
+
+    /// An option of a choice.
+    pub(super) fn option(&self, place: usize, option: usize) -> String {
+        let part = &self.scene.solution().template().parts[place];
+        self.line(&part.answer.options()[option].text)
+    }
+
+    /// What is said to a number that is a named mistake.
+    pub(super) fn feedback(&self, place: usize, band: &Band, pictures: &mut Pictures) -> String {
+        let part = &self.scene.solution().template().parts[place];
+        let mistake = band.mistake.and_then(|number| part.mistakes.get(number));
+        mistake.map_or_else(String::new, |mistake| {
+            self.html(pictures, &self.scene.passage(&mistake.feedback))
+        })
+    }
+
+    /// The worked solution, with the key of each part.
+    pub(super) fn worked<'a>(
+        &self,
+        parts: impl Iterator<Item = &'a Asked<'c>>,
+        pictures: &mut Pictures,
+    ) -> String
+    where
+        'c: 'a,
+    {
+        let template = self.scene.solution().template();
+        let mut out = self.html(pictures, &self.scene.passage(&template.solution));
+        for asked in parts {
+            if let Some(group) = asked.opened() {
+                out.push_str(&self.html(pictures, &self.scene.passage(&group.solution)));
+            }
+            let _ = write!(out, "<p><strong>{})</strong> ", asked.letter);
+            if let Ok(Some(key)) = self.scene.key(asked.place) {
+                out.push_str(&self.math(key));
+            }
+            out.push_str("</p>");
+            let part = &template.parts[asked.place];
+            out.push_str(&self.html(pictures, &self.scene.passage(&part.solution)));
+        }
+        out
+    }
+
+    /// The first hints of all parts, then the second ones, and so on; those of a group once.
+    pub(super) fn hints(&self, parts: &[&Asked<'c>], pictures: &mut Pictures) -> Vec<String> {
+        let template = self.scene.solution().template();
+        let count = |asked: &&Asked<'_>| template.parts[asked.place].hints.len();
+        let most = parts.iter().map(count).max().unwrap_or(0);
+        (0..most)
+            .map(|number| {
+                let mut out = String::new();
+                for asked in parts {
+                    let shared = asked.group.filter(|group| number < group.hints.len());
+                    let letter = match shared {
+                        Some(_) if !asked.opens => continue,
+                        Some(_) => asked.group_letter(),
+                        None => &asked.letter,
+                    };
+                    if let Some(hint) = template.parts[asked.place].hints.get(number) {
+                        let words = self.html(pictures, &self.scene.passage(hint));
+                        let _ = write!(out, "<p><strong>{letter})</strong></p>{words}");
+                    }
+                }
+                out
+            })
+            .collect()
+    }
+}
