@@ -14,7 +14,7 @@ pub enum Formulas {
     /// As MathML, which browsers typeset.
     #[default]
     MathMl,
-    /// As TeX between `\\(` and `\\)`, or `\\[` and `\\]`, which MathJax and filters of platforms typeset.
+    /// As TeX between `\(` and `\)`, or `\[` and `\]`, which MathJax and filters of platforms typeset.
     Tex,
 }
 
