@@ -23,6 +23,10 @@ const COMMANDS: &[&[&str]] = &[
     &["list"],
     &["practice", "ch3", "--seed", "1", "--count", "1"],
     &["check", "ch1/e7-rolling-disk-ke", "--seeds", "1"],
+    // The same items as a folder: read anew, and with the index that the second run finds.
+    &["list", "--bank", "bank", "--no-index"],
+    &["list", "--bank", "bank"],
+    &["show", "ch1/e7-rolling-disk-ke", "--bank", "bank"],
 ];
 
 /// Processor time of all children so far, in seconds.
@@ -46,6 +50,7 @@ fn main() {
         for _ in 0..RUNS {
             let ran = Command::new(env!("CARGO_BIN_EXE_vibank"))
                 .args(*arguments)
+                .env("VIBANK_CACHE", env!("CARGO_TARGET_TMPDIR"))
                 .stdin(Stdio::null())
                 .stdout(Stdio::null())
                 .stderr(Stdio::null())

@@ -227,10 +227,10 @@ fn slots(given: &Given<'_>) -> Slots {
     )
     .chain(equilibrium.formula().into_iter().flatten())
     .for_each(&mut collect);
-    names.remove(&Name::new("t"));
-    names.retain(|name| !energies.coordinates.contains(name));
+    let time = Name::new("t");
+    let is_constant = |name: &Name| *name != time && !energies.coordinates.contains(name);
     Slots {
-        constants: names.into_iter().collect(),
+        constants: names.into_iter().filter(is_constant).collect(),
         coordinates: energies.coordinates.clone(),
     }
 }

@@ -29,7 +29,7 @@ impl Scene<'_, '_> {
         let coordinate = Symbols(self.solution).name(&turns.coordinate).math;
         let line = |at: usize| {
             let point = &turns.points[at];
-            let number = Math::number(&(turns.first + at).to_string());
+            let number = Math::number((turns.first + at).to_string());
             let relation = if point.is_held { "≤" } else { ">" };
             let sides = [
                 value(point.position, length),

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::derivative::resolve_diff;
 use super::{SymbolicError, bounded, time_derivative};
 use crate::expr::{Expr, Kind, Name, Path};
+use crate::numerics::gather;
 
 /// Formulas to be put in for names, all at once.
 ///
@@ -54,7 +55,7 @@ impl Substitution {
     /// Nothing to be put in yet, where these names move with time.
     pub fn moving(names: impl IntoIterator<Item = Name>) -> Self {
         Self {
-            moving: crate::numerics::gather(names),
+            moving: gather(names),
             ..Self::default()
         }
     }
@@ -139,11 +140,14 @@ impl Substitution {
 
     /// The same inside an operator that binds these names.
     fn without(&self, bound: &[Name], operator: &Expr) -> Result<Self, SymbolicError> {
-        let mut inner = self.clone();
-        inner.names.retain(|name, _| !bound.contains(name));
-        for name in bound {
-            inner.moving.remove(name);
-        }
+        let is_outer = |name: &Name| !bound.contains(name);
+        let names = self.names.iter().filter(|(name, _)| is_outer(name));
+        let moving = self.moving.iter().filter(|name| is_outer(name));
+        let inner = Self {
+            names: gather(names.map(|(name, value)| (name.clone(), Arc::clone(value)))),
+            paths: self.paths.clone(),
+            moving: gather(moving.cloned()),
+        };
         let mut values = inner.names.values().chain(inner.paths.values());
         let caught = values.find_map(|value| bound.iter().find(|name| value.names.contains(name)));
         if let Some(name) = caught {

@@ -90,7 +90,7 @@ fn copy(from: &Path, to: &Path) {
 fn age(path: &Path) {
     let file = fs::File::options().append(true).open(path).expect("a file");
     #[expect(clippy::disallowed_methods, reason = "a test sets a time in the past")]
-    let past = SystemTime::now() - Duration::from_secs(3600);
+    let past = SystemTime::now() - Duration::from_hours(1);
     file.set_modified(past).expect("its time can be set");
 }
 
