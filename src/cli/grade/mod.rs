@@ -359,6 +359,10 @@ impl Job<'_> {
         Ok(())
     }
 
+    #[expect(
+        clippy::too_many_lines,
+        reason = "what a run says, line by line in the order in which it is read"
+    )]
     fn finish(self, faults: &[String], changed: &[String]) -> Result<super::Outcome, Failure> {
         let has_earlier = self.changes.is_some();
         let makes_feedback = self.makes_feedback();

@@ -24,8 +24,15 @@ const FILES: &str = "$IMS-CC-FILEBASE$/";
 /// Below these, values and half-widths lose digits to the rounding to four decimals.
 const SMALLEST: [f64; 2] = [1e-3, 1e-4];
 
-/// Prefixes of units by thousands.
-const PREFIXES: [&str; 6] = ["", "m", "µ", "n", "p", "f"];
+/// Prefixes of units by thousands, and how many of such units are one.
+const PREFIXES: [(&str, f64); 6] = [
+    ("", 1.0),
+    ("m", 1e3),
+    ("µ", 1e6),
+    ("n", 1e9),
+    ("p", 1e12),
+    ("f", 1e15),
+];
 
 /// A package for Canvas while it is made.
 pub struct Canvas {
@@ -274,7 +281,7 @@ impl Scale {
         let part = &words.scene.solution().template().parts[place];
         let own = part.answer.unit();
         let is_large = |thousandths: usize| {
-            let power = 1000_f64.powi(thousandths as i32);
+            let (_, power) = PREFIXES[thousandths];
             let large = |size: f64, least: f64| size == 0.0 || size * power >= least;
             let right = bands.iter().filter(|band| band.credit == Credit::FULL);
             right
@@ -303,14 +310,14 @@ impl Scale {
     }
 
     fn factor(&self) -> f64 {
-        1000_f64.powi(self.thousandths as i32)
+        PREFIXES[self.thousandths].1
     }
 }
 
 /// The unit with a prefix that makes it smaller by a thousand so many times, where there is one.
 fn smaller(own: &Unit, thousandths: usize) -> Option<Unit> {
-    let wanted = 1000_f64.powi(-(thousandths as i32));
-    PREFIXES[1..].iter().find_map(|prefix| {
+    let wanted = 1.0 / PREFIXES[thousandths].1;
+    PREFIXES[1..].iter().find_map(|(prefix, _)| {
         let unit = Unit::parse(&format!("{prefix}{}", own.text())).ok()?;
         let conversion = unit.conversion(own).ok()?;
         let factor = own.of_si(conversion.apply(1.0));
