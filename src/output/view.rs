@@ -52,7 +52,31 @@ struct QuestionView {
     solution: String,
     notes: String,
     identity: String,
+    /// Whether it may take more than most of a page.
+    is_long: bool,
     parts: Vec<PartView>,
+}
+
+/// Millimetres of paper beyond which a question may be torn between its parts: one that is moved whole to the next page
+/// leaves at most the rest of this one empty. A page of A4 has 263.
+const LONG: usize = 200;
+
+impl QuestionView {
+    /// About how many millimetres of paper it takes: title and statement, figure, and for each part the text and the
+    /// blank, or the options. A rough estimate: a question that is taken for longer may be torn though it would fit.
+    fn height(&self) -> usize {
+        const HEAD: usize = 40;
+        const FIGURE: usize = 45;
+        let part = |part: &PartView| {
+            let answer = match part.options.len() {
+                0 => 13,
+                count => 6 * (count + 1),
+            };
+            answer + 6 * usize::from(part.group.is_some())
+        };
+        let figure = if self.figure.is_empty() { 0 } else { FIGURE };
+        HEAD + figure + self.parts.iter().map(part).sum::<usize>()
+    }
 }
 
 /// What is printed before the first blank of a group.
@@ -244,6 +268,7 @@ impl<'p> View<'p> {
                 ..self.part(&scene, *place, *points)
             })
             .collect();
+        view.is_long = view.height() > LONG;
         view
     }
 
