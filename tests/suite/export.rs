@@ -425,8 +425,11 @@ fn unpacked(bytes: Vec<u8>) -> std::collections::BTreeMap<String, String> {
     files
 }
 
-/// The elements of well-formed XML: name, attributes, and the words up to the next tag.
-fn elements(xml: &str) -> Vec<(String, Vec<(String, String)>, String)> {
+/// Name, attributes, and the words up to the next tag.
+type Element = (String, Vec<(String, String)>, String);
+
+/// The elements of well-formed XML.
+fn elements(xml: &str) -> Vec<Element> {
     let (mut found, mut open) = (Vec::new(), Vec::new());
     let mut rest = xml
         .strip_prefix("<?xml version=\"1.0\" encoding=\"UTF-8\"?>")

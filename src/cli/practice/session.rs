@@ -149,7 +149,7 @@ impl Session {
         let part = &solution.template().parts[place];
         let (mut hints, mut attempts) = (0, 0);
         loop {
-            match self.read(&letter)? {
+            match self.read(letter)? {
                 Typed::Nothing => {}
                 Typed::Help => self.screen.say(Tone::Faint, "   ", HELP),
                 Typed::Hint => hints = self.hint(scene, part, hints),

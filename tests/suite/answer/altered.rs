@@ -53,7 +53,7 @@ fn altered(formula: &Expr) -> Vec<Expr> {
                     of(Operator::Divide, right, left),
                 ]),
                 Operator::Power => {
-                    found.extend([left.clone(), of(Operator::Power, left, &double(right))])
+                    found.extend([left.clone(), of(Operator::Power, left, &double(right))]);
                 }
             }
             found.extend(altered(left).iter().map(|left| of(*operator, left, right)));
