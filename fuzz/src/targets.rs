@@ -198,6 +198,7 @@ thread_local! {
             language: "en".into(),
             decimal: '.',
             doubt: Doubt::default(),
+            other_form: None,
             data: Data::Both,
             questions: vec![PracticeQuestion::of(item, 0, "Kinds")],
         };

@@ -613,6 +613,13 @@ function lettered(options) {
   return make("ul", { className: "ranking" }, ...options.map(item));
 }
 
+/** What is heard of a text with formulas. */
+function spoken(element) {
+  const copy = element.cloneNode(true);
+  for (const math of copy.querySelectorAll("math[alttext]")) math.replaceWith(math.getAttribute("alttext"));
+  return copy.textContent.trim();
+}
+
 /** Options to choose from. */
 function options(part) {
   const { part: asked, name } = part;
@@ -626,6 +633,8 @@ function options(part) {
   const inputs = asked.options.map((option, at) => {
     const input = make("input", { type, name, value: option.letter, id: `${name}-${at}` });
     const label = make("label", { htmlFor: input.id, innerHTML: option.text });
+    // A formula alone is no name for all who read pages aloud.
+    if (label.querySelector("math")) input.setAttribute("aria-label", spoken(label));
     input.addEventListener("change", () => part.changed());
     root.append(make("div", { className: "option" }, input, label));
     return input;

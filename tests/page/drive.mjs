@@ -184,6 +184,15 @@ await step("every question: shown, solved with its own key, marked right", async
   return `${questions.length} questions, ${parts} parts, ${right} choices marked right`;
 });
 
+await step("axe finds nothing in any question", async () => {
+  const items = await page.evaluate(() => globalThis.page.practice.questions.map(({ item }) => item));
+  for (const item of items) {
+    await open(item);
+    await check(item);
+  }
+  return `${items.length} questions`;
+});
+
 await step("a slipped unit is named, the right answer is right", async () => {
   await open("ch2/e8-springs-parallel-series");
   const letter = await page.evaluate(
