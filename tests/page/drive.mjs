@@ -184,13 +184,24 @@ await step("every question: shown, solved with its own key, marked right", async
   return `${questions.length} questions, ${parts} parts, ${right} choices marked right`;
 });
 
-await step("axe finds nothing in any question", async () => {
-  const items = await page.evaluate(() => globalThis.page.practice.questions.map(({ item }) => item));
-  for (const item of items) {
+await step("axe finds nothing in a question with each kind of answer", async () => {
+  const items = await page.evaluate(() => {
+    const { grader, practice } = globalThis.page;
+    const found = new Map();
+    practice.questions.forEach(({ item }, question) => {
+      const { code } = grader.ask({ do: "choose", question, from: 1 });
+      for (const { kind, options = [] } of grader.ask({ do: "show", question, code }).parts ?? []) {
+        const isFormula = options.some(({ text }) => text.startsWith("<math"));
+        found.set(isFormula ? "choice of formulas" : kind, item);
+      }
+    });
+    return [...found];
+  });
+  for (const [kind, item] of items) {
     await open(item);
-    await check(item);
+    await check(`${kind}: ${item}`);
   }
-  return `${items.length} questions`;
+  return items.map(([kind]) => kind).join(", ");
 });
 
 await step("a slipped unit is named, the right answer is right", async () => {
