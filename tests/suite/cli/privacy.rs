@@ -49,7 +49,7 @@ fn keyed(folder: &Path, split: bool) -> PathBuf {
     let key = text_of(&folder.join("exam.key"));
     let _ = fs::remove_file(&key);
     vibank(&["new", "secret", &key]).ends(0);
-    let plan = "title = 'T'\nsecret = 'exam.key'\nvariants = 12\nformats = ['html', 'md']\nhints = true\n\
+    let plan = "title = 'T'\nsecret = 'exam.key'\nvariants = 5\nformats = ['html', 'md']\nhints = true\n\
         [[question]]\nitem = 'ch3/e4-underdamped-response'\n\
         [[question]]\nitem = 'ch4/e2-amplitude-resonance'\n\
         [[question]]\nitem = 'ch1/e9-pendulum-equilibrium-stability'\n";
@@ -72,27 +72,26 @@ fn nothing_that_is_handed_out_tells_a_seed() {
         let out = keyed(&folder, split);
         let manifest = out.join("manifest.json");
         let seeds = seeds(&json(&manifest));
-        assert_eq!(seeds.len(), 36);
+        assert_eq!(seeds.len(), 15);
         // Every part is answered with something that gets a remark.
         let answered = answered(&content(out.join("responses.csv")), "1.5");
         let responses = put(&folder, "responses.csv", answered);
         let marks = text_of(&folder.join(if split { "marks-split" } else { "marks" }));
         let manifest = text_of(&manifest);
         vibank(&["grade", &manifest, &responses, "--out", &marks]);
+        let kinds = ["/sheets", "/solutions", "/feedback"];
         let is_handed_out = |path: &PathBuf| {
             let inside = text_of(path);
-            ["sheets", "solutions", "feedback"]
-                .iter()
-                .any(|kind| inside.contains(&format!("/{kind}")))
+            kinds.iter().any(|kind| inside.contains(kind))
         };
         let (given, kept): (Vec<PathBuf>, Vec<PathBuf>) = all(&out)
             .into_iter()
             .chain(all(Path::new(&marks)))
             .partition(is_handed_out);
-        assert!(
-            given.len() >= 16,
-            "sheets, solutions and feedback were made"
-        );
+        for kind in kinds {
+            let made = given.iter().any(|path| text_of(path).contains(kind));
+            assert!(made, "nothing was made in {kind}");
+        }
         for path in given {
             let text = content(&path).to_lowercase();
             for seed in &seeds {

@@ -302,7 +302,7 @@ fn times(folder: &Path) -> BTreeMap<String, std::time::SystemTime> {
 #[test]
 fn a_run_that_was_killed_is_gone_on_with() {
     let folder = folder("killed");
-    let top = "seed = 11\nvariants = 500\nformats = [\"html\", \"json\"]";
+    let top = "seed = 11\nvariants = 250\nformats = [\"html\", \"json\"]";
     let plan = put(&folder, "test.toml", blueprint(top));
     let whole = folder.join("whole");
     small(&["sheet", &plan, "--out", &text_of(&whole)]).ends(0);
@@ -329,7 +329,7 @@ fn a_run_that_was_killed_is_gone_on_with() {
             !out.join("manifest.json").exists(),
             "the manifest is the last file, and was there before the run was killed"
         );
-        vibank(&arguments).ends(0).says("500 sheets");
+        vibank(&arguments).ends(0).says("250 sheets");
         let found = files(&out);
         assert!(
             !found
