@@ -78,14 +78,14 @@ pub fn judge(solution: &Solution<'_>, parts: &[usize]) -> Result<(), Unfit> {
 ///
 /// The first method that cannot.
 pub fn judge_methods(solution: &Solution<'_>, parts: &[usize]) -> Result<(), Unfit> {
-    for place in parts.iter().filter(|place| solution.asks(**place)) {
+    let asked = parts.iter().filter(|place| solution.asks(**place));
+    let kind = |place: &usize| solution.template().parts[*place].answer.kind();
+    let (functions, numbers): (Vec<&usize>, Vec<&usize>) = asked
+        .filter(|place| matches!(kind(place), Kind::Numeric | Kind::Integer | Kind::Function))
+        .partition(|place| kind(place) == Kind::Function);
+    // Functions take the longest, and are not looked at where a number decides.
+    for place in numbers.into_iter().chain(functions) {
         let part = &solution.template().parts[*place];
-        if !matches!(
-            part.answer.kind(),
-            Kind::Numeric | Kind::Integer | Kind::Function
-        ) {
-            continue;
-        }
         if solution
             .marker(*place)
             .is_ok_and(|marker| marker.is_mistaken_key())

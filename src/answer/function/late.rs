@@ -36,6 +36,16 @@ pub(super) struct Window {
     half: f64,
 }
 
+/// A window before its tolerance is known.
+struct Outline {
+    times: Vec<Precise>,
+    size: f64,
+    /// The larger one of the sizes there and on the span.
+    largest: f64,
+    /// What its half-width is at least.
+    least: f64,
+}
+
 /// What is known of a key when the windows are chosen.
 pub(super) struct OnSpan<'a> {
     pub(super) evaluation: &'a Evaluation<'a>,
@@ -68,15 +78,24 @@ impl OnSpan<'_> {
             if hidden.is_empty() {
                 break;
             }
-            let Some(window) = self.window(doubling) else {
+            let Some(outline) = self.outline(doubling) else {
+                break;
+            };
+            let slopes: Vec<f64> = hidden
+                .iter()
+                .map(|datum| self.slope(*datum, &outline))
+                .collect();
+            let shows = |slope: &f64, half: f64| *slope >= SHOWS * half;
+            // What rounding in the steps adds is computed where it may decide.
+            if !slopes.iter().any(|slope| shows(slope, outline.least)) {
+                continue;
+            }
+            let Some(window) = self.window(outline) else {
                 break;
             };
             let count = hidden.len();
-            hidden.retain(|datum| {
-                let moved = self.size_with(*datum, &window.times);
-                let slope = moved.map_or(0.0, |moved| (moved - window.size).abs() / STEP);
-                slope < SHOWS * window.half
-            });
+            let mut slopes = slopes.iter();
+            hidden.retain(|_| !slopes.next().is_some_and(|slope| shows(slope, window.half)));
             if hidden.len() < count {
                 windows.push(window);
             }
@@ -97,44 +116,55 @@ impl OnSpan<'_> {
         })
     }
 
-    /// The window that lies `2^doubling` spans behind the span.
-    fn window(&self, doubling: i32) -> Option<Window> {
+    /// The window that lies `2^doubling` spans behind the span, but for what rounding in the steps does to it.
+    fn outline(&self, doubling: i32) -> Option<Outline> {
         let [from, to] = self.ends;
         let start = to + (to - from) * (crate::numerics::powi(2.0, doubling) - 1.0);
         let times = super::span::times([start, start + to - from]);
         let own = size(&samples(self.evaluation, self.key, &times).ok()?);
-        let half = match self.stated {
-            Some((tolerance, figures)) => {
-                let largest = own.max(size(self.values));
-                tolerance.half_width(largest, || 0.0, figures, self.evaluation)
-            }
-            None => {
-                let steps = self.evaluation.graph().steps(self.key).into_iter();
-                let steps = steps.filter(|step| self.is_number(*step));
-                let moved = steps.filter_map(|step| self.size_with(step, &times));
-                let spread: f64 = moved.map(|moved| (moved - own).abs() / STEP).sum();
-                self.share * (own.max(size(self.values)) + spread)
-            }
-        };
+        let largest = own.max(size(self.values));
+        let stated = self.stated.map_or(self.share * largest, |(given, figures)| {
+            given.half_width(largest, || 0.0, figures, self.evaluation)
+        });
         // A factor that the span admits is admitted here, too.
         let shares = self.values.iter().zip(self.halves);
         let factor = shares
             .map(|(value, half)| half / value.abs())
             .fold(f64::INFINITY, f64::min);
-        let half = half.max(factor * own);
-        half.is_finite().then_some(Window {
+        let least = stated.max(factor * own);
+        let outline = Outline {
             times,
             size: own,
+            largest,
+            least,
+        };
+        least.is_finite().then_some(outline)
+    }
+
+    /// The window with its tolerance.
+    fn window(&self, outline: Outline) -> Option<Window> {
+        let mut half = outline.least;
+        if self.stated.is_none() {
+            let steps = self.evaluation.graph().steps(self.key).into_iter();
+            let steps = steps.filter(|step| self.is_number(*step));
+            let spread: f64 = steps.map(|step| self.slope(step, &outline)).sum();
+            half = half.max(self.share * (outline.largest + spread));
+        }
+        half.is_finite().then_some(Window {
+            times: outline.times,
+            size: outline.size,
             half,
         })
     }
 
-    fn is_number(&self, step: NodeId) -> bool {
-        self.evaluation.graph().variables(step).is_empty()
+    /// How fast the size in a window grows with a datum or step, which grows by its own size; 0 where it cannot.
+    fn slope(&self, node: NodeId, outline: &Outline) -> f64 {
+        self.moved(node, &outline.times)
+            .map_or(0.0, |moved| (size(&moved) - outline.size).abs() / STEP)
     }
 
-    fn size_with(&self, node: NodeId, times: &[Precise]) -> Option<f64> {
-        Some(size(&self.moved(node, times)?))
+    fn is_number(&self, step: NodeId) -> bool {
+        self.evaluation.graph().variables(step).is_empty()
     }
 
     /// The values of the key where a datum or step is a little larger; `None` where it is zero or no number.
