@@ -6,7 +6,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 use crate::expr::{
-    Absence, Approx, Inputs, Name, Path, Precise, Scalar, Undefined, Value, Workspace,
+    Absence, Approx, Inputs, Name, Path, Precise, Program, Scalar, Undefined, Value, Workspace,
 };
 use crate::mechanics::{Lack, Model, Motion, Numbers, TurningPoints};
 use crate::numerics::Dd;
@@ -297,13 +297,25 @@ impl<'g> Evaluation<'g> {
         computation: &Computation,
         variables: &[Precise],
     ) -> Result<Value, Absent> {
+        self.run_with(node, computation, variables, |program, inputs, room| {
+            program.evaluate(inputs, room)
+        })
+    }
+
+    fn run_with<T>(
+        &self,
+        node: &Node,
+        computation: &Computation,
+        variables: &[Precise],
+        run: impl FnOnce(&Program, &Given<'_, '_>, &mut Workspace) -> Result<T, Absence>,
+    ) -> Result<T, Absent> {
         let inputs = Given {
             evaluation: self,
             computation,
             variables,
         };
         let mut room = self.rooms.borrow_mut().pop().unwrap_or_default();
-        let result = computation.program.evaluate(&inputs, &mut room);
+        let result = run(&computation.program, &inputs, &mut room);
         self.rooms.borrow_mut().push(room);
         result.map_err(|absence| Absent::Undefined {
             label: node.label.clone(),
@@ -458,6 +470,21 @@ impl Function<'_, '_> {
             self.evaluation.graph.node(self.node),
             self.computation,
             variables,
+        )
+    }
+
+    /// The value of a real function, where an absolute error of `accuracy` in SI units is good enough.
+    ///
+    /// # Errors
+    ///
+    /// Why there is none; a function with other values has none.
+    pub fn real_at(&self, variables: &[Precise], accuracy: f64) -> Result<f64, Absent> {
+        let node = self.evaluation.graph.node(self.node);
+        self.evaluation.run_with(
+            node,
+            self.computation,
+            variables,
+            |program, inputs, room| program.evaluate_within(accuracy, inputs, room),
         )
     }
 }

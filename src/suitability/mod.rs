@@ -161,7 +161,7 @@ impl<'s> Beside<'s> {
         };
         let right = match (answer.kind(), times) {
             (Kind::Numeric, _) => evaluation.value(key).ok()?.numbers().to_vec(),
-            (_, Some(times)) => samples(&evaluation.function(key).ok()?, times)?,
+            (_, Some(times)) => samples(&evaluation.function(key).ok()?, times, 0.0)?,
             _ => return None,
         };
         Some(Self {
@@ -181,7 +181,7 @@ impl<'s> Beside<'s> {
                 let wrong = self.evaluation.wrongly(method).ok()?;
                 wrong.value(self.key).ok()?.numbers().to_vec()
             }
-            Some(times) => self.course(method, |wrong| samples(wrong, times))?,
+            Some(times) => self.course(method, |wrong| samples(wrong, times, self.fine()))?,
         };
         let size = largest(&self.right);
         let mut pairs = wrong.iter().zip(&self.right);
@@ -209,8 +209,7 @@ impl<'s> Beside<'s> {
             // Late, where a wrong frequency or a wrong decay shows; early, where a wrong start does; and between.
             let last = times.len() - 1;
             let is_apart = [last, last / 2, last / 5, 0].into_iter().any(|place| {
-                let Some(value) = value(wrong, times[place]).filter(|value| value.is_finite())
-                else {
+                let Some(value) = value(wrong, times[place], self.fine()) else {
                     return false;
                 };
                 let mut values = self.right.clone();
@@ -240,10 +239,15 @@ impl<'s> Beside<'s> {
         look(&evaluation.function_wrongly(method)?)
     }
 
+    /// The accuracy of what is compared with the key: far below [`SAME`].
+    fn fine(&self) -> f64 {
+        1e-12 * largest(&self.right)
+    }
+
     fn is_in_force(&self, step: NodeId) -> bool {
         let is_in_force = || {
             let own = self.evaluation.function(step).ok()?;
-            Some(samples(&own, self.times?)? == self.right)
+            Some(samples(&own, self.times?, 0.0)? == self.right)
         };
         let mut known = self.in_force.borrow_mut();
         let found = known
@@ -266,14 +270,14 @@ fn half_away(solution: &Solution<'_>, place: usize) -> Option<f64> {
         .filter(|_| answer.kind() == Kind::Numeric && largest(&halved) > 0.0)
 }
 
-/// The values of a function of time.
-fn samples(function: &Function<'_, '_>, times: &[Precise]) -> Option<Vec<f64>> {
-    times.iter().map(|time| value(function, *time)).collect()
+/// The values of a function of time, with an absolute error of at most `accuracy`.
+fn samples(function: &Function<'_, '_>, times: &[Precise], accuracy: f64) -> Option<Vec<f64>> {
+    let value = |time: &Precise| value(function, *time, accuracy);
+    times.iter().map(value).collect()
 }
 
-/// The value of a function of time.
-fn value(function: &Function<'_, '_>, time: Precise) -> Option<f64> {
-    function.at(&[time]).ok()?.as_real()
+fn value(function: &Function<'_, '_>, time: Precise, accuracy: f64) -> Option<f64> {
+    function.real_at(&[time], accuracy).ok()
 }
 
 fn largest(numbers: &[f64]) -> f64 {

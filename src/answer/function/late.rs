@@ -13,7 +13,7 @@
 //! response need not hold.
 
 use super::SAMPLES;
-use super::samples::samples;
+use super::samples::{fine, samples};
 use crate::answer::Tolerance;
 use crate::expr::{Expr, Function, Kind, Name, Precise, Value};
 use crate::numerics::sin;
@@ -121,11 +121,13 @@ impl OnSpan<'_> {
         let [from, to] = self.ends;
         let start = to + (to - from) * (crate::numerics::powi(2.0, doubling) - 1.0);
         let times = super::span::times([start, start + to - from]);
-        let own = size(&samples(self.evaluation, self.key, &times).ok()?);
+        let own = size(&samples(self.evaluation, self.key, &times, self.fine()).ok()?);
         let largest = own.max(size(self.values));
-        let stated = self.stated.map_or(self.share * largest, |(given, figures)| {
-            given.half_width(largest, || 0.0, figures, self.evaluation)
-        });
+        let stated = self
+            .stated
+            .map_or(self.share * largest, |(given, figures)| {
+                given.half_width(largest, || 0.0, figures, self.evaluation)
+            });
         // A factor that the span admits is admitted here, too.
         let shares = self.values.iter().zip(self.halves);
         let factor = shares
@@ -163,6 +165,11 @@ impl OnSpan<'_> {
             .map_or(0.0, |moved| (size(&moved) - outline.size).abs() / STEP)
     }
 
+    fn fine(&self) -> f64 {
+        let largest = |largest: f64, value: &f64| largest.max(value.abs());
+        fine(self.values.iter().fold(0.0, largest))
+    }
+
     fn is_number(&self, step: NodeId) -> bool {
         self.evaluation.graph().variables(step).is_empty()
     }
@@ -172,7 +179,7 @@ impl OnSpan<'_> {
         let given = self.evaluation.real(node).ok().filter(|own| *own != 0.0)?;
         let moved = Value::real(given * (1.0 + STEP), 0.0);
         let evaluation = self.evaluation.replacing(vec![(node, moved)]);
-        samples(&evaluation, self.key, times).ok()
+        samples(&evaluation, self.key, times, self.fine()).ok()
     }
 }
 

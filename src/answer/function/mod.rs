@@ -54,7 +54,7 @@ use std::sync::{Arc, OnceLock};
 use self::label::Labels;
 use self::late::OnSpan;
 use self::marker::Prepared;
-use self::samples::{derived, rounding, samples};
+use self::samples::{derived, fine, rounding, samples};
 use self::span::{Extent, spans, times};
 use super::letters::Allowed;
 use super::meaning::{Meaning, Prefer};
@@ -197,7 +197,7 @@ impl Answer for Motion {
 
     fn printed(&self, context: &Context<'_>) -> Option<Result<Key, Absent>> {
         let times = self.span.ends(context.evaluation).map(times);
-        let first = times.and_then(|times| samples(context.evaluation, self.key, &times[..1]));
+        let first = times.and_then(|times| samples(context.evaluation, self.key, &times[..1], 0.0));
         Some(first.map(|_| self.setup.printed()))
     }
 
@@ -213,7 +213,7 @@ impl Answer for Motion {
         let evaluation = context.evaluation;
         let ends = self.span.ends(evaluation)?;
         let times = times(ends);
-        let values = samples(evaluation, self.key, &times)?;
+        let values = samples(evaluation, self.key, &times, 0.0)?;
         let largest = values
             .iter()
             .fold(0.0_f64, |largest, value| largest.max(value.abs()));
@@ -228,14 +228,16 @@ impl Answer for Motion {
         let mut mistakes = Vec::new();
         for mistaken in &context.mistakes {
             let given = if let Some(node) = mistaken.given.first() {
-                samples(evaluation, *node, &times)
+                samples(evaluation, *node, &times, fine(largest))
             } else {
                 let with: Result<Vec<_>, Absent> = mistaken
                     .replaced
                     .iter()
                     .map(|(old, new)| Ok((*old, evaluation.value(*new)?.clone())))
                     .collect();
-                with.and_then(|with| samples(&evaluation.replacing(with), self.key, &times))
+                with.and_then(|with| {
+                    samples(&evaluation.replacing(with), self.key, &times, fine(largest))
+                })
             };
             if let Ok(given) = given {
                 mistakes.push((mistaken.number, given, mistaken.credit));

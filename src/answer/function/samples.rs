@@ -1,26 +1,28 @@
 //! Values of a function at the times of a span, and how far rounding in the steps moves them.
 
 use crate::expr::{Precise, Value};
-use crate::quantity::{Absent, Evaluation, Function, NodeId};
+use crate::quantity::{Absent, Evaluation, NodeId};
 
-/// The values of a node at these times.
+/// The values of a node at these times, with an absolute error of at most `accuracy`; exact to rounding for 0.
 pub(super) fn samples(
     evaluation: &Evaluation<'_>,
     node: NodeId,
     times: &[Precise],
+    accuracy: f64,
 ) -> Result<Vec<f64>, Absent> {
     let function = evaluation.function(node)?;
-    times.iter().map(|time| sample(&function, *time)).collect()
+    let is_constant = function.variables().next().is_none();
+    let at = |time: &Precise| {
+        let variables = if is_constant { &[][..] } else { &[*time] };
+        function.real_at(variables, accuracy)
+    };
+    times.iter().map(at).collect()
 }
 
-fn sample(function: &Function<'_, '_>, time: Precise) -> Result<f64, Absent> {
-    let is_constant = function.variables().next().is_none();
-    let value: Value = if is_constant {
-        function.at(&[])?
-    } else {
-        function.at(&[time])?
-    };
-    Ok(value.as_real().unwrap_or(f64::NAN))
+/// The accuracy of values that are compared with others of this size: a million times finer than the steps of the
+/// derivatives.
+pub(super) fn fine(largest: f64) -> f64 {
+    1e-12 * largest
 }
 
 /// The share of a value by which rounding to so many figures moves it at most.
@@ -68,8 +70,15 @@ pub(super) fn derived(
                 .collect();
             Value::new(value.form(), numbers, value.bounds().to_vec())
         });
-        let moved = scaled
-            .and_then(|moved| samples(&evaluation.replacing(vec![(step, moved)]), key, times).ok());
+        let moved = scaled.and_then(|moved| {
+            samples(
+                &evaluation.replacing(vec![(step, moved)]),
+                key,
+                times,
+                fine(largest),
+            )
+            .ok()
+        });
         if let Some(moved) = moved {
             add(&moved);
         }
@@ -79,7 +88,7 @@ pub(super) fn derived(
         .iter()
         .map(|time| Precise::exact(time.high() * (1.0 + STEP)))
         .collect();
-    if let Ok(moved) = samples(evaluation, key, &later) {
+    if let Ok(moved) = samples(evaluation, key, &later, fine(largest)) {
         add(&moved);
     }
     spread.into_iter().map(|sum| share * sum).collect()

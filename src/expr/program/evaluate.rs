@@ -183,6 +183,24 @@ impl Program {
     where
         I: Inputs<Approx<f64>> + Inputs<Approx<Dd>> + ?Sized,
     {
+        self.evaluate_within(0.0, inputs, room)
+    }
+
+    /// The same where an error of `accuracy` is good enough, in SI units: near a zero of a function, more digits than
+    /// its size asks for cost ten times as long.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Self::evaluate_real`].
+    pub fn evaluate_within<I>(
+        &self,
+        accuracy: f64,
+        inputs: &I,
+        room: &mut Workspace,
+    ) -> Result<f64, Absence>
+    where
+        I: Inputs<Approx<f64>> + Inputs<Approx<Dd>> + ?Sized,
+    {
         let absent = |reason| Absence {
             reason,
             span: self.span(),
@@ -191,8 +209,8 @@ impl Program {
             return Err(absent(Undefined::NotReal));
         }
         if let Ok(outcome) = self.run(inputs, &mut room.double)
-            && is_settled(&outcome)
             && let Some(number) = outcome.numbers().next()
+            && (is_settled(&outcome) || !outcome.is_open && number.bound <= accuracy)
             && number.value.is_finite()
         {
             return Ok(number.value);
