@@ -9,6 +9,7 @@ use vibank::scene::{Data, Scene, Shown};
 use vibank::seed::{Seed, Variant};
 use vibank::solution::Solution;
 use vibank::source::Source;
+use vibank::suitability;
 use vibank::worksheet::{Blueprint, PartEntry, Plan, Sheet, headings, letter};
 
 use super::bank::{self, BankArgument};
@@ -63,7 +64,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         let instance = Instance::of(template, arguments.seed.map(Seed::new), &set)
             .map_err(|error| Failure::new(error.to_string()))?;
         let solution = Solution::of(instance);
-        show(arguments, &solution, Data::Both, &asked(&solution));
+        let parts = asked(&solution);
+        show(arguments, &solution, Data::Both, &parts);
+        if !set.is_empty() {
+            warn_of_slips(&solution, &parts);
+        }
         return Ok(Outcome::Done);
     }
     if let Some(blueprint) = &arguments.blueprint {
@@ -104,6 +109,17 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         show(arguments, &solution, manifest.data, &places);
     }
     Ok(Outcome::Done)
+}
+
+/// Data that are given are shown whatever they are; sheets are drawn with others where a slip would come out right.
+fn warn_of_slips(solution: &Solution<'_>, parts: &[usize]) {
+    for part in parts {
+        let part = std::slice::from_ref(part);
+        let judged = suitability::judge(solution, part);
+        if let Err(unfit) = judged.and_then(|()| suitability::judge_methods(solution, part)) {
+            eprintln!("warning: with these data, {unfit}");
+        }
+    }
 }
 
 /// Shows the sheet that a code is of a blueprint.

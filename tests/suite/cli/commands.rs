@@ -91,6 +91,10 @@ fn an_item_is_shown_with_the_data_of_its_source() {
     small(&["show", "free/spring-mass", "--set", "m=8 kg", "--key"])
         .ends(0)
         .says("= 10.0 rad/s");
+    // After one period the decrement of several is that of one.
+    vibank(&["show", "ch3/e5-log-decrement", "--set", "n=1"])
+        .ends(0)
+        .complains("warning: with these data, a mistake of part `ratio_n`");
 }
 
 #[test]
