@@ -7,7 +7,7 @@ use std::path::Path;
 
 use vibank::worksheet::{Columns, Student};
 
-use self::headings::Places;
+pub(crate) use self::headings::Places;
 use super::Failure;
 use super::table::{Fault, Row, Table};
 

@@ -23,7 +23,7 @@ pub fn responses(bytes: &[u8]) -> Result<usize, String> {
         "csv"
     };
     let read = responses::read(&input(bytes, end));
-    read.map(|(_, faults)| faults.len())
+    read.map(|handed| handed.faults())
         .map_err(|failure| told(&failure))
 }
 

@@ -50,6 +50,7 @@ mod mark;
 mod new;
 mod package;
 mod page;
+mod platform;
 mod practice;
 mod press;
 mod progress;

@@ -4,14 +4,18 @@ use std::io::{Cursor, Read};
 use std::path::Path;
 
 use serde::Deserialize;
+use vibank::answer::Doubt;
 use vibank::bank::{Catalogue, Compiled, Template};
 use vibank::course::first_variant;
+use vibank::instance::Instance;
+use vibank::numerics::Rational;
 use vibank::output::DESCRIPTION;
 use vibank::seed::Variant;
+use vibank::solution::Solution;
 use vibank::wasm::Grader;
-use vibank::worksheet::{Practice, PracticeQuestion};
+use vibank::worksheet::{Manifest, Practice, PracticeQuestion, QuestionEntry, SheetQuestion};
 
-use super::{Failure, files};
+use super::{Failure, files, record};
 
 /// Most that the description of a package unpacks to; that of the whole bank has 60 kB.
 const LONGEST: u64 = 8_000_000;
@@ -28,18 +32,29 @@ struct Described {
 struct Asked {
     key: String,
     revision: String,
+    /// What its parts are worth.
+    #[serde(default)]
+    parts: Vec<Worth>,
+}
+
+#[derive(Deserialize)]
+struct Worth {
+    id: String,
+    points: f64,
 }
 
 /// A package with the items of the bank that it was made of.
-pub(super) struct ReadPackage {
+pub(super) struct ReadPackage<'c> {
     id: String,
     pub(super) practice: Practice,
+    /// The item of each question, and what its parts are worth.
+    questions: Vec<(&'c Template, Vec<Worth>)>,
     /// What chooses variants in the page, too.
     grader: Grader,
 }
 
 /// Reads a package, whose items have to be in the bank as they were.
-pub(super) fn read(path: &Path, catalogue: &Catalogue) -> Result<ReadPackage, Failure> {
+pub(super) fn read<'c>(path: &Path, catalogue: &'c Catalogue) -> Result<ReadPackage<'c>, Failure> {
     let name = path.display();
     let described: Described = serde_json::from_str(&description(path)?).map_err(|error| {
         Failure::new(format!("{name}: `{DESCRIPTION}` cannot be read: {error}"))
@@ -47,7 +62,8 @@ pub(super) fn read(path: &Path, catalogue: &Catalogue) -> Result<ReadPackage, Fa
     })?;
     let mut practice = described.practice;
     let mut items: Vec<Compiled> = Vec::new();
-    for (question, asked) in practice.questions.iter_mut().zip(&described.questions) {
+    let mut questions = Vec::new();
+    for (question, asked) in practice.questions.iter_mut().zip(described.questions) {
         let template = current(catalogue, question)?;
         if template.revision.to_string() != asked.revision {
             let id = &question.item;
@@ -59,6 +75,7 @@ pub(super) fn read(path: &Path, catalogue: &Catalogue) -> Result<ReadPackage, Fa
         }
         question.place = items.len();
         items.push(Compiled::of(template));
+        questions.push((template, asked.parts));
     }
     let program = concat!("vibank ", env!("CARGO_PKG_VERSION"));
     if practice.program != program {
@@ -72,11 +89,71 @@ pub(super) fn read(path: &Path, catalogue: &Catalogue) -> Result<ReadPackage, Fa
     Ok(ReadPackage {
         id: described.id,
         practice,
+        questions,
         grader,
     })
 }
 
-impl ReadPackage {
+impl ReadPackage<'_> {
+    /// A manifest of it, without sheets.
+    pub(super) fn manifest(&self, catalogue: &Catalogue) -> Manifest {
+        let practice = &self.practice;
+        let text = |template: &Template| template.source.text.to_string();
+        let items = self.questions.iter();
+        Manifest {
+            title: practice.title.clone(),
+            data: practice.data,
+            language: practice.language.clone(),
+            decimal: practice.decimal,
+            // A page asks back; of what it has reported nobody can be asked any more.
+            doubt: Doubt::Benefit,
+            other_form: practice.other_form,
+            items: items
+                .map(|(template, _)| (template.id.to_string(), text(template)))
+                .collect(),
+            ..record::without_sheets(catalogue)
+        }
+    }
+
+    /// The question of an item with the data of a variant.
+    pub(super) fn question(
+        &self,
+        item: &str,
+        code: Variant,
+    ) -> Result<Option<QuestionEntry>, Failure> {
+        let mut asked = self.practice.questions.iter();
+        let Some(place) = asked.position(|question| question.item.as_str() == item) else {
+            return Ok(None);
+        };
+        let question = &self.practice.questions[place];
+        let (template, worths) = &self.questions[place];
+        let set: Vec<(&str, &str)> = question
+            .set
+            .iter()
+            .map(|(name, value)| (name.as_str(), value.as_str()))
+            .collect();
+        let instance = Instance::of(template, Some(code.item(item, None)), &set);
+        let instance = instance.map_err(|error| Failure::new(error.to_string()))?;
+        let solution = Solution::of(instance);
+        let asks = |place: &usize| solution.asks(*place) && question.asks(&template.parts[*place]);
+        let parts: Vec<usize> = (0..template.parts.len()).filter(asks).collect();
+        let points = |place: &usize| {
+            let worth = worths
+                .iter()
+                .find(|own| own.id == template.parts[*place].id);
+            let points = worth.and_then(|own| Rational::from_decimal(&own.points.to_string()));
+            points.unwrap_or(Rational::ONE)
+        };
+        let points = parts.iter().map(points).collect();
+        Ok(Some(record::question(&SheetQuestion {
+            number: place + 1,
+            place,
+            solution,
+            parts,
+            points,
+        })))
+    }
+
     /// The variant of a learner's question.
     pub(super) fn variant(&self, place: usize, learner: &str) -> Result<Variant, Failure> {
         let key = self.practice.questions[place].key();

@@ -6,9 +6,10 @@ use std::path::Path;
 use vibank::answer::Doubt;
 use vibank::bank::Catalogue;
 use vibank::numerics::Rational;
+use vibank::scene::Data;
 use vibank::worksheet::{
-    BankStamp, FORMAT, FileStamp, Heading, Manifest, PartEntry, Plan, QuestionEntry, Sheet,
-    VariantEntry, headings,
+    BankStamp, Csv, FORMAT, FileStamp, Heading, Manifest, PartEntry, Plan, QuestionEntry, Sheet,
+    SheetQuestion, VariantEntry, headings,
 };
 
 use serde_json::json;
@@ -51,50 +52,6 @@ const COLUMNS: [&str; 7] = [
 
 /// What is recorded of a sheet; its files are added when they are written.
 pub(crate) fn entry(sheet: &Sheet<'_>) -> VariantEntry {
-    let question = |question: &vibank::worksheet::SheetQuestion<'_>| {
-        let solution = &question.solution;
-        let template = solution.template();
-        let values = template.parameters.iter().zip(solution.instance().values());
-        let part = |(heading, (place, points)): (Heading<'_>, (&usize, &Rational))| {
-            let part = &template.parts[*place];
-            let options = part.answer.options();
-            PartEntry {
-                letter: heading.letter,
-                id: part.id.clone(),
-                kind: part.answer.kind().name().to_owned(),
-                unit: part
-                    .answer
-                    .unit()
-                    .map(|unit| unit.to_string())
-                    .unwrap_or_default(),
-                points: points.to_f64(),
-                options: solution
-                    .order(*place)
-                    .into_iter()
-                    .filter(|_| !options.is_empty())
-                    .map(|at| options[at].id.clone())
-                    .collect(),
-            }
-        };
-        QuestionEntry {
-            number: question.number,
-            item: template.id.clone(),
-            revision: template.revision,
-            seed: solution
-                .instance()
-                .seed()
-                .map_or(0, vibank::seed::Seed::number),
-            points: question.total().to_f64(),
-            values: values
-                .map(|(parameter, value)| (parameter.name.to_string(), value.to_string()))
-                .collect(),
-            parts: headings(template, &question.parts)
-                .into_iter()
-                .zip(question.parts.iter().zip(&question.points))
-                .map(part)
-                .collect(),
-        }
-    };
     VariantEntry {
         code: sheet.variant.to_string(),
         seed: sheet.variant.number(),
@@ -105,6 +62,86 @@ pub(crate) fn entry(sheet: &Sheet<'_>) -> VariantEntry {
         files: BTreeMap::new(),
         pages: BTreeMap::new(),
         questions: sheet.questions.iter().map(question).collect(),
+    }
+}
+
+/// What is recorded of a question.
+pub(crate) fn question(question: &SheetQuestion<'_>) -> QuestionEntry {
+    let solution = &question.solution;
+    let template = solution.template();
+    let values = template.parameters.iter().zip(solution.instance().values());
+    let part = |(heading, (place, points)): (Heading<'_>, (&usize, &Rational))| {
+        let part = &template.parts[*place];
+        let options = part.answer.options();
+        PartEntry {
+            letter: heading.letter,
+            id: part.id.clone(),
+            kind: part.answer.kind().name().to_owned(),
+            unit: part
+                .answer
+                .unit()
+                .map(|unit| unit.to_string())
+                .unwrap_or_default(),
+            points: points.to_f64(),
+            options: solution
+                .order(*place)
+                .into_iter()
+                .filter(|_| !options.is_empty())
+                .map(|at| options[at].id.clone())
+                .collect(),
+        }
+    };
+    QuestionEntry {
+        number: question.number,
+        item: template.id.clone(),
+        revision: template.revision,
+        seed: solution
+            .instance()
+            .seed()
+            .map_or(0, vibank::seed::Seed::number),
+        points: question.total().to_f64(),
+        values: values
+            .map(|(parameter, value)| (parameter.name.to_string(), value.to_string()))
+            .collect(),
+        parts: headings(template, &question.parts)
+            .into_iter()
+            .zip(question.parts.iter().zip(&question.points))
+            .map(part)
+            .collect(),
+    }
+}
+
+/// The manifest of questions that are on no sheet, without any yet.
+pub(crate) fn without_sheets(catalogue: &Catalogue) -> Manifest {
+    Manifest {
+        format: FORMAT,
+        program: PROGRAM.to_owned(),
+        bank: BankStamp {
+            title: catalogue.bank.title.clone(),
+            digest: catalogue.digest(),
+        },
+        blueprint: FileStamp {
+            path: String::new(),
+            digest: String::new(),
+        },
+        title: catalogue.bank.title.clone(),
+        data: Data::default(),
+        language: "en".to_owned(),
+        decimal: '.',
+        doubt: Doubt::Benefit,
+        other_form: None,
+        csv: Csv::default(),
+        keyed: false,
+        shard: "1/1".to_owned(),
+        inputs: String::new(),
+        look: String::new(),
+        formats: Vec::new(),
+        press: None,
+        fonts: Vec::new(),
+        variants: Vec::new(),
+        items: BTreeMap::new(),
+        form: String::new(),
+        files: BTreeMap::new(),
     }
 }
 

@@ -1,4 +1,4 @@
-//! Response files: CSV or JSON, with one row a part or one row a sheet.
+//! Response files: CSV or JSON, with one row a part or one row a sheet, or the report of a platform.
 //!
 //! A row that cannot be read is reported with its line, and what it answers is open; the others count.
 
@@ -8,6 +8,7 @@ use serde_json::{Map, Value as Json};
 use vibank::grade::{Responses, Row};
 use vibank::seed::Variant;
 
+use super::platform::Report;
 use super::table::{self, Table};
 use super::{Failure, files};
 
@@ -21,8 +22,27 @@ struct Reading {
     faults: Vec<String>,
 }
 
-/// The responses of a file, and what is wrong with single rows.
-pub(crate) fn read(path: &Path) -> Result<(Responses, Vec<String>), Failure> {
+/// What a file of responses holds.
+pub(crate) enum Handed {
+    /// The answers to parts of sheets, and what is wrong with single rows.
+    Rows(Responses, Vec<String>),
+    /// The report of a platform.
+    Report(Report),
+}
+
+#[cfg(feature = "fuzzing")]
+impl Handed {
+    /// How many rows have something wrong with them.
+    pub(crate) fn faults(&self) -> usize {
+        match self {
+            Self::Rows(_, faults) => faults.len(),
+            Self::Report(report) => report.faults(),
+        }
+    }
+}
+
+/// The responses of a file.
+pub(crate) fn read(path: &Path) -> Result<Handed, Failure> {
     let mut reading = Reading::default();
     let is_json = path
         .extension()
@@ -31,13 +51,38 @@ pub(crate) fn read(path: &Path) -> Result<(Responses, Vec<String>), Failure> {
         let text = files::read(path)?;
         reading.json(path, text.as_bytes())?;
     } else {
-        reading.table(path, &Table::read(path)?)?;
+        let table = Table::read(path)?;
+        match Layout::of(&small(&table)) {
+            Some(layout) => reading.table(&layout, &table),
+            None => return report(path, &table),
+        }
     }
     let errors = reading.responses.settle();
     reading
         .faults
         .extend(errors.iter().map(ToString::to_string));
-    Ok((reading.responses, reading.faults))
+    Ok(Handed::Rows(reading.responses, reading.faults))
+}
+
+/// The headings of a table in small letters.
+fn small(table: &Table) -> Vec<String> {
+    table
+        .headings
+        .iter()
+        .map(|name| name.to_lowercase())
+        .collect()
+}
+
+/// A table that is no form of this program.
+fn report(path: &Path, table: &Table) -> Result<Handed, Failure> {
+    let report = Report::of(path, table)?.ok_or_else(|| {
+        let failure = Failure::new(format!("`{}` has no columns of responses", path.display()));
+        failure.help("the header needs `code`, `question`, `part`, `response`, or `code` and one column a part (`1a`, `1b`); or give the report of a platform as it was downloaded")
+    })?;
+    if let Some(doubt) = &table.doubt {
+        eprintln!("{doubt}");
+    }
+    Ok(Handed::Report(report))
 }
 
 impl Reading {
@@ -46,16 +91,7 @@ impl Reading {
         self.faults.extend(error.map(|error| error.to_string()));
     }
 
-    fn table(&mut self, path: &Path, table: &Table) -> Result<(), Failure> {
-        let names: Vec<String> = table
-            .headings
-            .iter()
-            .map(|name| name.to_lowercase())
-            .collect();
-        let layout = Layout::of(&names).ok_or_else(|| {
-            Failure::new(format!("`{}` has no columns of responses", path.display()))
-                .help("the header needs `code`, `question`, `part`, `response`, or `code` and one column a part (`1a`, `1b`)")
-        })?;
+    fn table(&mut self, layout: &Layout, table: &Table) {
         if let Some(doubt) = &table.doubt {
             eprintln!("{doubt}");
         }
@@ -78,7 +114,6 @@ impl Reading {
                 }
             }
         }
-        Ok(())
     }
 
     fn json(&mut self, path: &Path, bytes: &[u8]) -> Result<(), Failure> {

@@ -33,13 +33,19 @@ pub struct Moodle {
     out: String,
     wish: Wish,
     tally: Tally,
+    /// The category of the question that is written.
+    path: String,
+    /// The category that was written last.
+    current: String,
 }
+
+/// The category of essays below that of their question.
+const ESSAYS: &str = "/essays";
 
 impl Export for Moodle {
     fn category(&mut self, path: &[&str]) {
         let steps = path.iter().map(|name| format!("/{}", step(name)));
-        let path = format!("{}{}", step(&self.wish.title), steps.collect::<String>());
-        category(&mut self.out, &path);
+        self.path = format!("{}{}", step(&self.wish.title), steps.collect::<String>());
     }
 
     fn add(&mut self, sheet: &Sheet<'_>, question: &SheetQuestion<'_>) {
@@ -69,11 +75,14 @@ impl Moodle {
     /// A file in whose uppermost category the title stands.
     pub fn new(wish: Wish) -> Self {
         let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<quiz>\n");
-        category(&mut out, &step(&wish.title));
+        let path = step(&wish.title);
+        category(&mut out, &path);
         Self {
             out,
             wish,
             tally: Tally::default(),
+            current: path.clone(),
+            path,
         }
     }
 
@@ -171,6 +180,11 @@ impl Moodle {
         let _ = write!(body, "<p><small>{origin}</small></p>");
         let mut of_worked = Pictures::default();
         let worked = words.worked(parts.iter(), &mut of_worked);
+        // Behind these letters `vibank grade` finds the answers again.
+        let places = parts.iter().filter(|_| parts.len() > 1);
+        let template: String = places
+            .map(|asked| format!("<p>{}) </p>", asked.letter))
+            .collect();
         let name = format!("{} (essay) [{origin}]", words.title());
         self.question("essay", &name, &origin, &body, &pictures, |out| {
             let _ = writeln!(out, "    <defaultgrade>{}</defaultgrade>", points.to_f64());
@@ -178,7 +192,7 @@ impl Moodle {
             out.push_str("    <responseformat>editor</responseformat>\n    <responserequired>1</responserequired>\n");
             out.push_str("    <responsefieldlines>15</responsefieldlines>\n    <attachments>0</attachments>\n");
             html(out, "graderinfo", &worked, &of_worked);
-            html(out, "responsetemplate", "", &Pictures::default());
+            html(out, "responsetemplate", &template, &Pictures::default());
         });
     }
 
@@ -192,6 +206,13 @@ impl Moodle {
         more: impl FnOnce(&mut String),
     ) {
         self.tally.questions += 1;
+        // Questions are drawn from a category at random: an essay in it would be drawn in place of one with boxes.
+        let below = if kind == "essay" { ESSAYS } else { "" };
+        let path = format!("{}{below}", self.path);
+        if path != self.current {
+            category(&mut self.out, &path);
+            self.current = path;
+        }
         let out = &mut self.out;
         let _ = writeln!(out, "  <question type=\"{kind}\">");
         out.push_str("    <name><text>");

@@ -395,6 +395,31 @@ fn each_blank_names_its_part_and_what_it_says_is_read_back() {
 }
 
 #[test]
+fn essays_are_not_drawn_in_place_of_boxes() {
+    let mut export = Box::new(Moodle::new(Wish {
+        title: "Bank".to_owned(),
+        has_essays: true,
+        ..Wish::default()
+    }));
+    each_question(2, |sheet, question| {
+        export.category(&[question.solution.template().id.as_str()]);
+        export.add(sheet, question);
+    });
+    let xml = String::from_utf8(export.finish().unwrap()).unwrap();
+    let (mut path, mut kinds) = (String::new(), std::collections::BTreeMap::new());
+    for question in xml.split("<question type=\"").skip(1) {
+        let kind = question.split('"').next().unwrap();
+        if kind == "category" {
+            element(question, "text").clone_into(&mut path);
+        } else {
+            let known = kinds.entry(path.clone()).or_insert(kind == "essay");
+            assert_eq!(*known, kind == "essay", "{path}");
+        }
+    }
+    assert!(kinds.values().any(|is_essay| *is_essay));
+}
+
+#[test]
 fn formulas_can_be_tex() {
     let mut formulas = 0;
     each_question(1, |sheet, question| {

@@ -180,14 +180,14 @@ const WORDS: [(Role, &[&str]); 7] = [
 
 /// The columns of a class list.
 #[derive(Debug, PartialEq)]
-pub(super) struct Places {
+pub(crate) struct Places {
     /// What they give, in the order in which they are joined.
     given: Vec<(&'static str, Vec<usize>)>,
 }
 
 /// Why the columns are not known.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub(super) enum HeadingError {
+pub(crate) enum HeadingError {
     #[error("has no column `id`")]
     NoId,
     #[error("has no column `{0}`, which the blueprint names")]
@@ -202,7 +202,7 @@ impl Places {
         self.given.iter().flat_map(|(_, columns)| columns).copied()
     }
 
-    pub(super) fn of(headings: &[String], columns: &Columns) -> Result<Self, HeadingError> {
+    pub(crate) fn of(headings: &[String], columns: &Columns) -> Result<Self, HeadingError> {
         let folded: Vec<String> = headings.iter().map(|heading| fold(heading)).collect();
         let place = |heading: &str| {
             let mut found = (0..folded.len()).filter(|at| folded[*at] == fold(heading));
@@ -262,7 +262,7 @@ impl Places {
     }
 
     /// The student of a row; columns that mean nothing here are kept under their headings.
-    pub(super) fn student(&self, headings: &[String], row: &Row<'_>) -> Student {
+    pub(crate) fn student(&self, headings: &[String], row: &Row<'_>) -> Student {
         let is_used = |at: usize| self.given.iter().any(|(_, places)| places.contains(&at));
         let mut columns: BTreeMap<String, String> = headings
             .iter()

@@ -4,13 +4,9 @@ use std::collections::BTreeMap;
 
 use vibank::answer::Doubt;
 use vibank::bank::Catalogue;
-use vibank::scene::Data;
-use vibank::worksheet::{
-    BankStamp, Blueprint, Csv, FORMAT, FileStamp, Manifest, Sheet, SheetQuestion, VariantEntry,
-};
+use vibank::worksheet::{Blueprint, Manifest, Sheet, SheetQuestion, VariantEntry};
 
 use crate::cli::record;
-use crate::cli::sheet::PROGRAM;
 
 /// The questions of an export as they are written.
 pub(super) struct Record {
@@ -22,38 +18,8 @@ pub(super) struct Record {
 impl Record {
     /// Of questions that no blueprint names.
     pub(super) fn new(catalogue: &Catalogue) -> Self {
-        let manifest = Manifest {
-            format: FORMAT,
-            program: PROGRAM.to_owned(),
-            bank: BankStamp {
-                title: catalogue.bank.title.clone(),
-                digest: catalogue.digest(),
-            },
-            blueprint: FileStamp {
-                path: String::new(),
-                digest: String::new(),
-            },
-            title: catalogue.bank.title.clone(),
-            data: Data::default(),
-            language: "en".to_owned(),
-            decimal: '.',
-            doubt: Doubt::Benefit,
-            other_form: None,
-            csv: Csv::default(),
-            keyed: false,
-            shard: "1/1".to_owned(),
-            inputs: String::new(),
-            look: String::new(),
-            formats: Vec::new(),
-            press: None,
-            fonts: Vec::new(),
-            variants: Vec::new(),
-            items: BTreeMap::new(),
-            form: String::new(),
-            files: BTreeMap::new(),
-        };
         Self {
-            manifest,
+            manifest: record::without_sheets(catalogue),
             variants: BTreeMap::new(),
         }
     }

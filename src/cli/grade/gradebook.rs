@@ -10,6 +10,7 @@ use vibank::worksheet::Csv;
 use super::outcome::Outcome;
 use crate::cli::Failure;
 use crate::cli::folder::Folder;
+use crate::cli::platform::CANVAS_ID;
 use crate::cli::table::Dialect;
 
 /// A platform with a gradebook.
@@ -32,6 +33,8 @@ pub(super) struct Gradebook {
 
 struct Row {
     id: String,
+    /// The number of Canvas itself, where its own report said it.
+    canvas: String,
     name: String,
     /// Empty while something is undecided, so that the platform keeps what it has.
     points: String,
@@ -62,6 +65,7 @@ impl Gradebook {
         let points = grade::rounded(sheet.points());
         self.rows.push(Row {
             id: id.to_owned(),
+            canvas: sheet.column(CANVAS_ID).to_owned(),
             name: sheet.column("name").to_owned(),
             points: if is_decided { points } else { String::new() },
         });
@@ -105,8 +109,19 @@ impl Gradebook {
             table.extend(match self.platform {
                 Platform::Moodle => dialect.line(&[&row.id, &row.points])?,
                 Platform::Canvas => {
-                    let under = |own: &str| if own == heading { row.id.as_str() } else { "" };
+                    let under = |own: &str| {
+                        if own == heading && row.id != row.canvas {
+                            row.id.as_str()
+                        } else {
+                            ""
+                        }
+                    };
                     let [id, user, login] = ["ID", "SIS User ID", "SIS Login ID"].map(under);
+                    let id = if row.canvas.is_empty() {
+                        id
+                    } else {
+                        &row.canvas
+                    };
                     dialect.line(&[&row.name, id, user, login, "", &row.points])?
                 }
             });

@@ -93,6 +93,24 @@ impl Sheets {
         Ok(sheets)
     }
 
+    /// Attempts as sheets, under the head of a manifest that does not list them.
+    pub(crate) fn of_attempts(path: &Path, head: &Manifest, attempts: Vec<VariantEntry>) -> Self {
+        let mut head = head.clone();
+        head.variants.clear();
+        Self {
+            path: path.to_owned(),
+            decimal: head.decimal,
+            doubt: head.doubt,
+            other_form: share(&head),
+            items: vec![std::mem::take(&mut head.items)],
+            head,
+            rest: Rest::All(attempts.into_iter()),
+            earlier: Vec::new(),
+            wanted: BTreeSet::new(),
+            is_first: true,
+        }
+    }
+
     /// The manifests of earlier runs that are read after the first one.
     pub(crate) fn earlier(&self) -> &[PathBuf] {
         &self.earlier

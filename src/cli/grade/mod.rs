@@ -4,6 +4,7 @@ mod analysis;
 mod census;
 mod changes;
 mod gradebook;
+mod handed;
 mod items;
 mod journal;
 mod manifest;
@@ -29,6 +30,7 @@ use self::analysis::Analysis;
 use self::census::Census;
 use self::changes::Changes;
 use self::gradebook::Gradebook;
+use self::handed::Handed;
 use self::items::Items;
 use self::journal::Journal;
 use self::manifest::Sheets;
@@ -40,11 +42,12 @@ use self::undecided::{Alike, Undecided};
 use super::bank::BankArgument;
 use super::faces::Faces;
 use super::folder::Folder;
+use super::platform::Which;
 use super::press::{Missing, Press, Printed};
 use super::sheet::PROGRAM;
 use super::table::Dialect;
 use super::table::workbook::{self, XLSX};
-use super::{Failure, files, progress, responses};
+use super::{Failure, files, progress};
 
 /// Mark the responses to the sheets of a run: marks, reasons, a feedback page for each sheet, item analysis.
 ///
@@ -54,9 +57,9 @@ use super::{Failure, files, progress, responses};
 /// Example: vibank grade midterm/manifest.json midterm/responses.csv --out midterm/marks
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
-    /// The manifest of the run.
+    /// The manifest of the run or of an export; for a report on a SCORM package the package.
     manifest: PathBuf,
-    /// The responses, as CSV or JSON.
+    /// The responses, as CSV or JSON; or a report as Moodle or Canvas writes it.
     responses: PathBuf,
     /// The folder to write to; `marks` beside the manifest if left out.
     #[arg(long, value_name = "FOLDER")]
@@ -76,6 +79,9 @@ pub(crate) struct Arguments {
     /// Write no feedback pages.
     #[arg(long, conflicts_with = "feedback")]
     no_feedback: bool,
+    /// Which of several attempts of a student counts, in the report of a platform.
+    #[arg(long, value_name = "WHICH", default_value = "last")]
+    attempt: Which,
     /// Also write the marks as the gradebook of a platform imports them.
     #[arg(long, value_name = "PLATFORM")]
     gradebook: Option<gradebook::Platform>,
@@ -105,7 +111,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     };
     // The manifest first: without it nothing else matters.
     drop(files::open(&arguments.manifest)?);
-    let (responses, mut faults) = responses::read(&arguments.responses)?;
+    let mut faults = Vec::new();
     let overrides = match &arguments.overrides {
         Some(path) => {
             let (overrides, wrong) = Overrides::read(path)?;
@@ -114,7 +120,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
         }
         None => Overrides::default(),
     };
-    let open = || Sheets::open(&arguments.manifest, &responses.codes());
+    let handed = Handed::read(arguments, &catalogue, &overrides)?;
+    faults.extend(handed.faults.iter().cloned());
+    let open = || handed.sheets(&arguments.manifest);
     let census = Census::take(&mut open()?, &catalogue, arguments.accept_revisions)?;
     let sheets = open()?;
     let changes = match &arguments.compare {
@@ -148,7 +156,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
         items: &census.items,
         out: &out,
         sheets,
-        responses,
+        responses: handed.responses,
         overrides,
     };
     job.mark(census.sheets)?;
@@ -168,7 +176,7 @@ fn input(arguments: &Arguments, sheets: &Sheets, bank: &str) -> Result<String, F
         .collect::<Result<_, _>>()?;
     let earlier = earlier.concat();
     Ok(format!(
-        "vibank {} {}{earlier} {} {} {bank} {} {} {}",
+        "vibank {} {}{earlier} {} {} {bank} {} {} {} {}",
         env!("CARGO_PKG_VERSION"),
         digest(&arguments.manifest)?,
         digest(&arguments.responses)?,
@@ -176,6 +184,7 @@ fn input(arguments: &Arguments, sheets: &Sheets, bank: &str) -> Result<String, F
         arguments.accept_revisions,
         arguments.no_feedback,
         arguments.feedback,
+        arguments.attempt.name(),
     ))
 }
 

@@ -9,6 +9,7 @@ mod grading;
 mod groups;
 mod hostile;
 mod index;
+mod platforms;
 mod practice;
 mod press;
 mod privacy;

@@ -1,0 +1,126 @@
+//! What was handed in: the form of a run, or attempts at a platform, each of which becomes a sheet.
+
+use std::path::Path;
+
+use rayon::prelude::*;
+use vibank::bank::Catalogue;
+use vibank::grade::Responses;
+use vibank::worksheet::{Manifest, VariantEntry};
+
+use super::Arguments;
+use super::items::Items;
+use super::manifest::{Sheets, manifest};
+use super::marking::Marker;
+use super::overrides::Overrides;
+use crate::cli::platform::{self, Known, Report, Taken, Which};
+use crate::cli::{Failure, files, package, responses};
+
+/// What is marked.
+pub(super) struct Handed {
+    pub(super) responses: Responses,
+    /// What is wrong with single rows.
+    pub(super) faults: Vec<String>,
+    /// The attempts, where they are not the sheets of a manifest.
+    attempts: Option<Attempts>,
+}
+
+/// Attempts as sheets.
+struct Attempts {
+    head: Manifest,
+    sheets: Vec<VariantEntry>,
+}
+
+/// Archives begin like this.
+const PACKED: &[u8] = b"PK";
+
+impl Handed {
+    pub(super) fn read(
+        arguments: &Arguments,
+        catalogue: &Catalogue,
+        overrides: &Overrides,
+    ) -> Result<Self, Failure> {
+        match responses::read(&arguments.responses)? {
+            responses::Handed::Rows(responses, faults) => Ok(Self {
+                responses,
+                faults,
+                attempts: None,
+            }),
+            responses::Handed::Report(report) => {
+                Self::reported(report, arguments, catalogue, overrides)
+            }
+        }
+    }
+
+    fn reported(
+        report: Report,
+        arguments: &Arguments,
+        catalogue: &Catalogue,
+        overrides: &Overrides,
+    ) -> Result<Self, Failure> {
+        let path = &arguments.manifest;
+        let is_package = files::read_bytes(path)?.starts_with(PACKED);
+        let package = is_package.then(|| package::read(path, catalogue));
+        let package = package.transpose()?;
+        let head = match &package {
+            Some(package) => package.manifest(catalogue),
+            None => manifest(path)?,
+        };
+        let known = match &package {
+            Some(package) => Known::Package(package),
+            None => Known::of(&head),
+        };
+        let kept = std::slice::from_ref(&head.items);
+        let items = Items::of(kept, catalogue, arguments.accept_revisions);
+        let (attempts, faults) = report.taken(&known, &|question| {
+            items.find(&question.item, question.revision)
+        })?;
+        let which = arguments.attempt;
+        let count = attempts.len();
+        let points = if which == Which::Best {
+            let sheets = Sheets::of_attempts(path, &head, Vec::new());
+            let marker = Marker {
+                items: &items,
+                decimal: sheets.decimal,
+                doubt: sheets.doubt,
+                other_form: sheets.other_form,
+                responses: &platform::responses(&attempts),
+                overrides,
+            };
+            let points = |taken: &Taken| Ok(marker.sheet(&taken.entry)?.0.points());
+            attempts
+                .par_iter()
+                .map(points)
+                .collect::<Result<Vec<_>, Failure>>()?
+        } else {
+            Vec::new()
+        };
+        let attempts = which.choose(attempts, &points);
+        if attempts.len() < count {
+            println!(
+                "{count} attempts of {} students; of several the {} counts (`--attempt`)",
+                attempts.len(),
+                which.name()
+            );
+        }
+        Ok(Self {
+            responses: platform::responses(&attempts),
+            faults,
+            attempts: Some(Attempts {
+                head,
+                sheets: attempts.into_iter().map(|taken| taken.entry).collect(),
+            }),
+        })
+    }
+
+    /// The sheets that are marked.
+    pub(super) fn sheets(&self, manifest: &Path) -> Result<Sheets, Failure> {
+        match &self.attempts {
+            Some(attempts) => Ok(Sheets::of_attempts(
+                manifest,
+                &attempts.head,
+                attempts.sheets.clone(),
+            )),
+            None => Sheets::open(manifest, &self.responses.codes()),
+        }
+    }
+}

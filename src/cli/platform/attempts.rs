@@ -1,0 +1,54 @@
+//! Which of the attempts of a student counts.
+
+use std::collections::BTreeMap;
+
+use super::sheets::Taken;
+
+/// Which of several attempts of a student counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum Which {
+    /// The first one.
+    First,
+    /// The last one.
+    Last,
+    /// The one with the most points, the later one of equals.
+    Best,
+}
+
+impl Which {
+    /// What it is called in messages.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::First => "first",
+            Self::Last => "last",
+            Self::Best => "best",
+        }
+    }
+
+    /// The attempts that count, in the order in which their students come first; `points` are asked for the best only.
+    pub(crate) fn choose<P: PartialOrd>(self, attempts: Vec<Taken>, points: &[P]) -> Vec<Taken> {
+        let mut students: BTreeMap<String, usize> = BTreeMap::new();
+        let mut chosen: Vec<(usize, Taken)> = Vec::new();
+        for (at, taken) in attempts.into_iter().enumerate() {
+            let Some(place) = students.get(taken.student()).copied() else {
+                students.insert(taken.student().to_owned(), chosen.len());
+                chosen.push((at, taken));
+                continue;
+            };
+            let (known, first) = &chosen[place];
+            let is_later = taken.is_after(first);
+            let replaces = match self {
+                Self::First => !is_later,
+                Self::Last => is_later,
+                Self::Best => match points[at].partial_cmp(&points[*known]) {
+                    Some(std::cmp::Ordering::Equal) | None => is_later,
+                    Some(order) => order.is_gt(),
+                },
+            };
+            if replaces {
+                chosen[place] = (at, taken);
+            }
+        }
+        chosen.into_iter().map(|(_, taken)| taken).collect()
+    }
+}

@@ -1,0 +1,42 @@
+//! Which option of a choice a platform reports: it writes the words of the option as they were exported, without tags.
+
+use vibank::bank::Part;
+use vibank::document::{Document, Filling, Formulas};
+
+use super::cells::bare;
+
+/// The place in the file of the option with these words, if there is one.
+pub(super) fn chosen(part: &Part, words: &str) -> Option<usize> {
+    let options = part.answer.options();
+    let only = |same: &dyn Fn(&Document) -> bool| {
+        let mut found = (0..options.len()).filter(|at| same(&options[*at].text));
+        let first = found.next()?;
+        found.next().is_none().then_some(first)
+    };
+    let typed = bare(words);
+    let notations = [Formulas::MathMl, Formulas::Tex];
+    let exported = |document: &Document, notation| {
+        let mut html = String::new();
+        document.write_html_line_with(&mut html, &Vec::<Filling>::new(), notation);
+        bare(&html)
+    };
+    let is_own = |document: &Document| {
+        let mut written = notations
+            .iter()
+            .map(|notation| exported(document, *notation));
+        written.any(|own| own == typed)
+    };
+    // Moodle marks bold and slanted words by signs of its own.
+    let letters = |text: &str| {
+        text.chars()
+            .filter(|char| char.is_alphanumeric())
+            .collect::<String>()
+    };
+    let is_alike = |document: &Document| {
+        let mut written = notations
+            .iter()
+            .map(|notation| exported(document, *notation));
+        written.any(|own| letters(&own) == letters(&typed))
+    };
+    only(&is_own).or_else(|| only(&is_alike))
+}

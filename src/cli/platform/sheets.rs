@@ -1,0 +1,480 @@
+//! Attempts as sheets: what each student was asked, from the manifest of the export or from the package, and answered.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use vibank::bank::Template;
+use vibank::grade::{Responses, Row};
+use vibank::seed::{Seed, Variant};
+use vibank::worksheet::{Manifest, PartEntry, QuestionEntry, VariantEntry, letter};
+
+use super::cells::{boxes, essay};
+use super::moment::Moment;
+use super::options::chosen;
+use super::origin::{Asked as Boxed, Interaction, Origin};
+use super::{Answer, Asked, Attempt, Report};
+use crate::cli::Failure;
+use crate::cli::package::ReadPackage;
+
+/// Longest response that SCORM 1.2 keeps.
+const LONGEST: usize = 255;
+
+/// What parts the codes of attempts from those of sheets; any number will do that stays.
+const ATTEMPTS: u64 = 0x6174_7465_6d70_7473;
+
+/// What may have been asked.
+pub(crate) enum Known<'a> {
+    /// The questions of a manifest, by code.
+    Manifest(BTreeMap<String, Vec<QuestionEntry>>),
+    /// A package, which draws them when they are asked for.
+    Package(&'a ReadPackage<'a>),
+}
+
+/// An attempt as a sheet.
+pub(crate) struct Taken {
+    /// The sheet, under a code of its own.
+    pub(crate) entry: VariantEntry,
+    line: usize,
+    moment: Option<Moment>,
+    rows: Vec<Given>,
+}
+
+/// What was answered to one part.
+struct Given {
+    question: usize,
+    part: String,
+    response: String,
+    /// Whether the report does not say what was answered.
+    is_open: bool,
+}
+
+impl Taken {
+    /// The identity of the student.
+    pub(super) fn student(&self) -> &str {
+        let student = self.entry.student.as_ref();
+        student
+            .and_then(|student| student.get("id"))
+            .map_or("", String::as_str)
+    }
+
+    /// Whether it was made after another one: by the dates of the report, else by its lines.
+    pub(super) fn is_after(&self, other: &Self) -> bool {
+        match (self.moment, other.moment) {
+            (Some(own), Some(other)) if own != other => own > other,
+            _ => self.line > other.line,
+        }
+    }
+}
+
+/// The answers of attempts, by the codes of their sheets.
+pub(crate) fn responses(attempts: &[Taken]) -> Responses {
+    let mut responses = Responses::default();
+    for taken in attempts {
+        for given in &taken.rows {
+            let row = Row {
+                line: taken.line,
+                code: &taken.entry.code,
+                question: &given.question.to_string(),
+                part: &given.part,
+                response: &given.response,
+            };
+            if given.is_open {
+                responses.add_open(&row);
+            } else {
+                responses.add(&row);
+            }
+        }
+    }
+    responses.settle();
+    responses
+}
+
+impl Known<'_> {
+    /// The questions of a manifest.
+    pub(crate) fn of(manifest: &Manifest) -> Self {
+        let variants = manifest.variants.iter();
+        Self::Manifest(
+            variants
+                .map(|variant| (variant.code.clone(), variant.questions.clone()))
+                .collect(),
+        )
+    }
+
+    /// The largest number of a question.
+    fn most(&self) -> usize {
+        match self {
+            Self::Manifest(variants) => {
+                let questions = variants.values().flatten();
+                questions.map(|question| question.number).max().unwrap_or(0)
+            }
+            Self::Package(package) => package.practice.questions.len(),
+        }
+    }
+
+    /// The question with the boxes of an exported one.
+    fn boxed(&self, origin: &Origin) -> Option<QuestionEntry> {
+        let Self::Manifest(variants) = self else {
+            return None;
+        };
+        let has_all = |question: &QuestionEntry| {
+            let has = |asked: &Boxed| {
+                question
+                    .parts
+                    .iter()
+                    .any(|part| part.letter == asked.letter)
+            };
+            origin.boxes.iter().all(has)
+        };
+        let questions = variants.get(&origin.code.to_string())?.iter();
+        let mut question = questions
+            .filter(|question| origin.item.ends_with(question.item.as_str()) && has_all(question))
+            .max_by_key(|question| question.item.as_str().len())?
+            .clone();
+        question
+            .parts
+            .retain(|part| origin.boxes.iter().any(|asked| asked.letter == part.letter));
+        question.points = question.parts.iter().map(|part| part.points).sum();
+        Some(question)
+    }
+
+    /// The question of which a package reports a part.
+    fn interacted(&self, own: &Interaction) -> Result<Option<QuestionEntry>, Failure> {
+        match self {
+            Self::Package(package) => package.question(&own.item, own.code),
+            Self::Manifest(_) => Ok(None),
+        }
+    }
+}
+
+impl Report {
+    /// The attempts as sheets; `template` finds the item of a question. What could not be matched is added to the
+    /// faults.
+    pub(crate) fn taken<'t>(
+        mut self,
+        known: &Known<'_>,
+        template: &dyn Fn(&QuestionEntry) -> Result<&'t Template, Failure>,
+    ) -> Result<(Vec<Taken>, Vec<String>), Failure> {
+        for column in &self.foreign {
+            eprintln!("not marked: `{column}`, which is no question of this program");
+        }
+        let mut lost = BTreeSet::new();
+        let (mut taken, mut codes) = (Vec::new(), BTreeSet::new());
+        for attempt in &self.attempts {
+            let mut sheet = Sheet {
+                questions: Vec::new(),
+                rows: Vec::new(),
+                faults: &mut self.faults,
+                lost: &mut lost,
+                line: attempt.line,
+                next: known.most() + 1,
+            };
+            sheet.fill(attempt, known, template)?;
+            let Sheet {
+                questions, rows, ..
+            } = sheet;
+            if questions.is_empty() {
+                continue;
+            }
+            let id = &attempt.student["id"];
+            let mut codes_of =
+                (0..).map(|at| Variant::of_student(Seed::new(ATTEMPTS), id, at, None));
+            let Some(code) = codes_of.find(|code| codes.insert(*code)) else {
+                continue;
+            };
+            taken.push(Taken {
+                entry: VariantEntry {
+                    code: code.to_string(),
+                    seed: code.number(),
+                    student: Some(attempt.student.clone()),
+                    files: BTreeMap::new(),
+                    pages: BTreeMap::new(),
+                    questions,
+                },
+                line: attempt.line,
+                moment: attempt.moment,
+                rows,
+            });
+        }
+        if taken.is_empty() {
+            let name = self.name;
+            let questions: Vec<String> = lost.into_iter().take(3).collect();
+            return Err(Failure::new(format!(
+                "none of the questions of this {name} is in the manifest: {}",
+                questions.join(", ")
+            ))
+            .help("give the manifest that was written beside the questions which were imported, or the package"));
+        }
+        let unknown = lost.iter().map(|name| {
+            format!("`{name}` is not in the manifest; what was answered to it is not marked")
+        });
+        self.faults.extend(unknown);
+        Ok((taken, self.faults))
+    }
+}
+
+/// The sheet of an attempt while it is put together.
+struct Sheet<'f> {
+    questions: Vec<QuestionEntry>,
+    rows: Vec<Given>,
+    faults: &'f mut Vec<String>,
+    /// Questions that are not known.
+    lost: &'f mut BTreeSet<String>,
+    line: usize,
+    /// The number of the next question whose own number is taken.
+    next: usize,
+}
+
+impl Sheet<'_> {
+    fn fill<'t>(
+        &mut self,
+        attempt: &Attempt,
+        known: &Known<'_>,
+        template: &dyn Fn(&QuestionEntry) -> Result<&'t Template, Failure>,
+    ) -> Result<(), Failure> {
+        let mut tries: Vec<(&Interaction, &Answer)> = Vec::new();
+        for answer in &attempt.answers {
+            match &answer.asked {
+                Asked::Boxes(origin) => match known.boxed(origin) {
+                    Some(question) => {
+                        let question = self.numbered(question);
+                        self.boxes(&question, origin, answer, template(&question)?);
+                        self.questions.push(question);
+                    }
+                    None => {
+                        let name = format!("{} {}", origin.item, origin.code);
+                        self.lost.insert(name);
+                    }
+                },
+                // Each try is reported; the last one counts.
+                Asked::Interaction(own) => {
+                    let is_same = |(known, _): &(&Interaction, &Answer)| {
+                        (&known.item, &known.part, known.code) == (&own.item, &own.part, own.code)
+                    };
+                    match tries.iter().position(is_same) {
+                        Some(at) if tries[at].0.attempt > own.attempt => {}
+                        Some(at) => tries[at] = (own, answer),
+                        None => tries.push((own, answer)),
+                    }
+                }
+            }
+        }
+        for (own, answer) in tries {
+            let at = self.questions.iter().position(|question| {
+                question.item.as_str() == own.item
+                    && question.seed == own.code.item(&own.item, None).number()
+            });
+            let at = match at {
+                Some(at) => at,
+                None => match known.interacted(own)? {
+                    Some(question) => {
+                        let question = self.numbered(question);
+                        self.questions.push(question);
+                        self.questions.len() - 1
+                    }
+                    None => {
+                        self.lost.insert(format!("{} {}", own.item, own.code));
+                        continue;
+                    }
+                },
+            };
+            self.interaction(at, own, answer);
+        }
+        if let Known::Package(package) = known
+            && !self.questions.is_empty()
+        {
+            self.unanswered(package, &attempt.student["id"])?;
+        }
+        Ok(())
+    }
+
+    /// Adds the questions of a package of which no part was answered, so that they count as missing.
+    fn unanswered(&mut self, package: &ReadPackage<'_>, student: &str) -> Result<(), Failure> {
+        for (place, asked) in package.practice.questions.iter().enumerate() {
+            if self.questions.iter().any(|own| own.item == asked.item) {
+                continue;
+            }
+            // Its data do not matter, since nothing was typed.
+            let code = package.variant(place, student)?;
+            let question = package.question(asked.item.as_str(), code)?;
+            self.questions.extend(question);
+        }
+        self.questions.sort_by_key(|question| question.number);
+        Ok(())
+    }
+
+    /// The question under its number, or under a free one if another question of the sheet has a part of that name.
+    fn numbered(&mut self, mut question: QuestionEntry) -> QuestionEntry {
+        let letters = |other: &QuestionEntry| {
+            let mut own = question.parts.iter();
+            own.any(|part| other.parts.iter().any(|known| known.letter == part.letter))
+        };
+        let is_taken = |other: &QuestionEntry| other.number == question.number && letters(other);
+        if self.questions.iter().any(is_taken) {
+            question.number = self.next;
+            self.next += 1;
+        }
+        question
+    }
+
+    fn add(&mut self, question: &QuestionEntry, part: &PartEntry, response: String, is_open: bool) {
+        self.rows.push(Given {
+            question: question.number,
+            part: part.letter.clone(),
+            response,
+            is_open,
+        });
+    }
+
+    /// What a cell cannot say is left to the teacher.
+    fn open(&mut self, question: &QuestionEntry, answer: &Answer, why: &str) {
+        let Answer { column, text, .. } = answer;
+        let line = self.line;
+        self.faults.push(format!(
+            "line {line}, column `{column}`: {why}; what it answers is not decided"
+        ));
+        for part in &question.parts {
+            self.add(question, part, text.clone(), true);
+        }
+    }
+
+    /// The answers of the boxes of an exported question.
+    fn boxes(
+        &mut self,
+        question: &QuestionEntry,
+        origin: &Origin,
+        answer: &Answer,
+        template: &Template,
+    ) {
+        if let Some(why) = &answer.spoilt {
+            return self.open(question, answer, why);
+        }
+        let text = if answer.text == "-" {
+            ""
+        } else {
+            answer.text.as_str()
+        };
+        if text.is_empty() {
+            for part in &question.parts {
+                self.add(question, part, String::new(), false);
+            }
+            return;
+        }
+        let is_marked_there = |kind: &str| matches!(kind, "numeric" | "integer" | "choice");
+        let cut = if question
+            .parts
+            .iter()
+            .all(|part| is_marked_there(&part.kind))
+        {
+            boxes(text, origin.boxes.len())
+        } else {
+            None
+        };
+        let (answers, is_boxed): (Vec<String>, bool) = match cut {
+            Some(Ok(answers)) => (answers, true),
+            Some(Err(())) => {
+                return self.open(
+                    question,
+                    answer,
+                    "the answers of its boxes cannot be told apart",
+                );
+            }
+            None => match &origin.boxes[..] {
+                [_] => (vec![text.to_owned()], answer.is_canvas()),
+                several => {
+                    let letters: Vec<&str> =
+                        several.iter().map(|own| own.letter.as_str()).collect();
+                    match essay(text, &letters) {
+                        Some(answers) => (answers, false),
+                        None => {
+                            let why = format!(
+                                "the answers to {} do not stand behind their letters, such as `{})`",
+                                letters.join(", "),
+                                letters[0]
+                            );
+                            return self.open(question, answer, &why);
+                        }
+                    }
+                }
+            },
+        };
+        for part in &question.parts {
+            let own = origin
+                .boxes
+                .iter()
+                .zip(&answers)
+                .filter(|(asked, _)| asked.letter == part.letter);
+            let given: Vec<String> = own
+                .map(|(asked, text)| match part.kind.as_str() {
+                    "numeric" | "integer" if is_boxed => with_unit(text, &part.unit, asked.power),
+                    "choice" => option(template, part, text),
+                    _ => text.clone(),
+                })
+                .collect();
+            let is_empty = given.iter().all(String::is_empty);
+            let response = if is_empty {
+                String::new()
+            } else {
+                given.join("; ")
+            };
+            self.add(question, part, response, false);
+        }
+    }
+
+    /// The answer that a package reports.
+    fn interaction(&mut self, at: usize, own: &Interaction, answer: &Answer) {
+        let question = self.questions[at].clone();
+        let Some(part) = question.parts.iter().find(|part| part.id == own.part) else {
+            self.lost
+                .insert(format!("{} {}/{}", own.item, own.code, own.part));
+            return;
+        };
+        let is_cut = answer.text.chars().count() >= LONGEST;
+        let why = match &answer.spoilt {
+            Some(why) => Some(why.clone()),
+            None => is_cut.then(|| {
+                format!(
+                    "the platform keeps {LONGEST} characters of an answer, and this one has as many"
+                )
+            }),
+        };
+        if let Some(why) = &why {
+            let (line, column) = (self.line, &answer.column);
+            self.faults.push(format!(
+                "line {line}, column `{column}`: {why}; what it answers is not decided"
+            ));
+        }
+        self.add(&question, part, answer.text.clone(), why.is_some());
+    }
+}
+
+impl Answer {
+    /// Whether the heading is the text of the question.
+    fn is_canvas(&self) -> bool {
+        self.column.starts_with(|char: char| char.is_ascii_digit())
+    }
+}
+
+/// A number with the unit that was printed behind its box; what has a unit of its own stays as it is.
+fn with_unit(text: &str, unit: &str, power: i32) -> String {
+    const WORDS: &[&str] = &["e", "E", "x", "pi", "sqrt", "π"];
+    let mut words = text.split(|char: char| !char.is_alphabetic());
+    if text.is_empty() || !words.all(|word| word.is_empty() || WORDS.contains(&word)) {
+        return text.to_owned();
+    }
+    let number = match power {
+        0 => text.to_owned(),
+        _ => format!("({text})*1e{power}"),
+    };
+    format!("{number} {unit}").trim_end().to_owned()
+}
+
+/// An option by its letter on the sheet, else the words as they are.
+fn option(template: &Template, part: &PartEntry, words: &str) -> String {
+    let place = template.place(&part.id);
+    let id = place.and_then(|place| {
+        let own = &template.parts[place];
+        let at = chosen(own, words)?;
+        Some(own.answer.options()[at].id.clone())
+    });
+    let at = id.and_then(|id| part.options.iter().position(|own| *own == id));
+    at.map_or_else(|| words.to_owned(), letter)
+}

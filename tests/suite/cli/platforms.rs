@@ -1,0 +1,280 @@
+//! `vibank grade` on reports of course platforms: fixtures made from the columns that the platforms' sources write.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use super::{Ran, content, folder, put, text_of, vibank};
+
+const FIXTURES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fixtures/platforms");
+
+/// What was exported, and where it is marked.
+struct Course {
+    folder: PathBuf,
+    bank: String,
+}
+
+impl Course {
+    fn new(name: &str) -> Self {
+        Self {
+            folder: folder(name),
+            bank: format!("{FIXTURES}/bank"),
+        }
+    }
+
+    fn run(&self, arguments: &[&str]) -> Ran {
+        vibank(&[arguments, &["--bank", &self.bank]].concat())
+    }
+
+    /// Makes what the fixture `report` answers; the path of the manifest or package.
+    fn questions(&self, report: &str) -> String {
+        let quiz = format!("{FIXTURES}/quiz.toml");
+        let path = |name: &str| text_of(&self.folder.join(name));
+        match report {
+            "moodle-quiz.csv" => {
+                let out = path("quiz.xml");
+                self.run(&["export", "moodle", &quiz, "--essay", "--out", &out])
+                    .ends(0);
+                path("quiz.manifest.json")
+            }
+            "moodle-scorm.txt" => {
+                let out = path("quiz.zip");
+                self.run(&["page", &quiz, "--scorm", "1.2", "--out", &out])
+                    .ends(0);
+                out
+            }
+            _ => {
+                let out = path("quiz.zip");
+                self.run(&[
+                    "export", "qti", &quiz, "--qti", "1.2", "--essay", "--out", &out,
+                ])
+                .ends(0);
+                path("quiz.manifest.json")
+            }
+        }
+    }
+
+    fn grade(&self, questions: &str, report: &str, more: &[&str]) -> Ran {
+        let out = text_of(&self.folder.join("marks"));
+        self.run(&[&["grade", questions, report, "--out", &out], more].concat())
+    }
+
+    /// The verdicts by student and part, `1001 1a`.
+    fn verdicts(&self) -> BTreeMap<String, String> {
+        let details = content(self.folder.join("marks/details.csv"));
+        let mut rows = csv::Reader::from_reader(details.as_bytes());
+        let headings = rows.headers().expect("it has headings").clone();
+        let at = |name: &str| {
+            headings
+                .iter()
+                .position(|own| own == name)
+                .expect("a column")
+        };
+        let [student, question, part, verdict] = ["student", "question", "part", "verdict"].map(at);
+        rows.records()
+            .map(|row| row.expect("a row"))
+            .map(|row| {
+                let place = format!("{} {}{}", &row[student], &row[question], &row[part]);
+                (place, row[verdict].to_owned())
+            })
+            .collect()
+    }
+}
+
+/// Exports, marks the fixture, and compares verdicts: `1001 1a right`, …
+fn marked(report: &str, more: &[&str], expected: &str) -> (Course, Ran) {
+    let course = Course::new(&format!("platform-{report}-{}", more.join("")));
+    let questions = course.questions(report);
+    let ran = course.grade(&questions, &format!("{FIXTURES}/{report}"), more);
+    let verdicts = course.verdicts();
+    let told: Vec<String> = verdicts
+        .iter()
+        .map(|(place, verdict)| format!("{place} {verdict}"))
+        .collect();
+    let expected: Vec<&str> = expected
+        .lines()
+        .map(str::trim)
+        .filter(|line| !line.is_empty())
+        .collect();
+    assert_eq!(told, expected, "{}", ran.err);
+    (course, ran)
+}
+
+#[test]
+fn answers_to_a_quiz_of_moodle_are_marked_by_this_grader() {
+    let (_, ran) = marked(
+        "moodle-quiz.csv",
+        &[],
+        "1001 1a right
+         1001 1b right
+         1001 1c right
+         1001 1d right
+         1001 1e right
+         1002 1a wrong
+         1002 1b unreadable
+         1002 1c missing
+         1002 1d unreadable
+         1002 1e unreadable
+         1004 1a right
+         1004 1b unreadable
+         1004 1c wrong
+         1004 1d right
+         1004 1e missing",
+    );
+    ran.ends(1)
+        .says("4 attempts of 3 students; of several the last counts")
+        .complains("not marked: `Question 3`")
+        .complains("line 64, column `Response 2`: the answers to b, d, e do not stand behind their letters");
+}
+
+#[test]
+fn first_and_best_attempts_are_told_apart() {
+    let rest =
+        "1002 1a wrong\n1002 1b unreadable\n1002 1c missing\n1002 1d unreadable\n1002 1e unreadable
+         1004 1a right\n1004 1b unreadable\n1004 1c wrong\n1004 1d right\n1004 1e missing";
+    let first = "1001 1a wrong\n1001 1b missing\n1001 1c wrong\n1001 1d missing\n1001 1e missing";
+    marked(
+        "moodle-quiz.csv",
+        &["--attempt", "first"],
+        &format!("{first}\n{rest}"),
+    );
+    let best = first.replace("wrong", "right").replace("missing", "right");
+    marked(
+        "moodle-quiz.csv",
+        &["--attempt", "best"],
+        &format!("{best}\n{rest}"),
+    );
+}
+
+#[test]
+fn answers_in_a_package_are_marked_anew() {
+    let (_, ran) = marked(
+        "moodle-scorm.txt",
+        &[],
+        "1001 1a right
+         1001 1b right
+         1001 1c right
+         1001 1d right
+         1001 1e missing
+         1002 1a wrong
+         1002 1b missing
+         1002 1c missing
+         1002 1d missing
+         1002 1e unreadable",
+    );
+    ran.ends(1)
+        .complains("line 3, column `Response 1`: the platform keeps 255 characters of an answer");
+}
+
+#[test]
+fn answers_to_a_quiz_of_canvas_are_marked_by_this_grader() {
+    let (course, ran) = marked(
+        "canvas-student-analysis.csv",
+        &["--gradebook", "canvas"],
+        "1001 1a right
+         1001 1b right
+         1001 1c right
+         1001 1d right
+         1001 1e missing
+         502 1a right
+         502 1b right
+         502 1c wrong
+         502 1d right
+         502 1e right",
+    );
+    ran.ends(0).says("3 attempts of 2 students");
+    let gradebook = content(course.folder.join("marks/gradebook.csv"));
+    assert!(gradebook.contains("Ada Abel,501,1001,,,4\n"), "{gradebook}");
+    assert!(gradebook.contains("Ben Berg,502,,,,4\n"), "{gradebook}");
+}
+
+/// The report of a quiz, changed.
+fn changed(course: &Course, change: impl Fn(&str) -> String) -> String {
+    let report = content(Path::new(FIXTURES).join("moodle-quiz.csv"));
+    let changed = change(&report);
+    assert_ne!(changed, report);
+    put(&course.folder, "report.csv", changed)
+}
+
+#[test]
+fn reports_are_read_in_the_language_of_the_site() {
+    let course = Course::new("platform-german");
+    let manifest = course.questions("moodle-quiz.csv");
+    let report = changed(&course, |text| {
+        text.replace("Last name,First name,ID number,Email address,Status,Started,Completed,Duration,Grade/10.00", "Nachname,Vorname,ID-Nummer,E-Mail-Adresse,Status,Begonnen,Beendet,Dauer,\"Bewertung/10,00\"")
+            .replace("Right answer ", "Richtige Antwort ")
+            .replace("Question ", "Frage ")
+            .replace("Response ", "Antwort ")
+            .replace("part 1:", "Teil 1:")
+            .replace("part 2:", "Teil 2:")
+            .replace("2 November 2026  9:05 AM", "2. November 2026 09:05")
+            .replace("2 November 2026  5:20 PM", "2. November 2026 17:20")
+            .replace("18.7;", "18,7;")
+    });
+    course.grade(&manifest, &report, &[]).ends(1);
+    let verdicts = course.verdicts();
+    // No heading that is known says who it was: the address does.
+    assert_eq!(verdicts["ada@example.org 1a"], "right");
+    assert_eq!(verdicts["ada@example.org 1c"], "right");
+    assert_eq!(verdicts["dev@example.org 1a"], "right");
+}
+
+#[test]
+fn what_a_report_lacks_is_said() {
+    let course = Course::new("platform-lacks");
+    let manifest = course.questions("moodle-quiz.csv");
+    let without = |name: &str| {
+        changed(&course, |text| {
+            let mut rows = csv::ReaderBuilder::new()
+                .has_headers(false)
+                .from_reader(text.as_bytes());
+            let rows: Vec<csv::StringRecord> =
+                rows.records().map(|row| row.expect("a row")).collect();
+            let keeps: Vec<bool> = rows[0]
+                .iter()
+                .map(|heading| !heading.starts_with(name))
+                .collect();
+            let mut out = csv::Writer::from_writer(Vec::new());
+            for row in &rows {
+                let cells = row.iter().zip(&keeps).filter(|(_, keeps)| **keeps);
+                out.write_record(cells.map(|(cell, _)| cell))
+                    .expect("it is in memory");
+            }
+            String::from_utf8(out.into_inner().expect("it is in memory")).expect("it is text")
+        })
+    };
+    let report = without("Question");
+    course
+        .grade(&manifest, &report, &[])
+        .ends(2)
+        .complains("tick the display of the question text");
+    let report = without("Response");
+    course
+        .grade(&manifest, &report, &[])
+        .ends(2)
+        .complains("none with the response to it");
+    // The questions of another export.
+    let report = format!("{FIXTURES}/moodle-quiz.csv");
+    let quiz = put(
+        &course.folder,
+        "other.toml",
+        content(format!("{FIXTURES}/quiz.toml")).replace("seed = 7", "seed = 8"),
+    );
+    let out = text_of(&course.folder.join("other.xml"));
+    course
+        .run(&["export", "moodle", &quiz, "--out", &out])
+        .ends(0);
+    let other = text_of(&course.folder.join("other.manifest.json"));
+    course
+        .grade(&other, &report, &[])
+        .ends(2)
+        .complains("none of the questions of this report of responses is in the manifest");
+    // Words of another box within an answer.
+    let report = changed(&course, |text| {
+        text.replace("part 1: 18.7;", "part 1: 3; part 2: 4;")
+    });
+    course
+        .grade(&manifest, &report, &[])
+        .ends(1)
+        .complains("the answers of its boxes cannot be told apart");
+    assert_eq!(course.verdicts()["1001 1a"], "unreadable");
+}
