@@ -27,6 +27,7 @@ mod class_list;
 mod completions;
 mod compute;
 mod doubt;
+mod enter;
 mod explain;
 mod export;
 mod faces;
@@ -58,6 +59,7 @@ mod record;
 mod report;
 mod responses;
 mod schema;
+mod screen;
 mod sheet;
 mod show;
 mod solve;
@@ -94,6 +96,7 @@ enum Command {
     Solve(solve::Arguments),
     Mark(mark::Arguments),
     Sheet(sheet::Arguments),
+    Enter(enter::Arguments),
     Grade(grade::Arguments),
     Forget(forget::Arguments),
     Practice(practice::Arguments),
@@ -157,6 +160,7 @@ pub(crate) fn run() -> ExitCode {
         Command::List(arguments) => list::run(&arguments),
         Command::Show(arguments) => show::run(&arguments),
         Command::Mark(arguments) => mark::run(&arguments),
+        Command::Enter(arguments) => enter::run(&arguments),
         Command::Grade(arguments) => grade::run(&arguments),
         Command::Forget(arguments) => forget::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),

@@ -1,7 +1,9 @@
 //! The marks as a platform imports them into its gradebook: one row a student.
 //!
-//! Moodle: <https://docs.moodle.org/en/Grade_import>. Canvas: the columns of its own export, with the points that are
-//! possible in the second row.
+//! Moodle: <https://docs.moodle.org/en/Grade_import>; who has no mark yet is not in the file, since an empty cell of a new
+//! column is taken for a grade there (`grade/import/csv/classes/load_data.php`). A student whom it does not know stops the
+//! import. Canvas: the columns of its own export in their order, with the points that are possible in the second row; an
+//! empty cell changes nothing (`lib/gradebook_importer.rb`).
 
 use vibank::grade;
 use vibank::numerics::Rational;
@@ -36,8 +38,8 @@ struct Row {
     /// The number of Canvas itself, where its own report said it.
     canvas: String,
     name: String,
-    /// Empty while something is undecided, so that the platform keeps what it has.
-    points: String,
+    /// None while something is undecided.
+    points: Option<String>,
 }
 
 /// The file that is written.
@@ -67,7 +69,7 @@ impl Gradebook {
             id: id.to_owned(),
             canvas: sheet.column(CANVAS_ID).to_owned(),
             name: sheet.column("name").to_owned(),
-            points: if is_decided { points } else { String::new() },
+            points: is_decided.then_some(points),
         });
     }
 
@@ -107,7 +109,10 @@ impl Gradebook {
         };
         for row in &self.rows {
             table.extend(match self.platform {
-                Platform::Moodle => dialect.line(&[&row.id, &row.points])?,
+                Platform::Moodle => match &row.points {
+                    Some(points) => dialect.line(&[&row.id, points])?,
+                    None => continue,
+                },
                 Platform::Canvas => {
                     let under = |own: &str| {
                         if own == heading && row.id != row.canvas {
@@ -122,7 +127,14 @@ impl Gradebook {
                     } else {
                         &row.canvas
                     };
-                    dialect.line(&[&row.name, id, user, login, "", &row.points])?
+                    dialect.line(&[
+                        &row.name,
+                        id,
+                        user,
+                        login,
+                        "",
+                        row.points.as_deref().unwrap_or_default(),
+                    ])?
                 }
             });
         }

@@ -461,7 +461,7 @@ impl Job<'_> {
         if has_gradebook {
             file(
                 gradebook::FILE,
-                "for the gradebook of the platform; marks that are not decided are empty",
+                "for the gradebook of the platform, without the marks that are not decided",
             );
         }
         file(

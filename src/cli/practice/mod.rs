@@ -1,7 +1,6 @@
 //! `vibank practice [ITEM]`
 
 mod log;
-mod screen;
 mod session;
 
 use std::hash::{BuildHasher, RandomState};
@@ -16,11 +15,11 @@ use vibank::solution::Solution;
 use vibank::suitability;
 
 use self::log::Log;
-use self::screen::Screen;
 use self::session::{End, Session};
 use super::bank::{self, BankArgument};
 use super::doubt::doubt;
 use super::filter::Filter;
+use super::screen::Screen;
 use super::{Failure, Outcome};
 
 /// Practise in the terminal: an exercise with numbers of its own, feedback on each answer, hints, worked solutions.

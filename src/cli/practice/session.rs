@@ -1,7 +1,5 @@
 //! A session: exercises part by part, answers, hints, solutions.
 
-use std::io::{BufRead, IsTerminal};
-
 use vibank::answer::{Marking, Verdict};
 use vibank::bank::{Part, Passage};
 use vibank::grade::{self, Grade};
@@ -11,14 +9,13 @@ use vibank::solution::Solution;
 use vibank::worksheet::{headings, letter};
 
 use super::log::Log;
-use super::screen::{Screen, Tone};
 use crate::cli::Failure;
+use crate::cli::screen::{Screen, Tone};
 
 /// A session and what came out so far.
 pub(super) struct Session {
     screen: Screen,
     log: Log,
-    is_typed: bool,
     right: usize,
     right_at_once: usize,
     asked: usize,
@@ -49,15 +46,11 @@ enum Typed {
 /// How the student can go on; every answer is possible but these.
 const HELP: &str = "? hint   ! answer and solution   > next part   >> next exercise   quit";
 
-/// Longest line that is read.
-const LONGEST: usize = 8 << 10;
-
 impl Session {
     pub(super) fn begin(screen: Screen, log: Log) -> Self {
         Self {
             screen,
             log,
-            is_typed: std::io::stdin().is_terminal(),
             right: 0,
             right_at_once: 0,
             asked: 0,
@@ -244,22 +237,10 @@ impl Session {
     }
 
     fn read(&self, letter: &str) -> Result<Typed, Failure> {
-        self.screen.ask(&format!("{letter}> "));
-        let mut line = Vec::new();
-        let mut input = std::io::Read::take(std::io::stdin().lock(), LONGEST as u64);
-        let length = input
-            .read_until(b'\n', &mut line)
-            .map_err(|error| Failure::new(format!("cannot read standard input: {error}")))?;
-        let text = String::from_utf8_lossy(&line);
-        let text = text.trim();
-        if !self.is_typed {
-            // In a transcript the answer stands where it would have been typed.
-            println!("{}", text.replace(char::is_control, " "));
-        } else if length == 0 {
-            println!();
-        }
-        Ok(match text {
-            _ if length == 0 => Typed::Quit,
+        let Some(text) = self.screen.ask(&format!("{letter}> "))? else {
+            return Ok(Typed::Quit);
+        };
+        Ok(match text.as_str() {
             "" => Typed::Nothing,
             "?" | "hint" => Typed::Hint,
             "!" | "solution" => Typed::Solution,

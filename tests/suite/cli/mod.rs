@@ -3,6 +3,7 @@
 mod commands;
 mod crash;
 mod desk;
+mod enter;
 mod forget;
 mod golden;
 mod grading;

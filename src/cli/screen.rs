@@ -1,10 +1,12 @@
-//! What is printed: wrapped text, with colour on a terminal.
+//! What commands that ask print and read: wrapped text, with colour on a terminal, and lines that are typed.
 
-use std::io::{IsTerminal, Write};
+use std::io::{BufRead, IsTerminal, Read, Write};
+
+use super::Failure;
 
 /// How a line is set off on a terminal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Tone {
+pub(crate) enum Tone {
     Plain,
     Bold,
     Faint,
@@ -14,16 +16,19 @@ pub(super) enum Tone {
 }
 
 /// Where a session is printed.
-pub(super) struct Screen {
+pub(crate) struct Screen {
     has_colour: bool,
 }
+
+/// Longest line that is read.
+const LONGEST: u64 = 8 << 10;
 
 /// Lines are no longer than this; what is longer is hard to read.
 const WIDTH: usize = 78;
 
 impl Screen {
     /// Standard output, in colour if it is a terminal.
-    pub(super) fn of_stdout() -> Self {
+    pub(crate) fn of_stdout() -> Self {
         #[expect(
             clippy::disallowed_methods,
             reason = "NO_COLOR is how a user asks for plain text: https://no-color.org"
@@ -35,7 +40,7 @@ impl Screen {
     }
 
     /// Prints a text, wrapped, each line moved in.
-    pub(super) fn say(&self, tone: Tone, indent: &str, text: &str) {
+    pub(crate) fn say(&self, tone: Tone, indent: &str, text: &str) {
         for line in wrapped(text, WIDTH - indent.len()) {
             let line = format!("{indent}{line}");
             println!("{}", self.toned(tone, line.trim_end()));
@@ -43,15 +48,30 @@ impl Screen {
     }
 
     /// An empty line.
-    pub(super) fn gap() {
+    pub(crate) fn gap() {
         println!();
     }
 
-    /// Asks for a line; what is asked stands before it.
-    pub(super) fn ask(&self, prompt: &str) {
+    /// Asks for a line, without the blanks around it; none at the end of the input.
+    pub(crate) fn ask(&self, prompt: &str) -> Result<Option<String>, Failure> {
         let mut out = std::io::stdout().lock();
         let _ = write!(out, "{}", self.toned(Tone::Bold, prompt));
         let _ = out.flush();
+        drop(out);
+        let mut line = Vec::new();
+        let mut input = std::io::stdin().lock().take(LONGEST);
+        let length = input
+            .read_until(b'\n', &mut line)
+            .map_err(|error| Failure::new(format!("cannot read standard input: {error}")))?;
+        let text = String::from_utf8_lossy(&line);
+        let text = text.trim();
+        if !std::io::stdin().is_terminal() {
+            // In a transcript the answer stands where it would have been typed.
+            println!("{}", text.replace(char::is_control, " "));
+        } else if length == 0 {
+            println!();
+        }
+        Ok((length > 0).then(|| text.to_owned()))
     }
 
     fn toned(&self, tone: Tone, text: &str) -> String {
