@@ -165,6 +165,8 @@ impl Marker for Whole {
     }
 
     fn echo(&self, response: &str) -> Result<Echo, Unreadable> {
+        let digits = response::count_in_digits(response);
+        let response = digits.as_deref().unwrap_or(response);
         let read = numeric::readings(response, self.mark);
         let is_count = |read: &(Quantity, _)| read.0.unit.is_one();
         if !read.as_ref().is_ok_and(is_count)
@@ -183,6 +185,8 @@ impl Marker for Whole {
     }
 
     fn mark(&self, response: &str) -> Marking {
+        let digits = response::count_in_digits(response);
+        let response = digits.as_deref().unwrap_or(response);
         let read = numeric::readings(response, self.mark);
         let is_count = |read: &(Quantity, _)| read.0.unit.is_one();
         // A count has no unit: what could be one is a symbol of the question.

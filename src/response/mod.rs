@@ -57,6 +57,7 @@ pub(crate) use lexicon::Lexicon;
 pub(crate) use list::{Listed, cut, list_of_form};
 pub(crate) use sides::{sides, statement};
 pub(crate) use values::{Part, Style, Values};
+pub(crate) use words::count_in_digits;
 
 use self::parser::Parser;
 use self::token::tokens;

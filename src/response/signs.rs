@@ -102,6 +102,10 @@ pub(super) const RUNS: &[(&str, &str)] = &[
     (":=", "="),
     ("**", "^"),
     ("&&", "∩"),
+    // The constants of Maxima.
+    ("%pi", "pi"),
+    ("%i", "i"),
+    ("%e", "e"),
     // The decimal comma of LaTeX, which never parts thousands.
     ("{,}", "⎖"),
     ("{\\,}", " "),

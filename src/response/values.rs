@@ -240,6 +240,32 @@ impl<'t> Values<'t> {
         (start == part.end && parts.len() > 1).then_some(parts)
     }
 
+    /// Numbers with their units, parted by spaces alone: `5 rad/s 8.7 rad/s`.
+    pub(crate) fn spaced_amounts(&self, part: &Part) -> Option<Vec<Part>> {
+        let begins = |at: usize| {
+            let before = &self.tokens[at - 1];
+            let token = &self.tokens[at];
+            token.literal.is_some() && token.is_spaced && matches!(before.item, Item::Unit(_))
+        };
+        let starts: Vec<usize> = std::iter::once(part.start)
+            .chain((part.start + 1..part.end).filter(|at| begins(*at)))
+            .collect();
+        let ends = starts[1..].iter().copied().chain([part.end]);
+        let parts: Vec<Part> = starts
+            .iter()
+            .zip(ends)
+            .map(|(start, end)| *start..end)
+            .collect();
+        let has_unit = |own: &Part| self.items(own).any(|item| matches!(item, Item::Unit(_)));
+        let is_number = |own: &Part| {
+            self.tokens
+                .get(own.start)
+                .is_some_and(|own| own.literal.is_some())
+        };
+        (parts.len() > 1 && parts.iter().all(|own| is_number(own) && has_unit(own)))
+            .then_some(parts)
+    }
+
     /// What stands behind `±`, where that is the first sign of a part.
     pub(crate) fn both_signs(&self, part: &Part) -> Option<Part> {
         match self.items(part).next()? {

@@ -1,4 +1,4 @@
-//! The one table of words that join or measure, other languages beside English.
+//! The tables of words that join, measure or count, other languages beside English.
 
 /// Words that stand for others or for signs, between spaces; the longer ones before those with which they begin.
 pub(super) const WORDS: &[(&str, &str)] = &[
@@ -24,6 +24,11 @@ pub(super) const WORDS: &[(&str, &str)] = &[
     ("smaller than", "<"),
     ("at least", "≥"),
     ("at most", "≤"),
+    ("up to", "≤"),
+    ("above or equal to", "≥"),
+    ("below or equal to", "≤"),
+    ("above", ">"),
+    ("below", "<"),
     ("au moins", "≥"),
     ("au plus", "≤"),
     ("mindestens", "≥"),
@@ -184,6 +189,81 @@ pub(super) const ASIDES: &[&str] = &[
     "ca.",
     "Einheiten",
 ];
+
+/// Small numbers as words.
+const COUNTS: &[(&str, u8)] = &[
+    ("zero", 0),
+    ("one", 1),
+    ("two", 2),
+    ("three", 3),
+    ("four", 4),
+    ("five", 5),
+    ("six", 6),
+    ("seven", 7),
+    ("eight", 8),
+    ("nine", 9),
+    ("ten", 10),
+    ("eleven", 11),
+    ("twelve", 12),
+    ("un", 1),
+    ("deux", 2),
+    ("trois", 3),
+    ("quatre", 4),
+    ("cinq", 5),
+    ("sept", 7),
+    ("huit", 8),
+    ("neuf", 9),
+    ("dix", 10),
+    ("eins", 1),
+    ("zwei", 2),
+    ("drei", 3),
+    ("vier", 4),
+    ("fünf", 5),
+    ("sechs", 6),
+    ("sieben", 7),
+    ("acht", 8),
+    ("neun", 9),
+    ("zehn", 10),
+];
+
+/// What is counted in this field, the longer words before those with which they end. Cycles and half-cycles are missing:
+/// three of the ones are six of the others.
+const COUNTED: &[&str] = &[
+    "degrees of freedom",
+    "degree of freedom",
+    "degrés de liberté",
+    "degré de liberté",
+    "freiheitsgrade",
+    "freiheitsgrad",
+    "dofs",
+    "dof",
+    "ddl",
+    "coordinates",
+    "constraints",
+    "modes",
+];
+
+/// A count in digits without what is counted: `two degrees of freedom` is `2`; none where nothing of that was typed.
+pub(crate) fn count_in_digits(typed: &str) -> Option<String> {
+    let text = typed.trim().trim_end_matches(['.', '!']);
+    let without = |what: &&str| {
+        let (before, tail) = text.split_at_checked(text.len().checked_sub(what.len())?)?;
+        let is_it = tail.eq_ignore_ascii_case(what) && before.ends_with(' ');
+        is_it
+            .then(|| before.trim_end())
+            .filter(|before| !before.is_empty())
+    };
+    let alone = COUNTED.iter().find_map(without);
+    let count = alone.unwrap_or(text);
+    let last = count.rsplit([' ', '=', ':']).next().unwrap_or(count);
+    let number = COUNTS
+        .iter()
+        .find(|(word, _)| last.eq_ignore_ascii_case(word));
+    match number {
+        Some((_, number)) => Some(format!("{}{number}", &count[..count.len() - last.len()])),
+        None => alone.map(str::to_owned),
+    }
+}
 
 /// Roots in other languages, before a bracket.
 pub(super) const ROOTS: &[&str] = &[

@@ -78,6 +78,30 @@ fn announced(text: &str) -> &str {
     }
 }
 
+/// What is said of the thing that is asked about: `the motion is underdamped`, `it is stable`.
+fn said(text: &str) -> Option<&str> {
+    const THINGS: &[&str] = &[
+        "motion",
+        "system",
+        "oscillator",
+        "oscillation",
+        "regime",
+        "response",
+        "equilibrium",
+        "position",
+        "damping",
+        "it",
+        "this",
+        "they",
+    ];
+    // Words for an equals sign have become one.
+    let mut signs = ["=", " is ", " are "].iter();
+    let (thing, said) = signs.find_map(|sign| text.split_once(sign))?;
+    let thing = normalized(thing);
+    let thing = thing.strip_prefix("the ").unwrap_or(&thing);
+    THINGS.contains(&thing).then(|| said.trim())
+}
+
 impl Chosen {
     /// The place in the file of what was typed: a letter as printed, the words of an option, or an id.
     fn place(&self, typed: &str) -> Option<usize> {
@@ -173,6 +197,9 @@ impl Chosen {
             return Ok(Vec::new());
         }
         if let Some(place) = self.place(response) {
+            return Ok(vec![place]);
+        }
+        if let Some(place) = said(response).and_then(|said| self.place(said)) {
             return Ok(vec![place]);
         }
         let separated = response

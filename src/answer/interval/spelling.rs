@@ -13,6 +13,8 @@ pub(super) fn normalized(response: &str) -> String {
         .iter()
         .find_map(|word| response.strip_prefix(word)?.strip_prefix(' '))
         .unwrap_or(response);
+    let onwards = onwards(response);
+    let response = onwards.as_deref().unwrap_or(response);
     let mut text = format!(" {response} ");
     for (from, to) in [
         ("||", " ∪ "),
@@ -36,6 +38,35 @@ pub(super) fn normalized(response: &str) -> String {
         }
     }
     text.trim().to_owned()
+}
+
+/// `0.2 or more`, `from 0.2 on`.
+fn onwards(text: &str) -> Option<String> {
+    const BEHIND: [(&str, char); 8] = [
+        (" or more", '≥'),
+        (" or greater", '≥'),
+        (" or larger", '≥'),
+        (" or above", '≥'),
+        (" or less", '≤'),
+        (" or smaller", '≤'),
+        (" or lower", '≤'),
+        (" or below", '≤'),
+    ];
+    let from = |text: &str| {
+        let bound = text.strip_prefix("from ")?;
+        let ends = [" on", " onwards", " upwards"];
+        ends.iter()
+            .find_map(|end| bound.strip_suffix(end))
+            .map(|bound| format!("≥ {bound}"))
+    };
+    let behind = || {
+        BEHIND.iter().find_map(|(words, sign)| {
+            let bound = text.strip_suffix(words)?;
+            Some(format!("{sign} {bound}"))
+        })
+    };
+    let has_more = |text: &str| text.contains(['<', '>', '≤', '≥', '=', '∈', '[', ']']);
+    from(text).or_else(behind).filter(|_| !has_more(text))
 }
 
 /// Words before a condition.

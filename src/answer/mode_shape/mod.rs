@@ -20,6 +20,7 @@
 mod marker;
 mod modes;
 mod read;
+mod relation;
 mod span;
 
 use std::sync::Arc;

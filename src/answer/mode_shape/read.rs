@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::Scale;
 use super::marker::Prepared;
+use super::relation::components_of;
 use super::span::vectors;
 use crate::answer::matrix::Written;
 use crate::answer::{Answered, Reading, Unreadable, Why};
@@ -22,8 +23,12 @@ impl Prepared {
     /// How a response can be read: by rows, and by columns where both are to be had.
     pub(super) fn read(&self, response: &str) -> Result<Vec<Shapes>, Unreadable> {
         let setup = &self.setup;
-        let response = &components(response);
         let (width, count) = (self.width(), self.keys.len());
+        // Relations say nothing of the size.
+        let related = (count == 1 && setup.scale == Scale::Any)
+            .then(|| components_of(response, width))
+            .flatten();
+        let response = &related.unwrap_or_else(|| components(response));
         let fits = |listed: &Listed| !arrangements(&listed.rows, width, count).is_empty();
         let is_up_to_factor = setup.scale == Scale::Any;
         let listed = response::list_of_form(

@@ -44,7 +44,12 @@ pub(super) fn list(
         };
         is_framed || pieces.len() == count && !pieces.iter().skip(1).any(is_group)
     };
-    let pieces: Vec<Part> = match values.spaced(&inner).filter(is_list) {
+    let spaced = values.spaced(&inner).filter(is_list);
+    let amounts = || {
+        let amounts = values.spaced_amounts(&inner);
+        amounts.filter(|pieces| pieces.len() == count)
+    };
+    let pieces: Vec<Part> = match spaced.or_else(amounts) {
         Some(pieces) => pieces,
         None => values.statements(&inner),
     };
