@@ -1,0 +1,222 @@
+//! Shapes that are typed as a relation of their components: `x2/x1 = -0.5`, `A1 = 2 A2`, `x1 : x2 = 1 : 2`.
+
+use std::ops::Range;
+
+/// The components that a relation between all of them gives, as a list; none where it is none, or more than one thing is
+/// said.
+pub(super) fn components_of(typed: &str, width: usize) -> Option<String> {
+    let text = typed.trim().trim_end_matches('.');
+    let sides: Vec<&str> = text.split('=').map(str::trim).collect();
+    let (last, before) = sides
+        .split_last()
+        .filter(|(_, before)| !before.is_empty())?;
+    let places = |side: &str| -> Option<Vec<usize>> {
+        let names = side.split(':').map(str::trim);
+        names.map(whole_name).collect()
+    };
+    if let [ratio] = before
+        && ratio.contains(':')
+    {
+        let (order, values) = (places(ratio)?, last.split(':').map(str::trim));
+        return ordered(&order, &values.collect::<Vec<_>>(), width);
+    }
+    // `x1 = x2 = x3`, and `x1 = x2 = 1`.
+    let mut equal: Vec<usize> = before.iter().map_while(|side| whole_name(side)).collect();
+    if equal.len() == before.len() {
+        equal.extend(whole_name(last));
+        if equal.len() == width {
+            let value = if whole_name(last).is_some() {
+                "1"
+            } else {
+                last
+            };
+            return ordered(&equal, &vec![value; width], width);
+        }
+    }
+    let [left] = before else { return None };
+    if width != 2 {
+        return None;
+    }
+    quotient(left, last)
+        .or_else(|| quotient(last, left))
+        .or_else(|| multiple(left, last))
+        .or_else(|| multiple(last, left))
+}
+
+/// `x2/x1 = value`.
+fn quotient(ratio: &str, value: &str) -> Option<String> {
+    let ratio = ratio
+        .strip_prefix("\\frac{")
+        .and_then(|rest| rest.strip_suffix('}'))
+        .map_or_else(|| ratio.to_owned(), |rest| rest.replacen("}{", "/", 1));
+    let (above, below) = ratio.split_once('/')?;
+    let (above, below) = (whole_name(above)?, whole_name(below)?);
+    let is_value = name_in(value).is_none() && !value.is_empty();
+    if !is_value {
+        return None;
+    }
+    ordered(&[above, below], &[value, "1"], 2)
+}
+
+/// `x1 = value * x2`: a product in which the other component stands once.
+fn multiple(name: &str, product: &str) -> Option<String> {
+    let own = whole_name(name)?;
+    let (place, other) = name_in(product)?;
+    let (before, behind) = (&product[..place.start], &product[place.end..]);
+    if name_in(before).is_some() || name_in(behind).is_some() {
+        return None;
+    }
+    // A sum is no multiple, and what stands below a fraction or in a function is none either.
+    let is_below =
+        before.trim_end().ends_with(['/', '^']) || behind.trim_start().starts_with(['^', '\'']);
+    let is_inside = before.matches(['(', '{']).count() != before.matches([')', '}']).count();
+    if is_sum(before, None) || is_sum(behind, Some(')')) || is_below || is_inside {
+        return None;
+    }
+    ordered(&[own, other], &[&format!("{before}(1){behind}"), "1"], 2)
+}
+
+/// Whether terms are added outside of all brackets, behind a sign that stands `before` the text; a sign before the first
+/// of them, or in an exponent, adds nothing.
+fn is_sum(text: &str, mut before: Option<char>) -> bool {
+    let mut depth = 0_i32;
+    for char in text.chars().filter(|char| !char.is_whitespace()) {
+        match char {
+            '(' | '{' | '[' => depth += 1,
+            ')' | '}' | ']' => depth -= 1,
+            '+' | '-' if depth == 0 && !before.is_none_or(|own| "*/^eE+-".contains(own)) => {
+                return true;
+            }
+            _ => {}
+        }
+        before = Some(char);
+    }
+    false
+}
+
+/// Values in the order of the components.
+fn ordered(order: &[usize], values: &[&str], width: usize) -> Option<String> {
+    if order.len() != width || values.len() != width {
+        return None;
+    }
+    let entries: Option<Vec<String>> = (1..=width)
+        .map(|place| {
+            let at = order.iter().position(|own| *own == place)?;
+            let value = values[at];
+            (!value.is_empty() && name_in(value).is_none()).then(|| format!("({value})"))
+        })
+        .collect();
+    Some(format!("[{}]", entries?.join("; ")))
+}
+
+/// The component that all of a text names: `x1`, `x_1`, `X_{2}`, `θ₁`, `A1`.
+fn whole_name(text: &str) -> Option<usize> {
+    let text = text.trim();
+    let (place, index) = name_in(text)?;
+    (place == (0..text.len())).then_some(index)
+}
+
+/// The first name of a component in a text, and which one it is. Letters of stiffnesses, masses and lengths, which have
+/// indices too, name none.
+fn name_in(text: &str) -> Option<(Range<usize>, usize)> {
+    const STEMS: &[&str] = &[
+        "x", "X", "y", "Y", "u", "U", "q", "Q", "a", "A", "\\theta", "theta", "θ", "Θ", "\\varphi",
+        "\\phi", "phi", "φ", "ϕ", "Φ",
+    ];
+    let is_letter = |char: char| char.is_alphabetic() || char == '\\';
+    text.char_indices().find_map(|(at, char)| {
+        let begins = is_letter(char)
+            && !text[..at].ends_with(|before: char| is_letter(before) || before == '_');
+        let stem = STEMS
+            .iter()
+            .find(|stem| begins && text[at..].starts_with(**stem))?;
+        let rest = &text[at + stem.len()..];
+        let (index, length) = index_of(rest)?;
+        let end = at + stem.len() + length;
+        let is_whole =
+            !text[end..].starts_with(|behind: char| behind.is_alphanumeric() || behind == '_');
+        is_whole.then_some((at..end, index))
+    })
+}
+
+/// An index, `1`, `_1`, `_{1}` or `₁`, and its length.
+fn index_of(text: &str) -> Option<(usize, usize)> {
+    const LOWERED: [char; 9] = ['₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'];
+    if let Some(place) = text
+        .chars()
+        .next()
+        .and_then(|char| LOWERED.iter().position(|own| *own == char))
+    {
+        return Some((place + 1, LOWERED[place].len_utf8()));
+    }
+    [("_{", "}"), ("_", ""), ("", "")]
+        .iter()
+        .find_map(|(open, close)| {
+            let inner = text.strip_prefix(open)?;
+            let digit = inner
+                .chars()
+                .next()?
+                .to_digit(10)
+                .filter(|digit| *digit > 0)?;
+            inner[1..]
+                .starts_with(close)
+                .then_some((digit as usize, open.len() + 1 + close.len()))
+        })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::components_of;
+
+    #[test]
+    fn relations_of_all_components_are_shapes() {
+        for (typed, components) in [
+            ("x1 = x2", "[(1); (1)]"),
+            ("x_1 = x_2 = 1", "[(1); (1)]"),
+            ("x2/x1 = -0.5", "[(1); (-0.5)]"),
+            ("A1/A2 = sqrt(2)", "[(sqrt(2)); (1)]"),
+            ("\\frac{X_2}{X_1} = -1", "[(1); (-1)]"),
+            ("X1 = -2 X2", "[(-2 (1)); (1)]"),
+            ("θ₂ = -θ₁", "[(1); (-(1))]"),
+            ("x1 : x2 = 1 : 2", "[(1); (2)]"),
+            ("x2:x1=1:2", "[(2); (1)]"),
+            ("u_{2} = k/(k - m*w^2) u_{1}", "[(1); (k/(k - m*w^2) (1))]"),
+        ] {
+            assert_eq!(
+                components_of(typed, 2).as_deref(),
+                Some(components),
+                "{typed}"
+            );
+        }
+        assert_eq!(
+            components_of("x1:x2:x3 = 1:2:1", 3).as_deref(),
+            Some("[(1); (2); (1)]")
+        );
+    }
+
+    #[test]
+    fn what_leaves_components_open_is_none() {
+        for typed in [
+            "x1 = x2 + 1",
+            "x1 = x1",
+            "x1 = 1",
+            "1, 2",
+            "x1/x2",
+            "x1 = 1 - x2",
+            "x1 = 2/x2",
+            "x1 = x2^2",
+            "x1 = sin(x2)",
+            "x1/x2 = x2",
+            "x1 = k1*k2",
+            "u1 = (1, 2)",
+            "x1 = x2 = x1",
+            "x1:x2 = 1:2:3",
+            "x1 = x3",
+            "x1 = x2 x1",
+            "x1 = (2) + x2",
+            "x1 = x2 (3) - 1",
+        ] {
+            assert_eq!(components_of(typed, 2), None, "{typed}");
+        }
+    }
+}
