@@ -30,6 +30,8 @@ pub enum Target {
     Figure,
     /// The free-body diagrams of the item.
     Free,
+    /// A mode drawn on the figure of the item, by its number from 0.
+    Mode(usize),
     /// A plot, by name.
     Plot(String),
     /// Something of a model.

@@ -150,6 +150,8 @@ codes! {
         "`labels` is `symbol`, `value` or `both`; `at` of a label is `above`, `below`, `left` or `right`; `style` is `solid`, `dashed`, `dotted` or `faint`; the sides of a body are `left`, `right`, `top` and `bottom`."
     FIGURE_FREE "figure::free" "A free-body diagram that does not show the forces of the model."
         "`[figure.free.<body>]` takes out a body of `[model.bodies]`: the elements with its id, or those in `keep`.\nEach of its forces has an arrow: a link with the id of the force, or named in `links`; a force or moment of the figure with this id; or a row of `arrows` (`normal`, `friction`, `reaction`, `weight`).\nAn arrow does the work that the force does in the model, and what is not a force of the model does no work."
+    FIGURE_MOTION "figure::motion" "A motion of a figure in which nothing moves."
+        "`[figure.motion]` moves named points of the figure by the coordinates of `[model]` or by its kinematic names: a shift to the right and up is a length, `B = [\"x\", 0]`, a turn is an angle, anticlockwise, `O = { turn = \"theta\" }`.\nDisplacements are counted from rest, and their scale is chosen so that they are seen."
     MODEL_COORDINATE "model::coordinate" "A model moves something that it does not declare."
         "What bears a prime is a coordinate or a name in `kinematics`.\n`forces`, `friction`, `initial` and `equilibrium` are keyed by coordinates.\nA name stands for one thing, and kinematic names do not need each other in a circle."
     MODEL_DIMENSION "model::dimension" "A term of an energy or force has the wrong dimension."

@@ -30,6 +30,8 @@ pub struct Drawing {
     pub(super) wishes: Vec<Wish>,
     owner: u32,
     clip: Option<Bounds>,
+    /// The frame that it shares with others.
+    shared: Option<Bounds>,
 }
 
 /// A line or area of a drawing.
@@ -244,8 +246,22 @@ impl Drawing {
         &self.labels
     }
 
+    /// Fixes its frame, which it shares with others.
+    pub(super) fn keep_frame(&mut self, frame: Bounds) {
+        self.shared = Some(frame);
+    }
+
+    /// Adds another drawing above this one.
+    pub(super) fn add(&mut self, other: Self) {
+        self.marks.extend(other.marks);
+        self.labels.extend(other.labels);
+    }
+
     /// The frame: the box of all marks and labels, with a margin.
     pub fn frame(&self) -> Bounds {
+        if let Some(shared) = self.shared {
+            return shared;
+        }
         let marks = self.marks.iter().map(|mark| {
             let reach = mark.pen.map_or(0.0, Pen::width) / 2.0;
             match mark.clip {
@@ -259,6 +275,21 @@ impl Drawing {
             return Bounds::of(Point::default(), Point::new(1.0, 1.0));
         }
         bounds.grown(MARGIN)
+    }
+}
+
+impl Lettering {
+    /// The same elsewhere.
+    pub(super) fn shifted(&self, by: Point) -> Self {
+        let Bounds { low, high } = self.bounds;
+        Self {
+            at: self.at + by,
+            bounds: Bounds {
+                low: low + by,
+                high: high + by,
+            },
+            ..self.clone()
+        }
     }
 }
 

@@ -71,6 +71,32 @@ pub enum FigureError {
         /// Where.
         span: Span,
     },
+    /// A motion of an item without a model.
+    #[error("a figure moves by the coordinates of a model, and this item has none")]
+    NoModel {
+        /// The table.
+        span: Span,
+    },
+    /// A displacement in which nothing moves.
+    #[error("{found} does not move: no coordinate of the model is in it")]
+    Still {
+        /// The formula.
+        found: String,
+        /// The coordinates.
+        known: Vec<String>,
+        /// Where.
+        span: Span,
+    },
+    /// A displacement of the wrong dimension.
+    #[error("this is {found}, expected {}", if *is_turn { "an angle" } else { "a length" })]
+    Displacement {
+        /// Its dimension.
+        found: String,
+        /// Whether an angle is due.
+        is_turn: bool,
+        /// Where.
+        span: Span,
+    },
     /// A word that a key does not take.
     #[error("`{key}` cannot be `{found}`")]
     Word {
@@ -90,6 +116,9 @@ impl Diagnose for FigureError {
         match self {
             Self::Kind { .. } | Self::Empty { .. } => Code::FIGURE_ELEMENT,
             Self::Word { .. } => Code::FIGURE_WORD,
+            Self::NoModel { .. } | Self::Still { .. } | Self::Displacement { .. } => {
+                Code::FIGURE_MOTION
+            }
             _ => Code::FIGURE_PLACE,
         }
     }
@@ -103,6 +132,9 @@ impl Diagnose for FigureError {
             | Self::Point { span, .. }
             | Self::NoBody { span, .. }
             | Self::NoPulley { span, .. }
+            | Self::NoModel { span }
+            | Self::Still { span, .. }
+            | Self::Displacement { span, .. }
             | Self::Word { span, .. } => *span,
         };
         vec![Label {
@@ -129,6 +161,18 @@ impl Diagnose for FigureError {
                 Some(near) => format!("did you mean `{near}`?"),
                 None => "points are declared in `points` of the figure".to_owned(),
             }),
+            Self::NoModel { .. } => {
+                Some("declare `[model]`, or drop `[figure.motion]`".to_owned())
+            }
+            Self::Still { known, .. } => {
+                Some(format!("write it with {}", known.join(", ")))
+            }
+            Self::Displacement { is_turn: true, .. } => {
+                Some("divide the length by a radius".to_owned())
+            }
+            Self::Displacement { is_turn: false, .. } => Some(
+                "multiply the angle by a length, or turn the body, `{ turn = \"theta\" }`".to_owned(),
+            ),
             Self::NoBody { found, .. } => {
                 Some(format!("place a body there, `{{ block = \"{found}\" }}`"))
             }

@@ -38,8 +38,8 @@ pub(super) enum Pair {
 /// The names that the formulas of a figure may use.
 #[derive(Debug, Default)]
 pub(super) struct Names {
-    /// Name, slot, whether it is a point.
-    own: Vec<(Name, u32, bool)>,
+    /// Name, slot, and the dimension of a number; a point has none.
+    own: Vec<(Name, u32, Option<Dimension>)>,
     /// What the formulas take from the item, with their slots.
     taken: RefCell<Vec<(Name, u32)>>,
     slots: std::cell::Cell<u32>,
@@ -59,7 +59,16 @@ impl Names {
     pub(super) fn add(&mut self, name: &str, is_point: bool) -> u32 {
         let slot = self.slots.get();
         self.slots.set(slot + if is_point { 2 } else { 1 });
-        self.own.push((Name::new(name), slot, is_point));
+        let dimension = (!is_point).then_some(Dimension::PURE);
+        self.own.push((Name::new(name), slot, dimension));
+        slot
+    }
+
+    /// Adds a number that varies while the figure moves; its slot is returned.
+    pub(super) fn add_variable(&mut self, name: &Name, dimension: Dimension) -> u32 {
+        let slot = self.slots.get();
+        self.slots.set(slot + 1);
+        self.own.push((name.clone(), slot, Some(dimension)));
         slot
     }
 
@@ -68,7 +77,7 @@ impl Names {
         self.own
             .iter()
             .rev()
-            .find(|(known, _, is_point)| *is_point && known.as_str() == name)
+            .find(|(known, _, dimension)| dimension.is_none() && known.as_str() == name)
             .map(|(_, slot, _)| *slot)
     }
 
@@ -76,7 +85,7 @@ impl Names {
     pub(super) fn points(&self) -> impl Iterator<Item = &str> {
         self.own
             .iter()
-            .filter(|(_, _, is_point)| *is_point)
+            .filter(|(_, _, dimension)| dimension.is_none())
             .map(|(name, ..)| name.as_str())
     }
 
@@ -90,7 +99,7 @@ impl Names {
         self.slots.get()
     }
 
-    fn find(&self, name: &Name) -> Option<&(Name, u32, bool)> {
+    fn find(&self, name: &Name) -> Option<&(Name, u32, Option<Dimension>)> {
         self.own.iter().rev().find(|(known, ..)| known == name)
     }
 }
@@ -98,10 +107,10 @@ impl Names {
 impl Scope for Local<'_> {
     fn name(&self, name: &Name) -> Option<Type> {
         match self.names.find(name) {
-            Some((_, _, true)) => {
+            Some((_, _, None)) => {
                 Some(Type::uniform(Form::real(Shape::Vector(2)), Dimension::PURE))
             }
-            Some(_) => Some(Type::real(Dimension::PURE)),
+            Some((_, _, Some(dimension))) => Some(Type::real(*dimension)),
             None => self.item.name(name),
         }
     }
@@ -117,8 +126,8 @@ impl Binder for Local<'_> {
         if variable.order > 0 {
             return None;
         }
-        if let Some((_, slot, is_point)) = self.names.find(&variable.name) {
-            let form = if *is_point {
+        if let Some((_, slot, dimension)) = self.names.find(&variable.name) {
+            let form = if dimension.is_none() {
                 Form::real(Shape::Vector(2))
             } else {
                 Form::REAL
@@ -154,6 +163,25 @@ impl Local<'_> {
             return Some(Amount::Fixed(value));
         }
         Some(Amount::Computed(Box::new(program)))
+    }
+
+    /// A formula for a displacement or an angle: its number in SI units, and its dimension.
+    pub(super) fn measure(
+        &self,
+        expr: &Expr,
+        text: &Text,
+        report: &mut Report<'_>,
+    ) -> Option<(Amount, Dimension)> {
+        let found = match expr.check(self) {
+            Ok(found) => found,
+            Err(errors) => {
+                errors.iter().for_each(|error| report(error, text));
+                return None;
+            }
+        };
+        let dimension = found.dimension()?;
+        let program = Program::compile(expr, self).map_err(|error| report(&error, text));
+        Some((Amount::Computed(Box::new(program.ok()?)), dimension))
     }
 
     /// Reads a formula for a point.

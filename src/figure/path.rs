@@ -134,6 +134,30 @@ impl Path {
         self
     }
 
+    /// The line with each point at another place, turned by an angle in radians on the way.
+    pub(super) fn mapped(&self, place: impl Fn(Point) -> Point, turn: f64) -> Self {
+        let steps = self.steps.iter().map(|step| match *step {
+            Step::Move(to) => Step::Move(place(to)),
+            Step::Line(to) => Step::Line(place(to)),
+            Step::Curve(first, second, to) => Step::Curve(place(first), place(second), place(to)),
+            Step::Arc {
+                centre,
+                radius,
+                from,
+                to,
+            } => Step::Arc {
+                centre: place(centre),
+                radius,
+                from: from + turn,
+                to: to + turn,
+            },
+            Step::Close => Step::Close,
+        });
+        Self {
+            steps: steps.collect(),
+        }
+    }
+
     /// Whether it has no step.
     pub fn is_empty(&self) -> bool {
         self.steps.is_empty()

@@ -9,9 +9,10 @@ use super::outline::Side;
 use super::part::{Setting, Style};
 use super::schematic::{Figure, Item, Labels, Local, Place, Value, Written};
 use crate::diagnostic::{Diagnose, Finding};
-use crate::expr::{Expr, Kind, Scope};
+use crate::expr::{Expr, Kind, Name, Scope};
 use crate::math::Math;
 use crate::source::{Data, Table, Text, Value as Node, nearest};
+use crate::unit::Dimension;
 
 /// The item whose figure is read.
 pub trait Subject {
@@ -25,6 +26,16 @@ pub trait Subject {
     fn bodies(&self) -> Vec<Acting> {
         Vec::new()
     }
+
+    /// The coordinates of its model with their dimensions, in order, for figures that move.
+    fn coordinates(&self) -> Vec<(Name, Dimension)> {
+        Vec::new()
+    }
+
+    /// A formula with the coordinates of its model in place of the kinematic names.
+    fn in_coordinates(&self, formula: &Expr) -> Expr {
+        formula.clone()
+    }
 }
 
 /// Most elements of a figure, and most names.
@@ -33,7 +44,7 @@ const MOST: usize = 300;
 pub(super) struct Reader<'a, 's> {
     pub(super) table: &'a Table<'s>,
     pub(super) item: &'a dyn Subject,
-    names: Names,
+    pub(super) names: Names,
     pub(super) findings: Vec<Finding>,
     /// Points whose bodies are referred to, with what is wanted and the text that does.
     wanted: Vec<(u32, bool, Text)>,
@@ -70,6 +81,9 @@ impl<'s> Reader<'_, 's> {
         self.hold_identities(&items, rows);
         let free = self.free(&items);
         self.hold_wanted(&items);
+        // What it takes is counted apart: a figure that stands still does not pay for its motion.
+        let taken = self.names.taken();
+        let motion = self.motion();
         let mut order: Vec<usize> = (0..items.len()).collect();
         crate::numerics::sort_by_key(&mut order, |place| items[*place].kind.layer());
         Figure {
@@ -80,11 +94,12 @@ impl<'s> Reader<'_, 's> {
                 _ => Labels::Symbol,
             },
             locals,
-            taken: self.names.taken(),
+            taken,
             slots: self.names.slots(),
             items,
             order,
             free,
+            motion,
         }
     }
 
@@ -293,7 +308,7 @@ impl<'s> Reader<'_, 's> {
         self.pair(table, key, value).map(Place::Free)
     }
 
-    fn named(&mut self, name: &str, text: &Text) -> Option<u32> {
+    pub(super) fn named(&mut self, name: &str, text: &Text) -> Option<u32> {
         let slot = self.names.point(name);
         if slot.is_none() {
             self.find(&FigureError::Point {

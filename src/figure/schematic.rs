@@ -4,6 +4,7 @@ use super::describe::{self, Story};
 use super::element::{Element, Role};
 use super::formula::{Amount, Pair, Values};
 use super::free::Free;
+use super::motion::Motion;
 use super::outline::{Outline, Side};
 use super::part::{End, Part, Setting, Style};
 use super::{Drawing, Head, Label, Point, Spot};
@@ -23,6 +24,8 @@ pub struct Figure {
     pub(super) order: Vec<usize>,
     /// The free-body diagrams.
     pub(super) free: Free,
+    /// How it moves, if it does.
+    pub(super) motion: Option<Motion>,
 }
 
 /// What a figure asks of the data for which it is drawn.
@@ -162,7 +165,7 @@ impl Figure {
         })
     }
 
-    fn parts(&self, given: &dyn Given) -> Result<Vec<Part<'_>>, Undrawable> {
+    pub(super) fn parts(&self, given: &dyn Given) -> Result<Vec<Part<'_>>, Undrawable> {
         self.parts_of(&self.items.iter().collect::<Vec<_>>(), given)
     }
 
@@ -261,6 +264,14 @@ impl Figure {
 }
 
 impl Place {
+    /// The point of the figure to which it belongs.
+    pub(super) fn slot(&self) -> Option<u32> {
+        match self {
+            Self::Free(_) => None,
+            Self::Named(slot) | Self::Side(slot, _) | Self::Pass(slot, _) => Some(*slot),
+        }
+    }
+
     pub(super) fn point(&self, values: &Values) -> Point {
         match self {
             Self::Free(pair) => values.pair(pair),
@@ -362,7 +373,7 @@ fn spread(items: &[&Item], parts: &mut [Part<'_>]) {
     }
 }
 
-fn drawn(parts: &[Part<'_>], items: &[Item], order: &[usize]) -> Drawing {
+pub(super) fn drawn(parts: &[Part<'_>], items: &[Item], order: &[usize]) -> Drawing {
     let mut drawing = Drawing::new();
     for place in order {
         let (item, part) = (&items[*place], &parts[*place]);

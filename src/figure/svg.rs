@@ -35,6 +35,11 @@ impl Drawing {
 
     /// The drawing as an SVG element; labels that were not settled are left out.
     pub fn svg(&self, head: &Head<'_>) -> String {
+        self.svg_around(head, "")
+    }
+
+    /// The same with another element before its end.
+    pub(super) fn svg_around(&self, head: &Head<'_>, inner: &str) -> String {
         let mut writer = Writer {
             out: String::with_capacity(4096),
             id: head.id,
@@ -43,7 +48,19 @@ impl Drawing {
         writer.clips(self);
         writer.marks(&self.marks);
         writer.labels(&self.labels);
+        writer.out.push_str(inner);
         writer.out.push_str("</svg>");
+        writer.out
+    }
+
+    /// Its marks and labels, without the element around them.
+    pub(super) fn content(&self, id: &str) -> String {
+        let mut writer = Writer {
+            out: String::with_capacity(4096),
+            id,
+        };
+        writer.marks(&self.marks);
+        writer.labels(&self.labels);
         writer.out
     }
 }

@@ -14,6 +14,7 @@ use super::order::textbook;
 use super::programs::Compiled;
 use super::{Lack, dimensions};
 use crate::expr::{Equation, Expr, Name, Normal, Order, Variable};
+use crate::unit::Dimension;
 
 /// Most coordinates of a model.
 pub const MOST_COORDINATES: usize = 16;
@@ -138,6 +139,19 @@ impl Model {
     /// The names of the coordinates, in order.
     pub fn coordinates(&self) -> &[Name] {
         &self.energies.coordinates
+    }
+
+    /// The coordinates with their dimensions, in order.
+    pub fn coordinate_dimensions(&self) -> Vec<(Name, Dimension)> {
+        let own = self.definition.coordinates.iter();
+        own.map(|own| (own.name.clone(), own.dimension)).collect()
+    }
+
+    /// A formula over what moves with the coordinates in place of the kinematic names; nothing where it cannot be
+    /// written so.
+    pub fn in_coordinates(&self, formula: &Expr) -> Option<Expr> {
+        let kinematics = Kinematics::of(&self.definition).ok()?;
+        kinematics.apply(Key::Kinematics, formula).ok()
     }
 
     /// The bodies whose laws of motion are declared.

@@ -396,6 +396,13 @@ impl<'g> Evaluation<'g> {
         self.system(system, model).turning_points(most).ok()
     }
 
+    /// The model under the beginning of a path, `model`, with the numbers of these data.
+    pub fn model(&self, beginning: &str) -> Option<Rc<Numbers>> {
+        let system = *self.graph.models.get(beginning)?;
+        let model = self.graph.system(system)?.model.as_ref()?;
+        Some(self.system(system, model))
+    }
+
     fn system(&self, system: NodeId, model: &Arc<Model>) -> Rc<Numbers> {
         if let Some(numbers) = self.systems.borrow().get(&system) {
             return Rc::clone(numbers);

@@ -17,6 +17,7 @@ impl Scene<'_, '_> {
             Target::Node(node) => self.node(*node, form),
             Target::Figure => self.shown(self.picture()),
             Target::Free => self.shown(self.free_picture().and_then(Result::ok)),
+            Target::Mode(number) => self.shown(self.mode_picture(*number)),
             Target::Plot(name) => self.drawn_plot(name),
             Target::Model(path) => Filling::Math(self.offered(path)),
             Target::Derivation(path) => self.steps(path),

@@ -7,6 +7,7 @@
 mod concrete;
 mod fill;
 mod lines;
+mod motion;
 mod notation;
 mod picture;
 mod plot;

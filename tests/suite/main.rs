@@ -32,6 +32,7 @@ mod generated;
 mod grade;
 mod layers;
 mod mechanics;
+mod motion;
 mod numerics;
 #[cfg(feature = "render")]
 mod page;

@@ -9,6 +9,7 @@ use crate::document::Document;
 use crate::expr::{Expr, Name, Notation, Scope, Symbol};
 use crate::figure::{Acting, Figure, Move, Subject};
 use crate::math::{Math, symbol};
+use crate::mechanics::Model;
 use crate::quantity::{Graph, NodeId};
 use crate::source::Table;
 use crate::unit::Dimension;
@@ -76,6 +77,23 @@ impl Subject for Names<'_> {
             })
             .collect()
     }
+
+    fn coordinates(&self) -> Vec<(Name, Dimension)> {
+        self.model()
+            .map_or_else(Vec::new, Model::coordinate_dimensions)
+    }
+
+    fn in_coordinates(&self, formula: &Expr) -> Expr {
+        self.model()
+            .and_then(|model| model.in_coordinates(formula))
+            .unwrap_or_else(|| formula.clone())
+    }
+}
+
+impl Names<'_> {
+    fn model(&self) -> Option<&Model> {
+        self.graph.derived("model").map(AsRef::as_ref)
+    }
 }
 
 impl<'s> Reader<'s> {
@@ -86,6 +104,7 @@ impl<'s> Reader<'s> {
         };
         let caption = table.text("caption");
         self.has_free = table.has("free");
+        self.moves = table.has("motion");
         let caption = caption
             .map(|text| self.plain_text(&text))
             .unwrap_or_default();

@@ -47,6 +47,8 @@ struct Reader<'s> {
     has_figure: bool,
     /// Whether the figure has free-body diagrams.
     has_free: bool,
+    /// Whether the figure moves.
+    moves: bool,
     /// The symbols and coordinates.
     free: Vec<Known>,
     /// What the parts that were read ask for.
@@ -120,6 +122,7 @@ impl<'s> Reader<'s> {
             plots: BTreeSet::new(),
             has_figure: false,
             has_free: false,
+            moves: false,
             free: Vec::new(),
             asked: Vec::new(),
             constraints: Vec::new(),

@@ -117,6 +117,7 @@ impl<'s> Reader<'s> {
         match (first, place.path.as_str()) {
             (_, "figure") if self.has_figure => Target::Figure,
             (_, "figure.free") if self.has_free => Target::Free,
+            ("figure", path) if let Some(number) = self.mode(path) => Target::Mode(number),
             ("plots", path) => {
                 let name = path.trim_start_matches("plots.");
                 if self.plots.contains(name) {
@@ -136,6 +137,14 @@ impl<'s> Reader<'s> {
                 }
             },
         }
+    }
+
+    /// The mode that `figure.mode.1` names, from 0, where the figure moves and the model has it.
+    fn mode(&self, path: &str) -> Option<usize> {
+        let number: usize = path.strip_prefix("figure.mode.")?.parse().ok()?;
+        let model = self.graph.derived("model")?;
+        let is_there = self.moves && (1..=model.degrees_of_freedom()).contains(&number);
+        is_there.then(|| number - 1)
     }
 
     /// A formula or equation of a model, or one of its numbers.

@@ -172,6 +172,7 @@ fn demand(name: &str, from: usize) -> Result<(&str, Form), TextError> {
         None => Err(malformed()),
         Some(0) => Ok((name, Form::Value)),
         Some(1) if name == "figure.free" => Ok((name, Form::Value)),
+        Some(2) if name.starts_with("figure.mode.") => Ok((name, Form::Value)),
         Some(more) => match Form::of_name(last) {
             _ if matches!(names[0], "plots" | "figure") => Err(malformed()),
             Some(form) => Ok((&name[..name.len() - last.len() - 1], form)),

@@ -19,6 +19,9 @@ pub(super) struct Damper;
 /// Half of the breadth of the cylinder.
 const HALF: f64 = 0.2;
 
+/// The length at rest of one that is stretched.
+const REST: &str = "length at rest";
+
 /// Longest cylinder.
 const LONGEST: f64 = 0.9;
 
@@ -43,15 +46,27 @@ impl Element for Damper {
         true
     }
 
+    fn kept(&self, part: &Part<'_>) -> Option<(&'static str, f64)> {
+        let (a, b) = part.working();
+        Some((REST, a.distance(b)))
+    }
+
     fn draw(&self, part: &Part<'_>, drawing: &mut Drawing) {
         let (a, b) = part.working();
         let along = (b - a).unit();
         let length = a.distance(b);
-        let cylinder = (0.5 * length).min(LONGEST);
-        let bottom = (length - cylinder) / 2.0;
+        let rest = part.number(REST).unwrap_or(length);
+        let cylinder = (0.5 * rest).min(LONGEST);
+        let bottom = (rest - cylinder) / 2.0;
         let across = along.left() * HALF;
         let at = |distance: f64| a + along * distance;
+        // The cylinder goes with the first end, the piston with the other one, as far as there is room for it.
         let piston = bottom + 0.5 * cylinder;
+        let piston = if length == rest {
+            piston
+        } else {
+            (piston + length - rest).clamp(bottom + 0.06, bottom + cylinder - 0.06)
+        };
         let pen = part.pen(Weight::Medium);
         let walls = Path::through([
             at(bottom + cylinder) + across,

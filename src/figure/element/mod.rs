@@ -76,6 +76,12 @@ pub trait Element: Sync {
         false
     }
 
+    /// What keeps its size when it is stretched: a key for its own eyes, and its number at rest.
+    fn kept(&self, part: &Part<'_>) -> Option<(&'static str, f64)> {
+        let _ = part;
+        None
+    }
+
     /// The straight pieces of a link, from its first end to its last.
     fn pieces(&self, part: &Part<'_>) -> Vec<(Point, Point)> {
         vec![part.link()]

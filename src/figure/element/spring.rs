@@ -117,6 +117,13 @@ fn coils(axis: &Axis, length: f64, turns: usize) -> Path {
     path.line_to(axis.at(length, 0.0))
 }
 
+/// How many turns it has: as many as fit, if it does not say it.
+fn turns(part: &Part<'_>, length: f64) -> f64 {
+    let fitting = ((length - 2.0 * LEAD) / PITCH).round().clamp(3.0, 40.0);
+    let turns = part.number("coils").unwrap_or(fitting);
+    turns.round().clamp(1.0, 60.0)
+}
+
 impl Element for Spring {
     fn name(&self) -> &'static str {
         "spring"
@@ -150,15 +157,13 @@ impl Element for Spring {
         true
     }
 
+    fn kept(&self, part: &Part<'_>) -> Option<(&'static str, f64)> {
+        Some(("coils", turns(part, Axis::of(part).1)))
+    }
+
     fn draw(&self, part: &Part<'_>, drawing: &mut Drawing) {
         let (axis, length) = Axis::of(part);
-        let fitting = ((length - 2.0 * LEAD) / PITCH).round().clamp(3.0, 40.0);
-        let turns = part
-            .number("coils")
-            .unwrap_or(fitting)
-            .round()
-            .clamp(1.0, 60.0);
-        let path = coils(&axis, length, turns as usize);
+        let path = coils(&axis, length, turns(part, length) as usize);
         drawing.decorate(path, Some(part.pen(Weight::Medium)), Fill::None);
         drawing.stroke(part.leads(), part.pen(Weight::Medium));
         // A capsule of this radius reaches beyond its ends by as much.

@@ -1,0 +1,305 @@
+//! The pictures of a figure that moves: in one position, between the extremes of a mode, and one after the other.
+
+use super::super::element::{Layer, Role};
+use super::super::outline::Form;
+use super::super::part::{Part, Style};
+use super::super::schematic::drawn;
+use super::super::{
+    Bounds, Drawing, Figure, Fill, Given, Head, Lettering, Path, Pen, Picture, Point, Undrawable,
+    Weight,
+};
+use super::pose::{Pose, Poses, Rigid};
+use super::{Displacements, Motion, State};
+
+/// A figure that moves, as an SVG element and what is drawn in it one after the other.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Film {
+    /// The element, with what does not move and an empty group for the rest.
+    pub svg: String,
+    /// What the group holds, picture by picture.
+    pub frames: Vec<String>,
+}
+
+/// A figure at rest, with its labels at their places.
+struct Scene<'f> {
+    figure: &'f Figure,
+    motion: &'f Motion,
+    values: super::Values,
+    parts: Vec<Part<'f>>,
+    labels: Vec<Lettering>,
+    places: Vec<Point>,
+    /// Whether what measures moving points is left out.
+    hides: bool,
+}
+
+impl Figure {
+    /// The drawing with the coordinates of its model at a state, one unit of a shift for each metre and one radian of a
+    /// turn for each radian; nothing where it has no motion.
+    ///
+    /// # Errors
+    ///
+    /// [`Undrawable`].
+    pub fn displaced(
+        &self,
+        given: &dyn Given,
+        state: &State,
+    ) -> Result<Option<Drawing>, Undrawable> {
+        let Some(mut scene) = self.scene(given)? else {
+            return Ok(None);
+        };
+        let displacements = scene.motion.displacements(&mut scene.values, state);
+        scene.hides = false;
+        let motion = scene.motion;
+        let rigid = motion.drawn(&scene.values, &displacements, (1.0, 1.0), false);
+        Ok(Some(scene.drawing(&rigid, |_| true)))
+    }
+
+    /// The figure with both extremes of a shape in light lines; `name` says what it is.
+    ///
+    /// # Errors
+    ///
+    /// [`Undrawable`].
+    pub fn extremes(
+        &self,
+        given: &dyn Given,
+        shape: &[f64],
+        (id, name, alt): (&str, &str, &str),
+    ) -> Result<Option<Picture>, Undrawable> {
+        let Some(mut scene) = self.scene(given)? else {
+            return Ok(None);
+        };
+        let all = [1.0, -1.0, 0.0].map(|sign| {
+            let state = State {
+                coordinates: shape.iter().map(|own| own * sign).collect(),
+                time: 0.0,
+            };
+            scene.motion.displacements(&mut scene.values, &state)
+        });
+        let poses = scene.scaled(&all);
+        let mut drawing = Drawing::new();
+        for rigid in &poses[..2] {
+            scene.shadow(rigid, &mut drawing);
+        }
+        let middle = scene.drawing(&poses[2], |_| true);
+        drawing.add(middle);
+        let svg = drawing.svg(&Head {
+            id,
+            title: name,
+            description: alt,
+        });
+        let (width, height) = drawing.size();
+        Ok(Some(Picture {
+            svg,
+            alt: alt.to_owned(),
+            width,
+            height,
+        }))
+    }
+
+    /// The pictures at the states of a motion.
+    ///
+    /// # Errors
+    ///
+    /// [`Undrawable`].
+    pub fn film(
+        &self,
+        given: &dyn Given,
+        states: &[State],
+        head: &Head<'_>,
+    ) -> Result<Option<Film>, Undrawable> {
+        let Some(mut scene) = self.scene(given)? else {
+            return Ok(None);
+        };
+        let all: Vec<Displacements> = states
+            .iter()
+            .map(|state| scene.motion.displacements(&mut scene.values, state))
+            .collect();
+        let poses = scene.scaled(&all);
+        let is_still = |place: usize| scene.is_still(place);
+        let mut still = scene.drawing(&[], is_still);
+        let mut frames: Vec<Drawing> = poses
+            .iter()
+            .map(|rigid| {
+                let mut frame = scene.drawing(rigid, |place| !is_still(place));
+                scene.spokes(rigid, &mut frame);
+                frame
+            })
+            .collect();
+        let frame = frames
+            .iter()
+            .map(Drawing::frame)
+            .fold(still.frame(), Bounds::joined);
+        still.labels.clear();
+        still.keep_frame(frame);
+        Ok(Some(Film {
+            svg: still.svg_around(head, "<g class=\"moving\"></g>"),
+            frames: frames
+                .iter_mut()
+                .map(|frame| frame.content(head.id))
+                .collect(),
+        }))
+    }
+
+    fn scene(&self, given: &dyn Given) -> Result<Option<Scene<'_>>, Undrawable> {
+        let Some(motion) = &self.motion else {
+            return Ok(None);
+        };
+        let values = motion.values(self, given);
+        let parts = self.parts(given)?;
+        let labels = drawn(&parts, &self.items, &self.order).labels;
+        let places = motion.points.iter();
+        let places = places.map(|point| point.at(&values)).collect();
+        Ok(Some(Scene {
+            figure: self,
+            motion,
+            values,
+            parts,
+            labels,
+            places,
+            hides: true,
+        }))
+    }
+}
+
+impl Scene<'_> {
+    /// Where the points of a motion are, in the scale that shows all of it.
+    fn scaled(&self, all: &[Displacements]) -> Vec<Vec<Rigid>> {
+        let scales = self.motion.scales(&self.values, all);
+        let all = all.iter();
+        all.map(|own| self.motion.drawn(&self.values, own, scales, true))
+            .collect()
+    }
+
+    /// Whether an element is ground that no motion takes along, and so lies under all that moves.
+    fn is_still(&self, place: usize) -> bool {
+        let item = &self.figure.items[place];
+        let mut points = self.motion.points.iter();
+        let moves = points.any(|point| {
+            let slot = point.slot();
+            slot.is_some() && item.ends.iter().any(|end| end.slot() == slot)
+        });
+        item.kind.layer() == Layer::Support && !moves
+    }
+
+    fn poses<'a>(&'a self, rigid: &'a [Rigid]) -> Vec<Pose<'a>> {
+        let poses = Poses {
+            items: &self.figure.items,
+            rest: &self.parts,
+            moved: rigid,
+            places: &self.places,
+            hides: self.hides,
+        };
+        poses.all()
+    }
+
+    /// The elements of some layers, with their labels, which go with what they name.
+    fn drawing(&self, rigid: &[Rigid], shows: impl Fn(usize) -> bool) -> Drawing {
+        let poses = self.poses(rigid);
+        let mut drawing = Drawing::new();
+        for place in &self.figure.order {
+            let (item, part) = (&self.figure.items[*place], &self.parts[*place]);
+            if !shows(*place) {
+                continue;
+            }
+            drawing.belongs_to(*place as u32);
+            let from = drawing.marks.len();
+            match &poses[*place] {
+                Pose::Still => item.kind.draw(part, &mut drawing),
+                Pose::Rigid(rigid) => {
+                    item.kind.draw(part, &mut drawing);
+                    let marks = drawing.marks[from..].iter_mut();
+                    marks.for_each(|mark| rigid.mark(mark));
+                }
+                Pose::Stretched(part) => item.kind.draw(part, &mut drawing),
+                Pose::Gone => {}
+            }
+        }
+        for label in &self.labels {
+            let place = label.owner as usize;
+            let part = &self.parts[place];
+            let shift = match &poses[place] {
+                Pose::Still => Point::default(),
+                Pose::Rigid(rigid) => rigid.point(part.point()) - part.point(),
+                Pose::Stretched(moved) => {
+                    let ends = moved.ends.iter().zip(&part.ends);
+                    let sum = ends.fold(Point::default(), |sum, (end, rest)| {
+                        sum + (end.point - rest.point)
+                    });
+                    sum * (1.0 / part.ends.len() as f64)
+                }
+                Pose::Gone => continue,
+            };
+            if shows(place) {
+                drawing.labels.push(label.shifted(shift));
+            }
+        }
+        drawing
+    }
+
+    /// What moves, in light lines.
+    fn shadow(&self, rigid: &[Rigid], drawing: &mut Drawing) {
+        let poses = self.poses(rigid);
+        for place in &self.figure.order {
+            let (item, part) = (&self.figure.items[*place], &self.parts[*place]);
+            // The coils of three springs over each other show nothing.
+            let is_solid = match item.kind.role() {
+                Role::Body(_) => true,
+                Role::Link(_) => !item.kind.spreads(),
+                _ => false,
+            };
+            if !is_solid {
+                continue;
+            }
+            let light = |part: &Part<'_>| {
+                let mut drawing = Drawing::new();
+                let part = Part {
+                    style: Style::Faint,
+                    ..part.clone()
+                };
+                item.kind.draw(&part, &mut drawing);
+                drawing.marks
+            };
+            match &poses[*place] {
+                Pose::Rigid(rigid) => {
+                    let mut marks = light(part);
+                    marks.iter_mut().for_each(|mark| rigid.mark(mark));
+                    drawing.marks.extend(marks);
+                }
+                Pose::Stretched(part) => drawing.marks.extend(light(part)),
+                Pose::Still | Pose::Gone => {}
+            }
+        }
+        self.spokes_in(rigid, drawing, Pen::new(Weight::Thin).faint());
+    }
+
+    /// A line on what is round, without which nobody sees it turn.
+    fn spokes(&self, rigid: &[Rigid], drawing: &mut Drawing) {
+        self.spokes_in(rigid, drawing, Pen::new(Weight::Thin));
+    }
+
+    fn spokes_in(&self, rigid: &[Rigid], drawing: &mut Drawing, pen: Pen) {
+        let moves = self.motion.points.iter().zip(rigid);
+        for (point, rigid) in moves {
+            if point.turn.is_none() {
+                continue;
+            }
+            let own = self.figure.items.iter().zip(&self.parts);
+            let outlines = own.filter_map(|(item, part)| {
+                let [super::super::schematic::Place::Named(at)] = item.ends.as_slice() else {
+                    return None;
+                };
+                let outline = item.kind.outline(part).filter(|_| rigid.slot == Some(*at))?;
+                match outline.form {
+                    Form::Round { radius } if outline.has_axle => Some((outline.centre, radius)),
+                    _ => None,
+                }
+            });
+            let largest = outlines.max_by(|a, b| a.1.total_cmp(&b.1));
+            if let Some((centre, radius)) = largest {
+                let rim = centre + Point::new(0.0, radius);
+                let line = Path::line(rigid.point(centre), rigid.point(rim));
+                drawing.decorate(line, Some(pen), Fill::None);
+            }
+        }
+    }
+}

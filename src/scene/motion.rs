@@ -1,0 +1,39 @@
+//! The figure of an item in motion: modes drawn on the system.
+
+use super::Scene;
+use super::notation::Symbols;
+use crate::expr::Expr;
+use crate::figure::Picture;
+use crate::unit::Decimal;
+
+impl Scene<'_, '_> {
+    /// The figure with both extremes of a mode, numbered from 0; `None` where the item has no such mode for these data.
+    pub fn mode_picture(&self, number: usize) -> Option<Picture> {
+        let figure = self.solution.template().figure.as_ref()?;
+        let (shape, words) = self.mode(number)?;
+        let name = format!("Mode {}", number + 1);
+        let alt = format!("The figure with both extremes of mode {}: {words}.", number + 1);
+        let id = format!("{}-mode-{}", self.scope(), number + 1);
+        let picture = figure.extremes(self, &shape, (&id, &name, &alt));
+        picture.ok().flatten()
+    }
+
+    /// A mode shape in SI units, and its components in words: the largest length is 1, and the largest angle.
+    fn mode(&self, number: usize) -> Option<(Vec<f64>, String)> {
+        let numbers = self.solution.evaluation().model("model")?;
+        let modes = numbers.modes().ok()?;
+        let shape = (number < modes.count()).then(|| modes.mode_shape(number))?;
+        let coordinates = numbers.model().coordinate_dimensions();
+        let words = coordinates.iter().zip(&shape).map(|((name, own), part)| {
+            let alike = coordinates.iter().zip(&shape);
+            let alike = alike.filter(|((_, other), _)| other == own);
+            let largest = alike.fold(0.0_f64, |largest, (_, part)| largest.max(part.abs()));
+            let share = if largest > 0.0 { part / largest } else { 0.0 };
+            let share = Decimal::rounded(share, 3).unwrap_or(Decimal::ZERO);
+            let symbol = Expr::name(name.clone()).typeset(&Symbols(self.solution));
+            format!("{} {share}", symbol.spoken())
+        });
+        let words = words.collect::<Vec<_>>().join(", ");
+        Some((shape, words))
+    }
+}
