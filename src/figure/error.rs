@@ -161,17 +161,14 @@ impl Diagnose for FigureError {
                 Some(near) => format!("did you mean `{near}`?"),
                 None => "points are declared in `points` of the figure".to_owned(),
             }),
-            Self::NoModel { .. } => {
-                Some("declare `[model]`, or drop `[figure.motion]`".to_owned())
-            }
-            Self::Still { known, .. } => {
-                Some(format!("write it with {}", known.join(", ")))
-            }
+            Self::NoModel { .. } => Some("declare `[model]`, or drop `[figure.motion]`".to_owned()),
+            Self::Still { known, .. } => Some(format!("write it with {}", known.join(", "))),
             Self::Displacement { is_turn: true, .. } => {
                 Some("divide the length by a radius".to_owned())
             }
             Self::Displacement { is_turn: false, .. } => Some(
-                "multiply the angle by a length, or turn the body, `{ turn = \"theta\" }`".to_owned(),
+                "multiply the angle by a length, or turn the body, `{ turn = \"theta\" }`"
+                    .to_owned(),
             ),
             Self::NoBody { found, .. } => {
                 Some(format!("place a body there, `{{ block = \"{found}\" }}`"))

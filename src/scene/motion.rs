@@ -12,7 +12,10 @@ impl Scene<'_, '_> {
         let figure = self.solution.template().figure.as_ref()?;
         let (shape, words) = self.mode(number)?;
         let name = format!("Mode {}", number + 1);
-        let alt = format!("The figure with both extremes of mode {}: {words}.", number + 1);
+        let alt = format!(
+            "The figure with both extremes of mode {}: {words}.",
+            number + 1
+        );
         let id = format!("{}-mode-{}", self.scope(), number + 1);
         let picture = figure.extremes(self, &shape, (&id, &name, &alt));
         picture.ok().flatten()

@@ -9,13 +9,31 @@ use vibank::solution::Solution;
 
 /// Items of chapters 2 to 5 with a model whose figures stand still, and why.
 const STILL: [(&str, &str); 7] = [
-    ("ch2/e6-torsion-pendulum", "it twists about the line of sight's normal: nothing of it is seen from the side"),
-    ("ch2/e7-lc-circuit", "the charge of a circuit moves nothing that is drawn"),
+    (
+        "ch2/e6-torsion-pendulum",
+        "it twists about the line of sight's normal: nothing of it is seen from the side",
+    ),
+    (
+        "ch2/e7-lc-circuit",
+        "the charge of a circuit moves nothing that is drawn",
+    ),
     ("ch2/t7-u-tube", "the liquid changes its form"),
-    ("ch3/e8-rlc-circuit", "the charge of a circuit moves nothing that is drawn"),
-    ("ch3/t9-rlc-design", "the charge of a circuit moves nothing that is drawn"),
-    ("ch4/t4-vibration-absorber", "its model is the machine alone, its figure has the absorber"),
-    ("ch4/t6-series-rlc", "the charge of a circuit moves nothing that is drawn"),
+    (
+        "ch3/e8-rlc-circuit",
+        "the charge of a circuit moves nothing that is drawn",
+    ),
+    (
+        "ch3/t9-rlc-design",
+        "the charge of a circuit moves nothing that is drawn",
+    ),
+    (
+        "ch4/t4-vibration-absorber",
+        "its model is the machine alone, its figure has the absorber",
+    ),
+    (
+        "ch4/t6-series-rlc",
+        "the charge of a circuit moves nothing that is drawn",
+    ),
 ];
 
 const HEAD: Head<'_> = Head {
@@ -59,7 +77,11 @@ fn at_rest_a_figure_that_moves_is_as_it_stands() {
         };
         assert!(at(None) == still, "{} at rest", item.id);
         for moved in 0..coordinates(item) {
-            assert!(at(Some(moved)) != still, "{}: coordinate {moved} moves nothing", item.id);
+            assert!(
+                at(Some(moved)) != still,
+                "{}: coordinate {moved} moves nothing",
+                item.id
+            );
         }
     }
 }
@@ -68,7 +90,8 @@ fn at_rest_a_figure_that_moves_is_as_it_stands() {
 fn each_model_with_a_figure_moves_it() {
     let (catalogue, _) = Catalogue::load(embedded());
     let later = |item: &&Template| !item.id.as_str().starts_with("ch1/");
-    let modelled = |item: &&Template| item.graph.derived("model").is_some() && item.figure.is_some();
+    let modelled =
+        |item: &&Template| item.graph.derived("model").is_some() && item.figure.is_some();
     let items = catalogue.items().filter(later).filter(modelled);
     let still: Vec<&str> = items
         .filter(|item| item.figure.as_ref().is_some_and(|figure| !figure.moves()))
@@ -88,12 +111,23 @@ fn modes_are_drawn_on_the_system() {
         for mode in 0..coordinates(item) {
             let picture = scene.mode_picture(mode).expect("it has this mode");
             let id = &item.id;
-            assert!(picture.svg.contains("stroke-opacity=\".45\""), "{id}: no extremes");
-            assert!(!picture.svg.contains("NaN") && picture.svg.len() < 60_000, "{id}");
-            assert!(picture.width < still.width + 20.0 && picture.width < 180.0, "{id}");
+            assert!(
+                picture.svg.contains("stroke-opacity=\".45\""),
+                "{id}: no extremes"
+            );
+            assert!(
+                !picture.svg.contains("NaN") && picture.svg.len() < 60_000,
+                "{id}"
+            );
+            assert!(
+                picture.width < still.width + 20.0 && picture.width < 180.0,
+                "{id}"
+            );
         }
     }
-    let item = catalogue.find("ch5/t1-three-equal-masses-chain").expect("it is there");
+    let item = catalogue
+        .find("ch5/t1-three-equal-masses-chain")
+        .expect("it is there");
     let solution = Solution::of(Instance::of_source(item));
     let scene = Scene::of(&solution, Data::Both);
     let alt = |mode| scene.mode_picture(mode).expect("it has three").alt;
@@ -154,7 +188,12 @@ fn links_go_with_the_bodies_that_they_touch() {
     let drawing = figure.displaced(&scene, &state).expect("it is drawn");
     let svg = drawing.expect("it moves").svg(&HEAD);
     // The block a quarter of a unit to the right, the end of the spring with it, the cord over the pulley as before.
-    for piece in ["M275 -50L375 -50L375 -150L275 -150Z", "L275 -100", "M375 -", "A50 50 0 0 1 650 -100L650 125"] {
+    for piece in [
+        "M275 -50L375 -50L375 -150L275 -150Z",
+        "L275 -100",
+        "M375 -",
+        "A50 50 0 0 1 650 -100L650 125",
+    ] {
         assert!(svg.contains(piece), "{piece} in {svg}");
     }
 }
@@ -166,13 +205,28 @@ fn what_cannot_move_is_a_finding_with_a_way_out() {
         errors.join(" | ")
     };
     for (motion, expected) in [
-        ("Q = ['x', 0]", "figure::place: `Q` is no point of this figure; "),
+        (
+            "Q = ['x', 0]",
+            "figure::place: `Q` is no point of this figure; ",
+        ),
         ("B = ['y', 0]", "`y`"),
-        ("B = ['r', 0]", "figure::motion: r does not move: no coordinate of the model is in it; write it with x"),
+        (
+            "B = ['r', 0]",
+            "figure::motion: r does not move: no coordinate of the model is in it; write it with x",
+        ),
         ("B = [0, 0]", "figure::motion: this shift does not move"),
-        ("B = ['theta', 0]", "expected a length; multiply the angle by a length"),
-        ("O = { turn = 'x' }", "expected an angle; divide the length by a radius"),
-        ("O = { turn = 'theta', about = 'Z' }", "`Z` is no point of this figure"),
+        (
+            "B = ['theta', 0]",
+            "expected a length; multiply the angle by a length",
+        ),
+        (
+            "O = { turn = 'x' }",
+            "expected an angle; divide the length by a radius",
+        ),
+        (
+            "O = { turn = 'theta', about = 'Z' }",
+            "`Z` is no point of this figure",
+        ),
         ("O = { turn = 'theta', round = 'B' }", "round"),
         ("O = 'theta'", "a shift, `[\"x\", 0]`, or a turn"),
     ] {

@@ -288,7 +288,10 @@ impl Scene<'_> {
                 let [super::super::schematic::Place::Named(at)] = item.ends.as_slice() else {
                     return None;
                 };
-                let outline = item.kind.outline(part).filter(|_| rigid.slot == Some(*at))?;
+                let outline = item
+                    .kind
+                    .outline(part)
+                    .filter(|_| rigid.slot == Some(*at))?;
                 match outline.form {
                     Form::Round { radius } if outline.has_axle => Some((outline.centre, radius)),
                     _ => None,

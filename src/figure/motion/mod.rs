@@ -161,7 +161,9 @@ impl Motion {
             let centre = turn.and_then(|turn| turn.about);
             let about = centre.map_or_else(|| point.at(values), |about| values.point(about));
             // A centre that moves itself takes along what turns about it.
-            let carried = all.iter().find(|own| own.slot.is_some() && own.slot == centre);
+            let carried = all
+                .iter()
+                .find(|own| own.slot.is_some() && own.slot == centre);
             let carried = carried.map_or(Point::default(), |own| own.point(about) - about);
             let shown = if shows {
                 point.shown(values)

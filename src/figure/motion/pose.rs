@@ -129,10 +129,12 @@ impl<'f> Poses<'_, 'f> {
                 (Role::Body(_), Some(rigid)) => Pose::Rigid(rigid),
                 (Role::Measure, _) if item.kind.name() != "radius" => Pose::Still,
                 (_, Some(rigid)) => Pose::Rigid(rigid.carrying(part.point())),
-                (Role::Thing(_) | Role::Mark, None) if matches!(place, Place::Free(_)) => match self.touched(part.point(), false) {
-                    Some(rigid) => Pose::Rigid(rigid.carrying(part.point())),
-                    None => Pose::Still,
-                },
+                (Role::Thing(_) | Role::Mark, None) if matches!(place, Place::Free(_)) => {
+                    match self.touched(part.point(), false) {
+                        Some(rigid) => Pose::Rigid(rigid.carrying(part.point())),
+                        None => Pose::Still,
+                    }
+                }
                 _ => Pose::Still,
             };
         }
@@ -215,10 +217,7 @@ impl<'f> Poses<'_, 'f> {
         let beams = stiff.filter_map(|(item, part)| {
             let (first, last) = (item.ends.first()?, item.ends.last()?);
             let rest = [part.ends[0].point, part.ends[part.ends.len() - 1].point];
-            let own = [
-                self.of_point(first, rest[0]),
-                self.of_point(last, rest[1]),
-            ];
+            let own = [self.of_point(first, rest[0]), self.of_point(last, rest[1])];
             if own == [None, None] {
                 return None;
             }

@@ -88,7 +88,12 @@ impl<'s> Reader<'_, 's> {
             (place, shift.flatten(), turn.flatten(), drawn)
         } else {
             let place = self.named(&entry.key, &name).map(Spot::Named);
-            (place, self.shift(table, &entry.key, &entry.value), None, None)
+            (
+                place,
+                self.shift(table, &entry.key, &entry.value),
+                None,
+                None,
+            )
         };
         Some(Moved {
             place: place?,
