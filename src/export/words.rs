@@ -142,8 +142,27 @@ impl<'s, 'c> Words<'s, 'c> {
     where
         'c: 'a,
     {
+        let before = self.principle(pictures);
+        before + &self.worked_parts(parts, pictures)
+    }
+
+    /// What comes before the solutions of the parts.
+    pub(super) fn principle(&self, pictures: &mut Pictures) -> String {
         let template = self.scene.solution().template();
-        let mut out = self.html(pictures, &self.scene.passage(&template.solution));
+        self.html(pictures, &self.scene.passage(&template.solution))
+    }
+
+    /// The solutions of parts, with their keys.
+    pub(super) fn worked_parts<'a>(
+        &self,
+        parts: impl Iterator<Item = &'a Asked<'c>>,
+        pictures: &mut Pictures,
+    ) -> String
+    where
+        'c: 'a,
+    {
+        let template = self.scene.solution().template();
+        let mut out = String::new();
         for asked in parts {
             if let Some(group) = asked.opened() {
                 out.push_str(&self.html(pictures, &self.scene.passage(&group.solution)));

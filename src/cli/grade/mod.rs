@@ -11,6 +11,7 @@ mod manifest;
 mod marking;
 mod outcome;
 mod overrides;
+mod said;
 mod tables;
 mod undecided;
 
@@ -18,7 +19,6 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use rayon::prelude::*;
-use vibank::answer::Verdict;
 use vibank::grade::{Feedback, Place, Responses};
 use vibank::output::{self, Lost, Pages, Run};
 use vibank::worksheet::{Student, VariantEntry};
@@ -37,6 +37,7 @@ use self::manifest::Sheets;
 use self::marking::Marker;
 use self::outcome::Outcome;
 use self::overrides::Overrides;
+use self::said::{Earlier, Written, gradebook_lacks, items_moved_on, told};
 use self::tables::Tables;
 use self::undecided::{Alike, Undecided};
 use super::bank::BankArgument;
@@ -44,7 +45,6 @@ use super::faces::Faces;
 use super::folder::Folder;
 use super::platform::Which;
 use super::press::{Missing, Press, Printed};
-use super::sheet::PROGRAM;
 use super::table::Dialect;
 use super::table::workbook::{self, XLSX};
 use super::{Failure, files, progress};
@@ -99,8 +99,6 @@ pub(crate) struct Arguments {
 
 /// Sheets that are marked at once; memory holds no more.
 const CHUNK: usize = 256;
-/// Changed marks that are printed; all are in `changes.csv`.
-const MOST_CHANGES: usize = 40;
 
 pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     let catalogue = arguments.bank.catalogue()?;
@@ -368,112 +366,53 @@ impl Job<'_> {
         Ok(())
     }
 
-    #[expect(
-        clippy::too_many_lines,
-        reason = "what a run says, line by line in the order in which it is read"
-    )]
-    fn finish(self, faults: &[String], changed: &[String]) -> Result<super::Outcome, Failure> {
-        let has_earlier = self.changes.is_some();
+    /// Writes what all sheets together give, and says what came out, in the order in which it is read.
+    fn finish(mut self, faults: &[String], changed: &[String]) -> Result<super::Outcome, Failure> {
         let makes_feedback = self.makes_feedback();
         let unprinted = std::mem::take(&mut *self.unprinted());
-        let before = self
-            .changes
-            .as_ref()
-            .and_then(|changes| changes.program.clone());
-        let before = before.map_or_else(String::new, |before| {
-            format!(", which {before} marked; this is {PROGRAM}")
-        });
-        let listed = self.changes.map_or(Ok(Vec::new()), |changes| {
-            changes.finish(self.out, self.dialect)
-        })?;
-        let changes = listed.len();
-        let lost = self.undecided.groups();
+        let changes = self.changes.take();
+        let earlier = changes
+            .map(|changes| Earlier::of(changes, self.out, self.dialect))
+            .transpose()?;
+        let undecided = std::mem::take(&mut self.undecided);
+        let lost = undecided.groups();
         undecided::write(&lost, self.out, self.dialect)?;
+        let findings = Findings {
+            lost: &lost,
+            faults,
+        };
         self.analysis.write(
             self.out,
             self.catalogue,
             &self.pages,
             self.dialect,
-            &Findings {
-                lost: &lost,
-                faults,
-            },
+            &findings,
         )?;
         let marks = self.tables.finish(self.out)?;
-        let has_gradebook = self.gradebook.is_some();
-        let unknown = self.gradebook.map_or(Ok(Vec::new()), |gradebook| {
-            gradebook.finish(self.out, &self.sheets.head.title)
-        })?;
-        if !unknown.is_empty() {
-            eprintln!(
-                "not in `{}`, since the class list has no `{}` for them: {}",
-                gradebook::FILE,
-                self.arguments.gradebook_id,
-                unknown.join(", ")
-            );
-        }
+        let has_gradebook = match self.gradebook.take() {
+            Some(gradebook) => {
+                let unknown = gradebook.finish(self.out, &self.sheets.head.title)?;
+                gradebook_lacks(&unknown, &self.arguments.gradebook_id);
+                true
+            }
+            None => false,
+        };
         self.journal.finish();
         told(&self.analysis, &lost, faults);
-        if !changed.is_empty() {
-            let list = changed.join(", ");
-            if self.arguments.accept_revisions {
-                eprintln!("marked with changed items: {list}");
-            } else {
-                eprintln!(
-                    "marked as handed out, though the bank has moved on: {list}; `--accept-revisions` marks with its items"
-                );
-            }
-            if !has_earlier && self.arguments.accept_revisions {
-                eprintln!(
-                    "there are no earlier marks to compare with; give them with `--compare results.json`"
-                );
-            }
+        items_moved_on(changed, self.arguments.accept_revisions, earlier.is_some());
+        if let Some(earlier) = &earlier {
+            earlier.tell();
         }
-        if has_earlier {
-            println!("{} marks differ from the earlier run{before}", listed.len());
-            for row in listed.iter().take(MOST_CHANGES) {
-                println!("  {row}");
-            }
-            if listed.len() > MOST_CHANGES {
-                println!("  and {} more, in changes.csv", listed.len() - MOST_CHANGES);
-            }
+        let has_changes = earlier.is_some_and(|earlier| !earlier.rows.is_empty());
+        Written {
+            out: self.out,
+            analysis: &self.analysis,
+            marks,
+            has_gradebook,
+            has_changes,
+            makes_feedback,
         }
-        let file = |name: &str, what: &str| {
-            println!("  {:<28} {what}", self.out.root().join(name).display());
-        };
-        let counts: Vec<String> = self
-            .analysis
-            .verdicts()
-            .map(|(verdict, count)| format!("{count} {}", verdict.name()))
-            .collect();
-        println!("{} sheets: {}", self.analysis.sheets(), counts.join(", "));
-        if self.analysis.count(Verdict::Unreadable) > 0 {
-            file(
-                "unreadable.csv",
-                "what could not be read, like answers in one row; fill it in and give it with `--overrides`",
-            );
-        }
-        file(
-            "report.html",
-            "item analysis; report.json and report.csv for programs",
-        );
-        file(marks, "one row a sheet");
-        if has_gradebook {
-            file(
-                gradebook::FILE,
-                "for the gradebook of the platform, without the marks that are not decided",
-            );
-        }
-        file(
-            "details.csv",
-            "one row a part, with reading and reasons; results.json for programs",
-        );
-        if changes > 0 {
-            file("changes.csv", "marks that differ from the earlier run");
-        }
-        if makes_feedback {
-            file("feedback", "a page for each sheet");
-        }
+        .tell();
         for line in &unprinted {
             eprintln!("error: {line}");
         }
@@ -488,43 +427,5 @@ impl Job<'_> {
         } else {
             super::Outcome::Unprinted
         })
-    }
-}
-
-/// What needs a teacher's eye, on standard error.
-fn told(analysis: &Analysis, lost: &[Lost], faults: &[String]) {
-    let list = |title: &str, lines: &mut dyn Iterator<Item = String>, count: usize| {
-        const MOST: usize = 40;
-        if count == 0 {
-            return;
-        }
-        eprintln!("{title}");
-        lines.take(MOST).for_each(|line| eprintln!("  {line}"));
-        if count > MOST {
-            eprintln!("  and {} more", count - MOST);
-        }
-    };
-    let unreadable = analysis.count(Verdict::Unreadable);
-    let title = format!("{unreadable} could not be read, and are not yet decided:");
-    list(&title, &mut lost.iter().map(line_of), lost.len());
-    list(
-        "rows to look at:",
-        &mut faults.iter().cloned(),
-        faults.len(),
-    );
-}
-
-/// Answers that are alike, in a line.
-fn line_of(lost: &Lost) -> String {
-    let response: String = lost
-        .response
-        .chars()
-        .take(60)
-        .filter(|char| !char.is_control())
-        .collect();
-    let place = format!("{}{}", lost.question, lost.letter);
-    match lost.sheets.as_slice() {
-        [one] => format!("{} {place} {}: `{response}`", one.code, one.who()).replace(" : ", ": "),
-        sheets => format!("{} times {place}: `{response}`", sheets.len()),
     }
 }

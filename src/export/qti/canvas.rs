@@ -84,6 +84,7 @@ impl Canvas {
     fn question<'c>(
         &mut self,
         words: &Words<'_, 'c>,
+        common: &Common,
         asked: &Asked<'c>,
         marked: &Marked<'_>,
         pictures: &mut Pictures,
@@ -91,7 +92,7 @@ impl Canvas {
         let asked = &asked.alone();
         let letter = asked.letter.clone();
         let identifier = format!("{}.{letter}", words.identifier());
-        let mut body = words.statement(pictures);
+        let mut body = common.statement.clone();
         body.push_str(&words.ask(asked, pictures));
         let mut named = letter.clone();
         let kind = match marked {
@@ -112,7 +113,8 @@ impl Canvas {
         };
         let origin = words.origin(&named);
         let _ = write!(body, "<p><small>{origin}</small></p>");
-        let worked = words.worked(std::iter::once(asked), pictures);
+        let own = words.worked_parts(std::iter::once(asked), pictures);
+        let worked = format!("{}{own}", common.principle);
         let mut xml = Xml::new(Version::V21);
         xml.out.clear();
         let title = format!("{} [{origin}]", words.title());
@@ -204,6 +206,22 @@ impl Canvas {
     }
 }
 
+/// What the questions for all parts of an item show alike.
+struct Common {
+    statement: String,
+    /// What comes before the solutions of the parts.
+    principle: String,
+}
+
+impl Common {
+    fn of(words: &Words<'_, '_>, pictures: &mut Pictures) -> Self {
+        Self {
+            statement: words.statement(pictures),
+            principle: words.principle(pictures),
+        }
+    }
+}
+
 /// How a question is marked.
 enum Marked<'h> {
     Number(&'h [Band], Scale),
@@ -224,6 +242,7 @@ impl Export for Canvas {
         let words = Words::of(sheet, question, &wish, FILES);
         let mut sorted = Sorted::of(&words.scene, question, &mut self.tally.unfit);
         let mut pictures = Pictures::named(format!("{}-", words.identifier()));
+        let mut common = None;
         for (asked, held) in &sorted.fit {
             let marked = match held {
                 Held::Choice(options) => Marked::Choice(options),
@@ -245,11 +264,13 @@ impl Export for Canvas {
                 },
             };
             self.tally.boxes += 1;
-            self.question(&words, asked, &marked, &mut pictures);
+            let common = common.get_or_insert_with(|| Common::of(&words, &mut pictures));
+            self.question(&words, common, asked, &marked, &mut pictures);
         }
         if self.wish.has_essays {
             for asked in &sorted.unfit {
-                self.question(&words, asked, &Marked::Essay, &mut pictures);
+                let common = common.get_or_insert_with(|| Common::of(&words, &mut pictures));
+                self.question(&words, common, asked, &Marked::Essay, &mut pictures);
             }
         }
         self.pictures.extend(pictures.files);

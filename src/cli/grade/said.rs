@@ -1,0 +1,167 @@
+//! What a run says when all is marked.
+
+use vibank::answer::Verdict;
+use vibank::output::Lost;
+
+use super::analysis::Analysis;
+use super::changes::Changes;
+use super::gradebook;
+use crate::cli::Failure;
+use crate::cli::folder::Folder;
+use crate::cli::sheet::PROGRAM;
+use crate::cli::table::Dialect;
+
+/// Changed marks that are printed; all are in `changes.csv`.
+const MOST_CHANGES: usize = 40;
+
+/// The marks that differ from those of an earlier run.
+pub(super) struct Earlier {
+    pub(super) rows: Vec<String>,
+    /// The program that marked then.
+    program: Option<String>,
+}
+
+impl Earlier {
+    /// Writes the table of changes.
+    pub(super) fn of(changes: Changes, out: &Folder, dialect: Dialect) -> Result<Self, Failure> {
+        let program = changes.program.clone();
+        let rows = changes.finish(out, dialect)?;
+        Ok(Self { rows, program })
+    }
+
+    pub(super) fn tell(&self) {
+        let before = self.program.as_ref().map_or_else(String::new, |before| {
+            format!(", which {before} marked; this is {PROGRAM}")
+        });
+        let count = self.rows.len();
+        println!("{count} marks differ from the earlier run{before}");
+        for row in self.rows.iter().take(MOST_CHANGES) {
+            println!("  {row}");
+        }
+        if count > MOST_CHANGES {
+            println!("  and {} more, in changes.csv", count - MOST_CHANGES);
+        }
+    }
+}
+
+/// The students whom a gradebook cannot name.
+pub(super) fn gradebook_lacks(unknown: &[String], column: &str) {
+    if !unknown.is_empty() {
+        eprintln!(
+            "not in `{}`, since the class list has no `{column}` for them: {}",
+            gradebook::FILE,
+            unknown.join(", ")
+        );
+    }
+}
+
+/// Items that the bank has in another form now.
+pub(super) fn items_moved_on(changed: &[String], accepts: bool, has_earlier: bool) {
+    if changed.is_empty() {
+        return;
+    }
+    let list = changed.join(", ");
+    if !accepts {
+        eprintln!(
+            "marked as handed out, though the bank has moved on: {list}; `--accept-revisions` marks with its items"
+        );
+        return;
+    }
+    eprintln!("marked with changed items: {list}");
+    if !has_earlier {
+        eprintln!(
+            "there are no earlier marks to compare with; give them with `--compare results.json`"
+        );
+    }
+}
+
+/// The files of a run.
+pub(super) struct Written<'a> {
+    pub(super) out: &'a Folder,
+    pub(super) analysis: &'a Analysis,
+    /// The name of the table of marks.
+    pub(super) marks: &'static str,
+    pub(super) has_gradebook: bool,
+    pub(super) has_changes: bool,
+    pub(super) makes_feedback: bool,
+}
+
+impl Written<'_> {
+    /// How many verdicts of each kind there are, and what is in which file.
+    pub(super) fn tell(&self) {
+        let file = |name: &str, what: &str| {
+            println!("  {:<28} {what}", self.out.root().join(name).display());
+        };
+        let counts: Vec<String> = self
+            .analysis
+            .verdicts()
+            .map(|(verdict, count)| format!("{count} {}", verdict.name()))
+            .collect();
+        println!("{} sheets: {}", self.analysis.sheets(), counts.join(", "));
+        if self.analysis.count(Verdict::Unreadable) > 0 {
+            file(
+                "unreadable.csv",
+                "what could not be read, like answers in one row; fill it in and give it with `--overrides`",
+            );
+        }
+        file(
+            "report.html",
+            "item analysis; report.json and report.csv for programs",
+        );
+        file(self.marks, "one row a sheet");
+        if self.has_gradebook {
+            file(
+                gradebook::FILE,
+                "for the gradebook of the platform, without the marks that are not decided",
+            );
+        }
+        file(
+            "details.csv",
+            "one row a part, with reading and reasons; results.json for programs",
+        );
+        if self.has_changes {
+            file("changes.csv", "marks that differ from the earlier run");
+        }
+        if self.makes_feedback {
+            file("feedback", "a page for each sheet");
+        }
+    }
+}
+
+/// What needs a teacher's eye, on standard error.
+pub(super) fn told(analysis: &Analysis, lost: &[Lost], faults: &[String]) {
+    let list = |title: &str, lines: &mut dyn Iterator<Item = String>, count: usize| {
+        const MOST: usize = 40;
+        if count == 0 {
+            return;
+        }
+        eprintln!("{title}");
+        lines.take(MOST).for_each(|line| eprintln!("  {line}"));
+        if count > MOST {
+            eprintln!("  and {} more", count - MOST);
+        }
+    };
+    let unreadable = analysis.count(Verdict::Unreadable);
+    let title = format!("{unreadable} could not be read, and are not yet decided:");
+    list(&title, &mut lost.iter().map(line_of), lost.len());
+    list(
+        "rows to look at:",
+        &mut faults.iter().cloned(),
+        faults.len(),
+    );
+}
+
+/// Answers that are alike, in a line.
+fn line_of(lost: &Lost) -> String {
+    let response: String = lost
+        .response
+        .chars()
+        .take(60)
+        .filter(|char| !char.is_control())
+        .collect();
+    let place = format!("{}{}", lost.question, lost.letter);
+    match lost.sheets.as_slice() {
+        [one] => format!("{} {place} {}: `{response}`", one.code, one.who()).replace(" : ", ": "),
+        sheets => format!("{} times {place}: `{response}`", sheets.len()),
+    }
+}
