@@ -417,15 +417,15 @@ impl Marker for Prepared {
     }
 
     fn key(&self) -> Key {
-        let (mut row, mut texts) = (Vec::new(), Vec::new());
-        for (math, text) in self.written() {
-            if !row.is_empty() {
-                row.push(Math::punctuation(";"));
-            }
-            row.push(math);
-            texts.push(text);
-        }
-        Key::formula(texts.join("; "), Math::row(row))
+        let (lines, texts): (Vec<_>, Vec<_>) = self.written().into_iter().unzip();
+        // A line each: side by side, two motions of two modes are wider than a page.
+        let math = if lines.len() > 1 {
+            let row = |line| vec![Math::row(Vec::new()), line];
+            Math::aligned(lines.into_iter().map(row).collect())
+        } else {
+            Math::row(lines)
+        };
+        Key::formula(texts.join("; "), math)
     }
 
     fn mark(&self, response: &str) -> Marking {
