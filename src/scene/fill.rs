@@ -3,9 +3,9 @@
 use super::concrete;
 use super::notation::{Numbers, Symbols};
 use super::{Data, Scene};
-use crate::bank::{QuantityInfo, Target, Units};
+use crate::bank::{Part, QuantityInfo, Target, Units};
 use crate::document::{Filling, Form};
-use crate::expr::{Equation, Field, Path, Shape, Value};
+use crate::expr::{Equation, Expr, Field, Kind, Path, Shape, Value};
 use crate::figure::Picture;
 use crate::math::Math;
 use crate::quantity::NodeId;
@@ -119,6 +119,24 @@ impl Scene<'_, '_> {
             Ok(value) => self.printed(value, info, true),
             Err(_) => Math::text("does not exist"),
         }
+    }
+
+    /// The value of a number in the unit of the part that asks for it, where that is another than its own.
+    pub(super) fn value_as_asked(&self, node: NodeId, info: &QuantityInfo) -> Option<Math> {
+        let template = self.solution.template();
+        let asks = |part: &&Part| match part.answer.keys()[..] {
+            [key] if key == node => true,
+            [key] => {
+                let key = template.graph.expr(key).map(Expr::kind);
+                matches!(key, Some(Kind::Name(name)) if *name == info.name)
+            }
+            _ => false,
+        };
+        let mut asked = template.parts.iter().filter(asks);
+        let unit = asked.find_map(|part| part.answer.unit())?;
+        let value = self.solution.evaluation().value(node).ok()?;
+        let is_other = Some(unit) != self::unit(info) && value.shape() == Shape::Scalar;
+        is_other.then(|| self.entry(value, 0, info, Some(unit), Some(unit)))
     }
 
     fn number(&self, node: NodeId, info: &QuantityInfo) -> Math {

@@ -114,7 +114,7 @@ impl Scene<'_, '_> {
             Reason::Terms(name) => vec![text("Terms for "), symbol(name), text(":")],
             Reason::Lagrange(_) => vec![text("Lagrange’s equation:")],
             Reason::Linearized => vec![text("For small displacements from equilibrium:")],
-            Reason::Energy => vec![text("Energy:")],
+            Reason::Energy => vec![text("By energy:")],
             Reason::Power => vec![text("Power of the forces without potential energy:")],
             Reason::Balance => vec![text("Balance of energy:")],
             Reason::Divided(name) => vec![
@@ -147,7 +147,7 @@ impl Scene<'_, '_> {
         }
     }
 
-    /// Formula, data substituted, value.
+    /// Formula, data substituted, value, and the value in the unit in which a part asks for it.
     pub(super) fn worked(&self, node: NodeId, info: &QuantityInfo) -> Filling {
         let graph = &self.solution.template().graph;
         let formula = graph.expr(node).and_then(|expr| {
@@ -160,6 +160,7 @@ impl Scene<'_, '_> {
             sides.push(formula.typeset(&Quantities(self)));
         }
         sides.push(self.value(node, info));
+        sides.extend(self.value_as_asked(node, info));
         sides.dedup();
         let line = Chain {
             sides,
