@@ -548,6 +548,22 @@ mod tests {
     }
 
     #[test]
+    fn a_value_is_worked_out_in_the_unit_that_a_part_asks_for() {
+        let (catalogue, _) = Catalogue::load(embedded());
+        let template = catalogue.find("ch2/e7-lc-circuit").expect("an item");
+        let solution = Solution::of(Instance::of_source(template));
+        let scene = Scene::of(&solution, Data::Both);
+        let asked = |name: &str| {
+            let node = template.graph.find(&Name::new(name).expect("a name"));
+            let node = node.expect("a quantity");
+            let info = template.info(node).expect("a quantity");
+            scene.value_as_asked(node, info).map(|value| value.plain())
+        };
+        assert_eq!(asked("T0").as_deref(), Some("0.628 ms"));
+        assert_eq!(asked("f0"), None);
+    }
+
+    #[test]
     fn printed_lines_are_read_back_and_follow_from_each_other() {
         let (catalogue, _) = Catalogue::load(embedded());
         let (mut followed, mut marked) = (0, 0);

@@ -132,7 +132,11 @@ impl Deriver<'_> {
         let linear = linear.and_then(|all| all.into_iter().next());
         if model.is_linear() {
             if let (Some(equation), Some(last)) = (linear, steps.last_mut()) {
-                last.lines.push(line_of(equation));
+                // The sum of the terms may be the printed equation already.
+                let line = line_of(equation);
+                if last.lines.last() != Some(&line) {
+                    last.lines.push(line);
+                }
             }
             return Ok(());
         }
