@@ -554,7 +554,7 @@ mod tests {
         let solution = Solution::of(Instance::of_source(template));
         let scene = Scene::of(&solution, Data::Both);
         let asked = |name: &str| {
-            let node = template.graph.find(&Name::new(name).expect("a name"));
+            let node = template.graph.find(&Name::new(name));
             let node = node.expect("a quantity");
             let info = template.info(node).expect("a quantity");
             scene.value_as_asked(node, info).map(|value| value.plain())
