@@ -157,6 +157,7 @@ impl Report {
             eprintln!("not marked: `{column}`, which is no question of this program");
         }
         let mut lost = BTreeSet::new();
+        let mut unanswered = BTreeMap::new();
         let (mut taken, mut codes) = (Vec::new(), BTreeSet::new());
         for attempt in &self.attempts {
             let mut sheet = Sheet {
@@ -164,6 +165,7 @@ impl Report {
                 rows: Vec::new(),
                 faults: &mut self.faults,
                 lost: &mut lost,
+                unanswered: &mut unanswered,
                 line: attempt.line,
                 next: known.most() + 1,
             };
@@ -218,6 +220,8 @@ struct Sheet<'f> {
     faults: &'f mut Vec<String>,
     /// Questions that are not known.
     lost: &'f mut BTreeSet<String>,
+    /// Questions of a package by place, for those who did not answer them.
+    unanswered: &'f mut BTreeMap<usize, QuestionEntry>,
     line: usize,
     /// The number of the next question whose own number is taken.
     next: usize,
@@ -292,10 +296,14 @@ impl Sheet<'_> {
             if self.questions.iter().any(|own| own.item == asked.item) {
                 continue;
             }
-            // Its data do not matter, since nothing was typed.
-            let code = package.variant(place, student)?;
-            let question = package.question(asked.item.as_str(), code)?;
-            self.questions.extend(question);
+            // Its data do not matter, since nothing was typed: those of one student do for all.
+            if !self.unanswered.contains_key(&place) {
+                let code = package.variant(place, student)?;
+                let question = package.question(asked.item.as_str(), code)?;
+                self.unanswered
+                    .extend(question.map(|question| (place, question)));
+            }
+            self.questions.extend(self.unanswered.get(&place).cloned());
         }
         self.questions.sort_by_key(|question| question.number);
         Ok(())
