@@ -147,6 +147,11 @@ impl Model {
         own.map(|own| (own.name.clone(), own.dimension)).collect()
     }
 
+    /// Whether it says where its motion begins.
+    pub fn has_start(&self) -> bool {
+        !self.definition.initial.is_empty()
+    }
+
     /// A formula over what moves with the coordinates in place of the kinematic names; nothing where it cannot be
     /// written so.
     pub fn in_coordinates(&self, formula: &Expr) -> Option<Expr> {

@@ -6,6 +6,7 @@
 
 mod concrete;
 mod fill;
+mod film;
 mod lines;
 mod motion;
 mod notation;
@@ -15,6 +16,7 @@ mod proof;
 mod steps;
 mod turns;
 
+pub use film::{Moving, Run};
 pub use plot::Undrawn;
 pub use proof::{underived, undrawn, unfree};
 

@@ -11,7 +11,8 @@
 //! | `{"do":"read", … "part":"X","response":"2 m"}` | `reading` and, where there is a doubt, `other`, whatever the key; or `problem` |
 //! | `{"do":"mark", … "part":"X","response":"2 m","earlier":{}}` | `verdict`, `credit`, `reading`, `feedback`, `reasons` |
 //! | `{"do":"hint", … "part":"X","number":0}` | `html` |
-//! | `{"do":"solve", … "part":"X"}` | `key`, `html` |
+//! | `{"do":"solve", … "part":"X"}` | `key`, `html`, and `moves` where the system can be shown in motion |
+//! | `{"do":"move","question":0,"code":"…","run":0}` | `runs`, and of one of them `svg`, `frames`, `seconds`, `symbols`, `shares`, `turns` |
 //!
 //! Texts are HTML with MathML, whatever they say: nothing in an item or a response becomes markup.
 //! A request that cannot be answered gives `{"error": …}`.

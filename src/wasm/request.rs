@@ -12,6 +12,7 @@ use crate::bank::{Passage, Template};
 use crate::grade::{self, Grade, Sheet};
 use crate::math::Display;
 use crate::message::Language;
+use crate::scene::Run;
 use crate::seed::Variant;
 use crate::solution::Solution;
 use crate::source::{Fields, FromJson, Misfit, named};
@@ -51,6 +52,12 @@ pub(super) enum Request {
         code: String,
         part: String,
     },
+    /// The system in motion; the first of the motions that it has, or that of a number.
+    Move {
+        question: usize,
+        code: String,
+        run: usize,
+    },
 }
 
 /// What is asked for.
@@ -62,15 +69,17 @@ enum Do {
     Mark,
     Hint,
     Solve,
+    Move,
 }
 
-named!(Do, "`choose`, `show`, `read`, `mark`, `hint` or `solve`", {
+named!(Do, "`choose`, `show`, `read`, `mark`, `hint`, `solve` or `move`", {
     "choose" => Choose,
     "show" => Show,
     "read" => Read,
     "mark" => Mark,
     "hint" => Hint,
     "solve" => Solve,
+    "move" => Move,
 });
 
 impl FromJson for Request {
@@ -110,6 +119,11 @@ impl FromJson for Request {
                 question,
                 code: fields.take("code")?,
                 part: fields.take("part")?,
+            },
+            Do::Move => Self::Move {
+                question,
+                code: fields.take("code")?,
+                run: fields.take("run")?,
             },
         };
         fields.finish()?;
@@ -155,11 +169,29 @@ pub(super) enum Reply {
         /// The right options of a choice.
         right: Vec<String>,
         html: String,
+        /// Whether the system can be shown in motion.
+        #[serde(skip_serializing_if = "std::ops::Not::not")]
+        moves: bool,
     },
+    Moved(Box<Moved>),
     /// A request that cannot be answered.
     Refused {
         error: String,
     },
+}
+
+/// A motion of the system, picture by picture.
+#[derive(Serialize)]
+pub(super) struct Moved {
+    /// All that can be shown, by kind, `start`, `steady` or `mode` with a number.
+    runs: Vec<(&'static str, usize)>,
+    /// What does not move, with a group for the rest, and what the group holds.
+    svg: String,
+    frames: Vec<String>,
+    seconds: f64,
+    symbols: Vec<String>,
+    shares: Vec<Vec<f64>>,
+    turns: Vec<(String, usize, String)>,
 }
 
 /// A group as it is shown before its first blank.
@@ -236,6 +268,11 @@ impl Grader {
                 code,
                 part,
             } => self.asked(*question, code)?.solve(part),
+            Request::Move {
+                question,
+                code,
+                run,
+            } => self.asked(*question, code)?.moving(*run),
         }
     }
 
@@ -390,12 +427,51 @@ impl Asked<'_> {
         } else {
             String::new()
         };
+        let moves = self.template().figure.as_ref();
         Ok(Reply::Solved {
+            moves: moves.is_some_and(|figure| figure.moves()),
             key: key.math.mathml(Display::Inline),
             right,
             html: part
                 .worked()
                 .fold(before, |html, passage| html + &self.texts(passage)),
         })
+    }
+
+    fn moving(&self, number: usize) -> Result<Reply, String> {
+        let scene = self.grader.scene(&self.solution);
+        let runs = scene.runs();
+        let run = runs.get(number).copied();
+        let moving = run.and_then(|run| scene.moving(run, "moving"));
+        let moving = moving.ok_or("it does not move for these data")?;
+        // Three decimals are finer than a pixel of the trace.
+        let short = |share: f64| (share * 1e3).round() / 1e3;
+        let shares = moving.shares.into_iter();
+        Ok(Reply::Moved(Box::new(Moved {
+            runs: runs
+                .iter()
+                .map(|run| match run {
+                    Run::Start => ("start", 0),
+                    Run::Steady => ("steady", 0),
+                    Run::Mode(mode) => ("mode", mode + 1),
+                })
+                .collect(),
+            svg: moving.film.svg,
+            frames: moving.film.frames,
+            seconds: moving.seconds,
+            symbols: moving
+                .symbols
+                .iter()
+                .map(|symbol| symbol.mathml(Display::Inline))
+                .collect(),
+            shares: shares
+                .map(|own| own.into_iter().map(short).collect())
+                .collect(),
+            turns: moving
+                .turns
+                .into_iter()
+                .map(|(time, place, value)| (time, place, value.mathml(Display::Inline)))
+                .collect(),
+        })))
     }
 }

@@ -353,6 +353,19 @@ class Question {
     return Object.fromEntries(answered.map((other) => [other.id, other.record.response]));
   }
 
+  /** Offers to show the system in motion with the first solution that is seen; nothing is computed before. */
+  offerMotion(place) {
+    if (this.motion) return;
+    const button = make("button", { type: "button", textContent: say("motion") });
+    this.motion = make("div", { className: "motion" }, button);
+    button.addEventListener("click", () => {
+      this.motion.replaceChildren();
+      new Moving(this, this.motion).begin();
+    });
+    // What changes with each picture is nothing to be announced, so it stands behind the solution.
+    place.after(this.motion);
+  }
+
   /** A solution that was seen freezes the credit of its question. */
   get isFrozen() {
     return this.parts.some((part) => part.record.solved);
@@ -565,12 +578,13 @@ class Part {
   }
 
   addSolution() {
-    const { key, html, error } = this.ask("solve");
+    const { key, html, moves, error } = this.ask("solve");
     const place = this.find(".solution");
     if (error) return place.replaceChildren(make("p", { textContent: error }));
     const value = make("p", { className: "value" });
     value.append(`${say("key")}: `, make("span", { innerHTML: this.part.options.length ? this.chosen() : key }));
     place.replaceChildren(make("h4", { textContent: say("solution") }), value, make("div", { innerHTML: html }));
+    if (moves) this.question.offerMotion(place);
   }
 
   /** The right options in words. */
@@ -586,6 +600,152 @@ class Part {
     this.refresh();
     this.question.page.course?.seen();
     this.question.settle();
+  }
+}
+
+// ── The system in motion ───────────────────────────────────────────────────────────────────────
+
+const DASHES = ["", "7 4", "2 3", "10 3 2 3"];
+
+/** Pictures a second at full speed. */
+const RATE = 30;
+
+/** The figure as the solver lets it move. It never starts by itself, and stays still where less motion is asked for. */
+class Moving {
+  constructor(question, root) {
+    Object.assign(this, { question, root, run: 0, at: 0, isSlow: false });
+    this.isCalm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  }
+
+  begin() {
+    const button = (name, action) => {
+      const made = make("button", { type: "button", textContent: say(name) });
+      made.addEventListener("click", action);
+      return made;
+    };
+    const labelled = (name, control) => make("label", {}, `${say(name)} `, control);
+    this.choice = make("select");
+    this.choice.addEventListener("change", () => this.show(Number(this.choice.value)));
+    this.play = button("play", () => (this.isPlaying ? this.stop() : this.start()));
+    this.slow = button("slow", () => {
+      this.isSlow = !this.isSlow;
+      this.slow.setAttribute("aria-pressed", this.isSlow);
+    });
+    this.slow.setAttribute("aria-pressed", "false");
+    this.time = make("input", { type: "range", min: 0, step: 1 });
+    this.time.addEventListener("input", () => {
+      this.stop();
+      this.turnTo(Number(this.time.value));
+    });
+    this.screen = make("div", { className: "screen" });
+    this.trace = make("div", { className: "trace" });
+    this.table = make("div");
+    this.note = make("p", { className: "note" });
+    const controls = make("p", { className: "actions" }, labelled("motion_of", this.choice));
+    if (!this.isCalm) controls.append(this.play, this.slow);
+    controls.append(labelled("time", this.time));
+    const turning = make("details", {}, make("summary", { textContent: say("turning_points") }), this.table);
+    this.root.append(make("h4", { textContent: say("motion_title") }), controls, this.screen, this.trace, this.note, turning);
+    this.show(0);
+    this.choice.focus();
+  }
+
+  /** Shows one of the motions, at rest at its beginning. */
+  show(run) {
+    this.stop();
+    const film = this.question.ask("move", { run });
+    if (film.error) return this.root.replaceChildren(make("p", { textContent: say("motion_none") }));
+    Object.assign(this, { run, film });
+    const name = ([kind, number]) => say(film.symbols.length === 1 && kind === "mode" ? "run_free" : `run_${kind}`, { number });
+    this.choice.replaceChildren(...film.runs.map((own, at) => make("option", { value: at, textContent: name(own), selected: at === run })));
+    this.screen.innerHTML = film.svg;
+    const [kind] = film.runs[run];
+    const shown = film.frames.length / RATE;
+    this.note.textContent = [
+      say(this.isCalm ? "motion_calm" : "motion_speed", { seconds: Number(film.seconds.toPrecision(3)), shown: shown.toFixed(0) }),
+      say(kind === "mode" ? "motion_mode" : "motion_scale"),
+    ].join(" ");
+    this.time.max = film.frames.length - 1;
+    this.plot();
+    this.list();
+    this.turnTo(0);
+  }
+
+  /** The trace of each coordinate, and a line at the moment that is shown. */
+  plot() {
+    const { shares, symbols } = this.film;
+    const [width, height] = [600, 120];
+    const drawn = (tag, attributes) => {
+      const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
+      for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+      return made;
+    };
+    const svg = drawn("svg", { viewBox: `0 0 ${width} ${height}`, "aria-hidden": "true" });
+    svg.append(drawn("path", { d: `M0 ${height / 2}H${width}`, stroke: "currentColor", "stroke-opacity": 0.4 }));
+    shares.forEach((own, place) => {
+      const points = own.map((share, at) => `${((at * width) / (own.length - 1)).toFixed(1)},${(height / 2 - share * (height / 2 - 4)).toFixed(1)}`);
+      svg.append(drawn("polyline", { points: points.join(" "), fill: "none", stroke: "currentColor", "stroke-width": 1.6, "stroke-dasharray": DASHES[place % DASHES.length] }));
+    });
+    this.now = drawn("path", { stroke: "currentColor", "stroke-width": 1 });
+    svg.append(this.now);
+    const legend = make("p", { className: "legend" });
+    symbols.forEach((symbol, place) => {
+      const line = drawn("svg", { viewBox: "0 0 40 8", width: 40, height: 8, "aria-hidden": "true" });
+      line.append(drawn("path", { d: "M0 4H40", stroke: "currentColor", "stroke-width": 1.6, "stroke-dasharray": DASHES[place % DASHES.length] }));
+      legend.append(make("span", {}, line, " ", make("span", { innerHTML: symbol })));
+    });
+    this.trace.replaceChildren(svg, legend);
+  }
+
+  /** The turning points as a table, for those who see no picture. */
+  list() {
+    const { turns, symbols } = this.film;
+    if (!turns.length) return this.table.replaceChildren(make("p", { textContent: say("turning_none") }));
+    const head = ["turn_time", "turn_coordinate", "turn_value"].map((name) => make("th", { scope: "col", textContent: say(name) }));
+    const row = ([time, place, value]) =>
+      make("tr", {}, make("td", { textContent: time }), make("td", { innerHTML: symbols[place] }), make("td", { innerHTML: value }));
+    const caption = make("caption", { className: "visually-hidden", textContent: say("turning_points") });
+    this.table.replaceChildren(
+      make("table", {}, caption, make("thead", {}, make("tr", {}, ...head)), make("tbody", {}, ...turns.map(row))),
+    );
+  }
+
+  /** Shows a picture. */
+  turnTo(at) {
+    const { frames, seconds } = this.film;
+    this.at = at;
+    const place = Math.floor(at);
+    this.screen.querySelector(".moving").innerHTML = frames[place];
+    this.time.value = place;
+    this.time.setAttribute("aria-valuetext", `${((seconds * place) / (frames.length - 1)).toPrecision(3)} s`);
+    this.now.setAttribute("d", `M${(600 * place) / (frames.length - 1)} 0V120`);
+  }
+
+  start() {
+    this.isPlaying = true;
+    this.play.textContent = say("pause");
+    if (this.at >= this.film.frames.length - 1) this.turnTo(0);
+    let before = performance.now();
+    const tick = (now) => {
+      if (!this.isPlaying || !this.root.isConnected) return;
+      const { length } = this.film.frames;
+      const at = this.at + ((now - before) * RATE * (this.isSlow ? 0.25 : 1)) / 1000;
+      before = now;
+      // Modes and steady motions begin again where they end.
+      const isEndless = this.film.runs[this.run][0] !== "start";
+      if (at >= length - 1 && !isEndless) {
+        this.turnTo(length - 1);
+        return this.stop();
+      }
+      this.turnTo(Math.max(0, at % (length - 1)));
+      requestAnimationFrame(tick);
+    };
+    requestAnimationFrame(tick);
+  }
+
+  stop() {
+    this.isPlaying = false;
+    this.play.textContent = say("play");
   }
 }
 

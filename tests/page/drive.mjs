@@ -286,6 +286,61 @@ await step("matrices have an input for each entry", async () => {
   await page.screenshot({ path: "shots/matrix.png", fullPage: true });
 });
 
+/** Opens the motion of a question behind its first solution. */
+const move = async (on) => {
+  await on.getByRole("button", { name: "Show solution" }).first().click();
+  const open = on.getByRole("button", { name: "Show the motion" });
+  assert.equal(await open.count(), 1);
+  await open.focus();
+  await on.keyboard.press("Enter");
+};
+/** What is drawn of the moving part. */
+const picture = (on) => on.locator(".motion .moving").innerHTML();
+
+await step("the system moves when it is asked to, and not before", async () => {
+  await open("ch5/p1-stepped-disk-two-blocks");
+  await move(page);
+  const still = await picture(page);
+  await page.waitForTimeout(300);
+  assert.equal(await picture(page), still, "it does not start by itself");
+  const control = (name) => page.locator(".motion").getByRole("button", { name });
+  await control("Play").focus();
+  await page.keyboard.press("Space");
+  await page.waitForTimeout(400);
+  assert.notEqual(await picture(page), still, "it plays");
+  await page.screenshot({ path: "shots/motion-plays.png", fullPage: true });
+  await page.keyboard.press("Space");
+  const paused = await picture(page);
+  await page.waitForTimeout(200);
+  assert.equal(await picture(page), paused, "it pauses");
+  await control("Slow motion").click();
+  assert.equal(await control("Slow motion").getAttribute("aria-pressed"), "true");
+  const time = page.locator(".motion").getByRole("slider", { name: "Time" });
+  await time.focus();
+  await page.keyboard.press("Home");
+  assert.equal(await picture(page), still, "the time goes back to the beginning");
+  await page.locator(".motion select").selectOption({ label: "mode 2" });
+  await page.locator(".motion summary").click();
+  assert.ok((await page.locator(".motion tbody tr").count()) >= 4);
+  await check("the motion");
+  await page.screenshot({ path: "shots/motion-mode.png", fullPage: true });
+  const size = await page.evaluate(() => globalThis.page.stage.motion.textContent.length);
+  return `${size} letters around it`;
+});
+
+await step("it stays still where less motion is asked for", async () => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await open("ch3/e4-underdamped-response");
+  await move(page);
+  assert.equal(await page.locator(".motion").getByRole("button", { name: "Play" }).count(), 0);
+  const still = await picture(page);
+  await page.locator(".motion input[type=range]").focus();
+  await page.keyboard.press("PageUp");
+  assert.notEqual(await picture(page), still, "the time can be moved");
+  await check("the motion, still");
+  await page.emulateMedia({ reducedMotion: null });
+});
+
 await step("by keyboard alone", async () => {
   await open(`${FIRST}/${CODE}`);
   await field("a").focus();

@@ -4,7 +4,7 @@ use vibank::bank::{Catalogue, Template, embedded};
 use vibank::diagnostic::Severity;
 use vibank::figure::{Head, State};
 use vibank::instance::Instance;
-use vibank::scene::{Data, Scene};
+use vibank::scene::{Data, Run, Scene};
 use vibank::solution::Solution;
 
 /// Items of chapters 2 to 5 with a model whose figures stand still, and why.
@@ -136,6 +136,92 @@ fn modes_are_drawn_on_the_system() {
         "The figure with both extremes of mode 3: x sub 1 0.707, x sub 2 -1.00, x sub 3 0.707."
     );
     assert!(scene.mode_picture(3).is_none());
+}
+
+#[test]
+fn each_figure_that_moves_has_a_motion() {
+    let (catalogue, _) = Catalogue::load(embedded());
+    for item in moving(&catalogue) {
+        let solution = Solution::of(Instance::of_source(item));
+        let scene = Scene::of(&solution, Data::Both);
+        let runs = scene.runs();
+        assert!(!runs.is_empty(), "{} has none", item.id);
+        // Those between differ by their frequency alone.
+        for run in [runs[0], runs[runs.len() - 1]] {
+            let moving = scene.moving(run, "a").expect("what is offered is there");
+            let frames = &moving.film.frames;
+            let id = &item.id;
+            assert!(
+                moving.film.svg.contains("<g class=\"moving\"></g></svg>"),
+                "{id}"
+            );
+            assert!(
+                frames.iter().all(|frame| !frame.contains("NaN")),
+                "{id} {run:?}"
+            );
+            assert!(
+                frames.iter().any(|frame| frame != &frames[0]),
+                "{id} {run:?} stands still"
+            );
+            for shares in &moving.shares {
+                assert_eq!(shares.len(), frames.len());
+                assert!(shares.iter().all(|share| share.abs() <= 1.0));
+            }
+        }
+    }
+}
+
+#[test]
+fn what_moves_follows_the_solver() {
+    let (catalogue, _) = Catalogue::load(embedded());
+    let scene = |id: &str, check: &dyn Fn(&Scene<'_, '_>)| {
+        let item = catalogue.find(id).expect("it is there");
+        let solution = Solution::of(Instance::of_source(item));
+        check(&Scene::of(&solution, Data::Both));
+    };
+    let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-6, "{a} is not {b}");
+    scene("ch5/t1-three-equal-masses-chain", &|scene| {
+        assert_eq!(scene.runs(), [0, 1, 2].map(Run::Mode));
+        let moving = scene.moving(Run::Mode(0), "a").expect("it has three");
+        // k/m = 400/s², and the lowest of three equal masses is √((2 − √2)k/m).
+        let period = std::f64::consts::TAU / ((2.0 - 2.0_f64.sqrt()) * 400.0).sqrt();
+        close(moving.seconds, 2.0 * period);
+        let quarter = moving.film.frames.len() / 4;
+        for (shares, size) in moving
+            .shares
+            .iter()
+            .zip([0.5_f64.sqrt(), 1.0, 0.5_f64.sqrt()])
+        {
+            close(shares[0], size);
+            close(shares[quarter], -size);
+        }
+        // All three turn together, at each half period.
+        assert_eq!(moving.turns.len(), 9);
+    });
+    scene("ch5/e6-coupled-pendulums-beats", &|scene| {
+        let moving = scene.moving(Run::Start, "a").expect("it begins somewhere");
+        // The first pendulum begins, and later the other one has all of it.
+        let [first, second] = moving.shares.as_slice() else {
+            panic!("there are two");
+        };
+        let most = (0..second.len()).max_by(|a, b| second[*a].abs().total_cmp(&second[*b].abs()));
+        let most = most.expect("there are pictures");
+        let around = most.saturating_sub(6)..(most + 6).min(first.len());
+        let left = first[around]
+            .iter()
+            .fold(0.0_f64, |left, own| left.max(own.abs()));
+        assert!(
+            first[0] > 0.99 && second[0].abs() < 1e-6,
+            "{} {}",
+            first[0],
+            second[0]
+        );
+        assert!(
+            second[most].abs() > 0.9 && left < 0.4,
+            "{} {left}",
+            second[most]
+        );
+    });
 }
 
 /// A block on a spring, a disk with a cord, and a rod.

@@ -19,6 +19,16 @@ impl Numbers {
         drives.as_deref().map_err(Clone::clone)
     }
 
+    /// The angular frequencies of what drives it, in rad/s, those of constant forces left out.
+    ///
+    /// # Errors
+    ///
+    /// [`Lack::NotHarmonic`], or a number that is missing.
+    pub fn driving_frequencies(&self) -> Result<Vec<f64>, Lack> {
+        let frequencies = self.drives()?.iter().map(|drive| drive.frequency);
+        Ok(frequencies.filter(|frequency| *frequency > 0.0).collect())
+    }
+
     /// The forces of the only angular frequency.
     pub(super) fn only_drive(&self) -> Result<&Drive, Lack> {
         match self.drives()? {

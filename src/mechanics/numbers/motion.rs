@@ -247,6 +247,22 @@ impl Numbers {
         })))
     }
 
+    /// The motion of a coordinate in one mode, numbered from 0, without damping, in the mass-normalized scale.
+    ///
+    /// # Errors
+    ///
+    /// [`Lack::Unstable`] where the mode is no vibration, and those of [`Self::modes`].
+    pub fn mode_motion(&self, mode: usize, coordinate: usize) -> Result<Motion, Lack> {
+        let modes = self.modes()?;
+        let frequency = modes.natural_angular_frequency(mode);
+        let frequency = frequency.ok_or(Lack::Unstable)?;
+        let amplitude = Complex::new(modes.mode_shape(mode)[coordinate], 0.0);
+        Ok(Motion(Kind::Steady(SteadyMotion {
+            offset: self.equilibrium()?[coordinate],
+            harmonics: vec![(frequency, amplitude)],
+        })))
+    }
+
     /// The mechanical energy as a function of time, counted from that at rest in equilibrium.
     ///
     /// # Errors
