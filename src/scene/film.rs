@@ -79,7 +79,7 @@ impl Scene<'_, '_> {
         let count = numbers.model().degrees_of_freedom();
         let runs = [Run::Start, Run::Steady].into_iter();
         let runs = runs.chain((0..count).map(Run::Mode));
-        runs.filter(|run| self.course(*run, &numbers).is_some())
+        runs.filter(|run| course(*run, &numbers).is_some())
             .collect()
     }
 
@@ -87,7 +87,7 @@ impl Scene<'_, '_> {
     pub fn moving(&self, run: Run, id: &str) -> Option<Moving> {
         let figure = self.solution.template().figure.as_ref()?;
         let numbers = self.system()?;
-        let course = self.course(run, &numbers)?;
+        let course = course(run, &numbers)?;
         let seconds = course.seconds;
         let pictures = (PER_PERIOD * seconds / course.shortest).clamp(PICTURES.0, PICTURES.1);
         let pictures = pictures.round() as usize;
@@ -155,60 +155,61 @@ impl Scene<'_, '_> {
     fn system(&self) -> Option<Rc<Numbers>> {
         self.solution.evaluation().model("model")
     }
+}
 
-    fn course(&self, run: Run, numbers: &Numbers) -> Option<Course> {
-        let count = numbers.model().degrees_of_freedom();
-        let modes = numbers.modes().ok()?;
-        let natural: Vec<f64> = (0..count)
-            .filter_map(|mode| modes.natural_angular_frequency(mode))
-            .collect();
-        let largest = highest(&natural);
-        let vibrates = |frequency: f64| frequency > 1e-6 * largest;
-        let driving = numbers.driving_frequencies().unwrap_or_default();
-        let motions = |motion: &dyn Fn(usize) -> Result<Motion, Lack>| {
-            let rest = numbers.equilibrium().ok()?;
-            let all = rest.iter().enumerate();
-            all.map(|(place, rest)| Some((motion(place).ok()?, *rest)))
-                .collect::<Option<Vec<_>>>()
-        };
-        match run {
-            Run::Mode(mode) => {
-                let frequency = modes.natural_angular_frequency(mode)?;
-                let shortest = vibrates(frequency).then(|| period(frequency))?;
-                Some(Course {
-                    motions: motions(&|place| numbers.mode_motion(mode, place))?,
-                    seconds: LOOPS * shortest,
-                    shortest,
-                })
-            }
-            Run::Steady if !driving.is_empty() => Some(Course {
-                motions: motions(&|place| numbers.steady_motion(place))?,
-                seconds: LOOPS * period(lowest(&driving)),
-                shortest: period(highest(&driving)),
-            }),
-            Run::Start if numbers.model().has_start() => {
-                let natural = natural.into_iter().filter(|own| vibrates(*own));
-                let all: Vec<f64> = natural.chain(driving).collect();
-                (!all.is_empty()).then_some(())?;
-                let slow = period(lowest(&all));
-                // Two frequencies near each other beat.
-                let mut seconds = PERIODS * slow;
-                for (place, first) in all.iter().enumerate() {
-                    for second in &all[..place] {
-                        let beat = period((first - second).abs());
-                        if beat <= LONGEST * slow {
-                            seconds = seconds.max(beat);
-                        }
+/// A motion with what has to be known to show it; nothing where there is none.
+fn course(run: Run, numbers: &Numbers) -> Option<Course> {
+    let count = numbers.model().degrees_of_freedom();
+    let modes = numbers.modes().ok()?;
+    let natural: Vec<f64> = (0..count)
+        .filter_map(|mode| modes.natural_angular_frequency(mode))
+        .collect();
+    let largest = highest(&natural);
+    let vibrates = |frequency: f64| frequency > 1e-6 * largest;
+    let driving = numbers.driving_frequencies().unwrap_or_default();
+    let motions = |motion: &dyn Fn(usize) -> Result<Motion, Lack>| {
+        let rest = numbers.equilibrium().ok()?;
+        let all = rest.iter().enumerate();
+        all.map(|(place, rest)| Some((motion(place).ok()?, *rest)))
+            .collect::<Option<Vec<_>>>()
+    };
+    match run {
+        Run::Mode(mode) => {
+            let frequency = modes.natural_angular_frequency(mode)?;
+            let shortest = vibrates(frequency).then(|| period(frequency))?;
+            Some(Course {
+                motions: motions(&|place| numbers.mode_motion(mode, place))?,
+                seconds: LOOPS * shortest,
+                shortest,
+            })
+        }
+        Run::Steady if !driving.is_empty() => Some(Course {
+            motions: motions(&|place| numbers.steady_motion(place))?,
+            seconds: LOOPS * period(lowest(&driving)),
+            shortest: period(highest(&driving)),
+        }),
+        Run::Start if numbers.model().has_start() => {
+            let natural = natural.into_iter().filter(|own| vibrates(*own));
+            let all: Vec<f64> = natural.chain(driving).collect();
+            (!all.is_empty()).then_some(())?;
+            let slow = period(lowest(&all));
+            // Two frequencies near each other beat.
+            let mut seconds = PERIODS * slow;
+            for (place, first) in all.iter().enumerate() {
+                for second in &all[..place] {
+                    let beat = period((first - second).abs());
+                    if beat <= LONGEST * slow {
+                        seconds = seconds.max(beat);
                     }
                 }
-                Some(Course {
-                    motions: motions(&|place| numbers.motion(place))?,
-                    seconds,
-                    shortest: period(highest(&all)),
-                })
             }
-            Run::Start | Run::Steady => None,
+            Some(Course {
+                motions: motions(&|place| numbers.motion(place))?,
+                seconds,
+                shortest: period(highest(&all)),
+            })
         }
+        Run::Start | Run::Steady => None,
     }
 }
 

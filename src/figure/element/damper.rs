@@ -58,6 +58,12 @@ impl Element for Damper {
         let rest = part.number(REST).unwrap_or(length);
         let cylinder = (0.5 * rest).min(LONGEST);
         let bottom = (rest - cylinder) / 2.0;
+        // One that is pressed together stays within its ends.
+        let cylinder = if length < rest {
+            cylinder.min((length - bottom - 0.05).max(0.15))
+        } else {
+            cylinder
+        };
         let across = along.left() * HALF;
         let at = |distance: f64| a + along * distance;
         // The cylinder goes with the first end, the piston with the other one, as far as there is room for it.

@@ -143,7 +143,7 @@ impl<'f> Poses<'_, 'f> {
         let is_bound = is_link || item.kind.layer() != Layer::Support;
         let is_cord = item.kind.name() == "cord";
         let mut stretched = part.clone();
-        let mut is_moved = false;
+        let (mut is_moved, mut is_held) = (false, false);
         for (place, end) in item.ends.iter().zip(&mut stretched.ends) {
             let rest = end.point;
             let own = if is_bound {
@@ -161,10 +161,14 @@ impl<'f> Poses<'_, 'f> {
             if is_link && let Some(point) = self.fastened(rest, is_cord, beams) {
                 is_moved |= point != rest;
                 end.point = point;
+            } else {
+                is_held = true;
             }
         }
         match (is_moved, role) {
             (false, _) => Pose::Still,
+            // A line of reference at a moving point would point elsewhere.
+            (true, Role::Mark) if is_held && self.hides => Pose::Gone,
             (true, Role::Measure) if self.hides => Pose::Gone,
             (true, Role::Measure) => Pose::Still,
             (true, _) => {
