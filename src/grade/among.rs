@@ -3,7 +3,7 @@
 use super::bound::bounded;
 use super::{LONGEST_RESPONSE, mark, silence};
 use crate::answer::{Beside, Marking};
-use crate::response::Folded;
+use crate::response::{Folded, withdrawn};
 use crate::solution::Solution;
 
 /// Marks the response to a part with those to all parts of the item at hand, by place; empty ones are missing.
@@ -13,7 +13,11 @@ pub fn mark_among(solution: &Solution<'_>, place: usize, responses: &[&str]) -> 
     let response = responses.get(place).map_or("", |response| response.trim());
     let heeds = |at: usize| parts[at].answer.heeds_others();
     let is_short = |response: &str| response.len() <= LONGEST_RESPONSE;
-    if response.is_empty() || !is_short(response) || !heeds(place) {
+    if response.is_empty()
+        || !is_short(response)
+        || !heeds(place)
+        || withdrawn(response, false).is_some()
+    {
         return mark(solution, place, response);
     }
     let folded = match Folded::of(response) {

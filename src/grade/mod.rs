@@ -20,8 +20,8 @@ pub use pattern::pattern;
 pub use points::{of_marking, rounded, standing};
 pub use responses::{Place, Responses, Row, RowError};
 
-use crate::answer::{Credit, Echo, Marker, Marking, Unreadable, Why};
-use crate::response::Folded;
+use crate::answer::{Credit, Echo, Kind, Marker, Marking, Unreadable, Why};
+use crate::response::{Folded, withdrawn};
 use crate::solution::Solution;
 
 use self::bound::bounded;
@@ -78,6 +78,10 @@ fn folded<'s, 'r>(
 ) -> Result<(&'s dyn Marker, Folded<'r>), Unreadable> {
     if response.len() > LONGEST_RESPONSE {
         return Err(Why::LongerThan(LONGEST_RESPONSE).into());
+    }
+    let answer = &solution.template().parts[place].answer;
+    if let Some(words) = withdrawn(response, answer.kind() == Kind::Choice) {
+        return Err(Unreadable::at(words, Why::Withdrawn));
     }
     let folded = Folded::of(response)?;
     let marker = solution.marker(place).map_err(Why::NoKey)?;

@@ -38,6 +38,15 @@ impl Reader<'_> {
 /// One symbol alone names the whole.
 pub(super) fn in_order(text: &str, labels: &[Option<Span>]) -> Result<(), TypedError> {
     let labels: Vec<Span> = labels.iter().flatten().copied().collect();
+    if let Some(label) = labels
+        .iter()
+        .find(|label| is_computed(&text[label.range()]))
+    {
+        return Err(TypedError {
+            trouble: Trouble::Unsolved,
+            span: *label,
+        });
+    }
     let mut last = None;
     for label in labels.iter().filter(|_| labels.len() > 1) {
         let number = number(&text[label.range()]);
@@ -50,6 +59,29 @@ pub(super) fn in_order(text: &str, labels: &[Option<Span>]) -> Result<(), TypedE
         last = number;
     }
     Ok(())
+}
+
+/// Whether what stands before an equals sign is made of what is asked, and is another value: `K⁻¹`, `2K`, `det K`.
+/// Any other power may number a mode.
+fn is_computed(label: &str) -> bool {
+    const FUNCTIONS: [&str; 3] = ["inv", "det", "\\det"];
+    let label = label.trim_start();
+    let is_called = |name: &&str| {
+        let rest = label.strip_prefix(*name);
+        rest.is_some_and(|rest| rest.starts_with([' ', '(', '\\']))
+    };
+    let factor =
+        label.trim_start_matches(|char: char| char.is_ascii_digit() || "./*".contains(char));
+    let is_ordinal = ["st", "nd", "rd", "th"]
+        .iter()
+        .any(|end| factor.starts_with(end));
+    let is_scaled = label.starts_with(|char: char| char.is_ascii_digit())
+        && factor.starts_with(char::is_alphabetic)
+        && !is_ordinal;
+    label.starts_with('-')
+        || is_scaled
+        || ["^-", "^{-", "≠"].iter().any(|sign| label.contains(sign))
+        || FUNCTIONS.iter().any(|name| is_called(&name))
 }
 
 /// The columns of a matrix whose entries have symbols with two indices, `K11 = 2k, K12 = -k, K21 = …`, row by row.

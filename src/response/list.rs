@@ -122,7 +122,8 @@ impl Reader<'_> {
         if self.pieces(piece, SEPARATORS).len() > 1 {
             return self.bare(piece, depth);
         }
-        let piece = self.labelled(piece).1;
+        let (label, piece) = self.labelled(piece);
+        in_order(self.text, &[label])?;
         let wrapped = || {
             let groups = groups(self.text, piece);
             groups.first().copied().filter(|group| *group == piece)

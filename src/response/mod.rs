@@ -56,6 +56,7 @@ pub(crate) use letters::letter;
 pub(crate) use lexicon::Lexicon;
 pub(crate) use list::{Listed, cut, list_of_form};
 pub(crate) use sides::{sides, statement};
+pub(crate) use surroundings::withdrawn;
 pub(crate) use values::{Part, Style, Values};
 pub(crate) use words::count_in_digits;
 

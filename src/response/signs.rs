@@ -91,6 +91,7 @@ pub(super) const DECIMAL: char = '⎖';
 /// Runs of signs, the longer ones before those with which they begin.
 pub(super) const RUNS: &[(&str, &str)] = &[
     ("=/=", "≠"),
+    ("=\\=", "≠"),
     ("<=", "≤"),
     ("=<", "≤"),
     (">=", "≥"),
@@ -142,6 +143,8 @@ pub(super) const COMMANDS: &[(&str, Plain)] = &[
     ("gt", Text(">")),
     ("ne", Text("≠")),
     ("neq", Text("≠")),
+    // What is denied stands behind it, `\not=`, `\not\ge`: never the same without it.
+    ("not", Text("≠")),
     ("approx", Text("≈")),
     ("simeq", Text("≈")),
     ("cong", Text("≈")),

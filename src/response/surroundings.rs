@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::signs::QUOTES;
-use super::words::{ASIDES, LEADS, TRAILS};
+use super::words::{ASIDES, LEADS, TRAILS, WITHDRAWALS};
 
 /// Where the answer stands in what was typed.
 pub(super) fn answer_in(typed: &str) -> Range<usize> {
@@ -21,6 +21,36 @@ pub(super) fn answer_in(typed: &str) -> Range<usize> {
             None => return range,
         }
     }
+}
+
+/// The words or the mark by which a response takes itself back: `~~5 m~~`, and where words are none of what may be
+/// answered, `wrong: 5 m`, `5 m is wrong`.
+pub(crate) fn withdrawn(typed: &str, may_be_words: bool) -> Option<&str> {
+    // Two spaces of LaTeX stand behind what they part, a mark that strikes out before what it strikes.
+    let struck = typed.match_indices("~~").find(|(at, mark)| {
+        let behind = &typed[at + mark.len()..];
+        let opens = typed[..*at]
+            .chars()
+            .next_back()
+            .is_none_or(char::is_whitespace);
+        let inner = behind.split_once("~~").map_or("", |(inner, _)| inner);
+        opens && !inner.is_empty() && inner.trim() == inner && !inner.starts_with(['=', '+', '-'])
+    });
+    if let Some((at, mark)) = struck {
+        return Some(&typed[at..at + mark.len()]);
+    }
+    let is_alone = !typed.trim().contains(char::is_whitespace);
+    if may_be_words || is_alone {
+        return None;
+    }
+    let bare = |word: &str| {
+        word.trim_matches(['(', ')', '.', ',', '!', ':', ';'])
+            .to_lowercase()
+    };
+    let first = typed.split_whitespace().next();
+    let last = typed.split_whitespace().next_back();
+    let mut ends = [first, last].into_iter().flatten();
+    ends.find(|word| WITHDRAWALS.contains(&bare(word).as_str()))
 }
 
 fn trimmed(typed: &str, range: &Range<usize>) -> Range<usize> {
@@ -107,7 +137,7 @@ fn quotes(text: &str) -> Option<(usize, usize)> {
 
 #[cfg(test)]
 mod tests {
-    use super::answer_in;
+    use super::{answer_in, withdrawn};
 
     #[test]
     fn what_is_said_around_an_answer_is_no_part_of_it() {
@@ -145,5 +175,25 @@ mod tests {
         ] {
             assert_eq!(typed[answer_in(typed)].trim(), answer, "{typed}");
         }
+    }
+
+    #[test]
+    fn what_is_taken_back_is_no_answer() {
+        for (typed, mark) in [
+            ("~~5 m~~", Some("~~")),
+            ("6 m ~~5 m~~", Some("~~")),
+            (r"x~~=~~5~~\mathrm{m}", None),
+            ("x ~~=~~ 5", None),
+            ("x ~~= 5~~m", None),
+            ("~5 m", None),
+            ("wrong: 5 m", Some("wrong:")),
+            ("5 m is wrong.", Some("wrong.")),
+            ("5 m (false)", Some("(false)")),
+            ("false", None),
+            ("5 m", None),
+        ] {
+            assert_eq!(withdrawn(typed, false), mark, "{typed}");
+        }
+        assert_eq!(withdrawn("the sign is wrong", true), None);
     }
 }

@@ -152,6 +152,18 @@ pub(super) const TRAILS: &[&str] = &[
     ", t in seconds",
 ];
 
+/// What is said before or behind a response that is not meant.
+pub(super) const WITHDRAWALS: &[&str] = &[
+    "wrong",
+    "false",
+    "incorrect",
+    "untrue",
+    "faux",
+    "falsch",
+    "falso",
+    "incorrecto",
+];
+
 /// Words of a remark in brackets behind an answer, `(to 3 s.f.)`, `(in SI units)`.
 pub(super) const ASIDES: &[&str] = &[
     "approx",

@@ -15,6 +15,8 @@ pub(super) struct Labels {
     own: Vec<Name>,
     /// What is asked, as a message has it.
     asked: String,
+    /// What may stand in brackets behind a name: the variable.
+    arguments: [String; 2],
 }
 
 /// What stands before an equals sign.
@@ -64,6 +66,10 @@ impl Labels {
             lexicon,
             own,
             asked: format!("{shown}({variable})"),
+            arguments: [
+                variable.as_str().to_owned(),
+                symbol(variable.as_str()).plain(),
+            ],
         }
     }
 
@@ -108,7 +114,7 @@ impl Labels {
                     ));
                 }
                 Err(help) if !is_first => return Err(help),
-                Err(_) if is_fresh(left) => {}
+                Err(_) if self.is_fresh(left) => {}
                 Err(_) => {
                     return Err(Unreadable::at(
                         left.trim(),
@@ -133,18 +139,27 @@ impl Labels {
             _ => Side::Formula(value),
         })
     }
-}
 
-/// Whether a text is a letter that the item does not know, which anybody may choose for what is asked: no derivative,
-/// nor one of those for velocity and acceleration.
-fn is_fresh(text: &str) -> bool {
-    let text = without_unit(text);
-    let name = text.split_once('(').map_or(text, |(name, _)| name).trim();
-    let is_name = |char: char| char.is_alphanumeric() || "_\\{}".contains(char);
-    name.starts_with(|char: char| char.is_alphabetic() || char == '\\')
-        && name.chars().all(is_name)
-        && !name.contains("dot")
-        && !["v", "a"].contains(&name)
+    /// Whether a text is a letter that the item does not know, which anybody may choose for what is asked: no
+    /// derivative, nor one of those for velocity and acceleration, nor its value elsewhere, `x(0)`, `x(2t)`.
+    fn is_fresh(&self, text: &str) -> bool {
+        let text = without_unit(text);
+        let (name, behind) = match text.find('(') {
+            Some(open) => (text[..open].trim(), &text[open..]),
+            None => (text, ""),
+        };
+        let argument = behind
+            .strip_prefix('(')
+            .and_then(|text| text.strip_suffix(')'));
+        let is_of_variable = behind.is_empty()
+            || argument.is_some_and(|own| self.arguments.iter().any(|known| known == own.trim()));
+        let is_name = |char: char| char.is_alphanumeric() || "_\\{}".contains(char);
+        is_of_variable
+            && name.starts_with(|char: char| char.is_alphabetic() || char == '\\')
+            && name.chars().all(is_name)
+            && !name.contains("dot")
+            && !["v", "a"].contains(&name)
+    }
 }
 
 fn without_unit(text: &str) -> &str {

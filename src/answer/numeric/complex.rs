@@ -165,6 +165,46 @@ fn of_polar(
     Ok((value, unit, formula(&size) * power))
 }
 
+/// The side of a statement that is neither the name of its value nor another form of it: `Z^2`, `|Z|`, `Re(Z)`, `5`.
+fn unclear<'s>(values: &Values<'_>, sides: &'s [Part], last: &Part) -> Option<&'s Part> {
+    /// What is not the number but made of it; a bar or a line below marks phasors, too.
+    const MADE: [&str; 10] = [
+        "Re",
+        "Im",
+        "conj",
+        "arg",
+        "abs",
+        "mod",
+        "\\Re",
+        "\\Im",
+        "\\arg",
+        "\\operatorname",
+    ];
+    /// Forms of one number may be rounded.
+    const SHARE: f64 = 0.01;
+    let is_made = |text: &str| {
+        let rest = |made: &&str| {
+            let rest = text.strip_prefix(*made)?;
+            (!rest.starts_with(|char: char| char.is_alphanumeric() || char == '_')).then_some(())
+        };
+        text.starts_with(['|', '∠'])
+            || text.ends_with('*')
+            || MADE.iter().any(|made| rest(made).is_some())
+    };
+    let is_name = |side: &Part| values.is_name(side) && !is_made(values.text(side).trim());
+    let value = |side: &Part| number(values, side, Way::Conventional).ok();
+    let is_led = sides.first().is_some_and(is_name);
+    sides.iter().enumerate().find_map(|(at, side)| {
+        let is_clear = is_name(side)
+            || match (value(side), value(last)) {
+                (Some((own, ..)), Some((other, ..))) => (own - other).abs() <= SHARE * other.abs(),
+                (None, _) => at > 0 && is_led && !values.goes_on_in_words(side),
+                _ => false,
+            };
+        (!is_clear).then_some(side)
+    })
+}
+
 impl Numbers {
     fn read(&self, values: &Values<'_>, part: &Part, way: Way) -> Result<Given, Box<Marking>> {
         let (value, stated, expr) =
@@ -247,7 +287,12 @@ impl Numbers {
                     Unreadable::at(sign.to_string(), Why::Inequality).like(Example::Complex)
                 );
             }
-            parts.extend(statement.sides.into_iter().next_back());
+            let mut sides = statement.sides;
+            let last = sides.pop();
+            if let Some(side) = last.as_ref().and_then(|last| unclear(values, &sides, last)) {
+                return Err(Unreadable::at(values.text(side), Why::UnclearSide));
+            }
+            parts.extend(last);
         }
         Ok(parts)
     }

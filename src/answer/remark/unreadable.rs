@@ -44,6 +44,8 @@ pub enum Why {
     NoKey(Absent),
     /// A dollar sign that encloses nothing.
     Dollar,
+    /// A response that is struck out, or that says that it is wrong.
+    Withdrawn,
     /// A formula that cannot be read.
     Formula(Trouble),
     /// A decimal or a unit that cannot be read.
