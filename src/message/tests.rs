@@ -322,6 +322,7 @@ fn reasons() -> Vec<Why> {
         },
         Why::UnequalSides(text(), text()),
         Why::UnclearSide,
+        Why::OutsideOfSpan,
         Why::Withdrawn,
         Why::TooManyTurns { times: 100, turn },
         Why::Gram,

@@ -676,7 +676,7 @@ class Moving {
     const { shares, symbols } = this.film;
     const [width, height] = [600, 120];
     const drawn = (tag, attributes) => {
-      const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
+      const made = document.createElementNS(this.screen.firstElementChild.namespaceURI, tag);
       for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
       return made;
     };

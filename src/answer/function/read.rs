@@ -25,6 +25,16 @@ impl Prepared {
         if let (Some(Piece { condition, .. }), false) = (pieces.first(), others.is_empty()) {
             read = self.by_pieces(read, *condition, others)?;
         }
+        if let [
+            Piece {
+                condition: Some(condition),
+                ..
+            },
+        ] = &pieces[..]
+            && self.is_mostly_excluded(condition)
+        {
+            return Err(Unreadable::at(*condition, Why::OutsideOfSpan));
+        }
         for form in &forms {
             let same = self
                 .values_of(form)
@@ -34,6 +44,19 @@ impl Prepared {
             }
         }
         Ok(read)
+    }
+
+    /// Whether a condition excludes more than half of the span, `t < 0`; a bound that is rounded excludes less, and what
+    /// is said of anything else but the variable excludes nothing.
+    fn is_mostly_excluded(&self, text: &str) -> bool {
+        let excluded = || {
+            let holds = condition(text, &self.setup.lexicon).ok()?;
+            let marked = Kind::If(holds, Expr::number(1), Expr::number(0));
+            let values = self.values_of(&Expr::derived(marked))?;
+            let excluded = values.iter().filter(|value| **value == 0.0).count();
+            Some(2 * excluded > values.len())
+        };
+        excluded().unwrap_or(false)
     }
 
     /// The function that is each of the pieces where its condition holds, the last one everywhere else.

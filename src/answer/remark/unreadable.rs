@@ -252,6 +252,8 @@ pub enum Why {
 
     /// Sides of the equals sign before this that are not the same function.
     UnequalFunctions(String),
+    /// A function that is said to hold where it is not asked.
+    OutsideOfSpan,
     /// A letter that may be a unit or a quantity.
     UnitOrQuantity,
     /// An angle that is added to a function.

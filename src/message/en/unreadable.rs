@@ -91,6 +91,7 @@ fn why(why: &Why) -> String {
         Why::UnequalSides(one, other) => {
             format!("`{one}` and `{other}` are not equal: give one value.")
         }
+        Why::OutsideOfSpan => "the function is asked for other times than these. Omit them if it holds there, too.".to_owned(),
         Why::Withdrawn => "this says that the answer is not meant. Type what you mean, and that alone.".to_owned(),
         Why::UnclearSide => "it is not clear what the value is of. Type it alone, or behind the name of what is asked, as in `x = 7.78`.".to_owned(),
         Why::TooManyTurns { times, turn } => format!(
