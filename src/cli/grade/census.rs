@@ -1,6 +1,6 @@
 //! What a manifest holds, seen before anything is marked.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use vibank::bank::Catalogue;
 use vibank::worksheet::Student;
@@ -17,6 +17,8 @@ pub(super) struct Census<'c> {
     pub(super) sheets: usize,
     /// All parts, in the order of the sheets.
     pub(super) columns: Vec<Column>,
+    /// By the number of a question, the items that it is.
+    pub(super) asked: BTreeMap<usize, BTreeSet<String>>,
     /// The students by `id` and name.
     pub(super) students: Vec<Student>,
     /// Items whose text in the bank is another one than when the sheets were made.
@@ -34,6 +36,7 @@ impl<'c> Census<'c> {
             items: Items::of(&[], catalogue, accepts),
             sheets: 0,
             columns: Vec::new(),
+            asked: BTreeMap::new(),
             students: Vec::new(),
             changed: Vec::new(),
         };
@@ -65,6 +68,8 @@ impl<'c> Census<'c> {
                 for part in &question.parts {
                     columns.insert((question.number, part.letter.len(), part.letter.clone()));
                 }
+                let asked = census.asked.entry(question.number).or_default();
+                asked.insert(question.item.to_string());
                 used.insert((question.item.clone(), question.revision));
             }
         }

@@ -122,6 +122,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     faults.extend(handed.faults.iter().cloned());
     let open = || handed.sheets(&arguments.manifest);
     let census = Census::take(&mut open()?, &catalogue, arguments.accept_revisions)?;
+    overrides.check(&census.asked)?;
     let sheets = open()?;
     let changes = match &arguments.compare {
         Some(path) => Some(Changes::since(path)?),

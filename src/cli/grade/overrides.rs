@@ -1,11 +1,12 @@
 //! Overrides: a file in which a teacher settles what could not be read, and changes any other mark.
 //!
 //! CSV with the columns `code`, `question`, `part`, and any of `response` (what to read instead), `points` and
-//! `feedback`. A code `*` stands for all sheets; with `given`, `item` and `id` for those that gave these words to this
-//! part of the item. Other columns are ignored. The file `unreadable.csv` of a grading run is such a file, with the
+//! `feedback`. A code `*` stands for all sheets: with `item` for all that ask this item, whichever number it has there,
+//! and the part of this `id` or letter; with `given` too for those that gave these words to it. Without `item` the
+//! question has to be the same on all sheets. Other columns are ignored. The file `unreadable.csv` of a grading run is such a file, with the
 //! last three columns to be filled in.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use vibank::grade::{Place, rounded};
@@ -37,6 +38,8 @@ pub(super) struct Overrides {
     places: BTreeMap<Place, Override>,
     /// For all sheets with the same words.
     alike: BTreeMap<Alike, Override>,
+    /// For all sheets with an item, by its name and the id or letter of the part.
+    items: BTreeMap<(String, String), Override>,
 }
 
 /// The code that stands for all sheets.
@@ -86,6 +89,18 @@ impl Overrides {
                     let alike = Alike::new(item, id, given);
                     settle(&mut overrides.alike, alike, line, decided).err()
                 }
+                _ if field(code) == ALL && filled(words[0]).is_some() => {
+                    let item = filled(words[0]).unwrap_or_default().to_owned();
+                    let part =
+                        filled(words[1]).map_or_else(|| field(part).to_lowercase(), str::to_owned);
+                    if part.is_empty() {
+                        Some(format!(
+                            "no `part` and no `id` says which part of `{item}` is meant"
+                        ))
+                    } else {
+                        settle(&mut overrides.items, (item, part), line, decided).err()
+                    }
+                }
                 Err(_) => Some(format!("question `{}` is no number", field(question))),
                 Ok(question) => {
                     let place = Place {
@@ -105,7 +120,34 @@ impl Overrides {
     pub(super) fn find(&self, place: &Place, alike: &Alike) -> Option<&Override> {
         let own = self.places.get(place);
         own.or_else(|| self.alike.get(alike))
+            .or_else(|| {
+                named(place, alike)
+                    .iter()
+                    .find_map(|name| self.items.get(name))
+            })
             .or_else(|| self.places.get(&everywhere(place)))
+    }
+
+    /// Refuses a decision for all sheets by the number of a question that is another one on others.
+    pub(super) fn check(&self, asked: &BTreeMap<usize, BTreeSet<String>>) -> Result<(), Failure> {
+        for (place, decision) in self.places.iter().filter(|(place, _)| place.code == ALL) {
+            let items = asked.get(&place.question).filter(|items| items.len() > 1);
+            let Some(items) = items else { continue };
+            let (line, number) = (decision.line, place.question);
+            let names: Vec<String> = items
+                .iter()
+                .take(3)
+                .map(|item| format!("`{item}`"))
+                .collect();
+            let names = names.join(", ");
+            let failure = Failure::new(format!(
+                "overrides, line {line}: question {number} is not the same on all sheets: {names}"
+            ));
+            return Err(failure.help(
+                "name what is meant in the columns `item` and `id`, such as those of `unreadable.csv`; the number then does not matter",
+            ));
+        }
+        Ok(())
     }
 
     /// Notes that a part was handed out, with so many points at most.
@@ -117,6 +159,11 @@ impl Overrides {
             .for_each(|decision| decision.claim(most));
         if let Some(decision) = self.places.get_mut(&everywhere(place)) {
             decision.claim(most);
+        }
+        for name in named(place, alike) {
+            if let Some(decision) = self.items.get_mut(&name) {
+                decision.claim(most);
+            }
         }
     }
 
@@ -136,8 +183,13 @@ impl Overrides {
             let unknown = format!("nobody gave this answer to part `{id}` of `{item}`");
             (decision, format!("`{id}`"), unknown)
         });
+        let items = self.items.iter().map(|((item, part), decision)| {
+            let unknown = format!("no part `{part}` of `{item}` was handed out");
+            (decision, format!("`{part}`"), unknown)
+        });
         let mut doubts: Vec<(usize, String)> = places
             .chain(alike)
+            .chain(items)
             .filter_map(|(decision, part, unknown)| {
                 Some((decision.line, decision.doubt(&part, unknown)?))
             })
@@ -147,6 +199,11 @@ impl Overrides {
         told.map(|(line, doubt)| format!("overrides, line {line}: {doubt}"))
             .collect()
     }
+}
+
+/// The names by which a part of an item is decided upon for all: its id, and its letter.
+fn named(place: &Place, alike: &Alike) -> [(String, String); 2] {
+    [&alike.id, &place.part].map(|part| (alike.item.clone(), part.clone()))
 }
 
 /// The same part on all sheets.

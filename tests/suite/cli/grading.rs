@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use serde_json::Value as Json;
 
-use super::{Ran, blueprint, content, folder, put, small, text_of};
+use super::{Ran, blueprint, content, folder, put, small, text_of, vibank};
 
 /// A run of thirty sheets, and the form as it is filled in.
 struct Exam {
@@ -767,6 +767,57 @@ fn more_points_than_a_part_has_are_told() {
     .ends(1)
     .complains("overrides, line 2: 90 points were given for part 1a")
     .complains("overrides, line 3: no part 9a");
+}
+
+#[test]
+fn a_decision_for_all_is_about_an_item_and_not_about_a_number() {
+    let folder = folder("shuffled");
+    let items = ["ch2/e4-simple-pendulum", "ch3/e1-damped-elastic-pendulum"];
+    let questions: String = items
+        .iter()
+        .map(|item| format!("[[question]]\nitem = '{item}'\n"))
+        .collect();
+    let top = "title = 'T'\nseed = 5\nvariants = 6\nshuffle = true\nformats = ['json']\n";
+    let plan = put(&folder, "test.toml", format!("{top}{questions}"));
+    let out = text_of(&folder.join("out"));
+    vibank(&["sheet", &plan, "--out", &out]).ends(0);
+    let manifest = text_of(&folder.join("out/manifest.json"));
+    let form = text_of(&folder.join("out/responses.csv"));
+    let graded = |row: &str| {
+        let head = "code,question,part,item,id,given,points,feedback";
+        let overrides = put(&folder, "settled.csv", format!("{head}\n{row}\n"));
+        let marks = text_of(&folder.join("marks"));
+        vibank(&[
+            "grade",
+            &manifest,
+            &form,
+            "--overrides",
+            &overrides,
+            "--out",
+            &marks,
+        ])
+    };
+    // By its number alone it could be either.
+    graded("*,1,a,,,,1,The figure was wrong.")
+        .ends(2)
+        .complains("line 2: question 1 is not the same on all sheets")
+        .complains("`ch2/e4-simple-pendulum`")
+        .complains("`ch3/e1-damped-elastic-pendulum`");
+    for row in [
+        "*,1,a,ch2/e4-simple-pendulum,,,1,The figure was wrong.",
+        "*,,,ch2/e4-simple-pendulum,eom_exact,,1,The figure was wrong.",
+    ] {
+        graded(row);
+        let results: Vec<Json> =
+            serde_json::from_str(&content(folder.join("marks/results.json"))).expect("JSON");
+        let given = results
+            .iter()
+            .filter(|part| part["reasons"][0] == "override");
+        let items: Vec<&Json> = given.map(|part| &part["item"]).collect();
+        assert_eq!(items, ["ch2/e4-simple-pendulum"; 6], "{row}");
+    }
+    graded("*,,,ch2/e4-simple-pendulum,nothing,,1,")
+        .complains("no part `nothing` of `ch2/e4-simple-pendulum`");
 }
 
 #[test]
