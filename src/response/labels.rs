@@ -81,7 +81,7 @@ fn is_computed(label: &str) -> bool {
     label.starts_with('-')
         || is_scaled
         || ["^-", "^{-", "≠"].iter().any(|sign| label.contains(sign))
-        || FUNCTIONS.iter().any(|name| is_called(name))
+        || FUNCTIONS.iter().any(is_called)
 }
 
 /// The columns of a matrix whose entries have symbols with two indices, `K11 = 2k, K12 = -k, K21 = …`, row by row.
