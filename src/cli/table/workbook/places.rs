@@ -28,6 +28,9 @@ pub(super) fn misleading(file: &[u8]) -> Option<Misleading> {
     if is_sheet && file.contains(&0) {
         return Some(Misleading::Encoding);
     }
+    if let Some(count) = claimed(file) {
+        return Some(Misleading::Count(count));
+    }
     let mut rest = file;
     while let Some(start) = rest.iter().position(|byte| *byte == b'<') {
         rest = &rest[start..];
@@ -40,7 +43,7 @@ pub(super) fn misleading(file: &[u8]) -> Option<Misleading> {
             rest = &rest[windows.position(|window| window == end.as_bytes())? + end.len()..];
             continue;
         }
-        match tag(rest, is_sheet, file.len()) {
+        match tag(rest, is_sheet) {
             Ok(length) => rest = &rest[length..],
             Err(found) => return Some(found),
         }
@@ -69,8 +72,8 @@ fn is_utf8(file: &[u8]) -> bool {
     matches!(quoted.next(), Some("utf-8" | "utf8" | "us-ascii"))
 }
 
-/// The length of a tag; or a place in it that no sheet has, or more texts than a file of so many bytes holds.
-fn tag(text: &[u8], is_sheet: bool, room: usize) -> Result<usize, Misleading> {
+/// The length of a tag; or a place in it that no sheet has.
+fn tag(text: &[u8], is_sheet: bool) -> Result<usize, Misleading> {
     let mut at = 0;
     while let Some(offset) = text[at..].iter().position(|byte| b"\"'>".contains(byte)) {
         let sign = at + offset;
@@ -92,18 +95,39 @@ fn tag(text: &[u8], is_sheet: bool, room: usize) -> Result<usize, Misleading> {
         if is_sheet && matches!(name, b"r" | b"ref") && !is_sound(value) {
             return Err(Misleading::Place(shown()));
         }
-        if name == b"uniqueCount" && !is_count_up_to(value, room) {
-            return Err(Misleading::Count(shown()));
-        }
         at = sign + 1 + length + 1;
     }
     Ok(text.len())
 }
 
-/// Whether this is a number of things of which each takes a byte at least.
-fn is_count_up_to(value: &[u8], room: usize) -> bool {
-    let number = str::from_utf8(value.trim_ascii()).ok();
-    number.is_some_and(|number| number.parse().is_ok_and(|count: usize| count <= room))
+/// More texts than the file has bytes, wherever in it that many are claimed: where quotation marks are out of step, the
+/// reader finds attributes in what is a value for others.
+fn claimed(file: &[u8]) -> Option<String> {
+    const NAME: &[u8] = b"uniqueCount";
+    let mut rest = file;
+    while let Some(at) = rest.windows(NAME.len()).position(|window| window == NAME) {
+        rest = &rest[at + NAME.len()..];
+        let value = rest.trim_ascii_start();
+        let value = value.strip_prefix(b"=").unwrap_or(value).trim_ascii_start();
+        let value = value
+            .strip_prefix(b"\"")
+            .or_else(|| value.strip_prefix(b"'"));
+        let value = value.unwrap_or_default().trim_ascii_start();
+        let digits = value.strip_prefix(b"+").unwrap_or(value);
+        let digits = &digits[..digits
+            .iter()
+            .take_while(|byte| byte.is_ascii_digit())
+            .count()];
+        let number = str::from_utf8(digits).unwrap_or_default();
+        if !number.is_empty()
+            && number
+                .parse()
+                .map_or(true, |count: usize| count > file.len())
+        {
+            return Some(number.chars().take(40).collect());
+        }
+    }
+    None
 }
 
 /// Whether a place, or a range of them from first to last, can be in a sheet. A row alone is a place too.
@@ -162,9 +186,16 @@ mod tests {
             misleading(format!("<sst uniqueCount=\"{count}\"><si><t>a</t></si></sst>").as_bytes())
         };
         assert_eq!(table("1"), None);
-        for count in ["885616922839495", "99999999999999999999", "-1", "a"] {
+        for count in ["885616922839495", "99999999999999999999"] {
             assert_eq!(table(count), Some(Misleading::Count(count.to_owned())));
         }
+        // Quotation marks out of step.
+        let astray =
+            "<sst xmlns=\"a<?xml version=\"1.0\"?><sst uniqueCount=\"885616922839495\"><si>";
+        assert_eq!(
+            misleading(astray.as_bytes()),
+            Some(Misleading::Count("885616922839495".to_owned()))
+        );
     }
 
     #[test]
