@@ -27,6 +27,7 @@ mod marking;
 mod matrix;
 mod meaning;
 mod mode_shape;
+mod naming;
 mod numeric;
 mod remark;
 mod settle;
@@ -43,6 +44,7 @@ pub use echo::Echo;
 pub use error::AnswerError;
 pub use kind::Kind;
 pub use marking::{Credit, Key, KeyValue, Marking, Reading, Reason, Verdict};
+pub(crate) use naming::Naming;
 pub use remark::{
     Close, Coefficient, Decades, Example, Fault, Linearity, Misfit, Negated, Note, Remark, Scaling,
     Shape, Slip, Term, TermKind, Terms, TwoPi, Unreadable, Why,
@@ -188,7 +190,13 @@ pub trait Marker: Send + Sync {
     }
 
     /// Responses that test this kind with this key: right and borderline ones, wrong ones, a wrong unit, unreadable ones.
+    #[cfg(feature = "render")]
     fn trials(&self) -> Vec<Trial>;
+    /// The same where nobody asks for them: out of the trait object, and so out of the page.
+    #[cfg(not(feature = "render"))]
+    fn trials(&self) -> Vec<Trial>
+    where
+        Self: Sized;
 
     /// The least distance of a named mistake from the key, in tolerances; `None` without a mistake that differs.
     fn clearance(&self) -> Option<f64> {
@@ -197,7 +205,16 @@ pub trait Marker: Send + Sync {
 
     /// The ranges of numbers that are marked alike, for each value that is asked: the first that fits counts. Empty where
     /// ranges do not say how a response is marked.
+    #[cfg(feature = "render")]
     fn bands(&self) -> Vec<Vec<Band>> {
+        Vec::new()
+    }
+    /// The same where nothing is exported.
+    #[cfg(not(feature = "render"))]
+    fn bands(&self) -> Vec<Vec<Band>>
+    where
+        Self: Sized,
+    {
         Vec::new()
     }
 

@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::plot::Plot;
 use super::{About, ItemId, Parameter, Passage, Revision};
-use crate::answer::Answer;
+use crate::answer::{Answer, Naming};
 use crate::document::Document;
 use crate::expr::{Expr, Kind as Node, Name, Precise};
 use crate::figure::Figure;
@@ -119,6 +119,8 @@ pub struct Part {
     pub ask: Passage,
     /// What answers it.
     pub answer: Box<dyn Answer>,
+    /// What may stand before an equals sign of a response.
+    pub(crate) naming: Naming,
     /// Its weight; the weights of the blanks of a group add up to that of the group.
     pub points: Rational,
     /// It is asked only if this holds.

@@ -81,8 +81,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             marked.verdict.name(),
             Json::from(marked.credit.share().to_f64())
         );
-        if let Some(text) = &marked.text {
-            println!("read as {text}");
+        // In the letters of the sheet, which an item may have other names for.
+        if let Some(reading) = &marked.reading {
+            println!("read as {}", reading.plain());
         }
         for remark in &marked.feedback {
             println!("{}", remark.plain());

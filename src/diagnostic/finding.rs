@@ -28,8 +28,21 @@ pub struct Label {
     pub text: String,
 }
 
-/// An error or advice that can be reported: its message is its `Display`.
-pub trait Diagnose: fmt::Display {
+/// Whether an error is a text: where nothing is reported, errors are dropped with their texts, which a linker would keep
+/// for the trait object.
+#[cfg(feature = "render")]
+pub trait Worded: fmt::Display {}
+#[cfg(feature = "render")]
+impl<T: fmt::Display + ?Sized> Worded for T {}
+/// Whether an error is a text: here it need not be.
+#[cfg(not(feature = "render"))]
+pub trait Worded {}
+#[cfg(not(feature = "render"))]
+impl<T: ?Sized> Worded for T {}
+
+/// An error or advice that can be reported: its message is its `Display`. Without the feature `render` a finding has its
+/// code alone.
+pub trait Diagnose: Worded {
     /// The code under which it is explained.
     fn code(&self) -> Code;
 
@@ -39,10 +52,25 @@ pub trait Diagnose: fmt::Display {
     }
 
     /// What to point at, the main place first.
+    #[cfg(feature = "render")]
     fn labels(&self) -> Vec<Label>;
+    /// What to point at, the main place first.
+    #[cfg(not(feature = "render"))]
+    fn labels(&self) -> Vec<Label>
+    where
+        Self: Sized;
 
     /// A way out, as an imperative.
+    #[cfg(feature = "render")]
     fn help(&self) -> Option<String> {
+        None
+    }
+    /// A way out, as an imperative.
+    #[cfg(not(feature = "render"))]
+    fn help(&self) -> Option<String>
+    where
+        Self: Sized,
+    {
         None
     }
 }
@@ -68,6 +96,21 @@ pub struct Finding {
 
 impl Finding {
     /// What `error` reports about the file `source`, its places counted in that file.
+    #[cfg(not(feature = "render"))]
+    pub fn of(error: &(impl Diagnose + ?Sized), source: &Source) -> Self {
+        let code = error.code();
+        Self {
+            code,
+            severity: error.severity(),
+            message: code.name().to_owned(),
+            labels: Vec::new(),
+            help: None,
+            source: source.clone(),
+        }
+    }
+
+    /// What `error` reports about the file `source`, its places counted in that file.
+    #[cfg(feature = "render")]
     pub fn of(error: &(impl Diagnose + ?Sized), source: &Source) -> Self {
         Self {
             code: error.code(),

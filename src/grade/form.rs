@@ -16,7 +16,7 @@ pub(super) fn otherwise(
     first: &Marking,
     sheet: &Sheet<'_>,
 ) -> Option<Marking> {
-    if response.len() > super::LONGEST_RESPONSE {
+    if response.len() > super::LONGEST_RESPONSE || is_of_another(first) {
         return None;
     }
     let other = solution.other_marker(place)?;
@@ -37,6 +37,24 @@ pub(super) fn otherwise(
         credit,
         Remark::from(Note::OtherForm),
     ))
+}
+
+/// What a response that its own kind hands back stands for in later parts: the value in place of a formula, or the
+/// formula in place of a value, that it is in the other form.
+pub(super) fn standing(
+    solution: &Solution<'_>,
+    place: usize,
+    response: &str,
+    marking: &Marking,
+) -> Option<Marking> {
+    let is_open =
+        marking.verdict == Verdict::Unreadable && response.len() <= super::LONGEST_RESPONSE;
+    if !is_open || is_doubtful(marking) || is_of_another(marking) {
+        return None;
+    }
+    let folded = Folded::of(response).ok()?;
+    let other = solution.other_marker(place)?.mark(folded.text().trim());
+    other.reading.is_some().then_some(other)
 }
 
 /// The marking of a statement with sides in both forms: that of its last side in the form that is asked, if all others
@@ -94,6 +112,13 @@ fn is_doubtful(marking: &Marking) -> bool {
             _ => return false,
         };
         matches!(why, Why::TwoReadings(..) | Why::CommaOfThree { .. })
+    })
+}
+
+/// Whether it was handed back since it is of another quantity, or is taken back, whatever form it has.
+fn is_of_another(marking: &Marking) -> bool {
+    marking.remarks.iter().any(|remark| {
+        matches!(remark, Remark::Unreadable(unreadable) if matches!(*unreadable.why, Why::OtherQuantity | Why::Withdrawn))
     })
 }
 

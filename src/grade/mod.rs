@@ -79,11 +79,15 @@ fn folded<'s, 'r>(
     if response.len() > LONGEST_RESPONSE {
         return Err(Why::LongerThan(LONGEST_RESPONSE).into());
     }
-    let answer = &solution.template().parts[place].answer;
-    if let Some(words) = withdrawn(response, answer.kind() == Kind::Choice) {
+    let part = &solution.template().parts[place];
+    if let Some(words) = withdrawn(response, part.answer.kind() == Kind::Choice) {
         return Err(Unreadable::at(words, Why::Withdrawn));
     }
     let folded = Folded::of(response)?;
+    part.naming.check(folded.text()).map_err(|mut why| {
+        why.point_at_typed(&folded);
+        why
+    })?;
     let marker = solution.marker(place).map_err(Why::NoKey)?;
     Ok((marker, folded))
 }
@@ -157,11 +161,16 @@ impl Grade {
             all[*place] = response;
         }
         let mut grade = Self::default();
+        // What later parts go on from: also what was answered in the other form.
+        let mut earlier: Vec<(usize, Marking)> = Vec::new();
         for (place, response) in responses {
             let first = mark_among(solution, place, &all);
             let first = form::otherwise(solution, place, response, &first, sheet).unwrap_or(first);
-            let followed = follow::follow(solution, place, response, &first, &grade.parts);
-            grade.parts.push((place, followed.unwrap_or(first)));
+            let followed = follow::follow(solution, place, response, &first, &earlier);
+            let marking = followed.unwrap_or(first);
+            let standing = form::standing(solution, place, response, &marking);
+            earlier.push((place, standing.unwrap_or_else(|| marking.clone())));
+            grade.parts.push((place, marking));
         }
         grade
     }

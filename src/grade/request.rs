@@ -5,12 +5,13 @@
 //! {"id":"ch4/p3-base-excited-relative","part":"omega_n","response":"1.095 rad/s","earlier":{"k_eq":"k1*k2/(k1 + k2)"}}
 //! ```
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 use serde_json::{Map, Value as Json};
 
 use super::{Comment, Grade, remarks};
 use crate::answer::{Credit, Doubt, Reason, Verdict};
 use crate::bank::Template;
+use crate::math::Math;
 use crate::solution::Session;
 use crate::solution::request::{Refusal, read};
 
@@ -72,8 +73,9 @@ pub struct Marked {
     pub verdict: Verdict,
     /// The share of the points.
     pub credit: Credit,
-    /// How it was read, in LaTeX.
-    pub reading: Option<String>,
+    /// How it was read; written as LaTeX.
+    #[serde(serialize_with = "as_latex")]
+    pub reading: Option<Math>,
     /// The same in the formula language.
     pub text: Option<String>,
     /// Its numbers in SI units.
@@ -82,6 +84,12 @@ pub struct Marked {
     pub reasons: Vec<String>,
     /// What is said about it.
     pub feedback: Vec<Comment>,
+}
+
+/// Typeset mathematics as a text of LaTeX.
+#[allow(clippy::ref_option, reason = "the signature that serde asks for")]
+fn as_latex<S: Serializer>(math: &Option<Math>, serializer: S) -> Result<S::Ok, S::Error> {
+    math.as_ref().map(Math::latex).serialize(serializer)
 }
 
 /// Answers one line; the reply has no line break.
@@ -132,7 +140,7 @@ fn marked(session: &mut Session<'_>, request: &Request) -> Result<Marked, Refusa
     Ok(Marked {
         verdict: marking.verdict,
         credit: marking.credit,
-        reading: reading.map(|reading| reading.math.latex()),
+        reading: reading.map(|reading| reading.math.clone()),
         text: reading.map(|reading| reading.text.clone()),
         si: reading.map(|reading| reading.answered.si()),
         reasons: marking.reasons().iter().map(Reason::code).collect(),

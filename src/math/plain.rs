@@ -318,21 +318,20 @@ impl Writer<'_> {
             Accent::Bar => ('\u{304}', "bar"),
             Accent::Vector => ('\u{20d7}', "vec"),
         };
-        if self.out[start..].trim_start().chars().nth(1).is_none() {
-            match self
-                .out
-                .pop()
-                .map(|letter| (letter, composed(letter, mark)))
-            {
-                Some((_, Some(letter))) => self.out.push(letter),
-                Some((letter, None)) => self.out.extend([letter, mark]),
-                None => {}
+        // Over nothing it must not fall on the letter before, which somebody else wrote.
+        if self.out[start..].trim_start().chars().count() == 1 {
+            if let Some(letter) = self.out.pop() {
+                match composed(letter, mark) {
+                    Some(letter) => self.out.push(letter),
+                    None => self.out.extend([letter, mark]),
+                }
             }
             self.ends_loosely = false;
             return;
         }
-        self.out.insert(start, '(');
-        self.out.insert_str(start, word);
+        let runs_on = self.out[self.start..start].ends_with(char::is_alphanumeric);
+        let apart = if runs_on { " " } else { "" };
+        self.out.insert_str(start, &format!("{apart}{word}("));
         self.out.push(')');
     }
 

@@ -1,6 +1,7 @@
 //! Functions and roots, with brackets and without.
 
 use super::parser::{Parser, Result, number};
+use super::signs::DECIMAL;
 use super::token::Item;
 use super::vocabulary::Powered;
 use super::{Trouble, TypedError};
@@ -88,6 +89,7 @@ impl Parser<'_> {
             Powered::CubeRoot => ("cbrt", 1, 1),
             Powered::Root => ("root", 1, 2),
             Powered::Complex => ("complex", 2, 2),
+            Powered::Polar => ("polar", 2, 2),
         };
         let whole = |value| Expr::new(number(value), span);
         let mut arguments = self.listed()?.into_iter();
@@ -100,6 +102,13 @@ impl Parser<'_> {
                 let unit = Expr::new(Kind::Constant(Constant::ImaginaryUnit), span);
                 let imaginary = Self::binary(Operator::Multiply, unit, imaginary)?;
                 return Self::binary(Operator::Add, real, imaginary);
+            }
+            (Powered::Polar, (Some(modulus), Some(angle), None)) => {
+                let unit = Expr::new(Kind::Constant(Constant::ImaginaryUnit), span);
+                let base = Expr::new(Kind::Constant(Constant::E), span);
+                let angle = Self::binary(Operator::Multiply, unit, angle)?;
+                let turned = Self::binary(Operator::Power, base, angle)?;
+                return Self::binary(Operator::Multiply, modulus, turned);
             }
             (Powered::Root, (Some(base), None, None)) => {
                 return Ok(Expr::new(Kind::Call(Function::Sqrt, vec![base]), span));
@@ -164,12 +173,43 @@ impl Parser<'_> {
         self.at += 1;
         let bars = std::mem::take(&mut self.bars);
         let mut arguments = vec![self.sum()?];
+        if self.is_sign(DECIMAL) {
+            self.decimals(&mut arguments)?;
+        }
         while self.take(',') || self.take(';') {
             arguments.push(self.sum()?);
         }
         self.bars = bars;
         self.close(close, open)?;
         Ok(arguments)
+    }
+
+    /// The digits behind a comma that is a decimal sign by the rule, and may part two arguments.
+    fn decimals(&mut self, arguments: &mut Vec<Expr>) -> Result<()> {
+        self.at += 1;
+        let span = self.here();
+        let behind = self.sum()?;
+        if !self.ways.choose(true) {
+            arguments.push(behind);
+            return Ok(());
+        }
+        let figures = u32::try_from(span.range().len()).ok();
+        let whole = arguments.first().and_then(Expr::as_number);
+        let value =
+            figures
+                .zip(whole)
+                .zip(behind.as_number())
+                .and_then(|((figures, whole), tenths)| {
+                    let unit = Rational::new(1, 10_i128.checked_pow(figures)?)?;
+                    whole.checked_add(tenths.checked_mul(unit)?)
+                });
+        match value {
+            Some(value) => {
+                *arguments = vec![Expr::new(Kind::Number(value), span)];
+                Ok(())
+            }
+            None => self.error(Trouble::Number),
+        }
     }
 
     fn counted(function: Function, arguments: Vec<Expr>, span: Span) -> Result<Vec<Expr>> {
@@ -221,6 +261,8 @@ impl Parser<'_> {
             let is_tight = self.is_tight();
             let by_rule = match self.item() {
                 Some(Item::Function(_) | Item::Powered(_)) => break,
+                // `cos 5t e^-t`
+                Some(Item::Leaf(leaf)) if *leaf.kind() == Kind::Constant(Constant::E) => break,
                 // `sin x (a + b)`.
                 Some(Item::Sign(_)) if !is_tight => break,
                 Some(Item::Leaf(_) | Item::Unit(_)) => is_tight || !is_sign,
@@ -232,7 +274,12 @@ impl Parser<'_> {
             let factor = self.power()?;
             argument = Self::binary(Operator::Multiply, argument, factor)?;
         }
-        while self.is_sign('/') && self.is_tight() && self.ways.choose(false) {
+        while self.is_sign('/')
+            && self.is_tight()
+            // `√50/√2` is a quotient of roots.
+            && !matches!(self.tokens.get(self.at + 1).map(|next| &next.item), Some(Item::Root | Item::Radical))
+            && self.ways.choose(false)
+        {
             self.at += 1;
             let divisor = self.divisor(&argument)?;
             argument = Self::binary(Operator::Divide, argument, divisor)?;

@@ -78,6 +78,10 @@ pub(super) fn behind(text: &str, at: usize) -> Option<(String, u8, usize)> {
 /// The spelling of a name, `x_1`, `\theta`, `x(t)`.
 fn spelling(name: &str) -> Option<String> {
     let name = name.trim();
+    let bracketed = name
+        .strip_prefix('(')
+        .and_then(|name| name.strip_suffix(')'));
+    let name = bracketed.unwrap_or(name);
     let name = name.strip_suffix("(t)").unwrap_or(name);
     let Some(word) = name.strip_prefix('\\') else {
         return Letters::spelling(name);
@@ -92,6 +96,15 @@ fn spelling(name: &str) -> Option<String> {
 pub(super) fn called(text: &str, at: usize) -> Option<(String, u8, usize)> {
     const LONGEST: usize = 80;
     let rest = &text[at..];
+    // `ddot x1`
+    let bare = [("ddot ", 2), ("dot ", 1)];
+    if let Some((word, order)) = bare.iter().find(|(word, _)| rest.starts_with(word)) {
+        let name = rest[word.len()..].trim_start();
+        let end = name.find(|char: char| !char.is_alphanumeric() && char != '_');
+        let end = end.unwrap_or(name.len());
+        let length = rest.len() - name.len() + end;
+        return Some((Letters::spelling(&name[..end])?, *order, at + length));
+    }
     let open = rest.find(['(', '['])?;
     let (name, inner) = (&rest[..open], &rest[open + 1..]);
     let dots = match name {
@@ -101,20 +114,32 @@ pub(super) fn called(text: &str, at: usize) -> Option<(String, u8, usize)> {
         _ => return None,
     };
     let close = closing(inner).filter(|close| *close < LONGEST)?;
-    let arguments: Vec<&str> = inner[..close].split(',').map(str::trim).collect();
-    let spelling = ["(t)", "[t]"]
-        .iter()
-        .find_map(|time| arguments[0].strip_suffix(time))
-        .unwrap_or(arguments[0]);
-    let spelling = Letters::spelling(spelling)?;
-    let order = match (dots, &arguments[1..]) {
+    let whole = &inner[..close];
+    // `diff(diff(x, t), t)`
+    let (spelling, own, behind) = match called(whole, 0) {
+        Some((spelling, own, end)) => (spelling, own, &whole[end..]),
+        None => {
+            let end = whole.find(',').unwrap_or(whole.len());
+            let name = whole[..end].trim();
+            let times = ["(t)", "[t]"];
+            let bare = times.iter().find_map(|time| name.strip_suffix(time));
+            (Letters::spelling(bare.unwrap_or(name))?, 0, &whole[end..])
+        }
+    };
+    let by: Vec<&str> = match behind.trim_start().strip_prefix(',') {
+        Some(by) => by.split(',').map(str::trim).collect(),
+        None if behind.trim().is_empty() => Vec::new(),
+        None => return None,
+    };
+    let order = match (dots, &by[..]) {
         (Some(order), []) => order,
-        (None, []) if name == "diff" => 1,
+        (None, []) if matches!(name, "diff" | "D") => 1,
         (None, ["2"]) if name == "diff" => 2,
         (None, by) => order_by(by)?,
         _ => return None,
     };
-    Some((spelling, order, at + name.len() + 1 + close + 1))
+    let order = own + order;
+    (order <= 2).then_some((spelling, order, at + name.len() + 1 + close + 1))
 }
 
 /// Reads a derivative that is written as a method at a place, `x.diff(t, 2)`, `x(t).diff(t)`: spelling of the name,
@@ -122,7 +147,7 @@ pub(super) fn called(text: &str, at: usize) -> Option<(String, u8, usize)> {
 pub(super) fn method(text: &str, at: usize) -> Option<(String, u8, usize)> {
     const CALL: &str = ".diff(";
     let rest = &text[at..];
-    let name = &rest[..rest.find(|char: char| !char.is_ascii_alphanumeric() && char != '_')?];
+    let name = &rest[..rest.find(|char: char| !char.is_alphanumeric() && char != '_')?];
     let behind = &rest[name.len()..];
     let inner = behind
         .strip_prefix("(t)")

@@ -4,6 +4,7 @@ use super::signs::DECIMAL;
 use super::token::{Item, Lexer, Token};
 use super::vocabulary::Powered;
 use super::{Trouble, TypedError};
+use crate::expr::Function;
 use crate::numerics::Rational;
 
 impl Lexer<'_> {
@@ -65,9 +66,14 @@ impl Lexer<'_> {
         }
     }
 
-    /// Whether a comma here parts the arguments of a function of several, `max(5,1)`; with semicolons in its brackets
-    /// these do.
+    /// Whether a comma here parts arguments, or may do so.
     pub(super) fn parts_arguments(&self) -> bool {
+        self.comma_here() != Comma::Decimal
+    }
+
+    /// What a comma here is: it parts the arguments of a function of several, `max(5,1)`, unless semicolons in its
+    /// brackets do. An arc tangent has one argument or two: other commas and points say which, or else it is open.
+    pub(super) fn comma_here(&self) -> Comma {
         let mut closed = 0_usize;
         let opens = |token: &Token| match token.item {
             Item::Sign(')' | ']' | '}') => {
@@ -87,11 +93,29 @@ impl Lexer<'_> {
             _ => false,
         };
         let Some(open) = self.tokens.iter().rposition(opens) else {
-            return false;
+            return Comma::Decimal;
         };
-        let inner = &self.text[self.tokens[open].span.range().end..];
+        let start = self.tokens[open].span.range().end;
+        let inner = &self.text[start..];
         let inner = inner.split([')', ']', '}']).next().unwrap_or_default();
-        self.tokens[..open].last().is_some_and(takes_several) && !inner.contains(';')
+        let called = self.tokens[..open].last();
+        if called.is_some_and(takes_several) && !inner.contains(';') {
+            return Comma::Parts;
+        }
+        let is_arc = called.is_some_and(|token| token.item == Item::Function(Function::Atan));
+        let is_square = self.tokens[open].item == Item::Sign('[');
+        if !is_arc || !(is_square || are_two_numbers(inner)) {
+            return Comma::Decimal;
+        }
+        let around = [&self.text[..start], &self.text[start + inner.len()..]];
+        let has = |sign| around.iter().any(|text| has_decimal(text, sign));
+        if is_square || has('.') {
+            Comma::Parts
+        } else if has(',') {
+            Comma::Decimal
+        } else {
+            Comma::Either
+        }
     }
 
     fn digits(&mut self, digits: &mut String) {
@@ -141,6 +165,32 @@ impl Lexer<'_> {
             _ => self.error(Trouble::Sign, start),
         }
     }
+}
+
+/// What a comma between digits is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Comma {
+    /// A decimal sign.
+    Decimal,
+    /// It parts arguments.
+    Parts,
+    /// One or the other.
+    Either,
+}
+
+/// Whether a comma alone stands between digits, `1,0`. Of `0,75` it is a decimal sign: nobody gives the sides of an
+/// angle of nothing.
+fn are_two_numbers(text: &str) -> bool {
+    let is_whole = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    let parts = text.trim().split_once(',');
+    parts.is_some_and(|(one, other)| is_whole(one) && is_whole(other) && !one.starts_with('0'))
+}
+
+/// Whether this decimal sign stands between two digits.
+fn has_decimal(text: &str, sign: char) -> bool {
+    let is_digit = |char: char| char.is_ascii_digit();
+    let mut signs = text.match_indices(sign);
+    signs.any(|(at, _)| text[..at].ends_with(is_digit) && text[at + 1..].starts_with(is_digit))
 }
 
 /// `½` and its like.

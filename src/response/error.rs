@@ -59,6 +59,8 @@ pub enum Trouble {
     UnitOrLetter,
     /// Symbols before the entries that do not ascend.
     Order,
+    /// A matrix between bars, which is a number.
+    Determinant,
     /// What stands in the way of reading a number.
     Value(ValueTrouble),
     /// Rows of different lengths.

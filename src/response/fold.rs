@@ -1,13 +1,17 @@
 //! One spelling for what is typed, with a map back to what was typed.
 
+mod alphabets;
+mod latex;
+mod programs;
+
 use std::borrow::Cow;
 
-use super::letters::greek_word;
-use super::signs::{
-    CASES, COMMANDS, DISPLAYS, FACES, Plain, RUNS, TURNS, UNITS, WRAPPERS, escaped, of_char,
-};
+use self::alphabets::unstyled;
+use self::latex::Environment;
+use self::programs::holds_list;
+use super::signs::{Plain, RUNS, TURNS, of_char};
 use super::surroundings::answer_in;
-use super::words::{EQUATIONS, JOINING, LISTS, NUMBERS, ROOTS, VERBS, WORDS};
+use super::words::{EQUATIONS, LISTS, NUMBERS, ROOTS, VERBS, WORDS};
 use crate::source::Span;
 
 /// A response in plain signs: letters of mathematical alphabets as ordinary ones, one minus, one sign for "at most",
@@ -62,6 +66,7 @@ impl<'t> Folded<'t> {
             blanked: Vec::new(),
             equals: Vec::new(),
             has_cells: has_cells(typed),
+            has_barred_numbers: has_barred_numbers(typed),
             open: Vec::new(),
         };
         while folder.at < typed.len() {
@@ -141,7 +146,9 @@ fn is_plain(typed: &str) -> bool {
     });
     is_kept_all
         && !(may_run && (RUNS.iter().any(|(run, _)| typed.contains(run)) || typed.contains("*^")))
-        && !typed.contains("...")
+        && !["..", "->", "_]", "_C", "C[", " 10^", "> =", "< =", "|"]
+            .iter()
+            .any(|sign| typed.contains(sign))
         && !typed.contains('\n')
         && !TURNS.iter().any(|(turn, _)| typed.contains(turn))
         && !typed
@@ -162,6 +169,18 @@ fn is_called(before: &str) -> bool {
 fn has_cells(typed: &str) -> bool {
     let mut rows = typed.trim().lines();
     typed.trim().contains('\n') && rows.all(|row| row.trim().is_empty() || row.contains('\t'))
+}
+
+/// Whether all bars stand between numbers, `(1 | -0.5)`, as schools write vectors.
+fn has_barred_numbers(typed: &str) -> bool {
+    let is_between = |(at, _): (usize, &str)| {
+        let behind = typed[at + 1..].trim_start();
+        let unsigned = behind.strip_prefix(is_minus).unwrap_or(behind);
+        let is_digit = |char: char| char.is_ascii_digit();
+        typed[..at].trim_end().ends_with(is_digit)
+            && unsigned.starts_with(|char: char| is_digit(char) || char == '.')
+    };
+    typed.contains('|') && typed.match_indices('|').all(is_between)
 }
 
 /// Whether one of the words that stand for others begins with a word.
@@ -189,32 +208,10 @@ struct Folder<'t> {
     equals: Vec<usize>,
     /// Whether tabs part cells.
     has_cells: bool,
+    /// Whether bars part numbers.
+    has_barred_numbers: bool,
     /// The environments of LaTeX that are open.
     open: Vec<Environment>,
-}
-
-/// How the rows of an environment are read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Environment {
-    /// As statements.
-    Display,
-    /// As statements with conditions.
-    Cases,
-    /// As those of a matrix.
-    Matrix,
-}
-
-impl Environment {
-    fn of_name(name: &str) -> Self {
-        let name = name.trim_end_matches('*');
-        if DISPLAYS.contains(&name) {
-            Self::Display
-        } else if CASES.contains(&name) {
-            Self::Cases
-        } else {
-            Self::Matrix
-        }
-    }
 }
 
 impl Folder<'_> {
@@ -275,6 +272,18 @@ impl Folder<'_> {
         if self.equals.contains(&self.at) {
             return self.write("=", 1);
         }
+        if char == ' ' && self.is_before_power_of_ten() {
+            return self.write("*", width);
+        }
+        if self.is_rule() {
+            return self.write("=", if char == '-' { 2 } else { width });
+        }
+        if char == '|' && self.has_barred_numbers {
+            return self.write(";", 1);
+        }
+        if let Some(length) = self.silent() {
+            return self.write("", length);
+        }
         if char == '~' && self.is_nearly() {
             return self.write("≈", 1);
         }
@@ -288,7 +297,8 @@ impl Folder<'_> {
         if let Some((length, plain)) = self.word() {
             return self.write(plain, length);
         }
-        if let Some((length, plain)) = self.beside_digits().or_else(|| self.before_others()) {
+        let others = self.beside_digits().or_else(|| self.dots());
+        if let Some((length, plain)) = others.or_else(|| self.before_others()) {
             return self.write(plain, length);
         }
         if self.rest().starts_with("^{\\circ}") {
@@ -301,7 +311,7 @@ impl Folder<'_> {
             return self.write(sign, run.len());
         }
         // Only in what word processors draw as a matrix does it part rows.
-        let is_alone = char == '@' && !self.typed.contains('■');
+        let is_alone = char == '@' && !self.typed.contains(['■', '█']);
         if let Some(plain) = of_char(char).filter(|_| !is_alone) {
             return self.plain(plain, width);
         }
@@ -337,25 +347,34 @@ impl Folder<'_> {
             .filter(|(_, plain)| !before.is_empty() || matches!(*plain, "<" | ">" | "≤" | "≥"))
     }
 
-    /// What stands here behind a digit and is read otherwise there: the power of ten of Mathematica, the points of a
-    /// decimal that goes on.
-    fn beside_digits(&self) -> Option<(usize, &'static str)> {
-        let is_digit = |char: char| char.is_ascii_digit();
-        if !self.typed[..self.at].ends_with(|char| is_digit(char) || char == '.') {
+    /// `x1..`, the dots of a derivative behind its letter; one dot alone is such where two are.
+    fn dots(&self) -> Option<(usize, &'static str)> {
+        let rest = self.rest();
+        let is_of_name = |char: char| char.is_alphanumeric() || "_}".contains(char);
+        let before = &self.typed[..self.at];
+        let name = &before[before.trim_end_matches(is_of_name).len()..];
+        if !rest.starts_with('.') || !name.starts_with(|first: char| first.is_alphabetic()) {
             return None;
         }
-        let rest = self.rest();
-        if let Some(power) = rest.strip_prefix("*^") {
-            let is_power =
-                power.starts_with(|char| is_digit(char) || char == '+' || is_minus(char));
-            return is_power.then_some((2, "e"));
+        let next = |length: usize| rest[length..].chars().next().unwrap_or(' ');
+        if rest.starts_with("..") {
+            return (next(2) != '.').then_some((2, "\u{308}"));
         }
-        let points = ["...", "…"]
-            .into_iter()
-            .find(|sign| rest.starts_with(sign))?;
-        let behind = &rest[points.len()..];
-        let goes_on = behind.starts_with(|char| is_digit(char) || ".,;".contains(char));
-        (!goes_on).then_some((points.len(), ""))
+        let is_dot = self.typed.contains("..") && !next(1).is_alphanumeric();
+        is_dot.then_some((1, "\u{307}"))
+    }
+
+    /// `1.4 10^-2`, as on paper; whether the space before the power stands here. In square brackets it parts entries.
+    fn is_before_power_of_ten(&self) -> bool {
+        let before = &self.typed[..self.at];
+        let power = self.rest()[1..].strip_prefix("10");
+        let is_power = power.is_some_and(|power| {
+            power.starts_with(|next: char| "^⁻⁺".contains(next) || "¹²³⁴⁵⁶⁷⁸⁹".contains(next))
+                || power.starts_with("**")
+        });
+        is_power
+            && before.ends_with(|last: char| last.is_ascii_digit())
+            && !before.contains(['[', '&', '^'])
     }
 
     /// What is read together with what stands behind it: units of turning, roots, a statement that goes on in the
@@ -387,29 +406,6 @@ impl Folder<'_> {
         Some((name.len(), ""))
     }
 
-    /// `Eq(a, b)`: what its brackets become spaces for; whether it stands here.
-    fn equation(&mut self) -> bool {
-        let rest = self.rest();
-        let is_letter = |before: char| before.is_alphanumeric() || before == '_';
-        let behind = EQUATIONS.iter().find_map(|name| {
-            let inner = rest.strip_prefix(*name)?.strip_prefix('(')?;
-            Some((name.len(), inner))
-        });
-        let Some((length, inner)) = behind.filter(|_| !self.typed[..self.at].ends_with(is_letter))
-        else {
-            return false;
-        };
-        let (close, commas) = arguments_of_call(inner);
-        let (Some(close), [comma]) = (close, &commas[..]) else {
-            return false;
-        };
-        let start = self.at + length + 1;
-        self.equals.push(start + comma);
-        self.blanked.push(start + close);
-        self.write(" ", length + 1);
-        true
-    }
-
     /// Whether `~` says what a symbol nearly is: `x ~ 0.24`. Otherwise it is the space of LaTeX.
     fn is_nearly(&self) -> bool {
         let before = &self.typed[self.answer.start..self.at];
@@ -419,240 +415,19 @@ impl Folder<'_> {
             last.is_alphabetic() || "})'".contains(last) || !is_tight && last.is_alphanumeric()
         });
         let next = self.rest()[1..].trim_start().chars().next();
+        // `sqrt(25)~1/s` has a space before its unit.
+        let behind = self.rest()[1..].trim_start().strip_prefix("1/");
+        let is_unit = behind.is_some_and(|unit| unit.starts_with(char::is_alphabetic));
         follows
+            && !is_unit
             && next
                 .is_some_and(|next| next.is_ascii_digit() || ".+√".contains(next) || is_minus(next))
     }
-
-    /// Writes what a sign of alignment stands for in an environment that is no matrix; whether it stands in one.
-    fn alignment(&mut self) -> bool {
-        let is_open = matches!(
-            self.open.last(),
-            Some(Environment::Matrix | Environment::Cases)
-        );
-        if !is_open && self.rest()[1..].trim_start().starts_with('=') {
-            self.write(" ", 1);
-            return true;
-        }
-        let is_parted = self.text.trim_end().ends_with([',', ';']);
-        match self.open.last() {
-            Some(Environment::Display) => self.write(" ", 1),
-            Some(Environment::Cases) if is_parted => self.write(" ", 1),
-            Some(Environment::Cases) => self.write(",", 1),
-            Some(Environment::Matrix) | None => return false,
-        }
-        true
-    }
-
-    /// The end of a row. One that goes on with a sign is the same statement.
-    fn row(&mut self) {
-        let next = self.rest()[2..].trim_start_matches([' ', '&', '\n']);
-        match self.open.last() {
-            Some(Environment::Display) if next.starts_with(['=', '+', '-']) => self.write(" ", 2),
-            Some(Environment::Display | Environment::Cases) => self.write("\n", 2),
-            Some(Environment::Matrix) | None => self.write("\\\\", 2),
-        }
-    }
-
-    /// Opens or closes an environment; whether one stands here that is no matrix.
-    fn environment(&mut self, name: &str) -> bool {
-        let start = 1 + name.len();
-        let inner = self.rest()[start..].strip_prefix('{');
-        let Some((own, _)) = inner.and_then(|inner| inner.split_once('}')) else {
-            return false;
-        };
-        let (length, environment) = (start + own.len() + 2, Environment::of_name(own));
-        if name == "begin" {
-            self.open.push(environment);
-        } else {
-            self.open.pop();
-        }
-        let is_statement = environment != Environment::Matrix;
-        if is_statement {
-            self.write(" ", length);
-        }
-        is_statement
-    }
-
-    /// `\[Omega]`, `\[CapitalOmega]`, as Mathematica writes Greek letters; whether one stands here.
-    fn escaped_greek(&mut self) -> bool {
-        let Some((name, _)) = self.rest()[2..].split_once(']') else {
-            return false;
-        };
-        let (is_capital, letter) = match name.strip_prefix("Capital") {
-            Some(letter) => (true, letter),
-            None => (false, name),
-        };
-        let word = match letter {
-            "CurlyPhi" => "varphi".to_owned(),
-            _ if is_capital => letter.to_owned(),
-            _ => letter.to_ascii_lowercase(),
-        };
-        let is_greek = greek_word(&word).is_some();
-        if is_greek {
-            // What follows the bracket is no part of the letter's name.
-            self.write(&format!("\\{word} "), name.len() + "\\[]".len());
-        }
-        is_greek
-    }
-
-    fn command(&mut self) {
-        let typed = self.typed;
-        let behind = &typed[self.at + 1..];
-        let name: &str = &behind[..behind
-            .find(|char: char| !char.is_ascii_alphabetic())
-            .unwrap_or(behind.len())];
-        let Some(first) = behind.chars().next() else {
-            return self.write("\\", 1);
-        };
-        if name.is_empty() {
-            match (first, escaped(first)) {
-                // A new row of a matrix.
-                ('\\', _) => self.row(),
-                ('[', _) if self.escaped_greek() => {}
-                // Displayed formulas.
-                ('(' | ')' | '[' | ']', _) => self.write(" ", 2),
-                (_, Some(plain)) => self.plain(plain, 1 + first.len_utf8()),
-                (_, None) => self.write("\\", 1),
-            }
-            return;
-        }
-        let length = 1 + name.len();
-        if let Some((_, count)) = WRAPPERS.iter().find(|(own, _)| *own == name)
-            && let Some(braces) = arguments(self.typed, self.at + length, *count)
-        {
-            self.blanked.extend(braces);
-            return self.write("", length);
-        }
-        if FACES.contains(&name)
-            && let Some(braces) = arguments(self.typed, self.at + length, 1)
-            && is_unlettered(&self.typed[braces[0] + 1..braces[1]])
-        {
-            self.blanked.extend(braces);
-            return self.write(" ", length);
-        }
-        if name == "angle"
-            && self.typed[self.at + length..].starts_with('{')
-            && let Some(braces) = arguments(self.typed, self.at + length, 1)
-        {
-            self.blanked.extend(braces);
-            return self.write("∠", length);
-        }
-        if name == "hspace"
-            && let Some(braces) = arguments(self.typed, self.at + length, 1)
-        {
-            return self.write(" ", braces[1] + 1 - self.at);
-        }
-        if matches!(name, "begin" | "end") && self.environment(name) {
-            return;
-        }
-        if let Some((_, unit)) = UNITS.iter().find(|(own, _)| *own == name) {
-            return self.write(unit, length);
-        }
-        if matches!(name, "text" | "mathrm" | "mbox" | "operatorname")
-            && let Some(braces) = arguments(self.typed, self.at + length, 1)
-            && JOINING.contains(&self.typed[braces[0] + 1..braces[1]].trim())
-        {
-            self.blanked.extend(braces);
-            return self.write(" ", length);
-        }
-        match COMMANDS.iter().find(|(own, _)| *own == name) {
-            Some((_, plain)) => self.plain(*plain, length),
-            None => {
-                let kept = self.rest()[..length].to_owned();
-                self.write(&kept, length);
-            }
-        }
-    }
-}
-
-/// Where a bracket closes that stands open before a text, and where signs part what it holds.
-fn arguments_of_call(inner: &str) -> (Option<usize>, Vec<usize>) {
-    let (mut depth, mut parts) = (1_usize, Vec::new());
-    let close = inner.char_indices().find_map(|(at, char)| {
-        match char {
-            '(' | '[' | '{' => depth += 1,
-            ')' | ']' | '}' => depth -= 1,
-            ',' | ';' if depth == 1 => parts.push(at),
-            _ => {}
-        }
-        (depth == 0).then_some(at)
-    });
-    (close, parts)
-}
-
-/// Whether a list stands in the bracket that is open before a text.
-fn holds_list(inner: &str) -> bool {
-    inner.trim_start().starts_with(['[', '{', '(']) || !arguments_of_call(inner).1.is_empty()
 }
 
 /// Whether a sign is one of those that stand for a minus.
 fn is_minus(char: char) -> bool {
     char == '-' || of_char(char) == Some(Plain::Text("-"))
-}
-
-/// Whether what is set in another face is a number, perhaps with its unit, or nothing.
-fn is_unlettered(text: &str) -> bool {
-    let text = text.trim_matches([' ', '~']);
-    text.is_empty()
-        || text.starts_with(|char: char| {
-            char.is_ascii_digit() || "+.".contains(char) || is_minus(char)
-        })
-}
-
-/// The places of the braces around the next `count` arguments.
-fn arguments(text: &str, from: usize, count: usize) -> Option<Vec<usize>> {
-    let (mut braces, mut at) = (Vec::new(), from);
-    for _ in 0..count {
-        let rest = text.get(at..)?;
-        let open = at + rest.len() - rest.trim_start().len();
-        let mut depth = 0_usize;
-        let close = text.get(open..)?.char_indices().find_map(|(place, char)| {
-            match char {
-                '{' => depth += 1,
-                '}' => depth = depth.checked_sub(1)?,
-                _ => {}
-            }
-            (depth == 0).then_some(open + place)
-        })?;
-        if close == open {
-            return None;
-        }
-        braces.extend([open, close]);
-        at = close + 1;
-    }
-    Some(braces)
-}
-
-/// The ordinary letter or digit for one of another width or style.
-fn unstyled(char: char) -> char {
-    match char {
-        '！'..='～' => char::from_u32(u32::from(char) - 0xfee0).unwrap_or(char),
-        '\u{1d400}'..='\u{1d7ff}' => mathematical(u32::from(char) - 0x1d400).unwrap_or(char),
-        _ => char,
-    }
-}
-/// The letter or digit at a place of the block of mathematical alphabets.
-fn mathematical(place: u32) -> Option<char> {
-    const LETTERS: u32 = 13 * 52;
-    const GREEK: u32 = 0x2a8;
-    const DIGITS: u32 = 0x3ce;
-    let of = |first: char, offset: u32| char::from_u32(u32::from(first) + offset);
-    match place {
-        0..LETTERS if place % 52 < 26 => of('A', place % 52),
-        0..LETTERS => of('a', place % 52 - 26),
-        GREEK..DIGITS if place < GREEK + 5 * 58 => match (place - GREEK) % 58 {
-            17 => Some('Θ'),
-            25 => Some('∇'),
-            offset @ 0..25 => of('Α', offset),
-            offset @ 26..51 => of('α', offset - 26),
-            offset => ['∂', 'ϵ', 'ϑ', 'ϰ', 'ϕ', 'ϱ', 'ϖ']
-                .get(offset as usize - 51)
-                .copied(),
-        },
-        DIGITS.. => of('0', (place - DIGITS) % 10),
-        _ => None,
-    }
 }
 
 #[cfg(test)]

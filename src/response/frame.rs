@@ -53,6 +53,7 @@ impl Reader<'_> {
         let is_of_name = |char: char| char.is_alphanumeric() || "_{}\\".contains(char);
         // `transpose` is no letter.
         let letter = own.split('_').next().unwrap_or(own);
+        let letter = letter.trim_end_matches(|char: char| char.is_ascii_digit());
         let is_factor = letter.chars().count() == 1
             && own.chars().all(is_of_name)
             && self.formula_in(own, Span::new(0, own.len())).is_err();
@@ -183,6 +184,16 @@ pub(super) fn groups(text: &str, span: Span) -> Vec<Span> {
     groups
 }
 
+/// Whether the bracket with which a text begins is closed by this one.
+fn are_partners(text: &str, close: char) -> bool {
+    let open = match close {
+        ')' => '(',
+        ']' => '[',
+        _ => '{',
+    };
+    text.starts_with(open)
+}
+
 /// What is wrong where a bracket has no partner.
 pub(super) fn balanced(text: &str) -> Result<(), TypedError> {
     let mut open = Vec::new();
@@ -192,7 +203,10 @@ pub(super) fn balanced(text: &str) -> Result<(), TypedError> {
                 open.push(at);
                 false
             }
-            ')' | ']' | '}' => open.pop().is_none(),
+            // `[1, 2)` is a range of numbers, and no list.
+            ')' | ']' | '}' => open
+                .pop()
+                .is_none_or(|own| !are_partners(&text[own..], char)),
             _ => false,
         };
         if alone {

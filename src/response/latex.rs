@@ -72,6 +72,13 @@ impl Lexer<'_> {
         let Some(rest) = self.rest().strip_prefix('^') else {
             return 0;
         };
+        // `x^{(2)}`, the second derivative.
+        for (order, raised) in [(1, "{(1)}"), (2, "{(2)}")] {
+            if rest.starts_with(raised) {
+                self.at += 1 + raised.len();
+                return order;
+            }
+        }
         let braced = rest.strip_prefix('{');
         let (mut rest, mut primes) = (braced.unwrap_or(rest), 0_u8);
         loop {

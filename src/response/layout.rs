@@ -5,10 +5,33 @@ use std::borrow::Cow;
 
 use super::frame::groups;
 use crate::source::Span;
+use crate::unit::Unit;
 
 /// The text of a list with brackets and separators as they are read.
 pub(super) fn laid_out(text: &str) -> String {
-    rows_by_line(&without_latex(text)).replace(" and ", " ;   ")
+    let plain = rows_by_line(&without_latex(text)).replace(" and ", " ;   ");
+    without_brackets_of_unit(plain)
+}
+
+/// `[1 2; 3 4] [N/m]` without the brackets around its unit, which are no list beside another.
+fn without_brackets_of_unit(mut text: String) -> String {
+    let inner = text
+        .trim_end()
+        .strip_suffix(']')
+        .and_then(|text| text.rsplit_once('['));
+    let Some((before, unit)) =
+        inner.filter(|(before, _)| before.trim_end().ends_with([']', ')', '}']))
+    else {
+        return text;
+    };
+    let is_unit = unit.trim().starts_with(char::is_alphabetic) && Unit::read(unit).is_ok();
+    let (open, close) = (before.len(), before.len() + 1 + unit.len());
+    if is_unit {
+        for bracket in [open, close] {
+            text.replace_range(bracket..=bracket, " ");
+        }
+    }
+    text
 }
 
 /// The text with brackets in place of those of LaTeX, `\left\{ a, b \right\}`, and of its environments,

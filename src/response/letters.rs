@@ -150,6 +150,11 @@ pub(super) fn dotted(char: char) -> Option<(char, u8)> {
     })
 }
 
+/// Whether a letter has dots over it.
+pub(crate) fn is_dotted(char: char) -> bool {
+    dotted(char).is_some()
+}
+
 /// Combining dots.
 pub(super) fn combining(char: char) -> Option<u8> {
     match char {

@@ -45,6 +45,14 @@ pub(crate) fn list_of_form(
     is_up_to_factor: bool,
     fits: impl Fn(&Listed) -> bool,
 ) -> Result<Listed, TypedError> {
+    let bars = ["\\begin{vmatrix}", "\\begin{Vmatrix}"];
+    if let Some(at) = bars.iter().find_map(|bars| text.find(bars)) {
+        return Err(TypedError::new(
+            Trouble::Determinant,
+            at,
+            at + bars[0].len(),
+        ));
+    }
     let plain = laid_out(text);
     let spaced = spaced(&plain);
     let mut ways = vec![
@@ -234,8 +242,9 @@ impl Reader<'_> {
                 rows.push(read);
             }
             unit = common(&entry_units)?;
-            if let ([row], Some(columns)) = (&rows[..], columns(self.text, &labels)) {
-                rows = row.chunks(columns).map(<[Expr]>::to_vec).collect();
+            if let Some(columns) = columns(self.text, &labels) {
+                let entries = rows.concat();
+                rows = entries.chunks(columns).map(<[Expr]>::to_vec).collect();
             }
         }
         if rows.iter().map(Vec::len).sum::<usize>() > MOST_ENTRIES {

@@ -52,7 +52,7 @@ pub(crate) use components::components;
 pub(crate) use error::TypedError;
 pub use error::{At, Trouble, ValueTrouble};
 pub use fold::{Folded, LoneDollar};
-pub(crate) use letters::letter;
+pub(crate) use letters::{is_dotted, letter};
 pub(crate) use lexicon::Lexicon;
 pub(crate) use list::{Listed, cut, list_of_form};
 pub(crate) use sides::{sides, statement};

@@ -1,5 +1,6 @@
 //! Tokens among values: exact decimals, units behind numbers, words that join.
 
+use super::digits::Comma;
 use super::letters::Letters;
 use super::signs::DECIMAL;
 use super::token::{Item, Lexer, Literal};
@@ -63,7 +64,7 @@ impl Lexer<'_> {
                     Some(_) => char == '.' && self.is_spaced,
                 };
                 if char == ',' && !(is_digit && is_first && self.has_decimal_comma()) {
-                    self.take(1, Item::Sign(','));
+                    self.comma();
                     return Ok(true);
                 }
                 if !(is_digit && is_first) {
@@ -187,6 +188,12 @@ impl Lexer<'_> {
             self.take(word.len(), Item::Word(word));
         }
         found.is_some()
+    }
+
+    /// Takes a comma that is no decimal sign by now; within an arc tangent it may still be meant as one.
+    pub(super) fn comma(&mut self) {
+        let is_open = self.manner.comma_is_decimal && self.comma_here() == Comma::Either;
+        self.take(1, Item::Sign(if is_open { DECIMAL } else { ',' }));
     }
 
     /// Whether a comma between digits is a decimal sign here.

@@ -15,7 +15,8 @@ pub(super) fn answer_in(typed: &str) -> Range<usize> {
             .or_else(|| definition(text))
             .map(|length| own.start + length..own.end)
             .or_else(|| trail(text).map(|length| own.start..own.end - length))
-            .or_else(|| quotes(text).map(|(open, close)| own.start + open..own.end - close));
+            .or_else(|| quotes(text).map(|(open, close)| own.start + open..own.end - close))
+            .or_else(|| program(text).map(|(open, close)| own.start + open..own.end - close));
         match inner {
             Some(inner) => range = inner,
             None => return range,
@@ -87,8 +88,9 @@ fn lead(text: &str) -> Option<usize> {
 /// `x = lambda t:`, `f = @(t)`.
 fn definition(text: &str) -> Option<usize> {
     const HEADS: &[&str] = &["lambda t:", "@(t)", "t ->", "t →", "t ↦"];
-    let (name, behind) = text.split_once('=')?;
-    let name = name.trim_end_matches(':').trim();
+    let (name, behind) = text.split_once(['=', ':'])?;
+    let behind = behind.strip_prefix('=').unwrap_or(behind);
+    let name = name.trim();
     let is_name = !name.is_empty()
         && name
             .chars()
@@ -96,6 +98,17 @@ fn definition(text: &str) -> Option<usize> {
     let value = behind.trim_start();
     let body = HEADS.iter().find_map(|head| value.strip_prefix(head))?;
     (is_name && !body.trim().is_empty()).then(|| text.len() - body.len())
+}
+
+/// The lengths of what programs write around a function or a solution: `Function[t, …]`, `{{x -> …}}`.
+fn program(text: &str) -> Option<(usize, usize)> {
+    const HEADS: &[&str] = &["Function[t,", "Function[{t},", "Function[t_,"];
+    let head = HEADS.iter().find(|head| text.starts_with(**head));
+    if let Some(head) = head.filter(|_| text.ends_with(']')) {
+        return Some((head.len(), 1));
+    }
+    let is_rule = text.starts_with('{') && text.ends_with('}') && text.contains("->");
+    (is_rule && text.len() > 2).then_some((1, 1))
 }
 
 /// The length of words behind an answer, of a remark in brackets, of a semicolon, or of a comma.
@@ -117,6 +130,10 @@ fn trail(text: &str) -> Option<usize> {
         let says_nothing = |word: &str| is_number(word) || ["in", "to"].contains(&word);
         let is_aside = is_said && !aside.split_whitespace().all(says_nothing);
         return is_aside.then(|| text.len() - before.len());
+    }
+    if let Some(before) = text.strip_suffix('!') {
+        // `3!` is a factorial.
+        return before.ends_with(char::is_alphabetic).then_some(1);
     }
     if let Some(before) = text.strip_suffix(';') {
         let ends = |last: char| last.is_alphanumeric() || ")]}°%²³'".contains(last);
@@ -168,6 +185,9 @@ mod tests {
             ("x = lambda t: 2*t", "2*t"),
             ("f = @(t) 2*t", "2*t"),
             ("x(t) := t ↦ 2t", "2t"),
+            ("x: t -> 2*t", "2*t"),
+            ("Function[t, 2 t]", "2 t"),
+            ("{{x -> 2}}", "x -> 2"),
             ("x = t", "x = t"),
             ("t -> 2*t", "2*t"),
             ("sons", "sons"),

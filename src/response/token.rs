@@ -170,9 +170,13 @@ impl Lexer<'_> {
         if char.is_ascii_alphabetic() || greek(char).is_some() || dotted(char).is_some() {
             return self.run(None);
         }
+        if char == ',' {
+            self.comma();
+            return Ok(());
+        }
         let item = match char {
-            '+' | '/' | '^' | '(' | ')' | '[' | ']' | '{' | '}' | '|' | ',' | ';' | '=' | '<'
-            | '>' | '≤' | '≥' | '≠' | '&' => Item::Sign(char),
+            '+' | '/' | '^' | '(' | ')' | '[' | ']' | '{' | '}' | '|' | ';' | '=' | '<' | '>'
+            | '≤' | '≥' | '≠' | '&' => Item::Sign(char),
             '*' | '-' => Item::Sign(char),
             '≈' => Item::Sign('='),
             '√' => Item::Root,
@@ -217,7 +221,11 @@ impl Lexer<'_> {
             .find(|module| self.rest().starts_with(**module) && is_word(module.len()));
         self.at += found.map_or(0, |module| module.len());
         // What programs call so is the natural one; alone, people mean the other as well.
-        let natural = if found.is_some() { "log(" } else { "Log[" };
+        let is_program = found.is_some()
+            || [".*", "./", ".^"]
+                .iter()
+                .any(|sign| self.text.contains(sign));
+        let natural = if is_program { "log(" } else { "Log[" };
         let is_natural = self.rest().starts_with(natural);
         if is_natural {
             self.take("log".len(), Item::Function(Function::Ln));
@@ -403,9 +411,12 @@ impl Lexer<'_> {
     /// `j100`, as engineers write it; whether it stands here.
     fn imaginary_unit(&mut self) -> bool {
         let rest = self.rest();
+        let is_alone = |next: char| !(next.is_alphanumeric() || next == '_');
         let is_it = self.manner.has_imaginary_unit
-            && rest.starts_with(['i', 'j'])
-            && rest[1..].starts_with(|next: char| next.is_ascii_digit());
+            && (rest.starts_with(['i', 'j'])
+                && rest[1..].starts_with(|next: char| next.is_ascii_digit())
+                // As Mathematica has it.
+                || rest.starts_with('I') && rest[1..].chars().next().is_none_or(is_alone) && !self.lexicon.knows("I"));
         if is_it {
             let kind = crate::expr::Kind::Constant(Constant::ImaginaryUnit);
             let span = Span::new(self.at, self.at + 1);
@@ -557,7 +568,9 @@ impl Lexer<'_> {
                     return Err(trouble(Trouble::Sign));
                 }
                 Sense::Function(function) => Item::Function(function),
-                Sense::Power(Powered::Complex) if !self.manner.has_imaginary_unit => {
+                Sense::Power(Powered::Complex | Powered::Polar)
+                    if !self.manner.has_imaginary_unit =>
+                {
                     return Err(trouble(self.lexicon.unknown("")));
                 }
                 Sense::Power(powered) => Item::Powered(powered),
@@ -601,7 +614,10 @@ impl Lexer<'_> {
     fn differential_quotient(&self) -> Option<(Expr, usize)> {
         let found = leibniz(self.text, self.at)
             .or_else(|| behind(self.text, self.at))
-            .or_else(|| called(self.text, self.at))
+            .or_else(|| {
+                let is_letter = self.rest().starts_with("D(") && self.lexicon.knows("D");
+                called(self.text, self.at).filter(|_| !is_letter)
+            })
             .or_else(|| method(self.text, self.at));
         let (spelling, order, end) = found?;
         Some((self.lexicon.dotted(&spelling, order)?, end))

@@ -138,6 +138,16 @@ impl<'t> Values<'t> {
             .any(|((a, comma), b)| a.is_ascii_digit() && comma == b',' && b.is_ascii_digit())
     }
 
+    /// Whether nothing stands where a part is empty, between two signs that part values: `5,, 8.7`. The end of a line
+    /// and a word may follow a sign.
+    pub(crate) fn is_gap(&self, part: &Part) -> bool {
+        let is_sign = |at: usize| {
+            let token = self.tokens.get(at);
+            token.is_some_and(|token| matches!(&self.text[token.span.range()], "," | ";"))
+        };
+        part.is_empty() && part.start > 0 && is_sign(part.start - 1) && is_sign(part.end)
+    }
+
     /// The values of a part between semicolons, commas, `and` and `or`; empty ones are kept.
     pub(crate) fn statements(&self, part: &Part) -> Vec<Part> {
         self.cut(part, |item| {
@@ -178,6 +188,28 @@ impl<'t> Values<'t> {
             sides.push(part.end..part.end);
         }
         Statement { sides, unequal }
+    }
+
+    /// The first bracket without a partner of its kind.
+    pub(crate) fn lone_bracket(&self) -> Option<&'t str> {
+        let mut open: Vec<(char, &Token)> = Vec::new();
+        for token in &self.tokens {
+            let Item::Sign(sign) = token.item else {
+                continue;
+            };
+            let partner = match sign {
+                '(' => ')',
+                '[' => ']',
+                '{' => '}',
+                ')' | ']' | '}' => match open.pop() {
+                    Some((partner, _)) if partner == sign => continue,
+                    _ => return self.text.get(token.span.range()),
+                },
+                _ => continue,
+            };
+            open.push((partner, token));
+        }
+        self.text.get(open.first()?.1.span.range())
     }
 
     /// The brackets around the whole of a part, by what they hold.

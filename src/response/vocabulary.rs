@@ -58,6 +58,8 @@ pub(super) enum Powered {
     Root,
     /// `complex(real, imaginary)`, which is no power at all.
     Complex,
+    /// `polar(modulus, angle)`.
+    Polar,
 }
 
 /// A word within a run of letters.
@@ -98,6 +100,8 @@ pub(super) const ALIASES: &[(&str, Function)] = &[
     ("wurzel", Function::Sqrt),
     ("Re", Function::Re),
     ("Im", Function::Im),
+    ("real", Function::Re),
+    ("imag", Function::Im),
 ];
 
 /// Whether a word is a function, also one that files do not have.
@@ -132,6 +136,8 @@ const POWERS: &[(&str, Powered)] = &[
     ("nthroot", Powered::Root),
     ("complex", Powered::Complex),
     ("Complex", Powered::Complex),
+    ("polar", Powered::Polar),
+    ("rect", Powered::Polar),
     ("surd", Powered::Root),
     ("Surd", Powered::Root),
 ];
@@ -258,7 +264,14 @@ impl Words {
         let ell = printed
             .as_deref()
             .and_then(|printed| printed.strip_prefix("ell"));
-        let ell = ell.map(|rest| format!("l{rest}"));
+        let ell = match ell {
+            Some(rest) => Some(format!("l{rest}")),
+            // `\ell` for a letter that is printed l.
+            None => own
+                .strip_prefix('l')
+                .filter(|rest| rest.bytes().all(|byte| byte.is_ascii_digit()))
+                .map(|rest| format!("ell{rest}")),
+        };
         for spelling in [printed.clone(), usual, lambda, latin, ell]
             .into_iter()
             .flatten()

@@ -25,6 +25,8 @@ pub(super) const WORDS: &[(&str, &str)] = &[
     ("at least", "≥"),
     ("at most", "≤"),
     ("up to", "≤"),
+    ("not below", "≥"),
+    ("not above", "≤"),
     ("above or equal to", "≥"),
     ("below or equal to", "≤"),
     ("above", ">"),
@@ -132,6 +134,8 @@ pub(super) const LEADS: &[&str] = &[
     "t ↦",
     "t \\mapsto",
     "t \\to",
+    "return",
+    "def x(t): return",
     "\\therefore",
     "\\Rightarrow",
     "\\implies",
@@ -289,6 +293,7 @@ pub(super) const NUMBERS: &[&str] = &[
     "np.complex128",
     "numpy.float64",
     "float",
+    "int",
 ];
 
 /// Calls of programs that stand for the list in their brackets.

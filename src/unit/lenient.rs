@@ -228,9 +228,12 @@ impl<'a> Reader<'a> {
             return self.fraction();
         }
         let start = self.builder.len();
+        // Braces that only set a face enclose nothing: `\mathrm{rad\,s}^{-1}`.
+        let is_face = FACES.iter().any(|face| self.scanner.is_behind(face));
         if let Some(close) = self.opening() {
             self.nested(close)?;
-            return self.power(start);
+            let last = self.builder.len().saturating_sub(1);
+            return self.power(if is_face { last } else { start });
         }
         if self.numerator() {
             return Ok(());
@@ -456,6 +459,9 @@ const SIGNS: [(&str, &str); 5] = [
     ("\\degree", "deg"),
     ("\\Omega", "ohm"),
 ];
+
+/// LaTeX for the face of letters.
+const FACES: [&str; 3] = ["\\mathrm", "\\text", "\\rm"];
 
 /// LaTeX that shows nothing.
 const INVISIBLE: [&str; 13] = [

@@ -259,6 +259,24 @@ impl Unit {
         Self::parse(&self.dimension.to_string()).unwrap_or(Self::ONE)
     }
 
+    /// The power with which angles enter: 1 in rad/s, Hz and rpm, -1 in N m/rad, 0 in N m.
+    ///
+    /// ```
+    /// use vibank::unit::{Rational, Unit};
+    ///
+    /// assert_eq!(Unit::parse("rad^2/s").unwrap().angles(), Some(Rational::integer(2)));
+    /// assert_eq!(Unit::parse("m/s").unwrap().angles(), Some(Rational::ZERO));
+    /// ```
+    pub fn angles(&self) -> Option<Rational> {
+        let turning = self
+            .factors()
+            .iter()
+            .filter(|factor| factor.row().turning != Turning::None);
+        turning
+            .map(|factor| factor.power)
+            .try_fold(Rational::ZERO, Rational::checked_add)
+    }
+
     /// The SI value (radians; cycles where the unit counts them) of `value` in this unit, rounded once.
     ///
     /// # Examples

@@ -27,6 +27,11 @@ impl<'a> Scanner<'a> {
         self.at
     }
 
+    /// Whether the text ends with a word here, but for spaces.
+    pub(super) fn is_behind(&self, word: &str) -> bool {
+        self.text[..self.at].trim_end().ends_with(word)
+    }
+
     /// What has not been read yet.
     pub(super) fn rest(&self) -> &'a str {
         &self.text[self.at..]

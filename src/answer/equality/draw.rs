@@ -49,7 +49,15 @@ pub(in crate::answer) struct Around<'a> {
     conditions: Vec<&'a Condition>,
     draws: Draws,
     room: Registers<Approx<f64>>,
+    /// The integers at the points so far, by input.
+    integers: Vec<(usize, f64)>,
 }
+
+/// Most points with the same integer. A constraint that favours few cycles would leave the points at n = 1 alone, where
+/// nothing says how a formula depends on n, or at n = 2, where n² is 2n.
+const MOST_ALIKE: usize = 3;
+/// Below this width of the draws, in decades, nothing else is to be had.
+const NARROW: f64 = 0.2;
 
 impl<'a> Around<'a> {
     pub(in crate::answer) fn new(meaning: &'a Meaning, evaluation: &Evaluation<'_>) -> Self {
@@ -65,6 +73,7 @@ impl<'a> Around<'a> {
             conditions: met.collect(),
             draws: Draws::new(),
             room,
+            integers: Vec::new(),
         }
     }
 
@@ -90,9 +99,24 @@ impl<'a> Around<'a> {
             condition.solve(&mut point, &mut self.room)?;
         }
         let mut conditions = self.conditions.iter();
-        conditions
-            .all(|condition| condition.holds(&point, &mut self.room))
-            .then_some(point)
+        let holds = conditions.all(|condition| condition.holds(&point, &mut self.room));
+        if !holds {
+            return None;
+        }
+        let inputs = self.meaning.inputs.iter().enumerate();
+        let integers = inputs.filter(|(_, input)| input.is_integer);
+        let own: Vec<(usize, f64)> = integers
+            .map(|(place, _)| (place, point[place * ORDERS].high()))
+            .collect();
+        let is_frequent = |own: &(usize, f64)| {
+            let alike = self.integers.iter().filter(|other| *other == own);
+            alike.count() >= MOST_ALIKE
+        };
+        if spread > NARROW && own.iter().any(is_frequent) {
+            return None;
+        }
+        self.integers.extend(own);
+        Some(point)
     }
 
     /// A point within `spread` decades of the data, wherever that is.

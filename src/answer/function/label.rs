@@ -4,7 +4,7 @@ use super::around::MANNER;
 use crate::answer::{Declare, Role, Unreadable, Why};
 use crate::expr::{Expr, Kind, Name};
 use crate::math::{Math, symbol};
-use crate::response::{self, Lexicon, cut};
+use crate::response::{self, Lexicon, cut, is_dotted};
 use crate::source::Span;
 
 /// The names that can stand before an equals sign.
@@ -143,23 +143,31 @@ impl Labels {
     /// Whether a text is a letter that the item does not know, which anybody may choose for what is asked: no
     /// derivative, nor one of those for velocity and acceleration, nor its value elsewhere, `x(0)`, `x(2t)`.
     fn is_fresh(&self, text: &str) -> bool {
-        let text = without_unit(text);
-        let (name, behind) = match text.find('(') {
-            Some(open) => (text[..open].trim(), &text[open..]),
-            None => (text, ""),
-        };
-        let argument = behind
-            .strip_prefix('(')
-            .and_then(|text| text.strip_suffix(')'));
-        let is_of_variable = behind.is_empty()
-            || argument.is_some_and(|own| self.arguments.iter().any(|known| known == own.trim()));
-        let is_name = |char: char| char.is_alphanumeric() || "_\\{}".contains(char);
-        is_of_variable
-            && name.starts_with(|char: char| char.is_alphabetic() || char == '\\')
-            && name.chars().all(is_name)
-            && !name.contains("dot")
-            && !["v", "a"].contains(&name)
+        is_fresh(text, &self.arguments)
     }
+}
+
+/// The same for a function of these arguments.
+pub(super) fn is_fresh(text: &str, arguments: &[String]) -> bool {
+    let text = without_unit(text);
+    let (name, behind) = match text.find('(') {
+        Some(open) => (text[..open].trim(), &text[open..]),
+        None => (text, ""),
+    };
+    let argument = behind
+        .strip_prefix('(')
+        .and_then(|text| text.strip_suffix(')'));
+    let is_of_variable = behind.is_empty()
+        || argument.is_some_and(|own| arguments.iter().any(|known| known == own.trim()));
+    let is_name =
+        |char: char| (char.is_alphanumeric() || "_\\{}".contains(char)) && !is_dotted(char);
+    is_of_variable
+        && name.starts_with(|char: char| char.is_alphabetic() || char == '\\')
+        && name.chars().all(is_name)
+        && !name.contains("dot")
+        && !["v", "a"].contains(
+            &name.trim_end_matches(|char: char| char.is_ascii_digit() || "_{}".contains(char)),
+        )
 }
 
 fn without_unit(text: &str) -> &str {

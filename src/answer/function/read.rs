@@ -3,17 +3,19 @@
 use super::around::{MANNER, Piece, condition, pieces};
 use super::marker::{Prepared, Response};
 use super::slip::without_waves;
-use super::units::{contains_letter, measured};
+use super::units::{contains_letter, measured, without_rates};
 use crate::answer::{Answered, Reading, Unreadable, Why};
-use crate::expr::{Expr, Kind};
+use crate::expr::{Expr, Function, Kind};
 use crate::math::Math;
-use crate::response::{self, Typed};
+use crate::response::{self, Manner, Typed, TypedError};
 use crate::unit::Unit;
 
 impl Prepared {
     /// The function that a response is: the last form of it that was typed, which the others have to equal.
     pub(super) fn read(&self, response: &str) -> Result<Response, Unreadable> {
         let labels = &self.setup.labels;
+        let renamed = self.of_own_variable(response);
+        let response = renamed.as_deref().unwrap_or(response);
         let pieces = pieces(response);
         let (first, others) = match &pieces[..] {
             [] => (response, &[][..]),
@@ -44,6 +46,18 @@ impl Prepared {
             }
         }
         Ok(read)
+    }
+
+    /// A function of another name for the time, `x(τ) = … τ …`, with its own name for it.
+    fn of_own_variable(&self, response: &str) -> Option<String> {
+        const OTHERS: [&str; 3] = ["\\tau", "tau", "τ"];
+        let setup = &self.setup;
+        let (label, formula) = response.split_once('=')?;
+        let (_, argument) = label.trim().strip_suffix(')')?.split_once('(')?;
+        let other = OTHERS.iter().find(|other| **other == argument.trim())?;
+        let variable = setup.variable.as_str();
+        let is_free = setup.lexicon.reads("tau").is_none() && !contains_letter(formula, variable);
+        (is_free && formula.contains(other)).then(|| response.replace(other, variable))
     }
 
     /// Whether a condition excludes more than half of the span, `t < 0`; a bound that is rounded excludes less, and what
@@ -96,10 +110,47 @@ impl Prepared {
         })
     }
 
+    /// A formula of real numbers, or one of complex numbers that is real: `Re(A e^(iωt))`, a sum of conjugate ones.
+    fn formula(&self, text: &str) -> Result<Typed<Expr>, TypedError> {
+        const COMPLEX: Manner = Manner {
+            has_imaginary_unit: true,
+            ..MANNER
+        };
+        let lexicon = &self.setup.lexicon;
+        let read = response::formula(text, lexicon, MANNER);
+        if read.is_ok() || !text.contains(['i', 'j', 'I']) {
+            return read;
+        }
+        let complex = response::formula(text, lexicon, COMPLEX).ok();
+        let real = complex.and_then(|typed| self.real(typed.value));
+        real.map_or(read, |value| {
+            Ok(Typed {
+                value,
+                others: Vec::new(),
+            })
+        })
+    }
+
+    /// A formula with the imaginary unit in it as one of real values, if it has such.
+    fn real(&self, expr: Expr) -> Option<Expr> {
+        const ROUNDING: f64 = 1e-9;
+        if self.values_of(&expr).is_some() {
+            return Some(expr);
+        }
+        let part = |function| Expr::derived(Kind::Call(function, vec![expr.clone()]));
+        let real = part(Function::Re);
+        let (own, rest) = (self.values_of(&real)?, self.values_of(&part(Function::Im))?);
+        let largest = |values: &[f64]| values.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
+        (largest(&rest) <= ROUNDING * largest(&own)).then_some(real)
+    }
+
     /// Whether letters are names or units is told by the dimension, not by what is right.
     fn function(&self, text: &str) -> Result<Response, Unreadable> {
         let setup = &self.setup;
-        match response::formula(text, &setup.lexicon, MANNER) {
+        let has_seconds = setup.lexicon.reads("s").is_none();
+        let bare = has_seconds.then(|| without_rates(text, setup.variable.as_str()));
+        let text = bare.as_ref().and_then(Option::as_deref).unwrap_or(text);
+        match self.formula(text) {
             Err(error) => self
                 .with_unit(text)
                 .unwrap_or_else(|| Err(error.remark(text))),
@@ -144,7 +195,7 @@ impl Prepared {
         let own = setup.unit?;
         let variable = setup.variable.as_str();
         let bare = |text: &str| {
-            let typed = response::formula(text, &setup.lexicon, MANNER).ok()?;
+            let typed = self.formula(text).ok()?;
             (!self.has_data(&typed.value)).then_some(typed.value)
         };
         let terms = measured(text, variable, |unit| unit.dimension() == own.dimension());

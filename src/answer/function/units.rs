@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::unit::{Decimal, DecimalMark, Unit};
+use crate::unit::{Decimal, DecimalMark, Dimension, Unit};
 
 /// A function whose terms have units.
 pub(super) struct Measured {
@@ -42,10 +42,70 @@ pub(super) fn measured(
     })
 }
 
+/// A function without the units of rates before its variable, `e^(-0.75 s⁻¹ t)`, `cos(5 rad/s t)`, `e^(-t/s)`: they make
+/// its arguments pure numbers, in SI units as the bare ones are. Nothing where there are none, or where others stand
+/// there.
+pub(super) fn without_rates(text: &str, variable: &str) -> Option<String> {
+    let rate = Dimension::TIME.inverse();
+    let is_rate =
+        |unit: &Unit| unit.dimension() == rate && !unit.counts_cycles() && unit.to_si(1.0) == 1.0;
+    let mut bare = text.to_owned();
+    let over = format!("{variable}/s");
+    while let Some(at) = letter_in(&bare, &over) {
+        let end = at + over.len();
+        bare.replace_range(at + variable.len()..end, "  ");
+    }
+    let mut at = 0;
+    while let Some(end) = number_from(text, at) {
+        at = end;
+        let behind = &text[end..];
+        let Some(unit) = letter_in(behind, variable).map(|letter| &behind[..letter]) else {
+            break;
+        };
+        let unit = unit.trim_end_matches([' ', '*', ')']);
+        let start = end + unit.len() - unit.trim_start().len();
+        let written = unit.trim_start();
+        if !written.is_empty() && Unit::read(written).is_ok_and(|unit| is_rate(&unit)) {
+            bare.replace_range(
+                start..end + unit.len(),
+                &" ".repeat(end + unit.len() - start),
+            );
+        }
+    }
+    (bare != text).then_some(bare)
+}
+
+/// The place of a letter that stands alone.
+fn letter_in(text: &str, letter: &str) -> Option<usize> {
+    let is_apart = |char: Option<char>| !char.is_some_and(char::is_alphanumeric);
+    let places = text.match_indices(letter).map(|(at, _)| at);
+    let mut alone = places.filter(|at| {
+        is_apart(text[..*at].chars().next_back())
+            && is_apart(text[at + letter.len()..].chars().next())
+    });
+    alone.next()
+}
+
 /// Whether a letter stands alone in the text of a unit.
 pub(super) fn contains_letter(unit: &str, letter: &str) -> bool {
     unit.split(|char: char| !char.is_alphabetic())
         .any(|word| word == letter)
+}
+
+/// Where the next number ends from a place on.
+fn number_from(text: &str, from: usize) -> Option<usize> {
+    let (mut at, mut before) = (from, text[..from].chars().next_back().unwrap_or(' '));
+    while let Some(char) = text[at..].chars().next() {
+        let begins = (char.is_ascii_digit() || char == '.')
+            && !(before.is_alphanumeric() || "_.,".contains(before));
+        let number = begins.then(|| Decimal::read(&text[at..], DecimalMark::Point).ok());
+        if let Some((_, length)) = number.flatten() {
+            return Some(at + length.max(1));
+        }
+        at += char.len_utf8();
+        before = char;
+    }
+    None
 }
 
 /// Where units stand.

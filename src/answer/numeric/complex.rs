@@ -5,7 +5,7 @@ use super::super::{
     Answered, Credit, Decades, Doubt, Echo, Example, Key, KeyValue, Marker, Marking, Misfit,
     Mistaken, Negated, Reading, Remark, Slip, Trial, Unreadable, Why,
 };
-use super::list::parted;
+use super::list::{parted, without_empty_ends};
 use super::read::explained;
 use crate::expr::{Constant, Expr, Form, Kind};
 use crate::math::Math;
@@ -272,10 +272,7 @@ impl Numbers {
             all = inner;
         }
         let pieces = values.statements(&all);
-        let pieces: Vec<Part> = pieces
-            .into_iter()
-            .filter(|piece| !piece.is_empty())
-            .collect();
+        let pieces = without_empty_ends(values, pieces)?;
         if pieces.is_empty() || !self.is_list && pieces.len() > 1 {
             return Err(like_complex(Why::SeveralComplex));
         }

@@ -4,14 +4,16 @@ use super::super::{Credit, Example, Marking, Remark, Slip, Unreadable, Why};
 use super::marker::Numbers;
 use super::read::{Number, amount, statement};
 use super::target::{Typed, pair};
+use super::words::angles;
 use crate::numerics::Rational;
-use crate::response::{Part, Style, Values};
+use crate::response::{Part, Style, Trouble, Values};
 use crate::unit::{DecimalMark, Quantity, Unit};
 
 /// The most numbers of a list.
 const MOST_ITEMS: usize = 100;
 
-/// The numbers of a list where `count` are asked; numbers whose names have indices come in their order. A unit at
+/// The numbers of a list where `count` are asked; numbers whose names have indices come in their order, and frequencies
+/// have to ascend in it where the question gives no other. A unit at
 /// the end of the last one, or behind the bracket, serves for all that have none.
 ///
 /// # Errors
@@ -20,9 +22,13 @@ const MOST_ITEMS: usize = 100;
 pub(super) fn list(
     response: &str,
     count: usize,
+    is_ordered: bool,
     mark: DecimalMark,
 ) -> Result<Vec<Number>, Unreadable> {
     let values = parted(response, mark, false)?;
+    if let Some(bracket) = values.lone_bracket() {
+        return Err(Unreadable::at(bracket, Why::Formula(Trouble::Bracket)));
+    }
     let all = values.all();
     // `ω1, ω2 = 5, 8.7` has one equals sign for all, else each number has its own.
     let whole = values.statement(&all).sides;
@@ -53,16 +59,19 @@ pub(super) fn list(
         Some(pieces) => pieces,
         None => values.statements(&inner),
     };
-    let pieces: Vec<Part> = pieces
-        .into_iter()
-        .filter(|piece| !piece.is_empty())
-        .collect();
+    let pieces = without_empty_ends(&values, pieces)?;
     if pieces.is_empty() {
         return Err(Unreadable::of(Why::Form).like(Example::Number));
     }
     if pieces.len() > MOST_ITEMS {
         return Err(Why::MostNumbers(MOST_ITEMS).into());
     }
+    let first_of = |piece: &Part| values.statement(piece).sides[0].clone();
+    let is_frequency = pieces
+        .iter()
+        .map(first_of)
+        .chain(labels.first().cloned())
+        .any(|name| is_of_frequency(values.text(&name)));
     let mut items: Vec<(Option<u32>, Number)> = Vec::new();
     for piece in &pieces {
         let first = &values.statement(piece).sides[0];
@@ -91,8 +100,35 @@ pub(super) fn list(
     }
     if items.iter().all(|(label, _)| label.is_some()) {
         crate::numerics::sort_by_key(&mut items, |(label, _)| *label);
+        let sizes = items.iter().map(|(_, item)| item.quantity.si());
+        if !is_ordered && is_frequency && !sizes.is_sorted() {
+            return Err(Why::LabelsInOtherOrder.into());
+        }
     }
     Ok(items.into_iter().map(|(_, item)| item).collect())
+}
+
+/// Whether a name is that of a frequency, of which the lower one is the first by custom; roots and places are numbered
+/// as one likes.
+fn is_of_frequency(name: &str) -> bool {
+    const LETTERS: [&str; 6] = ["omega", "ω", "w", "Omega", "Ω", "f"];
+    let name = name.trim_start_matches('\\');
+    let behind = LETTERS.iter().find_map(|letter| name.strip_prefix(letter));
+    behind.is_some_and(|behind| !behind.starts_with(char::is_alphabetic))
+}
+
+/// The pieces of a list without what is empty behind its last sign.
+pub(super) fn without_empty_ends(
+    values: &Values<'_>,
+    pieces: Vec<Part>,
+) -> Result<Vec<Part>, Unreadable> {
+    if pieces.iter().any(|piece| values.is_gap(piece)) {
+        return Err(Why::EmptyPlace.into());
+    }
+    Ok(pieces
+        .into_iter()
+        .filter(|piece| !piece.is_empty())
+        .collect())
 }
 
 /// The values of a list. A comma between digits parts them, unless something else does.
@@ -169,7 +205,11 @@ impl Numbers {
                 Err(_) => return self.wrong_dimension(item),
             }
         }
-        if let Some(why) = typed.iter().find_map(|value| self.absurd(*value)) {
+        let absurd = || typed.iter().find_map(|value| self.absurd(*value));
+        let misread = items
+            .iter()
+            .find_map(|item| angles(&item.quantity.unit, &self.unit));
+        if let Some(why) = misread.or_else(absurd) {
             return Marking::unreadable(why);
         }
         let numbers: Vec<f64> = typed.iter().map(|value| value.hi()).collect();

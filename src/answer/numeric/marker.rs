@@ -9,7 +9,7 @@ use super::list::list;
 use super::read::{self, Number};
 use super::slip::mixes_energy_and_moment;
 use super::target::{Target, Typed, pair};
-use super::words::{counts, miswritten};
+use super::words::{angles, counts, miswritten};
 use crate::expr::{Form, Shape};
 use crate::math::Math;
 use crate::numerics::Dd;
@@ -87,6 +87,7 @@ impl Numbers {
         if let Some(why) = self
             .absurd(typed)
             .or_else(|| counts(&quantity.unit, &self.unit))
+            .or_else(|| angles(&quantity.unit, &self.unit))
         {
             return Marking::unreadable(why);
         }
@@ -352,7 +353,7 @@ impl Marker for Numbers {
 
     fn echo(&self, response: &str) -> Result<Echo, Unreadable> {
         let items = if self.is_list {
-            list(response, self.targets.len(), self.mark)?
+            list(response, self.targets.len(), self.is_ordered, self.mark)?
         } else {
             vec![read::number(response, self.mark)?]
         };
@@ -364,7 +365,7 @@ impl Marker for Numbers {
 
     fn mark(&self, response: &str) -> Marking {
         if self.is_list {
-            return match list(response, self.targets.len(), self.mark) {
+            return match list(response, self.targets.len(), self.is_ordered, self.mark) {
                 Ok(items) => {
                     let items: Vec<Number> =
                         items.into_iter().map(|item| self.meant(item)).collect();

@@ -1,7 +1,7 @@
 //! Units that do not fit as they are written, but would in another way.
 
 use super::super::Why;
-use crate::unit::{Dimension, Unit};
+use crate::unit::{Dimension, Rational, Unit};
 
 /// How a unit was meant that fits only if it is written with small letters or with a space: `rad/S` for `rad/s`,
 /// `ms⁻¹` for `m·s⁻¹`.
@@ -25,6 +25,16 @@ pub(super) fn miswritten(typed: &Unit, asked: &Unit) -> Option<Why> {
         read: text,
         meant: spaced,
     })
+}
+
+/// What is wrong with a unit in which angles enter otherwise than in what is asked: `rad²/s` for `rad/s`. They may be
+/// left out, be added once, and stand twice in what is made of the square of a frequency, such as `rad²/s²`.
+pub(super) fn angles(typed: &Unit, asked: &Unit) -> Option<Why> {
+    let (own, due) = (typed.angles()?.numerator(), asked.angles()?.numerator());
+    let [_, _, time, ..] = typed.dimension().exponents();
+    let is_square = time == Rational::integer(-2);
+    let fits = own == due || own * due >= 0 && (own.abs() <= 1 || is_square);
+    (!fits).then_some(Why::AngleInUnit(*asked))
 }
 
 /// What is wrong with cycles or turns where a pure number is asked: whether they count or measure angles is open.

@@ -126,6 +126,14 @@ pub enum Why {
         /// As it fits.
         meant: Unit,
     },
+    /// Angles that enter a unit otherwise than in this one, which is asked.
+    AngleInUnit(Unit),
+    /// Another quantity than the one that is asked before an equals sign.
+    OtherQuantity,
+    /// Symbols whose order is not that of their values.
+    LabelsInOtherOrder,
+    /// Nothing between two signs that part values.
+    EmptyPlace,
     /// More numbers than this.
     MostNumbers(usize),
     /// Commas between digits in a list.

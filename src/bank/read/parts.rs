@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::{ItemError, Reader};
-use crate::answer::{self, Answer, Credit, Declare, Known, Role};
+use crate::answer::{self, Answer, Credit, Declare, Known, Naming, Role};
 use crate::bank::Domain;
 use crate::bank::points::share_in_group;
 use crate::bank::template::{Group, Mistake, MistakeAnswer, Part, Units};
@@ -172,6 +172,9 @@ impl<'s> Reader<'s> {
         hints.extend(self.passages(&table, "hints"));
         let solution = self.optional_passage(&table, "solution");
         let mut answer = kind.read(&table, self);
+        let naming = answer
+            .as_ref()
+            .map(|answer| Naming::of(self, kind, &answer.keys(), answer.unit()));
         let mistakes = match &mut answer {
             Some(answer) => {
                 // A count that was asked is no letter that one would write.
@@ -203,6 +206,7 @@ impl<'s> Reader<'s> {
             group: group.cloned(),
             ask: ask?,
             answer: answer?,
+            naming: naming?,
             points,
             when,
             hints,

@@ -54,7 +54,7 @@ impl Figure {
         Ok(Some(scene.drawing(&rigid, |_| true)))
     }
 
-    /// The figure with both extremes of a shape in light lines; `name` says what it is.
+    /// The figure with both extremes of a shape, one in light lines and one in dots; `name` says what it is.
     ///
     /// # Errors
     ///
@@ -77,8 +77,9 @@ impl Figure {
         });
         let poses = scene.scaled(&all);
         let mut drawing = Drawing::new();
-        for rigid in &poses[..2] {
-            scene.shadow(rigid, &mut drawing);
+        // In other lines each, so that one sees which displacements belong together.
+        for (rigid, style) in poses.iter().zip([Style::Faint, Style::Dotted]) {
+            scene.shadow(rigid, style, &mut drawing);
         }
         let middle = scene.drawing(&poses[2], |_| true);
         drawing.add(middle);
@@ -237,7 +238,7 @@ impl Scene<'_> {
     }
 
     /// What moves, in light lines.
-    fn shadow(&self, rigid: &[Rigid], drawing: &mut Drawing) {
+    fn shadow(&self, rigid: &[Rigid], style: Style, drawing: &mut Drawing) {
         let poses = self.poses(rigid);
         for place in &self.figure.order {
             let (item, part) = (&self.figure.items[*place], &self.parts[*place]);
@@ -253,7 +254,7 @@ impl Scene<'_> {
             let light = |part: &Part<'_>| {
                 let mut drawing = Drawing::new();
                 let part = Part {
-                    style: Style::Faint,
+                    style,
                     ..part.clone()
                 };
                 item.kind.draw(&part, &mut drawing);

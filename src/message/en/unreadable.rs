@@ -105,6 +105,16 @@ fn why(why: &Why) -> String {
         Why::SpaceInUnit { read, meant } => {
             format!("this is read as `{read}`: write `{meant}` with a space.")
         }
+        Why::AngleInUnit(asked) => {
+            format!("angles do not enter like this; what is asked is in {}.", asked.text())
+        }
+        Why::OtherQuantity => {
+            "this names another quantity than the one that is asked. Give the answer alone.".to_owned()
+        }
+        Why::LabelsInOtherOrder => {
+            "the lower one of these has the first symbol: give the values without symbols, or exchange them.".to_owned()
+        }
+        Why::EmptyPlace => "a value is missing here.".to_owned(),
         Why::MostNumbers(most) => format!("a list has at most {most} numbers."),
         Why::TightComma => "a comma between digits may be a decimal sign: separate the numbers by semicolons, as in `5; 8.7`.".to_owned(),
         Why::AngleWithoutUnit(angle) => {
@@ -300,6 +310,7 @@ fn formula(trouble: &Trouble) -> String {
             "this ends with a letter or with a unit; put the list in brackets, and that behind them."
         }
         Trouble::Order => "give them in the order of the question, as a list without names.",
+        Trouble::Determinant => "bars make a determinant or a norm of it: put a matrix in square brackets.",
         Trouble::Ragged => "the rows have different lengths.",
         Trouble::Value(_) => "this is no number.",
     }

@@ -3,7 +3,7 @@ use proptest::prelude::*;
 use super::*;
 
 /// What is typed, and what files would have; the catalogue of notations that students use.
-const READINGS: [(&str, &str); 101] = [
+const READINGS: [(&str, &str); 103] = [
     ("", "1"),
     ("1", "1"),
     ("N·m/rad", "N m/rad"),
@@ -96,6 +96,8 @@ const READINGS: [(&str, &str); 101] = [
     ("\\mathrm{m/s^2}", "m/s^2"),
     ("\\frac{m}{s^2}", "m/s^2"),
     ("\\mathrm{N\\,m}", "N m"),
+    ("\\text{rad s}^{-1}", "rad s^-1"),
+    ("\\mathrm{m/s}^2", "m/s^2"),
     ("\\frac{\\mathrm{N}}{\\mathrm{m}}", "N/m"),
     ("N/m²", "N/m^2"),
     ("KN/m", "kN/m"),

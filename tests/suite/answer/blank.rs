@@ -21,12 +21,12 @@ fn each_form_is_said() {
         (
             "ch2/p3-parallel-springs-damper",
             "k_eq",
-            "(formula in m, b, k₁, k₂, x₀, v₀)",
+            "(formula in m, c, k₁, k₂, x₀, v₀)",
         ),
         (
             "ch2/p3-parallel-springs-damper",
             "omega_n",
-            "(formula in m, b, k₁, k₂, x₀, v₀, k_eq)",
+            "(formula in m, c, k₁, k₂, x₀, v₀, k_eq)",
         ),
         (
             "ch2/p3-parallel-springs-damper",
@@ -36,7 +36,7 @@ fn each_form_is_said() {
         (
             "ch2/p3-parallel-springs-damper",
             "eom",
-            "(equation in x, ẋ, ẍ, m, b, k₁, k₂, x₀, v₀, k_eq)",
+            "(equation in x, ẋ, ẍ, m, c, k₁, k₂, x₀, v₀, k_eq)",
         ),
     ] {
         assert_eq!(said(item, part), line, "{item} {part}");

@@ -223,7 +223,7 @@ mod with {
             ),
             (
                 exchanged(&class, sheet, b"<worksheet><sheetData><row"),
-                "cannot be read",
+                "not well-formed XML",
             ),
             (exchanged(&class, sheet, b"\xff\xfe\0"), ""),
             (exchanged(&class, "xl/sharedStrings.xml", b"<sst/>"), ""),

@@ -71,6 +71,17 @@ fn values_follow_from_a_formula_of_ones_own() {
 }
 
 #[test]
+fn values_follow_from_a_value_in_place_of_a_formula() {
+    let energy = "ch2/t6-energy-of-free-motion";
+    follows(energy, &[("E", "0.28 J"), ("v_max", "1.0583 m/s")]);
+    follows(energy, &[("E", "0.28 J"), ("A", "83.67 mm")]);
+    let friction = "ch3/p3-two-springs-coulomb";
+    follows(friction, &[("T", "0.8886 s"), ("t_stop", "1.7772 s")]);
+    // Of another dimension it stands for nothing.
+    stays_wrong(&BANK, energy, &[("E", "0.28 V"), ("v_max", "1.0583 m/s")]);
+}
+
+#[test]
 fn an_equation_and_a_formula_follow_from_a_formula() {
     let item = "ch4/p3-base-excited-relative";
     let equation = "m*z'' + b*z' + k1*k2/(k1 + k2)*z = m*U*Omega^2*sin(Omega*t)";

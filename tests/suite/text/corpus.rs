@@ -4,6 +4,9 @@ use vibank::document::read_math;
 
 /// LaTeX with its plain text.
 pub(crate) const FORMULAS: &[(&str, &str)] = &[
+    // An accent over nothing leaves the letter before it alone.
+    (r"t\ddot{}u", "t ddot()u"),
+    (r"t\ddot\ u", "t ddot( )u"),
     (r"\omega_n = \sqrt{\frac{k}{m}}", "ωₙ = √(k/m)"),
     (
         r"m\ddot x + c\dot x + k x = F_0\sin\Omega t",

@@ -9,6 +9,7 @@ mod constants;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use super::label::is_fresh;
 use crate::answer::equality::Draws;
 use crate::answer::letters::Allowed;
 use crate::answer::meaning::{Meaning, ORDERS, Prefer};
@@ -216,12 +217,10 @@ impl Setup {
         let mut found: Vec<Option<Expr>> = vec![None; places.len()];
         for (position, place) in places.into_iter().enumerate() {
             let text = &response[place.range()];
-            let named = text.split_once('=').and_then(|(left, _)| {
-                let left = response::formula(left, &self.lexicon, manner).ok()?.value;
-                self.coordinates
-                    .iter()
-                    .position(|name| left == Expr::name(name.clone()))
-            });
+            let named = match text.split_once('=') {
+                Some((left, _)) => self.named(left, manner)?,
+                None => None,
+            };
             let typed = response::formula(text, &self.lexicon, manner)
                 .map_err(|error| error.remark(text))?;
             let place = named.unwrap_or(position);
@@ -233,6 +232,25 @@ impl Setup {
             .into_iter()
             .collect::<Option<Vec<_>>>()
             .ok_or_else(|| Why::FunctionMissing.into())
+    }
+
+    /// The place of the coordinate that stands before an equals sign; none for a letter that the item does not know.
+    fn named(&self, left: &str, manner: Manner) -> Result<Option<usize>, Unreadable> {
+        let typed = response::formula(left, &self.lexicon, manner);
+        let is_typed = |name: &Name| {
+            let typed = typed.as_ref().map(|typed| &typed.value);
+            typed.is_ok_and(|typed| *typed == Expr::name(name.clone()))
+        };
+        let place = self.coordinates.iter().position(is_typed);
+        let time = ["t".to_owned()];
+        if place.is_none() && !left.trim().is_empty() && !is_fresh(left, &time) {
+            let asked = self.symbols.first().map_or_else(String::new, Math::plain);
+            return Err(Unreadable::at(
+                left.trim(),
+                Why::OtherFunction(asked + "(t)"),
+            ));
+        }
+        Ok(place)
     }
 
     fn solution(&self, typed: &[Expr]) -> Option<Solution> {

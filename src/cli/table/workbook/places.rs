@@ -1,8 +1,11 @@
 //! The XML of a workbook, looked over before it is read: `calamine` counts places of cells in 32 bits and does not look
 //! whether they fit, and makes room for as many texts as a table of them claims to have.
 
-/// What is in each sheet, wherever in the archive it stands.
-const SHEET: &[u8] = b"sheetData";
+use quick_xml::Reader;
+use quick_xml::events::Event;
+
+/// What the reader looks for in a sheet, wherever in the archive it stands: how far it reaches, and its cells.
+const SHEET: [&[u8]; 2] = [b"dimension", b"sheetData"];
 
 /// Letters and digits of the last place that a sheet has, `XFD1048576`.
 const LETTERS: usize = 3;
@@ -11,6 +14,8 @@ const DIGITS: usize = 7;
 /// What would mislead the reader of a workbook in one of its files.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub(super) enum Misleading {
+    #[error("which is not well-formed XML: {0}")]
+    Broken(String),
     #[error("in an encoding other than UTF-8")]
     Encoding,
     #[error("with `{0}`, which is no place in a sheet")]
@@ -24,31 +29,51 @@ pub(super) fn misleading(file: &[u8]) -> Option<Misleading> {
     if !is_utf8(file.trim_ascii_start()) {
         return Some(Misleading::Encoding);
     }
-    let is_sheet = file.windows(SHEET.len()).any(|window| window == SHEET);
+    let holds = |name: &&[u8]| file.windows(name.len()).any(|window| window == *name);
+    let is_sheet = SHEET.iter().any(holds);
     if is_sheet && file.contains(&0) {
         return Some(Misleading::Encoding);
     }
     if let Some(count) = claimed(file) {
         return Some(Misleading::Count(count));
     }
-    let mut rest = file;
-    while let Some(start) = rest.iter().position(|byte| *byte == b'<') {
-        rest = &rest[start..];
-        let passed = [("<!--", "-->"), ("<![CDATA[", "]]>"), ("<?", "?>")];
-        let passed = passed
-            .iter()
-            .find(|(begin, _)| rest.starts_with(begin.as_bytes()));
-        if let Some((_, end)) = passed {
-            let mut windows = rest.windows(end.len());
-            rest = &rest[windows.position(|window| window == end.as_bytes())? + end.len()..];
-            continue;
-        }
-        match tag(rest, is_sheet) {
-            Ok(length) => rest = &rest[length..],
-            Err(found) => return Some(found),
+    // Elsewhere names of attributes such as these mean other things.
+    if is_sheet { misplaced(file) } else { None }
+}
+
+/// The first attribute of a sheet that should be a place and cannot be one.
+///
+/// The file is read by the same reader of XML, set up as `calamine` does it: one of our own would be led to see tags where
+/// that one sees values.
+fn misplaced(file: &[u8]) -> Option<Misleading> {
+    let broken = |error: &dyn std::fmt::Display| Misleading::Broken(error.to_string());
+    let mut reader = Reader::from_reader(file);
+    let config = reader.config_mut();
+    config.check_end_names = false;
+    config.check_comments = false;
+    config.expand_empty_elements = true;
+    let mut buffer = Vec::new();
+    loop {
+        buffer.clear();
+        let tag = match reader.read_event_into(&mut buffer) {
+            Ok(Event::Start(tag)) => tag,
+            Ok(Event::Eof) => return None,
+            Ok(_) => continue,
+            Err(error) => return Some(broken(&error)),
+        };
+        for attribute in tag.attributes() {
+            let attribute = match attribute {
+                Ok(attribute) => attribute,
+                Err(error) => return Some(broken(&error)),
+            };
+            let is_place = matches!(attribute.key.as_ref(), "r" | "ref");
+            if is_place && !is_sound(attribute.value.as_bytes()) {
+                return Some(Misleading::Place(
+                    attribute.value.chars().take(40).collect(),
+                ));
+            }
         }
     }
-    None
 }
 
 /// Whether a file is no XML, or XML that neither begins as one in another encoding does nor declares one.
@@ -70,34 +95,6 @@ fn is_utf8(file: &[u8]) -> bool {
     };
     let mut quoted = encoding.split(['"', '\'']).skip(1);
     matches!(quoted.next(), Some("utf-8" | "utf8" | "us-ascii"))
-}
-
-/// The length of a tag; or a place in it that no sheet has.
-fn tag(text: &[u8], is_sheet: bool) -> Result<usize, Misleading> {
-    let mut at = 0;
-    while let Some(offset) = text[at..].iter().position(|byte| b"\"'>".contains(byte)) {
-        let sign = at + offset;
-        if text[sign] == b'>' {
-            return Ok(sign + 1);
-        }
-        let value = &text[sign + 1..];
-        let Some(length) = value.iter().position(|byte| *byte == text[sign]) else {
-            break;
-        };
-        let name = text[at..sign].trim_ascii_end();
-        let name = name.strip_suffix(b"=").unwrap_or(name).trim_ascii_end();
-        // Other names end alike, such as `xmlns:r`.
-        let start = name.iter().rposition(u8::is_ascii_whitespace);
-        let name = start.map_or(name, |start| &name[start + 1..]);
-        let value = &value[..length];
-        let shown = || String::from_utf8_lossy(&value[..length.min(40)]).into_owned();
-        // Elsewhere names such as these mean other things.
-        if is_sheet && matches!(name, b"r" | b"ref") && !is_sound(value) {
-            return Err(Misleading::Place(shown()));
-        }
-        at = sign + 1 + length + 1;
-    }
-    Ok(text.len())
 }
 
 /// More texts than the file has bytes, wherever in it that many are claimed: where quotation marks are out of step, the
@@ -172,10 +169,14 @@ mod tests {
             "<c r=\"AAAAAAAA1\">",
             "<x:row r = '12345678901'>",
             "<!-- ' --><c s=\"1\" r=\"A\">",
+            "<c s=\"'\" t='\"' r=\"AAAAAAAA1\">",
             "<dimension ref=\"B2:A1\"/>",
         ];
         let found = |xml: &&str| matches!(sheet(xml), Some(Misleading::Place(_)));
         assert!(broken.iter().all(found));
+        // A file without cells may be a sheet too.
+        let reach = b"<worksheet><dimension ref=\"officeDocument/2006\"/></worksheet>";
+        assert!(matches!(misleading(reach), Some(Misleading::Place(_))));
         // In other files the same names mean other things.
         assert_eq!(misleading(b"<mergeCell ref=\"x\"/>"), None);
     }

@@ -1,0 +1,205 @@
+//! Symbols before an equals sign: whether they name what is asked, or another quantity of the item.
+
+use std::ops::Range;
+
+use super::{Declare, Kind, Known, Role, Unreadable, Why};
+use crate::expr::{self, Name, Shape};
+use crate::quantity::NodeId;
+use crate::response::{self, Lexicon, Manner, cut};
+use crate::source::Span;
+use crate::unit::{Dimension, Rational, Unit};
+
+/// Letters of the field that always stand for one thing: a matrix of this letter is that of mass, damping or stiffness.
+const MATRICES: [&str; 3] = ["M", "C", "K"];
+
+/// The names that may stand before the equals sign of a response to a part, and those that may not.
+#[derive(Debug, Default)]
+pub(crate) struct Naming {
+    lexicon: Lexicon,
+    /// The names of the item that say something else than what is asked.
+    others: Vec<Name>,
+    /// Letters that the item does not know and that say something else by the custom of the field.
+    customary: Vec<&'static str>,
+    is_matrix: bool,
+}
+
+impl Naming {
+    /// The names of an item of which these are asked. Only what students see counts: data, coordinates, and what earlier
+    /// parts ask.
+    pub(crate) fn of(
+        declare: &dyn Declare,
+        kind: Kind,
+        keys: &[NodeId],
+        unit: Option<Unit>,
+    ) -> Self {
+        let is_labelled = matches!(
+            kind,
+            Kind::Numeric | Kind::Integer | Kind::Formula | Kind::Matrix
+        );
+        let (true, [key]) = (is_labelled, keys) else {
+            return Self::default();
+        };
+        let known = declare.known();
+        let asked: Vec<&Known> = known
+            .iter()
+            .filter(|own| is_asked(declare, *key, own))
+            .collect();
+        let unit = unit.or_else(|| declare.unit_of(*key));
+        let dimension = declare.graph().kind(*key).and_then(expr::Type::dimension);
+        let mut naming = Self {
+            customary: customary(kind, &asked, dimension, unit),
+            is_matrix: kind == Kind::Matrix && !asked.is_empty(),
+            ..Self::default()
+        };
+        for own in known.iter().filter(|own| is_seen(own.role)) {
+            naming
+                .lexicon
+                .allow(&own.name, own.symbol.clone(), own.role == Role::Coordinate);
+            if !asked.iter().any(|asked| is_same(asked, own)) && is_other(own, &asked, dimension) {
+                naming.others.push(own.name.clone());
+            }
+        }
+        for own in asked {
+            naming.lexicon.allow(&own.name, own.symbol.clone(), false);
+        }
+        naming
+    }
+
+    /// Checks what stands before the equals signs of the statements of a response.
+    ///
+    /// # Errors
+    ///
+    /// Where that names another quantity than the one that is asked.
+    pub(crate) fn check(&self, response: &str) -> Result<(), Unreadable> {
+        let says_nothing = self.others.is_empty() && self.customary.is_empty();
+        if says_nothing || !response.contains(['=', '≈']) {
+            return Ok(());
+        }
+        for label in labels(response) {
+            let label = response[label].trim();
+            if self.is_of_another(label) {
+                return Err(Unreadable::at(label, Why::OtherQuantity));
+            }
+        }
+        Ok(())
+    }
+
+    fn is_of_another(&self, label: &str) -> bool {
+        let bare = without_frame(label);
+        let typed = response::formula(bare, &self.lexicon, Manner::default());
+        match typed.as_ref().map(|typed| typed.value.kind()) {
+            Ok(expr::Kind::Name(name)) => self.others.contains(name),
+            // `K^2`
+            Ok(_) if self.is_matrix => true,
+            // `T_n`, `K11`
+            _ => self.customary.contains(&parted(bare).0),
+        }
+    }
+}
+
+/// Whether a name is that of the key, or of one of the entries that it lists.
+fn is_asked(declare: &dyn Declare, key: NodeId, own: &Known) -> bool {
+    let (Role::Parameter { node, .. } | Role::Quantity { node, .. }) = own.role else {
+        return false;
+    };
+    let is_name =
+        |expr: &expr::Expr| matches!(expr.kind(), expr::Kind::Name(name) if *name == own.name);
+    node == key
+        || declare
+            .graph()
+            .expr(key)
+            .is_some_and(|expr| match expr.kind() {
+                expr::Kind::Array(entries) => entries.iter().any(is_name),
+                _ => is_name(expr),
+            })
+}
+
+/// Whether students see a name: not those that only the item computes with.
+fn is_seen(role: Role) -> bool {
+    match role {
+        Role::Parameter { .. } | Role::Coordinate => true,
+        Role::Quantity { is_asked, .. } => is_asked,
+        Role::Symbol => false,
+    }
+}
+
+fn is_same(one: &Known, other: &Known) -> bool {
+    one.name == other.name || one.symbol == other.symbol
+}
+
+/// Whether a name says something else than what is asked. The letter of what is asked does not, whatever its index was:
+/// many write `k` for k_eq and ω for ω_d.
+fn is_other(own: &Known, asked: &[&Known], dimension: Option<Dimension>) -> bool {
+    let (letter, index) = parted(own.name.as_str());
+    let is_letter_of = |asked: &&Known| parted(asked.name.as_str()).0 == letter;
+    let same_letter = asked.iter().find(|asked| is_letter_of(asked));
+    if let Some(asked) = same_letter {
+        // `ω_1` is not ω_2.
+        let (_, of_asked) = parted(asked.name.as_str());
+        let is_number = |index: &str| index.parse::<u32>().is_ok_and(|number| number > 0);
+        return is_number(index) && is_number(of_asked) && index != of_asked;
+    }
+    if own.kind.dimension() != dimension || own.kind.shape() != Shape::Scalar {
+        return true;
+    }
+    matches!(own.role, Role::Parameter { .. }) && !asked.is_empty()
+}
+
+/// The letter of a name, and its index: `omega_n`, `k1`.
+fn parted(name: &str) -> (&str, &str) {
+    let end = name
+        .find(|char: char| char == '_' || char.is_ascii_digit())
+        .unwrap_or(name.len());
+    (&name[..end], name[end..].trim_start_matches('_'))
+}
+
+/// The letters that name something else than what is asked by the custom of the field, also where the item has no such
+/// letter: a period or a frequency for an angular frequency, one matrix of a model for another.
+fn customary(
+    kind: Kind,
+    asked: &[&Known],
+    dimension: Option<Dimension>,
+    unit: Option<Unit>,
+) -> Vec<&'static str> {
+    let is_rate = dimension == Some(Dimension::TIME.inverse());
+    let is_angular =
+        unit.is_some_and(|unit| !unit.counts_cycles() && unit.angles() == Some(Rational::ONE));
+    match kind {
+        Kind::Matrix => {
+            let is_own = |letter: &&&str| {
+                asked
+                    .iter()
+                    .any(|own| parted(own.name.as_str()).0 == **letter)
+            };
+            let others = MATRICES
+                .iter()
+                .filter(|letter| !asked.is_empty() && !is_own(letter));
+            others.copied().collect()
+        }
+        _ if is_rate && is_angular => vec!["T", "f"],
+        _ if is_rate => vec!["T"],
+        _ => Vec::new(),
+    }
+}
+
+/// What stands before the first equals sign of each statement.
+fn labels(response: &str) -> impl Iterator<Item = Range<usize>> {
+    let whole = Span::new(0, response.len());
+    let statements = cut(response, whole, &[';', ',', '\n']).into_iter();
+    statements.filter_map(|statement| {
+        let range = statement.range();
+        let end = response[range.clone()].find(['=', '≈'])?;
+        Some(range.start..range.start + end)
+    })
+}
+
+/// A symbol without what may stand around it: bars, its unit in brackets.
+fn without_frame(label: &str) -> &str {
+    let label = label.trim_matches(['|', '[', ']', ' ']);
+    if !label.ends_with([')', ']']) {
+        return label;
+    }
+    label
+        .find(['(', '['])
+        .map_or(label, |at| label[..at].trim_end())
+}
