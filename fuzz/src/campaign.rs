@@ -2,12 +2,12 @@
 //!
 //! ```sh
 //! campaign seeds [TARGET]
-//! campaign run TARGET|all [--seconds N] [--seed N]
+//! campaign run TARGET|all [--seconds N | --inputs N] [--seed N]
 //! campaign typed [PART] [--count N] [--seconds N] [--seed N]
 //! campaign again TARGET FILE…
 //! ```
 //!
-//! Seconds are those of the processor. A run ends with 1 where an oracle does not hold; the input stands in `findings/TARGET/`, and `again` runs it.
+//! Seconds are those of the processor; a number of inputs makes the same run on every machine. A run ends with 1 where an oracle does not hold; the input stands in `findings/TARGET/`, and `again` runs it.
 
 use std::collections::HashSet;
 use std::fs;
@@ -32,6 +32,10 @@ fn main() -> ExitCode {
         value.unwrap_or(usual)
     };
     let (seconds, seed) = (option("--seconds", 15), option("--seed", 1));
+    let extent = match option("--inputs", 0) {
+        0 => Extent::Seconds(seconds),
+        inputs => Extent::Inputs(inputs),
+    };
     match words.as_slice() {
         ["seeds", rest @ ..] => {
             let chosen = |name: &&&str| rest.is_empty() || rest.contains(*name);
@@ -39,11 +43,11 @@ fn main() -> ExitCode {
             ExitCode::SUCCESS
         }
         ["run", "all", ..] => {
-            let clean = targets::NAMES.map(|name| run(name, seconds, seed));
+            let clean = targets::NAMES.map(|name| run(name, extent, seed));
             ExitCode::from(u8::from(clean.contains(&false)))
         }
         ["run", target, ..] if targets::NAMES.contains(target) => {
-            ExitCode::from(u8::from(!run(target, seconds, seed)))
+            ExitCode::from(u8::from(!run(target, extent, seed)))
         }
         ["typed", rest @ ..] => {
             let part = rest.first().copied().filter(|word| !word.starts_with("--"));
@@ -67,7 +71,7 @@ fn main() -> ExitCode {
             ExitCode::SUCCESS
         }
         _ => {
-            eprintln!("campaign seeds | run TARGET|all [--seconds N] [--seed N] | typed [PART] [--count N] [--seconds N] [--seed N] | again TARGET FILE…");
+            eprintln!("campaign seeds | run TARGET|all [--seconds N | --inputs N] [--seed N] | typed [PART] [--count N] [--seconds N] [--seed N] | again TARGET FILE…");
             eprintln!("targets: {}", targets::NAMES.join(", "));
             ExitCode::from(2)
         }
@@ -101,8 +105,16 @@ fn write_seeds(target: &str) {
     }
 }
 
+/// How far a run goes beyond the seeds, all of which it runs.
+#[derive(Clone, Copy)]
+enum Extent {
+    /// Of the processor.
+    Seconds(u64),
+    Inputs(u64),
+}
+
 /// Runs a target; whether nothing was found.
-fn run(target: &str, seconds: u64, seed: u64) -> bool {
+fn run(target: &str, extent: Extent, seed: u64) -> bool {
     let mut pool = seeds::of(target);
     let (given, mut stream) = (pool.len(), Stream::of(seed));
     let mut seen = HashSet::new();
@@ -110,10 +122,11 @@ fn run(target: &str, seconds: u64, seed: u64) -> bool {
     let mut messages = HashSet::new();
     targets::run(target, b"");
     let start = used();
-    // All seeds are run, and then as many others as there is time for.
-    while findings < MOST_FINDINGS
-        && (inputs < given as u64 || used() - start < Duration::from_secs(seconds))
-    {
+    let goes_on = |inputs: u64| match extent {
+        Extent::Seconds(seconds) => used() - start < Duration::from_secs(seconds),
+        Extent::Inputs(most) => inputs - (given as u64) < most,
+    };
+    while findings < MOST_FINDINGS && (inputs < given as u64 || goes_on(inputs)) {
         let bytes = match pool.get(inputs as usize).filter(|_| inputs < given as u64) {
             Some(seed) => seed.clone(),
             None => input(&pool, &mut stream),

@@ -9,8 +9,14 @@ const MOST_PLACES: usize = 16;
 pub(crate) fn with_unit(text: &str) -> impl Iterator<Item = (&str, Unit)> {
     places(text).into_iter().rev().filter_map(|place| {
         let (formula, unit) = text.split_at(place);
-        Some((formula, Unit::read(unit.trim()).ok()?))
+        Some((formula, gathered(Unit::read(unit.trim()).ok()?)))
     })
+}
+
+/// A unit with each factor once, as a product of units has it: `deg deg` is what `° · °` is. Where an exponent would get
+/// too large, it stays as it was typed.
+pub(super) fn gathered(unit: Unit) -> Unit {
+    Unit::ONE.times(&unit).unwrap_or(unit)
 }
 
 /// Where a unit may begin: at a slash, and where letters or brackets begin.

@@ -1,6 +1,6 @@
 //! What stands around a list: a symbol before it, a factor or divisor, a sign of transposition, a unit.
 
-use super::behind::with_unit;
+use super::behind::{gathered, with_unit};
 use super::list::Reader;
 use super::{Trouble, TypedError};
 use crate::expr::{Expr, Kind, Operator};
@@ -102,7 +102,7 @@ fn units_around(rest: &str, start: usize, list: std::ops::Range<usize>) -> Vec<(
     let whole = whole.trim_matches(['[', ']']).trim();
     let mut units = Vec::new();
     if let Some(unit) = Unit::read(whole).ok().filter(|_| !whole.is_empty()) {
-        units.push((Span::new(list.end, rest.len()), unit));
+        units.push((Span::new(list.end, rest.len()), gathered(unit)));
     }
     for (formula, unit) in with_unit(behind) {
         let formula = without_times(formula);

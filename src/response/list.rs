@@ -105,7 +105,16 @@ pub(super) fn list(
         is_up_to_factor,
     };
     let end = text.trim_end_matches(|char: char| char.is_whitespace() || ";,.".contains(char));
-    reader.framed(Span::new(0, end.len()), 0)
+    let whole = Span::new(0, end.len());
+    let listed = reader.framed(whole, 0)?;
+    match &listed.unit {
+        // `m2  mm` is a unit where `m^2 mm` is one of letters: the echo could not say which was read.
+        Some(unit) if !reader.is_asked(unit) && reader.is_of_letters(unit) => Err(TypedError {
+            trouble: Trouble::UnitOrLetter,
+            span: whole,
+        }),
+        _ => Ok(listed),
+    }
 }
 
 pub(super) struct Reader<'a> {
@@ -122,6 +131,13 @@ impl Reader<'_> {
     pub(super) fn is_asked(&self, unit: &Unit) -> bool {
         let dimension = unit.dimension();
         self.units.iter().any(|own| own.dimension() == dimension)
+    }
+
+    /// Whether a unit, as it is printed, is a formula of the letters of the answer.
+    fn is_of_letters(&self, unit: &Unit) -> bool {
+        let printed = unit.to_string();
+        let read = self.formula_in(&printed, Span::new(0, printed.len()));
+        read.is_ok_and(|formula| !formula.value.names().free.is_empty())
     }
 
     /// A list with what stands around it.

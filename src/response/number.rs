@@ -1,5 +1,6 @@
 //! Tokens among values: exact decimals, units behind numbers, words that join.
 
+use super::behind::gathered;
 use super::digits::Comma;
 use super::letters::Letters;
 use super::signs::DECIMAL;
@@ -137,7 +138,7 @@ impl Lexer<'_> {
             return false;
         };
         if end > 0 {
-            self.take(end, Item::Unit(Box::new(unit)));
+            self.take(end, Item::Unit(Box::new(gathered(unit))));
         }
         end > 0
     }
@@ -331,7 +332,7 @@ impl Lexer<'_> {
         };
         let reaches = self.at + length >= end;
         if reaches {
-            self.take(length, Item::Unit(Box::new(unit)));
+            self.take(length, Item::Unit(Box::new(gathered(unit))));
         }
         reaches
     }

@@ -184,6 +184,13 @@ fn the_echo_of_an_answer_is_read_as_the_answer() {
         "5 -3/s",
         "5 - 3 1/s",
         "0.6 < mu < 3.6",
+        "360 deg deg",
+        "360 deg/deg",
+        "(360) °·°",
+        "5 N m m",
+        "0;0.002 m2  mm",
+        "(1, 2) m2  mm",
+        "[0, 2] s2 s",
     ];
     let mut faults = Vec::new();
     for text in typed {
