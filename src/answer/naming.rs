@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use super::{Declare, Kind, Known, Role, Unreadable, Why};
 use crate::expr::{self, Name, Shape};
+use crate::math::symbol;
 use crate::quantity::NodeId;
 use crate::response::{self, Lexicon, Manner, cut};
 use crate::source::Span;
@@ -12,12 +13,21 @@ use crate::unit::{Dimension, Rational, Unit};
 /// Letters of the field that always stand for one thing: a matrix of this letter is that of mass, damping or stiffness.
 const MATRICES: [&str; 3] = ["M", "C", "K"];
 
+/// Signs of a difference before a symbol.
+const DIFFERENCES: [&str; 6] = ["Δ", "∆", "\\Delta", "Delta", "delta", "d"];
+/// Names of a logarithm, whose argument many write without brackets.
+const LOGARITHMS: [&str; 3] = ["log", "ln", "lg"];
+
 /// The names that may stand before the equals sign of a response to a part, and those that may not.
 #[derive(Debug, Default)]
 pub(crate) struct Naming {
     lexicon: Lexicon,
     /// The names of the item that say something else than what is asked.
     others: Vec<Name>,
+    /// The names of what is asked.
+    asked: Vec<Name>,
+    /// Whether what is asked is a rate or a period, of which students write differences.
+    is_of_time: bool,
     /// Letters that the item does not know and that say something else by the custom of the field.
     customary: Vec<&'static str>,
     is_matrix: bool,
@@ -49,6 +59,10 @@ impl Naming {
         let mut naming = Self {
             customary: customary(kind, &asked, dimension, unit),
             is_matrix: kind == Kind::Matrix && !asked.is_empty(),
+            is_of_time: [Dimension::TIME, Dimension::TIME.inverse()]
+                .map(Some)
+                .contains(&dimension),
+            asked: asked.iter().map(|own| own.name.clone()).collect(),
             ..Self::default()
         };
         for own in known.iter().filter(|own| is_seen(own.role)) {
@@ -60,7 +74,14 @@ impl Naming {
             }
         }
         for own in asked {
-            naming.lexicon.allow(&own.name, own.symbol.clone(), false);
+            naming.lexicon.allow(&own.name, own.symbol.clone(), true);
+            // Many leave the index out.
+            let letter = Name::new(parted(own.name.as_str()).0);
+            let is_known = |known: &Known| known.name == letter;
+            if !known.iter().any(is_known) && !naming.asked.contains(&letter) {
+                naming.lexicon.allow(&letter, symbol(letter.as_str()), true);
+                naming.asked.push(letter);
+            }
         }
         naming
     }
@@ -71,8 +92,10 @@ impl Naming {
     ///
     /// Where that names another quantity than the one that is asked.
     pub(crate) fn check(&self, response: &str) -> Result<(), Unreadable> {
-        let says_nothing = self.others.is_empty() && self.customary.is_empty();
-        if says_nothing || !response.contains(['=', '≈']) {
+        let says_nothing = [&self.others, &self.asked]
+            .iter()
+            .all(|names| names.is_empty());
+        if says_nothing && self.customary.is_empty() || !response.contains(['=', '≈']) {
             return Ok(());
         }
         for label in labels(response) {
@@ -91,9 +114,40 @@ impl Naming {
             Ok(expr::Kind::Name(name)) => self.others.contains(name),
             // `K^2`
             Ok(_) if self.is_matrix => true,
+            // `omega'`
+            Ok(expr::Kind::Prime(of, _)) if self.is_asked(of) => true,
             // `T_n`, `K11`
-            _ => self.customary.contains(&parted(bare).0),
+            _ => self.customary.contains(&parted(bare).0) || self.is_made_of_asked(bare),
         }
+    }
+
+    fn is_asked(&self, expr: &expr::Expr) -> bool {
+        matches!(expr.kind(), expr::Kind::Name(name) if self.asked.contains(name))
+    }
+
+    /// Whether a label of several words is made of the symbol that is asked: `omega t`, `m omega`, `log omega`, and
+    /// `Delta omega` of a rate or a period.
+    fn is_made_of_asked(&self, label: &str) -> bool {
+        let reads = |word: &str| response::formula(word, &self.lexicon, Manner::default()).ok();
+        let is_asked = |word: &str| reads(word).is_some_and(|typed| self.is_asked(&typed.value));
+        let difference = DIFFERENCES.iter().find_map(|sign| label.strip_prefix(sign));
+        if self.is_of_time && difference.is_some_and(|rest| is_asked(rest.trim_start())) {
+            return reads(label).is_none_or(|typed| !self.is_asked(&typed.value));
+        }
+        let words: Vec<&str> = label
+            .split([' ', '*'])
+            .filter(|word| !word.is_empty())
+            .collect();
+        let is_factor = |word: &&str| {
+            let name = reads(word);
+            let is_name =
+                name.is_some_and(|typed| matches!(typed.value.kind(), expr::Kind::Name(_)));
+            *word == "t" || LOGARITHMS.contains(word) || is_name && !is_asked(word)
+        };
+        words.len() > 1
+            && words.iter().any(|word| is_asked(word))
+            && words.iter().all(|word| is_asked(word) || is_factor(word))
+            && words.iter().any(is_factor)
     }
 }
 
@@ -175,6 +229,12 @@ fn customary(
                 .iter()
                 .filter(|letter| !asked.is_empty() && !is_own(letter));
             others.copied().collect()
+        }
+        // An electrical impedance is neither an admittance nor one of its own two parts.
+        _ if unit.is_some_and(|unit| unit.text().ends_with('Ω'))
+            && asked.iter().any(|own| parted(own.name.as_str()).0 == "Z") =>
+        {
+            vec!["Y", "R", "X"]
         }
         _ if is_rate && is_angular => vec!["T", "f"],
         _ if is_rate => vec!["T"],
