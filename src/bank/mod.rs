@@ -22,6 +22,8 @@ pub mod plot;
 mod points;
 mod read;
 mod rule;
+#[cfg(feature = "render")]
+mod space;
 mod template;
 
 pub use about::About;
@@ -38,6 +40,8 @@ pub use passage::{Passage, Piece, Target};
 pub use points::{share_in_group, share_out};
 pub use read::ItemError;
 pub use rule::Rule;
+#[cfg(feature = "render")]
+pub use space::{Space, SpaceError};
 pub use template::{
     Allowed, Check, Constraint, Expected, Group, Mistake, MistakeAnswer, Part, QuantityInfo,
     Template, Units,

@@ -129,6 +129,9 @@ pub struct Part {
     pub hints: Vec<Passage>,
     /// The worked solution.
     pub solution: Passage,
+    /// Room for work on paper, where the item speaks of it.
+    #[cfg(feature = "render")]
+    pub space: Option<super::Space>,
     /// Known wrong, or also acceptable, answers.
     pub mistakes: Vec<Mistake>,
 }

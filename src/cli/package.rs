@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde::Deserialize;
 use vibank::answer::Doubt;
-use vibank::bank::{Catalogue, Compiled, Template};
+use vibank::bank::{Catalogue, Compiled, Space, Template};
 use vibank::course::first_variant;
 use vibank::instance::Instance;
 use vibank::numerics::Rational;
@@ -149,6 +149,7 @@ impl ReadPackage<'_> {
             number: place + 1,
             place,
             solution,
+            spaces: vec![Space::None; parts.len()],
             parts,
             points,
         })))

@@ -31,7 +31,7 @@ fn question(question: &SheetQuestion<'_>) -> Json {
         "title": template.about.title,
         "points": question.total().to_f64(),
         "values": values.map(|(parameter, value)| (parameter.name.to_string(), json!(value.to_string()))).collect::<serde_json::Map<_, _>>(),
-        "parts": headings(template, &question.parts).iter().zip(question.parts.iter().zip(&question.points)).map(|(heading, (place, points))| {
+        "parts": headings(template, &question.parts).iter().zip(question.parts.iter().zip(&question.points).zip(&question.spaces)).map(|(heading, ((place, points), space))| {
             let part = &template.parts[*place];
             json!({
                 "letter": heading.letter,
@@ -39,6 +39,7 @@ fn question(question: &SheetQuestion<'_>) -> Json {
                 "group": part.group.as_ref().map(|group| &group.id),
                 "kind": part.answer.kind().name(),
                 "points": points.to_f64(),
+                "space": space.to_string(),
                 "blank": blank(&part.answer.blank()),
                 "key": key(solution, *place),
             })

@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::pages::{Kind, Run};
 use super::{Writer, is_line};
 use crate::answer::{Choosing, KeyValue};
-use crate::bank::{Group, Passage};
+use crate::bank::{Group, Passage, Space};
 use crate::document::{Document, Filling};
 use crate::message::Language;
 use crate::numerics::Rational;
@@ -72,7 +72,8 @@ impl QuestionView {
                 0 => 13,
                 count => 6 * (count + 1),
             };
-            answer + 6 * usize::from(part.group.is_some())
+            let space = part.space.as_ref().map_or(0, |space| space.height);
+            answer + usize::from(space) + 6 * usize::from(part.group.is_some())
         };
         let figure = if self.figure.is_empty() { 0 } else { FIGURE };
         HEAD + figure + self.parts.iter().map(part).sum::<usize>()
@@ -101,6 +102,8 @@ struct PartView {
     points: String,
     ask: String,
     hints: Vec<String>,
+    /// Room for work.
+    space: Option<SpaceView>,
     options: Vec<OptionView>,
     /// Whether the options are put in order; then the key holds their letters.
     ranked: bool,
@@ -112,6 +115,26 @@ struct PartView {
     accepted: String,
     absent: String,
     solution: String,
+}
+
+/// Room for work: its look, `blank`, `lines` or `squared`, and its height.
+#[derive(Serialize)]
+struct SpaceView {
+    look: &'static str,
+    /// In mm.
+    height: u16,
+    /// As lines of text, for formats without heights.
+    lines: u16,
+}
+
+impl SpaceView {
+    fn of(space: Space) -> Self {
+        Self {
+            look: space.name(),
+            height: space.millimetres(),
+            lines: space.lines(),
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -256,15 +279,19 @@ impl<'p> View<'p> {
         };
         let headings = headings(template, &question.parts);
         let parts = question.parts.iter().zip(&question.points);
+        let has_space = |space: &Space| self.kind == Kind::Sheet && *space != Space::None;
+        let spaces = question.spaces.iter().copied();
+        let spaces = spaces.map(|space| Some(space).filter(has_space));
         view.parts = headings
             .into_iter()
-            .zip(parts)
-            .map(|(heading, (place, points))| PartView {
+            .zip(parts.zip(spaces))
+            .map(|(heading, ((place, points), space))| PartView {
                 group: heading.opened().map(|(letter, group)| {
                     let points = question.points_of(group);
                     self.group(&scene, letter, group, points)
                 }),
                 letter: heading.letter.clone(),
+                space: space.map(SpaceView::of),
                 ..self.part(&scene, *place, *points)
             })
             .collect();

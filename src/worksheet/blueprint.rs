@@ -3,6 +3,7 @@
 use super::manifest::Csv;
 use super::rules::Rules;
 use crate::answer::{Credit, Doubt};
+use crate::bank::{Space, SpaceError};
 use crate::diagnostic::{Code, Diagnose, Finding, Label};
 use crate::document::Document;
 use crate::scene;
@@ -98,6 +99,8 @@ pub struct Blueprint {
     pub formula_sheet: Option<Span>,
     /// Where answers are written.
     pub answer_space: AnswerSpace,
+    /// Room for work at each part that has none of its own, where it is stated.
+    pub space: Option<Space>,
     /// Whether the order of the questions is drawn.
     pub shuffle: bool,
     /// Which keys are made.
@@ -134,6 +137,10 @@ pub struct Question {
     pub points: Option<f64>,
     /// Points of single parts, by name.
     pub part_points: Vec<(Text, f64)>,
+    /// Room for work at each of its parts, in place of what the item says.
+    pub space: Option<Space>,
+    /// Room for work at single parts and groups, by name.
+    pub part_space: Vec<(Text, Space)>,
     /// Data that are fixed, as name and quantity.
     pub set: Vec<(Text, Text)>,
 }
@@ -187,6 +194,9 @@ pub enum BlueprintError {
         /// Where.
         span: Span,
     },
+    /// A working space that is none.
+    #[error("{0}")]
+    Space(SpaceError, Span),
     /// `columns` without a class list.
     #[error("`columns` names headings of a class list, and there is none")]
     Columns(Span),
@@ -231,6 +241,7 @@ impl Diagnose for BlueprintError {
         match self {
             Self::Either(_, _, span)
             | Self::Columns(span)
+            | Self::Space(_, span)
             | Self::Word { span, .. }
             | Self::TooMany { span, .. }
             | Self::SeedAndSecret(span)
@@ -249,6 +260,7 @@ impl Diagnose for BlueprintError {
         Some(match self {
             Self::Either(a, b, _) => format!("write one of `{a}` and `{b}`"),
             Self::Word { known, .. } => format!("it can be {}", known.join(", ")),
+            Self::Space(..) => SpaceError::HELP.to_owned(),
             Self::Columns(_) => "name the list with `students`, or remove `columns`".to_owned(),
             Self::NoQuestion => "add a `[[question]]` with an `item`".to_owned(),
             Self::TooMany { of, .. } => format!("write fewer {of}"),
@@ -338,6 +350,13 @@ impl Faults<'_> {
                 span,
             });
         }
+    }
+
+    /// The working space that a text names.
+    fn space(&mut self, text: &Text) -> Option<Space> {
+        let space = Space::read(&text.value);
+        let fault = |error| self.add(&BlueprintError::Space(error, text.span));
+        space.map_err(fault).ok()
     }
 
     /// The meaning of a word out of a short list.
@@ -490,6 +509,7 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
             &["lines", "boxes", "none"],
             &[AnswerSpace::Lines, AnswerSpace::Boxes, AnswerSpace::None],
         ),
+        space: table.text("space").and_then(|text| faults.space(&text)),
         shuffle: table.boolean("shuffle").unwrap_or(false),
         keys,
         solutions: table.boolean("solutions").unwrap_or(true),
@@ -616,6 +636,9 @@ fn question(table: Table<'_>, faults: &mut Faults<'_>) -> Option<Question> {
     let parts = table.texts("parts");
     let points = table.number("points");
     let part_points = table.table("part_points").map(numbers).unwrap_or_default();
+    let space = table.text("space").and_then(|text| faults.space(&text));
+    let part_space = table.table("part_space");
+    let part_space = part_space.map_or_else(Vec::new, |table| spaces(&table, faults));
     let span = table.span();
     table.finish();
     Some(Question {
@@ -624,6 +647,8 @@ fn question(table: Table<'_>, faults: &mut Faults<'_>) -> Option<Question> {
         parts,
         points,
         part_points,
+        space,
+        part_space,
         set,
     })
 }
@@ -637,6 +662,20 @@ fn numbers(table: Table<'_>) -> Vec<(Text, f64)> {
                 span: entry.span,
             };
             Some((name, table.as_number(&entry.key, &entry.value)?))
+        })
+        .collect()
+}
+
+fn spaces(table: &Table<'_>, faults: &mut Faults<'_>) -> Vec<(Text, Space)> {
+    let entries = table.entries().iter();
+    entries
+        .filter_map(|entry| {
+            let name = Text {
+                value: entry.key.clone(),
+                span: entry.span,
+            };
+            let text = table.as_text(&entry.key, &entry.value)?;
+            Some((name, faults.space(&text)?))
         })
         .collect()
 }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::blueprint::{Blueprint, Choice, Filter, Question};
 use super::fairness::Fairness;
-use crate::bank::{Catalogue, Chapter, ItemId, Part, Template};
+use crate::bank::{Catalogue, Chapter, ItemId, Part, Space, Template};
 use crate::diagnostic::{Code, Diagnose, Finding, Label};
 use crate::numerics::Rational;
 use crate::seed::{Secret, Seed, Streams, Variant};
@@ -34,6 +34,12 @@ pub struct Planned<'c> {
     pub points: Option<Rational>,
     /// Points of single parts and groups.
     pub part_points: Vec<(String, Rational)>,
+    /// Room for work at parts that have none of their own.
+    pub usual_space: Option<Space>,
+    /// Room for work at each part, in place of what the item says.
+    pub space: Option<Space>,
+    /// Room for work at single parts and groups.
+    pub part_space: Vec<(String, Space)>,
     /// Data that are fixed.
     pub set: Vec<(String, String)>,
 }
@@ -79,6 +85,8 @@ enum PlanError {
     Points { span: Span },
     #[error("the points of parts belong to one `item`")]
     PartPoints { span: Span },
+    #[error("the space of parts belongs to one `item`")]
+    PartSpace { span: Span },
     #[error("part `{found}` is not asked")]
     NotAsked { found: String, span: Span },
     #[error("`part_points` gives points to part `{found}` twice")]
@@ -170,6 +178,16 @@ impl Planned<'_> {
         self.parts.is_empty() || self.parts.iter().any(|name| part.is_named(name))
     }
 
+    /// The room for work at a part: what the blueprint says of the part, then of the question, then what the item says,
+    /// then what the blueprint says of all.
+    pub fn space(&self, part: &Part) -> Space {
+        let mut named = self.part_space.iter();
+        let own = named.find(|(name, _)| part.is_named(name));
+        let stated = own.map(|(_, space)| *space).or(self.space);
+        let stated = stated.or(part.space).or(self.usual_space);
+        stated.unwrap_or(Space::None)
+    }
+
     /// How many different data its items can have, constraints aside; saturates.
     pub fn instances(&self) -> u64 {
         let is_free = |name: &str| self.set.iter().all(|(set, _)| set != name);
@@ -233,6 +251,13 @@ impl<'c> Planner<'c> {
                 .collect(),
             points,
             part_points: part_points.clone(),
+            usual_space: self.blueprint.space,
+            space: question.space,
+            part_space: question
+                .part_space
+                .iter()
+                .map(|(part, space)| (part.value.clone(), *space))
+                .collect(),
             set: question
                 .set
                 .iter()
@@ -256,6 +281,10 @@ impl<'c> Planner<'c> {
                 if !part_points.is_empty() {
                     let span = question.span;
                     return self.find(&PlanError::PartPoints { span });
+                }
+                if let Some((part, _)) = question.part_space.first() {
+                    let span = part.span;
+                    return self.find(&PlanError::PartSpace { span });
                 }
                 let found = self.pass(filter);
                 if found.len() < *count {
@@ -339,8 +368,9 @@ impl<'c> Planner<'c> {
 
     /// Parts and data of a question have to be those of its item.
     fn fits(&mut self, item: &Template, question: &Question) {
-        let named = question.part_points.iter().map(|(part, _)| part);
-        for part in question.parts.iter().chain(named) {
+        let pointed = question.part_points.iter().map(|(part, _)| part);
+        let spaced = question.part_space.iter().map(|(part, _)| part);
+        for part in question.parts.iter().chain(pointed).chain(spaced) {
             if item.parts.iter().all(|own| !own.is_named(&part.value)) {
                 let near = nearest(&part.value, item.part_names()).map(str::to_owned);
                 let (found, span) = (part.value.clone(), part.span);
@@ -462,6 +492,7 @@ impl Diagnose for PlanError {
         | Self::TooFew { span, .. }
         | Self::Points { span }
         | Self::PartPoints { span }
+        | Self::PartSpace { span }
         | Self::NotAsked { span, .. }
         | Self::Twice { span, .. }
         | Self::Sum { span, .. }
@@ -489,6 +520,9 @@ impl Diagnose for PlanError {
             }
             Self::PartPoints { .. } => {
                 Some("give `points` of the question, which are shared out by weights".to_owned())
+            }
+            Self::PartSpace { .. } => {
+                Some("give `space` of the question, which all its parts get".to_owned())
             }
             Self::NotAsked { .. } => Some("add it to `parts`, or remove its points".to_owned()),
             Self::Twice { .. } => Some(

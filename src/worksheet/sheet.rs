@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+#[cfg(feature = "render")]
+use crate::bank::Space;
 use crate::bank::{Group, Part, Template};
 use crate::numerics::Rational;
 use crate::seed::Variant;
@@ -30,6 +32,9 @@ pub struct SheetQuestion<'c> {
     pub parts: Vec<usize>,
     /// Their points.
     pub points: Vec<Rational>,
+    /// Room for work at them.
+    #[cfg(feature = "render")]
+    pub spaces: Vec<Space>,
 }
 
 /// A row of a class list.

@@ -720,12 +720,15 @@ fn question<'c>(
 ) -> SheetQuestion<'c> {
     let parts = asked(planned, &solution);
     let points = points_of(planned, solution.template(), &parts);
+    let space = |place: &usize| planned.space(&solution.template().parts[*place]);
+    let spaces = parts.iter().map(space).collect();
     SheetQuestion {
         number,
         place,
         solution,
         parts,
         points,
+        spaces,
     }
 }
 

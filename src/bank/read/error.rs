@@ -131,6 +131,10 @@ pub enum ItemError {
     /// Points that are none.
     #[error("points are a positive number")]
     Points,
+    /// A working space that is none.
+    #[cfg(feature = "render")]
+    #[error("{0}")]
+    Space(crate::bank::SpaceError),
     /// A mistake that says neither what it gives nor what it replaces.
     #[error("a mistake has either `answer` or `with`")]
     Mistake,
@@ -217,6 +221,8 @@ impl Diagnose for ItemError {
             Self::Allow { .. } | Self::Rule { .. } | Self::Reason => Code::ALLOW,
             Self::Kind { .. } => Code::ANSWER_KIND,
             Self::PartId | Self::PartTwice { .. } | Self::SmallGroup | Self::Points => Code::PART,
+            #[cfg(feature = "render")]
+            Self::Space(_) => Code::PART,
             Self::Credit | Self::Mistake => Code::MISTAKE,
             Self::Expected { .. } | Self::Parameter { .. } => Code::CHECK,
             Self::PlotKind { .. }
@@ -295,6 +301,8 @@ impl Diagnose for ItemError {
             ),
             Self::NoCondition => Some("compare two numbers, for example `zeta < 1`".to_owned()),
             Self::SmallGroup => Some("write a single blank as a part of its own".to_owned()),
+            #[cfg(feature = "render")]
+            Self::Space(_) => Some(crate::bank::SpaceError::HELP.to_owned()),
             Self::PartId => Some("add `id = \"…\"`".to_owned()),
             Self::NoEquation { .. } => {
                 Some("write `\"a = b\"`, or name an equation of a model".to_owned())

@@ -6,6 +6,8 @@ use std::sync::Arc;
 use super::{ItemError, Reader};
 use crate::answer::{self, Answer, Credit, Declare, Known, Naming, Role};
 use crate::bank::Domain;
+#[cfg(feature = "render")]
+use crate::bank::Space;
 use crate::bank::points::share_in_group;
 use crate::bank::template::{Group, Mistake, MistakeAnswer, Part, Units};
 use crate::diagnostic::{Diagnose, Finding};
@@ -113,23 +115,7 @@ impl<'s> Reader<'s> {
 
     /// A question, or a blank of a group.
     fn part(&mut self, table: Table<'s>, group: Option<&Arc<Group>>) -> Option<Part> {
-        let kind_text = table.text("kind");
-        let kind_name = kind_text
-            .as_ref()
-            .map_or("numeric", |text| text.value.as_str());
-        let Some(kind) = answer::Kind::of_name(kind_name) else {
-            let text = kind_text.unwrap_or(Text {
-                value: String::new(),
-                span: table.span(),
-            });
-            self.find(
-                &ItemError::Kind {
-                    found: text.value.clone(),
-                },
-                &text,
-            );
-            return None;
-        };
+        let kind = self.kind(&table)?;
         let key = table.value("key").and_then(|key| match &key.data {
             Data::Text(text) => Some(text.clone()),
             _ => None,
@@ -171,6 +157,10 @@ impl<'s> Reader<'s> {
         let mut hints = group.map_or_else(Vec::new, |group| group.hints.clone());
         hints.extend(self.passages(&table, "hints"));
         let solution = self.optional_passage(&table, "solution");
+        #[cfg(feature = "render")]
+        let space = self.space(&table);
+        #[cfg(not(feature = "render"))]
+        table.value("space");
         let mut answer = kind.read(&table, self);
         let naming = answer
             .as_ref()
@@ -211,8 +201,23 @@ impl<'s> Reader<'s> {
             when,
             hints,
             solution,
+            #[cfg(feature = "render")]
+            space,
             mistakes,
         })
+    }
+
+    /// The kind of answer of a part.
+    fn kind(&mut self, table: &Table<'s>) -> Option<answer::Kind> {
+        let Some(text) = table.text("kind") else {
+            return Some(answer::Kind::Numeric);
+        };
+        let kind = answer::Kind::of_name(&text.value);
+        if kind.is_none() {
+            let found = text.value.clone();
+            self.find(&ItemError::Kind { found }, &text);
+        }
+        kind
     }
 
     /// The quantities that a key lists, `[omega1, omega2]`.
@@ -256,6 +261,15 @@ impl<'s> Reader<'s> {
             self.find(&ItemError::Points, &text);
             Rational::ONE
         })
+    }
+
+    #[cfg(feature = "render")]
+    fn space(&mut self, table: &Table<'s>) -> Option<Space> {
+        let text = table.text("space")?;
+        let space = Space::read(&text.value);
+        space
+            .map_err(|error| self.find(&ItemError::Space(error), &text))
+            .ok()
     }
 
     fn mistake(

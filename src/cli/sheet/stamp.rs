@@ -33,6 +33,10 @@ impl Stamp {
         for format in formats {
             look.add(&format.description());
         }
+        for planned in &plan.questions {
+            let spaces = (planned.usual_space, planned.space, &planned.part_space);
+            look.add(&format!("{spaces:?}"));
+        }
         let look = look.digest();
         let mut inputs = Fields::default();
         inputs.add(&look);

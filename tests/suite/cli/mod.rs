@@ -20,6 +20,7 @@ mod runs;
 mod sheets;
 mod tables;
 mod trace;
+mod work;
 mod workbooks;
 
 use std::fs;
