@@ -65,6 +65,8 @@ pub enum Asked {
     },
     /// Listed options.
     Choice(Choosing),
+    /// Work on paper.
+    Work,
 }
 
 /// How entries, bounds or components are written.
@@ -156,6 +158,7 @@ impl Blank {
             Asked::Interval(_) => "interval",
             Asked::ModeShape { .. } => "mode-shape",
             Asked::Choice(_) => "choice",
+            Asked::Work => "work",
         }
     }
 }

@@ -52,6 +52,9 @@ pub enum AnswerError {
     /// A name that the item does not have.
     #[error("there is no `{0}` in this item")]
     UnknownName(String),
+    /// A rubric that does not fit its part.
+    #[error("{0}")]
+    Rubric(String),
     /// A mistake that is none of the options.
     #[error("`{0}` is no option of this part")]
     NoOption(String),
@@ -66,6 +69,7 @@ impl Diagnose for AnswerError {
             Self::NoUnit | Self::Unit { .. } => Code::DIMENSION,
             Self::Tolerance { .. } | Self::Within(_) => Code::TOLERANCE,
             Self::Options(_) | Self::OptionTwice(_) | Self::NoOption(_) => Code::OPTIONS,
+            Self::Rubric(_) => Code::PART,
         }
     }
 
@@ -87,6 +91,9 @@ impl Diagnose for AnswerError {
             }
             Self::Within(_) => {
                 "write `modulo = \"360 deg\"` and `within = \"(-180 deg, 180 deg]\"`".to_owned()
+            }
+            Self::Rubric(_) => {
+                "write `rubric = [{ points = 2, text = \"…\" }]`, whose points sum up to those of the part".to_owned()
             }
             Self::NoUnit => "name a quantity that has a unit, or add `unit`".to_owned(),
             _ => return None,

@@ -4,7 +4,7 @@ use serde::{Serialize, Serializer};
 
 use super::{
     Answer, Declare, choice, equation, formula, function, integer, interval, matrix, mode_shape,
-    numeric,
+    numeric, work,
 };
 use crate::source::Table;
 
@@ -29,6 +29,8 @@ pub enum Kind {
     ModeShape,
     /// One or several of listed options.
     Choice,
+    /// Work on paper, which a person marks.
+    Work,
 }
 
 impl Kind {
@@ -43,6 +45,7 @@ impl Kind {
         Self::Equation,
         Self::ModeShape,
         Self::Choice,
+        Self::Work,
     ];
 
     /// The kind of this name.
@@ -62,6 +65,7 @@ impl Kind {
             Self::Equation => "equation",
             Self::ModeShape => "mode-shape",
             Self::Choice => "choice",
+            Self::Work => "work",
         }
     }
 
@@ -77,7 +81,13 @@ impl Kind {
             Self::Equation => 6,
             Self::ModeShape => 5,
             Self::Choice => 1,
+            Self::Work => 10,
         }
+    }
+
+    /// Whether a person marks it: it has no key.
+    pub fn is_by_hand(self) -> bool {
+        self == Self::Work
     }
 
     /// Reads the keys of a part that belong to this kind; what is wrong is noted.
@@ -92,6 +102,7 @@ impl Kind {
             Self::Equation => equation::read(part, declare),
             Self::ModeShape => mode_shape::read(part, declare),
             Self::Choice => choice::read(part, declare),
+            Self::Work => work::read(part, declare),
         }
     }
 }

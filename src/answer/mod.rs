@@ -35,6 +35,7 @@ mod shared;
 mod symbolic;
 mod tolerance;
 mod trial;
+mod work;
 
 pub use answered::{Answered, Bounds};
 pub use band::Band;
@@ -53,6 +54,8 @@ pub use settle::Doubt;
 pub(crate) use symbolic::without_paths;
 pub use tolerance::Tolerance;
 pub use trial::{Nature, Trial};
+#[cfg(feature = "render")]
+pub use work::Criterion;
 
 use crate::document::Document;
 use crate::expr::{Equation, Name, Precise};
@@ -66,6 +69,17 @@ use crate::unit::Unit;
 pub trait Answer: Send + Sync {
     /// Its kind.
     fn kind(&self) -> Kind;
+
+    /// The minutes that it takes, if the item does not say.
+    fn minutes(&self) -> u32 {
+        self.kind().minutes()
+    }
+
+    /// What the points are given for where a person marks.
+    #[cfg(feature = "render")]
+    fn rubric(&self) -> &[Criterion] {
+        &[]
+    }
 
     /// The formulas of the key: what the scene of a key demands, and what a mistake may replace.
     fn keys(&self) -> Vec<NodeId>;

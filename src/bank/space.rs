@@ -36,6 +36,8 @@ impl SpaceError {
 }
 
 impl Space {
+    /// That of work that a person marks, where nothing else is said.
+    pub const OF_WORK: Self = Self::Blank(60);
     /// From line to line, in mm.
     pub const LINE: u16 = 8;
     /// The side of a square, in mm.

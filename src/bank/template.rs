@@ -381,11 +381,8 @@ impl Template {
 
     /// The expected working time in minutes.
     pub fn minutes(&self) -> u32 {
-        self.about.minutes.unwrap_or_else(|| {
-            self.parts
-                .iter()
-                .map(|part| part.answer.kind().minutes())
-                .sum()
-        })
+        self.about
+            .minutes
+            .unwrap_or_else(|| self.parts.iter().map(|part| part.answer.minutes()).sum())
     }
 }

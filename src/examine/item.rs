@@ -27,8 +27,12 @@ pub(super) fn faults(template: &Template, solution: &Solution<'_>) -> Vec<Fault>
     faults
 }
 
-/// Data on which no key depends.
+/// Data on which no key depends. What work on paper takes is not known: where it is asked, none is found.
 fn unused(template: &Template, solution: &Solution<'_>) -> Vec<Fault> {
+    let mut parts = template.parts.iter();
+    if parts.any(|part| part.answer.kind().is_by_hand()) {
+        return Vec::new();
+    }
     let is_used = |name: &Name, node: NodeId| {
         template.parts.iter().enumerate().any(|(place, part)| {
             let keys = part.answer.keys();

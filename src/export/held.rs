@@ -21,6 +21,8 @@ pub(super) struct Asked<'t> {
     pub(super) place: usize,
     /// Its points.
     pub(super) points: Rational,
+    /// Whether a person marks it wherever it is asked.
+    pub(super) is_by_hand: bool,
 }
 
 /// How a part is marked.
@@ -101,6 +103,7 @@ impl<'t> Sorted<'t> {
                 opens: true,
                 place: *place,
                 points: *points,
+                is_by_hand: template.parts[*place].answer.kind().is_by_hand(),
             };
             match held(scene, *place) {
                 Ok(held) => {
@@ -114,7 +117,7 @@ impl<'t> Sorted<'t> {
                         part: template.parts[*place].id.clone(),
                         reason,
                     };
-                    if !unfit.contains(&found) {
+                    if !asked.is_by_hand && !unfit.contains(&found) {
                         unfit.push(found);
                     }
                     let before = sorted.unfit.last();
@@ -124,6 +127,15 @@ impl<'t> Sorted<'t> {
             }
         }
         sorted
+    }
+
+    /// Those that become essays: what a person marks anyway, and where it is wished all that do not fit.
+    pub(super) fn essays(&self, all: bool) -> Vec<Asked<'t>> {
+        let essays = self.unfit.iter();
+        essays
+            .filter(|asked| all || asked.is_by_hand)
+            .cloned()
+            .collect()
     }
 
     /// The letters of the boxes, in order: where a part has several, its letter comes as often.
@@ -186,6 +198,7 @@ fn held(scene: &Scene<'_, '_>, place: usize) -> Result<Held, &'static str> {
         Kind::Matrix => Err("a matrix"),
         Kind::ModeShape => Err("mode shapes"),
         Kind::Interval => Err("an interval"),
+        Kind::Work => Err("work on paper"),
     }
 }
 

@@ -56,8 +56,9 @@ impl Export for Moodle {
             None if !sorted.fit.is_empty() => self.cloze(&words, &sorted),
             None => {}
         }
-        if self.wish.has_essays && !sorted.unfit.is_empty() {
-            self.essay(&words, &sorted.unfit);
+        let essays = sorted.essays(self.wish.has_essays);
+        if !essays.is_empty() {
+            self.essay(&words, &essays);
         }
     }
 

@@ -5,9 +5,11 @@ use std::fmt::Write;
 use super::Wish;
 use super::held::Asked;
 use super::pictures::Pictures;
-use crate::answer::Band;
+use crate::answer::{Band, Criterion};
+use crate::bank::share_in_group;
 use crate::document::{Document, Filling, Formulas};
 use crate::math::{Display, Math};
+use crate::numerics::Rational;
 use crate::scene::{Scene, Shown};
 use crate::worksheet::{Sheet, SheetQuestion};
 
@@ -173,6 +175,7 @@ impl<'s, 'c> Words<'s, 'c> {
             }
             out.push_str("</p>");
             let part = &template.parts[asked.place];
+            out.push_str(&rubric(part.answer.rubric(), asked.points));
             out.push_str(&self.html(pictures, &self.scene.passage(&part.solution)));
         }
         out
@@ -202,4 +205,21 @@ impl<'s, 'c> Words<'s, 'c> {
             })
             .collect()
     }
+}
+
+/// What the points of a part are given for, for whoever marks it; empty where no person does.
+fn rubric(rows: &[Criterion], points: Rational) -> String {
+    if rows.is_empty() {
+        return String::new();
+    }
+    let weights: Vec<Rational> = rows.iter().map(|row| row.points).collect();
+    let mut out = String::from("<table><tr><th>Points</th><th>for</th></tr>");
+    for (row, points) in rows.iter().zip(share_in_group(points, &weights)) {
+        let points = (points.to_f64() * 100.0).round() / 100.0;
+        let _ = write!(out, "<tr><td>{points}</td><td>");
+        row.text.write_html_line(&mut out, &Vec::new());
+        out.push_str("</td></tr>");
+    }
+    out.push_str("</table>");
+    out
 }

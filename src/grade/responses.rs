@@ -195,6 +195,11 @@ impl Responses {
         (!row.is_open).then(|| self.slice(&row.response))
     }
 
+    /// The line of the row that counts for a place.
+    pub fn line(&self, place: &Place) -> Option<usize> {
+        Some(self.rows[self.find(place).ok()?].line)
+    }
+
     /// What the file holds for a place at which something was answered, though it does not say what: a line that could
     /// not be read, or answers that contradict each other.
     pub fn open(&self, place: &Place) -> Option<&str> {

@@ -8,7 +8,7 @@ use super::Writer;
 use super::fairness::FairnessView;
 use super::key_table::{KeyRow, KeyTable, Panel};
 use super::layouts::{Layouts, OutputError, font};
-use super::view::{IN_THE_SOLUTION, SheetView, View};
+use super::view::{BY_HAND, IN_THE_SOLUTION, SheetView, View};
 use crate::bank::Chapter;
 use crate::document::{Block, Document, Inline};
 use crate::math::quote;
@@ -424,6 +424,8 @@ impl Pages {
         };
         for question in &sheet.questions {
             let scene = Scene::of(&question.solution, self.run.data);
+            let parts = &question.solution.template().parts;
+            let is_by_hand = |place: usize| parts[place].answer.kind().is_by_hand();
             let headings = headings(question.solution.template(), &question.parts);
             for (heading, place) in headings.iter().zip(&question.parts) {
                 row.parts
@@ -431,6 +433,7 @@ impl Pages {
                 let (cell, width) = match scene.key(*place) {
                     Ok(Some(key)) => (self.writer.math(key), key.plain().chars().count()),
                     Ok(None) => (self.writer.words(IN_THE_SOLUTION), IN_THE_SOLUTION.len()),
+                    Err(_) if is_by_hand(*place) => (self.writer.words(BY_HAND), BY_HAND.len()),
                     Err(_) => (self.writer.words("–"), 1),
                 };
                 row.cells.push(cell);

@@ -35,6 +35,9 @@ pub struct Lost {
     pub response: String,
     /// Why it could not be read.
     pub why: String,
+    /// Whether it is work that a person marks.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub by_hand: bool,
     /// Whose they are.
     pub sheets: Vec<LostSheet>,
 }

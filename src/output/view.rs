@@ -7,8 +7,8 @@ use serde::Serialize;
 
 use super::pages::{Kind, Run};
 use super::{Writer, is_line};
-use crate::answer::{Choosing, KeyValue};
-use crate::bank::{Group, Passage, Space};
+use crate::answer::{Choosing, Criterion, KeyValue};
+use crate::bank::{Group, Passage, Space, share_in_group};
 use crate::document::{Document, Filling};
 use crate::message::Language;
 use crate::numerics::Rational;
@@ -102,6 +102,10 @@ struct PartView {
     points: String,
     ask: String,
     hints: Vec<String>,
+    /// Whether a person marks it, so that it has room for work in place of an answer line.
+    by_hand: bool,
+    /// What its points are given for.
+    rubric: Vec<RowView>,
     /// Room for work.
     space: Option<SpaceView>,
     options: Vec<OptionView>,
@@ -115,6 +119,14 @@ struct PartView {
     accepted: String,
     absent: String,
     solution: String,
+}
+
+/// A row of a rubric.
+#[derive(Serialize)]
+struct RowView {
+    /// As a number.
+    points: String,
+    text: String,
 }
 
 /// Room for work: its look, `blank`, `lines` or `squared`, and its height.
@@ -146,6 +158,9 @@ struct OptionView {
 
 /// Stands for a key that no line can hold.
 pub(super) const IN_THE_SOLUTION: &str = "see the worked solution";
+
+/// Stands for the key of a part that a person marks.
+pub(super) const BY_HAND: &str = "by hand";
 
 /// Writes the pieces of sheets, and gathers the figures that the notation cannot hold.
 pub(super) struct View<'p> {
@@ -337,6 +352,7 @@ impl<'p> View<'p> {
         let mut view = PartView {
             is_blank: part.group.is_some(),
             kind: part.answer.kind().name(),
+            by_hand: part.answer.kind().is_by_hand(),
             points: self.run.points(points),
             ..PartView::default()
         };
@@ -347,6 +363,9 @@ impl<'p> View<'p> {
             view.hints = part.own_hints().iter().map(texts).collect();
         }
         view.options = self.options(scene, place);
+        if self.kind != Kind::Sheet {
+            view.rubric = self.rubric(part.answer.rubric(), points);
+        }
         view.ranked = part.answer.choosing() == Some(Choosing::Ranking);
         match self.kind {
             Kind::Sheet => {
@@ -365,6 +384,7 @@ impl<'p> View<'p> {
                 }
                 Ok(None) if self.kind == Kind::Solutions => {}
                 Ok(None) => view.absent = self.placed(IN_THE_SOLUTION),
+                Err(_) if view.by_hand => {}
                 Err(absent) => view.absent = self.placed(&absent.to_string()),
             },
         }
@@ -372,6 +392,18 @@ impl<'p> View<'p> {
             view.solution = texts(&part.solution);
         }
         view
+    }
+
+    /// What the points of a part are given for.
+    fn rubric(&self, rows: &[Criterion], points: Rational) -> Vec<RowView> {
+        let weights: Vec<Rational> = rows.iter().map(|row| row.points).collect();
+        let shares = share_in_group(points, &weights);
+        let rows = rows.iter().zip(shares);
+        rows.map(|(row, points)| RowView {
+            points: self.run.number(points),
+            text: self.writer.line(&row.text),
+        })
+        .collect()
     }
 
     /// The range that is accepted, on a key.

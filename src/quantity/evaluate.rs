@@ -19,6 +19,9 @@ use super::trace::Trace;
 /// Why a quantity has no value for these data.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Absent {
+    /// There is none: a person marks what is handed in.
+    #[error("a person marks this part")]
+    ByHand,
     /// Its condition does not hold.
     #[error("`{0}` does not exist for these data")]
     NotForTheseData(Box<str>),

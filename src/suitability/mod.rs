@@ -54,7 +54,11 @@ pub const CLEARANCE: f64 = 2.0;
 ///
 /// The first reason why they are not fit to hand out.
 pub fn judge(solution: &Solution<'_>, parts: &[usize]) -> Result<(), Unfit> {
-    for place in parts.iter().filter(|place| solution.asks(**place)) {
+    let has_key = |place: &&usize| {
+        let part = &solution.template().parts[**place];
+        solution.asks(**place) && !part.answer.kind().is_by_hand()
+    };
+    for place in parts.iter().filter(has_key) {
         let part = || solution.template().parts[*place].id.clone();
         let clearance = solution.clearance(*place);
         let clearance = clearance.map_err(|absent| Unfit::NoKey {

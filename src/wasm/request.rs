@@ -414,11 +414,14 @@ impl Asked<'_> {
 
     fn solve(&self, id: &str) -> Result<Reply, String> {
         let place = self.place(id)?;
-        let key = self.solution.marker(place).map(|marker| marker.key());
-        let key = key.map_err(|absent| absent.to_string())?;
         let part = &self.template().parts[place];
-        let right = match &key.value {
-            crate::answer::KeyValue::Options { ids, .. } => ids.clone(),
+        let key = match self.solution.marker(place).map(|marker| marker.key()) {
+            Ok(key) => Some(key),
+            Err(_) if part.answer.kind().is_by_hand() => None,
+            Err(absent) => return Err(absent.to_string()),
+        };
+        let right = match key.as_ref().map(|key| &key.value) {
+            Some(crate::answer::KeyValue::Options { ids, .. }) => ids.clone(),
             _ => Vec::new(),
         };
         // What comes before the solutions of the parts stands with the first of them.
@@ -430,7 +433,7 @@ impl Asked<'_> {
         let moves = self.template().figure.as_ref();
         Ok(Reply::Solved {
             moves: moves.is_some_and(|figure| figure.moves()),
-            key: key.math.mathml(Display::Inline),
+            key: key.map_or_else(String::new, |key| key.math.mathml(Display::Inline)),
             right,
             html: part
                 .worked()

@@ -185,7 +185,11 @@ impl Planned<'_> {
         let own = named.find(|(name, _)| part.is_named(name));
         let stated = own.map(|(_, space)| *space).or(self.space);
         let stated = stated.or(part.space).or(self.usual_space);
-        stated.unwrap_or(Space::None)
+        stated.unwrap_or(if part.answer.kind().is_by_hand() {
+            Space::OF_WORK
+        } else {
+            Space::None
+        })
     }
 
     /// How many different data its items can have, constraints aside; saturates.

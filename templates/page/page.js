@@ -373,7 +373,7 @@ class Question {
 
   /** Takes stock after a mark or a look at a solution. */
   settle() {
-    const records = this.parts.map((part) => part.record);
+    const records = this.parts.filter((part) => !part.isWork).map((part) => part.record);
     if (this.page.isSilent) {
       this.record.status = "tried";
       this.page.memory.keep();
@@ -412,14 +412,17 @@ class Part {
     this.group = /\d$/.test(part.letter) && this.name.replace(/\d+$/, "");
     const shared = this.group ? `${this.group}-ask ` : "";
     this.described = shared + ["ask", "asked", "echo"].map((of) => `${this.name}-${of}`).join(" ");
+    /** Work on paper: nothing is typed, and it counts for nothing. */
+    this.isWork = part.kind === "work";
     this.input = this.field();
     this.find(".answer").append(this.input.root);
     keys(this);
-    if (this.input.isChoice) this.find(".format").remove();
+    if (this.isWork) this.find("[type=submit]").remove();
+    if (this.input.isChoice || this.isWork) this.find(".format").remove();
     else this.find(".format p").textContent = say(`format_${part.kind}`);
     this.find("form").addEventListener("submit", (event) => {
       event.preventDefault();
-      this.mark();
+      if (!this.isWork) this.mark();
     });
     this.find("[data-do=hint]").addEventListener("click", () => this.hint());
     this.find("[data-do=solve]").addEventListener("click", () => this.solve());
@@ -445,6 +448,7 @@ class Part {
 
   /** The way in which this part is answered. */
   field() {
+    if (this.isWork) return { root: make("p", { textContent: say("work") }) };
     if (this.part.options.length > 0 && this.part.choosing !== "ranking") return options(this);
     if (this.part.rows) return entries(this);
     return line(this);
@@ -472,13 +476,15 @@ class Part {
     hint.textContent = say(hints > 0 ? "next_hint" : "hint");
     const { rules, memory } = this.question.page;
     const solve = this.find("[data-do=solve]");
-    const isDue = rules.solution === "always" || (rules.isSilent ? memory.submitted : attempts > 0);
+    const isDue = rules.solution === "always" || (rules.isSilent ? memory.submitted : attempts > 0 || this.isWork);
     solve.hidden = rules.solution === "never" || !isDue;
     solve.disabled = Boolean(solved);
     const isOver = (rules.isSilent && memory.submitted) || (rules.attempts && !rules.isSilent && attempts >= rules.attempts);
     const check = this.find("[type=submit]");
-    check.disabled = Boolean(isOver);
-    check.textContent = say(rules.isSilent ? "keep" : "check");
+    if (check) {
+      check.disabled = Boolean(isOver);
+      check.textContent = say(rules.isSilent ? "keep" : "check");
+    }
     for (const input of this.find(".answer").querySelectorAll("input, button")) input.disabled = Boolean(isOver);
     this.find(".attempts").textContent =
       attempts === 0 ? "" : say(attempts === 1 ? "attempts_one" : "attempts", { count: attempts });
@@ -583,6 +589,7 @@ class Part {
     if (error) return place.replaceChildren(make("p", { textContent: error }));
     const value = make("p", { className: "value" });
     value.append(`${say("key")}: `, make("span", { innerHTML: this.part.options.length ? this.chosen() : key }));
+    if (this.isWork) value.textContent = say("work_compare");
     place.replaceChildren(make("h4", { textContent: say("solution") }), value, make("div", { innerHTML: html }));
     if (moves) this.question.offerMotion(place);
   }

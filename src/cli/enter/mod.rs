@@ -240,6 +240,14 @@ impl Asked<'_> {
         let Some(place) = self.solution.template().place(&self.part.id) else {
             return;
         };
+        // Points are read when all is marked.
+        if self.solution.template().parts[place]
+            .answer
+            .kind()
+            .is_by_hand()
+        {
+            return;
+        }
         match grade::echo(self.solution, place, response) {
             Ok(echo) => {
                 let other = echo.other.map(|other| format!(", or as {}", other.plain()));

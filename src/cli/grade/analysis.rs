@@ -21,6 +21,8 @@ pub(super) struct Analysis {
     report: Report,
     verdicts: BTreeMap<Verdict, u64>,
     sheets: usize,
+    /// Parts that nobody has marked by hand yet.
+    open: u64,
 }
 
 /// The columns of `report.csv`.
@@ -69,11 +71,17 @@ impl Analysis {
         self.report.add(&seen.collect::<Vec<_>>());
         for part in &sheet.parts {
             *self.verdicts.entry(part.verdict).or_default() += 1;
+            self.open += u64::from(part.by_hand && part.is_undecided());
         }
     }
 
     pub(super) fn sheets(&self) -> usize {
         self.sheets
+    }
+
+    /// How many parts wait for a person.
+    pub(super) fn open(&self) -> u64 {
+        self.open
     }
 
     pub(super) fn verdicts(&self) -> impl Iterator<Item = (Verdict, u64)> + '_ {

@@ -17,6 +17,8 @@ pub(super) struct Census<'c> {
     pub(super) sheets: usize,
     /// All parts, in the order of the sheets.
     pub(super) columns: Vec<Column>,
+    /// Whether a person marks some of them.
+    pub(super) has_hand: bool,
     /// By the number of a question, the items that it is.
     pub(super) asked: BTreeMap<usize, BTreeSet<String>>,
     /// The students by `id` and name.
@@ -36,12 +38,13 @@ impl<'c> Census<'c> {
             items: Items::of(&[], catalogue, accepts),
             sheets: 0,
             columns: Vec::new(),
+            has_hand: false,
             asked: BTreeMap::new(),
             students: Vec::new(),
             changed: Vec::new(),
         };
         let mut columns = BTreeSet::new();
-        let mut used = BTreeSet::new();
+        let mut used = BTreeMap::<_, BTreeSet<String>>::new();
         let mut codes = BTreeSet::new();
         loop {
             let chunk = sheets.chunk(super::CHUNK)?;
@@ -70,7 +73,9 @@ impl<'c> Census<'c> {
                 }
                 let asked = census.asked.entry(question.number).or_default();
                 asked.insert(question.item.to_string());
-                used.insert((question.item.clone(), question.revision));
+                let parts = used.entry((question.item.clone(), question.revision));
+                let ids = question.parts.iter().map(|part| part.id.clone());
+                parts.or_default().extend(ids);
             }
         }
         census.columns = columns
@@ -78,8 +83,10 @@ impl<'c> Census<'c> {
             .map(|(question, _, letter)| (question, letter))
             .collect();
         census.items = Items::of(&sheets.items, catalogue, accepts);
-        for (item, revision) in &used {
-            census.items.find(item, *revision)?;
+        for ((item, revision), parts) in &used {
+            let template = census.items.find(item, *revision)?;
+            let mut parts = parts.iter().filter_map(|id| template.part(id));
+            census.has_hand |= parts.any(|part| part.answer.kind().is_by_hand());
             if census.items.has_moved_on(item, *revision) {
                 census.changed.push(item.to_string());
             }

@@ -85,6 +85,7 @@ impl Handed {
                 other_form: sheets.other_form,
                 responses: &platform::responses(&attempts),
                 overrides,
+                takes_points: false,
             };
             let points = |taken: &Taken| Ok(marker.sheet(&taken.entry)?.0.points());
             attempts
@@ -110,6 +111,11 @@ impl Handed {
                 sheets: attempts.into_iter().map(|taken| taken.entry).collect(),
             }),
         })
+    }
+
+    /// Whether a teacher typed it, so that it holds the points for work on paper.
+    pub(super) fn is_typed(&self) -> bool {
+        self.attempts.is_none()
     }
 
     /// The sheets that are marked.

@@ -1,6 +1,6 @@
 //! Marking one sheet.
 
-use vibank::answer::{Credit, Doubt, Verdict};
+use vibank::answer::{Credit, Criterion, Doubt, Verdict};
 use vibank::bank::Template;
 use vibank::grade::{
     self, Comment, Feedback, Grade, PartFeedback, Place, QuestionFeedback, Responses, Sheet,
@@ -9,6 +9,7 @@ use vibank::numerics::Rational;
 use vibank::solution::Solution;
 use vibank::worksheet::{PartEntry, QuestionEntry, VariantEntry};
 
+use super::hand;
 use super::items::Items;
 use super::manifest::solution;
 use super::outcome::{Fraction, Outcome, PartOutcome, sum};
@@ -24,6 +25,9 @@ pub(super) struct Marker<'a> {
     pub(super) other_form: Option<Credit>,
     pub(super) responses: &'a Responses,
     pub(super) overrides: &'a Overrides,
+    /// Whether responses to work on paper are the points that a person gave: in the report of a platform they are what
+    /// students wrote.
+    pub(super) takes_points: bool,
 }
 
 /// A part as it was handed out and answered.
@@ -32,10 +36,13 @@ struct Answered<'a> {
     /// Its place in the item.
     place: usize,
     max: Rational,
+    is_by_hand: bool,
     given: &'a str,
     /// Whether `given` is what the file holds, which does not say what was answered.
     is_open: bool,
     decision: Option<&'a Override>,
+    /// The line of the file that says it.
+    line: Option<usize>,
 }
 
 impl<'a> Answered<'a> {
@@ -87,7 +94,10 @@ impl Marker<'_> {
     ) -> Result<(Vec<PartOutcome>, QuestionFeedback), Failure> {
         let solution = solution(self.items, question, self.decimal, self.doubt)?;
         let answered = self.answered(code, question, solution.template())?;
-        let responses = answered.iter().map(|part| (part.place, part.response()));
+        let responses = answered.iter().map(|part| {
+            let response = if part.is_by_hand { "" } else { part.response() };
+            (part.place, response)
+        });
         let asked: Vec<usize> = answered.iter().map(|part| part.place).collect();
         let sheet = Sheet {
             asked: &asked,
@@ -96,7 +106,7 @@ impl Marker<'_> {
         let grade = Grade::mark_on(&solution, &sheet, responses);
         let (mut outcomes, mut parts) = (Vec::new(), Vec::new());
         for part in &answered {
-            let (outcome, feedback) = marked(&solution, question.number, part, &grade);
+            let (outcome, feedback) = self.marked(&solution, question.number, part, &grade);
             outcomes.push(outcome);
             parts.push(feedback);
         }
@@ -108,6 +118,144 @@ impl Marker<'_> {
             parts,
         };
         Ok((outcomes, feedback))
+    }
+
+    /// What a person gave for work on paper.
+    fn given(&self, number: usize, part: &Answered<'_>, criteria: &[Criterion]) -> Given {
+        let sheet = hand::Sheet::of(criteria, part.max, self.decimal);
+        let unmarked = "This part has not been marked yet.";
+        let open = |why: String| Given {
+            points: None,
+            remarks: vec![Comment::sentence(unmarked)],
+            why: Some(why),
+        };
+        let is_decided = part
+            .decision
+            .is_some_and(|decision| decision.response.is_some());
+        let text = if self.takes_points || is_decided {
+            part.response()
+        } else {
+            ""
+        };
+        match sheet.read(text) {
+            Ok(Some(hand)) => Given {
+                points: Some(hand.points),
+                remarks: sheet.told(&hand),
+                why: None,
+            },
+            Ok(None) => open(unmarked.to_owned()),
+            Err(why) => {
+                let row = part
+                    .line
+                    .map_or_else(String::new, |line| format!("row {line}, "));
+                open(format!("{row}part {number}{}: {why}", part.entry.letter))
+            }
+        }
+    }
+
+    /// What came out for a part, and what its student is told.
+    fn marked(
+        &self,
+        solution: &Solution<'_>,
+        number: usize,
+        part: &Answered<'_>,
+        grade: &Grade,
+    ) -> (PartOutcome, PartFeedback) {
+        let marking = grade.part(part.place).expect("its response was marked");
+        let mut remarks = grade::remarks(solution, part.place, marking);
+        let mut reasons: Vec<String> = marking
+            .reasons()
+            .iter()
+            .map(|reason| reason.code())
+            .collect();
+        let (mut verdict, mut credit) = (marking.verdict, marking.credit.share());
+        let mut points = grade::of_marking(marking, part.max);
+        let criteria = solution.template().parts[part.place].answer.rubric();
+        let by_hand = part.is_by_hand;
+        let mut why = None;
+        if by_hand {
+            let given = self.given(number, part, criteria);
+            remarks = given.remarks;
+            why = given.why;
+            reasons = vec![
+                if given.points.is_some() {
+                    "by-hand"
+                } else {
+                    "open"
+                }
+                .to_owned(),
+            ];
+            points = given.points.unwrap_or(Rational::ZERO);
+            (verdict, credit) = match given.points {
+                Some(points) => worth(points, part.max),
+                None => (Verdict::Unreadable, Rational::ZERO),
+            };
+        }
+        if part.is_undecided() {
+            verdict = Verdict::Unreadable;
+            reasons = vec!["unreadable".to_owned()];
+            remarks = vec![Comment::sentence(
+                "The file of responses does not say clearly what was answered here.",
+            )];
+        }
+        if let Some(decision) = part.decision {
+            reasons.insert(0, "override".to_owned());
+            if let Some(settled) = decision.points {
+                points = settled;
+                (verdict, credit) = worth(settled, part.max);
+                remarks.clear();
+            }
+            remarks.splice(0..0, said(decision));
+        }
+        let other = matches!(verdict, Verdict::Wrong)
+            .then(|| grade::pattern(solution, part.place, marking))
+            .flatten();
+        let outcome = PartOutcome {
+            question: number,
+            letter: part.entry.letter.clone(),
+            item: solution.template().id.to_string(),
+            id: part.entry.id.clone(),
+            response: part.given.to_owned(),
+            reading: marking
+                .reading
+                .as_ref()
+                .map_or_else(String::new, |reading| reading.math.latex()),
+            verdict,
+            credit: Fraction(credit),
+            points: Fraction(points),
+            max: Fraction(part.max),
+            reasons,
+            feedback: why.unwrap_or_else(|| {
+                let plain: Vec<String> = remarks.iter().map(Comment::plain).collect();
+                plain.join(" ")
+            }),
+            by_hand,
+            other,
+        };
+        let feedback = PartFeedback {
+            letter: part.entry.letter.clone(),
+            verdict,
+            points,
+            max: part.max,
+            // Points are no answer of the student.
+            response: if by_hand && self.takes_points {
+                String::new()
+            } else {
+                part.given.to_owned()
+            },
+            reading: marking.reading.as_ref().map(|reading| reading.math.clone()),
+            // The page says the verdict itself.
+            remarks: if marking.remarks.is_empty()
+                && part.decision.is_none()
+                && !by_hand
+                && !part.is_undecided()
+            {
+                Vec::new()
+            } else {
+                remarks
+            },
+        };
+        (outcome, feedback)
     }
 
     fn answered<'q>(
@@ -142,95 +290,35 @@ impl Marker<'_> {
                 entry,
                 place,
                 max: exact(entry.points),
+                is_by_hand: template.parts[place].answer.kind().is_by_hand(),
                 given,
                 is_open: open.is_some(),
                 decision: self.overrides.find(&at, &alike),
+                line: self.responses.line(&at),
             }
         });
         Ok(answered.collect())
     }
 }
 
+/// What a person gave for a part: the points, if it is marked, and what the student is told.
+struct Given {
+    points: Option<Rational>,
+    remarks: Vec<Comment>,
+    /// Why it is open, for the teacher.
+    why: Option<String>,
+}
+
+/// What points out of so many amount to.
+fn worth(points: Rational, max: Rational) -> (Verdict, Rational) {
+    let credit = points.checked_div(max).unwrap_or(Rational::ZERO);
+    let verdict = Credit::new(credit).map_or(Verdict::Right, Credit::verdict);
+    (verdict, credit)
+}
+
 /// Points as the manifest states them: decimals, as they were handed out.
 fn exact(points: f64) -> Rational {
     Rational::from_decimal(&points.to_string()).unwrap_or(Rational::ZERO)
-}
-
-fn marked(
-    solution: &Solution<'_>,
-    number: usize,
-    part: &Answered<'_>,
-    grade: &Grade,
-) -> (PartOutcome, PartFeedback) {
-    let marking = grade.part(part.place).expect("its response was marked");
-    let mut remarks = grade::remarks(solution, part.place, marking);
-    let mut reasons: Vec<String> = marking
-        .reasons()
-        .iter()
-        .map(|reason| reason.code())
-        .collect();
-    let (mut verdict, mut credit) = (marking.verdict, marking.credit.share());
-    let mut points = grade::of_marking(marking, part.max);
-    if part.is_undecided() {
-        verdict = Verdict::Unreadable;
-        reasons = vec!["unreadable".to_owned()];
-        remarks = vec![Comment::sentence(
-            "The file of responses does not say clearly what was answered here.",
-        )];
-    }
-    if let Some(decision) = part.decision {
-        reasons.insert(0, "override".to_owned());
-        if let Some(settled) = decision.points {
-            points = settled;
-            credit = settled.checked_div(part.max).unwrap_or(Rational::ZERO);
-            verdict = match Credit::new(credit) {
-                Some(credit) => credit.verdict(),
-                None => Verdict::Right,
-            };
-            remarks.clear();
-        }
-        remarks.splice(0..0, said(decision));
-    }
-    let other = matches!(verdict, Verdict::Wrong)
-        .then(|| grade::pattern(solution, part.place, marking))
-        .flatten();
-    let outcome = PartOutcome {
-        question: number,
-        letter: part.entry.letter.clone(),
-        item: solution.template().id.to_string(),
-        id: part.entry.id.clone(),
-        response: part.given.to_owned(),
-        reading: marking
-            .reading
-            .as_ref()
-            .map_or_else(String::new, |reading| reading.math.latex()),
-        verdict,
-        credit: Fraction(credit),
-        points: Fraction(points),
-        max: Fraction(part.max),
-        reasons,
-        feedback: remarks
-            .iter()
-            .map(Comment::plain)
-            .collect::<Vec<_>>()
-            .join(" "),
-        other,
-    };
-    let feedback = PartFeedback {
-        letter: part.entry.letter.clone(),
-        verdict,
-        points,
-        max: part.max,
-        response: part.given.to_owned(),
-        reading: marking.reading.as_ref().map(|reading| reading.math.clone()),
-        // The page says the verdict itself.
-        remarks: if marking.remarks.is_empty() && part.decision.is_none() && !part.is_undecided() {
-            Vec::new()
-        } else {
-            remarks
-        },
-    };
-    (outcome, feedback)
 }
 
 /// What a student is told of a teacher's decision.

@@ -4,6 +4,7 @@ mod analysis;
 mod census;
 mod changes;
 mod gradebook;
+mod hand;
 mod handed;
 mod items;
 mod journal;
@@ -141,7 +142,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
         journal: Journal::open(&out, &input(arguments, &sheets, &catalogue.digest())?)?,
         pages: layout(&sheets, "html", &[])?,
         feedback: layout(&sheets, &arguments.feedback, &census.students)?,
-        tables: Tables::begin(&out, census.columns, dialect, has_book)?,
+        tables: Tables::begin(&out, census.columns, census.has_hand, dialect, has_book)?,
         dialect,
         changes,
         analysis: Analysis::default(),
@@ -155,6 +156,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
         items: &census.items,
         out: &out,
         sheets,
+        takes_points: handed.is_typed(),
         responses: handed.responses,
         overrides,
     };
@@ -250,6 +252,8 @@ struct Job<'a> {
     out: &'a Folder,
     sheets: Sheets,
     responses: Responses,
+    /// Whether these are what a teacher typed.
+    takes_points: bool,
     overrides: Overrides,
     journal: Journal,
     pages: Layout,
@@ -312,6 +316,7 @@ impl Job<'_> {
             other_form: self.sheets.other_form,
             responses: &self.responses,
             overrides: &self.overrides,
+            takes_points: self.takes_points,
         };
         let marked = variants.par_iter().map(|variant| {
             let (outcome, feedback) = marker.sheet(variant)?;

@@ -30,6 +30,9 @@ pub(super) struct PartOutcome {
     pub(super) max: Fraction,
     pub(super) reasons: Vec<String>,
     pub(super) feedback: String,
+    /// Whether a person marks it.
+    #[serde(default)]
+    pub(super) by_hand: bool,
     /// Another wrong answer, apart from its data.
     pub(super) other: Option<String>,
 }
@@ -52,6 +55,16 @@ impl Outcome {
     pub(super) fn undecided(&self) -> (usize, Rational) {
         let parts = || self.parts.iter().filter(|part| part.is_undecided());
         (parts().count(), sum(parts().map(|part| part.max.0)))
+    }
+
+    /// The points of the parts that a person marks, or of all others, and those that are open there.
+    pub(super) fn points_of(&self, by_hand: bool) -> (Rational, Rational) {
+        let parts = || self.parts.iter().filter(|part| part.by_hand == by_hand);
+        let open = parts().filter(|part| part.is_undecided());
+        (
+            sum(parts().map(|part| part.points.0)),
+            sum(open.map(|part| part.max.0)),
+        )
     }
 
     pub(super) fn max(&self) -> Rational {

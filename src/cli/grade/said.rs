@@ -95,13 +95,19 @@ impl Written<'_> {
         let counts: Vec<String> = self
             .analysis
             .verdicts()
-            .map(|(verdict, count)| format!("{count} {}", verdict.name()))
+            .map(|(verdict, count)| match verdict {
+                Verdict::Unreadable => (count - self.analysis.open(), verdict.name()),
+                _ => (count, verdict.name()),
+            })
+            .chain([(self.analysis.open(), "open")])
+            .filter(|(count, _)| *count > 0)
+            .map(|(count, name)| format!("{count} {name}"))
             .collect();
         println!("{} sheets: {}", self.analysis.sheets(), counts.join(", "));
         if self.analysis.count(Verdict::Unreadable) > 0 {
             file(
                 "unreadable.csv",
-                "what could not be read, like answers in one row; fill it in and give it with `--overrides`",
+                "what is not decided, like answers in one row; fill it in and give it with `--overrides`",
             );
         }
         file(
@@ -141,9 +147,22 @@ pub(super) fn told(analysis: &Analysis, lost: &[Lost], faults: &[String]) {
             eprintln!("  and {} more", count - MOST);
         }
     };
-    let unreadable = analysis.count(Verdict::Unreadable);
+    let unreadable = analysis.count(Verdict::Unreadable) - analysis.open();
     let title = format!("{unreadable} could not be read, and are not yet decided:");
-    list(&title, &mut lost.iter().map(line_of), lost.len());
+    let of = |by_hand: bool| lost.iter().filter(move |lost| lost.by_hand == by_hand);
+    list(&title, &mut of(false).map(line_of), of(false).count());
+    let open = analysis.open();
+    let wrong = || of(true).filter(|lost| !lost.response.is_empty());
+    if open > 0 {
+        eprintln!(
+            "{open} parts are open: a person marks them, and gives the points with the responses"
+        );
+    }
+    list(
+        "points that could not be read:",
+        &mut wrong().map(|lost| lost.why.clone()),
+        wrong().count(),
+    );
     list(
         "rows to look at:",
         &mut faults.iter().cloned(),

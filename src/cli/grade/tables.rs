@@ -25,12 +25,23 @@ const MARKS: [&str; 8] = [
     "undecided points",
 ];
 
+/// Those for the points that the program gave, and those that a person gave, where there are such.
+const APART: [&str; 2] = ["auto", "hand"];
+
+/// The columns of the marks before those of the parts.
+fn marks(has_hand: bool) -> impl Iterator<Item = &'static str> {
+    let apart = APART.into_iter().filter(move |_| has_hand);
+    MARKS.into_iter().chain(apart)
+}
+
 /// The tables, written as sheets are marked.
 pub(super) struct Tables {
     marks: Draft,
     details: Draft,
     results: Draft,
     columns: Vec<Column>,
+    /// Whether a person marks some parts, so that their points stand apart.
+    has_hand: bool,
     dialect: Dialect,
     is_first: bool,
     /// The rows of the marks for a workbook, where the run has one.
@@ -47,6 +58,7 @@ impl Tables {
     pub(super) fn begin(
         out: &Folder,
         columns: Vec<Column>,
+        has_hand: bool,
         dialect: Dialect,
         has_book: bool,
     ) -> Result<Self, Failure> {
@@ -59,7 +71,8 @@ impl Tables {
             .iter()
             .map(|(question, letter)| format!("{question}{letter}"))
             .collect();
-        let head: Vec<&str> = MARKS
+        let fixed: Vec<&str> = marks(has_hand).collect();
+        let head: Vec<&str> = fixed
             .into_iter()
             .chain(names.iter().map(String::as_str))
             .collect();
@@ -70,6 +83,7 @@ impl Tables {
             details: draft("details.csv", &DETAILS)?,
             results,
             columns,
+            has_hand,
             dialect,
             is_first: true,
             book: has_book.then(Vec::new),
@@ -103,7 +117,14 @@ impl Tables {
             points(open),
         ];
         let row = std::iter::once(sheet.code.clone()).chain(own).chain(sums);
-        row.chain(self.columns.iter().map(cell)).collect()
+        let apart = [false, true].into_iter().filter(|_| self.has_hand);
+        let apart = apart.map(|by_hand| {
+            let (reached, open) = sheet.points_of(by_hand);
+            dialect.number(&grade::standing(reached, open))
+        });
+        row.chain(apart)
+            .chain(self.columns.iter().map(cell))
+            .collect()
     }
 
     fn mark(&mut self, sheet: &Outcome) -> Result<(), Failure> {
@@ -155,7 +176,7 @@ impl Tables {
 
     fn result(&mut self, sheet: &Outcome, part: &PartOutcome) -> Result<(), Failure> {
         let settled = |number: f64| (!part.is_undecided()).then_some(number);
-        let entry = json!({
+        let mut entry = json!({
             "code": sheet.code,
             "student": sheet.column("id"),
             "question": part.question,
@@ -171,6 +192,9 @@ impl Tables {
             "reasons": part.reasons,
             "feedback": part.feedback,
         });
+        if part.by_hand {
+            entry["by_hand"] = true.into();
+        }
         let before: &[u8] = if std::mem::take(&mut self.is_first) {
             b"\n"
         } else {
@@ -189,7 +213,8 @@ impl Tables {
         if let Some(rows) = self.book.take() {
             let parts = self.columns.iter();
             let parts = parts.map(|(question, letter)| format!("{question}{letter}"));
-            let head: Vec<String> = MARKS.map(str::to_owned).into_iter().chain(parts).collect();
+            let head = marks(self.has_hand).map(str::to_owned);
+            let head: Vec<String> = head.chain(parts).collect();
             out.write("marks.xlsx", &workbook::written("Marks", &head, &rows)?)?;
         }
         self.results.write(b"\n]\n")?;

@@ -56,7 +56,12 @@ impl Undecided {
         let lost = sheet.parts.iter();
         for part in lost.filter(|part| part.verdict == Verdict::Unreadable) {
             let new = self.groups.len();
-            let place = *self.places.entry(Alike::of(part)).or_insert(new);
+            // What a person marks is not alike for having no points yet.
+            let place = if part.by_hand {
+                new
+            } else {
+                *self.places.entry(Alike::of(part)).or_insert(new)
+            };
             if place == new {
                 self.groups.push(Lost {
                     question: part.question,
@@ -65,6 +70,7 @@ impl Undecided {
                     id: part.id.clone(),
                     response: part.response.clone(),
                     why: part.feedback.clone(),
+                    by_hand: part.by_hand,
                     sheets: Vec::new(),
                 });
             }

@@ -101,6 +101,10 @@ impl Session {
                 self.screen.say(Tone::Plain, "", &words);
             }
             self.question(&scene, &heading.letter, place);
+            if template.parts[place].answer.kind().is_by_hand() {
+                self.work(&scene, &template.parts[place], place)?;
+                continue;
+            }
             match self.part(&scene, &heading.letter, place, &mut answered)? {
                 End::Part => {}
                 End::Exercise => return Ok(End::Exercise),
@@ -178,6 +182,24 @@ impl Session {
         }
     }
 
+    /// Work on paper, which the student compares with the solution: it counts for nothing.
+    fn work(&mut self, scene: &Scene<'_, '_>, part: &Part, place: usize) -> Result<(), Failure> {
+        let words =
+            "Do it on paper; it is not marked here. Enter shows the solution to compare with.";
+        self.screen.say(Tone::Faint, "   ", words);
+        self.screen.ask("> ")?;
+        self.solution(scene, part, place);
+        for row in part.answer.rubric() {
+            let words = format!(
+                "{}: {}",
+                grade::rounded(row.points),
+                row.text.plain(&Vec::new()).trim()
+            );
+            self.screen.say(Tone::Plain, "     ", &words);
+        }
+        Ok(())
+    }
+
     fn feedback(&self, solution: &Solution<'_>, place: usize, marking: &Marking) {
         let (tone, sign) = match marking.verdict {
             Verdict::Right => (Tone::Good, "✓"),
@@ -225,6 +247,7 @@ impl Session {
                 self.screen.say(Tone::Bold, "   ", &words);
             }
             Ok(None) => {}
+            Err(_) if part.answer.kind().is_by_hand() => {}
             Err(absent) => self.screen.say(Tone::Plain, "   ", &absent.to_string()),
         }
         if std::mem::take(&mut self.is_principle_due) {

@@ -267,11 +267,9 @@ impl Export for Canvas {
             let common = common.get_or_insert_with(|| Common::of(&words, &mut pictures));
             self.question(&words, common, asked, &marked, &mut pictures);
         }
-        if self.wish.has_essays {
-            for asked in &sorted.unfit {
-                let common = common.get_or_insert_with(|| Common::of(&words, &mut pictures));
-                self.question(&words, common, asked, &Marked::Essay, &mut pictures);
-            }
+        for asked in &sorted.essays(self.wish.has_essays) {
+            let common = common.get_or_insert_with(|| Common::of(&words, &mut pictures));
+            self.question(&words, common, asked, &Marked::Essay, &mut pictures);
         }
         self.pictures.extend(pictures.files);
     }

@@ -247,10 +247,10 @@ impl Export for Qti {
             self.section().marked.push(identifier.clone());
             self.item(identifier.clone(), xml, pictures);
         }
-        if self.wish.has_essays && !sorted.unfit.is_empty() {
+        let parts = &sorted.essays(self.wish.has_essays);
+        if !parts.is_empty() {
             let identifier = format!("{identifier}.essay");
             let mut pictures = Pictures::default();
-            let parts = &sorted.unfit;
             let xml = item::essay(&words, parts, &identifier, self.version, &mut pictures);
             self.section().essays.push(identifier.clone());
             self.item(identifier, xml, pictures);

@@ -78,6 +78,7 @@ pub(in crate::message) fn blank(blank: &Blank) -> Document {
             Choosing::Several => "choose all that apply",
             Choosing::Ranking => "put all in order",
         }),
+        Asked::Work => line.say("marked by a person"),
     }
     match blank.figures {
         Some(1) => line.say(", 1 figure"),

@@ -43,6 +43,7 @@ fn why(why: &Why) -> String {
         Why::Form => String::new(),
         Why::TooLong => "this is too long to be read.".to_owned(),
         Why::LongerThan(bytes) => format!("the answer is longer than {bytes} bytes."),
+        Why::NoKey(crate::quantity::Absent::ByHand) => "this part is not marked by the program: a person marks it.".to_owned(),
         Why::NoKey(absent) => format!("this part cannot be marked for these data: {absent}."),
         Why::Dollar => "a dollar sign is not a unit, and this one encloses no formula. Omit it.".to_owned(),
         Why::Formula(trouble) => formula(trouble),

@@ -94,3 +94,180 @@ fn room_for_work_is_printed_as_item_and_blueprint_say() {
         .complains("b.toml:12:9")
         .complains("`3 rows` is no working space");
 }
+
+/// The bank with a part that a person marks, and what is made of it.
+const BANK: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fixtures/work/bank");
+const PLAN: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fixtures/work/plan.toml");
+
+/// A run of three sheets in a folder, and their codes.
+fn handed_out(name: &str) -> (std::path::PathBuf, Vec<String>) {
+    let out = folder(name).join("out");
+    vibank(&["sheet", PLAN, "--bank", BANK, "--out", &text_of(&out)]).ends(0);
+    let form = content(out.join("responses.csv"));
+    let mut codes: Vec<String> = form
+        .lines()
+        .skip(1)
+        .map(|line| line[..11].to_owned())
+        .collect();
+    codes.dedup();
+    (out, codes)
+}
+
+#[test]
+fn work_is_printed_with_room_and_its_rubric_for_whoever_marks() {
+    let (out, _) = handed_out("rubric");
+    let [sheets, keys, solutions, table] = ["sheets", "keys", "solutions", "key-table"]
+        .map(|name| content(out.join(format!("{name}.html"))));
+    assert_eq!(sheets.matches("class=\"space squared\"").count(), 3);
+    // The one answer line is that of the other part, and a rubric is not handed out.
+    assert_eq!(sheets.matches("<span class=\"rule\">").count(), 3);
+    let row = "<tr><td>2</td><td>weight and force of the spring";
+    assert!(!sheets.contains("weight and force of the spring"));
+    assert_eq!(keys.matches(row).count(), 3);
+    assert_eq!(solutions.matches(row).count(), 3);
+    assert!(table.contains("by hand"));
+}
+
+#[test]
+fn points_that_a_person_gave_stand_apart_and_what_is_not_marked_is_open() {
+    let (out, codes) = handed_out("by-hand");
+    let grade = |rows: [&str; 3], more: &[&str]| {
+        let rows = codes
+            .iter()
+            .zip(rows)
+            .map(|(code, points)| format!("{code},{points},99 rad/s\n"));
+        let text = format!("code,1a,1b\n{}", rows.collect::<String>());
+        let form = put(&out, "filled.csv", text);
+        let manifest = text_of(&out.join("manifest.json"));
+        let all = [&["grade", &manifest, &form, "--bank", BANK], more].concat();
+        vibank(&all)
+    };
+    grade(["1.5;1", "", "2;2"], &[])
+        .ends(0)
+        .says("1 partial, 3 wrong, 2 open")
+        .complains("2 parts are open")
+        .complains("row 4, part 1a: `2` is more than the 1 of row 2");
+    let marks = content(out.join("marks/marks.csv"));
+    let rows: Vec<&str> = marks.lines().collect();
+    assert!(rows[0].ends_with(",auto,hand,1a,1b"), "{marks}");
+    assert!(rows[1].ends_with(",2.5,4,0,0,0,2.5,2.5,0"), "{marks}");
+    assert!(rows[2].ends_with(",0 + ?3,4,1,3,0,0 + ?3,?3,0"), "{marks}");
+    let page = content(out.join(format!("marks/feedback/{}.html", codes[0])));
+    assert!(page.contains("1.5 of 2: weight and force of the spring"));
+    assert!(page.contains("2.5 of 3 points") && !page.contains("1.5;1"));
+    // What the teacher mistyped is nothing for the student.
+    let page = content(out.join(format!("marks/feedback/{}.html", codes[2])));
+    assert!(page.contains("has not been marked yet") && !page.contains("row 4"));
+    // An open part is settled as any other, each sheet for itself.
+    let open = content(out.join("marks/unreadable.csv"));
+    assert_eq!(open.lines().count(), 3, "{open}");
+    assert!(!open.contains("\n*"), "{open}");
+    let decided = put(
+        &out,
+        "decided.csv",
+        format!(
+            "code,question,part,response,points\n{},1,a,,1\n{},1,a,2;0,\n",
+            codes[1], codes[2]
+        ),
+    );
+    grade(["1.5;1", "", "2;2"], &["--overrides", &decided])
+        .ends(0)
+        .says("3 partial, 3 wrong");
+    let marks = content(out.join("marks/marks.csv"));
+    assert!(
+        marks
+            .lines()
+            .nth(2)
+            .is_some_and(|row| row.ends_with(",1,1,0")),
+        "{marks}"
+    );
+    assert!(
+        marks
+            .lines()
+            .nth(3)
+            .is_some_and(|row| row.ends_with(",2,2,0")),
+        "{marks}"
+    );
+    for (typed, words) in [
+        ("4", "more than the 3 of this part"),
+        ("-1", "is no number of points"),
+        ("good", "is no number of points"),
+        ("1;1;1", "has 3 numbers, the rubric 2 rows"),
+    ] {
+        grade([typed, "3", "0"], &[])
+            .ends(0)
+            .says("1 right, 4 wrong, 1 open")
+            .complains(&format!("row 2, part 1a: `{typed}"))
+            .complains(words);
+    }
+}
+
+#[test]
+fn a_blueprint_with_other_points_shares_them_out_over_the_rubric() {
+    let folder = folder("shared-rubric");
+    let plan = put(
+        &folder,
+        "plan.toml",
+        "title = 'T'\nseed = 1\nvariants = 1\n[[question]]\nitem = 'free/block'\nparts = ['diagram']\npoints = 6\n",
+    );
+    let out = folder.join("out");
+    vibank(&["sheet", &plan, "--bank", BANK, "--out", &text_of(&out)]).ends(0);
+    let key = content(out.join("keys.html"));
+    assert!(key.contains("<tr><td>4</td><td>weight") && key.contains("<tr><td>2</td><td>Newton"));
+}
+
+#[test]
+fn what_a_person_marks_is_said_to_be_so() {
+    vibank(&["mark", "free/block", "diagram", "3", "--bank", BANK]).says("a person marks it");
+    vibank(&["check", "--bank", BANK]).ends(0);
+    let folder = folder("essay");
+    for (format, name, info) in [
+        ("moodle", "quiz.xml", "<graderinfo"),
+        ("qti", "quiz.zip", ""),
+    ] {
+        let out = text_of(&folder.join(name));
+        vibank(&["export", format, PLAN, "--bank", BANK, "--out", &out]).ends(0);
+        if !info.is_empty() {
+            let quiz = content(&out);
+            assert_eq!(quiz.matches("<question type=\"essay\">").count(), 3);
+            assert_eq!(quiz.matches("<defaultgrade>3</defaultgrade>").count(), 3);
+            assert_eq!(quiz.matches("<td>2</td><td>weight and force").count(), 3);
+        }
+    }
+}
+
+#[test]
+fn a_rubric_has_the_points_of_its_part() {
+    let folder = folder("rubrics");
+    let bank = text_of(&folder);
+    put(&folder, "bank.toml", "format = 1\ntitle = 'T'");
+    fs::create_dir_all(folder.join("c")).expect("a folder can be made");
+    put(&folder, "c/_chapter.toml", "title = 'C'");
+    let check = |keys: &str| {
+        let item = format!(
+            "[item]\ntitle = 'A'\nsource = 'S'\n[parameters]\nf = '2 Hz'\n[statement]\ntext = 'X'\n[[part]]\nid = 'w'\nkind = 'work'\nask = 'Draw it.'\n{keys}\n"
+        );
+        let item = put(&folder, "c/a.toml", item);
+        vibank(&["check", &item, "--bank", &bank])
+    };
+    for (keys, words) in [
+        ("points = 2", "`rubric`"),
+        ("points = 2\nrubric = []", "from 1 to 20 rows"),
+        (
+            "points = 2\nrubric = [{ points = 1, text = 'A' }]",
+            "sum up to 1, those of the part are 2",
+        ),
+        ("rubric = [{ points = 0, text = 'A' }]", "a positive number"),
+        ("rubric = [{ points = 1 }]", "`text`"),
+        (
+            "rubric = [{ points = 1, text = 'A' }]\nmistakes = [{ answer = '1', feedback = 'F' }]",
+            "no named mistakes",
+        ),
+        (
+            "rubric = [{ points = 1, text = 'A' }]\nkey = 'f'",
+            "has no key",
+        ),
+    ] {
+        check(keys).ends(1).complains(words);
+    }
+}

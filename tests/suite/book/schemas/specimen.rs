@@ -113,6 +113,12 @@ ask = "Y"
 kind = "choice"
 options = [{ id = "a", text = "A", right = true @option@ }, { id = "b", text = "B" }]
 @choice@
+[[part]]
+id = "z"
+ask = "Y"
+kind = "work"
+rubric = [{ points = 1, text = "T" @rubric@ }]
+@work@
 [[check]]
 source = "S"
 expect = { w = "1 rad/s" }
@@ -120,7 +126,7 @@ expect = { w = "1 rad/s" }
 "#;
 
 /// Where the schema has the keys of a table of the specimen; parts are looked at apart.
-pub(super) const PLACES: [(&str, &str); 24] = [
+pub(super) const PLACES: [(&str, &str); 25] = [
     ("top", ""),
     ("item", "/properties/item"),
     (
@@ -168,6 +174,7 @@ pub(super) const PLACES: [(&str, &str); 24] = [
         "/properties/part/items/properties/mistakes/items",
     ),
     ("option", "/properties/part/items/properties/options/items"),
+    ("rubric", "/properties/part/items/properties/rubric/items"),
     ("check", "/properties/check/items"),
     ("numeric", "/properties/part/items"),
     ("group", "/properties/part/items"),
