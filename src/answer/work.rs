@@ -17,11 +17,16 @@
 //! ]
 //! ```
 
-use super::{Answer, AnswerError, Asked, Blank, Context, Declare, Kind, Marker};
+use super::{Answer, Asked, Blank, Context, Declare, Kind, Marker};
 use crate::quantity::{Absent, NodeId};
-use crate::source::{Table, Text, Value};
+use crate::source::Table;
 #[cfg(feature = "render")]
-use crate::{document::Document, numerics::Rational};
+use crate::{
+    answer::AnswerError,
+    document::Document,
+    numerics::Rational,
+    source::{Text, Value},
+};
 
 /// What some of the points are given for.
 #[cfg(feature = "render")]
@@ -35,6 +40,7 @@ pub struct Criterion {
 
 #[derive(Debug)]
 struct Work {
+    #[cfg(feature = "render")]
     minutes: u32,
     #[cfg(feature = "render")]
     rubric: Vec<Criterion>,
@@ -44,32 +50,28 @@ struct Work {
 #[cfg(feature = "render")]
 const MOST: usize = 20;
 
-#[cfg_attr(
-    not(feature = "render"),
-    expect(clippy::unnecessary_wraps, reason = "all kinds are read alike")
-)]
 /// Reads the keys of a part that belong to this kind; what is wrong is noted.
+#[cfg(feature = "render")]
 pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
     let minutes = part.integer("minutes", "an integer from 1 to 240", 1..=240);
     let minutes = minutes.map_or(Kind::Work.minutes(), |minutes| {
         minutes.unsigned_abs() as u32
     });
-    #[cfg(feature = "render")]
     let rubric = rubric(part, declare)?;
-    #[cfg(feature = "render")]
     if part.has("key") {
         let error = AnswerError::Rubric("what a person marks has no key".to_owned());
         declare.find(&error, &place(part, "key"));
         return None;
     }
-    // Nobody marks by it in a page.
-    #[cfg(not(feature = "render"))]
-    let _ = (part.value("rubric"), declare);
-    Some(Box::new(Work {
-        minutes,
-        #[cfg(feature = "render")]
-        rubric,
-    }))
+    Some(Box::new(Work { minutes, rubric }))
+}
+
+/// The same in a page, where nobody marks by the rubric.
+#[cfg(not(feature = "render"))]
+#[expect(clippy::unnecessary_wraps, reason = "all kinds are read alike")]
+pub(super) fn read(part: &Table<'_>, _declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+    let _ = (part.value("rubric"), part.value("minutes"));
+    Some(Box::new(Work {}))
 }
 
 /// The rows of the rubric, whose points sum up to those of the part.
@@ -146,6 +148,7 @@ impl Answer for Work {
         Blank::of(Asked::Work)
     }
 
+    #[cfg(feature = "render")]
     fn minutes(&self) -> u32 {
         self.minutes
     }
@@ -155,6 +158,7 @@ impl Answer for Work {
         &self.rubric
     }
 
+    #[cfg(feature = "render")]
     fn read_mistake(
         &mut self,
         _number: usize,

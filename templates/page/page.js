@@ -373,13 +373,14 @@ class Question {
 
   /** Takes stock after a mark or a look at a solution. */
   settle() {
-    const records = this.parts.filter((part) => !part.isWork).map((part) => part.record);
+    const records = this.parts.map((part) => part.record);
     if (this.page.isSilent) {
       this.record.status = "tried";
       this.page.memory.keep();
       return this.page.score();
     }
-    const right = records.every((record) => record.verdict === "right");
+    // Work on paper is not marked, and nobody has to look at its solution.
+    const right = this.parts.every((part) => part.isWork || part.record.verdict === "right");
     const seen = records.some((record) => record.solved);
     const best = this.record.status === "done" || (right && !seen) ? "done" : seen ? "seen" : "tried";
     this.record.status = best;

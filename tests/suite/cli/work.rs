@@ -2,7 +2,11 @@
 
 use std::fs;
 
-use super::{content, folder, put, text_of, vibank};
+use vibank::bank::Catalogue;
+use vibank::wasm::Grader;
+use vibank::worksheet::Practice;
+
+use super::{content, fed, folder, put, text_of, vibank};
 
 #[test]
 fn room_for_work_is_printed_as_item_and_blueprint_say() {
@@ -270,4 +274,90 @@ fn a_rubric_has_the_points_of_its_part() {
     ] {
         check(keys).ends(1).complains(words);
     }
+}
+
+#[test]
+fn practice_shows_work_with_its_solution_and_leaves_it_out_of_the_score() {
+    let arguments = ["practice", "--bank", BANK, "free/block", "--seed", "3"];
+    fed(&arguments, "\n1e9 rad/s\n>\n".into())
+        .ends(0)
+        .says("it is not marked here")
+        .says("The weight mg acts downwards")
+        .says("2: weight and force of the spring")
+        .says("0 of 1 parts right");
+}
+
+#[test]
+fn a_page_shows_work_with_its_solution_and_leaves_it_out_of_the_score() {
+    let file = |name: &str| content(format!("{BANK}/{name}"));
+    let names = ["bank.toml", "free/_chapter.toml", "free/block.toml"];
+    let files = names.map(|name| (name, file(name)));
+    let (catalogue, _) = Catalogue::load(files.iter().map(|(name, text)| (*name, text.as_str())));
+    let item = catalogue.find("free/block").expect("it is there");
+    let (practice, items) = Practice::of_items(&catalogue, &[item], "T");
+    let weights: Vec<&str> = practice.questions[0]
+        .weights
+        .iter()
+        .map(|part| part.id.as_str())
+        .collect();
+    assert_eq!(weights, ["omega_n"]);
+    let grader = Grader::of(&practice.lines(&items)).expect("it was written so");
+    let ask = |request: serde_json::Value| -> serde_json::Value {
+        serde_json::from_str(&grader.answer(&request.to_string())).expect("it is JSON")
+    };
+    let code = ask(serde_json::json!({ "do": "choose", "question": 0, "from": 1 }))["code"].clone();
+    let of_part = |what: &str| serde_json::json!({ "do": what, "question": 0, "code": code, "part": "diagram" });
+    let solved = ask(of_part("solve"));
+    assert_eq!(solved["key"], "");
+    assert!(
+        solved["html"]
+            .as_str()
+            .is_some_and(|html| html.contains("acts downwards"))
+    );
+    let mut mark = of_part("mark");
+    mark["response"] = "3".into();
+    mark["earlier"] = serde_json::json!({});
+    let marked = ask(mark);
+    assert_eq!(marked["verdict"], "unreadable");
+    assert!(
+        marked["feedback"]
+            .as_str()
+            .is_some_and(|said| said.contains("a person marks it"))
+    );
+}
+
+#[test]
+fn what_students_wrote_in_a_course_is_no_number_of_points() {
+    let folder = folder("essay-report");
+    let out = text_of(&folder.join("quiz.xml"));
+    vibank(&["export", "moodle", PLAN, "--bank", BANK, "--out", &out]).ends(0);
+    let quiz = content(&out);
+    let name = quiz.split("<idnumber>").find_map(|rest| {
+        let (name, _) = rest.split_once("</idnumber>")?;
+        name.ends_with(" a").then(|| name.to_owned())
+    });
+    let name = name.expect("an essay was exported");
+    let report = put(
+        &folder,
+        "report.csv",
+        format!(
+            "Surname,First name,ID number,Email address,State,Started on,Completed,Time taken,Grade/3.00,Question 1,Response 1\nA,B,1,a@b.c,Finished,1 January 2026 10:00 AM,1 January 2026 11:00 AM,1 hour,-,\"Draw it. {name}\",3\n"
+        ),
+    );
+    let manifest = fs::read_dir(&folder)
+        .expect("the folder is there")
+        .filter_map(|entry| Some(text_of(&entry.ok()?.path())))
+        .find(|path| path.ends_with(".json"))
+        .expect("a manifest stands beside the quiz");
+    vibank(&[
+        "grade",
+        &manifest,
+        &report,
+        "--bank",
+        BANK,
+        "--out",
+        &text_of(&folder.join("marks")),
+    ])
+    .ends(0)
+    .says("1 open");
 }
