@@ -1,27 +1,16 @@
 //! Problem bank and exercise generator for the physics of vibrations.
-#![cfg_attr(
-    not(feature = "render"),
-    allow(
-        dead_code,
-        unused_imports,
-        reason = "the core holds what reads item files, which only `render` calls"
-    )
-)]
 
-// Layer 0: text, random streams, bare numbers, typeset mathematics, units.
-pub mod math;
-pub mod numerics;
+// Layers 0 to 2 are crates of their own: text and findings, bare numbers and vibrations, typeset mathematics, units and
+// formulas, and what people type.
+pub use vibank_dynamics::{numerics, vibration};
+pub use vibank_formula::{expr, unit, work};
+pub use vibank_notation as math;
+pub use vibank_response as response;
+pub use vibank_source as source;
+pub use vibank_source::diagnostic;
+
+pub mod compute;
 pub mod seed;
-pub mod source;
-pub mod unit;
-pub mod work;
-
-// Layer 1: findings.
-pub mod diagnostic;
-
-// Layer 2: formulas, and the vibrations of the textbooks.
-pub mod expr;
-pub mod vibration;
 
 // Layer 3: texts, figures, and mechanics from energies.
 pub mod document;
@@ -31,7 +20,6 @@ pub mod mechanics;
 // Layer 4: an item's quantities, and the kinds of answers.
 pub mod answer;
 pub mod quantity;
-pub mod response;
 
 // Layer 5: items, and what is said about responses.
 pub mod bank;

@@ -254,7 +254,7 @@ fn workbook(bytes: &[u8]) -> u64 {
 /// A request of `compute`: the reply is one line of JSON.
 fn compute(text: &str) -> u64 {
     let line = text.lines().next().unwrap_or_default();
-    let reply = vibank::vibration::request::answer(line);
+    let reply = vibank::compute::answer(line);
     assert!(!reply.contains('\n'), "{reply}");
     let json: Result<serde_json::Value, _> = serde_json::from_str(&reply);
     assert!(json.is_ok(), "{reply}");

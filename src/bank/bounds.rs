@@ -26,6 +26,10 @@ pub(super) const READING: u64 = 100_000_000;
 /// Something that is larger than its bound.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub(super) enum Excess {
+    #[cfg_attr(
+        not(feature = "render"),
+        expect(dead_code, reason = "files belong to the command line")
+    )]
     #[error("the file has {found} bytes, at most {LARGEST_FILE} are read")]
     File { found: usize },
     #[error("`{key}` has {found} entries, at most {most} are read")]

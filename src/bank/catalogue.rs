@@ -40,14 +40,14 @@ pub(super) struct Entry {
 }
 
 /// Where the text of an item is.
+#[cfg_attr(
+    not(feature = "render"),
+    expect(dead_code, reason = "files belong to the command line")
+)]
 pub(super) enum File {
     /// At hand.
     Text(Source),
     /// In a file that is opened when its item is asked for.
-    #[cfg_attr(
-        not(feature = "render"),
-        expect(dead_code, reason = "folders belong to the command line")
-    )]
     Unopened { path: Arc<str>, open: Arc<Open> },
 }
 

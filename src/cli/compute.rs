@@ -13,5 +13,5 @@ pub(crate) struct Arguments {
 }
 
 pub(crate) fn run(_: &Arguments) -> Result<Outcome, Failure> {
-    lines::answer(vibank::vibration::request::answer)
+    lines::answer(vibank::compute::answer)
 }

@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 files() {
-    find src -name '*.rs' -not -path 'src/cli/*' -not -path 'src/output/*' -not -path src/main.rs \
+    find src crates/{dynamics,formula,notation,response,source}/src -name '*.rs' -not -path 'src/cli/*' -not -path 'src/output/*' -not -path src/main.rs \
         -not -name tests.rs -not -name references.rs | LC_ALL=C sort
 }
 if [ "${1-}" = --list ]; then

@@ -35,6 +35,7 @@ pub struct Alike {
 
 impl Fairness {
     /// Pairs of neighbours that are listed.
+    #[cfg(feature = "render")]
     pub(super) const MOST_LISTED: usize = 500;
 }
 

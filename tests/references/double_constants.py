@@ -1,6 +1,6 @@
-"""Prints `src/numerics/double/constants.rs`: the constants of double-double arithmetic, from mpmath.
+"""Prints `crates/dynamics/src/numerics/double/constants.rs`: the constants of double-double arithmetic, from mpmath.
 
-    python3 tests/references/double_constants.py > src/numerics/double/constants.rs
+    python3 tests/references/double_constants.py > crates/dynamics/src/numerics/double/constants.rs
 """
 
 import struct

@@ -1,4 +1,4 @@
-"""Prints the reference values of `src/expr/program/references.rs`: formulas to 36 digits, by mpmath."""
+"""Prints the reference values of `crates/formula/src/expr/program/references.rs`: formulas to 36 digits, by mpmath."""
 
 from mpmath import *
 

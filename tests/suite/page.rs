@@ -254,7 +254,19 @@ fn the_page_is_one_file_that_fetches_nothing() {
     assert!(page == again, "the same items give the same bytes");
 }
 
-/// What of the sources is in the module.
+/// The sources of the module, in the order of their names.
+fn all_sources() -> Vec<PathBuf> {
+    let crates = ["dynamics", "formula", "notation", "response", "source"];
+    let mut files = Vec::new();
+    sources(Path::new("src"), &mut files);
+    for name in crates {
+        sources(&Path::new("crates").join(name).join("src"), &mut files);
+    }
+    files.sort_by(|a, b| a.as_os_str().cmp(b.as_os_str()));
+    files
+}
+
+/// What of the sources in a folder is in the module.
 fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
     let entries = fs::read_dir(folder).expect("a folder");
     for path in entries.map(|entry| entry.expect("an entry").path()) {
@@ -287,9 +299,7 @@ fn is_current() -> bool {
     if fresh().is_some() {
         return true;
     }
-    let mut files = Vec::new();
-    sources(Path::new("src"), &mut files);
-    files.sort_by(|a, b| a.as_os_str().cmp(b.as_os_str()));
+    let files = all_sources();
     let mut hash = Sha256::new();
     for file in files {
         hash.update(without_tests(&content(&file)));
@@ -333,9 +343,7 @@ fn tests_are_no_part_of_the_modules_sources() {
         .output()
         .expect("a shell");
     let listed = String::from_utf8(ran.stdout).expect("paths");
-    let mut files = Vec::new();
-    sources(Path::new("src"), &mut files);
-    files.sort_by(|a, b| a.as_os_str().cmp(b.as_os_str()));
+    let files = all_sources();
     let files: String = files
         .iter()
         .map(|path| format!("{}\n", path.display()))

@@ -55,7 +55,7 @@ fn the_replies_of_mark_are_kept() {
 
 #[test]
 fn the_replies_of_compute_are_kept() {
-    keeps("compute", vibank::vibration::request::answer);
+    keeps("compute", vibank::compute::answer);
 }
 
 #[test]

@@ -24,7 +24,7 @@ impl Setup {
             let chain = response::chain(response, from, to, &self.lexicon, manner);
             let chain = chain.map_err(|error| match error.trouble {
                 Trouble::NoRelation => Why::NoEquation.into(),
-                _ => error.remark(response),
+                _ => Unreadable::typed(&error, response),
             })?;
             let fits = |chain: &Chain| {
                 let equations = of_chain(chain).unwrap_or_default();

@@ -201,7 +201,7 @@ impl Marker for Prepared {
     }
 
     fn echo(&self, response: &str) -> Result<Echo, Unreadable> {
-        let unread = |error: TypedError| error.remark(response);
+        let unread = |error: TypedError| Unreadable::typed(&error, response);
         let readings = match self.readings(response) {
             Ok(readings) => readings,
             Err(error) => {
@@ -225,7 +225,7 @@ impl Marker for Prepared {
                 if is_number {
                     Marking::unreadable(Why::FormulaNotNumber)
                 } else {
-                    Marking::unreadable(error.remark(response))
+                    Marking::unreadable(Unreadable::typed(&error, response))
                 }
             }),
         }

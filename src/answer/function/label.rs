@@ -132,7 +132,9 @@ impl Labels {
     fn side(&self, text: &str) -> Result<Side, Unreadable> {
         let text = without_unit(text);
         let typed = response::formula(text, &self.lexicon, MANNER);
-        let value = typed.map_err(|error| error.remark(text))?.value;
+        let value = typed
+            .map_err(|error| Unreadable::typed(&error, text))?
+            .value;
         Ok(match value.kind() {
             Kind::Name(name) if self.own.contains(name) => Side::Own,
             Kind::Name(_) | Kind::Prime(..) => Side::Other,

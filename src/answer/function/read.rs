@@ -96,7 +96,7 @@ impl Prepared {
             return Err(Why::UnitOfTerms.into());
         }
         let text = holds.unwrap_or_default();
-        let holds = condition(text, lexicon).map_err(|error| error.remark(text))?;
+        let holds = condition(text, lexicon).map_err(|error| Unreadable::typed(&error, text))?;
         let expr = Expr::derived(Kind::If(holds, first.expr, otherwise.expr));
         Ok(Response {
             reading: Reading {
@@ -153,7 +153,7 @@ impl Prepared {
         match self.formula(text) {
             Err(error) => self
                 .with_unit(text)
-                .unwrap_or_else(|| Err(error.remark(text))),
+                .unwrap_or_else(|| Err(Unreadable::typed(&error, text))),
             Ok(typed) => {
                 let expr = self.of_right_dimension(typed);
                 let unit = self.with_unit(text).filter(|_| self.has_data(&expr));

@@ -96,7 +96,7 @@ impl Ends<'_> {
         };
         response::formula(side, &self.setup.lexicon, manner)
             .map(|typed| typed.value)
-            .map_err(|error| error.remark(side))
+            .map_err(|error| Unreadable::typed(&error, side))
     }
 
     /// The value of a formula in SI units.

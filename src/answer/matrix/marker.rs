@@ -265,7 +265,7 @@ impl Marker for Prepared {
                     asked: (setup.rows, setup.columns),
                 });
             }
-            Err(error) => return Marking::unreadable(error.remark(response)),
+            Err(error) => return Marking::unreadable(Unreadable::typed(&error, response)),
         };
         let has_names = !listed.is_numeric();
         let Listed { rows, unit } = listed;

@@ -38,7 +38,7 @@ impl Prepared {
             is_up_to_factor,
             fits,
         );
-        let listed = listed.map_err(|error| error.remark(response))?;
+        let listed = listed.map_err(|error| Unreadable::typed(&error, response))?;
         let has_names = !listed.is_numeric();
         let Listed { rows, unit } = listed;
         let arrangements = arrangements(&rows, width, count);

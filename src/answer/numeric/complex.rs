@@ -397,7 +397,7 @@ impl Numbers {
             comma_is_decimal: true,
             is_complex: true,
         };
-        Values::read(response, style).map_err(|error| error.remark(response))
+        Values::read(response, style).map_err(|error| Unreadable::typed(&error, response))
     }
 
     /// The marking of one reading of the parts of a response.

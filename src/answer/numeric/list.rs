@@ -143,7 +143,7 @@ pub(super) fn parted(
             comma_is_decimal,
             is_complex,
         };
-        Values::read(response, style).map_err(|error| error.remark(response))
+        Values::read(response, style).map_err(|error| Unreadable::typed(&error, response))
     };
     let values = read(true)?;
     if mark == DecimalMark::Comma || values.is_parted() {

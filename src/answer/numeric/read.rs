@@ -86,7 +86,8 @@ pub(super) fn number(response: &str, mark: DecimalMark) -> Result<Number, Unread
         comma_is_decimal: true,
         is_complex: false,
     };
-    let values = Values::read(response, style).map_err(|error| error.remark(response))?;
+    let values =
+        Values::read(response, style).map_err(|error| Unreadable::typed(&error, response))?;
     let all = values.all();
     if values.statements(&all).len() > 1 {
         return Err(Unreadable::at(short(response), Why::Inequality).like(Example::OneValue));
@@ -173,7 +174,7 @@ pub(super) fn explained(error: &TypedError, values: &Values<'_>, typed: &str) ->
             ValueTrouble::Units => Unreadable::of(Why::TwoUnits).like(Example::UnitLast),
             ValueTrouble::MixedAngles => Why::MixedDegrees.into(),
         },
-        _ => error.remark(values.whole()).like(Example::UnitLast),
+        _ => Unreadable::typed(error, values.whole()).like(Example::UnitLast),
     }
 }
 

@@ -303,6 +303,15 @@ impl Unreadable {
         }
     }
 
+    /// Of a text that could not be read.
+    pub fn typed(error: &TypedError, text: &str) -> Self {
+        Self {
+            at: Some(error.at(text)),
+            why: Box::new(Why::Formula(error.trouble.clone())),
+            example: None,
+        }
+    }
+
     /// At these signs.
     pub fn at(place: impl Into<String>, why: Why) -> Self {
         Self {
@@ -329,17 +338,6 @@ impl Unreadable {
     pub fn like(mut self, example: Example) -> Self {
         self.example = Some(example);
         self
-    }
-}
-
-impl TypedError {
-    /// What is remarked to whoever typed `text`.
-    pub(in crate::answer) fn remark(&self, text: &str) -> Unreadable {
-        Unreadable {
-            at: Some(self.at(text)),
-            why: Box::new(Why::Formula(self.trouble.clone())),
-            example: None,
-        }
     }
 }
 

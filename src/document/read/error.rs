@@ -1,17 +1,19 @@
 //! What can be wrong with a text.
 
 use crate::diagnostic::{Code, Diagnose, Label, Severity};
+use crate::math::LatexError;
 use crate::source::Span;
 
 /// What is wrong with a text, with its place in it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TextError {
-    /// A text or formula that is longer than any should be.
-    #[error("{what} of {length} bytes, at most {limit} are read")]
+    /// A formula that cannot be read, or a bracket of LaTeX where no formula begins.
+    #[error(transparent)]
+    Formula(#[from] LatexError),
+    /// A text that is longer than any should be.
+    #[error("text of {length} bytes, at most {limit} are read")]
     TooLong {
-        /// Text or formula.
-        what: &'static str,
         /// Its length.
         length: usize,
         /// The bound.
@@ -93,59 +95,9 @@ pub enum TextError {
         /// Where.
         span: Span,
     },
-    /// A command that is not in our LaTeX.
-    #[error("unknown command `\\{name}`")]
-    UnknownCommand {
-        /// The command without its backslash.
-        name: String,
-        /// The command it may have been meant for.
-        nearest: Option<&'static str>,
-        /// Where.
-        span: Span,
-    },
-    /// An environment that is not in our LaTeX.
-    #[error("unknown environment `{name}`")]
-    UnknownEnvironment {
-        /// Its name.
-        name: String,
-        /// Where.
-        span: Span,
-    },
-    /// Something that opens and does not close, or closes what was not opened.
-    #[error("`{sign}` is not balanced")]
-    Unbalanced {
-        /// What.
-        sign: String,
-        /// Where.
-        span: Span,
-    },
-    /// A character that means nothing in a formula.
-    #[error("`{char}` cannot stand here in a formula")]
-    StrayCharacter {
-        /// Which.
-        char: char,
-        /// Where.
-        span: Span,
-    },
-    /// LaTeX that cannot be read for another reason.
-    #[error("{reason}")]
-    Malformed {
-        /// In the words of the parser.
-        reason: String,
-        /// Where.
-        span: Span,
-    },
     /// `$ x $`.
     #[error("a blank inside the dollar signs, so this is printed as it stands")]
     SpacedMath {
-        /// Where.
-        span: Span,
-    },
-    /// `\(x\)`.
-    #[error("`\\{sign}` does not begin a formula here")]
-    BracketMath {
-        /// The bracket.
-        sign: char,
         /// Where.
         span: Span,
     },
@@ -161,12 +113,6 @@ pub enum TextError {
         /// Where.
         span: Span,
     },
-    /// `$…$` in `\text{…}`.
-    #[error("a dollar sign in `\\text` does not begin a formula")]
-    MathInText {
-        /// Where.
-        span: Span,
-    },
     /// A dollar sign that begins no formula.
     #[error("a dollar sign that begins no formula")]
     LoneDollar {
@@ -179,6 +125,7 @@ impl TextError {
     /// Where it stands in the text.
     pub fn span(&self) -> Span {
         match self {
+            Self::Formula(error) => error.span(),
             Self::TooLong { span, .. }
             | Self::TooDeep { span }
             | Self::Character { span, .. }
@@ -190,16 +137,9 @@ impl TextError {
             | Self::Html { span }
             | Self::Image { span }
             | Self::Link { span, .. }
-            | Self::UnknownCommand { span, .. }
-            | Self::UnknownEnvironment { span, .. }
-            | Self::Unbalanced { span, .. }
-            | Self::StrayCharacter { span, .. }
-            | Self::Malformed { span, .. }
             | Self::SpacedMath { span }
-            | Self::BracketMath { span, .. }
             | Self::BlankLineInMath { span }
             | Self::BarInCell { span }
-            | Self::MathInText { span }
             | Self::LoneDollar { span } => *span,
         }
     }
@@ -208,6 +148,7 @@ impl TextError {
     #[must_use]
     pub fn at(mut self, place: Span) -> Self {
         match &mut self {
+            Self::Formula(error) => return error.clone().at(place).into(),
             Self::TooLong { span, .. }
             | Self::TooDeep { span }
             | Self::Character { span, .. }
@@ -219,16 +160,9 @@ impl TextError {
             | Self::Html { span }
             | Self::Image { span }
             | Self::Link { span, .. }
-            | Self::UnknownCommand { span, .. }
-            | Self::UnknownEnvironment { span, .. }
-            | Self::Unbalanced { span, .. }
-            | Self::StrayCharacter { span, .. }
-            | Self::Malformed { span, .. }
             | Self::SpacedMath { span }
-            | Self::BracketMath { span, .. }
             | Self::BlankLineInMath { span }
             | Self::BarInCell { span }
-            | Self::MathInText { span }
             | Self::LoneDollar { span } => *span = place,
         }
         self
@@ -238,6 +172,7 @@ impl TextError {
 impl Diagnose for TextError {
     fn code(&self) -> Code {
         match self {
+            Self::Formula(error) => error.code(),
             Self::TooLong { .. }
             | Self::TooDeep { .. }
             | Self::Character { .. }
@@ -249,25 +184,17 @@ impl Diagnose for TextError {
             | Self::UnknownForm { .. }
             | Self::TooManyPlaceholders { .. }
             | Self::MisplacedPlaceholder { .. } => Code::TEXT_PLACEHOLDER,
-            Self::UnknownCommand { .. }
-            | Self::UnknownEnvironment { .. }
-            | Self::Unbalanced { .. }
-            | Self::StrayCharacter { .. }
-            | Self::Malformed { .. } => Code::TEXT_MATH,
             Self::SpacedMath { .. }
-            | Self::BracketMath { .. }
             | Self::BlankLineInMath { .. }
             | Self::BarInCell { .. }
-            | Self::MathInText { .. }
             | Self::LoneDollar { .. } => Code::TEXT_DOLLAR,
         }
     }
 
     fn severity(&self) -> Severity {
         match self {
-            Self::LoneDollar { .. } | Self::SpacedMath { .. } | Self::BracketMath { .. } => {
-                Severity::Warning
-            }
+            Self::Formula(error) => error.severity(),
+            Self::LoneDollar { .. } | Self::SpacedMath { .. } => Severity::Warning,
             _ => Severity::Error,
         }
     }
@@ -281,6 +208,7 @@ impl Diagnose for TextError {
 
     fn help(&self) -> Option<String> {
         let help = match self {
+            Self::Formula(error) => return error.help(),
             Self::TooLong { .. } | Self::TooDeep { .. } => "say it in fewer words",
             Self::Character { .. } => "leave it out",
             Self::UnterminatedPlaceholder { .. } => {
@@ -301,25 +229,9 @@ impl Diagnose for TextError {
                 "place a figure by `<< figure >>` or a plot by `<< plots.name >>`"
             }
             Self::Link { .. } => "write the whole address, beginning with `https://`",
-            Self::UnknownCommand {
-                nearest: Some(name),
-                ..
-            } => return Some(format!(r"write `\{name}`")),
-            Self::UnknownCommand { .. } => {
-                r"use a command of LaTeX and `amsmath`; for a function write `\operatorname{name}`"
-            }
-            Self::UnknownEnvironment { .. } => {
-                "write `aligned`, `cases`, `matrix`, `pmatrix`, `bmatrix` or `vmatrix`"
-            }
-            Self::Unbalanced { .. } => "close what is opened and open what is closed",
-            Self::StrayCharacter { char: '%', .. } => r"write `\%`",
-            Self::StrayCharacter { .. } => r"leave it out, or put words into `\text{…}`",
-            Self::Malformed { .. } => return None,
             Self::SpacedMath { .. } => r"leave out the blanks; for the sign itself write `\$`",
-            Self::BracketMath { .. } => "write `$…$`, or `$$…$$` for a formula on its own",
             Self::BlankLineInMath { .. } => "leave out the empty line",
             Self::BarInCell { .. } => r"write `\lvert x\rvert` or `\mid`",
-            Self::MathInText { .. } => r"close the text before the formula: `\text{if }x`",
             Self::LoneDollar { .. } => r"for the sign itself write `\$`",
         };
         Some(help.to_owned())

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::TextError;
-use super::check::Checked;
+use crate::math::{LatexError, faults};
 use crate::source::Span;
 
 /// Looks through words for what was meant as math.
@@ -47,10 +47,8 @@ fn bracket(text: &str, at: usize) -> Option<TextError> {
     };
     let inside = &text[at + 1..at + text[at..].find(closing)?];
     let is_formula = sign == '(' || inside.contains(['\\', '^', '_', '=']);
-    is_formula.then(|| TextError::BracketMath {
-        sign,
-        span: Span::new(at - 1, at + 1),
-    })
+    let span = Span::new(at - 1, at + 1);
+    is_formula.then(|| LatexError::BracketMath { sign, span }.into())
 }
 
 /// What is wrong with the dollar sign at a place, and where what it was meant to open ends.
@@ -73,7 +71,7 @@ fn dollar(text: &str, in_cell: bool, at: usize) -> (TextError, usize) {
         TextError::BarInCell { span }
     } else if let Some(error) = unbalanced(inside) {
         let place = error.span().shifted(at + 1);
-        error.at(place)
+        error.at(place).into()
     } else if inside.starts_with([' ', '\t']) || inside.ends_with([' ', '\t']) {
         TextError::SpacedMath { span }
     } else {
@@ -83,11 +81,11 @@ fn dollar(text: &str, in_cell: bool, at: usize) -> (TextError, usize) {
 }
 
 /// Braces that do not match, for which the Markdown parser refuses to see a formula.
-fn unbalanced(inside: &str) -> Option<TextError> {
-    Checked::of(inside).errors.into_iter().find(|error| {
+fn unbalanced(inside: &str) -> Option<LatexError> {
+    faults(inside).into_iter().find(|error| {
         matches!(
             error,
-            TextError::Unbalanced { .. } | TextError::MathInText { .. }
+            LatexError::Unbalanced { .. } | LatexError::MathInText { .. }
         )
     })
 }

@@ -5,14 +5,8 @@
 
 use super::TextError;
 use crate::document::{Form, Placeholder};
+use crate::math::holes::{LIMIT, LITERAL, is_private, mark};
 use crate::source::{Span, nearest};
-
-/// The first of the characters that stand for holes.
-const FIRST: u32 = 0xE000;
-/// How many holes a text may have.
-pub(super) const LIMIT: usize = 6000;
-/// What stands for a written `<<`.
-pub(super) const LITERAL: char = '\u{F8FF}';
 
 /// A text whose placeholders are single characters.
 pub(super) struct Masked {
@@ -21,18 +15,6 @@ pub(super) struct Masked {
     /// Ends of replaced pieces: in the masked text, and in the written one.
     ends: Vec<(usize, usize)>,
     pub(super) errors: Vec<TextError>,
-}
-
-/// The hole that a character stands for.
-pub(super) fn hole(char: char) -> Option<u32> {
-    u32::from(char)
-        .checked_sub(FIRST)
-        .filter(|hole| (*hole as usize) < LIMIT)
-}
-
-/// Whether a character belongs to the private-use area that the mask takes.
-pub(super) fn is_private(char: char) -> bool {
-    ('\u{E000}'..='\u{F8FF}').contains(&char)
 }
 
 /// Whether a byte is a character that stands for itself.
@@ -109,29 +91,26 @@ impl Masked {
         let end = start + length + 2;
         let name = rest[2..length].trim();
         let from = start + 2 + (rest[2..length].len() - rest[2..length].trim_start().len());
-        match demand(name, from) {
-            Ok((path, form)) if self.placeholders.len() < LIMIT => {
-                self.placeholders.push(Placeholder {
-                    path: path.to_owned(),
-                    form,
-                    in_math: false,
-                    span: Span::new(start, end),
-                });
-            }
-            Ok(_) => {
-                let span = Span::new(start, end);
-                let limit = LIMIT;
-                self.errors
-                    .push(TextError::TooManyPlaceholders { limit, span });
-                return self.replace(char::REPLACEMENT_CHARACTER, end);
-            }
+        let (path, form) = match demand(name, from) {
+            Ok(demand) => demand,
             Err(error) => {
                 self.errors.push(error);
                 return self.replace(char::REPLACEMENT_CHARACTER, end);
             }
-        }
-        let hole = FIRST + self.placeholders.len() as u32 - 1;
-        let mark = char::from_u32(hole).expect("the private-use area has no gaps");
+        };
+        let span = Span::new(start, end);
+        let Some(mark) = mark(self.placeholders.len()) else {
+            let limit = LIMIT;
+            self.errors
+                .push(TextError::TooManyPlaceholders { limit, span });
+            return self.replace(char::REPLACEMENT_CHARACTER, end);
+        };
+        self.placeholders.push(Placeholder {
+            path: path.to_owned(),
+            form,
+            in_math: false,
+            span,
+        });
         self.replace(mark, end)
     }
 

@@ -1,20 +1,16 @@
 //! Texts read into trees.
 //!
 //! Placeholders are put out of sight first ([`mask`]), then the Markdown parser cuts the text into
-//! events, which [`text`] folds into blocks; each formula is looked over ([`check`]), parsed,
-//! folded ([`tex`]) and brought into its one form ([`tidy`]). All findings of a text are reported
-//! together, with their places in the text as it was written.
+//! events, which [`text`] folds into blocks; each formula is read by [`crate::math`]. All findings of a text are
+//! reported together, with their places in the text as it was written.
 
-mod check;
 mod error;
 mod lint;
 mod mask;
-mod tex;
 mod text;
-mod tidy;
 
+pub use crate::math::read_latex as read_math;
 pub use error::TextError;
-pub use tex::read_math;
 
 use super::Document;
 use crate::diagnostic::Finding;

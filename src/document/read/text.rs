@@ -6,11 +6,11 @@ use std::ops::Range;
 use pulldown_cmark::{Alignment as Column, Event, OffsetIter, Options, Parser, Tag, TagEnd};
 
 use super::lint::Lint;
-use super::mask::{LITERAL, Masked, hole, is_private};
-use super::tex::parse;
+use super::mask::Masked;
 use super::{Reading, TextError};
 use crate::document::{Alignment, Block, Document, Inline};
-use crate::math::Math;
+use crate::math::holes::{LITERAL, hole, is_private};
+use crate::math::{Math, read_all};
 use crate::source::Span;
 
 /// The longest text that is read, in bytes.
@@ -26,7 +26,6 @@ pub(super) fn read(text: &str) -> Reading {
         return Reading {
             document: Document::default(),
             errors: vec![TextError::TooLong {
-                what: "text",
                 length: text.len(),
                 limit: LENGTH,
                 span: Span::new(0, text.len()),
@@ -411,7 +410,7 @@ impl Reader<'_> {
         }
         let inside = range.start + fence..range.end.saturating_sub(fence).max(range.start + fence);
         let is_verbatim = self.source.get(inside.clone()) == Some(latex);
-        match parse(latex) {
+        match read_all(latex) {
             Ok(math) => return Some(math),
             Err(errors) => {
                 for error in errors {
@@ -422,7 +421,7 @@ impl Reader<'_> {
                         range.clone()
                     };
                     let span = self.span(place);
-                    self.errors.push(error.at(span));
+                    self.errors.push(error.at(span).into());
                 }
             }
         }

@@ -134,15 +134,15 @@ fn a_reading_is_read_as_itself() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
-/// Signs of which only the table in `src/response/signs.rs` may know; a kind sees what they stand for.
+/// Signs of which only the table in `crates/response/src/signs.rs` may know; a kind sees what they stand for.
 const FANCY: &str = "−–—‐‑‒―×⋅∙∗•÷∕⁄′’‘´“”⩽⩾≦≧≃≅≔∨∧";
 
 #[test]
 fn one_table_knows_the_signs() {
     // What is written for people, not read.
     const WRITTEN: [&str; 1] = ["answer/equation/told.rs"];
-    let source = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let mut folders = vec![source.join("response"), source.join("answer")];
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut folders = vec![root.join("crates/response/src"), root.join("src/answer")];
     let (mut faults, mut count) = (Vec::new(), 0);
     while let Some(folder) = folders.pop() {
         for entry in std::fs::read_dir(folder).expect("a folder") {
@@ -151,7 +151,7 @@ fn one_table_knows_the_signs() {
                 folders.push(path);
                 continue;
             }
-            let is_free = ["response/signs.rs", "tests.rs"]
+            let is_free = ["response/src/signs.rs", "tests.rs"]
                 .iter()
                 .chain(&WRITTEN)
                 .any(|own| path.ends_with(own));

@@ -212,7 +212,7 @@ fn the_table_of_functions_has_all_functions() {
 #[test]
 fn the_table_of_numerical_tasks_has_all_of_them() {
     let page = include_str!("../../../book/src/reference/programs.md");
-    let missing: Vec<&str> = vibank::vibration::request::tasks()
+    let missing: Vec<&str> = vibank::compute::tasks()
         .filter(|task| !page.contains(&format!("\n| `{task}` |")))
         .collect();
     assert!(missing.is_empty(), "{missing:?}");

@@ -9,7 +9,7 @@ use std::fmt::Write;
 
 use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
-use vibank::vibration::request::answer;
+use vibank::compute::answer;
 
 /// Cases of the stress lists; some lines hold no request.
 const LISTS: [&str; 7] = [

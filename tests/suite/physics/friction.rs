@@ -2,8 +2,8 @@
 
 use proptest::prelude::*;
 use serde_json::{Value, json};
+use vibank::compute;
 use vibank::numerics::{Dd, ExactNumber, powi};
-use vibank::vibration::request;
 use vibank::vibration::{DryFriction, FrictionError, FrictionMotion, FrictionOscillator};
 
 use super::reference::{Accuracy, Case, ulps};
@@ -143,12 +143,12 @@ fn requests_without_an_end_have_no_values() {
     let request =
         r#"{"id":1,"task":"coulomb_stop","params":{"m":1,"k":1,"mu":0,"g":9.81,"x0":1,"t":0}}"#;
     let expected = r#"{"id":1,"result":{"n_half":null,"t_stop":null,"x_stop":null,"path":null,"x_stick":0.0,"x_t":1.0,"v_t":0.0}}"#;
-    assert_eq!(request::answer(request), expected);
+    assert_eq!(compute::answer(request), expected);
     let paper_tie =
         r#"{"id":1,"task":"coulomb_stop","params":{"m":1,"k":1,"mu":0.1,"g":1,"x0":0.3,"c":0}}"#;
-    assert!(request::answer(paper_tie).starts_with(r#"{"id":1,"result":{"n_half":1,"#));
+    assert!(compute::answer(paper_tie).starts_with(r#"{"id":1,"result":{"n_half":1,"#));
     let refused = r#"{"id":1,"task":"coulomb_stop","params":{"m":1,"k":1,"mu":0.1,"mu_s":0.05,"g":1,"x0":0.3}}"#;
-    assert!(request::answer(refused).contains("out_of_domain"));
+    assert!(compute::answer(refused).contains("out_of_domain"));
 }
 
 /// A block of 1 kg on a spring of 1 N/m: lengths and forces are the same numbers.

@@ -4,9 +4,9 @@ use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 use serde::Deserialize;
 use serde_json::{Value, json};
+use vibank::compute::answer;
 use vibank::numerics::{Dd, powi, scale_by_power_of_two};
 use vibank::vibration::modes::{Link, Modes, System, natural_angular_frequencies};
-use vibank::vibration::request::answer;
 
 use super::reference::Accuracy;
 

@@ -1,8 +1,8 @@
 //! The oscillator against `tests/references/oscillator.py`, as requests see it.
 
 use serde_json::{Value, json};
+use vibank::compute::answer;
 use vibank::numerics::Dd;
-use vibank::vibration::request::answer;
 use vibank::vibration::{ForcedResponse, FrequencyResponse, HarmonicForce, Oscillator, State};
 
 use super::reference::{Accuracy, Case, ulps};

@@ -2,8 +2,8 @@
 
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
+use vibank::compute;
 use vibank::numerics::{Dd, ExactNumber};
-use vibank::vibration::request;
 
 /// A line of a file in `tests/fixtures/references`.
 #[derive(Deserialize)]
@@ -23,7 +23,7 @@ impl Case {
     /// What the request of this case is answered.
     pub(super) fn answer(&self) -> Map<String, Value> {
         let request = json!({ "id": 0, "task": self.task, "params": self.params });
-        let reply: Value = serde_json::from_str(&request::answer(&request.to_string())).unwrap();
+        let reply: Value = serde_json::from_str(&compute::answer(&request.to_string())).unwrap();
         reply["result"]
             .as_object()
             .unwrap_or_else(|| panic!("{reply} to {request}"))

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use serde_json::{Value, json};
-use vibank::vibration::request::{answer, tasks};
+use vibank::compute::{answer, tasks};
 
 fn reply(line: &str) -> Value {
     let reply = answer(line);

@@ -206,7 +206,7 @@ impl Setup {
         let count = self.coordinates.len();
         if places.len() == 1 && count > 1 {
             let found = response::components(response, count, &self.lexicon, manner);
-            if let Some(found) = found.map_err(|error| error.remark(response))? {
+            if let Some(found) = found.map_err(|error| Unreadable::typed(&error, response))? {
                 return Ok(found);
             }
         }
@@ -222,7 +222,7 @@ impl Setup {
                 None => None,
             };
             let typed = response::formula(text, &self.lexicon, manner)
-                .map_err(|error| error.remark(text))?;
+                .map_err(|error| Unreadable::typed(&error, text))?;
             let place = named.unwrap_or(position);
             if found[place].replace(typed.value).is_some() {
                 return Err(Why::TwoFunctions(self.symbols[place].plain()).into());

@@ -1,0 +1,170 @@
+//! Puts the steps of a program together, each computation once.
+
+use super::hash::Table;
+use super::instruction::{Instruction, Register, RegisterPair, Step, Target};
+use super::{CompileError, Entry};
+use crate::expr::{Function, Precise};
+use vibank_source::Span;
+
+/// Most steps of a program.
+const MOST_STEPS: usize = 200_000;
+
+/// The steps so far, and what they have computed.
+///
+/// A computation that was already made is not made again, where it is certain to have been run: what was computed
+/// between [`Assembler::open`] and [`Assembler::close`] is forgotten.
+#[derive(Default)]
+pub(super) struct Assembler {
+    pub(super) code: Vec<Instruction>,
+    pub(super) spans: Vec<Span>,
+    pub(super) constants: Vec<Precise>,
+    pub(super) registers: u32,
+    /// The indices of the constants, by their bits.
+    indices: Table<[u64; 3], u32>,
+    known: Table<Step, Register>,
+    /// The known steps, in the order in which they became known.
+    learned: Vec<Step>,
+    /// Where the step at hand was written.
+    span: Span,
+}
+
+/// A place in the list of known computations.
+pub(super) struct Scope(usize);
+
+impl Assembler {
+    /// Room for about so many steps; more are taken as they come.
+    pub(super) fn with_room(steps: usize) -> Self {
+        Self {
+            code: Vec::with_capacity(steps),
+            spans: Vec::with_capacity(steps),
+            known: Table::with_capacity_and_hasher(steps, Default::default()),
+            learned: Vec::with_capacity(steps),
+            ..Self::default()
+        }
+    }
+
+    /// Says where the steps that follow were written; what is derived keeps the place around it.
+    pub(super) fn place(&mut self, span: Span) -> Span {
+        let before = self.span;
+        if !span.is_none() {
+            self.span = span;
+        }
+        before
+    }
+
+    pub(super) fn return_to(&mut self, span: Span) {
+        self.span = span;
+    }
+
+    /// Steps from here on may not be run.
+    pub(super) fn open(&mut self) -> Scope {
+        Scope(self.learned.len())
+    }
+
+    pub(super) fn close(&mut self, scope: Scope) {
+        for step in self.learned.drain(scope.0..) {
+            self.known.remove(&step);
+        }
+    }
+
+    pub(super) fn register(&mut self) -> Register {
+        self.registers += 1;
+        self.registers - 1
+    }
+
+    /// The register of a computation.
+    pub(super) fn compute(&mut self, step: Step) -> Result<Register, CompileError> {
+        if let Some(&known) = self.known.get(&step) {
+            return Ok(known);
+        }
+        let out = self.register();
+        if is_complex(&step) {
+            self.register();
+        }
+        self.push(step, out)?;
+        self.known.insert(step, out);
+        self.learned.push(step);
+        Ok(out)
+    }
+
+    /// The two registers of a complex computation.
+    pub(super) fn compute_pair(&mut self, step: Step) -> Result<Entry, CompileError> {
+        let out = self.compute(step)?;
+        Ok(Entry::complex(out, out + 1))
+    }
+
+    /// Adds a step; its index.
+    pub(super) fn push(&mut self, step: Step, out: Register) -> Result<Target, CompileError> {
+        if self.code.len() >= MOST_STEPS {
+            return Err(CompileError::TooLarge);
+        }
+        self.code.push(Instruction { step, out });
+        self.spans.push(self.span);
+        Ok(self.code.len() as Target - 1)
+    }
+
+    /// The index of the next step.
+    pub(super) fn here(&self) -> Target {
+        self.code.len() as Target
+    }
+
+    /// Lets the jump or search at `at` go on at the next step.
+    pub(super) fn land(&mut self, at: Target) {
+        let here = self.here();
+        match &mut self.code[at as usize].step {
+            Step::Jump(target) | Step::JumpIf(_, target) | Step::JumpUnless(_, target) => {
+                *target = here;
+            }
+            Step::Root(search) | Step::Integral(search) => search.end = here,
+            _ => {}
+        }
+    }
+
+    /// Says what the body of the search at `at` computes.
+    pub(super) fn set_value(&mut self, at: Target, value: Register) {
+        if let Step::Root(search) | Step::Integral(search) = &mut self.code[at as usize].step {
+            search.value = value;
+        }
+    }
+
+    pub(super) fn constant(&mut self, value: Precise) -> Result<Register, CompileError> {
+        let bits = [value.high(), value.low(), value.rest()].map(f64::to_bits);
+        let next = self.constants.len() as u32;
+        let index = *self.indices.entry(bits).or_insert(next);
+        if index == next {
+            self.constants.push(value);
+        }
+        self.compute(Step::Constant(index))
+    }
+
+    pub(super) fn exact(&mut self, value: f64) -> Result<Register, CompileError> {
+        self.constant(Precise::exact(value))
+    }
+
+    pub(super) fn unary(
+        &mut self,
+        function: Function,
+        a: Register,
+    ) -> Result<Register, CompileError> {
+        self.compute(Step::Unary(function, a))
+    }
+
+    /// An entry as a pair of registers.
+    pub(super) fn pair(&mut self, entry: Entry) -> Result<RegisterPair, CompileError> {
+        Ok(match entry.imaginary {
+            Some(imaginary) => [entry.real, imaginary],
+            None => [entry.real, self.exact(0.0)?],
+        })
+    }
+}
+
+fn is_complex(step: &Step) -> bool {
+    matches!(
+        step,
+        Step::ComplexMultiply(..)
+            | Step::ComplexDivide(..)
+            | Step::ComplexPower(..)
+            | Step::ComplexPowerWhole(..)
+            | Step::ComplexUnary(..)
+    )
+}

@@ -1,0 +1,210 @@
+//! Powers of sums and products, and what all terms of a sum have in common.
+
+use super::inner::Inner;
+use super::term::{Atom, Monomial, Polynomial, fits, settle};
+use super::{SymbolicError, Work};
+use crate::expr::Constant;
+use vibank_dynamics::numerics::Rational;
+
+/// The largest whole exponent to which a sum is multiplied out.
+const LARGEST_EXPONENT: i128 = 64;
+
+/// Numbers under roots are taken apart by divisors up to this one; what is left counts as a prime.
+const LARGEST_DIVISOR: i128 = 1_000;
+
+impl Polynomial {
+    /// The power with an exact exponent.
+    pub(super) fn power(&self, exponent: Rational, work: &mut Work) -> Result<Self, SymbolicError> {
+        if exponent.is_zero() {
+            return Ok(Self::one());
+        }
+        if self.is_zero() {
+            return if exponent.is_negative() {
+                Err(SymbolicError::Undefined)
+            } else {
+                Ok(self.clone())
+            };
+        }
+        if exponent.abs().numerator() > LARGEST_EXPONENT * exponent.denominator() {
+            return Err(SymbolicError::TooLarge);
+        }
+        if let Some(number) = self.as_number() {
+            return power_of_number(number, exponent, work);
+        }
+        if !exponent.is_integer() {
+            return self.root(exponent, work);
+        }
+        if let Some((monomial, coefficient)) = self.as_term() {
+            let scale = power_of_number(coefficient, exponent, work)?;
+            let mut power = Self::default();
+            settle(monomial.power(exponent)?, Rational::ONE, &mut power, work)?;
+            return power.times(&scale, work);
+        }
+        if !exponent.is_negative() {
+            let whole = exponent.numerator();
+            return self.raised(u32::try_from(whole).unwrap_or(u32::MAX), work);
+        }
+        let (content, common, rest) = self.primitive()?;
+        let outside = Self::term(common, content).power(exponent, work)?;
+        let base = Atom::Base(Inner::from(rest));
+        Self::term(Monomial::of(base, exponent), Rational::ONE).times(&outside, work)
+    }
+
+    /// A power that is not whole: of the positive numbers in front, and of all the rest as one base,
+    /// because a root may not be split without knowing signs.
+    fn root(&self, exponent: Rational, work: &mut Work) -> Result<Self, SymbolicError> {
+        let content = self.content()?;
+        let mut rest = self
+            .clone()
+            .scaled(fits(Rational::ONE.checked_div(content))?)?;
+        let mut outside = power_of_number(content, exponent, work)?;
+        if let Some((monomial, coefficient)) = rest.as_term() {
+            let (positive, others): (Vec<_>, Vec<_>) = monomial
+                .0
+                .iter()
+                .cloned()
+                .partition(|(atom, _)| is_positive(atom));
+            let positive = Self::term(Monomial(positive).power(exponent)?, Rational::ONE);
+            outside = outside.times(&positive, work)?;
+            rest = Self::term(Monomial(others), coefficient);
+            if let Some(sign) = rest.as_number() {
+                return outside.times(&power_of_number(sign, exponent, work)?, work);
+            }
+        }
+        let base = Atom::Base(Inner::from(rest));
+        let mut power = Self::default();
+        settle(
+            Monomial::of(base, exponent),
+            Rational::ONE,
+            &mut power,
+            work,
+        )?;
+        power.times(&outside, work)
+    }
+
+    /// The positive number that divides all coefficients and leaves integers without common divisor.
+    pub(super) fn content(&self) -> Result<Rational, SymbolicError> {
+        let mut coefficients = self.0.values();
+        let first = coefficients.next().copied().unwrap_or(Rational::ONE).abs();
+        coefficients.try_fold(first, |common, own| fits(common_divisor(common, own.abs())))
+    }
+
+    /// The product of atoms that stands in all terms, with negative exponents taken along.
+    pub(super) fn common_monomial(&self) -> Monomial {
+        let mut monomials = self.0.keys();
+        let first = monomials.next().cloned().unwrap_or_default();
+        monomials.fold(first, |common, own| common.common(own))
+    }
+
+    /// Number, monomial and rest whose product it is; the rest has whole coefficients without common
+    /// divisor, no common atom, and a positive leading term.
+    pub(super) fn primitive(&self) -> Result<(Rational, Monomial, Self), SymbolicError> {
+        let mut content = self.content()?;
+        if self
+            .leading()
+            .is_some_and(|(_, leading)| leading.is_negative())
+        {
+            content = -content;
+        }
+        let common = self.common_monomial();
+        let (divisor, inverse) = (fits(Rational::ONE.checked_div(content))?, common.inverse());
+        let mut rest = Self::default();
+        for (monomial, coefficient) in &self.0 {
+            let coefficient = fits(coefficient.checked_mul(divisor))?;
+            rest.insert(monomial.times(&inverse)?, coefficient)?;
+        }
+        Ok((content, common, rest))
+    }
+}
+
+fn is_positive(atom: &Atom) -> bool {
+    matches!(atom, Atom::Constant(Constant::Pi | Constant::E))
+}
+
+/// The greatest fraction that goes into both an integer number of times.
+pub(super) fn common_divisor(a: Rational, b: Rational) -> Option<Rational> {
+    let gcd = |mut a: i128, mut b: i128| {
+        while b != 0 {
+            (a, b) = (b, a % b);
+        }
+        a
+    };
+    let left = a.numerator().checked_mul(b.denominator())?;
+    let right = b.numerator().checked_mul(a.denominator())?;
+    Rational::new(
+        gcd(left, right),
+        a.denominator().checked_mul(b.denominator())?,
+    )
+}
+
+/// A power of a pure number, with roots of primes as bases: `12^(1/2)` is `2*3^(1/2)`.
+fn power_of_number(
+    number: Rational,
+    exponent: Rational,
+    work: &mut Work,
+) -> Result<Polynomial, SymbolicError> {
+    if exponent.is_integer() {
+        let power = i32::try_from(exponent.numerator()).ok();
+        let value = power.and_then(|power| number.checked_pow(power));
+        return Ok(Polynomial::number(fits(value)?));
+    }
+    let mut product = Polynomial::one();
+    let mut magnitude = number;
+    if number.is_negative() {
+        magnitude = -number;
+        product = product.times(&root_of(-Rational::ONE, exponent, work)?, work)?;
+    }
+    for (prime, count) in prime_factors(magnitude.numerator()).into_iter().chain(
+        prime_factors(magnitude.denominator())
+            .into_iter()
+            .map(|(p, n)| (p, -n)),
+    ) {
+        let count = fits(Rational::new(count, 1).and_then(|count| exponent.checked_mul(count)))?;
+        product = product.times(&root_of(fits(Rational::new(prime, 1))?, count, work)?, work)?;
+    }
+    Ok(product)
+}
+
+fn root_of(
+    number: Rational,
+    exponent: Rational,
+    work: &mut Work,
+) -> Result<Polynomial, SymbolicError> {
+    if number == -Rational::ONE && exponent.denominator() == 2 {
+        let unit = Monomial::of(Atom::Constant(Constant::ImaginaryUnit), Rational::ONE);
+        let turns = Rational::new(exponent.numerator(), 1);
+        let mut power = Polynomial::default();
+        settle(unit.power(fits(turns)?)?, Rational::ONE, &mut power, work)?;
+        return Ok(power);
+    }
+    let base = Atom::Base(Inner::from(Polynomial::number(number)));
+    let mut power = Polynomial::default();
+    settle(
+        Monomial::of(base, exponent),
+        Rational::ONE,
+        &mut power,
+        work,
+    )?;
+    Ok(power)
+}
+
+/// Prime factors with their multiplicities, as far as trial division goes.
+fn prime_factors(mut number: i128) -> Vec<(i128, i128)> {
+    let mut factors = Vec::new();
+    let mut divisor = 2;
+    while divisor <= LARGEST_DIVISOR && divisor * divisor <= number {
+        let mut count = 0;
+        while number % divisor == 0 {
+            number /= divisor;
+            count += 1;
+        }
+        if count > 0 {
+            factors.push((divisor, count));
+        }
+        divisor += 1;
+    }
+    if number > 1 {
+        factors.push((number, 1));
+    }
+    factors
+}

@@ -1,0 +1,411 @@
+//! Sums of products with exact coefficients.
+
+use std::cmp::Ordering;
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+
+use super::inner::Inner;
+use super::{SymbolicError, Work};
+use crate::expr::{Constant, Expr, Function, Variable};
+use crate::work;
+use vibank_dynamics::numerics::Rational;
+
+/// What the normal form does not look into further.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Atom {
+    /// `pi`, `e`, `i`.
+    Constant(Constant),
+    /// A name or a time derivative of it.
+    Variable(Variable),
+    /// A function of arguments in normal form.
+    Call(Function, Vec<Inner>),
+    /// A base that cannot be multiplied out: a sum in a denominator, or whatever stands under a root.
+    /// Its exponent is negative or not whole.
+    Base(Inner),
+    /// A power whose exponent is not a number: the base and the exponent.
+    Power(Inner, Inner),
+    /// Anything else, compared by how it is written.
+    Opaque(Opaque),
+}
+
+/// A formula that is kept as it stands.
+#[derive(Clone, Debug)]
+pub(super) struct Opaque {
+    pub(super) expr: Expr,
+    text: String,
+}
+
+impl Opaque {
+    pub(super) fn of(expr: &Expr) -> Self {
+        Self {
+            expr: expr.clone(),
+            text: expr.to_string(),
+        }
+    }
+}
+
+impl PartialEq for Opaque {
+    fn eq(&self, other: &Self) -> bool {
+        self.text == other.text
+    }
+}
+
+impl Eq for Opaque {}
+
+impl PartialOrd for Opaque {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Opaque {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.text.cmp(&other.text)
+    }
+}
+
+/// A product of powers of atoms, in the order of the atoms, without zero exponents.
+///
+/// The order is lexicographic in the exponents and so is kept by multiplication, as division needs it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Monomial(pub(super) Vec<(Atom, Rational)>);
+
+impl Monomial {
+    pub(super) fn of(atom: Atom, exponent: Rational) -> Self {
+        Self(vec![(atom, exponent)])
+    }
+
+    pub(super) fn is_one(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// What comparing its atoms may take: each may be looked into down to its end.
+    fn depths(&self) -> u64 {
+        let depths = self.0.iter().map(|(atom, _)| u64::from(atom.depth()));
+        depths.sum()
+    }
+
+    /// The exponent of an atom, 0 where it does not stand.
+    pub(super) fn exponent(&self, atom: &Atom) -> Rational {
+        self.0
+            .binary_search_by(|(own, _)| own.cmp(atom))
+            .map_or(Rational::ZERO, |at| self.0[at].1)
+    }
+
+    /// The product, before any power is multiplied out.
+    pub(super) fn times(&self, other: &Self) -> Result<Self, SymbolicError> {
+        let mut product = Vec::with_capacity(self.0.len() + other.0.len());
+        let (mut left, mut right) = (self.0.iter().peekable(), other.0.iter().peekable());
+        while let (Some(a), Some(b)) = (left.peek(), right.peek()) {
+            match a.0.cmp(&b.0) {
+                Ordering::Less => product.extend(left.next().cloned()),
+                Ordering::Greater => product.extend(right.next().cloned()),
+                Ordering::Equal => {
+                    let exponent = fits(a.1.checked_add(b.1))?;
+                    if !exponent.is_zero() {
+                        product.push((a.0.clone(), exponent));
+                    }
+                    left.next();
+                    right.next();
+                }
+            }
+        }
+        product.extend(left.cloned());
+        product.extend(right.cloned());
+        Ok(Self(product))
+    }
+
+    /// The power with a whole exponent.
+    pub(super) fn power(&self, exponent: Rational) -> Result<Self, SymbolicError> {
+        let scale = |own: &Rational| fits(own.checked_mul(exponent));
+        let factors = self
+            .0
+            .iter()
+            .map(|(atom, own)| Ok((atom.clone(), scale(own)?)))
+            .collect::<Result<_, SymbolicError>>()?;
+        Ok(Self(factors))
+    }
+
+    /// The reciprocal.
+    pub(super) fn inverse(&self) -> Self {
+        let factors = self.0.iter();
+        Self(factors.map(|(atom, own)| (atom.clone(), -*own)).collect())
+    }
+
+    /// The same without one atom.
+    pub(super) fn without(&self, atom: &Atom) -> Self {
+        let factors = self.0.iter();
+        Self(factors.filter(|(own, _)| own != atom).cloned().collect())
+    }
+
+    /// What both have in common: each atom with the smaller exponent.
+    pub(super) fn common(&self, other: &Self) -> Self {
+        let mut factors = Vec::new();
+        for (atom, own) in &self.0 {
+            let least = (*own).min(other.exponent(atom));
+            if !least.is_zero() {
+                factors.push((atom.clone(), least));
+            }
+        }
+        for (atom, theirs) in &other.0 {
+            if theirs.is_negative() && self.exponent(atom).is_zero() {
+                factors.push((atom.clone(), *theirs));
+            }
+        }
+        vibank_dynamics::numerics::sort_by(&mut factors, |a, b| a.0.cmp(&b.0));
+        Self(factors)
+    }
+}
+
+impl PartialOrd for Monomial {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Monomial {
+    fn cmp(&self, other: &Self) -> Ordering {
+        let (mut left, mut right) = (self.0.iter(), other.0.iter());
+        loop {
+            match (left.next(), right.next()) {
+                (None, None) => return Ordering::Equal,
+                (Some(a), None) => return a.1.cmp(&Rational::ZERO),
+                (None, Some(b)) => return Rational::ZERO.cmp(&b.1),
+                (Some(a), Some(b)) => match a.0.cmp(&b.0) {
+                    Ordering::Less => return a.1.cmp(&Rational::ZERO),
+                    Ordering::Greater => return Rational::ZERO.cmp(&b.1),
+                    Ordering::Equal if a.1 != b.1 => return a.1.cmp(&b.1),
+                    Ordering::Equal => {}
+                },
+            }
+        }
+    }
+}
+
+/// A sum of monomials with exact coefficients, none of them zero.
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Polynomial(pub(super) BTreeMap<Monomial, Rational>);
+
+impl Polynomial {
+    pub(super) fn number(value: Rational) -> Self {
+        Self::term(Monomial::default(), value)
+    }
+
+    pub(super) fn one() -> Self {
+        Self::number(Rational::ONE)
+    }
+
+    pub(super) fn atom(atom: Atom) -> Self {
+        Self::term(Monomial::of(atom, Rational::ONE), Rational::ONE)
+    }
+
+    pub(super) fn term(monomial: Monomial, coefficient: Rational) -> Self {
+        let mut sum = Self::default();
+        if !coefficient.is_zero() {
+            sum.0.insert(monomial, coefficient);
+        }
+        sum
+    }
+
+    pub(super) fn is_zero(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Its value if it is a number.
+    pub(super) fn as_number(&self) -> Option<Rational> {
+        match self.0.len() {
+            0 => Some(Rational::ZERO),
+            _ => self
+                .as_term()
+                .filter(|term| term.0.is_one())
+                .map(|term| term.1),
+        }
+    }
+
+    /// Its only term, if it has one.
+    pub(super) fn as_term(&self) -> Option<(&Monomial, Rational)> {
+        let mut terms = self.0.iter();
+        let (monomial, coefficient) = terms.next()?;
+        terms.next().is_none().then_some((monomial, *coefficient))
+    }
+
+    /// Its greatest term in the order of monomials.
+    pub(super) fn leading(&self) -> Option<(&Monomial, Rational)> {
+        let (monomial, coefficient) = self.0.last_key_value()?;
+        Some((monomial, *coefficient))
+    }
+
+    /// Adds one term.
+    pub(super) fn insert(
+        &mut self,
+        monomial: Monomial,
+        coefficient: Rational,
+    ) -> Result<(), SymbolicError> {
+        match self.0.entry(monomial) {
+            Entry::Vacant(free) if !coefficient.is_zero() => {
+                free.insert(coefficient);
+            }
+            Entry::Vacant(_) => {}
+            Entry::Occupied(mut taken) => {
+                let sum = fits(taken.get().checked_add(coefficient))?;
+                if sum.is_zero() {
+                    taken.remove();
+                } else {
+                    taken.insert(sum);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    pub(super) fn plus(mut self, other: Self) -> Result<Self, SymbolicError> {
+        if self.is_zero() {
+            return Ok(other);
+        }
+        for (monomial, coefficient) in other.0 {
+            self.insert(monomial, coefficient)?;
+        }
+        Ok(self)
+    }
+
+    pub(super) fn negated(mut self) -> Self {
+        for own in self.0.values_mut() {
+            *own = -*own;
+        }
+        self
+    }
+
+    pub(super) fn scaled(mut self, factor: Rational) -> Result<Self, SymbolicError> {
+        if factor.is_zero() {
+            return Ok(Self::default());
+        }
+        for own in self.0.values_mut() {
+            *own = fits(own.checked_mul(factor))?;
+        }
+        Ok(self)
+    }
+
+    pub(super) fn times(&self, other: &Self, work: &mut Work) -> Result<Self, SymbolicError> {
+        let mut product = Self::default();
+        for (left, a) in &self.0 {
+            for (right, b) in &other.0 {
+                work.spend(1 + left.0.len() + right.0.len())?;
+                work::spend(left.depths() + right.depths())?;
+                let coefficient = fits(a.checked_mul(*b))?;
+                settle(left.times(right)?, coefficient, &mut product, work)?;
+            }
+        }
+        Ok(product)
+    }
+
+    /// The power with a whole exponent that is not negative.
+    pub(super) fn raised(&self, exponent: u32, work: &mut Work) -> Result<Self, SymbolicError> {
+        let mut power = Self::one();
+        for _ in 0..exponent {
+            power = power.times(self, work)?;
+        }
+        Ok(power)
+    }
+
+    /// The exact quotient, or nothing where the division leaves a rest.
+    pub(super) fn divided_by(
+        &self,
+        divisor: &Self,
+        work: &mut Work,
+    ) -> Result<Option<Self>, SymbolicError> {
+        let Some((lead, scale)) = divisor.leading() else {
+            return Ok(None);
+        };
+        let (lead, mut rest, mut quotient) = (lead.inverse(), self.clone(), Self::default());
+        // An exact quotient has at most as many terms as its products allow; what needs more has a rest.
+        for _ in 0..self.0.len() * 2 + 8 {
+            let Some((monomial, coefficient)) = rest.leading() else {
+                return Ok(Some(quotient));
+            };
+            let factor = fits(coefficient.checked_div(scale))?;
+            let monomial = monomial.times(&lead)?;
+            let step = Self::term(monomial.clone(), factor);
+            quotient.insert(monomial, factor)?;
+            rest = rest.plus(step.times(divisor, work)?.negated())?;
+        }
+        Ok(None)
+    }
+}
+
+/// The number, or the error for one that does not fit.
+pub(super) fn fits(value: Option<Rational>) -> Result<Rational, SymbolicError> {
+    value.ok_or(SymbolicError::TooLarge)
+}
+
+/// Adds a term whose product may hold powers that can be multiplied out by now.
+pub(super) fn settle(
+    mut monomial: Monomial,
+    mut coefficient: Rational,
+    sum: &mut Polynomial,
+    work: &mut Work,
+) -> Result<(), SymbolicError> {
+    let is_settled = |(atom, _): &(Atom, Rational)| {
+        !matches!(
+            atom,
+            Atom::Base(_) | Atom::Constant(Constant::ImaginaryUnit)
+        )
+    };
+    if monomial.0.iter().all(is_settled) {
+        return sum.insert(monomial, coefficient);
+    }
+    let mut factors: Vec<(Inner, u32)> = Vec::new();
+    let mut kept = Vec::with_capacity(monomial.0.len());
+    for (atom, exponent) in monomial.0.drain(..) {
+        match &atom {
+            Atom::Constant(Constant::ImaginaryUnit) if exponent.is_integer() => {
+                let turns = exponent.numerator().rem_euclid(4);
+                if turns >= 2 {
+                    coefficient = -coefficient;
+                }
+                if turns % 2 == 1 {
+                    kept.push((atom, Rational::ONE));
+                }
+            }
+            Atom::Base(base) => {
+                let whole = whole_part(base, exponent);
+                if let Some(number) = base.as_number() {
+                    let power = i32::try_from(whole)
+                        .ok()
+                        .and_then(|n| number.checked_pow(n));
+                    coefficient = fits(power.and_then(|power| coefficient.checked_mul(power)))?;
+                } else if whole > 0 {
+                    let whole = u32::try_from(whole).map_err(|_| SymbolicError::TooLarge)?;
+                    factors.push((base.clone(), whole));
+                }
+                let rest = Rational::new(whole, 1).and_then(|whole| exponent.checked_sub(whole));
+                let rest = fits(rest)?;
+                if !rest.is_zero() {
+                    kept.push((atom, rest));
+                }
+            }
+            _ => kept.push((atom, exponent)),
+        }
+    }
+    let kept = Monomial(kept);
+    if factors.is_empty() {
+        return sum.insert(kept, coefficient);
+    }
+    let mut product = Polynomial::term(kept, coefficient);
+    for (base, exponent) in factors {
+        product = product.times(&base.raised(exponent, work)?, work)?;
+    }
+    for (monomial, coefficient) in product.0 {
+        sum.insert(monomial, coefficient)?;
+    }
+    Ok(())
+}
+
+/// The part of an exponent that is multiplied out: all whole powers of a number, so that its root
+/// has an exponent between 0 and 1; positive ones of a sum; whole ones of a product.
+fn whole_part(base: &Polynomial, exponent: Rational) -> i128 {
+    let floor = exponent.numerator().div_euclid(exponent.denominator());
+    if base.as_number().is_some() {
+        return floor;
+    }
+    floor.max(0)
+}

@@ -1,0 +1,229 @@
+//! Functions and operators.
+
+use super::{Hold, Math, Piece, Setter, separated};
+use crate::expr::{Expr, Function, Kind, Name, Operator};
+use vibank_notation::Class;
+
+/// Exponentials of arguments up to this many nodes are set as powers of e.
+const LARGEST_EXPONENT: u32 = 16;
+
+impl Setter<'_> {
+    pub(super) fn call(&self, function: Function, arguments: &[Expr]) -> Piece {
+        let one = arguments.first();
+        match (function, one) {
+            (Function::Sqrt, Some(u)) => Piece::atom(Math::root(self.math(u))),
+            (Function::Exp, Some(u)) if u.size() <= LARGEST_EXPONENT && !has_cases(u) => {
+                Piece::new(Math::upright("e").with_sup(self.math(u)), Hold::Power)
+            }
+            (Function::Abs, Some(u)) => Piece::atom(self.math(u).fenced("|", "|")),
+            (Function::Norm, Some(u)) => Piece::atom(self.math(u).fenced("‖", "‖")),
+            (Function::Floor, Some(u)) => Piece::atom(self.math(u).fenced("⌊", "⌋")),
+            (Function::Ceil, Some(u)) => Piece::atom(self.math(u).fenced("⌈", "⌉")),
+            (Function::Conj, Some(u)) => {
+                let conjugate = self.math(u).with_accent(vibank_notation::Accent::Bar);
+                Piece::atom(conjugate)
+            }
+            (Function::Transpose, Some(u)) => {
+                let base = self.piece(u).at_least(Hold::Atom);
+                Piece::new(base.with_sup(Math::upright("T")), Hold::Power)
+            }
+            (Function::Hypot, _) => {
+                let squares = arguments.iter().cloned().map(Expr::squared);
+                let sum = squares.reduce(|sum, square| sum + square);
+                Piece::atom(Math::root(sum.map_or(Math::row([]), |sum| self.math(&sum))))
+            }
+            (Function::Dot, Some(_)) => self.between("⋅", arguments),
+            (Function::Mod, Some(_)) => self.between("mod", arguments),
+            _ => self.applied(written_name(function), arguments),
+        }
+    }
+
+    /// A sign or word between operands.
+    fn between(&self, sign: &str, operands: &[Expr]) -> Piece {
+        let operands = operands
+            .iter()
+            .map(|operand| self.piece(operand).at_least(Hold::Fraction));
+        let sign = Math::binary(sign);
+        Piece::new(separated(operands, Some(&sign)), Hold::Product)
+    }
+
+    /// A named function before its arguments; one that is a single symbol stands bare.
+    pub(super) fn applied(&self, name: &str, arguments: &[Expr]) -> Piece {
+        let function = function_name(name);
+        self.named(function, arguments)
+    }
+
+    fn named(&self, function: Math, arguments: &[Expr]) -> Piece {
+        let argument = match arguments {
+            [only] if is_symbol(only) => self.piece(only).at_least(Hold::Atom),
+            _ => self.arguments(arguments),
+        };
+        Piece::new(Math::row([function, argument]), Hold::Fraction)
+    }
+
+    fn arguments(&self, arguments: &[Expr]) -> Math {
+        let arguments = arguments.iter().map(|argument| self.math(argument));
+        separated(arguments, Some(&Math::punctuation(","))).fenced("(", ")")
+    }
+
+    /// A function that is followed by another factor has its argument in parentheses.
+    pub(super) fn call_before_factor(&self, expr: &Expr) -> Math {
+        match expr.kind() {
+            Kind::Call(function, arguments) if is_bare(*function, arguments) => {
+                let name = function_name(written_name(*function));
+                Math::row([name, self.arguments(arguments)])
+            }
+            Kind::Binary(Operator::Power, base, exponent) => match base.kind() {
+                Kind::Call(function, arguments) if has_powers(*function) => {
+                    match power_of_name(exponent) {
+                        Some(power) => {
+                            let name = function_name(written_name(*function));
+                            Math::row([name.with_sup(power), self.arguments(arguments)])
+                        }
+                        None => self.math(expr),
+                    }
+                }
+                _ => self.math(expr),
+            },
+            _ => self.piece(expr).at_least(Hold::Fraction),
+        }
+    }
+
+    /// sin²x for sin(x)^2.
+    pub(super) fn power_of_call(&self, base: &Expr, exponent: &Expr) -> Option<Piece> {
+        let Kind::Call(function, arguments) = base.kind() else {
+            return None;
+        };
+        let power = power_of_name(exponent).filter(|_| has_powers(*function))?;
+        let name = function_name(written_name(*function)).with_sup(power);
+        Some(self.named(name, arguments))
+    }
+
+    /// f with a bar and the values of its names below it.
+    pub(super) fn at(&self, inner: &Expr, values: &[(Name, Expr)]) -> Piece {
+        let equations = values.iter().map(|(name, value)| {
+            let name = self.math(&Expr::name(name.clone()));
+            Math::row([name, Math::relation("="), self.math(value)])
+        });
+        let condition = separated(equations, Some(&Math::punctuation(",")));
+        Piece::atom(self.math(inner).fenced("", "|").with_sub(condition))
+    }
+
+    /// ∂²f/∂x∂y.
+    pub(super) fn partial_derivative(&self, inner: &Expr, names: &[Name]) -> Piece {
+        let partial = || Math::operator("∂", Class::Ordinary);
+        let above = match names.len() {
+            1 => partial(),
+            n => partial().with_sup(Math::number(n.to_string())),
+        };
+        let mut below = Vec::new();
+        for same in names.chunk_by(|a, b| a == b) {
+            let name = self.math(&Expr::name(same[0].clone()));
+            below.push(partial());
+            below.push(match same.len() {
+                1 => name,
+                n => name.with_sup(Math::number(n.to_string())),
+            });
+        }
+        let below = Math::row(below);
+        let math = if is_symbol(inner) {
+            Math::fraction(Math::row([above, self.math(inner)]), below)
+        } else {
+            let body = self.piece(inner).at_least(Hold::Atom);
+            Math::row([Math::fraction(above, below), body])
+        };
+        Piece::new(math, Hold::Fraction)
+    }
+
+    pub(super) fn integral(&self, inner: &Expr, name: &Name, from: &Expr, to: &Expr) -> Piece {
+        let sign = Math::operator("∫", Class::Large)
+            .with_sub(self.math(from))
+            .with_sup(self.math(to));
+        let body = self.piece(inner).at_least(Hold::Product);
+        let variable = self.math(&Expr::name(name.clone()));
+        let row = [sign, body, Math::thin_space(), Math::upright("d"), variable];
+        Piece::new(Math::row(row), Hold::Sum)
+    }
+}
+
+fn function_name(name: &str) -> Math {
+    match name {
+        "log10" => Math::function("log").with_sub(Math::number("10")),
+        _ => Math::function(name),
+    }
+}
+
+/// Whether it is one symbol, which may follow the name of a function without parentheses.
+fn is_symbol(expr: &Expr) -> bool {
+    match expr.kind() {
+        Kind::Name(_) | Kind::Constant(_) => true,
+        Kind::Prime(inner, _) => matches!(inner.kind(), Kind::Name(_)),
+        _ => false,
+    }
+}
+
+/// Whether the call is set as a name and a bare argument.
+fn is_bare(function: Function, arguments: &[Expr]) -> bool {
+    let is_framed = matches!(
+        function,
+        Function::Sqrt
+            | Function::Exp
+            | Function::Abs
+            | Function::Norm
+            | Function::Floor
+            | Function::Ceil
+            | Function::Conj
+            | Function::Transpose
+            | Function::Hypot
+            | Function::Dot
+            | Function::Mod
+    );
+    !is_framed && matches!(arguments, [only] if is_symbol(only))
+}
+
+/// An exponent that may stand at the name of a function.
+fn power_of_name(exponent: &Expr) -> Option<Math> {
+    let exponent = exponent.as_number()?;
+    let is_usual = exponent.is_integer() && (2..10).contains(&exponent.numerator());
+    is_usual.then(|| Math::number(exponent.numerator().to_string()))
+}
+
+/// Functions whose power is written at the name.
+fn has_powers(function: Function) -> bool {
+    matches!(
+        function,
+        Function::Sin
+            | Function::Cos
+            | Function::Tan
+            | Function::Sinh
+            | Function::Cosh
+            | Function::Tanh
+            | Function::Ln
+    )
+}
+
+fn has_cases(expr: &Expr) -> bool {
+    let mut found = false;
+    expr.walk(&mut |node| {
+        found |= matches!(node.kind(), Kind::If(..) | Kind::Array(_))
+            || matches!(node.kind(), Kind::Binary(Operator::Divide, a, b) if a.size().max(b.size()) > 8);
+    });
+    found
+}
+
+/// The name as it is printed.
+fn written_name(function: Function) -> &'static str {
+    match function {
+        Function::Asin => "arcsin",
+        Function::Acos => "arccos",
+        Function::Atan => "arctan",
+        Function::Asinh => "arsinh",
+        Function::Acosh => "arcosh",
+        Function::Atanh => "artanh",
+        Function::Sign => "sgn",
+        Function::Re => "Re",
+        Function::Im => "Im",
+        Function::EllipticK => "K",
+        other => other.name(),
+    }
+}

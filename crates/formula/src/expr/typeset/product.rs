@@ -1,0 +1,264 @@
+//! Products and quotients.
+
+use super::{Hold, Math, Piece, Setter, SymbolKind};
+use crate::expr::{Expr, Kind, Operator};
+
+/// One factor of a product as it is set.
+pub(super) struct Factor {
+    math: Math,
+    /// Whether it begins with a digit, which must not touch what stands before it.
+    begins_with_number: bool,
+    /// Whether it needs a dot on both sides.
+    is_quantity: bool,
+}
+
+impl Setter<'_> {
+    /// A product or quotient, with all factors of a chain side by side.
+    pub(super) fn product(&self, expr: &Expr) -> Piece {
+        let mut factors = Vec::new();
+        flatten(expr, &mut factors);
+        let is_negative = factors.first_mut().is_some_and(take_sign);
+        let product = match factors.as_slice() {
+            [Part::Quotient(above, below)] => {
+                Piece::new(self.fraction(above, below), Hold::Fraction)
+            }
+            _ => {
+                let hold = if self.begins_with_sign(&factors) {
+                    Hold::Sign
+                } else {
+                    Hold::Product
+                };
+                Piece::new(self.side_by_side(&factors), hold)
+            }
+        };
+        if is_negative {
+            Piece::new(Math::row([Math::prefix("−"), product.math]), Hold::Sign)
+        } else {
+            product
+        }
+    }
+
+    /// Whether a sign stands in front, as where a negative number is put in for the first factor.
+    ///
+    /// Only what is set in one step can bear one: setting the factor to see would double the work at each level.
+    fn begins_with_sign(&self, factors: &[Part]) -> bool {
+        let Some(Part::Factor(first)) = factors.first() else {
+            return false;
+        };
+        match first.kind() {
+            Kind::Negate(_) => true,
+            Kind::Number(_) | Kind::Name(_) | Kind::Path(_) => self.piece(first).hold == Hold::Sign,
+            _ => false,
+        }
+    }
+
+    fn fraction(&self, above: &[Part], below: &[Part]) -> Math {
+        // A number alone above or below keeps its own size; ½ m x / l is written m x / 2 l.
+        let (above, below) = hoisted(above, below);
+        Math::fraction(self.side_by_side(&above), self.side_by_side(&below))
+    }
+
+    fn side_by_side(&self, parts: &[Part]) -> Math {
+        if let [Part::Factor(only)] = parts {
+            return self.math(only);
+        }
+        let mut row: Vec<Math> = Vec::new();
+        let mut before: Option<Factor> = None;
+        for (position, part) in parts.iter().enumerate() {
+            let factor = self.factor(part, position == 0, position + 1 == parts.len());
+            if let Some(before) = &before {
+                let is_dotted =
+                    before.is_quantity || factor.is_quantity || factor.begins_with_number;
+                if is_dotted {
+                    row.push(Math::binary("⋅"));
+                }
+            }
+            row.push(factor.math.clone());
+            before = Some(factor);
+        }
+        Math::row(row)
+    }
+
+    fn factor(&self, part: &Part, is_first: bool, is_last: bool) -> Factor {
+        match part {
+            Part::Quotient(above, below) => {
+                let is_number = |parts: &[Part]| {
+                    parts
+                        .iter()
+                        .all(|part| matches!(part, Part::Factor(own) if own.as_number().is_some()))
+                };
+                let is_number = is_number(above) && is_number(below);
+                Factor {
+                    math: self.fraction(above, below),
+                    begins_with_number: is_number,
+                    is_quantity: false,
+                }
+            }
+            Part::Factor(expr) => self.plain_factor(expr, is_first, is_last),
+        }
+    }
+
+    fn plain_factor(&self, expr: &Expr, is_first: bool, is_last: bool) -> Factor {
+        let kind = self.symbol_kind(expr);
+        let is_bare_call = !is_last
+            && match expr.kind() {
+                Kind::Call(..) => true,
+                Kind::Binary(Operator::Power, base, _) => matches!(base.kind(), Kind::Call(..)),
+                _ => false,
+            };
+        let math = if is_bare_call {
+            self.call_before_factor(expr)
+        } else {
+            let piece = self.piece(expr);
+            let least = match piece.hold {
+                Hold::Sign if is_first => Hold::Sign,
+                Hold::Product if kind == SymbolKind::Quantity => Hold::Product,
+                _ => Hold::Fraction,
+            };
+            piece.at_least(least)
+        };
+        Factor {
+            math,
+            begins_with_number: matches!(kind, SymbolKind::Number),
+            is_quantity: kind == SymbolKind::Quantity,
+        }
+    }
+
+    /// What a factor begins with.
+    fn symbol_kind(&self, expr: &Expr) -> SymbolKind {
+        match expr.kind() {
+            Kind::Number(value) if value.is_negative() => SymbolKind::Negative,
+            Kind::Number(_) => SymbolKind::Number,
+            Kind::Name(name) => self.notation.name(name).kind,
+            Kind::Path(path) => self.notation.path(path).kind,
+            Kind::Binary(Operator::Power, base, _) => match self.symbol_kind(base) {
+                SymbolKind::Number => SymbolKind::Number,
+                // The base stands in parentheses.
+                _ => SymbolKind::Letter,
+            },
+            Kind::Negate(_) => SymbolKind::Negative,
+            _ => SymbolKind::Letter,
+        }
+    }
+}
+
+/// A factor of a chain of products, or a quotient within it.
+#[derive(Clone)]
+enum Part {
+    Factor(Expr),
+    Quotient(Vec<Part>, Vec<Part>),
+}
+
+/// The factors of a chain of products and quotients: `a*b/c*d` is the fraction ab/c, then d.
+fn flatten(expr: &Expr, parts: &mut Vec<Part>) {
+    match expr.kind() {
+        Kind::Binary(Operator::Multiply, a, b) => {
+            flatten(a, parts);
+            flatten(b, parts);
+        }
+        Kind::Binary(Operator::Divide, a, b) => {
+            let (mut above, mut below) = (Vec::new(), Vec::new());
+            flatten(a, &mut above);
+            flatten(b, &mut below);
+            if let [Part::Quotient(_, lower)] = above.as_slice()
+                && !is_number_fraction(&above[0])
+            {
+                below = lower.iter().cloned().chain(below).collect();
+                if let Some(Part::Quotient(upper, _)) = above.pop() {
+                    above = upper;
+                }
+            }
+            parts.push(Part::Quotient(above, below));
+        }
+        _ => parts.push(Part::Factor(expr.clone())),
+    }
+}
+
+/// Takes the sign of the first factor or numerator away, so that it stands before the product: what
+/// follows a sign is set as any other factor, `-sign(v)*d` as −sgn(v)d.
+fn take_sign(part: &mut Part) -> bool {
+    match part {
+        Part::Factor(first) => match first.kind() {
+            Kind::Negate(inner) => {
+                *first = inner.clone();
+                true
+            }
+            _ => false,
+        },
+        Part::Quotient(above, _) => above.first_mut().is_some_and(take_sign),
+    }
+}
+
+fn is_number(part: &Part) -> bool {
+    matches!(part, Part::Factor(expr) if expr.as_number().is_some())
+}
+
+fn is_number_fraction(part: &Part) -> bool {
+    match part {
+        Part::Factor(_) => false,
+        Part::Quotient(above, below) => above.iter().all(is_number) && below.iter().all(is_number),
+    }
+}
+
+/// A fraction of numbers in front of a numerator goes to the two sides of the bar.
+fn hoisted(above: &[Part], below: &[Part]) -> (Vec<Part>, Vec<Part>) {
+    let unchanged = || (above.to_vec(), below.to_vec());
+    let Some((first, rest)) = above.split_first() else {
+        return unchanged();
+    };
+    let Part::Quotient(upper, lower) = first else {
+        return unchanged();
+    };
+    if rest.is_empty() || !is_number_fraction(first) {
+        return unchanged();
+    }
+    let is_one = |part: &Part| matches!(part, Part::Factor(expr) if expr.is_one());
+    let upper = upper.iter().filter(|part| !is_one(part));
+    (
+        upper.chain(rest).cloned().collect(),
+        lower.iter().chain(below).cloned().collect(),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::expr::{Expr, Function, Name, Notation, Symbol, SymbolKind};
+    use vibank_notation::Math;
+
+    /// Puts −2 in for `n`.
+    struct Substituted;
+
+    impl Notation for Substituted {
+        fn name(&self, name: &Name) -> Symbol {
+            match name.as_str() {
+                "n" => Symbol {
+                    math: Math::row([Math::prefix("−"), Math::number("2")]),
+                    kind: SymbolKind::Negative,
+                },
+                other => Symbol::letter(vibank_notation::symbol(other)),
+            }
+        }
+    }
+
+    #[test]
+    fn a_function_before_a_factor_keeps_its_parentheses_behind_a_sign() {
+        let [v, d] = ["v", "d"].map(Expr::name);
+        let sign = Expr::call(Function::Sign, [v]);
+        let plain = (-sign * d).typeset(&Substituted).plain();
+        assert_eq!(plain.replace('−', "-"), "-sgn(v)d");
+    }
+
+    #[test]
+    fn two_signs_never_meet() {
+        let [n, x, y] = ["n", "x", "y"].map(Expr::name);
+        for (formula, expected) in [
+            (y.clone() - n.clone() * x.clone(), "y - (-2x)"),
+            (n.clone() * x.clone() - y.clone(), "-2x - y"),
+            (y.clone() - x.clone() * n.clone(), "y - x(-2)"),
+            (y - n / x, "y - (-2)/x"),
+        ] {
+            let plain = formula.typeset(&Substituted).plain();
+            assert_eq!(plain.replace('−', "-"), expected);
+        }
+    }
+}

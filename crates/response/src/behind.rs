@@ -1,0 +1,40 @@
+//! Units behind formulas.
+
+use vibank_formula::unit::Unit;
+
+/// Most places that are tried for the beginning of the unit.
+const MOST_PLACES: usize = 16;
+
+/// The ways to cut a text into a formula and a unit behind it, the shortest unit first.
+pub fn with_unit(text: &str) -> impl Iterator<Item = (&str, Unit)> {
+    places(text).into_iter().rev().filter_map(|place| {
+        let (formula, unit) = text.split_at(place);
+        Some((formula, gathered(Unit::read(unit.trim()).ok()?)))
+    })
+}
+
+/// A unit with each factor once, as a product of units has it: `deg deg` is what `° · °` is. Where an exponent would get
+/// too large, it stays as it was typed.
+pub(super) fn gathered(unit: Unit) -> Unit {
+    Unit::ONE.times(&unit).unwrap_or(unit)
+}
+
+/// Where a unit may begin: at a slash, and where letters or brackets begin.
+fn places(text: &str) -> Vec<usize> {
+    let mut places = Vec::new();
+    let mut before = ' ';
+    for (at, char) in text.char_indices() {
+        let is_letter = |char: char| char.is_alphabetic() || "°º%µΩ\\".contains(char);
+        // `2π 1/s`.
+        let is_inverse = before == ' ' && text[at..].starts_with("1/");
+        let begins = is_letter(char) && !is_letter(before) && before != '_'
+            || "/([".contains(char)
+            || is_inverse;
+        if begins && at > 0 {
+            places.push(at);
+        }
+        before = char;
+    }
+    let surplus = places.len().saturating_sub(MOST_PLACES);
+    places.split_off(surplus)
+}

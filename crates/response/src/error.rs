@@ -1,0 +1,146 @@
+//! Why a formula cannot be read, and where.
+
+use vibank_source::Span;
+
+/// What stands in the way of reading a formula.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Trouble {
+    /// Nothing is there.
+    Missing,
+    /// A text beyond the bound.
+    TooLong,
+    /// Brackets within brackets beyond the bound.
+    TooDeep,
+    /// A word that is no name of the item.
+    Unknown {
+        /// The name that is nearest to it.
+        near: Option<String>,
+        /// The letters that there are, where they are few.
+        letters: Vec<String>,
+    },
+    /// A name of the item that the answer may not use, and the letters that it may, where they are few.
+    NotAllowed(Vec<String>),
+    /// A unit.
+    Unit,
+    /// A sign that is not understood.
+    Sign,
+    /// A number that cannot be held exactly.
+    Number,
+    /// A bracket without its partner.
+    Bracket,
+    /// Two numbers side by side.
+    NumberAfter,
+    /// A list where one formula is due.
+    List,
+    /// A time behind an exponent, of which it may be a factor.
+    Exponent,
+    /// `log`, of which people mean different things.
+    Logarithm,
+    /// A wrong number of arguments.
+    Arguments {
+        /// The function.
+        name: &'static str,
+        /// How many it takes at least.
+        least: usize,
+        /// How many at most.
+        most: usize,
+    },
+    /// Two values at once.
+    TwoValues,
+    /// More than a symbol before an equals sign.
+    Unsolved,
+    /// Something after the end.
+    LeftOver,
+    /// No relation in an equation or inequality.
+    NoRelation,
+    /// A unit at an entry of a list.
+    UnitOfEntry,
+    /// A list without brackets with `m` behind.
+    UnitOrLetter,
+    /// Symbols before the entries that do not ascend.
+    Order,
+    /// A matrix between bars, which is a number.
+    Determinant,
+    /// What stands in the way of reading a number.
+    Value(ValueTrouble),
+    /// Rows of different lengths.
+    Ragged,
+}
+
+/// A place in what was typed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum At {
+    /// These signs.
+    Here(String),
+    /// Behind these signs.
+    Behind(String),
+}
+
+/// What stands in the way of reading a number with its unit.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ValueTrouble {
+    /// No number where one is due.
+    Missing,
+    /// A number or unit that cannot be read.
+    Quantity(vibank_formula::unit::Error),
+    /// Two signs before a number.
+    TwoSigns,
+    /// The letter e without an exponent.
+    NoExponent,
+    /// `19-21`.
+    Range,
+    /// A number behind a unit.
+    UnitLast,
+    /// A bracket behind a number.
+    Bracketed,
+    /// Units that do not fit together.
+    Units,
+    /// A term with a unit and one without.
+    UnitOfOne,
+    /// An angle in degrees beside a number.
+    MixedAngles,
+}
+
+/// What stands in the way, and where in the response.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TypedError {
+    /// What is wrong.
+    pub trouble: Trouble,
+    /// Where in the text.
+    pub span: Span,
+}
+
+impl TypedError {
+    pub(super) fn new(trouble: Trouble, start: usize, end: usize) -> Self {
+        Self {
+            trouble,
+            span: Span::new(start, end.max(start)),
+        }
+    }
+
+    /// Where that is in the `text` that was typed.
+    pub fn at(&self, text: &str) -> At {
+        const LONGEST_QUOTE: usize = 40;
+        let place = text.get(self.span.range()).unwrap_or_default().trim();
+        let short: String = place.chars().take(LONGEST_QUOTE).collect();
+        if short.is_empty() {
+            At::Behind(last_signs(text).to_owned())
+        } else {
+            At::Here(short)
+        }
+    }
+}
+
+/// The end of a text, which begins with a word of it.
+fn last_signs(text: &str) -> &str {
+    const ABOUT: usize = 12;
+    let text = text.trim();
+    let Some((mut start, _)) = text.char_indices().rev().take(ABOUT).last() else {
+        return text;
+    };
+    let is_of_word = |char: char| char.is_alphanumeric() || char == '_' || char == '\\';
+    if text[start..].starts_with(is_of_word) {
+        start = text[..start].trim_end_matches(is_of_word).len();
+    }
+    text[start..].trim()
+}

@@ -1,0 +1,501 @@
+//! One spelling for what is typed, with a map back to what was typed.
+
+mod alphabets;
+mod latex;
+mod programs;
+
+use std::borrow::Cow;
+
+use self::alphabets::unstyled;
+use self::latex::Environment;
+use self::programs::holds_list;
+use super::signs::{Plain, RUNS, TURNS, of_char};
+use super::surroundings::answer_in;
+use super::words::{EQUATIONS, LISTS, NUMBERS, ROOTS, VERBS, WORDS};
+use vibank_source::Span;
+
+/// A response in plain signs: letters of mathematical alphabets as ordinary ones, one minus, one sign for "at most",
+/// without what only sets off or sizes a formula in LaTeX. Each place in it has its place in what was typed.
+///
+/// ```
+/// use vibank_response::Folded;
+///
+/// let folded = Folded::of(r"$\omega \leq −5$ rad/s").unwrap();
+/// assert_eq!(folded.text().trim(), r"\omega ≤ -5  rad/s");
+/// let minus = folded.text().find('-').unwrap();
+/// assert_eq!(folded.typed(minus..minus + 1), "−");
+/// assert_eq!(Folded::of("𝑘/𝑚").unwrap().text(), "k/m");
+/// assert!(Folded::of("5 $").is_err());
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Folded<'t> {
+    typed: &'t str,
+    text: Cow<'t, str>,
+    /// Where a piece begins, in the text and in what was typed; ascending. Empty where both are the same.
+    pieces: Vec<(u32, u32)>,
+}
+
+/// A dollar sign that encloses nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LoneDollar;
+
+impl<'t> Folded<'t> {
+    /// Folds what was typed.
+    ///
+    /// # Errors
+    ///
+    /// Where a dollar sign encloses nothing.
+    pub fn of(typed: &'t str) -> Result<Self, LoneDollar> {
+        if is_plain(typed) {
+            return Ok(Self {
+                typed,
+                text: Cow::Borrowed(typed),
+                pieces: Vec::new(),
+            });
+        }
+        let dollars = typed.matches('$').count() - typed.matches("$$").count();
+        if dollars % 2 == 1 {
+            return Err(LoneDollar);
+        }
+        let mut folder = Folder {
+            typed,
+            answer: answer_in(typed),
+            at: 0,
+            text: String::with_capacity(typed.len()),
+            pieces: Vec::new(),
+            blanked: Vec::new(),
+            equals: Vec::new(),
+            has_cells: has_cells(typed),
+            has_barred_numbers: has_barred_numbers(typed),
+            open: Vec::new(),
+        };
+        while folder.at < typed.len() {
+            folder.piece();
+        }
+        Ok(Self {
+            typed,
+            text: Cow::Owned(folder.text),
+            pieces: folder.pieces,
+        })
+    }
+
+    /// In plain signs.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The place in what was typed of a place in the text.
+    pub fn place(&self, range: std::ops::Range<usize>) -> Span {
+        if self.pieces.is_empty() {
+            return Span::new(range.start, range.end);
+        }
+        let start = self
+            .piece_at(range.start)
+            .map_or(range.start, |(place, _)| place);
+        let end = match range.end.checked_sub(1) {
+            Some(last) if range.end > range.start => {
+                self.piece_at(last).map_or(range.end, |(_, end)| end)
+            }
+            _ => start,
+        };
+        Span::new(start, end.max(start))
+    }
+
+    /// What was typed at a place in the text.
+    pub fn typed(&self, range: std::ops::Range<usize>) -> &'t str {
+        self.typed
+            .get(self.place(range).range())
+            .unwrap_or_default()
+    }
+
+    /// Where the piece that holds a place of the text begins and ends in what was typed.
+    fn piece_at(&self, at: usize) -> Option<(usize, usize)> {
+        let behind = self
+            .pieces
+            .partition_point(|(text, _)| *text as usize <= at);
+        let (text, typed) = *self.pieces.get(behind.checked_sub(1)?)?;
+        let end = self
+            .pieces
+            .get(behind)
+            .map_or(self.typed.len(), |(_, typed)| *typed as usize);
+        let next = self
+            .pieces
+            .get(behind)
+            .map_or(self.text.len(), |(text, _)| *text as usize);
+        // A piece that was kept as it is maps byte by byte.
+        if next - text as usize == end - typed as usize {
+            // The last byte of a range may lie within a sign.
+            let begins = |at: &usize| self.text.is_char_boundary(*at);
+            let at = (0..=at).rev().find(begins).unwrap_or(at);
+            let place = typed as usize + at - text as usize;
+            let length = self.text[at..].chars().next().map_or(1, char::len_utf8);
+            return Some((place, (place + length).min(end)));
+        }
+        Some((typed as usize, end))
+    }
+}
+
+/// Whether nothing is to be folded: printable ASCII without commands, dollars, marks and runs of signs.
+fn is_plain(typed: &str) -> bool {
+    let is_kept =
+        |byte: u8| byte == b'\n' || (b' '..=b'~').contains(&byte) && !b"$\\`~".contains(&byte);
+    let mut may_run = false;
+    let is_kept_all = typed.bytes().all(|byte| {
+        may_run |= b"=*&{".contains(&byte);
+        is_kept(byte)
+    });
+    is_kept_all
+        && !(may_run && (RUNS.iter().any(|(run, _)| typed.contains(run)) || typed.contains("*^")))
+        && !["..", "->", "_]", "_C", "C[", " 10^", "> =", "< =", "|"]
+            .iter()
+            .any(|sign| typed.contains(sign))
+        && !typed.contains('\n')
+        && !TURNS.iter().any(|(turn, _)| typed.contains(turn))
+        && !typed
+            .match_indices('(')
+            .any(|(at, _)| is_called(&typed[..at]))
+        && !typed.split(' ').any(begins_words)
+        && answer_in(typed).len() == typed.len()
+}
+
+/// Whether what stands before a bracket is a call of which the fold knows.
+fn is_called(before: &str) -> bool {
+    [ROOTS, NUMBERS, LISTS, EQUATIONS]
+        .iter()
+        .any(|names| names.iter().any(|name| before.ends_with(name)))
+}
+
+/// Whether tabs part the cells of several rows, as spreadsheets copy them.
+fn has_cells(typed: &str) -> bool {
+    let mut rows = typed.trim().lines();
+    typed.trim().contains('\n') && rows.all(|row| row.trim().is_empty() || row.contains('\t'))
+}
+
+/// Whether all bars stand between numbers, `(1 | -0.5)`, as schools write vectors.
+fn has_barred_numbers(typed: &str) -> bool {
+    let is_between = |(at, _): (usize, &str)| {
+        let behind = typed[at + 1..].trim_start();
+        let unsigned = behind.strip_prefix(is_minus).unwrap_or(behind);
+        let is_digit = |char: char| char.is_ascii_digit();
+        typed[..at].trim_end().ends_with(is_digit)
+            && unsigned.starts_with(|char: char| is_digit(char) || char == '.')
+    };
+    typed.contains('|') && typed.match_indices('|').all(is_between)
+}
+
+/// Whether one of the words that stand for others begins with a word.
+fn begins_words(own: &str) -> bool {
+    let is_word = |byte: u8| byte.is_ascii_alphabetic() || byte == b'.';
+    let begins = |words: &str| {
+        let behind = words.as_bytes().get(own.len());
+        words.starts_with(own) && matches!(behind, None | Some(b' '))
+    };
+    own.len() > 1
+        && own.bytes().all(is_word)
+        && (WORDS.iter().any(|(words, _)| begins(words)) || VERBS.iter().any(|verb| begins(verb)))
+}
+
+struct Folder<'t> {
+    typed: &'t str,
+    /// Where the answer stands among what is said around it.
+    answer: std::ops::Range<usize>,
+    at: usize,
+    text: String,
+    pieces: Vec<(u32, u32)>,
+    /// Braces of wrappers, which become spaces.
+    blanked: Vec<usize>,
+    /// Commas that stand for an equals sign.
+    equals: Vec<usize>,
+    /// Whether tabs part cells.
+    has_cells: bool,
+    /// Whether bars part numbers.
+    has_barred_numbers: bool,
+    /// The environments of LaTeX that are open.
+    open: Vec<Environment>,
+}
+
+impl Folder<'_> {
+    fn rest(&self) -> &str {
+        &self.typed[self.at..]
+    }
+
+    /// Writes a text for the next `length` bytes.
+    fn write(&mut self, text: &str, length: usize) {
+        self.pieces.push((self.text.len() as u32, self.at as u32));
+        self.text.push_str(text);
+        self.at += length;
+    }
+
+    fn plain(&mut self, plain: Plain, length: usize) {
+        match plain {
+            Plain::Text(text) => self.sign(text, length),
+            Plain::Nothing => self.write("", length),
+        }
+    }
+
+    /// Writes one sign. Signs that were typed as different ones are no run: `*·` is not a power.
+    fn sign(&mut self, text: &str, length: usize) {
+        if self.would_run(text) {
+            self.write(" ", 0);
+        }
+        self.write(text, length);
+    }
+
+    /// Whether a sign would make a run with what stands before it.
+    fn would_run(&self, sign: &str) -> bool {
+        RUNS.iter().any(|(run, _)| {
+            let before = run.strip_suffix(sign).unwrap_or_default();
+            !before.is_empty() && self.text.ends_with(before)
+        })
+    }
+
+    fn piece(&mut self) {
+        let Some(char) = self.rest().chars().next() else {
+            return;
+        };
+        let width = char.len_utf8();
+        if !self.answer.contains(&self.at) {
+            return self.write("", width);
+        }
+        if self.blanked.contains(&self.at) || char == '$' {
+            return self.write(" ", width);
+        }
+        if char == '\\' {
+            return self.command();
+        }
+        if char == '&' && self.alignment() {
+            return;
+        }
+        if char == '\t' && self.has_cells {
+            return self.write("&", 1);
+        }
+        if self.equals.contains(&self.at) {
+            return self.write("=", 1);
+        }
+        if char == ' ' && self.is_before_power_of_ten() {
+            return self.write("*", width);
+        }
+        if self.is_rule() {
+            return self.write("=", if char == '-' { 2 } else { width });
+        }
+        if char == '|' && self.has_barred_numbers {
+            return self.write(";", 1);
+        }
+        if let Some(length) = self.silent() {
+            return self.write("", length);
+        }
+        if char == '~' && self.is_nearly() {
+            return self.write("≈", 1);
+        }
+        // A dot belongs to the letter before it, whatever stands between.
+        if char == ' ' && self.rest()[1..].starts_with(['\u{307}', '\u{308}', '¨', '˙']) {
+            return self.write("", width);
+        }
+        if char.is_ascii_alphabetic() && self.equation() {
+            return;
+        }
+        if let Some((length, plain)) = self.word() {
+            return self.write(plain, length);
+        }
+        let others = self.beside_digits().or_else(|| self.dots());
+        if let Some((length, plain)) = others.or_else(|| self.before_others()) {
+            return self.write(plain, length);
+        }
+        if self.rest().starts_with("^{\\circ}") {
+            return self.write("°", "^{\\circ}".len());
+        }
+        if self.rest().starts_with("^\\circ") {
+            return self.write("°", "^\\circ".len());
+        }
+        if let Some((run, sign)) = RUNS.iter().find(|(run, _)| self.rest().starts_with(run)) {
+            return self.write(sign, run.len());
+        }
+        // Only in what word processors draw as a matrix does it part rows.
+        let is_alone = char == '@' && !self.typed.contains(['■', '█']);
+        if let Some(plain) = of_char(char).filter(|_| !is_alone) {
+            return self.plain(plain, width);
+        }
+        let letter = unstyled(char);
+        self.sign(letter.encode_utf8(&mut [0; 4]), width);
+    }
+
+    /// The words between spaces that stand here, by their length, if others or a sign stand for them.
+    fn word(&self) -> Option<(usize, &'static str)> {
+        let before = &self.typed[self.answer.start..self.at];
+        if !(before.is_empty() || before.ends_with(' ')) {
+            return None;
+        }
+        let rest = self.rest();
+        let of_words = |rest: &str| {
+            let found = WORDS.iter().find(|(words, _)| {
+                rest.strip_prefix(words)
+                    .is_some_and(|rest| rest.starts_with(' '))
+            });
+            found.map(|(words, plain)| (words.len(), *plain))
+        };
+        let compares = |verb: &str| {
+            let behind = rest.strip_prefix(verb)?.strip_prefix(' ')?;
+            let (length, plain) = of_words(behind)?;
+            let is_sign = matches!(plain, "<" | ">" | "≤" | "≥");
+            is_sign.then_some((verb.len() + 1 + length, plain))
+        };
+        // `or` and the like join what stands on both sides.
+        VERBS
+            .iter()
+            .find_map(|verb| compares(verb))
+            .or_else(|| of_words(rest))
+            .filter(|(_, plain)| !before.is_empty() || matches!(*plain, "<" | ">" | "≤" | "≥"))
+    }
+
+    /// `x1..`, the dots of a derivative behind its letter; one dot alone is such where two are.
+    fn dots(&self) -> Option<(usize, &'static str)> {
+        let rest = self.rest();
+        let is_of_name = |char: char| char.is_alphanumeric() || "_}".contains(char);
+        let before = &self.typed[..self.at];
+        let name = &before[before.trim_end_matches(is_of_name).len()..];
+        if !rest.starts_with('.') || !name.starts_with(|first: char| first.is_alphabetic()) {
+            return None;
+        }
+        let next = |length: usize| rest[length..].chars().next().unwrap_or(' ');
+        if rest.starts_with("..") {
+            return (next(2) != '.').then_some((2, "\u{308}"));
+        }
+        let is_dot = self.typed.contains("..") && !next(1).is_alphanumeric();
+        is_dot.then_some((1, "\u{307}"))
+    }
+
+    /// `1.4 10^-2`, as on paper; whether the space before the power stands here. In square brackets it parts entries.
+    fn is_before_power_of_ten(&self) -> bool {
+        let before = &self.typed[..self.at];
+        let power = self.rest()[1..].strip_prefix("10");
+        let is_power = power.is_some_and(|power| {
+            power.starts_with(|next: char| "^⁻⁺".contains(next) || "¹²³⁴⁵⁶⁷⁸⁹".contains(next))
+                || power.starts_with("**")
+        });
+        is_power
+            && before.ends_with(|last: char| last.is_ascii_digit())
+            && !before.contains(['[', '&', '^'])
+    }
+
+    /// What is read together with what stands behind it: units of turning, roots, a statement that goes on in the
+    /// next line.
+    fn before_others(&self) -> Option<(usize, &'static str)> {
+        let rest = self.rest();
+        if let Some(next) = rest.strip_prefix('\n') {
+            let goes_on = next.trim_start().starts_with(['=', '≈']);
+            return goes_on.then_some((1, " "));
+        }
+        if self.typed[..self.at].ends_with(|char: char| char.is_alphabetic() || char == '_') {
+            return None;
+        }
+        if let Some((turn, plain)) = TURNS.iter().find(|(turn, _)| rest.starts_with(turn)) {
+            return Some((turn.len(), plain));
+        }
+        let is_call = |name: &&&str| {
+            rest.strip_prefix(**name)
+                .is_some_and(|rest| rest.starts_with('('))
+        };
+        if let Some(root) = ROOTS.iter().find(is_call) {
+            return Some((root.len(), "sqrt"));
+        }
+        let number = NUMBERS.iter().find(is_call);
+        // `mat(1 + x)` may be a product of letters.
+        let holds_list = |name: &&&str| holds_list(&rest[name.len() + 1..]);
+        let list = || LISTS.iter().find(is_call).filter(holds_list);
+        let name = number.or_else(list)?;
+        Some((name.len(), ""))
+    }
+
+    /// Whether `~` says what a symbol nearly is: `x ~ 0.24`. Otherwise it is the space of LaTeX.
+    fn is_nearly(&self) -> bool {
+        let before = &self.typed[self.answer.start..self.at];
+        let last = before.trim_end().chars().next_back();
+        let is_tight = !before.ends_with(' ');
+        let follows = last.is_some_and(|last| {
+            last.is_alphabetic() || "})'".contains(last) || !is_tight && last.is_alphanumeric()
+        });
+        let next = self.rest()[1..].trim_start().chars().next();
+        // `sqrt(25)~1/s` has a space before its unit.
+        let behind = self.rest()[1..].trim_start().strip_prefix("1/");
+        let is_unit = behind.is_some_and(|unit| unit.starts_with(char::is_alphabetic));
+        follows
+            && !is_unit
+            && next
+                .is_some_and(|next| next.is_ascii_digit() || ".+√".contains(next) || is_minus(next))
+    }
+}
+
+/// Whether a sign is one of those that stand for a minus.
+fn is_minus(char: char) -> bool {
+    char == '-' || of_char(char) == Some(Plain::Text("-"))
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn pasted_letters_are_plain_ones() {
+        for (pasted, meant) in [
+            ("𝑚𝑥̈ + 𝑘𝑥 = 0", "mx\u{308} + kx = 0"),
+            ("𝜔ₙ = √(𝑘/𝑚)", "ωₙ = √(k/m)"),
+            ("𝛀𝐀𝐳𝟗", "ΩAz9"),
+            ("ℎ𝒹", "hd"),
+            ("５．２", "5.2"),
+            ("x´´", "x''"),
+            ("\u{feff}5\u{200b}", "5"),
+            ("\\(k/m\\)", " k/m "),
+            ("$$5$$", "  5  "),
+            ("—0.3 ‑ 2 ‐ 1", "-0.3 - 2 - 1"),
+            ("a =< b >= c == d", "a ≤ b ≥ c = d"),
+            ("\\left(2\\cdot 3\\right)", "(2* 3)"),
+            ("\\boxed{5\\,\\mathrm{m}}", " 5 \\mathrm{m} "),
+            ("\\SI{5}{m/s}", " 5  m/s "),
+            ("\\begin{cases}1\\\\2\\end{cases}", " 1\n2 "),
+            (
+                "\\begin{cases}1&t<2\\\\2,&t>2\\end{cases}",
+                " 1,t<2\n2, t>2 ",
+            ),
+            (
+                "\\begin{aligned}x&=1\\\\&=2\\\\y&=3\\end{aligned}",
+                " x =1  =2\ny =3 ",
+            ),
+            (
+                "\\begin{pmatrix}1&2\\\\3&4\\end{pmatrix}",
+                "\\begin{pmatrix}1&2\\\\3&4\\end{pmatrix}",
+            ),
+            ("\\SI{5}{\\newton\\per\\metre}", " 5  newton /metre  "),
+            ("1{,}25", "1⎖25"),
+            ("x < 1 \\text{ or } x > 2", "x < 1    or   x > 2"),
+            ("1 et 2 ou 3", "1 and 2 or 3"),
+            ("30^{\\circ}", "30°"),
+        ] {
+            assert_eq!(Folded::of(pasted).unwrap().text(), meant, "{pasted}");
+        }
+    }
+
+    #[test]
+    fn a_dollar_alone_is_refused() {
+        for typed in ["5 $", "$5", "$5$ $", "5 $$", "[[1, 2]] $"] {
+            assert!(Folded::of(typed).is_err(), "{typed}");
+        }
+    }
+
+    proptest! {
+        /// Every place of the text is one of what was typed, between characters; what is folded already is kept.
+        #[test]
+        fn places_lie_within_what_was_typed(typed in r"([a-z0-9 −—·≤<>=!*$\{}\[\]°𝑘′]|\\[a-zA-Z]{1,6}|\\[,;!{}]){0,30}") {
+            let Ok(folded) = Folded::of(&typed) else { return Ok(()) };
+            for (at, char) in folded.text().char_indices() {
+                let place = folded.place(at..at + char.len_utf8()).range();
+                prop_assert!(place.end <= typed.len() && typed.get(place).is_some());
+            }
+            let again = Folded::of(folded.text()).map(|again| again.text().to_owned());
+            if !folded.text().contains('\\') {
+                prop_assert_eq!(again.as_deref(), Ok(folded.text()));
+            }
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! Commands of LaTeX in what is folded: environments, faces, wrappers, units.
+
+use super::{Folder, is_minus};
+use crate::signs::{CASES, COMMANDS, DISPLAYS, FACES, UNITS, WRAPPERS, escaped};
+use crate::words::JOINING;
+
+/// How the rows of an environment are read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Environment {
+    /// As statements.
+    Display,
+    /// As statements with conditions.
+    Cases,
+    /// As those of a matrix.
+    Matrix,
+}
+
+impl Environment {
+    fn of_name(name: &str) -> Self {
+        let name = name.trim_end_matches('*');
+        if DISPLAYS.contains(&name) {
+            Self::Display
+        } else if CASES.contains(&name) {
+            Self::Cases
+        } else {
+            Self::Matrix
+        }
+    }
+}
+
+impl Folder<'_> {
+    /// Writes what a sign of alignment stands for in an environment that is no matrix; whether it stands in one.
+    pub(super) fn alignment(&mut self) -> bool {
+        let is_open = matches!(
+            self.open.last(),
+            Some(Environment::Matrix | Environment::Cases)
+        );
+        if !is_open && self.rest()[1..].trim_start().starts_with('=') {
+            self.write(" ", 1);
+            return true;
+        }
+        let is_parted = self.text.trim_end().ends_with([',', ';']);
+        match self.open.last() {
+            Some(Environment::Display) => self.write(" ", 1),
+            Some(Environment::Cases) if is_parted => self.write(" ", 1),
+            Some(Environment::Cases) => self.write(",", 1),
+            Some(Environment::Matrix) | None => return false,
+        }
+        true
+    }
+
+    /// The end of a row. One that goes on with a sign is the same statement.
+    fn row(&mut self) {
+        let next = self.rest()[2..].trim_start_matches([' ', '&', '\n']);
+        match self.open.last() {
+            Some(Environment::Display) if next.starts_with(['=', '+', '-']) => self.write(" ", 2),
+            Some(Environment::Display | Environment::Cases) => self.write("\n", 2),
+            Some(Environment::Matrix) | None => self.write("\\\\", 2),
+        }
+    }
+
+    /// Opens or closes an environment; whether one stands here that is no matrix.
+    fn environment(&mut self, name: &str) -> bool {
+        let start = 1 + name.len();
+        let inner = self.rest()[start..].strip_prefix('{');
+        let Some((own, _)) = inner.and_then(|inner| inner.split_once('}')) else {
+            return false;
+        };
+        let (length, environment) = (start + own.len() + 2, Environment::of_name(own));
+        if name == "begin" {
+            self.open.push(environment);
+        } else {
+            self.open.pop();
+        }
+        let is_statement = environment != Environment::Matrix;
+        if is_statement {
+            self.write(" ", length);
+        }
+        is_statement
+    }
+
+    pub(super) fn command(&mut self) {
+        let typed = self.typed;
+        let behind = &typed[self.at + 1..];
+        let name: &str = &behind[..behind
+            .find(|char: char| !char.is_ascii_alphabetic())
+            .unwrap_or(behind.len())];
+        let Some(first) = behind.chars().next() else {
+            return self.write("\\", 1);
+        };
+        if name.is_empty() {
+            match (first, escaped(first)) {
+                // A new row of a matrix.
+                ('\\', _) => self.row(),
+                ('[', _) if self.escaped_greek() => {}
+                // Displayed formulas.
+                ('(' | ')' | '[' | ']', _) => self.write(" ", 2),
+                (_, Some(plain)) => self.plain(plain, 1 + first.len_utf8()),
+                (_, None) => self.write("\\", 1),
+            }
+            return;
+        }
+        let length = 1 + name.len();
+        // Options, `\SI[per-mode=symbol]{…}`, say how it is set.
+        let option = self.typed[self.at + length..].strip_prefix('[');
+        let option = option.and_then(|option| Some(option.find(']')? + 2));
+        if let Some((_, count)) = WRAPPERS.iter().find(|(own, _)| *own == name)
+            && let Some(braces) =
+                arguments(self.typed, self.at + length + option.unwrap_or(0), *count)
+        {
+            let length = length + option.unwrap_or(0);
+            self.blanked.extend(braces);
+            return self.write("", length);
+        }
+        if FACES.contains(&name)
+            && let Some(braces) = arguments(self.typed, self.at + length, 1)
+            && is_unlettered(&self.typed[braces[0] + 1..braces[1]])
+        {
+            self.blanked.extend(braces);
+            return self.write(" ", length);
+        }
+        if name == "angle"
+            && self.typed[self.at + length..].starts_with('{')
+            && let Some(braces) = arguments(self.typed, self.at + length, 1)
+        {
+            self.blanked.extend(braces);
+            return self.write("∠", length);
+        }
+        if name == "hspace"
+            && let Some(braces) = arguments(self.typed, self.at + length, 1)
+        {
+            return self.write(" ", braces[1] + 1 - self.at);
+        }
+        if matches!(name, "begin" | "end") && self.environment(name) {
+            return;
+        }
+        if let Some((_, unit)) = UNITS.iter().find(|(own, _)| *own == name) {
+            return self.write(unit, length);
+        }
+        if matches!(name, "text" | "mathrm" | "mbox" | "operatorname")
+            && let Some(braces) = arguments(self.typed, self.at + length, 1)
+            && JOINING.contains(&self.typed[braces[0] + 1..braces[1]].trim())
+        {
+            self.blanked.extend(braces);
+            return self.write(" ", length);
+        }
+        match COMMANDS.iter().find(|(own, _)| *own == name) {
+            Some((_, plain)) => self.plain(*plain, length),
+            None => {
+                let kept = self.rest()[..length].to_owned();
+                self.write(&kept, length);
+            }
+        }
+    }
+}
+
+/// Whether what is set in another face is a number, perhaps with its unit, or nothing.
+fn is_unlettered(text: &str) -> bool {
+    let text = text.trim_matches([' ', '~']);
+    text.is_empty()
+        || text.starts_with(|char: char| {
+            char.is_ascii_digit() || "+.".contains(char) || is_minus(char)
+        })
+}
+
+/// The places of the braces around the next `count` arguments.
+fn arguments(text: &str, from: usize, count: usize) -> Option<Vec<usize>> {
+    let (mut braces, mut at) = (Vec::new(), from);
+    for _ in 0..count {
+        let rest = text.get(at..)?;
+        let open = at + rest.len() - rest.trim_start().len();
+        let mut depth = 0_usize;
+        let close = text.get(open..)?.char_indices().find_map(|(place, char)| {
+            match char {
+                '{' => depth += 1,
+                '}' => depth = depth.checked_sub(1)?,
+                _ => {}
+            }
+            (depth == 0).then_some(open + place)
+        })?;
+        if close == open {
+            return None;
+        }
+        braces.extend([open, close]);
+        at = close + 1;
+    }
+    Some(braces)
+}

@@ -1,0 +1,124 @@
+//! What programs write, in what is folded: powers of ten, rules, calls, letters and constants of their own.
+
+use super::{Folder, is_minus};
+use crate::letters::greek_word;
+use crate::words::EQUATIONS;
+
+impl Folder<'_> {
+    /// What stands here behind a digit and is read otherwise there: the power of ten of Mathematica, the points of a
+    /// decimal that goes on.
+    pub(super) fn beside_digits(&self) -> Option<(usize, &'static str)> {
+        let is_digit = |char: char| char.is_ascii_digit();
+        if !self.typed[..self.at].ends_with(|char| is_digit(char) || char == '.') {
+            return None;
+        }
+        let rest = self.rest();
+        if let Some(power) = rest.strip_prefix("*^") {
+            let is_power =
+                power.starts_with(|char| is_digit(char) || char == '+' || is_minus(char));
+            return is_power.then_some((2, "e"));
+        }
+        let points = ["...", "…"]
+            .into_iter()
+            .find(|sign| rest.starts_with(sign))?;
+        let behind = &rest[points.len()..];
+        let goes_on = behind.starts_with(|char| is_digit(char) || ".,;".contains(char));
+        (!goes_on).then_some((points.len(), ""))
+    }
+
+    /// The length of a sign that only programs write: the one behind the argument of `x[t_]`, that before the constant
+    /// `_C1` of Maple, the brackets of `C[1]`.
+    pub(super) fn silent(&self) -> Option<usize> {
+        let (before, rest) = (&self.typed[..self.at], self.rest());
+        let is_in_name = |char: char| char.is_alphanumeric() || ")]}_".contains(char);
+        let is_digit = |char: char| char.is_ascii_digit();
+        let is_silent = if let Some(behind) = rest.strip_prefix('_') {
+            behind.starts_with(']') || behind.starts_with('C') && !before.ends_with(is_in_name)
+        } else if let Some(behind) = rest.strip_prefix('[') {
+            let own = before
+                .strip_suffix('C')
+                .filter(|own| !own.ends_with(is_in_name));
+            own.is_some() && behind.starts_with(is_digit) && behind[1..].starts_with(']')
+        } else if rest.starts_with(']') {
+            let inner = before
+                .strip_suffix(is_digit)
+                .and_then(|own| own.strip_suffix("C["));
+            inner.is_some_and(|own| !own.ends_with(is_in_name))
+        } else {
+            false
+        };
+        is_silent.then_some(1)
+    }
+
+    /// `x(t) -> …`, as Mathematica gives solutions; whether its arrow stands here.
+    pub(super) fn is_rule(&self) -> bool {
+        let before = self.typed[..self.at].trim_end();
+        (self.rest().starts_with("->") || self.rest().starts_with('→'))
+            && (before.ends_with([']', ')']) || self.typed[..self.answer.start].ends_with('{'))
+    }
+
+    /// `Eq(a, b)`: what its brackets become spaces for; whether it stands here.
+    pub(super) fn equation(&mut self) -> bool {
+        let rest = self.rest();
+        let is_letter = |before: char| before.is_alphanumeric() || before == '_';
+        let behind = EQUATIONS.iter().find_map(|name| {
+            let inner = rest.strip_prefix(*name)?.strip_prefix('(')?;
+            Some((name.len(), inner))
+        });
+        let Some((length, inner)) = behind.filter(|_| !self.typed[..self.at].ends_with(is_letter))
+        else {
+            return false;
+        };
+        let (close, commas) = arguments_of_call(inner);
+        let (Some(close), [comma]) = (close, &commas[..]) else {
+            return false;
+        };
+        let start = self.at + length + 1;
+        self.equals.push(start + comma);
+        self.blanked.push(start + close);
+        self.write(" ", length + 1);
+        true
+    }
+
+    /// `\[Omega]`, `\[CapitalOmega]`, as Mathematica writes Greek letters; whether one stands here.
+    pub(super) fn escaped_greek(&mut self) -> bool {
+        let Some((name, _)) = self.rest()[2..].split_once(']') else {
+            return false;
+        };
+        let (is_capital, letter) = match name.strip_prefix("Capital") {
+            Some(letter) => (true, letter),
+            None => (false, name),
+        };
+        let word = match letter {
+            "CurlyPhi" => "varphi".to_owned(),
+            _ if is_capital => letter.to_owned(),
+            _ => letter.to_ascii_lowercase(),
+        };
+        let is_greek = greek_word(&word).is_some();
+        if is_greek {
+            // What follows the bracket is no part of the letter's name.
+            self.write(&format!("\\{word} "), name.len() + "\\[]".len());
+        }
+        is_greek
+    }
+}
+
+/// Where a bracket closes that stands open before a text, and where signs part what it holds.
+pub(super) fn arguments_of_call(inner: &str) -> (Option<usize>, Vec<usize>) {
+    let (mut depth, mut parts) = (1_usize, Vec::new());
+    let close = inner.char_indices().find_map(|(at, char)| {
+        match char {
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth -= 1,
+            ',' | ';' if depth == 1 => parts.push(at),
+            _ => {}
+        }
+        (depth == 0).then_some(at)
+    });
+    (close, parts)
+}
+
+/// Whether a list stands in the bracket that is open before a text.
+pub(super) fn holds_list(inner: &str) -> bool {
+    inner.trim_start().starts_with(['[', '{', '(']) || !arguments_of_call(inner).1.is_empty()
+}

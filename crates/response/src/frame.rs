@@ -1,0 +1,220 @@
+//! What stands around a list: a symbol before it, a factor or divisor, a sign of transposition, a unit.
+
+use super::behind::{gathered, with_unit};
+use super::list::Reader;
+use super::{Trouble, TypedError};
+use vibank_formula::expr::{Expr, Kind, Operator};
+use vibank_formula::unit::Unit;
+use vibank_source::Span;
+
+/// What stands around a list.
+pub(super) struct Frame {
+    /// What multiplies all entries.
+    pub(super) factor: Option<Expr>,
+    pub(super) is_transposed: bool,
+    /// Whether `diag` stands before it.
+    pub(super) is_diagonal: bool,
+    pub(super) unit: Option<Unit>,
+}
+
+impl Reader<'_> {
+    /// What stands in a piece around the list in it.
+    pub(super) fn frame(&self, piece: Span, list: Span) -> Result<Frame, TypedError> {
+        let (start, end, list) = (piece.range().start, piece.range().end, list.range());
+        let before = self.text[..list.start].trim_end();
+        let plain = before.strip_suffix("diag").unwrap_or(before);
+        let is_diagonal = plain.len() < before.len();
+        let plain = self.without_free_factor(plain, start);
+        let after = self.text[list.end..end].trim_start();
+        let behind = without_transposition(after);
+        // The text with a one in place of the list, all else where it was.
+        let mut rest = plain.to_owned();
+        pad(&mut rest, list.start);
+        rest.push_str("(1");
+        pad(&mut rest, list.end - 1);
+        rest.push(')');
+        pad(&mut rest, end - behind.len());
+        rest.push_str(behind);
+        let (factor, unit) = self.factor_and_unit(&rest, start, list)?;
+        Ok(Frame {
+            factor,
+            is_transposed: behind.len() < after.len(),
+            is_diagonal,
+            unit,
+        })
+    }
+
+    /// What stands before a list, without a letter that is no name where a factor is free.
+    fn without_free_factor<'t>(&self, before: &'t str, start: usize) -> &'t str {
+        let Some(own) = before.get(start..).filter(|_| self.is_up_to_factor) else {
+            return before;
+        };
+        let own = without_times(own).trim_end();
+        let is_of_name = |char: char| char.is_alphanumeric() || "_{}\\".contains(char);
+        // `transpose` is no letter.
+        let letter = own.split('_').next().unwrap_or(own);
+        let letter = letter.trim_end_matches(|char: char| char.is_ascii_digit());
+        let is_factor = letter.chars().count() == 1
+            && own.chars().all(is_of_name)
+            && self.formula_in(own, Span::new(0, own.len())).is_err();
+        if is_factor { &before[..start] } else { before }
+    }
+
+    /// The factor and the unit of a list in whose place a one stands. Letters that are both are a unit where it fits
+    /// what is asked, else symbols.
+    fn factor_and_unit(
+        &self,
+        rest: &str,
+        start: usize,
+        list: std::ops::Range<usize>,
+    ) -> Result<(Option<Expr>, Option<Unit>), TypedError> {
+        let one = list.start + 1;
+        let factor = |rest: &str| {
+            let whole = self.formula_in(rest, Span::new(start, rest.len()))?;
+            let mut readings = [whole.value].into_iter().chain(whole.others);
+            let factor = readings.find_map(|whole| cofactor(&whole, one));
+            factor.ok_or(TypedError::new(Trouble::LeftOver, start, rest.len()))
+        };
+        let units = units_around(rest, start, list);
+        let beside = |(place, unit): &(Span, Unit)| {
+            let mut bare = rest.to_owned();
+            bare.replace_range(place.range(), &" ".repeat(place.range().len()));
+            Some((factor(&bare).ok()?, Some(*unit)))
+        };
+        let mut own = units.iter().filter(|(_, unit)| self.is_asked(unit));
+        let found = match own.find_map(beside) {
+            Some(found) => found,
+            None => match factor(rest) {
+                Ok(factor) => (factor, None),
+                Err(error) => units.iter().find_map(beside).ok_or(error)?,
+            },
+        };
+        let is_one = found.0.as_number() == Some(vibank_dynamics::numerics::Rational::ONE);
+        Ok((Some(found.0).filter(|_| !is_one), found.1))
+    }
+}
+
+/// The places that may be a unit before or behind a list, the longest behind it first.
+fn units_around(rest: &str, start: usize, list: std::ops::Range<usize>) -> Vec<(Span, Unit)> {
+    let behind = &rest[list.end..];
+    let whole = behind.trim().trim_start_matches(TIMES).trim();
+    let whole = whole.strip_prefix("in ").unwrap_or(whole);
+    let whole = whole.trim_matches(['[', ']']).trim();
+    let mut units = Vec::new();
+    if let Some(unit) = Unit::read(whole).ok().filter(|_| !whole.is_empty()) {
+        units.push((Span::new(list.end, rest.len()), gathered(unit)));
+    }
+    for (formula, unit) in with_unit(behind) {
+        let formula = without_times(formula);
+        units.push((Span::new(list.end + formula.len(), rest.len()), unit));
+    }
+    let before = without_times(&rest[start..list.start]);
+    for (formula, unit) in with_unit(before) {
+        units.push((Span::new(start + formula.len(), start + before.len()), unit));
+    }
+    units
+}
+
+/// What a formula multiplies the one at a place by; `None` where it is no multiple of it.
+fn cofactor(formula: &Expr, one: usize) -> Option<Expr> {
+    match formula.kind() {
+        Kind::Number(_) if formula.span().range().start == one => Some(Expr::number(1)),
+        Kind::Negate(inner) => Some(-cofactor(inner, one)?),
+        Kind::Binary(Operator::Multiply, left, right) => match cofactor(left, one) {
+            Some(left) => Some(left * right.clone()),
+            None => Some(left.clone() * cofactor(right, one)?),
+        },
+        Kind::Binary(Operator::Divide, left, right) => Some(cofactor(left, one)? / right.clone()),
+        _ => None,
+    }
+}
+
+fn pad(text: &mut String, length: usize) {
+    while text.len() < length {
+        text.push(' ');
+    }
+}
+
+const TIMES: char = '*';
+
+fn without_times(text: &str) -> &str {
+    text.trim_end().trim_end_matches(TIMES)
+}
+
+/// What follows a sign of transposition, `^T` or `'`.
+fn without_transposition(text: &str) -> &str {
+    const SIGNS: &[&str] = &[
+        "^{\\mathrm{T}}",
+        "^\\mathrm{T}",
+        "^\\mathsf{T}",
+        "^{\\top}",
+        "^\\top",
+        "^\\intercal",
+        "^{T}",
+        "^T",
+        "^t",
+        "ᵀ",
+        ".transpose()",
+        ".T",
+        "'",
+    ];
+    let rest = SIGNS.iter().find_map(|sign| text.strip_prefix(sign));
+    rest.map_or(text, str::trim_start)
+}
+
+/// The brackets that stand in no other in a part of a text, each with what it holds.
+pub(super) fn groups(text: &str, span: Span) -> Vec<Span> {
+    let (mut groups, mut depth, mut start) = (Vec::new(), 0_usize, 0);
+    for (at, char) in text[span.range()].char_indices() {
+        let at = span.range().start + at;
+        match char {
+            '(' | '[' | '{' => {
+                start = if depth == 0 { at } else { start };
+                depth += 1;
+            }
+            ')' | ']' | '}' if depth > 0 => {
+                depth -= 1;
+                if depth == 0 {
+                    groups.push(Span::new(start, at + 1));
+                }
+            }
+            _ => {}
+        }
+    }
+    groups
+}
+
+/// Whether the bracket with which a text begins is closed by this one.
+fn are_partners(text: &str, close: char) -> bool {
+    let open = match close {
+        ')' => '(',
+        ']' => '[',
+        _ => '{',
+    };
+    text.starts_with(open)
+}
+
+/// What is wrong where a bracket has no partner.
+pub(super) fn balanced(text: &str) -> Result<(), TypedError> {
+    let mut open = Vec::new();
+    for (at, char) in text.char_indices() {
+        let alone = match char {
+            '(' | '[' | '{' => {
+                open.push(at);
+                false
+            }
+            // `[1, 2)` is a range of numbers, and no list.
+            ')' | ']' | '}' => open
+                .pop()
+                .is_none_or(|own| !are_partners(&text[own..], char)),
+            _ => false,
+        };
+        if alone {
+            return Err(TypedError::new(Trouble::Bracket, at, at + 1));
+        }
+    }
+    match open.first() {
+        Some(at) => Err(TypedError::new(Trouble::Bracket, *at, at + 1)),
+        None => Ok(()),
+    }
+}

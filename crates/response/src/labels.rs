@@ -1,0 +1,113 @@
+//! Symbols before the pieces of a list: `x1 = 1, x2 = 0.291`, `u2 = (1, 0, -1)`, `mode 1: (1, 1.414, 1)`.
+
+use super::list::{Reader, trimmed};
+use super::{Trouble, TypedError};
+use vibank_source::Span;
+
+impl Reader<'_> {
+    /// The symbol before a piece, and the piece without it.
+    pub(super) fn labelled(&self, piece: Span) -> (Option<Span>, Span) {
+        let piece = trimmed(self.text, piece);
+        let text = &self.text[piece.range()];
+        let (mut depth, mut end) = (0_usize, None);
+        for (at, char) in text.char_indices() {
+            let next = &text[at + char.len_utf8()..];
+            match char {
+                '(' | '[' | '{' => depth += 1,
+                ')' | ']' | '}' => depth = depth.saturating_sub(1),
+                '=' | '≈' if depth == 0 => end = Some(text.len() - next.len()),
+                ':' if depth == 0 && next.trim_start().starts_with(['(', '[', '{']) => {
+                    end = Some(text.len() - next.len());
+                }
+                _ => {}
+            }
+        }
+        let Some(end) = end else {
+            return (None, piece);
+        };
+        let start = piece.range().start;
+        let rest = Span::new(start + end, piece.range().end);
+        (
+            Some(Span::new(start, start + end)),
+            trimmed(self.text, rest),
+        )
+    }
+}
+
+/// Refuses symbols whose numbers do not ascend: what they name may stand in another order than what is asked.
+/// One symbol alone names the whole.
+pub(super) fn in_order(text: &str, labels: &[Option<Span>]) -> Result<(), TypedError> {
+    let labels: Vec<Span> = labels.iter().flatten().copied().collect();
+    if let Some(label) = labels
+        .iter()
+        .find(|label| is_computed(&text[label.range()]))
+    {
+        return Err(TypedError {
+            trouble: Trouble::Unsolved,
+            span: *label,
+        });
+    }
+    let mut last = None;
+    for label in labels.iter().filter(|_| labels.len() > 1) {
+        let number = number(&text[label.range()]);
+        if number <= last {
+            return Err(TypedError {
+                trouble: Trouble::Order,
+                span: *label,
+            });
+        }
+        last = number;
+    }
+    Ok(())
+}
+
+/// Whether what stands before an equals sign is made of what is asked, and is another value: `K⁻¹`, `2K`, `det K`.
+/// Any other power may number a mode.
+fn is_computed(label: &str) -> bool {
+    const FUNCTIONS: [&str; 3] = ["inv", "det", "\\det"];
+    let label = label.trim_start();
+    let is_called = |name: &&str| {
+        let rest = label.strip_prefix(*name);
+        rest.is_some_and(|rest| rest.starts_with([' ', '(', '\\']))
+    };
+    let factor =
+        label.trim_start_matches(|char: char| char.is_ascii_digit() || "./*".contains(char));
+    let is_ordinal = ["st", "nd", "rd", "th"]
+        .iter()
+        .any(|end| factor.starts_with(end));
+    let is_scaled = label.starts_with(|char: char| char.is_ascii_digit())
+        && factor.starts_with(char::is_alphabetic)
+        && !is_ordinal;
+    label.starts_with('-')
+        || is_scaled
+        || ["^-", "^{-", "≠"].iter().any(|sign| label.contains(sign))
+        || FUNCTIONS.iter().any(is_called)
+}
+
+/// The columns of a matrix whose entries have symbols with two indices, `K11 = 2k, K12 = -k, K21 = …`, row by row.
+pub(super) fn columns(text: &str, labels: &[Option<Span>]) -> Option<usize> {
+    let indices = |label: &Option<Span>| {
+        let number = number(&text[label.as_ref()?.range()])?;
+        (11..=99)
+            .contains(&number)
+            .then_some((number / 10, number % 10))
+    };
+    let places: Vec<(u32, u32)> = labels.iter().map(indices).collect::<Option<_>>()?;
+    let (rows, columns) = *places.last()?;
+    let due = (1..=rows).flat_map(|row| (1..=columns).map(move |column| (row, column)));
+    (rows > 1 && due.eq(places)).then_some(columns as usize)
+}
+
+/// The number in a symbol, `2` of `x_2` and `ω₂`; a ratio of symbols has none.
+fn number(label: &str) -> Option<u32> {
+    let digit = |char: char| match char {
+        '₀'..='₉' => Some(u32::from(char) - u32::from('₀')),
+        char => char.to_digit(10),
+    };
+    if label.contains('/') {
+        return None;
+    }
+    let digits: Vec<u32> = label.chars().filter_map(digit).collect();
+    let number = digits.iter().take(6).fold(0, |sum, digit| 10 * sum + digit);
+    (!digits.is_empty()).then_some(number)
+}

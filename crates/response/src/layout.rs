@@ -1,0 +1,250 @@
+//! Other layouts of lists, put as lists with brackets and separators: LaTeX environments, rows by lines, entries parted
+//! by spaces. All places stay.
+
+use std::borrow::Cow;
+
+use super::frame::groups;
+use vibank_formula::unit::Unit;
+use vibank_source::Span;
+
+/// The text of a list with brackets and separators as they are read.
+pub(super) fn laid_out(text: &str) -> String {
+    let plain = rows_by_line(&without_latex(text)).replace(" and ", " ;   ");
+    without_brackets_of_unit(plain)
+}
+
+/// `[1 2; 3 4] [N/m]` without the brackets around its unit, which are no list beside another.
+fn without_brackets_of_unit(mut text: String) -> String {
+    let inner = text
+        .trim_end()
+        .strip_suffix(']')
+        .and_then(|text| text.rsplit_once('['));
+    let Some((before, unit)) =
+        inner.filter(|(before, _)| before.trim_end().ends_with([']', ')', '}']))
+    else {
+        return text;
+    };
+    let is_unit = unit.trim().starts_with(char::is_alphabetic) && Unit::read(unit).is_ok();
+    let (open, close) = (before.len(), before.len() + 1 + unit.len());
+    if is_unit {
+        for bracket in [open, close] {
+            text.replace_range(bracket..=bracket, " ");
+        }
+    }
+    text
+}
+
+/// The text with brackets in place of those of LaTeX, `\left\{ a, b \right\}`, and of its environments,
+/// `\begin{pmatrix} a & b \\ c & d \end{pmatrix}`.
+fn without_latex(text: &str) -> Cow<'_, str> {
+    if !text.contains('\\') {
+        return Cow::Borrowed(text);
+    }
+    let mut plain = text.to_owned();
+    for space in ["\\,", "\\;", "\\:", "\\!"] {
+        plain = plain.replace(space, "  ");
+    }
+    without_outer_brackets(&mut plain);
+    for (sign, bracket) in [("\\left", ""), ("\\right", ""), ("\\{", "{"), ("\\}", "}")] {
+        plain = plain.replace(sign, &format!("{bracket:>0$}", sign.len()));
+    }
+    let has_bare_rows = plain.contains("\\\\") && plain.contains('&');
+    if plain.contains("\\begin{") || has_bare_rows {
+        environments(&mut plain);
+    }
+    binomials(&mut plain);
+    Cow::Owned(plain)
+}
+
+/// Blanks the brackets right around an environment, `\left[\begin{array}…\end{array}\right]`: it stands for brackets
+/// itself. Those within are of its entries.
+fn without_outer_brackets(plain: &mut String) {
+    let mut blank = |is_outer: &dyn Fn(&str, usize, usize) -> bool, delimiters: [&str; 2]| {
+        for delimiter in delimiters {
+            let places: Vec<usize> = plain.match_indices(delimiter).map(|(at, _)| at).collect();
+            for at in places {
+                let end = at + delimiter.len();
+                if is_outer(plain, at, end) {
+                    plain.replace_range(at..end, &" ".repeat(delimiter.len()));
+                }
+            }
+        }
+    };
+    let opens = |text: &str, _: usize, end: usize| text[end..].trim_start().starts_with("\\begin{");
+    let closes = |text: &str, at: usize, _: usize| {
+        let before = text[..at].trim_end().strip_suffix('}');
+        let command = before.and_then(|before| before.rsplit_once('{'));
+        command.is_some_and(|(command, _)| command.ends_with("\\end"))
+    };
+    blank(&opens, ["\\left[", "\\left("]);
+    blank(&closes, ["\\right]", "\\right)"]);
+}
+
+/// `\binom{1}{2}` as the column that it looks like.
+fn binomials(plain: &mut String) {
+    const COMMAND: &str = "\\binom";
+    while let Some(start) = plain.find(COMMAND) {
+        plain.replace_range(start..start + COMMAND.len(), &" ".repeat(COMMAND.len()));
+        let groups = groups(plain, Span::new(start, plain.len()));
+        let [upper, lower] = match groups[..] {
+            [upper, lower, ..] => [upper.range(), lower.range()],
+            _ => return,
+        };
+        if plain[upper.end..lower.start].trim().is_empty() {
+            plain.replace_range(upper.start..=upper.start, "[");
+            plain.replace_range(upper.end - 1..upper.end, ";");
+            plain.replace_range(lower.start..=lower.start, " ");
+            plain.replace_range(lower.end - 1..lower.end, "]");
+        }
+    }
+}
+
+fn environments(plain: &mut String) {
+    *plain = plain.replace("\\cr", "\\\\ ");
+    while let Some(start) = plain.find("\\\\") {
+        // `[4pt]` says how far the next row is.
+        let rest = &plain[start + 2..];
+        let length = rest.strip_prefix('[').and_then(|rest| rest.split_once(']'));
+        let length = length.map_or("", |(length, _)| length);
+        let is_length = ["pt", "ex", "em", "mm", "cm"]
+            .iter()
+            .any(|unit| length.ends_with(unit));
+        let skipped = if is_length { length.len() + 2 } else { 0 };
+        plain.replace_range(
+            start..start + 2 + skipped,
+            &format!(";{}", " ".repeat(1 + skipped)),
+        );
+    }
+    for (command, bracket) in [("\\begin{", '['), ("\\end{", ']')] {
+        while let Some(start) = plain.find(command) {
+            let mut length = plain[start..]
+                .find('}')
+                .map_or(command.len(), |end| end + 1);
+            if plain[start..start + length].ends_with("array}") && bracket == '[' {
+                // `{cc}` says how the columns are set.
+                let columns = plain[start + length..].find('}');
+                length += columns.map_or(0, |end| end + 1);
+            }
+            let padded = format!("{bracket}{}", " ".repeat(length - 1));
+            plain.replace_range(start..start + length, &padded);
+        }
+    }
+    // A row may be ended though none follows.
+    let ends: Vec<usize> = plain.match_indices(']').map(|(at, _)| at).collect();
+    for end in ends {
+        if let Some(body) = plain[..end].trim_end().strip_suffix(';') {
+            let at = body.len();
+            plain.replace_range(at..=at, " ");
+        }
+    }
+}
+
+/// A list with semicolons for the ends of lines between its rows, whose entries semicolons may part as well.
+fn rows_by_line(text: &str) -> String {
+    let text = barred_rows(text).unwrap_or_else(|| text.to_owned());
+    let ends = |at: usize| {
+        let before = text[..at]
+            .trim_end()
+            .ends_with([',', ';', '&', '[', '(', '{', '=']);
+        let after = text[at..]
+            .trim_start()
+            .starts_with([']', ')', '}', ',', ';']);
+        let is_blank = text[at + 1..].trim_start_matches(' ').starts_with('\n');
+        !before && !after && !is_blank
+    };
+    let mut line_ends = text.match_indices('\n').map(|(at, _)| at);
+    let digit = |char: char| char.is_ascii_digit();
+    let is_decimal = |at: usize| text[..at].ends_with(digit) && text[at + 1..].starts_with(digit);
+    let has_decimals = text.match_indices(',').all(|(at, _)| is_decimal(at));
+    let parts_entries = line_ends.any(&ends) && has_decimals && !text.contains(['&', '[', '(']);
+    let sign = |(at, char): (usize, char)| match char {
+        '\n' if ends(at) => ';',
+        '\n' => ' ',
+        ';' if parts_entries => '&',
+        char => char,
+    };
+    text.char_indices().map(sign).collect()
+}
+
+/// Rows between bars, as programs draw them, in brackets; nothing where not all lines are so.
+fn barred_rows(text: &str) -> Option<String> {
+    let row = |line: &str| {
+        let inner = line.trim().strip_prefix('|')?.strip_suffix('|')?;
+        let start = line.len() - line.trim_start().len();
+        Some(format!(
+            "{}[{inner}]{}",
+            &line[..start],
+            &line[start + inner.len() + 2..]
+        ))
+    };
+    let rows: Option<Vec<String>> = text.split('\n').map(row).collect();
+    rows.filter(|rows| rows.len() > 1)
+        .map(|rows| rows.join("\n"))
+}
+
+/// The same list with `&` for each space that parts entries, as in `[1 -2; 0 3]`. A space parts two values, and a value
+/// from a sign that stands at the next one; beside a list in brackets it parts nothing but such lists.
+pub(super) fn spaced(text: &str) -> String {
+    let inner = parted(text, |depth, _, _| depth > 0);
+    let whole = Span::new(0, text.len());
+    let has_list = groups(&inner, whole)
+        .iter()
+        .any(|group| inner[group.range()].contains([',', ';', '&']));
+    parted(&inner, |depth, before, next| {
+        depth == 0 && (!has_list || ")]}".contains(before) && "([{".contains(next))
+    })
+}
+
+/// Whether a sign stands at the number behind a space, where commas may be decimal signs.
+pub(super) fn has_signed_gap(text: &str) -> bool {
+    let digit = |char: char| char.is_ascii_digit();
+    let has_decimals = text
+        .match_indices(',')
+        .any(|(at, _)| text[..at].ends_with(digit) && text[at + 1..].starts_with(digit));
+    let is_signed = |(at, _): (usize, &str)| {
+        entries_around(text, at).is_some_and(|(before, next)| digit(before) && "+-".contains(next))
+    };
+    has_decimals && text.match_indices(' ').any(is_signed)
+}
+
+/// The text with `&` for spaces between entries where it may stand, by the depth of brackets and the signs around.
+fn parted(text: &str, may: impl Fn(usize, char, char) -> bool) -> String {
+    // For each open bracket whether it may hold entries: none within another but in square ones, no argument.
+    let mut open: Vec<bool> = Vec::new();
+    let mut plain = String::with_capacity(text.len());
+    for (at, char) in text.char_indices() {
+        match char {
+            '(' | '[' | '{' => {
+                let before = text[..at].trim_end_matches(|char: char| char.is_ascii_alphabetic());
+                let is_call = text[..at].len() > before.len() + 1;
+                open.push(!is_call && (open.is_empty() || char != '('));
+            }
+            ')' | ']' | '}' => {
+                open.pop();
+            }
+            _ => {}
+        }
+        let around = Some(char).filter(|char| char.is_whitespace());
+        let around = around.and_then(|_| entries_around(text, at));
+        let parts = open.last().is_none_or(|holds| *holds)
+            && around.is_some_and(|(before, next)| may(open.len(), before, next));
+        if parts {
+            plain.push('&');
+            plain.extend((1..char.len_utf8()).map(|_| ' '));
+        } else {
+            plain.push(char);
+        }
+    }
+    plain
+}
+
+/// The signs around the space at a place where it stands between two entries.
+fn entries_around(text: &str, at: usize) -> Option<(char, char)> {
+    let before = text[..at].chars().next_back()?;
+    let mut after = text[at..].trim_start().chars();
+    let (next, second) = (after.next()?, after.next());
+    let ends = before.is_alphanumeric() || ")]}²³'.".contains(before);
+    let begins = |char: char| char.is_alphanumeric() || "([{√\\.".contains(char);
+    let is_signed = "+-".contains(next) && second.is_some_and(begins);
+    (ends && (begins(next) || is_signed)).then_some((before, next))
+}

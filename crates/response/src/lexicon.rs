@@ -1,0 +1,183 @@
+//! What names a response may use, with their symbols; what people type for them is made out when one is read.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, OnceLock};
+
+use super::letters::Letters;
+use super::near::typable;
+use super::vocabulary::{Piece, Words};
+use super::{Manner, Trouble};
+use vibank_formula::expr::{Expr, Kind, Name, Notation, Substitution, Symbol};
+use vibank_notation::{Math, symbol};
+
+/// The names that a response may use.
+#[derive(Debug, Default)]
+pub struct Lexicon {
+    entries: Vec<Entry>,
+    symbols: BTreeMap<Name, Arc<Math>>,
+    moving: Vec<Name>,
+    /// Only a response asks for them.
+    words: OnceLock<Words>,
+}
+
+/// A name of the item.
+#[derive(Debug)]
+pub(super) enum Entry {
+    /// It may be used; with its symbol, and whether it moves with time.
+    Allowed(Name, Arc<Math>, bool),
+    /// It may not.
+    Forbidden(Name),
+}
+
+impl Lexicon {
+    /// Functions and constants alone.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Adds a name with its symbol; one that moves with time may be primed.
+    pub fn allow(&mut self, name: &Name, math: impl Into<Arc<Math>>, is_moving: bool) {
+        let math = math.into();
+        self.symbols.insert(name.clone(), Arc::clone(&math));
+        if is_moving {
+            self.moving.push(name.clone());
+        }
+        self.add(Entry::Allowed(name.clone(), math, is_moving));
+    }
+
+    /// Adds a name of the item that the answer may not use, so that it can be said.
+    pub fn forbid(&mut self, name: &Name) {
+        self.add(Entry::Forbidden(name.clone()));
+    }
+
+    fn add(&mut self, entry: Entry) {
+        self.entries.push(entry);
+        self.words.take();
+    }
+
+    fn words(&self) -> &Words {
+        self.words.get_or_init(|| Words::of(&self.entries))
+    }
+
+    /// The name that a word is read as, also in another spelling: ω₁ for `w1`.
+    pub fn reads(&self, word: &str) -> Option<&Name> {
+        self.words().name(word)
+    }
+
+    /// Another symbol for a name that is there.
+    pub fn set_symbol(&mut self, name: &Name, math: Arc<Math>) {
+        self.symbols.insert(name.clone(), math);
+    }
+
+    /// A name as it is printed, in signs that can be typed: `k2` for k₂.
+    pub fn typable(&self, name: &Name) -> String {
+        typable(&self.name(name).math.plain())
+    }
+
+    /// A letter or its time derivative as it can be typed: as it is printed where that is read as this letter, by its
+    /// name otherwise.
+    pub fn typed(&self, letter: &Expr) -> String {
+        let (name, order) = match letter.kind() {
+            Kind::Prime(inner, order) => (inner.kind(), usize::from(*order)),
+            kind => (kind, 0),
+        };
+        let Kind::Name(name) = name else {
+            return letter.to_string();
+        };
+        let printed = self.typable(name);
+        let is_read = super::formula(&printed, self, Manner::default())
+            .is_ok_and(|typed| typed.value == Expr::name(name.clone()) && typed.others.is_empty());
+        let base = if is_read { printed } else { name.to_string() };
+        base + &"'".repeat(order)
+    }
+
+    /// A formula in the formula language with the names as they are printed.
+    pub fn written(&self, formula: &Expr) -> String {
+        let names = formula.names().free.into_iter();
+        let printed = names.fold(Substitution::new(), |put, variable| {
+            let printed = Expr::name(self.typable(&variable.name).as_str());
+            put.with(variable.name, printed)
+        });
+        let printed = printed.apply(formula);
+        printed.map_or_else(|_| formula.to_string(), |printed| printed.to_string())
+    }
+
+    /// That a name of the item may not be used, with those that may.
+    pub(super) fn not_allowed(&self) -> Trouble {
+        Trouble::NotAllowed(self.listed())
+    }
+
+    /// That a word is no name, with the name that is nearest to it or all that there are.
+    pub(super) fn unknown(&self, word: &str) -> Trouble {
+        let near = self.words().nearest(word);
+        let letters = match near {
+            Some(_) => Vec::new(),
+            None => self.listed(),
+        };
+        Trouble::Unknown { near, letters }
+    }
+
+    /// The names that may be used, unless they are too many to be read.
+    fn listed(&self) -> Vec<String> {
+        const MOST_LISTED: usize = 12;
+        let allowed = self.words().allowed();
+        if (1..=MOST_LISTED).contains(&allowed.len()) {
+            allowed.to_vec()
+        } else {
+            Vec::new()
+        }
+    }
+
+    /// Whether a run of letters ends with a function for which the number behind it is the argument, `sin2θ`.
+    pub(super) fn ends_with_function(&self, run: &str, behind: &str) -> bool {
+        self.words().ends_with_function(run, behind)
+    }
+
+    /// Whether a spelling is that of a name or function.
+    pub(super) fn knows(&self, spelling: &str) -> bool {
+        self.words().knows(spelling)
+    }
+
+    /// Whether a name moves with time.
+    pub fn is_moving(&self, name: &Name) -> bool {
+        self.moving.contains(name)
+    }
+
+    /// The moving name of this spelling.
+    pub(super) fn moving(&self, spelling: &str) -> Option<&Name> {
+        self.words()
+            .name(spelling)
+            .filter(|name| self.is_moving(name))
+    }
+
+    /// The derivative of this order of the name of this spelling, as dots over it would have it.
+    pub(super) fn dotted(&self, spelling: &str, order: u8) -> Option<Expr> {
+        if let Some(name) = self.moving(spelling) {
+            return Some(Expr::name(name.clone()).prime(order));
+        }
+        self.dotted_word(spelling, order)
+    }
+
+    /// The name that is spelled with so many primes.
+    pub(super) fn dotted_word(&self, spelling: &str, primes: u8) -> Option<Expr> {
+        self.words().dotted_word(spelling, primes)
+    }
+
+    /// The words of a run with this many primes behind it, as few as can be; the place where it sticks.
+    pub(super) fn split(
+        &self,
+        letters: &Letters,
+        end: usize,
+        primes: u8,
+        has_bracket: bool,
+    ) -> Result<Vec<Piece>, usize> {
+        self.words().split(letters, end, primes, has_bracket)
+    }
+}
+
+impl Notation for Lexicon {
+    fn name(&self, name: &Name) -> Symbol {
+        let own = self.symbols.get(name);
+        Symbol::letter(own.map_or_else(|| symbol(name.as_str()), |own| Math::clone(own)))
+    }
+}

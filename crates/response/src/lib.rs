@@ -1,0 +1,151 @@
+//! Formulas as people type them.
+//!
+//! Files are read strictly, responses leniently: products need no sign and are split by the item's own
+//! names (`mgl`, `2zeta omega_n`, `kl²`), Greek letters come as words or signs, subscripts with or
+//! without underscore, and the signs of paper (`√`, `²`, `·`, `×`, `−`) stand beside `^`, `**`, `x''`,
+//! `xdot`, `d²x/dt²` and simple LaTeX. What was read is echoed; what cannot be read is refused with
+//! its place and with what to type instead. Nothing is guessed in silence.
+//!
+//! # The slash
+//!
+//! A slash takes what stands right behind it, without a space: `k/2m` is `k/(2m)`, while `k/2 m` is `(k/2) m`.
+//! Between two numbers it is a fraction: `1/2mv²` is `½ m v²`. What stands behind a bracket does not
+//! belong to the divisor: `1/(2m)c` is `c/(2m)`.
+//!
+//! # Other readings
+//!
+//! How far a divisor reaches, a root or a function without brackets, an exponent, may be meant otherwise than the
+//! rules have it. A text has all its other readings, too: a kind takes one where only that has the
+//! right dimension, and asks back where one is right that was not taken.
+
+mod amount;
+mod behind;
+mod calls;
+mod components;
+mod differential;
+mod digits;
+mod error;
+mod fold;
+mod frame;
+mod labels;
+mod latex;
+mod layout;
+mod letters;
+mod lexicon;
+mod list;
+mod lost_power;
+mod near;
+mod number;
+mod parser;
+mod sides;
+mod signs;
+mod surroundings;
+mod token;
+mod values;
+mod vocabulary;
+mod ways;
+mod words;
+
+pub use amount::{Amount, Number, has_pi};
+pub use behind::with_unit;
+pub use components::components;
+pub use error::TypedError;
+pub use error::{At, Trouble, ValueTrouble};
+pub use fold::{Folded, LoneDollar};
+pub use letters::{is_dotted, letter};
+pub use lexicon::Lexicon;
+pub use list::{Listed, cut, list_of_form};
+pub use sides::{sides, statement};
+pub use surroundings::withdrawn;
+pub use values::{Part, Style, Values};
+pub use words::count_in_digits;
+
+use self::parser::Parser;
+use self::token::tokens;
+use self::ways::readings;
+use vibank_formula::expr::{Expr, Relation};
+use vibank_formula::unit::DecimalMark;
+
+/// Longest response that is read, in bytes.
+const LONGEST: usize = 2_000;
+/// Deepest formula that is read; deeper ones would strain the recursion of what follows.
+const DEEPEST: u32 = 150;
+
+/// How a text is to be read.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Manner {
+    /// Whether a comma between two digits is a decimal sign.
+    pub comma_is_decimal: bool,
+    /// Whether `i` and `j` are the imaginary unit.
+    pub has_imaginary_unit: bool,
+    /// For values: units stand behind numbers, and decimals are exact, with this decimal sign.
+    pub values: Option<DecimalMark>,
+}
+
+/// What was read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Typed<T> {
+    /// By the rules.
+    pub value: T,
+    /// What it may be meant as otherwise, the nearest to the rules first.
+    pub others: Vec<T>,
+}
+
+impl<T> Typed<T> {
+    /// The first reading that fits; that of the rules where none does.
+    pub fn fitting(self, fits: impl Fn(&T) -> bool) -> T {
+        if fits(&self.value) {
+            return self.value;
+        }
+        self.others.into_iter().find(fits).unwrap_or(self.value)
+    }
+}
+
+/// An equation, or a chain of comparisons: one relation fewer than sides.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chain {
+    /// What is compared.
+    pub sides: Vec<Expr>,
+    /// The signs in between; `=` is [`Relation::Equal`].
+    pub relations: Vec<Relation>,
+}
+
+/// The formula that a text is, after a symbol and an equals sign that may stand before it.
+pub fn formula(text: &str, lexicon: &Lexicon, manner: Manner) -> Result<Typed<Expr>, TypedError> {
+    let sides = sides(text, lexicon)?;
+    let place = sides.last().map_or(0..text.len(), |side| side.range());
+    read(text, place.start, place.end, lexicon, manner, |parser| {
+        parser.whole_formula()
+    })
+}
+
+/// The equation or comparison that a part of a text is; its places count in the whole text.
+pub fn chain(
+    text: &str,
+    from: usize,
+    to: usize,
+    lexicon: &Lexicon,
+    manner: Manner,
+) -> Result<Typed<Chain>, TypedError> {
+    read(text, from, to, lexicon, manner, |parser| {
+        parser.whole_chain()
+    })
+}
+
+fn read<T: PartialEq>(
+    text: &str,
+    from: usize,
+    to: usize,
+    lexicon: &Lexicon,
+    manner: Manner,
+    parse: impl Fn(&mut Parser<'_>) -> Result<T, TypedError>,
+) -> Result<Typed<T>, TypedError> {
+    if text.len() > LONGEST {
+        return Err(TypedError::new(Trouble::TooLong, LONGEST, text.len()));
+    }
+    let tokens = tokens(text, from, to, lexicon, manner)?;
+    readings(|ways| parse(&mut Parser::new(&tokens, to, ways)))
+}
+
+#[cfg(test)]
+mod tests;

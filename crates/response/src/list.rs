@@ -1,0 +1,404 @@
+//! Lists, vectors and matrices as people type them: `(1, 0.618)`, `[1; -2]`, `[[3m, 0], [0, m]]`.
+
+use super::behind::with_unit;
+use super::frame::{balanced, groups};
+use super::labels::{columns, in_order};
+use super::layout::{has_signed_gap, laid_out, spaced};
+use super::parser::Parser;
+use super::vocabulary::is_function;
+use super::{DEEPEST, LONGEST, Lexicon, Manner, Trouble, Typed, TypedError, read};
+use vibank_formula::expr::Expr;
+use vibank_formula::unit::Unit;
+use vibank_source::Span;
+
+/// Most entries that are read.
+const MOST_ENTRIES: usize = 400;
+/// Most brackets around one another that are lists.
+const MOST_NESTED: u32 = 4;
+/// What parts rows and entries; `&` as in LaTeX.
+const SEPARATORS: &[char] = &[',', ';', '&'];
+
+/// A list of formulas by rows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Listed {
+    /// The entries, each row as long as the others.
+    pub rows: Vec<Vec<Expr>>,
+    /// The unit of all entries.
+    pub unit: Option<Unit>,
+}
+
+impl Listed {
+    /// Whether all entries are numbers.
+    pub fn is_numeric(&self) -> bool {
+        let mut entries = self.rows.iter().flatten();
+        entries.all(|entry| entry.names().free.is_empty())
+    }
+}
+
+/// Reads a list of the form that is asked. A comma parts entries, but is a decimal sign where only so the list has that
+/// form; entries may also be parted by spaces. A list of another form is as it was typed. Where a factor is free, a letter
+/// that is no name may be one.
+pub fn list_of_form(
+    text: &str,
+    lexicon: &Lexicon,
+    units: &[Unit],
+    is_up_to_factor: bool,
+    fits: impl Fn(&Listed) -> bool,
+) -> Result<Listed, TypedError> {
+    let bars = ["\\begin{vmatrix}", "\\begin{Vmatrix}"];
+    if let Some(at) = bars.iter().find_map(|bars| text.find(bars)) {
+        return Err(TypedError::new(
+            Trouble::Determinant,
+            at,
+            at + bars[0].len(),
+        ));
+    }
+    let plain = laid_out(text);
+    let spaced = spaced(&plain);
+    let mut ways = vec![
+        (false, &plain),
+        (false, &spaced),
+        (true, &plain),
+        (true, &spaced),
+    ];
+    if has_signed_gap(&plain) {
+        // Of `[1 -0,34]` the minus is the sign of a number.
+        ways.rotate_right(1);
+    }
+    let mut others = Vec::new();
+    for (comma_is_decimal, text) in ways {
+        let manner = Manner {
+            comma_is_decimal,
+            ..Manner::default()
+        };
+        let listed = list(text, lexicon, manner, units, is_up_to_factor);
+        let is_final = match &listed {
+            Ok(listed) => fits(listed),
+            Err(error) => matches!(error.trouble, Trouble::UnitOrLetter | Trouble::Order),
+        };
+        if is_final {
+            return listed;
+        }
+        others.push(listed);
+    }
+    let typed = others.iter().position(Result::is_ok).unwrap_or(0);
+    others.swap_remove(typed)
+}
+
+/// The entries of a list by rows; a list without rows is one row.
+pub(super) fn list(
+    text: &str,
+    lexicon: &Lexicon,
+    manner: Manner,
+    units: &[Unit],
+    is_up_to_factor: bool,
+) -> Result<Listed, TypedError> {
+    if text.len() > LONGEST {
+        return Err(TypedError::new(Trouble::TooLong, LONGEST, text.len()));
+    }
+    balanced(text)?;
+    let reader = Reader {
+        text,
+        lexicon,
+        manner,
+        units,
+        is_up_to_factor,
+    };
+    let end = text.trim_end_matches(|char: char| char.is_whitespace() || ";,.".contains(char));
+    let whole = Span::new(0, end.len());
+    let listed = reader.framed(whole, 0)?;
+    match &listed.unit {
+        // `m2  mm` is a unit where `m^2 mm` is one of letters: the echo could not say which was read.
+        Some(unit) if !reader.is_asked(unit) && reader.is_of_letters(unit) => Err(TypedError {
+            trouble: Trouble::UnitOrLetter,
+            span: whole,
+        }),
+        _ => Ok(listed),
+    }
+}
+
+pub(super) struct Reader<'a> {
+    pub(super) text: &'a str,
+    pub(super) lexicon: &'a Lexicon,
+    pub(super) manner: Manner,
+    /// Those of what is asked.
+    units: &'a [Unit],
+    /// Whether a letter that is no name may be a factor.
+    pub(super) is_up_to_factor: bool,
+}
+
+impl Reader<'_> {
+    pub(super) fn is_asked(&self, unit: &Unit) -> bool {
+        let dimension = unit.dimension();
+        self.units.iter().any(|own| own.dimension() == dimension)
+    }
+
+    /// Whether a unit, as it is printed, is a formula of the letters of the answer.
+    fn is_of_letters(&self, unit: &Unit) -> bool {
+        let printed = unit.to_string();
+        let read = self.formula_in(&printed, Span::new(0, printed.len()));
+        read.is_ok_and(|formula| !formula.value.names().free.is_empty())
+    }
+
+    /// A list with what stands around it.
+    fn framed(&self, piece: Span, depth: u32) -> Result<Listed, TypedError> {
+        let piece = trimmed(self.text, piece);
+        if self.pieces(piece, SEPARATORS).len() > 1 {
+            return self.bare(piece, depth);
+        }
+        let (label, piece) = self.labelled(piece);
+        in_order(self.text, &[label])?;
+        let wrapped = || {
+            let groups = groups(self.text, piece);
+            groups.first().copied().filter(|group| *group == piece)
+        };
+        let Some(list) = self.list_in(piece, depth).or_else(wrapped) else {
+            return self.bare(piece, depth);
+        };
+        let Listed { mut rows, unit } = self.body(inside(list), depth)?;
+        let frame = self.frame(piece, list)?;
+        if frame.is_transposed {
+            rows = transposed(&rows);
+        }
+        if frame.is_diagonal {
+            rows = diagonal(&rows.concat());
+        }
+        if let Some(factor) = frame.factor {
+            for entry in rows.iter_mut().flatten() {
+                *entry = factor.clone() * entry.clone();
+                if entry.depth() > DEEPEST {
+                    return Err(TypedError {
+                        trouble: Trouble::TooDeep,
+                        span: piece,
+                    });
+                }
+            }
+        }
+        let unit = frame.unit.or(unit);
+        Ok(Listed { rows, unit })
+    }
+
+    /// A list without brackets, behind which a unit may stand.
+    fn bare(&self, span: Span, depth: u32) -> Result<Listed, TypedError> {
+        let listed = self.body(span, depth);
+        if depth > 0 {
+            return listed;
+        }
+        let last = self.pieces(span, SEPARATORS).pop().unwrap_or(span);
+        let last = self.labelled(last).1;
+        let units = with_unit(&self.text[last.range()]).filter_map(|(number, unit)| {
+            let end = last.range().start + number.len();
+            let number = self.formula(Span::new(last.range().start, end)).ok()?;
+            number.names().free.is_empty().then_some((end, unit))
+        });
+        let units: Vec<(usize, Unit)> = units.collect();
+        let asked = units.iter().find(|(_, unit)| self.is_asked(unit));
+        let Some((end, unit)) = asked.or(units.first()) else {
+            return listed;
+        };
+        let numbers = self.body(Span::new(span.range().start, *end), depth);
+        let Some(Listed { rows, .. }) = numbers.ok().filter(Listed::is_numeric) else {
+            return listed;
+        };
+        match listed {
+            Ok(listed) if listed.is_numeric() => Ok(listed),
+            Ok(listed) if asked.is_none() && rows.concat().len() == 1 => Ok(listed),
+            Ok(_) if asked.is_none() => Err(TypedError {
+                trouble: Trouble::UnitOrLetter,
+                span: last,
+            }),
+            _ => Ok(Listed {
+                rows,
+                unit: Some(*unit),
+            }),
+        }
+    }
+
+    /// What stands between brackets, or without any: rows in brackets of their own, or parted by semicolons.
+    fn body(&self, span: Span, depth: u32) -> Result<Listed, TypedError> {
+        let pieces = self.pieces(span, SEPARATORS);
+        let labels: Vec<_> = pieces.iter().map(|piece| self.labelled(*piece).0).collect();
+        in_order(self.text, &labels)?;
+        let is_boxed = |piece: &Span| {
+            let inner = self.text[piece.range()].trim();
+            inner.starts_with(['[', '{']) && inner.ends_with([']', '}'])
+        };
+        let has_rows = pieces
+            .iter()
+            .any(|piece| self.list_in(*piece, depth).is_some())
+            || pieces.len() > 1 && pieces.iter().all(is_boxed);
+        if let (true, [one]) = (has_rows, &pieces[..]) {
+            return self.framed(*one, depth + 1);
+        }
+        let (mut rows, mut unit) = (Vec::new(), None);
+        let mut entry_units = Vec::new();
+        if has_rows {
+            for (place, piece) in pieces.iter().enumerate() {
+                let row = self.framed(*piece, depth + 1)?;
+                let is_same = row.unit == unit;
+                // One behind the last row is that of all.
+                if place > 0 && !is_same && (unit.is_some() || place + 1 < pieces.len()) {
+                    return Err(TypedError {
+                        trouble: Trouble::UnitOfEntry,
+                        span: *piece,
+                    });
+                }
+                unit = row.unit;
+                rows.push(row.rows.concat());
+            }
+        } else {
+            for row in self.pieces(span, &[';']) {
+                let entries = self.pieces(row, &[',', '&']);
+                let mut read = Vec::new();
+                for place in entries {
+                    let (entry, own) = self.entry(place)?;
+                    entry_units.push((own.filter(|_| !entry.is_zero()), entry.is_zero(), place));
+                    read.push(entry);
+                }
+                rows.push(read);
+            }
+            unit = common(&entry_units)?;
+            if let Some(columns) = columns(self.text, &labels) {
+                let entries = rows.concat();
+                rows = entries.chunks(columns).map(<[Expr]>::to_vec).collect();
+            }
+        }
+        if rows.iter().map(Vec::len).sum::<usize>() > MOST_ENTRIES {
+            return Err(TypedError {
+                trouble: Trouble::TooLong,
+                span,
+            });
+        }
+        if rows.iter().any(|row| row.len() != rows[0].len()) {
+            return Err(TypedError {
+                trouble: Trouble::Ragged,
+                span,
+            });
+        }
+        Ok(Listed { rows, unit })
+    }
+
+    /// An entry, and the unit behind it.
+    fn entry(&self, place: Span) -> Result<(Expr, Option<Unit>), TypedError> {
+        let place = self.labelled(place).1;
+        self.formula(place)
+            .map(|entry| (entry, None))
+            .or_else(|error| {
+                let value = |(value, unit): (&str, Unit)| {
+                    let start = place.range().start;
+                    let entry = self.formula(Span::new(start, start + value.len())).ok()?;
+                    Some((entry, unit))
+                };
+                match with_unit(&self.text[place.range()]).find_map(value) {
+                    Some((entry, unit)) if entry.names().free.is_empty() => Ok((entry, Some(unit))),
+                    Some(_) => Err(TypedError {
+                        trouble: Trouble::UnitOfEntry,
+                        span: place,
+                    }),
+                    None => Err(error),
+                }
+            })
+    }
+
+    fn formula(&self, place: Span) -> Result<Expr, TypedError> {
+        Ok(self.formula_in(self.text, place)?.value)
+    }
+
+    pub(super) fn formula_in(&self, text: &str, place: Span) -> Result<Typed<Expr>, TypedError> {
+        let (from, to) = (place.range().start, place.range().end);
+        let whole = |parser: &mut Parser<'_>| parser.whole_formula();
+        read(text, from, to, self.lexicon, self.manner, whole)
+    }
+
+    /// The first bracket in a piece that holds a list.
+    fn list_in(&self, piece: Span, depth: u32) -> Option<Span> {
+        let is_list = |group: &Span| {
+            let before = &self.text[..group.range().start];
+            let word = before.trim_end_matches(|char: char| char.is_ascii_alphanumeric());
+            let is_argument = before.ends_with(['_', '^']) || is_function(&before[word.len()..]);
+            let inside = inside(*group);
+            !is_argument
+                && depth < MOST_NESTED
+                && (self.pieces(inside, SEPARATORS).len() > 1
+                    || self.list_in(inside, depth + 1).is_some())
+        };
+        groups(self.text, piece).into_iter().find(is_list)
+    }
+
+    /// The pieces between signs that stand in no bracket and are no decimal comma.
+    fn pieces(&self, span: Span, signs: &[char]) -> Vec<Span> {
+        let digit = |char: char| char.is_ascii_digit();
+        cut_where(self.text, span, |at, char| {
+            let is_decimal = char == ','
+                && self.manner.comma_is_decimal
+                && self.text[..at].ends_with(digit)
+                && self.text[at + 1..].starts_with(digit);
+            signs.contains(&char) && !is_decimal
+        })
+    }
+}
+
+/// The unit of entries that all have the same one or none; zero needs none.
+fn common(entries: &[(Option<Unit>, bool, Span)]) -> Result<Option<Unit>, TypedError> {
+    let unit = entries.iter().find_map(|(unit, ..)| *unit);
+    let is_other = |(own, is_zero, _): &&(Option<Unit>, bool, Span)| !is_zero && *own != unit;
+    match entries.iter().find(is_other) {
+        Some((.., place)) => Err(TypedError {
+            trouble: Trouble::UnitOfEntry,
+            span: *place,
+        }),
+        None => Ok(unit),
+    }
+}
+
+fn inside(group: Span) -> Span {
+    Span::new(group.range().start + 1, group.range().end - 1)
+}
+
+fn transposed(rows: &[Vec<Expr>]) -> Vec<Vec<Expr>> {
+    let width = rows.first().map_or(0, Vec::len);
+    let column = |at: usize| rows.iter().map(|row| row[at].clone()).collect();
+    (0..width).map(column).collect()
+}
+
+fn diagonal(entries: &[Expr]) -> Vec<Vec<Expr>> {
+    let entry = |row: usize, column: usize| {
+        if row == column {
+            entries[row].clone()
+        } else {
+            Expr::number(0)
+        }
+    };
+    let places = 0..entries.len();
+    let row = |row: usize| places.clone().map(|column| entry(row, column)).collect();
+    places.clone().map(row).collect()
+}
+
+pub(super) fn trimmed(text: &str, span: Span) -> Span {
+    let inner = &text[span.range()];
+    let start = span.range().start + inner.len() - inner.trim_start().len();
+    Span::new(start, start + inner.trim().len())
+}
+
+/// The pieces between signs that stand in no bracket.
+pub fn cut(text: &str, span: Span, signs: &[char]) -> Vec<Span> {
+    cut_where(text, span, |_, char| signs.contains(&char))
+}
+
+fn cut_where(text: &str, span: Span, parts: impl Fn(usize, char) -> bool) -> Vec<Span> {
+    let (mut pieces, mut start, mut depth) = (Vec::new(), span.range().start, 0_usize);
+    for (at, char) in text[span.range()].char_indices() {
+        let at = span.range().start + at;
+        match char {
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth = depth.saturating_sub(1),
+            _ if depth == 0 && parts(at, char) => {
+                pieces.push(Span::new(start, at));
+                start = at + char.len_utf8();
+            }
+            _ => {}
+        }
+    }
+    pieces.push(Span::new(start, span.range().end));
+    pieces
+}

@@ -1,0 +1,58 @@
+//! Words of a response that are next to those that are known: slips of names, functions with a number behind them.
+
+use super::vocabulary::{ALIASES, BARE, Words};
+use vibank_formula::expr::Function;
+use vibank_source::nearest;
+
+impl Words {
+    /// The symbol of a name that a word may be a slip of. One letter may only be of the wrong case; a digit behind a
+    /// letter may have lost the sign of a power.
+    pub(super) fn nearest(&self, word: &str) -> Option<String> {
+        let allowed = || self.allowed().iter().map(String::as_str);
+        if let Some(same) = allowed().find(|name| name.eq_ignore_ascii_case(word)) {
+            return Some(same.to_owned());
+        }
+        if let Some((letter, power)) = word.split_at_checked(1)
+            && matches!(power, "2" | "3" | "4")
+            && allowed().any(|name| name == letter)
+        {
+            return Some(format!("{letter}^{power}"));
+        }
+        let longer = allowed().filter(|name| name.chars().nth(1).is_some());
+        let is_word = word.chars().nth(1).is_some();
+        let found = is_word.then(|| nearest(word, longer)).flatten();
+        found.map(str::to_owned)
+    }
+
+    /// Whether a run of letters ends with a function for which the number behind it is the argument.
+    pub(super) fn ends_with_function(&self, run: &str, behind: &str) -> bool {
+        let digits = behind.len()
+            - behind
+                .trim_start_matches(|next: char| next.is_ascii_digit())
+                .len();
+        let is_called = |function: &str| {
+            run.strip_suffix(function).is_some_and(|_| {
+                let whole = format!("{function}{}", &behind[..digits]);
+                Function::of_name(&whole).is_none()
+                    && ALIASES.iter().all(|(alias, _)| *alias != whole)
+            })
+        };
+        let aliases = ALIASES
+            .iter()
+            .filter(|(_, function)| BARE.contains(function));
+        let names = BARE
+            .iter()
+            .map(|function| function.name())
+            .chain(aliases.map(|(alias, _)| *alias));
+        names.into_iter().any(is_called) && !self.knows(&format!("{run}{}", &behind[..digits]))
+    }
+}
+
+/// A symbol as it is typed: `k2` for k₂.
+pub(super) fn typable(symbol: &str) -> String {
+    let digit = |char: char| match char {
+        '₀'..='₉' => char::from(b'0' + (u32::from(char) - u32::from('₀')) as u8),
+        char => char,
+    };
+    symbol.chars().map(digit).collect()
+}

@@ -1,0 +1,351 @@
+//! Tokens among values: exact decimals, units behind numbers, words that join.
+
+use super::behind::gathered;
+use super::digits::Comma;
+use super::letters::Letters;
+use super::signs::DECIMAL;
+use super::token::{Item, Lexer, Literal};
+use super::words::JOINING;
+use super::{Trouble, TypedError, ValueTrouble};
+use vibank_dynamics::numerics::Rational;
+use vibank_formula::expr::{Constant, Expr, Kind};
+use vibank_formula::unit::{Decimal, DecimalMark, Error, ErrorKind, Unit};
+use vibank_source::Span;
+
+/// A text that begins with a number, with a point for the sign in it that is a decimal sign and nothing else.
+fn with_certain_sign(text: &str) -> Option<String> {
+    let behind = text.trim_start_matches(|char: char| char.is_ascii_digit());
+    let decimals = behind.strip_prefix(DECIMAL)?;
+    let whole = &text[..text.len() - behind.len()];
+    Some(format!("{whole}.{decimals}"))
+}
+
+/// A text that begins with a number in the way of Fortran, `1.58D+01`, with an `e` in it.
+fn with_exponent_sign(text: &str) -> Option<String> {
+    let behind = text.trim_start_matches(|char: char| char.is_ascii_digit() || ".,".contains(char));
+    let digits = &text[..text.len() - behind.len()];
+    let power = behind.strip_prefix(['D', 'd'])?;
+    let figures = power.strip_prefix(['+', '-']).unwrap_or(power);
+    let count = figures.bytes().take_while(u8::is_ascii_digit).count();
+    let ends = !figures[count..].starts_with(char::is_alphanumeric);
+    (!digits.is_empty() && (1..=3).contains(&count) && ends).then(|| format!("{digits}e{power}"))
+}
+
+impl Lexer<'_> {
+    /// What is read otherwise among values than within a formula; whether it stands here.
+    pub(super) fn value(&mut self, char: char) -> Result<bool, TypedError> {
+        let Some(mark) = self.manner.values else {
+            return Ok(false);
+        };
+        match char {
+            '\n' => self.take(1, Item::Sign(';')),
+            '(' => {
+                if self.is_behind_value() && self.unit_here() {
+                    return Ok(true);
+                }
+                return Ok(false);
+            }
+            '[' | '\\' => return Ok(self.is_behind_value() && self.unit_here()),
+            '1' if self.is_spaced
+                && self.is_behind_value()
+                && self.rest()[1..].starts_with('/') =>
+            {
+                return if self.unit_here() {
+                    Ok(true)
+                } else {
+                    self.decimal(mark).map(|()| true)
+                };
+            }
+            '0'..='9' => self.decimal(mark)?,
+            '.' | ',' => {
+                let is_digit = self.rest()[1..].starts_with(|next: char| next.is_ascii_digit());
+                let is_first = match self.tokens.last().map(|token| &token.item) {
+                    None => true,
+                    Some(Item::Sign(sign)) => !matches!(sign, ')' | ']' | '}'),
+                    Some(_) => char == '.' && self.is_spaced,
+                };
+                if char == ',' && !(is_digit && is_first && self.has_decimal_comma()) {
+                    self.comma();
+                    return Ok(true);
+                }
+                if !(is_digit && is_first) {
+                    return Ok(false);
+                }
+                self.decimal(mark)?;
+            }
+            '°' => self.degree(),
+            '%' | '‰' => {
+                if !self.unit_here() {
+                    return Ok(false);
+                }
+            }
+            'I' if self.manner.has_imaginary_unit
+                && !self.rest()[1..]
+                    .starts_with(|next: char| next.is_alphanumeric() || next == '_') =>
+            {
+                let span = Span::new(self.at, self.at + 1);
+                let unit = Kind::Constant(Constant::ImaginaryUnit);
+                self.take(1, Item::Leaf(Expr::new(unit, span)));
+            }
+            '\'' | '"' => {
+                let start = self.at;
+                self.at += 1;
+                return self.error(Trouble::Sign, start);
+            }
+            'x' | 'X' if self.is_cross() => self.take(1, Item::Sign('*')),
+            ':' | '±' | '∓' | '∠' | '∈' => self.take(char.len_utf8(), Item::Sign(char)),
+            _ => return Ok(self.joining_word()),
+        }
+        Ok(true)
+    }
+
+    /// Whether a unit may stand here: behind a number, or behind what multiplies or divides one.
+    fn is_behind_value(&self) -> bool {
+        match self.tokens.last().map(|token| &token.item) {
+            Some(Item::Number(_) | Item::Power(_)) => true,
+            Some(Item::Leaf(leaf)) => matches!(leaf.kind(), Kind::Constant(_)),
+            Some(Item::Sign(sign)) => matches!(sign, ')' | '}' | ']' | '*' | '/'),
+            Some(_) | None => false,
+        }
+    }
+
+    /// The text that may be a unit: up to a word that joins, or the end of the line.
+    fn unit_text(&self) -> &str {
+        let rest = self.rest();
+        let line = rest.find('\n').unwrap_or(rest.len());
+        let word = JOINING.iter().filter_map(|word| {
+            let mut from = 0;
+            loop {
+                let at = from + rest[from..].find(word)?;
+                let is_word = rest[..at].ends_with(' ') && rest[at + word.len()..].starts_with(' ');
+                if is_word {
+                    return Some(at);
+                }
+                from = at + word.len();
+            }
+        });
+        let text = &rest[..word.min().unwrap_or(line).min(line)];
+        // In `5 ∠ 53 deg ohm` the angle has its unit, and the whole has its own behind that.
+        match text.split_once(' ') {
+            Some((first, _)) if self.is_behind_angle() => first,
+            _ => text,
+        }
+    }
+
+    /// Takes the unit that stands here; whether one does.
+    fn unit_here(&mut self) -> bool {
+        let Ok((unit, end)) = Unit::read_front(self.unit_text()) else {
+            return false;
+        };
+        if end > 0 {
+            self.take(end, Item::Unit(Box::new(gathered(unit))));
+        }
+        end > 0
+    }
+
+    /// Whether a number stands before this place, and the sign of an angle before that.
+    fn is_behind_angle(&self) -> bool {
+        let mut before = self.tokens.iter().rev();
+        let is_number = before.next().is_some_and(|token| token.literal.is_some());
+        let mut signs = before.skip_while(|token| matches!(token.item, Item::Sign('-' | '+')));
+        let is_angle = |item: &Item| matches!(item, Item::Sign('∠') | Item::Word("at" | "cis"));
+        is_number && signs.next().is_some_and(|token| is_angle(&token.item))
+    }
+
+    /// A sign of degrees; a rate of them if a slash follows.
+    fn degree(&mut self) {
+        let width = '°'.len_utf8();
+        let behind = self.rest()[width..].trim_start();
+        let is_rate = behind.starts_with(['/', '^', '²']) || behind.starts_with("per ");
+        if is_rate && self.unit_here() {
+            return;
+        }
+        let degree = Unit::degree();
+        self.take(width, Item::Unit(Box::new(degree)));
+    }
+
+    /// Whether the letter x stands between two numbers.
+    fn is_cross(&self) -> bool {
+        let last = self.tokens.last();
+        let is_behind = last
+            .and_then(|token| token.literal)
+            .is_some_and(|literal| !literal.value.is_zero());
+        is_behind
+            && self.rest()[1..]
+                .trim_start()
+                .starts_with(|next: char| next.is_ascii_digit())
+    }
+
+    /// A word that joins; whether one stands here.
+    fn joining_word(&mut self) -> bool {
+        const WORDS: [&str; 6] = ["and", "or", "at", "cis", "in", "not"];
+        let rest = self.rest();
+        let is_end = |next: char| !next.is_alphanumeric() && next != '_';
+        let found = WORDS.into_iter().find(|word| {
+            let behind = rest.strip_prefix(word);
+            behind.is_some_and(|behind| behind.starts_with(is_end))
+        });
+        if let Some(word) = found {
+            self.take(word.len(), Item::Word(word));
+        }
+        found.is_some()
+    }
+
+    /// Takes a comma that is no decimal sign by now; within an arc tangent it may still be meant as one.
+    pub(super) fn comma(&mut self) {
+        let is_open = self.manner.comma_is_decimal && self.comma_here() == Comma::Either;
+        self.take(1, Item::Sign(if is_open { DECIMAL } else { ',' }));
+    }
+
+    /// Whether a comma between digits is a decimal sign here.
+    pub(super) fn has_decimal_comma(&self) -> bool {
+        self.manner.comma_is_decimal && !self.parts_arguments()
+    }
+
+    /// An exact decimal, with its power of ten.
+    fn decimal(&mut self, mark: DecimalMark) -> Result<(), TypedError> {
+        let start = self.at;
+        let is_tied = match self.tokens.last().map(|token| &token.item) {
+            Some(Item::Sign(sign)) => matches!(sign, '/' | '^'),
+            Some(Item::Root | Item::Function(_) | Item::Powered(_)) => true,
+            _ => false,
+        };
+        let rest = self.rest();
+        // What binds closer than a product takes no power of ten behind a sign of multiplication.
+        let mut end = rest.len();
+        if is_tied {
+            end = rest.find(['*', 'x', 'X', '\\']).unwrap_or(end);
+        }
+        if !self.has_decimal_comma() {
+            end = end.min(rest.find(',').unwrap_or(end));
+        }
+        // The point at the end of a sentence.
+        let sentence = rest.trim_end();
+        if sentence.ends_with('.') && sentence[..sentence.len() - 1].contains('.') {
+            end = end.min(sentence.len() - 1);
+        }
+        let text = &rest[..end];
+        let plain = with_exponent_sign(text);
+        let text = plain.as_deref().unwrap_or(text);
+        let certain = with_certain_sign(text);
+        let read = match &certain {
+            Some(plain) => Decimal::read(plain, DecimalMark::Point)
+                .map(|(value, length)| (value, length + DECIMAL.len_utf8() - 1)),
+            None => Decimal::read(text, mark),
+        };
+        let (literal, length) = match read {
+            Ok((value, length)) => (Literal { value, other: None }, length),
+            Err(Error {
+                kind: ErrorKind::AmbiguousComma { found },
+                span,
+            }) => {
+                let read = Decimal::read(text, DecimalMark::Comma);
+                let (value, length) = read.map_err(|error| self.unreadable(&error, start))?;
+                let whole: String = found.chars().filter(char::is_ascii_digit).collect();
+                let plain = format!("{whole}{}", &text[span.end.min(text.len())..]);
+                let other = Decimal::read(&plain, DecimalMark::Point).ok();
+                let other = other.map(|(value, _)| value);
+                (Literal { value, other }, length)
+            }
+            Err(error) => return Err(self.unreadable(&error, start)),
+        };
+        self.at += length;
+        match Rational::from_decimal(&literal.value.to_string()) {
+            Some(number) => self.push(Item::Number(number), start),
+            None => {
+                let error = TypedError::new(Trouble::Number, start, self.at);
+                self.push(Item::Unread(Box::new(error)), start);
+            }
+        }
+        if let Some(last) = self.tokens.last_mut() {
+            last.literal = Some(literal);
+        }
+        Ok(())
+    }
+
+    /// Why a number or a unit here cannot be read, and what to type instead.
+    fn unreadable(&self, error: &Error, start: usize) -> TypedError {
+        let (from, to) = (start + error.span.start, start + error.span.end);
+        let end = to.clamp(start, self.text.len());
+        TypedError {
+            trouble: Trouble::Value(ValueTrouble::Quantity(error.clone())),
+            span: Span::new(from.min(end), end),
+        }
+    }
+
+    /// Takes a run of letters that is no word as a unit.
+    ///
+    /// # Errors
+    ///
+    /// That it is none.
+    pub(super) fn unit_or_unknown(
+        &mut self,
+        letters: &Letters,
+        start: usize,
+        end: usize,
+    ) -> Result<(), TypedError> {
+        if self.unit_of_run(letters, start, end) {
+            return Ok(());
+        }
+        if let Some(error) = self.no_unit(start) {
+            return Err(error);
+        }
+        let trouble = self.lexicon.unknown("");
+        Err(TypedError::new(trouble, start, end))
+    }
+
+    /// Takes a run of letters that is no word as a unit, `rad/s`, or as a constant before one, `iΩ`; whether it is.
+    fn unit_of_run(&mut self, letters: &Letters, start: usize, end: usize) -> bool {
+        if self.manner.values.is_none() {
+            return false;
+        }
+        let after = self.at;
+        self.at = start;
+        if self.unit_covers(end) {
+            return true;
+        }
+        for (own, place) in letters.cuts.iter().skip(1) {
+            let constant = match &letters.text[..*own] {
+                "pi" | "Pi" => Constant::Pi,
+                "i" | "j" if self.manner.has_imaginary_unit => Constant::ImaginaryUnit,
+                _ => continue,
+            };
+            let count = self.tokens.len();
+            let leaf = Expr::new(Kind::Constant(constant), Span::new(start, *place));
+            self.at = *place;
+            self.push(Item::Leaf(leaf), start);
+            if self.unit_covers(end) {
+                return true;
+            }
+            self.tokens.truncate(count);
+            self.at = start;
+        }
+        self.at = after;
+        false
+    }
+
+    /// Takes the unit that stands here, if it reaches the end of a run.
+    fn unit_covers(&mut self, end: usize) -> bool {
+        let read = Unit::read_front(self.unit_text());
+        let Ok((unit, length)) = read else {
+            return false;
+        };
+        let reaches = self.at + length >= end;
+        if reaches {
+            self.take(length, Item::Unit(Box::new(gathered(unit))));
+        }
+        reaches
+    }
+
+    /// Why a run of letters behind a number is no unit.
+    fn no_unit(&mut self, start: usize) -> Option<TypedError> {
+        let is_due = self.manner.values.is_some() && self.is_behind_value();
+        let (after, at) = (self.at, start);
+        self.at = at;
+        let error = Unit::read_front(self.unit_text()).err();
+        self.at = after;
+        error
+            .filter(|_| is_due)
+            .map(|error| self.unreadable(&error, start))
+    }
+}

@@ -1,0 +1,581 @@
+//! From tokens to formulas.
+
+use super::token::{Item, Token};
+use super::ways::Ways;
+use super::{Chain, DEEPEST, Trouble, TypedError, ValueTrouble};
+use vibank_dynamics::numerics::Rational;
+use vibank_formula::expr::{Constant, Expr, Function, Kind, Name, Operator, Relation};
+use vibank_formula::unit::Unit;
+use vibank_source::Span;
+
+/// A parser of one reading.
+pub(super) struct Parser<'a> {
+    pub(super) tokens: &'a [Token],
+    pub(super) at: usize,
+    end: usize,
+    pub(super) ways: &'a mut Ways,
+    depth: u32,
+    /// Open bars of absolute values within the innermost bracket.
+    pub(super) bars: u32,
+    /// Whether it reads numbers with units.
+    has_units: bool,
+}
+
+pub(super) type Result<T> = std::result::Result<T, TypedError>;
+
+/// Brackets, functions and exponents within one another.
+const MOST_NESTED: u32 = 60;
+
+impl<'a> Parser<'a> {
+    pub(super) fn new(tokens: &'a [Token], end: usize, ways: &'a mut Ways) -> Self {
+        Self {
+            tokens,
+            at: 0,
+            end,
+            ways,
+            depth: 0,
+            bars: 0,
+            has_units: false,
+        }
+    }
+
+    /// A parser of numbers with units.
+    pub(super) fn of_values(tokens: &'a [Token], end: usize, ways: &'a mut Ways) -> Self {
+        Self {
+            has_units: true,
+            ..Self::new(tokens, end, ways)
+        }
+    }
+
+    pub(super) fn whole_formula(&mut self) -> Result<Expr> {
+        let formula = self.sum()?;
+        self.finish()?;
+        Ok(formula)
+    }
+
+    pub(super) fn whole_chain(&mut self) -> Result<Chain> {
+        let mut sides = vec![self.sum()?];
+        let mut relations = Vec::new();
+        while let Some(Item::Sign(sign)) = self.item() {
+            relations.push(match sign {
+                '=' => Relation::Equal,
+                '≠' => Relation::NotEqual,
+                '<' => Relation::Less,
+                '>' => Relation::Greater,
+                '≤' => Relation::LessOrEqual,
+                '≥' => Relation::GreaterOrEqual,
+                _ => break,
+            });
+            self.at += 1;
+            sides.push(self.sum()?);
+        }
+        self.finish()?;
+        if relations.is_empty() {
+            return Err(TypedError::new(Trouble::NoRelation, self.end, self.end));
+        }
+        Ok(Chain { sides, relations })
+    }
+
+    fn finish(&self) -> Result<()> {
+        match self.tokens.get(self.at) {
+            None => Ok(()),
+            Some(Token {
+                item: Item::Unread(error),
+                ..
+            }) => Err((**error).clone()),
+            Some(token) => Err(TypedError {
+                trouble: match token.item {
+                    Item::Sign(',' | ';' | '&') => Trouble::List,
+                    Item::Sign(')' | ']' | '}' | '|') => Trouble::Bracket,
+                    _ => Trouble::LeftOver,
+                },
+                span: token.span,
+            }),
+        }
+    }
+
+    pub(super) fn item(&self) -> Option<&'a Item> {
+        self.tokens.get(self.at).map(|token| &token.item)
+    }
+
+    pub(super) fn is_sign(&self, sign: char) -> bool {
+        self.item() == Some(&Item::Sign(sign))
+    }
+
+    pub(super) fn take(&mut self, sign: char) -> bool {
+        let found = self.is_sign(sign);
+        self.at += usize::from(found);
+        found
+    }
+
+    pub(super) fn here(&self) -> Span {
+        self.tokens
+            .get(self.at)
+            .map_or(Span::new(self.end, self.end), |token| token.span)
+    }
+
+    pub(super) fn error<T>(&self, trouble: Trouble) -> Result<T> {
+        Err(TypedError {
+            trouble,
+            span: self.here(),
+        })
+    }
+
+    fn deeper<T>(&mut self, inner: impl FnOnce(&mut Self) -> Result<T>) -> Result<T> {
+        if self.depth >= MOST_NESTED {
+            return self.error(Trouble::TooDeep);
+        }
+        self.depth += 1;
+        let result = inner(self);
+        self.depth -= 1;
+        result
+    }
+
+    pub(super) fn sum(&mut self) -> Result<Expr> {
+        let mut sum = self.term()?;
+        loop {
+            let operator = match self.item() {
+                Some(Item::Sign('+')) => Operator::Add,
+                Some(Item::Sign('-')) => Operator::Subtract,
+                _ => return Ok(sum),
+            };
+            self.at += 1;
+            let term = self.term()?;
+            sum = Self::binary(operator, sum, term)?;
+        }
+    }
+
+    fn term(&mut self) -> Result<Expr> {
+        let mut left = self.signed()?;
+        loop {
+            match self.item() {
+                Some(Item::Sign('*')) => {
+                    self.at += 1;
+                    self.bare_behind_unit()?;
+                    let right = self.signed()?;
+                    left = Self::binary(Operator::Multiply, left, right)?;
+                }
+                Some(Item::Sign('/')) => {
+                    self.at += 1;
+                    let divisor = self.divisor(&left)?;
+                    left = Self::binary(Operator::Divide, left, divisor)?;
+                }
+                // `√(50:2)`; outside of brackets a colon stands behind a name, or in a time of day.
+                Some(Item::Sign(':')) if self.has_units && self.depth > 0 => {
+                    self.at += 1;
+                    let right = self.signed()?;
+                    left = Self::binary(Operator::Divide, left, right)?;
+                }
+                Some(Item::Number(_)) if !self.is_after_constant() => {
+                    return self.error(Trouble::NumberAfter);
+                }
+                Some(Item::Number(_)) => {
+                    let right = self.power()?;
+                    left = Self::binary(Operator::Multiply, left, right)?;
+                }
+                _ if self.begins_factor() => {
+                    self.bracket_behind_value()?;
+                    let right = self.power()?;
+                    left = Self::binary(Operator::Multiply, left, right)?;
+                }
+                _ => return Ok(left),
+            }
+        }
+    }
+
+    fn before(&self, places: usize) -> Option<&'a Token> {
+        self.tokens.get(self.at.checked_sub(places)?)
+    }
+
+    /// Refuses `3 m * 4`: the unit stands last.
+    fn bare_behind_unit(&self) -> Result<()> {
+        let is_unit = |token: Option<&Token>| matches!(token, Some(token) if matches!(token.item, Item::Unit(_)));
+        let is_bare =
+            matches!(self.item(), Some(Item::Number(_))) && !is_unit(self.tokens.get(self.at + 1));
+        if self.has_units && is_bare && is_unit(self.before(2)) {
+            return self.error(Trouble::Value(ValueTrouble::UnitLast));
+        }
+        Ok(())
+    }
+
+    /// Refuses a bracket of which it is not clear whether it is a factor or another value: behind a unit, a number
+    /// alone behind another, arithmetic behind a space.
+    fn bracket_behind_value(&self) -> Result<()> {
+        let (Some(Item::Sign('(' | '[' | '{')), Some(before), true) =
+            (self.item(), self.before(1), self.has_units)
+        else {
+            return Ok(());
+        };
+        let open = self.tokens.get(self.at);
+        let inner = self.tokens.get(self.at + 1).map(|token| &token.item);
+        let behind = self.tokens.get(self.at + 2).map(|token| &token.item);
+        let is_number = matches!(inner, Some(Item::Number(_)));
+        let is_alone = is_number && matches!(behind, Some(Item::Sign(')' | ']' | '}')));
+        let is_arithmetic = is_number || matches!(inner, Some(Item::Sign('+' | '-')));
+        let is_doubtful = match before.item {
+            Item::Unit(_) => true,
+            Item::Number(_) => is_alone || is_arithmetic && open.is_some_and(|open| open.is_spaced),
+            _ => false,
+        };
+        if is_doubtful {
+            return self.error(Trouble::Value(ValueTrouble::Bracketed));
+        }
+        Ok(())
+    }
+
+    /// Whether a number may stand here without a sign, as in `j100` and `2 π 0.8`.
+    fn is_after_constant(&self) -> bool {
+        self.is_after_imaginary_unit()
+            || self.has_units && self.is_after_leaf(Constant::Pi) && !self.is_tight()
+    }
+
+    fn is_after_imaginary_unit(&self) -> bool {
+        self.is_after_leaf(Constant::ImaginaryUnit)
+    }
+
+    fn is_after_leaf(&self, constant: Constant) -> bool {
+        self.before(1).is_some_and(
+            |token| matches!(&token.item, Item::Leaf(leaf) if *leaf.kind() == Kind::Constant(constant)),
+        )
+    }
+
+    /// A factor with signs in front.
+    pub(super) fn signed(&mut self) -> Result<Expr> {
+        let span = self.here();
+        if self.take('-') {
+            // −a b is −(a b) all the same.
+            let inner = self.deeper(Self::signed)?;
+            return Ok(Expr::new(Kind::Negate(inner), span));
+        }
+        if self.take('+') {
+            return self.deeper(Self::signed);
+        }
+        self.power()
+    }
+
+    /// What a slash divides by.
+    pub(super) fn divisor(&mut self, numerator: &Expr) -> Result<Expr> {
+        let is_closed = matches!(
+            self.item(),
+            Some(
+                Item::Sign('(' | '[' | '{' | '|')
+                    | Item::Fraction
+                    | Item::Radical
+                    | Item::Function(_)
+                    | Item::Powered(_)
+            )
+        );
+        let mut divisor = self.signed()?;
+        let mut has_spaced = false;
+        let is_bare = self.has_units && !has_unit(numerator);
+        while !is_closed && self.begins_factor() {
+            if let Some(Item::Unit(_)) = self.item() {
+                // In `1/2 m` and `100/i ohm` the unit is that of the fraction, in `5 m/2 s` each number has its own.
+                // Of `1/0.2s` that is not so clear.
+                if is_bare && is_constant(&divisor) && !(self.is_tight() && self.ways.choose(false))
+                {
+                    break;
+                }
+                let unit = self.power()?;
+                divisor = Self::binary(Operator::Multiply, divisor, unit)?;
+                break;
+            }
+            let is_tight = self.is_tight();
+            let is_fraction = is_number(numerator) && is_number(&divisor);
+            // `1/2 m` can be read in one way only; of `k mm` all belongs to the divisor or nothing.
+            let is_end = is_fraction && !is_tight;
+            let goes_on = has_spaced && is_tight;
+            if is_end || !goes_on && !self.ways.choose(is_tight && !is_fraction) {
+                break;
+            }
+            has_spaced |= !is_tight;
+            let factor = self.power()?;
+            divisor = Self::binary(Operator::Multiply, divisor, factor)?;
+        }
+        Ok(divisor)
+    }
+
+    /// Whether no space stands before what is here.
+    pub(super) fn is_tight(&self) -> bool {
+        self.tokens
+            .get(self.at)
+            .is_some_and(|token| !token.is_spaced)
+    }
+
+    /// Whether a factor can begin here without a sign before it.
+    pub(super) fn begins_factor(&self) -> bool {
+        match self.item() {
+            Some(Item::Sign(sign)) => {
+                matches!(sign, '(' | '[' | '{') || *sign == '|' && self.bars == 0
+            }
+            Some(
+                Item::Leaf(_)
+                | Item::Function(_)
+                | Item::Powered(_)
+                | Item::Root
+                | Item::Radical
+                | Item::Fraction
+                | Item::Unit(_),
+            ) => true,
+            _ => false,
+        }
+    }
+
+    pub(super) fn power(&mut self) -> Result<Expr> {
+        let base = self.primary()?;
+        self.raised(base)
+    }
+
+    /// A base with the exponents behind it.
+    fn raised(&mut self, base: Expr) -> Result<Expr> {
+        let mut base = base;
+        loop {
+            match self.item() {
+                Some(Item::Power(power)) => {
+                    let exponent = Expr::new(number(*power), self.here());
+                    self.at += 1;
+                    base = Self::binary(Operator::Power, base, exponent)?;
+                }
+                Some(Item::Primes(order)) => {
+                    let span = base.span().join(self.here());
+                    self.at += 1;
+                    base = Expr::new(Kind::Prime(base, *order), span);
+                }
+                Some(Item::Sign('^')) => {
+                    self.at += 1;
+                    let exponent = self.deeper(|parser| parser.exponent(&base))?;
+                    return Self::binary(Operator::Power, base, exponent);
+                }
+                _ => return Ok(base),
+            }
+        }
+    }
+
+    pub(super) fn exponent(&mut self, base: &Expr) -> Result<Expr> {
+        let is_closed = matches!(self.item(), Some(Item::Sign('(' | '{' | '[')));
+        let span = self.here();
+        if self.take('-') {
+            let inner = self.deeper(|parser| parser.exponent(base))?;
+            return Ok(Expr::new(Kind::Negate(inner), span));
+        }
+        let mut exponent = self.power()?;
+        // `e^iωt` has all of it in the exponent.
+        let is_exponential = *base.kind() == Kind::Constant(Constant::E) && !is_closed;
+        while is_exponential && self.goes_on_in_exponent() {
+            let factor = self.power()?;
+            exponent = Self::binary(Operator::Multiply, exponent, factor)?;
+        }
+        let is_open = is_exponential && !exponent.names().uses(&Name::new("t"));
+        if is_open && self.tokens.get(self.at).is_some_and(is_time) {
+            // `e^-λ t`: by the rule the time is no part of it, as most people mean it is.
+            return self.error(Trouble::Exponent);
+        }
+        if !is_closed && self.begins_fraction(&exponent) {
+            // `a^1/2` is the root: nobody writes a power of 1. `a^3/2` is a³/2.
+            let is_root = exponent.as_number() == Some(Rational::ONE);
+            if self.ways.choose(is_root) {
+                self.at += 1;
+                let below = self.primary()?;
+                exponent = Self::binary(Operator::Divide, exponent, below)?;
+            }
+        }
+        Ok(exponent)
+    }
+
+    /// Whether the exponent of e goes on, as in `e^iωt`, `e^i2t`.
+    fn goes_on_in_exponent(&mut self) -> bool {
+        let is_number = matches!(self.item(), Some(Item::Number(_)));
+        if !(self.begins_factor() || is_number && self.is_after_imaginary_unit()) {
+            return false;
+        }
+        // `e^-λ t`.
+        self.is_tight() || matches!(self.item(), Some(Item::Leaf(_))) && self.ways.choose(false)
+    }
+
+    /// Whether a number goes on as a fraction that is not whole: behind it a slash and a number, without a space.
+    fn begins_fraction(&self, above: &Expr) -> bool {
+        let Some([slash, below]) = self.tokens.get(self.at..self.at + 2) else {
+            return false;
+        };
+        let (Some(above), Item::Sign('/'), Item::Number(number)) =
+            (above.as_number(), &slash.item, &below.item)
+        else {
+            return false;
+        };
+        let is_broken = above
+            .checked_div(*number)
+            .is_some_and(|fraction| !fraction.is_integer());
+        is_broken && !slash.is_spaced && !below.is_spaced
+    }
+
+    pub(super) fn primary(&mut self) -> Result<Expr> {
+        let Some(item) = self.item() else {
+            return self.error(Trouble::Missing);
+        };
+        let span = self.here();
+        self.at += 1;
+        match item {
+            Item::Number(value) => {
+                if self.item() == Some(&Item::Degree) {
+                    let span = span.join(self.here());
+                    self.at += 1;
+                    let degree = Unit::degree();
+                    return Ok(Expr::new(Kind::Measure(*value, Box::new(degree)), span));
+                }
+                Ok(Expr::new(Kind::Number(*value), span))
+            }
+            Item::Unit(unit) => Ok(Expr::new(Kind::Measure(Rational::ONE, unit.clone()), span)),
+            Item::Unread(error) => Err((**error).clone()),
+            Item::Leaf(leaf) => {
+                self.skip_time(leaf);
+                Ok(Expr::new(leaf.kind().clone(), span))
+            }
+            Item::Function(function) => self.deeper(|parser| parser.function(*function, span)),
+            Item::Powered(powered) => self.deeper(|parser| parser.powered(*powered, span)),
+            Item::Root => self.deeper(|parser| parser.root(span)),
+            Item::Radical => self.deeper(|parser| parser.radical(span)),
+            Item::Fraction => self.deeper(|parser| {
+                let above = parser.argument_of_command()?;
+                let below = parser.argument_of_command()?;
+                Self::binary(Operator::Divide, above, below)
+            }),
+            Item::Sign('|') => self.deeper(|parser| {
+                let outside = parser.bars;
+                parser.bars += 1;
+                let inner = parser.sum();
+                // A bracket that is left open inside leaves its own count behind.
+                parser.bars = outside;
+                let inner = inner?;
+                if !parser.take('|') {
+                    return Err(TypedError {
+                        trouble: Trouble::Bracket,
+                        span,
+                    });
+                }
+                Ok(Expr::new(Kind::Call(Function::Abs, vec![inner]), span))
+            }),
+            Item::Sign(open @ ('(' | '[' | '{')) => {
+                self.deeper(|parser| parser.bracket(*open, span))
+            }
+            _ => {
+                self.at -= 1;
+                let trouble = match item {
+                    Item::Sign(')' | ']' | '}') => Trouble::Missing,
+                    _ => Trouble::Sign,
+                };
+                self.error(trouble)
+            }
+        }
+    }
+
+    /// `x(t)` and `x[t]` are `x`, and `PI()` of spreadsheets is π.
+    fn skip_time(&mut self, leaf: &Expr) {
+        if *leaf.kind() == Kind::Constant(Constant::Pi)
+            && let Some([open, close]) = self.tokens.get(self.at..self.at + 2)
+            && (&open.item, &close.item) == (&Item::Sign('('), &Item::Sign(')'))
+        {
+            self.at += 2;
+            return;
+        }
+        let is_name = matches!(leaf.kind(), Kind::Name(name) if name.as_str() != "t")
+            || matches!(leaf.kind(), Kind::Prime(..));
+        if let Some([open, time, close]) = self.tokens.get(self.at..self.at + 3)
+            && is_name
+            && matches!(
+                (&open.item, &close.item),
+                (Item::Sign('('), Item::Sign(')')) | (Item::Sign('['), Item::Sign(']'))
+            )
+            && is_time(time)
+            && !open.is_spaced
+        {
+            self.at += 3;
+        }
+    }
+
+    /// What stands in a bracket that is open.
+    pub(super) fn bracket(&mut self, open: char, span: Span) -> Result<Expr> {
+        let bars = std::mem::take(&mut self.bars);
+        let inner = self.sum();
+        self.bars = bars;
+        let inner = inner?;
+        if self.is_sign(',') || self.is_sign(';') || self.is_sign('&') {
+            return self.error(Trouble::List);
+        }
+        let close = match open {
+            '(' => ')',
+            '[' => ']',
+            _ => '}',
+        };
+        self.close(close, span)?;
+        Ok(inner)
+    }
+
+    /// The bracket that closes the one at a place.
+    pub(super) fn close(&mut self, close: char, open: Span) -> Result<()> {
+        if self.take(close) {
+            return Ok(());
+        }
+        match self.item() {
+            None | Some(Item::Sign(')' | ']' | '}')) => Err(TypedError {
+                trouble: Trouble::Bracket,
+                span: open,
+            }),
+            Some(Item::Degree) => self.error(Trouble::Sign),
+            Some(_) => self.error(Trouble::LeftOver),
+        }
+    }
+
+    /// What a LaTeX command takes: braces, or one sign.
+    pub(super) fn argument_of_command(&mut self) -> Result<Expr> {
+        let span = self.here();
+        if self.take('{') {
+            return self.bracket('{', span);
+        }
+        self.primary()
+    }
+
+    pub(super) fn binary(operator: Operator, left: Expr, right: Expr) -> Result<Expr> {
+        let span = left.span().join(right.span());
+        let expr = Expr::new(Kind::Binary(operator, left, right), span);
+        if expr.depth() > DEEPEST {
+            return Err(TypedError {
+                trouble: Trouble::TooDeep,
+                span,
+            });
+        }
+        Ok(expr)
+    }
+}
+
+/// Whether this is the time.
+fn is_time(token: &Token) -> bool {
+    let Item::Leaf(leaf) = &token.item else {
+        return false;
+    };
+    matches!(leaf.kind(), Kind::Name(name) if name.as_str() == "t")
+}
+
+pub(super) fn number(value: i128) -> Kind {
+    Kind::Number(Rational::new(value, 1).unwrap_or(Rational::ZERO))
+}
+
+/// Whether a unit stands in a formula.
+fn has_unit(expr: &Expr) -> bool {
+    let mut is_there = false;
+    expr.walk(&mut |node| is_there |= matches!(node.kind(), Kind::Measure(..)));
+    is_there
+}
+
+fn is_number(expr: &Expr) -> bool {
+    expr.as_number().is_some()
+}
+
+/// Whether a factor is a number, π, e or the imaginary unit, or a product of such.
+fn is_constant(expr: &Expr) -> bool {
+    match expr.kind() {
+        Kind::Constant(_) => true,
+        Kind::Negate(inner) => is_constant(inner),
+        Kind::Binary(Operator::Multiply, left, right) => is_constant(left) && is_constant(right),
+        _ => is_number(expr),
+    }
+}

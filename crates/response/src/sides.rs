@@ -1,0 +1,162 @@
+//! What stands around the equals signs of a formula: the symbol that is asked, and what it is.
+
+use super::differential::leibniz;
+use super::list::trimmed;
+use super::token::{Item, Token, tokens};
+use super::{Lexicon, Manner, Trouble, TypedError};
+use vibank_formula::expr::Function;
+use vibank_source::Span;
+
+/// What a text says that its symbol is: each side of the equals signs but the symbol, the last one last.
+///
+/// # Errors
+///
+/// Where more than a symbol stands on the left: `ω0² = k/m` is true, but no formula for ω0.
+pub fn sides(text: &str, lexicon: &Lexicon) -> Result<Vec<Span>, TypedError> {
+    let mut sides = cut_at_equals(text);
+    let last = sides.pop().unwrap_or(Span::new(0, text.len()));
+    sides.retain(|side| !text[side.range()].is_empty());
+    let of = |side: &Span| symbol(&text[side.range()], lexicon);
+    match sides.first().map(of) {
+        None => {}
+        Some(Some(_)) => {
+            sides.remove(0);
+        }
+        Some(None) if sides.len() == 1 && of(&last) == Some(Symbol::Asked) => return Ok(sides),
+        Some(None) => {
+            let range = sides[0].range();
+            return Err(TypedError::new(Trouble::Unsolved, range.start, range.end));
+        }
+    }
+    sides.push(last);
+    Ok(sides)
+}
+
+/// The pieces of a text between its equals signs, the symbol before the first one among them.
+pub fn statement(text: &str) -> Vec<&str> {
+    let pieces = cut_at_equals(text).into_iter();
+    pieces.map(|piece| text[piece.range()].trim()).collect()
+}
+
+/// What stands behind the last equals sign.
+pub(super) fn last_side(text: &str) -> Span {
+    cut_at_equals(text)
+        .pop()
+        .unwrap_or(Span::new(0, text.len()))
+}
+
+/// The pieces between equals signs; those of `<=` and its like are none.
+fn cut_at_equals(text: &str) -> Vec<Span> {
+    let (mut pieces, mut start) = (Vec::new(), 0);
+    for (at, char) in text.char_indices() {
+        let is_alone =
+            || !text[..at].ends_with(['<', '>', '!']) && !text[at + 1..].starts_with(['<', '>']);
+        if char == '≈' || char == '=' && is_alone() {
+            pieces.push(trimmed(text, Span::new(start, at)));
+            start = at + char.len_utf8();
+        }
+    }
+    pieces.push(Span::new(start, text.len()));
+    pieces
+}
+
+/// A symbol that stands alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Symbol {
+    /// A name of which the answer may be made.
+    Allowed,
+    /// Another.
+    Asked,
+}
+
+/// Whether a text is one symbol: `ω0`, `k_{ser}`, `x(t)`, `|X|`, `dx/dt`, `ω_d [rad/s]`.
+fn symbol(text: &str, lexicon: &Lexicon) -> Option<Symbol> {
+    let text = without_arguments(text.trim_matches(['$', ' ']));
+    let bare = text
+        .strip_prefix('|')
+        .and_then(|text| text.strip_suffix('|'));
+    let text = bare.unwrap_or(text);
+    if leibniz(text, 0).is_some_and(|(.., end)| end == text.len()) {
+        return Some(Symbol::Asked);
+    }
+    let is_marked = |mark: &str| text.strip_suffix(mark).is_some_and(is_word);
+    if MARKS.iter().any(|mark| is_marked(mark)) {
+        return Some(Symbol::Asked);
+    }
+    if !is_word(text) || begins_with_function(text) {
+        return None;
+    }
+    let found = tokens(text, 0, text.len(), lexicon, Manner::default());
+    match found {
+        Ok(tokens) => matches!(
+            tokens[..],
+            [Token {
+                item: Item::Leaf(_),
+                ..
+            }]
+        )
+        .then_some(Symbol::Allowed),
+        // `kx` where x may not be used.
+        Err(TypedError {
+            trouble: Trouble::NotAllowed(_),
+            span,
+        }) => (span.range() == (0..text.len())).then_some(Symbol::Asked),
+        Err(_) => Some(Symbol::Asked),
+    }
+}
+
+/// Marks behind a letter that are no letters: those of conjugate values and of parallel springs.
+const MARKS: &[&str] = &[
+    "^*",
+    "^{*}",
+    "*",
+    "^\\star",
+    "^{\\star}",
+    "_\\parallel",
+    "_∥",
+    "_//",
+    "_{//}",
+    "_||",
+    "_{||}",
+    "_\\perp",
+    "_⊥",
+];
+
+/// A text without what stands behind a symbol, `(t)`, `(0)`, `[rad/s]`.
+fn without_arguments(text: &str) -> &str {
+    let open = text.find(['(', '[']).filter(|open| *open > 0);
+    let Some(open) = open.filter(|_| text.ends_with([')', ']'])) else {
+        return text;
+    };
+    let is_product = text[open..].contains(['+', '*']) || text[..open].contains('\\');
+    if is_product {
+        text
+    } else {
+        text[..open].trim_end()
+    }
+}
+
+/// Whether a text is written as one name is.
+fn is_word(text: &str) -> bool {
+    let is_command = text.contains('\\') && !text.contains("frac") && !text.contains("sqrt");
+    let is_of_name = |char: char| {
+        char.is_alphabetic()
+            || char.is_ascii_digit()
+            || matches!(
+                char,
+                '₀'..='₉' | '_' | '{' | '}' | '\'' | '"' | '\u{307}' | '\u{308}'
+            )
+            || is_command && matches!(char, '\\' | ' ' | ',')
+    };
+    text.starts_with(|first: char| first.is_alphabetic() || first == '\\')
+        && text.chars().all(is_of_name)
+}
+
+/// `sqrt(k)`, and `tanθ` where θ is no name of the question.
+fn begins_with_function(text: &str) -> bool {
+    let is_begun = |function: Function| {
+        let name = function.name();
+        name.len() > 2 && function.arity().1 == 1 && text.starts_with(name)
+    };
+    Function::all().any(is_begun)
+}

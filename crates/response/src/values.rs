@@ -1,0 +1,638 @@
+//! Responses made of values: statements, sides and amounts, from one row of tokens.
+//!
+//! ```text
+//! response  = statement { ( ";" | "," | new line | "and" | "or" ) statement }
+//! statement = side { ( "=" | ":" | "<" | … ) side }
+//! side      = name | amount
+//! amount    = formula of numbers, in which units stand behind numbers or behind the whole
+//! ```
+//!
+//! What cannot be read is kept as a token that says why, and is an error only where its place is read as an amount:
+//! `natural frequency = 5 Hz` has a name of two words before its equals sign.
+
+use std::ops::Range;
+use std::sync::LazyLock;
+
+use super::amount::{Amount, split};
+use super::lost_power::lost_power;
+use super::parser::Parser;
+use super::token::{Item, Token, tokens};
+use super::ways::readings;
+use super::{Lexicon, Manner, Trouble, Typed, TypedError, ValueTrouble};
+use vibank_dynamics::numerics::Rational;
+use vibank_formula::expr::{Constant, Expr, Kind, Operator};
+use vibank_formula::unit::{Decimal, DecimalMark, Unit};
+use vibank_source::Span;
+
+/// Longest response that is read as values, in bytes.
+const LONGEST: usize = 2_000;
+/// Longest formula of numbers, in bytes.
+const LONGEST_FORMULA: usize = 200;
+
+/// Functions and constants, but no names.
+static NUMBERS: LazyLock<Lexicon> = LazyLock::new(Lexicon::new);
+
+/// A response as tokens, which its statements, sides and amounts are ranges of.
+#[derive(Debug)]
+pub struct Values<'t> {
+    text: &'t str,
+    tokens: Vec<Token>,
+}
+
+/// How a response of values is read.
+#[derive(Clone, Copy, Debug)]
+pub struct Style {
+    /// The decimal sign of the document.
+    pub mark: DecimalMark,
+    /// Whether a comma between digits is a decimal sign; otherwise it parts values.
+    pub comma_is_decimal: bool,
+    /// Whether `i` and `j` are the imaginary unit.
+    pub is_complex: bool,
+}
+
+/// A part of the response, as a range of its tokens.
+pub type Part = Range<usize>;
+
+/// A statement by its sides and the signs between them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Statement {
+    /// At least one; empty ones are left away.
+    pub sides: Vec<Part>,
+    /// A sign that is no equals sign, if there is one.
+    pub unequal: Option<char>,
+}
+
+impl<'t> Values<'t> {
+    /// Reads the tokens of a response.
+    ///
+    /// # Errors
+    ///
+    /// Only if it is too long.
+    pub fn read(text: &'t str, style: Style) -> Result<Self, TypedError> {
+        if text.len() > LONGEST {
+            return Err(TypedError::new(Trouble::TooLong, LONGEST, text.len()));
+        }
+        let manner = Manner {
+            comma_is_decimal: style.comma_is_decimal,
+            has_imaginary_unit: style.is_complex,
+            values: Some(style.mark),
+        };
+        let tokens = tokens(text, 0, text.len(), &NUMBERS, manner)?;
+        Ok(Self { text, tokens })
+    }
+
+    /// What was typed.
+    pub fn whole(&self) -> &'t str {
+        self.text
+    }
+
+    /// What was typed where something cannot be read.
+    pub fn typed(&self, error: &TypedError) -> &'t str {
+        self.text.get(error.span.range()).unwrap_or_default()
+    }
+
+    /// All of it.
+    pub fn all(&self) -> Part {
+        0..self.tokens.len()
+    }
+
+    /// What was typed as a part.
+    pub fn text(&self, part: &Part) -> &'t str {
+        let span = self.span(part);
+        self.text.get(span.range()).unwrap_or_default()
+    }
+
+    /// Where a part stands.
+    pub fn span(&self, part: &Part) -> Span {
+        match (self.tokens.get(part.start), self.tokens[..part.end].last()) {
+            (Some(first), Some(last)) if !part.is_empty() => first.span.join(last.span),
+            _ => Span::new(self.text.len(), self.text.len()),
+        }
+    }
+
+    fn items<'a>(&'a self, part: &Part) -> impl DoubleEndedIterator<Item = &'a Item> + use<'a, 't> {
+        self.tokens[part.clone()].iter().map(|token| &token.item)
+    }
+
+    /// Whether a sign or joining word stands outside of brackets.
+    pub fn has(&self, part: &Part, sign: char) -> bool {
+        self.cut(part, |item| *item == Item::Sign(sign)).len() > 1
+    }
+
+    /// Whether something else than a comma between digits parts values: a semicolon, a word, a comma and a space.
+    pub fn is_parted(&self) -> bool {
+        let mut before = None;
+        self.tokens.iter().any(|token| {
+            let behind = before.replace(&token.item);
+            matches!(token.item, Item::Sign(';') | Item::Word("and" | "or"))
+                || token.is_spaced && behind == Some(&Item::Sign(','))
+        })
+    }
+
+    /// Whether a comma stands right between two digits.
+    pub fn has_tight_comma(&self, part: &Part) -> bool {
+        let text = self.text(part);
+        text.bytes()
+            .zip(text.bytes().skip(1))
+            .zip(text.bytes().skip(2))
+            .any(|((a, comma), b)| a.is_ascii_digit() && comma == b',' && b.is_ascii_digit())
+    }
+
+    /// Whether nothing stands where a part is empty, between two signs that part values: `5,, 8.7`. The end of a line
+    /// and a word may follow a sign.
+    pub fn is_gap(&self, part: &Part) -> bool {
+        let is_sign = |at: usize| {
+            let token = self.tokens.get(at);
+            token.is_some_and(|token| matches!(&self.text[token.span.range()], "," | ";"))
+        };
+        part.is_empty() && part.start > 0 && is_sign(part.start - 1) && is_sign(part.end)
+    }
+
+    /// The values of a part between semicolons, commas, `and` and `or`; empty ones are kept.
+    pub fn statements(&self, part: &Part) -> Vec<Part> {
+        self.cut(part, |item| {
+            matches!(item, Item::Sign(';' | ',') | Item::Word("and" | "or"))
+        })
+    }
+
+    fn cut(&self, part: &Part, is_end: impl Fn(&Item) -> bool) -> Vec<Part> {
+        let (mut parts, mut start, mut depth) = (Vec::new(), part.start, 0_usize);
+        for at in part.clone() {
+            match &self.tokens[at].item {
+                Item::Sign('(' | '[' | '{') => depth += 1,
+                Item::Sign(')' | ']' | '}') => depth = depth.saturating_sub(1),
+                item if depth == 0 && is_end(item) => {
+                    parts.push(start..at);
+                    start = at + 1;
+                }
+                _ => {}
+            }
+        }
+        parts.push(start..part.end);
+        parts
+    }
+
+    /// The sides of a statement.
+    pub fn statement(&self, part: &Part) -> Statement {
+        let mut unequal = self.items(part).find_map(|item| match item {
+            Item::Sign(sign @ ('<' | '>' | '≤' | '≥' | '≠')) => Some(*sign),
+            _ => None,
+        });
+        let mut sides = self.cut(part, |item| matches!(item, Item::Sign('=' | ':')));
+        sides.retain(|side| !side.is_empty());
+        // Only a name may stand before a colon.
+        if self.has(part, ':') && !sides.first().is_some_and(|first| self.is_name(first)) {
+            unequal = Some(':');
+        }
+        if sides.is_empty() {
+            sides.push(part.end..part.end);
+        }
+        Statement { sides, unequal }
+    }
+
+    /// The first bracket without a partner of its kind.
+    pub fn lone_bracket(&self) -> Option<&'t str> {
+        let mut open: Vec<(char, &Token)> = Vec::new();
+        for token in &self.tokens {
+            let Item::Sign(sign) = token.item else {
+                continue;
+            };
+            let partner = match sign {
+                '(' => ')',
+                '[' => ']',
+                '{' => '}',
+                ')' | ']' | '}' => match open.pop() {
+                    Some((partner, _)) if partner == sign => continue,
+                    _ => return self.text.get(token.span.range()),
+                },
+                _ => continue,
+            };
+            open.push((partner, token));
+        }
+        self.text.get(open.first()?.1.span.range())
+    }
+
+    /// The brackets around the whole of a part, by what they hold.
+    pub fn unbracketed(&self, part: &Part) -> Option<Part> {
+        let (inner, rest) = self.front_bracket(part)?;
+        rest.is_empty().then_some(inner)
+    }
+
+    /// What the bracket holds with which a part begins, and what stands behind it.
+    pub fn front_bracket(&self, part: &Part) -> Option<(Part, Part)> {
+        let mut depth = 0_usize;
+        for at in part.clone() {
+            match &self.tokens[at].item {
+                Item::Sign('(' | '[' | '{') => depth += 1,
+                Item::Sign(')' | ']' | '}') => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            if depth == 0 {
+                let is_bracket = at > part.start;
+                return is_bracket.then(|| (part.start + 1..at, at + 1..part.end));
+            }
+        }
+        None
+    }
+
+    /// The unit that makes up a part.
+    pub fn unit(&self, part: &Part) -> Option<Unit> {
+        match &self.tokens[part.clone()] {
+            [
+                Token {
+                    item: Item::Unit(unit),
+                    ..
+                },
+            ] => Some(**unit),
+            _ => None,
+        }
+    }
+
+    /// Whether numbers and their signs alone make up a part, parted by spaces, as in `[5 8.7]`; by what they are.
+    pub fn spaced(&self, part: &Part) -> Option<Vec<Part>> {
+        let (mut parts, mut start) = (Vec::new(), part.start);
+        for at in part.clone() {
+            match &self.tokens[at] {
+                Token {
+                    item: Item::Sign('-' | '+'),
+                    ..
+                } if at == start => {}
+                token
+                    if token.literal.is_some()
+                        && (start == part.start || self.tokens[start].is_spaced)
+                        // `5 - 3` is a difference, `5 -3` two numbers.
+                        && (at == start || !token.is_spaced) =>
+                {
+                    parts.push(start..at + 1);
+                    start = at + 1;
+                }
+                _ => return None,
+            }
+        }
+        (start == part.end && parts.len() > 1).then_some(parts)
+    }
+
+    /// Numbers with their units, parted by spaces alone: `5 rad/s 8.7 rad/s`.
+    pub fn spaced_amounts(&self, part: &Part) -> Option<Vec<Part>> {
+        let begins = |at: usize| {
+            let before = &self.tokens[at - 1];
+            let token = &self.tokens[at];
+            token.literal.is_some() && token.is_spaced && matches!(before.item, Item::Unit(_))
+        };
+        let starts: Vec<usize> = std::iter::once(part.start)
+            .chain((part.start + 1..part.end).filter(|at| begins(*at)))
+            .collect();
+        let ends = starts[1..].iter().copied().chain([part.end]);
+        let parts: Vec<Part> = starts
+            .iter()
+            .zip(ends)
+            .map(|(start, end)| *start..end)
+            .collect();
+        let has_unit = |own: &Part| self.items(own).any(|item| matches!(item, Item::Unit(_)));
+        let is_number = |own: &Part| {
+            self.tokens
+                .get(own.start)
+                .is_some_and(|own| own.literal.is_some())
+        };
+        (parts.len() > 1 && parts.iter().all(|own| is_number(own) && has_unit(own)))
+            .then_some(parts)
+    }
+
+    /// What stands behind `±`, where that is the first sign of a part.
+    pub fn both_signs(&self, part: &Part) -> Option<Part> {
+        match self.items(part).next()? {
+            Item::Sign('±') => Some(part.start + 1..part.end),
+            _ => {
+                let mut items = self.items(part);
+                let signs = [items.next(), items.next(), items.next()];
+                let plus_minus = [Some(&Item::Sign('+')), Some(&Item::Sign('-'))];
+                if signs[..2] == plus_minus {
+                    return Some(part.start + 2..part.end);
+                }
+                let slashed = [
+                    Some(&Item::Sign('+')),
+                    Some(&Item::Sign('/')),
+                    Some(&Item::Sign('-')),
+                ];
+                (signs == slashed).then(|| part.start + 3..part.end)
+            }
+        }
+    }
+
+    /// The modulus and the angle around `∠`, `at` or `cis`.
+    pub fn polar(&self, part: &Part) -> Option<(Part, Part)> {
+        let is_angle = |item: &Item| matches!(item, Item::Sign('∠') | Item::Word("at" | "cis"));
+        let at = part.start + self.items(part).position(is_angle)?;
+        Some((part.start..at, at + 1..part.end))
+    }
+
+    /// An angle without the unit that stands behind its own, as in `-53° ohm`.
+    pub fn unit_behind_angle(&self, part: &Part) -> (Part, Option<Unit>) {
+        match &self.tokens[part.clone()] {
+            [
+                ..,
+                Token {
+                    item: Item::Unit(_),
+                    ..
+                },
+                Token {
+                    item: Item::Unit(unit),
+                    ..
+                },
+            ] => (part.start..part.end - 1, Some(**unit)),
+            [
+                ..,
+                close,
+                Token {
+                    item: Item::Unit(unit),
+                    ..
+                },
+            ] if close.item == Item::Sign(')') && !unit.dimension().is_pure() => {
+                (part.start..part.end - 1, Some(**unit))
+            }
+            _ => (part.clone(), None),
+        }
+    }
+
+    /// Whether a part only names a quantity: `ω_0`, `x(0.5 s)`, `natural frequency`, `|X|`.
+    pub fn is_name(&self, part: &Part) -> bool {
+        let begins = match self.items(part).next() {
+            Some(Item::Unread(error)) => self.text[error.span.range()]
+                .starts_with(|char: char| char.is_alphabetic() || char == '\\'),
+            Some(Item::Leaf(leaf)) => !matches!(
+                leaf.kind(),
+                Kind::Constant(Constant::Pi | Constant::Infinity)
+            ),
+            Some(Item::Unit(_)) => self.text(part).starts_with(char::is_alphabetic),
+            Some(Item::Sign('|' | '∠')) => true,
+            _ => false,
+        };
+        let mut depth = 0_usize;
+        begins
+            && self.items(part).all(|item| {
+                match item {
+                    Item::Sign('(' | '{') => depth += 1,
+                    Item::Sign(')' | '}') => depth = depth.saturating_sub(1),
+                    _ => {}
+                }
+                depth > 0
+                    || match item {
+                        Item::Sign(sign) => matches!(sign, ')' | '}' | '|' | '∠'),
+                        Item::Power(_) | Item::Root | Item::Degree | Item::Word(_) => false,
+                        Item::Unread(error) => !self.text[error.span.range()].starts_with('%'),
+                        _ => true,
+                    }
+            })
+    }
+
+    /// Whether a number stands in a part.
+    pub fn has_number(&self, part: &Part) -> bool {
+        self.items(part).any(|item| match item {
+            Item::Number(_) => true,
+            Item::Leaf(leaf) => {
+                matches!(
+                    leaf.kind(),
+                    Kind::Constant(Constant::Pi | Constant::Infinity)
+                )
+            }
+            _ => false,
+        }) || self.tokens[part.clone()]
+            .iter()
+            .any(|token| token.literal.is_some())
+    }
+
+    /// Whether a number, perhaps with its unit, begins a part that goes on with words: `5 m b`.
+    pub fn goes_on_in_words(&self, part: &Part) -> bool {
+        let mut items = self
+            .items(part)
+            .skip_while(|item| matches!(item, Item::Sign('-' | '+')));
+        let is_number = matches!(items.next(), Some(Item::Number(_)));
+        let behind = items.find(|item| !matches!(item, Item::Unit(_)));
+        is_number && matches!(behind, Some(Item::Unread(_)))
+    }
+
+    /// The unit that stands beside a name, `f (Hz)` and `φ in deg`; of one letter it may be an argument.
+    pub fn unit_of_name(&self, part: &Part) -> Option<Unit> {
+        let (unit, before) = match &self.tokens[part.clone()] {
+            [
+                ..,
+                open,
+                Token {
+                    item: Item::Unit(unit),
+                    span,
+                    ..
+                },
+                close,
+            ] if open.item == Item::Sign('(') && close.item == Item::Sign(')') => (unit, *span),
+            [
+                ..,
+                word,
+                Token {
+                    item: Item::Unit(unit),
+                    span,
+                    ..
+                },
+            ] if word.item == Item::Word("in") => (unit, *span),
+            _ => return None,
+        };
+        (self.text[before.range()].chars().count() > 1).then_some(**unit)
+    }
+
+    /// The names that a part lists, `ω1, ω2`, alone or in brackets; nothing if it is something else. `ω1,2` has two.
+    pub fn names(&self, part: &Part) -> Option<Vec<Part>> {
+        let part = self.unbracketed(part).unwrap_or_else(|| part.clone());
+        let names = self.statements(&part);
+        let is_number =
+            |name: &Part| matches!(&self.tokens[name.clone()], [one] if one.literal.is_some());
+        let is_listed = |name: &Part| self.is_name(name) || is_number(name);
+        (self.is_name(names.first()?) && names.iter().all(is_listed)).then_some(names)
+    }
+
+    /// The number in the index of a name, `2` of `ω_2`.
+    pub fn index(&self, name: &Part) -> Option<u32> {
+        let digits: Vec<u32> = self
+            .text(name)
+            .chars()
+            .rev()
+            .skip_while(|char| *char == '}')
+            .map_while(|char| match char {
+                '₀'..='₉' => Some(u32::from(char) - u32::from('₀')),
+                _ => char.to_digit(10),
+            })
+            .collect();
+        let value = |sum: u32, digit: &u32| sum.checked_mul(10)?.checked_add(*digit);
+        let whole = digits.iter().rev().try_fold(0, value);
+        whole.filter(|_| !digits.is_empty())
+    }
+
+    /// The amount that a part is.
+    ///
+    /// # Errors
+    ///
+    /// What stands in the way, and where.
+    pub fn amount(&self, part: &Part) -> Result<Amount, TypedError> {
+        let part = &self.without_mark(part);
+        if let Some(amount) = self.literal(part) {
+            return Ok(amount);
+        }
+        let inner = self.unbracketed(part);
+        if let Some(amount) = inner.as_ref().and_then(|inner| self.literal(inner)) {
+            return Ok(amount);
+        }
+        let span = self.span(part);
+        let error = |trouble| Err(TypedError { trouble, span });
+        if !self.has_number(part) {
+            let unread = self.items(part).find_map(|item| match item {
+                Item::Unread(error) => Some((**error).clone()),
+                _ => None,
+            });
+            return Err(unread.unwrap_or(TypedError {
+                trouble: Trouble::Value(ValueTrouble::Missing),
+                span,
+            }));
+        }
+        let is_sign = |item: Option<&Item>| matches!(item, Some(Item::Sign('+' | '-' | '±' | '∓')));
+        let mut items = self.items(part);
+        if is_sign(items.next()) && is_sign(items.next()) {
+            return error(Trouble::Value(ValueTrouble::TwoSigns));
+        }
+        let are_doubled = |pair: &[Token]| {
+            let is_it = |token: &Token| matches!(token.item, Item::Sign('+' | '-'));
+            is_it(&pair[0]) && is_it(&pair[1]) && !pair[1].is_spaced
+        };
+        if self.tokens[part.clone()].windows(2).any(are_doubled) {
+            return error(Trouble::Value(ValueTrouble::TwoSigns));
+        }
+        // `[2]` is a list of one value, `[2, 3]` is not.
+        let is_list =
+            |inner: &Part| self.statements(inner).len() > 1 || self.spaced(inner).is_some();
+        if inner.as_ref().is_some_and(is_list) && *self.first(part) != Item::Sign('(') {
+            return error(Trouble::List);
+        }
+        if matches!(self.first(part), Item::Unit(_)) {
+            return error(Trouble::Value(ValueTrouble::Missing));
+        }
+        if self.text(part).len() > LONGEST_FORMULA {
+            return error(Trouble::TooLong);
+        }
+        let whole = self.formula(part);
+        if let Some(mut amount) = lost_power(&self.tokens[part.clone()], self.text) {
+            amount
+                .others
+                .extend(whole.and_then(|whole| self.checked(&whole.value, part)));
+            return Ok(amount);
+        }
+        let whole = whole?;
+        let mut amount = self.checked(&whole.value, part)?;
+        let others = whole.others.iter();
+        amount
+            .others
+            .extend(others.filter_map(|other| self.checked(other, part).ok()));
+        Ok(amount)
+    }
+
+    fn first(&self, part: &Part) -> &Item {
+        const NOTHING: &Item = &Item::Sign(' ');
+        self.tokens[part.clone()]
+            .first()
+            .map_or(NOTHING, |token| &token.item)
+    }
+
+    /// The formula that a part is, units as factors, and what it may be meant as otherwise.
+    fn formula(&self, part: &Part) -> Result<Typed<Expr>, TypedError> {
+        let end = self.span(part).range().end;
+        let tokens = &self.tokens[part.clone()];
+        readings(|ways| Parser::of_values(tokens, end, ways).whole_formula())
+    }
+
+    /// A decimal with its unit.
+    fn literal(&self, part: &Part) -> Option<Amount> {
+        let tokens = &self.tokens[part.clone()];
+        let (is_negative, tokens) = match tokens.first()?.item {
+            Item::Sign('-') => (true, &tokens[1..]),
+            Item::Sign('+') => (false, &tokens[1..]),
+            _ => (false, tokens),
+        };
+        let (number, unit) = match tokens {
+            [number] => (number, Unit::ONE),
+            [
+                number,
+                Token {
+                    item: Item::Unit(unit),
+                    ..
+                },
+            ] => (number, **unit),
+            [
+                number,
+                times,
+                Token {
+                    item: Item::Unit(unit),
+                    ..
+                },
+            ] if times.item == Item::Sign('*') => (number, **unit),
+            _ => return None,
+        };
+        let literal = number.literal.as_ref()?;
+        let signed = |decimal: Decimal| {
+            if is_negative {
+                decimal.negated()
+            } else {
+                decimal
+            }
+        };
+        let of = |decimal| Amount::decimal(signed(decimal), unit);
+        let mut amount = of(literal.value);
+        amount.others.extend(literal.other.map(of));
+        Some(amount)
+    }
+
+    /// Without the sign of a number that has no unit: `[-]`, `(1)`.
+    fn without_mark(&self, part: &Part) -> Part {
+        let is_mark = match &self.tokens[part.clone()] {
+            [_, .., open, sign, close] => {
+                let are_round = (&open.item, &close.item) == (&Item::Sign('('), &Item::Sign(')'));
+                let are_square = (&open.item, &close.item) == (&Item::Sign('['), &Item::Sign(']'));
+                let is_one = matches!(&sign.item, Item::Number(one) if *one == Rational::ONE);
+                (are_round || are_square) && sign.item == Item::Sign('-') || are_square && is_one
+            }
+            _ => false,
+        };
+        part.start..part.end - if is_mark { 3 } else { 0 }
+    }
+
+    /// The amount that a formula is, unless it may be meant otherwise.
+    fn checked(&self, formula: &Expr, part: &Part) -> Result<Amount, TypedError> {
+        let span = self.span(part);
+        let error = |trouble| Err(TypedError { trouble, span });
+        let (mut bare, mut powers, mut has_infinity) = (0, 0, false);
+        formula.walk(&mut |node| match node.kind() {
+            Kind::Constant(Constant::E) => bare += 1,
+            Kind::Constant(Constant::Infinity) => has_infinity = true,
+            Kind::Binary(Operator::Power, base, _)
+                if *base.kind() == Kind::Constant(Constant::E) =>
+            {
+                powers += 1;
+            }
+            _ => {}
+        });
+        if bare > powers {
+            return error(Trouble::Value(ValueTrouble::NoExponent));
+        }
+        if has_infinity {
+            return error(Trouble::Value(ValueTrouble::Missing));
+        }
+        let is_tight = |at: usize| !self.tokens[at].is_spaced && !self.tokens[at + 1].is_spaced;
+        let is_plain = |part: Part| self.literal(&part).is_some();
+        let minus = part
+            .clone()
+            .skip(1)
+            .find(|at| self.tokens[*at].item == Item::Sign('-'));
+        if let Some(at) = minus.filter(|at| at + 1 < part.end && is_tight(*at))
+            && is_plain(part.start..at)
+            && is_plain(at + 1..part.end)
+        {
+            return error(Trouble::Value(ValueTrouble::Range));
+        }
+        split(formula).map_err(|trouble| TypedError { trouble, span })
+    }
+}

@@ -1,0 +1,508 @@
+//! The words of a response: the names that it may use, functions and constants; runs of letters split into them.
+
+use std::collections::BTreeMap;
+
+use super::letters::{Letters, combining, dotted};
+use super::lexicon::Entry;
+use super::near::typable;
+use vibank_formula::expr::{Constant, Expr, Function, Kind, Name};
+use vibank_notation::{Math, symbol};
+
+/// The words that a response may use.
+#[derive(Debug, Default)]
+pub(super) struct Words {
+    words: Vec<Word>,
+    /// Words by first letter.
+    by_letter: BTreeMap<u8, Vec<usize>>,
+    allowed: Vec<String>,
+    /// Spellings with a letter that looks like the right one.
+    latin: Vec<String>,
+}
+
+#[derive(Debug)]
+struct Word {
+    spelling: String,
+    sense: Sense,
+    /// The number of primes with which it is written.
+    primes: u8,
+}
+
+/// Added to the primes of a name that is written as an initial value, `x(0)`.
+pub(super) const INITIAL: u8 = 100;
+
+/// What a word means.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Sense {
+    /// A name, or a time derivative of it.
+    Leaf(Expr),
+    /// A function.
+    Function(Function),
+    /// `pow`, `cbrt`: powers that are written as functions.
+    Power(Powered),
+    /// The imaginary unit, if there is one.
+    Imaginary,
+    /// `log`.
+    Logarithm,
+    /// A name of the item that is not allowed.
+    NotAllowed,
+}
+
+/// A power that is written as a function.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Powered {
+    /// `pow(base, exponent)`.
+    Any,
+    /// `cbrt(base)`.
+    CubeRoot,
+    /// `root(base)`, `nthroot(base, degree)`.
+    Root,
+    /// `complex(real, imaginary)`, which is no power at all.
+    Complex,
+    /// `polar(modulus, angle)`.
+    Polar,
+}
+
+/// A word within a run of letters.
+pub(super) struct Piece {
+    pub(super) sense: Sense,
+    /// Places in the source.
+    pub(super) start: usize,
+    pub(super) end: usize,
+    /// Whether it is spelled with the primes that follow.
+    pub(super) takes_primes: bool,
+}
+
+/// The functions that people type under other names than files do.
+pub(super) const ALIASES: &[(&str, Function)] = &[
+    ("arcsin", Function::Asin),
+    ("arccos", Function::Acos),
+    ("arctan", Function::Atan),
+    ("arctg", Function::Atan),
+    ("arctan2", Function::Atan2),
+    ("Arctan", Function::Atan),
+    ("ArcTan", Function::Atan),
+    ("ARCTAN", Function::Atan),
+    ("ArcSin", Function::Asin),
+    ("ArcCos", Function::Acos),
+    ("fabs", Function::Abs),
+    ("Abs", Function::Abs),
+    ("ABS", Function::Abs),
+    ("tg", Function::Tan),
+    ("arsinh", Function::Asinh),
+    ("arcosh", Function::Acosh),
+    ("artanh", Function::Atanh),
+    ("sgn", Function::Sign),
+    ("signum", Function::Sign),
+    // French and German.
+    ("racine", Function::Sqrt),
+    ("Racine", Function::Sqrt),
+    ("Wurzel", Function::Sqrt),
+    ("wurzel", Function::Sqrt),
+    ("Re", Function::Re),
+    ("Im", Function::Im),
+    ("real", Function::Re),
+    ("imag", Function::Im),
+];
+
+/// Whether a word is a function, also one that files do not have.
+pub(super) fn is_function(word: &str) -> bool {
+    Function::of_name(word).is_some()
+        || ALIASES.iter().any(|(alias, _)| *alias == word)
+        || POWERS.iter().any(|(name, _)| *name == word)
+}
+
+/// What stands for infinity, in words.
+const INFINITY: &[&str] = &[
+    "inf",
+    "Inf",
+    "INF",
+    "infinity",
+    "Infinity",
+    "infini",
+    "infinito",
+    "unendlich",
+    "oo",
+    "infty",
+];
+
+/// Powers that are written as functions.
+const POWERS: &[(&str, Powered)] = &[
+    ("pow", Powered::Any),
+    ("power", Powered::Any),
+    ("Power", Powered::Any),
+    ("cbrt", Powered::CubeRoot),
+    ("root", Powered::Root),
+    ("nroot", Powered::Root),
+    ("nthroot", Powered::Root),
+    ("complex", Powered::Complex),
+    ("Complex", Powered::Complex),
+    ("polar", Powered::Polar),
+    ("rect", Powered::Polar),
+    ("surd", Powered::Root),
+    ("Surd", Powered::Root),
+];
+
+/// Functions that can stand within a run of letters, without a bracket after them.
+pub(super) const BARE: &[Function] = &[
+    Function::Sin,
+    Function::Cos,
+    Function::Tan,
+    Function::Asin,
+    Function::Acos,
+    Function::Atan,
+    Function::Sinh,
+    Function::Cosh,
+    Function::Tanh,
+    Function::Asinh,
+    Function::Acosh,
+    Function::Atanh,
+    Function::Exp,
+    Function::Ln,
+    Function::Log10,
+    Function::Sqrt,
+    Function::Sign,
+];
+
+impl Words {
+    /// Functions, constants and the names of a part, in the order in which they were given.
+    pub(super) fn of(entries: &[Entry]) -> Self {
+        let mut words = Self::common();
+        for entry in entries {
+            match entry {
+                Entry::Allowed(name, symbol, is_moving) => words.allow(name, symbol, *is_moving),
+                Entry::Forbidden(name) => words.forbid(name),
+            }
+        }
+        words
+    }
+
+    /// Functions and constants alone.
+    fn common() -> Self {
+        let mut words = Self::default();
+        for (constant, spelling) in [
+            (Constant::Pi, "pi"),
+            (Constant::Pi, "Pi"),
+            (Constant::Pi, "PI"),
+            // `M_PI`, as C has it.
+            (Constant::Pi, "MPI"),
+            (Constant::E, "e"),
+        ] {
+            words.add(spelling, Sense::Leaf(Expr::constant(constant)), 0);
+        }
+        words.add("i", Sense::Imaginary, 0);
+        words.add("j", Sense::Imaginary, 0);
+        words.add("log", Sense::Logarithm, 0);
+        for (name, powered) in POWERS {
+            words.add(name, Sense::Power(*powered), 0);
+        }
+        let infinity = Sense::Leaf(Expr::constant(Constant::Infinity));
+        for name in INFINITY {
+            words.add(name, infinity.clone(), 0);
+        }
+        let is_scalar = |function: &Function| {
+            !matches!(
+                function,
+                Function::Transpose | Function::Det | Function::Dot | Function::Norm
+            )
+        };
+        for function in Function::all().filter(is_scalar) {
+            words.add_function(function.name(), function);
+        }
+        for (name, function) in ALIASES {
+            words.add_function(name, *function);
+        }
+        // `Asin(2t)` is an amplitude before a sine.
+        let is_capital = |name: &&str| name.len() > 2 && !name.starts_with('a');
+        for function in BARE {
+            let Some(name) = Some(function.name()).filter(is_capital) else {
+                continue;
+            };
+            let upper = name.to_ascii_uppercase();
+            let capital = format!("{}{}", &upper[..1], &name[1..]);
+            words.add_function(&upper, *function);
+            words.add_function(&capital, *function);
+        }
+        words
+    }
+
+    /// Adds a name with its symbol; one that moves with time may be primed.
+    fn allow(&mut self, name: &Name, math: &Math, is_moving: bool) {
+        let shown = typable(&math.plain());
+        if !self.allowed.contains(&shown) {
+            self.allowed.push(shown);
+        }
+        let sense = Sense::Leaf(Expr::name(name.clone()));
+        let own = Letters::spelling(name.as_str()).unwrap_or_default();
+        self.replace(&own, sense.clone());
+        if is_moving {
+            self.add_dotted(&own, name);
+        }
+        if let Some(base) = name.as_str().strip_suffix("dot") {
+            let (base, primes) = match base.strip_suffix('d') {
+                Some(shorter) => (shorter, 2),
+                None => (base, 1),
+            };
+            if let Some(base) = Letters::spelling(base.trim_end_matches('_')) {
+                self.add(&base, sense.clone(), primes);
+            }
+        }
+        let plain = math.plain();
+        if let Some(value) = plain.strip_suffix("(0)") {
+            let (base, order) = undotted(value)
+                .unwrap_or_else(|| (Letters::spelling(value).unwrap_or_default(), 0));
+            self.add(&base, sense.clone(), order + INITIAL);
+        }
+        if let Some((base, order)) = undotted(&plain) {
+            self.add(&base, sense.clone(), order);
+        }
+        let printed = Letters::spelling(&math.plain());
+        let usual = Letters::spelling(&symbol(name.as_str()).plain());
+        let lambda = (name.as_str() == "lam").then(|| "lambda".to_owned());
+        // The letter that looks like it, `w0` for ω₀.
+        let latin = own.strip_prefix("omega").map(|rest| format!("w{rest}"));
+        self.latin.extend(latin.clone());
+        let ell = printed
+            .as_deref()
+            .and_then(|printed| printed.strip_prefix("ell"));
+        let ell = match ell {
+            Some(rest) => Some(format!("l{rest}")),
+            // `\ell` for a letter that is printed l.
+            None => own
+                .strip_prefix('l')
+                .filter(|rest| rest.bytes().all(|byte| byte.is_ascii_digit()))
+                .map(|rest| format!("ell{rest}")),
+        };
+        for spelling in [printed.clone(), usual, lambda, latin, ell]
+            .into_iter()
+            .flatten()
+        {
+            if spelling != own && !self.is_taken(&spelling) {
+                self.replace(&spelling, sense.clone());
+                if is_moving {
+                    self.add_dotted(&spelling, name);
+                }
+            }
+        }
+    }
+
+    /// Adds a name of the item that the answer may not use, so that it can be said.
+    fn forbid(&mut self, name: &Name) {
+        let Some(own) = Letters::spelling(name.as_str()) else {
+            return;
+        };
+        if self.latin.contains(&own) {
+            self.replace(&own, Sense::NotAllowed);
+        } else if !self.knows(&own) {
+            self.add(&own, Sense::NotAllowed, 0);
+        }
+    }
+
+    /// The symbols of the names that may be used.
+    pub(super) fn allowed(&self) -> &[String] {
+        &self.allowed
+    }
+
+    /// The name of this spelling.
+    pub(super) fn name(&self, spelling: &str) -> Option<&Name> {
+        let word = self
+            .words
+            .iter()
+            .find(|word| word.spelling == spelling && word.primes == 0)?;
+        match &word.sense {
+            Sense::Leaf(leaf) => match leaf.kind() {
+                Kind::Name(name) => Some(name),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// The name that is spelled with so many primes.
+    pub(super) fn dotted_word(&self, spelling: &str, primes: u8) -> Option<Expr> {
+        let own = |word: &&Word| word.spelling == spelling && word.primes == primes;
+        match &self.words.iter().find(own)?.sense {
+            Sense::Leaf(leaf) => Some(leaf.clone()),
+            _ => None,
+        }
+    }
+
+    /// The words of a run with this many primes behind it, as few as can be; the place where it sticks.
+    pub(super) fn split(
+        &self,
+        letters: &Letters,
+        end: usize,
+        primes: u8,
+        has_bracket: bool,
+    ) -> Result<Vec<Piece>, usize> {
+        let text = &letters.text;
+        let places: Vec<(usize, usize)> = letters
+            .cuts
+            .iter()
+            .copied()
+            .chain([(text.len(), end)])
+            .collect();
+        // For each place the least cost of what comes before, and the word that ends there.
+        let mut best: Vec<Option<(u32, usize, usize)>> = vec![None; places.len()];
+        best[0] = Some((0, 0, 0));
+        let mut furthest = 0;
+        for (from, (at, _)) in places.iter().enumerate() {
+            let Some((cost, ..)) = best[from] else {
+                continue;
+            };
+            furthest = from;
+            let Some(first) = text.as_bytes().get(*at) else {
+                continue;
+            };
+            for &word in self.by_letter.get(first).map_or(&[][..], Vec::as_slice) {
+                let Word {
+                    spelling,
+                    sense,
+                    primes: own,
+                } = &self.words[word];
+                if !text[*at..].starts_with(spelling.as_str()) {
+                    continue;
+                }
+                let Ok(to) = places.binary_search_by_key(&(at + spelling.len()), |place| place.0)
+                else {
+                    continue;
+                };
+                let is_last = to + 1 == places.len();
+                let is_bare = match sense {
+                    Sense::Function(function) => BARE.contains(function) || is_last && has_bracket,
+                    Sense::Power(_) => is_last && has_bracket,
+                    _ => true,
+                };
+                if !is_bare || *own > 0 && !(is_last && *own == primes) {
+                    continue;
+                }
+                // A name that is spelled with its primes goes before the derivative of another.
+                let cost = cost + price(sense) - u32::from(*own > 0);
+                if best[to].is_none_or(|(old, ..)| cost < old) {
+                    best[to] = Some((cost, from, word));
+                }
+            }
+        }
+        let last = places.len() - 1;
+        if best[last].is_none() {
+            return Err(places[furthest].1);
+        }
+        let (mut pieces, mut to) = (Vec::new(), last);
+        while to > 0 {
+            let Some((_, from, word)) = best[to] else {
+                break;
+            };
+            pieces.push(Piece {
+                sense: self.words[word].sense.clone(),
+                start: places[from].1,
+                end: places[to].1,
+                takes_primes: self.words[word].primes > 0,
+            });
+            to = from;
+        }
+        pieces.reverse();
+        Ok(pieces)
+    }
+
+    pub(super) fn knows(&self, spelling: &str) -> bool {
+        self.words
+            .iter()
+            .any(|word| word.spelling == spelling && word.primes == 0)
+    }
+
+    /// Whether a spelling is that of a name or function; the item may have `e` and `i` for its own.
+    fn is_taken(&self, spelling: &str) -> bool {
+        let own = |word: &&Word| word.spelling == spelling && word.primes == 0;
+        self.words
+            .iter()
+            .find(own)
+            .is_some_and(|word| match &word.sense {
+                Sense::Leaf(leaf) => *leaf.kind() != Kind::Constant(Constant::E),
+                Sense::Imaginary | Sense::NotAllowed => false,
+                _ => true,
+            })
+    }
+
+    fn add(&mut self, spelling: &str, sense: Sense, primes: u8) {
+        let Some(&first) = spelling.as_bytes().first() else {
+            return;
+        };
+        self.by_letter
+            .entry(first)
+            .or_default()
+            .push(self.words.len());
+        self.words.push(Word {
+            spelling: spelling.to_owned(),
+            sense,
+            primes,
+        });
+    }
+
+    /// Adds a word in place of others of its spelling: the item's own names go before constants.
+    fn replace(&mut self, spelling: &str, sense: Sense) {
+        let found = self
+            .words
+            .iter_mut()
+            .find(|word| word.spelling == spelling && word.primes == 0);
+        match found {
+            Some(word) => word.sense = sense,
+            None => self.add(spelling, sense, 0),
+        }
+    }
+
+    fn add_function(&mut self, name: &str, function: Function) {
+        let spelling = name.replace('_', "");
+        self.add(&spelling, Sense::Function(function), 0);
+    }
+
+    /// `xdot`, `xddot`, and with a subscript `xdot1`.
+    fn add_dotted(&mut self, spelling: &str, name: &Name) {
+        let stem = spelling.trim_end_matches(|last: char| last.is_ascii_digit());
+        let digits = &spelling[stem.len()..];
+        // As people call them in programs: `ddx1`, `xdd1`, `x1dd`, `D2x1`, `x1pp`; `dx` and `xp` mean other things, too.
+        let second = Sense::Leaf(Expr::name(name.clone()).prime(2));
+        for word in [
+            format!("dd{spelling}"),
+            format!("D2{spelling}"),
+            format!("d2{spelling}"),
+            format!("{spelling}dd"),
+            format!("{spelling}pp"),
+            format!("{stem}dd{digits}"),
+            format!("{stem}pp{digits}"),
+        ] {
+            if !self.is_taken(&word) {
+                self.add(&word, second.clone(), 0);
+            }
+        }
+        for (word, order) in [("dot", 1), ("ddot", 2)] {
+            let sense = Sense::Leaf(Expr::name(name.clone()).prime(order));
+            self.add(&format!("{spelling}{word}"), sense.clone(), 0);
+            if !digits.is_empty() {
+                self.add(&format!("{stem}{word}{digits}"), sense, 0);
+            }
+        }
+    }
+}
+
+/// The spelling of a symbol with dots over its letter, and how many.
+fn undotted(symbol: &str) -> Option<(String, u8)> {
+    let (mut plain, mut order) = (String::new(), 0);
+    for char in symbol.chars() {
+        if let Some(dots) = combining(char) {
+            order = dots;
+            continue;
+        }
+        let (char, dots) = dotted(char).unwrap_or((char, 0));
+        order = order.max(dots);
+        plain.push(char);
+    }
+    (order > 0).then_some((Letters::spelling(&plain)?, order))
+}
+
+/// What a word costs in a split; the least sum wins.
+fn price(sense: &Sense) -> u32 {
+    match sense {
+        Sense::Leaf(leaf) if *leaf.kind() == Kind::Constant(Constant::E) => 3,
+        Sense::Imaginary | Sense::NotAllowed => 3,
+        _ => 2,
+    }
+}

@@ -1,0 +1,77 @@
+//! The known name that a mistyped one was meant to be.
+
+/// The candidate that is nearest to `word`, if one is near: at most a third of its letters differ, or one of
+/// them begins with the other.
+///
+/// ```
+/// use vibank_source::nearest;
+/// assert_eq!(nearest("omgea_n", ["m", "omega_n", "omega_d"]), Some("omega_n"));
+/// assert_eq!(nearest("omega", ["m", "omega_n"]), Some("omega_n"));
+/// assert_eq!(nearest("q", ["alpha", "beta"]), None);
+/// ```
+pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let letters: Vec<char> = word.chars().take(LONGEST).collect();
+    let limit = (letters.len() / 3).max(1);
+    let is_begun = |candidate: &str| {
+        !candidate.is_empty() && (candidate.starts_with(word) || word.starts_with(candidate))
+    };
+    let mut found: Option<(usize, &str)> = None;
+    for candidate in candidates {
+        let limit = if is_begun(candidate) {
+            limit.max(3)
+        } else {
+            limit
+        };
+        // Only what is nearer than the nearest so far counts.
+        let limit = match found {
+            Some((0, _)) => break,
+            Some((best, _)) => limit.min(best - 1),
+            None => limit,
+        };
+        let Some(distance) = distance(&letters, candidate, limit) else {
+            continue;
+        };
+        if distance < candidate.chars().count() || (distance <= 3 && is_begun(candidate)) {
+            found = Some((distance, candidate));
+        }
+    }
+    found.map(|(_, candidate)| candidate)
+}
+
+/// Letters of a word that are compared.
+const LONGEST: usize = 64;
+
+/// Number of letters to insert, delete, replace or swap with their neighbour, where it is within a limit.
+fn distance(left: &[char], right: &str, limit: usize) -> Option<usize> {
+    let mut letters = ['\0'; LONGEST];
+    let mut length = 0;
+    for (place, letter) in letters.iter_mut().zip(right.chars()) {
+        *place = letter;
+        length += 1;
+    }
+    let right = &letters[..length];
+    if left.len().abs_diff(length) > limit {
+        return None;
+    }
+    let mut before = [0; LONGEST + 1];
+    let mut previous: [usize; LONGEST + 1] = std::array::from_fn(|place| place);
+    for (i, a) in left.iter().enumerate() {
+        let mut row = [0; LONGEST + 1];
+        row[0] = i + 1;
+        for (j, b) in right.iter().enumerate() {
+            let replace = previous[j] + usize::from(!a.eq_ignore_ascii_case(b));
+            let mut best = replace.min(previous[j + 1] + 1).min(row[j] + 1);
+            if i > 0 && j > 0 && *a == right[j - 1] && left[i - 1] == *b {
+                best = best.min(before[j - 1] + 1);
+            }
+            row[j + 1] = best;
+        }
+        // A swap reaches over two rows; what is beyond the limit in both stays there.
+        let is_beyond = |row: &[usize; LONGEST + 1]| row[..=length].iter().all(|own| *own > limit);
+        if is_beyond(&row) && is_beyond(&previous) {
+            return None;
+        }
+        before = std::mem::replace(&mut previous, row);
+    }
+    Some(previous[length]).filter(|distance| *distance <= limit)
+}

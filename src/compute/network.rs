@@ -1,0 +1,99 @@
+//! Reading systems of several degrees of freedom: masses, springs and dampers, or matrices.
+
+use nalgebra::DMatrix;
+use serde_json::Value;
+
+use super::parameters::number;
+use super::{Parameters, RequestError};
+use crate::vibration::modes::{Link, MAX_DEGREES_OF_FREEDOM, System};
+
+/// The system of `masses` and `springs`, or of `M` and `K`.
+pub(super) fn system(parameters: &Parameters) -> Result<System, RequestError> {
+    let system = if parameters.has("M") || parameters.has("K") {
+        if parameters.has("masses") || parameters.has("springs") {
+            let reason = "give either `masses` and `springs`, or `M` and `K`".to_owned();
+            return Err(RequestError::OutOfDomain { reason });
+        }
+        System::of_matrices(&matrix(parameters, "M")?, &matrix(parameters, "K")?)
+    } else {
+        System::of_network(&parameters.list("masses")?, &links(parameters, "springs")?)
+    };
+    system.map_err(RequestError::domain)
+}
+
+/// A list of `[i, j, coefficient]`; node 0 is the ground.
+pub(super) fn links(
+    parameters: &Parameters,
+    name: &'static str,
+) -> Result<Vec<Link>, RequestError> {
+    const EXPECTED: &str = "a list of [i, j, coefficient], where node 0 is the ground";
+    let wrong = || RequestError::NotANumber {
+        name,
+        expected: EXPECTED,
+    };
+    let entries = parameters.entries(name, EXPECTED)?;
+    entries
+        .iter()
+        .map(|entry| link(entry).ok_or_else(wrong))
+        .collect()
+}
+
+/// The list if it was given, or none.
+pub(super) fn optional_links(
+    parameters: &Parameters,
+    name: &'static str,
+) -> Result<Vec<Link>, RequestError> {
+    if parameters.has(name) {
+        links(parameters, name)
+    } else {
+        Ok(Vec::new())
+    }
+}
+
+fn link(entry: &Value) -> Option<Link> {
+    let [first, second, coefficient] = entry.as_array()?.as_slice() else {
+        return None;
+    };
+    Some(Link::between(
+        node(first)?,
+        node(second)?,
+        number(coefficient)?.value,
+    ))
+}
+
+fn node(value: &Value) -> Option<usize> {
+    let value = number(value)?.value;
+    let is_index = value == value.trunc() && (0.0..=1e9).contains(&value);
+    is_index.then_some(value as usize)
+}
+
+/// A square matrix as a list of rows.
+pub(super) fn matrix(
+    parameters: &Parameters,
+    name: &'static str,
+) -> Result<DMatrix<f64>, RequestError> {
+    const EXPECTED: &str = "a square matrix as a list of rows of numbers";
+    let wrong = || RequestError::NotANumber {
+        name,
+        expected: EXPECTED,
+    };
+    let rows = parameters.entries(name, EXPECTED)?;
+    if rows.len() > MAX_DEGREES_OF_FREEDOM {
+        return Err(RequestError::TooMany {
+            name,
+            count: rows.len(),
+            most: MAX_DEGREES_OF_FREEDOM,
+        });
+    }
+    let mut matrix = DMatrix::zeros(rows.len(), rows.len());
+    for (i, row) in rows.iter().enumerate() {
+        let row = row
+            .as_array()
+            .filter(|row| row.len() == rows.len())
+            .ok_or_else(wrong)?;
+        for (j, entry) in row.iter().enumerate() {
+            matrix[(i, j)] = number(entry).ok_or_else(wrong)?.value;
+        }
+    }
+    Ok(matrix)
+}
