@@ -151,8 +151,7 @@ impl Wanted {
                 Err(findings) => return findings,
             };
             Plan::of(&blueprint, catalogue, None)
-                .err()
-                .unwrap_or_default()
+                .map_or_else(|findings| findings, |plan| plan.warnings)
         };
         self.blueprints.iter().flat_map(findings).collect()
     }

@@ -122,10 +122,14 @@ impl Serialize for Comment {
 }
 
 /// What is said about a response, with the texts of the item that its marking names: at least one comment.
-pub fn remarks(solution: &Solution<'_>, place: usize, marking: &Marking) -> Vec<Comment> {
+pub fn remarks(
+    solution: &Solution<'_>,
+    place: usize,
+    marking: &Marking,
+    language: Language,
+) -> Vec<Comment> {
     let mistakes = &solution.template().parts[place].mistakes;
     let scene = Scene::of(solution, Data::Both);
-    let language = Language::default();
     let mut comments = Vec::new();
     for remark in &marking.remarks {
         if let Remark::Mistake(number) = remark {

@@ -12,6 +12,7 @@ use super::{Comment, Grade, remarks};
 use crate::answer::{Credit, Doubt, Reason, Verdict};
 use crate::bank::Template;
 use crate::math::Math;
+use crate::message::Language;
 use crate::solution::Session;
 use crate::solution::request::{Refusal, read};
 
@@ -144,7 +145,7 @@ fn marked(session: &mut Session<'_>, request: &Request) -> Result<Marked, Refusa
         text: reading.map(|reading| reading.text.clone()),
         si: reading.map(|reading| reading.answered.si()),
         reasons: marking.reasons().iter().map(Reason::code).collect(),
-        feedback: remarks(&solution, place, marking),
+        feedback: remarks(&solution, place, marking, Language::default()),
     })
 }
 

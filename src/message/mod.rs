@@ -4,6 +4,7 @@
 //! response. A further language is one more file and one more row of [`Language::ALL`].
 
 mod en;
+mod fr;
 
 use crate::answer::{Blank, Remark, Verdict};
 use crate::document::Document;
@@ -14,11 +15,55 @@ pub enum Language {
     /// English.
     #[default]
     English,
+    /// French.
+    French,
+}
+
+/// What a person did with a response, for its student.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ByHand {
+    /// Nobody has marked it yet.
+    Open,
+    /// A person gave the points.
+    Marked,
+    /// A person settled how it is read; the reading follows.
+    ReadAs,
+    /// The file of responses does not say clearly what was answered.
+    Unclear,
+    /// Points of a row of the rubric: those given, if they were given by rows, and the most there are.
+    Row {
+        /// Points that were given.
+        given: Option<String>,
+        /// Points that could be given.
+        most: String,
+    },
 }
 
 impl Language {
     /// All there are.
-    pub const ALL: &[Self] = &[Self::English];
+    pub const ALL: &[Self] = &[Self::English, Self::French];
+
+    /// The language of a tag, `fr` or `fr-CA`; nothing where none of its own is spoken here.
+    ///
+    /// ```
+    /// use vibank::message::Language;
+    ///
+    /// assert_eq!(Language::of("fr-CA"), Some(Language::French));
+    /// assert_eq!(Language::of("de"), None);
+    /// ```
+    pub fn of(tag: &str) -> Option<Self> {
+        let primary = tag.split('-').next().unwrap_or_default();
+        let is_named = |language: &&Self| primary.eq_ignore_ascii_case(language.code());
+        Self::ALL.iter().find(is_named).copied()
+    }
+
+    /// Its code of two letters, after ISO 639-1.
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::English => "en",
+            Self::French => "fr",
+        }
+    }
 
     /// What is said about a response; nothing where the item has the text.
     ///
@@ -33,6 +78,7 @@ impl Language {
     pub fn say(self, remark: &Remark) -> Option<Document> {
         match self {
             Self::English => en::say(remark),
+            Self::French => fr::say(remark),
         }
     }
 
@@ -50,6 +96,7 @@ impl Language {
     pub fn blank(self, blank: &Blank) -> Document {
         match self {
             Self::English => en::blank(blank),
+            Self::French => fr::blank(blank),
         }
     }
 
@@ -57,6 +104,7 @@ impl Language {
     pub fn heading(self, verdict: Verdict) -> &'static str {
         match self {
             Self::English => en::heading(verdict),
+            Self::French => fr::heading(verdict),
         }
     }
 
@@ -64,6 +112,7 @@ impl Language {
     pub fn undecided(self) -> &'static str {
         match self {
             Self::English => en::UNDECIDED,
+            Self::French => fr::UNDECIDED,
         }
     }
 
@@ -71,6 +120,21 @@ impl Language {
     pub fn slip(self, code: &str) -> Option<&'static str> {
         match self {
             Self::English => en::slip_in_short(code),
+            Self::French => fr::slip_in_short(code),
+        }
+    }
+
+    /// What a student reads of what a person did with a response; for a row of a rubric, what stands before its text.
+    ///
+    /// ```
+    /// use vibank::message::{ByHand, Language};
+    ///
+    /// assert_eq!(Language::English.by_hand(&ByHand::Marked), "Marked by your teacher.");
+    /// ```
+    pub fn by_hand(self, what: &ByHand) -> String {
+        match self {
+            Self::English => en::by_hand(what),
+            Self::French => fr::by_hand(what),
         }
     }
 
@@ -78,6 +142,7 @@ impl Language {
     pub fn verdict(self, verdict: Verdict) -> Document {
         match self {
             Self::English => en::verdict(verdict),
+            Self::French => fr::verdict(verdict),
         }
     }
 }

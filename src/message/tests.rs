@@ -480,6 +480,27 @@ fn each_remark_is_a_sentence_in_each_language() {
 }
 
 #[test]
+fn what_a_person_did_is_said_in_each_language() {
+    let row = |given: Option<&str>| ByHand::Row {
+        given: given.map(str::to_owned),
+        most: "2".to_owned(),
+    };
+    let sentences = [
+        ByHand::Open,
+        ByHand::Marked,
+        ByHand::ReadAs,
+        ByHand::Unclear,
+        row(None),
+        row(Some("1")),
+    ];
+    for what in sentences {
+        let said = Language::ALL.iter().map(|language| language.by_hand(&what));
+        let said: std::collections::BTreeSet<String> = said.collect();
+        assert_eq!(said.len(), Language::ALL.len(), "{what:?}");
+    }
+}
+
+#[test]
 fn what_an_item_words_is_left_to_it() {
     let text = Document::sentence("Look again.");
     for language in Language::ALL {

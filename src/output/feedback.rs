@@ -6,7 +6,6 @@ use super::layouts::OutputError;
 use super::pages::{Pages, Run};
 use crate::answer::Verdict;
 use crate::grade::{Comment, Feedback, PartFeedback, QuestionFeedback};
-use crate::message::Language;
 use crate::numerics::Rational;
 use crate::scene::Shown;
 
@@ -101,11 +100,11 @@ impl Pages {
             letter: part.letter.clone(),
             verdict: part.verdict.name(),
             words: match part.verdict {
-                Verdict::Unreadable => Language::default().undecided(),
-                verdict => Language::default().heading(verdict),
+                Verdict::Unreadable => self.run.spoken().undecided(),
+                verdict => self.run.spoken().heading(verdict),
             },
             points: match part.verdict {
-                Verdict::Unreadable => format!("? of {}", self.points(part.max)),
+                Verdict::Unreadable => self.run.words.reached("?", &self.points(part.max)),
                 _ => self.reached(part.points, Rational::ZERO, part.max),
             },
             response: self.placed(&part.response),
@@ -120,7 +119,7 @@ impl Pages {
     /// `2.5 of 4 points`, or `2.5 + ?1 of 4 points` where one of them is not decided yet.
     fn reached(&self, points: Rational, open: Rational, max: Rational) -> String {
         let reached = self.run.marked(&crate::grade::standing(points, open));
-        format!("{reached} of {}", self.points(max))
+        self.run.words.reached(&reached, &self.points(max))
     }
 }
 

@@ -19,6 +19,7 @@ mod quoted;
 mod report;
 mod scorm;
 mod view;
+mod words;
 
 pub use key_table::{KeyRow, KeyTable};
 pub use layouts::{Layouts, OutputError};

@@ -8,10 +8,12 @@ use super::Writer;
 use super::fairness::FairnessView;
 use super::key_table::{KeyRow, KeyTable, Panel};
 use super::layouts::{Layouts, OutputError, font};
-use super::view::{BY_HAND, IN_THE_SOLUTION, SheetView, View};
+use super::view::{SheetView, View};
+use super::words::Words;
 use crate::bank::Chapter;
 use crate::document::{Block, Document, Inline};
 use crate::math::quote;
+use crate::message::Language;
 use crate::numerics::Rational;
 use crate::scene::{Data, Scene, Shown};
 use crate::unit::DecimalMark;
@@ -54,6 +56,8 @@ pub struct Run {
     pub formulas: String,
     /// `lines`, `boxes` or `none`.
     pub answer_space: &'static str,
+    /// The words of the layouts, in the language of the run.
+    pub(super) words: &'static Words,
     #[serde(skip)]
     pub(super) language: String,
     #[serde(skip)]
@@ -99,6 +103,7 @@ struct Begin<'a> {
     style: &'a str,
     families: Vec<String>,
     font: String,
+    words: &'static Words,
 }
 
 #[derive(Serialize)]
@@ -118,6 +123,7 @@ impl Run {
             instructions: String::new(),
             formulas: String::new(),
             answer_space: "none",
+            words: Words::of(spoken(language)),
             language: language.to_owned(),
             paper: Paper::A4,
             data: Data::Both,
@@ -153,6 +159,7 @@ impl Run {
                 AnswerSpace::Boxes => "boxes",
                 AnswerSpace::None => "none",
             },
+            words: Words::of(spoken(&blueprint.language.value)),
             language: blueprint.language.value.clone(),
             paper: blueprint.paper,
             data: blueprint.data,
@@ -215,17 +222,18 @@ impl Run {
 
     /// Points in words, `2.5 points`.
     pub(super) fn points(&self, points: Rational) -> String {
-        let noun = if points == Rational::ONE {
-            "point"
-        } else {
-            "points"
-        };
-        format!("{} {noun}", self.number(points))
+        let is_one = points == Rational::ONE;
+        self.words.points(&self.number(points), is_one)
     }
 
     /// Points as a decimal of at most two places.
     pub(super) fn number(&self, points: Rational) -> String {
         self.marked(&crate::grade::rounded(points))
+    }
+
+    /// The language in which responses are spoken about.
+    pub(super) fn spoken(&self) -> Language {
+        spoken(&self.language)
     }
 
     /// Decimals with the sign of the run.
@@ -257,11 +265,20 @@ impl Kind {
         }
     }
 
-    fn subtitle(self) -> &'static str {
+    /// What it is, for the list of files of a run.
+    pub fn title(self) -> &'static str {
         match self {
-            Self::Sheet => "",
+            Self::Sheet => "the sheets",
             Self::Key => "answer key",
             Self::Solutions => "worked solutions",
+        }
+    }
+
+    fn subtitle(self, words: &'static Words) -> &'static str {
+        match self {
+            Self::Sheet => "",
+            Self::Key => &words.answer_key,
+            Self::Solutions => &words.worked_solutions,
         }
     }
 }
@@ -315,6 +332,7 @@ impl Pages {
                 style: &style,
                 families: self.families(),
                 font: font(),
+                words: self.run.words,
             },
         )
     }
@@ -341,8 +359,18 @@ impl Pages {
     }
 
     /// What the title of a file says of its kind.
-    pub fn subtitle(kind: Kind) -> &'static str {
-        kind.subtitle()
+    pub fn subtitle(&self, kind: Kind) -> &'static str {
+        kind.subtitle(self.run.words)
+    }
+
+    /// What the title of a file with feedback says of it.
+    pub fn feedback_subtitle(&self) -> &'static str {
+        &self.run.words.feedback
+    }
+
+    /// What the title of the file with the answers of all variants says of it.
+    pub fn table_subtitle(&self) -> &'static str {
+        &self.run.words.all_answers
     }
 
     /// The page of a sheet.
@@ -427,13 +455,15 @@ impl Pages {
             let parts = &question.solution.template().parts;
             let is_by_hand = |place: usize| parts[place].answer.kind().is_by_hand();
             let headings = headings(question.solution.template(), &question.parts);
+            let words = self.run.words;
+            let phrase = |text: &str| (self.writer.words(text), text.chars().count());
             for (heading, place) in headings.iter().zip(&question.parts) {
                 row.parts
                     .push(format!("{}{}", question.number, heading.letter));
                 let (cell, width) = match scene.key(*place) {
                     Ok(Some(key)) => (self.writer.math(key), key.plain().chars().count()),
-                    Ok(None) => (self.writer.words(IN_THE_SOLUTION), IN_THE_SOLUTION.len()),
-                    Err(_) if is_by_hand(*place) => (self.writer.words(BY_HAND), BY_HAND.len()),
+                    Ok(None) => phrase(&words.in_the_solution),
+                    Err(_) if is_by_hand(*place) => phrase(&words.by_hand),
                     Err(_) => (self.writer.words("–"), 1),
                 };
                 row.cells.push(cell);
@@ -442,6 +472,11 @@ impl Pages {
         }
         row
     }
+}
+
+/// The language in which a run speaks: that of its texts, else English.
+fn spoken(language: &str) -> Language {
+    Language::of(language).unwrap_or_default()
 }
 
 /// What of a language's name can stand in a tag.

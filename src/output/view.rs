@@ -10,7 +10,6 @@ use super::{Writer, is_line};
 use crate::answer::{Choosing, Criterion, KeyValue};
 use crate::bank::{Group, Passage, Space, share_in_group};
 use crate::document::{Document, Filling};
-use crate::message::Language;
 use crate::numerics::Rational;
 use crate::scene::Scene;
 use crate::solution::Solution;
@@ -156,12 +155,6 @@ struct OptionView {
     right: bool,
 }
 
-/// Stands for a key that no line can hold.
-pub(super) const IN_THE_SOLUTION: &str = "see the worked solution";
-
-/// Stands for the key of a part that a person marks.
-pub(super) const BY_HAND: &str = "by hand";
-
 /// Writes the pieces of sheets, and gathers the figures that the notation cannot hold.
 pub(super) struct View<'p> {
     writer: &'static dyn Writer,
@@ -193,7 +186,7 @@ impl<'p> View<'p> {
             name: self.placed(self.run.name(&student.name, &student.id)),
             student: self.placed(self.run.plain_name(&student.id)),
             group: self.placed(self.run.plain_name(&student.group)),
-            count: format!("{count} question{}", if count == 1 { "" } else { "s" }),
+            count: self.run.words.questions(count),
             points: self.run.points(sheet.points()),
             marks: self.marks(sheet),
             questions: sheet
@@ -215,7 +208,7 @@ impl<'p> View<'p> {
             is_sum: false,
         });
         let sum = MarkView {
-            name: "Sum".to_owned(),
+            name: self.run.words.sum.clone(),
             worth: self.run.number(sheet.points()),
             is_sum: true,
         };
@@ -375,7 +368,7 @@ impl<'p> View<'p> {
                     .unit_behind()
                     .map(|unit| self.writer.math(&unit.math()))
                     .unwrap_or_default();
-                view.asked = self.writer.line(&Language::default().blank(&blank));
+                view.asked = self.writer.line(&self.run.spoken().blank(&blank));
             }
             Kind::Key | Kind::Solutions => match scene.key(place) {
                 Ok(Some(key)) => {
@@ -383,7 +376,7 @@ impl<'p> View<'p> {
                     view.accepted = self.accepted(solution, place);
                 }
                 Ok(None) if self.kind == Kind::Solutions => {}
-                Ok(None) => view.absent = self.placed(IN_THE_SOLUTION),
+                Ok(None) => view.absent = self.placed(&self.run.words.in_the_solution),
                 Err(_) if view.by_hand => {}
                 Err(absent) => view.absent = self.placed(&absent.to_string()),
             },
@@ -410,7 +403,7 @@ impl<'p> View<'p> {
     fn accepted(&self, solution: &Solution<'_>, place: usize) -> String {
         let key = solution.key(place).ok().filter(|_| self.kind == Kind::Key);
         key.and_then(|key| key.accepted.as_ref())
-            .map(|range| format!("accepted: {}", self.writer.math(range)))
+            .map(|range| format!("{} {}", self.run.words.accepted, self.writer.math(range)))
             .unwrap_or_default()
     }
 

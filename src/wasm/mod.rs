@@ -29,6 +29,7 @@ use std::rc::Rc;
 
 use crate::bank::{Compiled, Template};
 use crate::instance::Instance;
+use crate::message::Language;
 use crate::scene::Scene;
 use crate::seed::{Seed, Variant};
 use crate::solution::Solution;
@@ -117,6 +118,11 @@ impl Grader {
     /// What the page offers.
     pub fn practice(&self) -> &Practice {
         &self.practice
+    }
+
+    /// The language of what is said about answers.
+    pub(crate) fn language(&self) -> Language {
+        Language::of(&self.practice.language).unwrap_or_default()
     }
 
     /// A question and its item.

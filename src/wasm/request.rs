@@ -11,7 +11,6 @@ use crate::answer::{Choosing, Credit, Marking, Reason, Verdict};
 use crate::bank::{Passage, Template};
 use crate::grade::{self, Grade, Sheet};
 use crate::math::Display;
-use crate::message::Language;
 use crate::scene::Run;
 use crate::seed::Variant;
 use crate::solution::Solution;
@@ -332,7 +331,7 @@ impl Asked<'_> {
         let scene = self.grader.scene(&self.solution);
         let blank = part.answer.blank();
         let unit = blank.unit_behind();
-        let said = Language::default().blank(&blank);
+        let said = self.grader.language().blank(&blank);
         let (rows, columns) = shape(part, self.template()).unzip();
         ShownPart {
             id: part.id.clone(),
@@ -398,7 +397,7 @@ impl Asked<'_> {
     }
 
     fn feedback(&self, place: usize, marking: &Marking) -> String {
-        let remarks = grade::remarks(&self.solution, place, marking);
+        let remarks = grade::remarks(&self.solution, place, marking, self.grader.language());
         let html = |remark: &grade::Comment| remark.document.html(&remark.fillings);
         remarks.iter().map(html).collect()
     }

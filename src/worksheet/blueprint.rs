@@ -6,6 +6,7 @@ use crate::answer::{Credit, Doubt};
 use crate::bank::{Space, SpaceError};
 use crate::diagnostic::{Code, Diagnose, Finding, Label};
 use crate::document::Document;
+use crate::message::Language;
 use crate::scene;
 use crate::source::{Data, Problems, Source, Span, Table, Text, toml};
 
@@ -81,9 +82,9 @@ pub struct Blueprint {
     pub names_formats: bool,
     /// `a4` or `letter`.
     pub paper: Paper,
-    /// Language of the texts.
+    /// Language of headings, answer lines, remarks and feedback, `en` or `fr`; the texts of items are in that of their bank.
     pub language: Text,
-    /// Decimal sign.
+    /// Decimal sign; where none is stated, that of the language: `,` in French.
     pub decimal: char,
     /// What becomes of answers with two readings, where that is stated.
     pub doubt: Option<Doubt>,
@@ -402,6 +403,14 @@ fn questions(table: &Table<'_>, faults: &mut Faults<'_>) -> Vec<Question> {
     questions
 }
 
+/// The decimal sign: where none is stated, that of the language.
+fn decimal(table: &Table<'_>, language: &str, faults: &mut Faults<'_>) -> char {
+    if !table.has("decimal") && Language::of(language) == Some(Language::French) {
+        return ',';
+    }
+    faults.word(table, "decimal", &[".", ","], &['.', ','])
+}
+
 /// How tables are written: a class with a decimal comma opens its files with spreadsheets that part cells by semicolons.
 fn csv(table: &Table<'_>, decimal: char, faults: &mut Faults<'_>) -> Csv {
     if decimal == ',' && !table.has("csv") {
@@ -448,7 +457,8 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
         faults.add(&BlueprintError::SeedAndSecret(secret.span));
     }
     let formats = formats(&table, &mut faults);
-    let decimal = faults.word(&table, "decimal", &[".", ","], &['.', ',']);
+    let language = table.text("language").unwrap_or_else(|| word("en"));
+    let decimal = decimal(&table, &language.value, &mut faults);
     let csv = csv(&table, decimal, &mut faults);
     let doubt = doubt(&table, &mut faults);
     let instructions = table.text("instructions").map(|text| {
@@ -482,7 +492,7 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
             &["a4", "letter"],
             &[Paper::A4, Paper::Letter],
         ),
-        language: table.text("language").unwrap_or_else(|| word("en")),
+        language,
         decimal,
         doubt,
         other_form: Credit::of_table(&table, "other_form"),

@@ -5,7 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::blueprint::{Blueprint, Choice, Filter, Question};
 use super::fairness::Fairness;
 use crate::bank::{Catalogue, Chapter, ItemId, Part, Space, Template};
-use crate::diagnostic::{Code, Diagnose, Finding, Label};
+use crate::diagnostic::{Code, Diagnose, Finding, Label, Severity};
+use crate::message::Language;
 use crate::numerics::Rational;
 use crate::seed::{Secret, Seed, Streams, Variant};
 use crate::source::{Span, Text, nearest};
@@ -21,6 +22,8 @@ pub struct Plan<'c> {
     pub formulas: Vec<&'c Chapter>,
     /// What keys the seeds.
     pub secret: Option<Secret>,
+    /// What the teacher should know though all can be made.
+    pub warnings: Vec<Finding>,
 }
 
 /// A question whose item, or whose candidates, are known.
@@ -95,6 +98,14 @@ enum PlanError {
     Sum { stated: String, span: Span },
     #[error("the chapters of these items have no formulas")]
     NoFormulas { span: Span },
+    #[error(
+        "the texts of the items are in `{bank}`, headings, answer lines and feedback will be in `{found}`"
+    )]
+    OtherLanguage {
+        found: String,
+        bank: String,
+        span: Span,
+    },
     #[error("the texts of the bank are in `{bank}`, not in `{found}`")]
     Language {
         found: String,
@@ -125,16 +136,18 @@ impl<'c> Plan<'c> {
             planner.question(place, question);
         }
         let formulas = planner.formulas();
-        if planner.findings.is_empty() {
-            return Ok(Self {
-                blueprint,
-                questions: planner.questions,
-                formulas,
-                secret,
-            });
-        }
         Finding::sort(&mut planner.findings);
-        Err(planner.findings)
+        let is_error = |finding: &Finding| finding.severity == Severity::Error;
+        if planner.findings.iter().any(is_error) {
+            return Err(planner.findings);
+        }
+        Ok(Self {
+            blueprint,
+            questions: planner.questions,
+            formulas,
+            secret,
+            warnings: planner.findings,
+        })
     }
 
     /// The variant at a place of a run without a class list, and an attempt at it.
@@ -220,7 +233,7 @@ struct Planner<'c> {
 }
 
 impl<'c> Planner<'c> {
-    /// Texts are printed as the bank has them: another language cannot be had by asking for it.
+    /// The texts of items are printed as the bank has them: what can be asked for is the language of the rest.
     fn language(&mut self) {
         let asked = &self.blueprint.language;
         let bank = &self.catalogue.bank.language;
@@ -228,7 +241,10 @@ impl<'c> Planner<'c> {
         let primary = |tag: &str| tag.split('-').next().map(str::to_lowercase);
         if asked.span != Span::NONE && primary(&asked.value) != primary(bank) {
             let (found, bank, span) = (asked.value.clone(), bank.clone(), asked.span);
-            self.find(&PlanError::Language { found, bank, span });
+            self.find(&match Language::of(&found) {
+                Some(_) => PlanError::OtherLanguage { found, bank, span },
+                None => PlanError::Language { found, bank, span },
+            });
         }
     }
 
@@ -487,6 +503,13 @@ impl Diagnose for PlanError {
         Code::BLUEPRINT
     }
 
+    fn severity(&self) -> Severity {
+        match self {
+            Self::OtherLanguage { .. } => Severity::Warning,
+            _ => Severity::Error,
+        }
+    }
+
     fn labels(&self) -> Vec<Label> {
         let (Self::Item { span, .. }
         | Self::Broken { span, .. }
@@ -501,6 +524,7 @@ impl Diagnose for PlanError {
         | Self::Twice { span, .. }
         | Self::Sum { span, .. }
         | Self::NoFormulas { span }
+        | Self::OtherLanguage { span, .. }
         | Self::Language { span, .. }) = self;
         vec![Label {
             span: *span,
@@ -535,6 +559,10 @@ impl Diagnose for PlanError {
             Self::Sum { .. } => {
                 Some("leave `points` of the question out, or let the sums agree".to_owned())
             }
+            Self::OtherLanguage { .. } => Some(
+                "for items in this language name a translated copy of the bank with `--bank`"
+                    .to_owned(),
+            ),
             Self::Language { bank, .. } => Some(format!(
                 "write `language = \"{bank}\"`, or remove the key; a bank in another language is given with `--bank`"
             )),

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use vibank::answer::Marking;
 use vibank::grade;
+use vibank::message::Language;
 use vibank::scene::{Data, Scene};
 use vibank::seed::Variant;
 use vibank::solution::Solution;
@@ -258,7 +259,7 @@ impl Asked<'_> {
             Err(why) => {
                 screen.say(Tone::Unsure, "      ", "could not be read; kept as it is");
                 let marking = Marking::unreadable(why);
-                for remark in grade::remarks(self.solution, place, &marking) {
+                for remark in grade::remarks(self.solution, place, &marking, Language::English) {
                     screen.say(Tone::Plain, "      ", &remark.plain());
                 }
             }

@@ -5,6 +5,7 @@ use vibank::answer::Criterion;
 use vibank::bank::share_in_group;
 use vibank::document::{Block, Document, Inline};
 use vibank::grade::{Comment, rounded};
+use vibank::message::{ByHand, Language};
 use vibank::numerics::Rational;
 
 use super::outcome::sum;
@@ -70,13 +71,11 @@ impl<'a> Sheet<'a> {
     }
 
     /// What a student is told: the rows of the rubric with the points that were given.
-    pub(super) fn told(&self, hand: &Hand) -> Vec<Comment> {
+    pub(super) fn told(&self, hand: &Hand, language: Language) -> Vec<Comment> {
         let row = |at: usize| {
+            let given = hand.rows.as_ref().map(|rows| self.written(rows[at]));
             let most = self.written(self.shares[at]);
-            let points = match &hand.rows {
-                Some(rows) => format!("{} of {most}: ", self.written(rows[at])),
-                None => format!("at most {most}: "),
-            };
+            let points = language.by_hand(&ByHand::Row { given, most });
             let mut content = vec![Inline::Text(points)];
             for block in self.rubric[at].text.blocks() {
                 if let Block::Paragraph(inlines) = block {
@@ -85,7 +84,7 @@ impl<'a> Sheet<'a> {
             }
             Comment::from(Document::of(vec![Block::Paragraph(content)], Vec::new()))
         };
-        let first = Comment::sentence("Marked by your teacher.");
+        let first = Comment::sentence(&language.by_hand(&ByHand::Marked));
         std::iter::once(first)
             .chain((0..self.shares.len()).map(row))
             .collect()

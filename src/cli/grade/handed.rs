@@ -5,6 +5,7 @@ use std::path::Path;
 use rayon::prelude::*;
 use vibank::bank::Catalogue;
 use vibank::grade::Responses;
+use vibank::message::Language;
 use vibank::worksheet::{Manifest, VariantEntry};
 
 use super::Arguments;
@@ -81,6 +82,7 @@ impl Handed {
             let marker = Marker {
                 items: &items,
                 decimal: sheets.decimal,
+                language: Language::of(&head.language).unwrap_or_default(),
                 doubt: sheets.doubt,
                 other_form: sheets.other_form,
                 responses: &platform::responses(&attempts),

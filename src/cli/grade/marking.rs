@@ -5,6 +5,7 @@ use vibank::bank::Template;
 use vibank::grade::{
     self, Comment, Feedback, Grade, PartFeedback, Place, QuestionFeedback, Responses, Sheet,
 };
+use vibank::message::{ByHand, Language};
 use vibank::numerics::Rational;
 use vibank::solution::Solution;
 use vibank::worksheet::{PartEntry, QuestionEntry, VariantEntry};
@@ -21,6 +22,8 @@ use crate::cli::Failure;
 pub(super) struct Marker<'a> {
     pub(super) items: &'a Items<'a>,
     pub(super) decimal: char,
+    /// In which students are spoken to.
+    pub(super) language: Language,
     pub(super) doubt: Doubt,
     pub(super) other_form: Option<Credit>,
     pub(super) responses: &'a Responses,
@@ -123,10 +126,10 @@ impl Marker<'_> {
     /// What a person gave for work on paper.
     fn given(&self, number: usize, part: &Answered<'_>, criteria: &[Criterion]) -> Given {
         let sheet = hand::Sheet::of(criteria, part.max, self.decimal);
-        let unmarked = "This part has not been marked yet.";
+        let unmarked = self.language.by_hand(&ByHand::Open);
         let open = |why: String| Given {
             points: None,
-            remarks: vec![Comment::sentence(unmarked)],
+            remarks: vec![Comment::sentence(&unmarked)],
             why: Some(why),
         };
         let is_decided = part
@@ -140,10 +143,10 @@ impl Marker<'_> {
         match sheet.read(text) {
             Ok(Some(hand)) => Given {
                 points: Some(hand.points),
-                remarks: sheet.told(&hand),
+                remarks: sheet.told(&hand, self.language),
                 why: None,
             },
-            Ok(None) => open(unmarked.to_owned()),
+            Ok(None) => open("This part has not been marked yet.".to_owned()),
             Err(why) => {
                 let row = part
                     .line
@@ -162,7 +165,7 @@ impl Marker<'_> {
         grade: &Grade,
     ) -> (PartOutcome, PartFeedback) {
         let marking = grade.part(part.place).expect("its response was marked");
-        let mut remarks = grade::remarks(solution, part.place, marking);
+        let mut remarks = grade::remarks(solution, part.place, marking, self.language);
         let mut reasons: Vec<String> = marking
             .reasons()
             .iter()
@@ -194,9 +197,8 @@ impl Marker<'_> {
         if part.is_undecided() {
             verdict = Verdict::Unreadable;
             reasons = vec!["unreadable".to_owned()];
-            remarks = vec![Comment::sentence(
-                "The file of responses does not say clearly what was answered here.",
-            )];
+            let unclear = self.language.by_hand(&ByHand::Unclear);
+            remarks = vec![Comment::sentence(&unclear)];
         }
         if let Some(decision) = part.decision {
             reasons.insert(0, "override".to_owned());
@@ -205,7 +207,7 @@ impl Marker<'_> {
                 (verdict, credit) = worth(settled, part.max);
                 remarks.clear();
             }
-            remarks.splice(0..0, said(decision));
+            remarks.splice(0..0, said(decision, self.language));
         }
         let other = matches!(verdict, Verdict::Wrong)
             .then(|| grade::pattern(solution, part.place, marking))
@@ -322,18 +324,16 @@ fn exact(points: f64) -> Rational {
 }
 
 /// What a student is told of a teacher's decision.
-fn said(decision: &Override) -> Vec<Comment> {
+fn said(decision: &Override, language: Language) -> Vec<Comment> {
     let mut said = Vec::new();
     if let Some(response) = &decision.response {
-        said.push(Comment::sentence(
-            "Your teacher read your answer as it was meant:",
-        ));
+        said.push(Comment::sentence(&language.by_hand(&ByHand::ReadAs)));
         said.push(Comment::code(response));
     }
     match &decision.feedback {
         Some(words) => said.push(Comment::words(words)),
         None if decision.points.is_some() => {
-            said.push(Comment::sentence("Marked by your teacher."));
+            said.push(Comment::sentence(&language.by_hand(&ByHand::Marked)));
         }
         None => {}
     }

@@ -21,6 +21,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use rayon::prelude::*;
 use vibank::grade::{Feedback, Place, Responses};
+use vibank::message::Language;
 use vibank::output::{self, Lost, Pages, Run};
 use vibank::worksheet::{Student, VariantEntry};
 
@@ -222,7 +223,7 @@ fn layout(sheets: &Sheets, format: &str, students: &[Student]) -> Result<Layout,
         None => (None, None),
     };
     Ok(Layout {
-        begin: pages.begin("feedback").map_err(fail)?,
+        begin: pages.begin(pages.feedback_subtitle()).map_err(fail)?,
         end: pages.end().map_err(fail)?,
         fonts: faces.paths,
         press,
@@ -312,6 +313,7 @@ impl Job<'_> {
         let marker = Marker {
             items: self.items,
             decimal: self.sheets.decimal,
+            language: Language::of(&self.sheets.head.language).unwrap_or_default(),
             doubt: self.sheets.doubt,
             other_form: self.sheets.other_form,
             responses: &self.responses,

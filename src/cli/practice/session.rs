@@ -214,10 +214,10 @@ impl Session {
         self.screen.say(
             tone,
             "   ",
-            &format!("{sign} {}", Language::default().heading(marking.verdict)),
+            &format!("{sign} {}", Language::English.heading(marking.verdict)),
         );
         if !marking.remarks.is_empty() {
-            for remark in grade::remarks(solution, place, marking) {
+            for remark in grade::remarks(solution, place, marking, Language::English) {
                 self.screen.say(Tone::Plain, "     ", &remark.plain());
             }
         }

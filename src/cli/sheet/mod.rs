@@ -94,6 +94,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Ok(plan) => plan,
         Err(findings) => return bank::refuse(&findings),
     };
+    bank::print(&plan.warnings);
     let students = students(&blueprint, folder)?;
     let choice = FormatChoice::of(&blueprint, arguments.shard)?;
     let named: &[Student] = match arguments.pseudonyms {

@@ -172,9 +172,13 @@ impl Laid {
         let mut kinds = vec![Kind::Sheet];
         kinds.extend(blueprint.keys.each.then_some(Kind::Key));
         kinds.extend(blueprint.solutions.then_some(Kind::Solutions));
-        let begin = |kind| Ok((kind, pages.begin(Pages::subtitle(kind))?));
+        let begin = |kind| Ok((kind, pages.begin(pages.subtitle(kind))?));
         let kinds = kinds.into_iter().map(begin).collect::<Result<_, _>>();
-        let table = blueprint.keys.table.then(|| pages.begin(TABLE)).transpose();
+        let table = blueprint
+            .keys
+            .table
+            .then(|| pages.begin(pages.table_subtitle()))
+            .transpose();
         Ok(Self {
             kinds: kinds.map_err(unfilled)?,
             table: table.map_err(unfilled)?,
@@ -463,10 +467,7 @@ impl<'f> Outputs<'f> {
                 } => (laid, streams, table),
             };
             for ((kind, _), stream) in laid.kinds.iter().zip(streams) {
-                let what = match Pages::subtitle(*kind) {
-                    "" => "the sheets",
-                    subtitle => subtitle,
-                };
+                let what = kind.title();
                 finished.push(match stream {
                     Some(stream) => stream.finish(&laid.end, what)?,
                     None => Finished {

@@ -12,6 +12,7 @@ use crate::answer::{
 use crate::document::{Block, Document, Inline};
 use crate::expr::{CheckError, Joint};
 use crate::math::Math;
+use crate::message::ByHand;
 use crate::source::capital;
 use crate::unit::{DecimalMark, Dimension, Unit};
 
@@ -52,6 +53,23 @@ pub(super) fn heading(verdict: Verdict) -> &'static str {
 
 /// Of an answer that nobody could read yet.
 pub(super) const UNDECIDED: &str = "Not yet decided";
+
+/// What a person did with a response.
+pub(super) fn by_hand(what: &ByHand) -> String {
+    match what {
+        ByHand::Open => "This part has not been marked yet.".to_owned(),
+        ByHand::Marked => "Marked by your teacher.".to_owned(),
+        ByHand::ReadAs => "Your teacher read your answer as it was meant:".to_owned(),
+        ByHand::Unclear => {
+            "The file of responses does not say clearly what was answered here.".to_owned()
+        }
+        ByHand::Row {
+            given: Some(given),
+            most,
+        } => format!("{given} of {most}: "),
+        ByHand::Row { given: None, most } => format!("at most {most}: "),
+    }
+}
 
 /// A slip in short, by the code of its reason.
 pub(super) fn slip_in_short(code: &str) -> Option<&'static str> {

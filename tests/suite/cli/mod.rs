@@ -5,6 +5,7 @@ mod crash;
 mod desk;
 mod enter;
 mod forget;
+mod french;
 mod golden;
 mod grading;
 mod groups;

@@ -301,7 +301,7 @@ fn a_blueprint_that_would_be_misunderstood_is_refused() {
     for (top, words) in [
         ("formats = []", "`formats` is empty"),
         ("formats = ['md', 'md']", "`md` is listed twice"),
-        ("language = 'fr'", "the texts of the bank are in `en`"),
+        ("language = 'de'", "the texts of the bank are in `en`"),
     ] {
         let plan = desk.plan(&format!("seed = 1\nvariants = 1\n{top}"));
         desk.sheet(&plan, &[]).ends(2).complains(words);

@@ -223,7 +223,13 @@ fn said(item: &str, earlier: (&str, &str), later: (&str, &str)) -> String {
     let responses = [earlier, later].map(|(part, response)| (place(part), response));
     let grade = Grade::mark(&solution, responses);
     let marking = grade.part(place(later.0)).expect("it was marked");
-    remarks(&solution, place(later.0), marking)[0].plain()
+    remarks(
+        &solution,
+        place(later.0),
+        marking,
+        vibank::message::Language::English,
+    )[0]
+    .plain()
 }
 
 #[test]
