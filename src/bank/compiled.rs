@@ -52,14 +52,9 @@ impl Compiled {
     /// ```
     #[cfg(feature = "render")]
     pub fn of(template: &Template) -> Self {
-        Self::without(template, &[])
-    }
-
-    /// Compiles the file of a template without the texts under these keys, such as `solution` and `feedback`.
-    #[cfg(feature = "render")]
-    pub fn without(template: &Template, keys: &[&str]) -> Self {
         let problems = Problems::default();
-        let mut tree = crate::source::toml::read(&template.source, &problems);
+        let tree = crate::source::toml::read(&template.source, &problems);
+        let mut tree = super::own::in_form(tree);
         let mut noted = read::Noting::default();
         let item = read::Item {
             id: template.id.clone(),
@@ -71,7 +66,6 @@ impl Compiled {
         // The template was read before: there is nothing new to find.
         let _ = read::item(item, &problems, &mut noted);
         noting::strip(&mut tree);
-        noting::silence(&tree, keys, &mut noted);
         let (documents, symbols) = noting::number(&mut tree, noted);
         Self {
             id: template.id.clone(),
@@ -80,6 +74,19 @@ impl Compiled {
             documents,
             symbols,
         }
+    }
+
+    /// The same without the texts under these keys, such as `solution` and `feedback`.
+    #[cfg(feature = "render")]
+    #[must_use]
+    pub fn silenced(&self, keys: &[&str]) -> Self {
+        let mut silenced = self.clone();
+        for place in noting::texts_under(&self.tree, keys) {
+            if let Some(document) = silenced.documents.get_mut(place) {
+                *document = Document::default();
+            }
+        }
+        silenced
     }
 
     /// The template.
@@ -149,29 +156,22 @@ mod noting {
         }
     }
 
-    /// Empties the texts under these keys.
-    pub(super) fn silence(tree: &Value, keys: &[&str], noted: &mut Noting) {
-        let mut silent = Vec::new();
-        texts_under(tree, keys, false, &mut silent);
-        for (span, document) in &mut noted.documents {
-            if silent.contains(span) {
-                *document = Document::default();
+    /// The numbers of the texts under these keys.
+    pub(super) fn texts_under(tree: &Value, keys: &[&str]) -> Vec<usize> {
+        let mut found = Vec::new();
+        let mut open = vec![(tree, false)];
+        while let Some((value, is_under)) = open.pop() {
+            match &value.data {
+                Data::Text(number) if is_under => found.extend(number.parse::<usize>()),
+                Data::List(items) => open.extend(items.iter().map(|item| (item, is_under))),
+                Data::Table(entries) => open.extend(entries.iter().map(|entry| {
+                    let is_key = keys.contains(&entry.key.as_str());
+                    (&entry.value, is_under || is_key)
+                })),
+                _ => {}
             }
         }
-    }
-
-    fn texts_under(value: &Value, keys: &[&str], is_under: bool, found: &mut Vec<Span>) {
-        match &value.data {
-            Data::Text(_) if is_under => found.push(value.span),
-            Data::List(items) => items
-                .iter()
-                .for_each(|item| texts_under(item, keys, is_under, found)),
-            Data::Table(entries) => entries.iter().for_each(|entry| {
-                let is_under = is_under || keys.contains(&entry.key.as_str());
-                texts_under(&entry.value, keys, is_under, found);
-            }),
-            _ => {}
-        }
+        found
     }
 
     /// Puts numbers in place of the texts that were noted.

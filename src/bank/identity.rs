@@ -20,6 +20,9 @@ pub struct ItemId(Arc<str>);
 pub struct Revision([u8; 4]);
 
 impl ItemId {
+    /// The chapter of questions that stand in a blueprint.
+    pub const OWN: &str = "own";
+
     /// The identity of the item in the file `path`, such as `ch4/p1-disk.toml`; `None` for other paths.
     ///
     /// ```
@@ -44,6 +47,11 @@ impl ItemId {
     /// The folder.
     pub fn chapter(&self) -> &str {
         self.0.split_once('/').map_or("", |(chapter, _)| chapter)
+    }
+
+    /// Whether it is that of a question which stands in a blueprint, and in no bank.
+    pub fn is_own(&self) -> bool {
+        self.chapter() == Self::OWN
     }
 
     /// The name within its chapter.

@@ -1,10 +1,11 @@
 //! A bank from the texts of its files.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::catalogue::{Catalogue, Entry, File, Open, Reading};
 use super::folder::{BankFile, Chapter};
-use super::{ItemId, Revision, bounds, read};
+use super::{ItemId, Revision, Template, bounds, own, read};
 use crate::diagnostic::{Code, Diagnose, Finding, Label, Severity};
 use crate::source::{Problems, Source, toml};
 
@@ -181,26 +182,36 @@ pub(super) fn read(entry: &Entry, bank: Option<&BankFile>) -> Reading {
             };
         }
     };
-    let found = source.text.len();
-    if found > bounds::LARGEST_FILE {
-        let excess = bounds::Excess::File { found };
-        return Reading {
-            template: None,
-            findings: vec![Finding::of(&excess, &source)],
-        };
-    }
     // That of the text which is read: the file may be another by the time somebody asks for it.
     let revision = *entry.revision.get_or_init(|| Revision::of(&source.text));
+    let topics = bank.map(|bank| &bank.topics);
+    let (template, findings) = read_text(entry.id.clone(), revision, &source, topics);
+    Reading { template, findings }
+}
+
+/// Reads the text of an item, or of a question of a blueprint.
+pub(super) fn read_text(
+    id: ItemId,
+    revision: Revision,
+    source: &Source,
+    topics: Option<&BTreeMap<String, String>>,
+) -> (Option<Template>, Vec<Finding>) {
+    let found = source.text.len();
+    if found > bounds::LARGEST_FILE {
+        return (
+            None,
+            vec![Finding::of(&bounds::Excess::File { found }, source)],
+        );
+    }
     let problems = Problems::default();
     let item = read::Item {
-        id: entry.id.clone(),
+        id,
         revision,
-        source: &source,
-        tree: &toml::read(&source, &problems),
-        topics: bank.map(|bank| &bank.topics),
+        source,
+        tree: &own::in_form(toml::read(source, &problems)),
+        topics,
     };
-    let (template, findings) = read::item(item, &problems, &mut read::Parsers);
-    Reading { template, findings }
+    read::item(item, &problems, &mut read::Parsers)
 }
 
 /// A key under which `p10` comes after `p9`.

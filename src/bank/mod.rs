@@ -16,6 +16,8 @@ mod identity;
 mod listing;
 #[cfg(feature = "render")]
 mod load;
+#[cfg(feature = "render")]
+mod own;
 mod parameter;
 mod passage;
 pub mod plot;

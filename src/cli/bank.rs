@@ -1,6 +1,7 @@
 //! The bank that a command works on: the one that comes with the program, or a folder.
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -8,6 +9,7 @@ use rayon::prelude::*;
 use vibank::bank::{Catalogue, ItemId, Listing, Open, embedded};
 use vibank::diagnostic::{Finding, Severity};
 use vibank::source::{Problem, Source, Span};
+use vibank::worksheet::Blueprint;
 
 use super::index::{Index, Stamp};
 use super::report::Reporter;
@@ -67,6 +69,43 @@ impl BankArgument {
             warn(errors(&findings));
         }
         Ok(catalogue)
+    }
+
+    /// The same with the questions of a blueprint's own, where one is given.
+    pub(crate) fn catalogue_with(&self, blueprint: Option<&Path>) -> Result<Catalogue, Failure> {
+        let Some(path) = blueprint else {
+            return self.catalogue();
+        };
+        let source = Source::new(path.display().to_string(), files::read(path)?);
+        let blueprint = match Blueprint::read(&source) {
+            Ok(blueprint) => blueprint,
+            Err(findings) => return Err(refusal(&findings)),
+        };
+        let own = blueprint.own_questions().map(|own| {
+            let path = format!("{}.toml", own.item.id);
+            (path, own.item.source.text.to_string())
+        });
+        let (catalogue, findings) = self.open(&own.collect::<Vec<_>>())?;
+        warn(errors(&findings));
+        Ok(catalogue)
+    }
+
+    /// What of its files to look at for changes: all of them and their folders; none for the bank of the program.
+    pub(crate) fn watched(&self) -> Vec<PathBuf> {
+        let (Some(folder), Ok(found)) = (&self.bank, self.found()) else {
+            return self.bank.iter().cloned().collect();
+        };
+        let items = found.items.iter().map(|(id, _)| format!("{id}.toml"));
+        let others = found.texts.iter().map(|(path, _)| path.clone());
+        let files = items.chain(others).map(|path| folder.join(path));
+        let mut all: Vec<PathBuf> = files.collect();
+        let folders: BTreeSet<PathBuf> = all
+            .iter()
+            .filter_map(|file| file.parent().map(Path::to_owned))
+            .collect();
+        all.push(folder.clone());
+        all.extend(folders);
+        all
     }
 
     fn found(&self) -> Result<Found, Failure> {
@@ -278,12 +317,17 @@ fn no_text(path: String, bytes: &[u8]) -> Finding {
 
 /// Prints findings of a file that cannot be used.
 pub(crate) fn refuse(findings: &[Finding]) -> Result<Outcome, Failure> {
+    Err(refusal(findings))
+}
+
+/// The failure after findings that are printed.
+fn refusal(findings: &[Finding]) -> Failure {
     print(findings);
     let count = findings.len();
-    Err(Failure::new(format!(
+    Failure::new(format!(
         "{count} finding{}",
         if count == 1 { "" } else { "s" }
-    )))
+    ))
 }
 
 /// Prints findings to standard error.

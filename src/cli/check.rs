@@ -1,6 +1,6 @@
 //! `vibank check [FILE|ITEM]`
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 use vibank::bank::{Catalogue, ItemId, Template};
@@ -15,7 +15,8 @@ use vibank::survey::Survey;
 use vibank::worksheet::{Blueprint, Plan};
 
 use super::bank::{self, BankArgument};
-use super::{Failure, Format, Outcome, files, progress, survey};
+use super::watch::{self, Watch};
+use super::{Failure, Format, Outcome, files, preview, progress, survey};
 
 /// Look over a bank, or blueprints: form, names, dimensions, texts, known results; and examine each item as its
 /// students meet it: mistakes, wrong methods and honest work typed and marked over many draws.
@@ -39,6 +40,9 @@ pub(crate) struct Arguments {
     /// How findings and reports are printed.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
+    /// Look again each time a file has changed, until Ctrl-C ends it.
+    #[arg(long)]
+    watch: bool,
 }
 
 /// What counts as an error besides errors.
@@ -144,14 +148,23 @@ impl Wanted {
     }
 
     /// What is wrong with the blueprints, by themselves and with this bank.
-    fn look_over_blueprints(&self, catalogue: &Catalogue) -> Vec<Finding> {
+    fn look_over_blueprints(&self, catalogue: &Catalogue, seeds: u64) -> Vec<Finding> {
         let findings = |source: &Source| {
             let blueprint = match Blueprint::read(source) {
                 Ok(blueprint) => blueprint,
                 Err(findings) => return findings,
             };
-            Plan::of(&blueprint, catalogue, None)
-                .map_or_else(|findings| findings, |plan| plan.warnings)
+            let mut findings = Plan::of(&blueprint, catalogue, None)
+                .map_or_else(|findings| findings, |plan| plan.warnings);
+            findings.extend(blueprint.warnings.iter().cloned());
+            for own in blueprint.own_questions() {
+                let (found, _) = look_at(&own.item, seeds);
+                // What is missing for a bank, such as second routes and hints, nobody misses in a question of one's own.
+                let errors = found.into_iter();
+                let errors = errors.filter(|finding| finding.severity == Severity::Error);
+                findings.extend(errors.map(|finding| own.in_blueprint(finding, source)));
+            }
+            findings
         };
         self.blueprints.iter().flat_map(findings).collect()
     }
@@ -191,17 +204,23 @@ fn unfree(item: &Template, seeds: u64) -> Option<Finding> {
         .find_map(|instance| scene::unfree(&Solution::of(instance)))
 }
 
+/// What is wrong with an item whose file can be read.
+fn look_at(item: &Template, seeds: u64) -> (Vec<Finding>, Examination) {
+    let mut findings = proof::findings(item, seeds);
+    findings.extend(scene::undrawn(item));
+    findings.extend(scene::underived(item));
+    findings.extend(unfree(item, seeds));
+    let mut examined = Examination::of(item, seeds);
+    findings.append(&mut examined.findings);
+    (findings, examined)
+}
+
 /// What the known results and the second routes of the items disprove, and what their draws look like.
 fn look_over(catalogue: &Catalogue, wanted: &Wanted, arguments: &Arguments) -> Vec<Looked> {
     let items: Vec<_> = catalogue.items_among(|id| wanted.wants_item(id)).collect();
     let progress = progress::bar(items.len() as u64, "items");
     let looked = items.par_iter().map(|item| {
-        let mut findings = proof::findings(item, arguments.seeds);
-        findings.extend(scene::undrawn(item));
-        findings.extend(scene::underived(item));
-        findings.extend(unfree(item, arguments.seeds));
-        let mut examined = Examination::of(item, arguments.seeds);
-        findings.append(&mut examined.findings);
+        let (findings, examined) = look_at(item, arguments.seeds);
         let survey = arguments
             .report
             .then(|| Survey::over(item, arguments.seeds));
@@ -218,6 +237,38 @@ fn look_over(catalogue: &Catalogue, wanted: &Wanted, arguments: &Arguments) -> V
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    if !arguments.watch {
+        return look(arguments);
+    }
+    let items = arguments.items.iter().map(PathBuf::from);
+    let named: Vec<PathBuf> = items.filter(|item| item.is_file()).collect();
+    let watched = || {
+        let beside = named.iter().flat_map(|file| preview::beside(file));
+        let named: Vec<PathBuf> = named.iter().cloned().chain(beside).collect();
+        (named, arguments.bank.watched())
+    };
+    let mut now = watched();
+    if now.0.is_empty() && now.1.is_empty() {
+        return Err(Failure::new("there is no file to watch")
+            .help("name a file, or a bank of your own with `--bank`"));
+    }
+    let mut watch = Watch::of(&now.0, &now.1);
+    loop {
+        // A file that cannot be read just now may be there again with the next change.
+        if let Err(failure) = look(arguments) {
+            eprintln!("{}", failure.to_string().trim_end());
+        }
+        eprintln!("waiting for changes; Ctrl-C ends");
+        let changed = watch.wait();
+        eprintln!("\n{}", watch::said(&changed));
+        let then = std::mem::replace(&mut now, watched());
+        if now != then {
+            watch = Watch::of(&now.0, &now.1);
+        }
+    }
+}
+
+fn look(arguments: &Arguments) -> Result<Outcome, Failure> {
     let mut wanted = Wanted::of(&arguments.items)?;
     let (catalogue, mut findings) = wanted.load(&arguments.bank)?;
     let (mut surveys, mut examined) = (Vec::new(), Vec::new());
@@ -228,7 +279,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let exceptions: usize = examined.iter().map(|own| own.allowed.len()).sum();
     findings.retain(|finding| wanted.wants(&finding.source.path));
-    findings.extend(wanted.look_over_blueprints(&catalogue));
+    findings.extend(wanted.look_over_blueprints(&catalogue, arguments.seeds));
     Finding::sort(&mut findings);
     match arguments.format {
         Format::Text => {

@@ -5,8 +5,10 @@ mod headings;
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use vibank::source::nearest;
 use vibank::worksheet::{Columns, Student};
 
+use self::headings::HeadingError;
 pub(crate) use self::headings::Places;
 use super::Failure;
 use super::table::{Fault, Row, Table};
@@ -19,8 +21,15 @@ pub(crate) fn read(path: &Path, columns: &Columns) -> Result<Vec<Student>, Failu
     let table = Table::read(path)?;
     let places = Places::of(&table.headings, columns).map_err(|error| {
         let found = table.headings.join("`, `");
+        let near = match &error {
+            HeadingError::Missing(heading) => {
+                nearest(heading, table.headings.iter().map(String::as_str))
+            }
+            _ => None,
+        };
+        let near = near.map_or_else(String::new, |near| format!("did you mean `{near}`? "));
         fail(format!(" {error}")).help(format!(
-            "its headings are `{found}`; say in the blueprint which is which: columns = {{ id = \"…\", name = [\"…\", \"…\"] }}"
+            "{near}its headings are `{found}`; say in the blueprint which is which: columns = {{ id = \"…\", name = [\"…\", \"…\"] }}"
         ))
     })?;
     if let Some(doubt) = &table.doubt {

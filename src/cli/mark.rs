@@ -35,7 +35,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "PART=RESPONSE")]
     earlier: Vec<String>,
     /// Draw what is not set from this seed.
-    #[arg(long)]
+    #[arg(short, long)]
     seed: Option<u64>,
     /// What becomes of a response with two readings of which one is right: it is asked back, or the right one counts
     /// as on paper, or it is left to the teacher.

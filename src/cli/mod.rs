@@ -54,6 +54,7 @@ mod page;
 mod platform;
 mod practice;
 mod press;
+mod preview;
 mod progress;
 mod record;
 mod report;
@@ -65,6 +66,7 @@ mod show;
 mod solve;
 mod survey;
 mod table;
+mod watch;
 
 use std::fmt;
 use std::io::{self, Write as _};
@@ -96,6 +98,7 @@ enum Command {
     Solve(solve::Arguments),
     Mark(mark::Arguments),
     Sheet(sheet::Arguments),
+    Preview(preview::Arguments),
     Enter(enter::Arguments),
     Grade(grade::Arguments),
     Forget(forget::Arguments),
@@ -165,6 +168,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Forget(arguments) => forget::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Sheet(arguments) => sheet::run(&arguments),
+        Command::Preview(arguments) => preview::run(arguments),
         Command::Practice(arguments) => practice::run(&arguments),
         Command::Compute(arguments) => compute::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),

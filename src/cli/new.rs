@@ -1,18 +1,21 @@
-//! `vibank new item|sheet|secret FILE`
+//! `vibank new item|exam|sheet|bank|secret NAME`
 
+use std::path::Path;
 use std::path::PathBuf;
 
 use super::files::{self, Access};
 use super::{Failure, Outcome};
 
-/// Begin an item or a blueprint with a commented file that works, or make a secret for an exam.
+/// Begin an item, an exam, a sheet or a bank with commented files that work, or make a secret for an exam.
 ///
-/// Example: vibank new sheet test.toml
+/// Nothing is asked, and nothing is overwritten.
+///
+/// Example: vibank new exam midterm.toml
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
     /// What to begin.
     what: What,
-    /// The file to write; it must not exist yet.
+    /// The file to write, or the folder of a bank; it must not exist yet.
     file: PathBuf,
 }
 
@@ -20,39 +23,67 @@ pub(crate) struct Arguments {
 enum What {
     /// An item of a bank: bank/CHAPTER/SLUG.toml
     Item,
-    /// A blueprint of a sheet.
+    /// A blueprint of an exam: an item, a choice among items, and a question of your own.
+    Exam,
+    /// A blueprint of a sheet, short, with a comment on every key.
     Sheet,
+    /// A folder with a bank of your own: a chapter with an item.
+    Bank,
     /// A secret that keys the seeds of an exam: 256 random bits, which the owner alone may read.
     Secret,
 }
 
+const ITEM: &str = include_str!("../../templates/new/item.toml");
+const EXAM: &str = include_str!("../../templates/new/exam.toml");
+const SHEET: &str = include_str!("../../templates/new/sheet.toml");
+
+/// The files of a bank. The one that makes a folder a bank comes last.
+const BANK: [(&str, &str); 3] = [
+    ("ch1/block-on-a-spring.toml", ITEM),
+    (
+        "ch1/_chapter.toml",
+        include_str!("../../templates/new/bank/_chapter.toml"),
+    ),
+    (
+        "bank.toml",
+        include_str!("../../templates/new/bank/bank.toml"),
+    ),
+];
+
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let (text, access) = match arguments.what {
-        What::Item => (
-            include_str!("../../templates/new/item.toml").to_owned(),
-            Access::Usual,
-        ),
-        What::Sheet => (
-            include_str!("../../templates/new/sheet.toml").to_owned(),
-            Access::Usual,
-        ),
-        What::Secret => (secret()?, Access::Private),
-    };
-    let shown = arguments.file.display();
-    if arguments.file.symlink_metadata().is_ok() {
+    let Arguments { what, file } = arguments;
+    let shown = file.display();
+    if file.symlink_metadata().is_ok() && !(matches!(what, What::Bank) && is_empty_folder(file)) {
         return Err(Failure::new(format!("`{shown}` exists already")).help("choose another name"));
     }
-    files::write(&arguments.file, text.as_bytes(), access)?;
+    match what {
+        What::Item => files::write(file, ITEM.as_bytes(), Access::Usual)?,
+        What::Exam => files::write(file, EXAM.as_bytes(), Access::Usual)?,
+        What::Sheet => files::write(file, SHEET.as_bytes(), Access::Usual)?,
+        What::Secret => files::write(file, secret()?.as_bytes(), Access::Private)?,
+        What::Bank => {
+            for (name, text) in BANK {
+                files::write(&file.join(name), text.as_bytes(), Access::Usual)?;
+            }
+        }
+    }
     println!("wrote {shown}");
-    match arguments.what {
+    match what {
         What::Item => println!("next: vibank check {shown}"),
+        What::Exam => println!("next: vibank preview {shown}"),
         What::Sheet => println!("next: vibank sheet {shown}"),
+        What::Bank => println!("next: vibank check --bank {shown}"),
         What::Secret => println!(
             "next: write `secret = \"{}\"` in place of `seed` in the blueprint beside it; one secret for each exam",
-            arguments.file.file_name().unwrap_or_default().display()
+            file.file_name().unwrap_or_default().display()
         ),
     }
     Ok(Outcome::Done)
+}
+
+fn is_empty_folder(path: &Path) -> bool {
+    let entries = std::fs::read_dir(path);
+    entries.is_ok_and(|mut entries| entries.next().is_none())
 }
 
 /// 256 random bits of the system, in hexadecimal digits.

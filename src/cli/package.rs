@@ -177,6 +177,12 @@ pub(super) fn current<'c>(
 ) -> Result<&'c Template, Failure> {
     let id = &question.item;
     catalogue.find(id.as_str()).ok_or_else(|| {
+        if id.is_own() {
+            return Failure::new(format!(
+                "the package asks `{id}`, a question of its blueprint"
+            ))
+            .help("give the blueprint that the package was made of with `--blueprint`");
+        }
         Failure::new(format!(
             "the package asks `{id}`, which this bank does not have"
         ))

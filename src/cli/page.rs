@@ -38,7 +38,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "VERSION")]
     scorm: Option<Version>,
     /// The file to write; else practice.html or practice.zip.
-    #[arg(long, value_name = "FILE")]
+    #[arg(short, long, value_name = "FILE")]
     out: Option<PathBuf>,
     #[command(flatten)]
     bank: BankArgument,
@@ -84,7 +84,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let (written, usual) = match arguments.scorm {
         None => (page(&offered)?, "practice.html"),
-        Some(version) => (package(&offered, version, &catalogue)?, "practice.zip"),
+        Some(version) => (package(&offered, version)?, "practice.zip"),
     };
     let out = arguments.out.clone().unwrap_or_else(|| usual.into());
     files::write(&out, &written, Access::Usual)?;
@@ -103,7 +103,7 @@ fn page(offered: &Offered) -> Result<Vec<u8>, Failure> {
     Ok(page.into_bytes())
 }
 
-fn package(offered: &Offered, version: Version, catalogue: &Catalogue) -> Result<Vec<u8>, Failure> {
+fn package(offered: &Offered, version: Version) -> Result<Vec<u8>, Failure> {
     let version = match version {
         Version::V12 => Scorm::V12,
         Version::V2004 => Scorm::V2004,
@@ -130,7 +130,8 @@ fn package(offered: &Offered, version: Version, catalogue: &Catalogue) -> Result
     if rules.feedback == Feedback::Never {
         silent.push("feedback");
     }
-    let items = Practice::silenced(catalogue, items, &silent);
+    let items = items.iter().map(|item| item.silenced(&silent));
+    let items: Vec<Compiled> = items.collect();
     vibank::output::scorm(practice, &items, &package, version)
         .map_err(|error| Failure::new(error.to_string()))
 }

@@ -24,6 +24,13 @@ impl Reporter {
         }
     }
 
+    /// In plain text.
+    pub(crate) fn plain() -> Self {
+        Self {
+            renderer: Renderer::plain(),
+        }
+    }
+
     /// One finding.
     pub(crate) fn draw(&self, finding: &Finding) -> String {
         let level = match finding.severity {

@@ -25,14 +25,15 @@ pub(crate) struct Arguments {
     /// The manifest in which a code is looked up.
     #[arg(long, value_name = "FILE")]
     manifest: Option<PathBuf>,
-    /// The blueprint whose sheet a code is; its bank has to be as it was then.
+    /// The blueprint whose sheet a code is, its bank has to be as it was then; or that of a package with questions of its
+    /// own.
     #[arg(long, value_name = "FILE", conflicts_with = "manifest")]
     blueprint: Option<PathBuf>,
     /// The data of this learner in a SCORM package, which is named in place of an item.
-    #[arg(long, value_name = "ID", conflicts_with_all = ["manifest", "blueprint", "seed", "set"])]
+    #[arg(long, value_name = "ID", conflicts_with_all = ["manifest", "seed", "set"])]
     learner: Option<String>,
     /// Draw the data from this seed; else those of the source are shown.
-    #[arg(long)]
+    #[arg(short, long)]
     seed: Option<u64>,
     /// A value for a parameter, such as m=2kg.
     #[arg(long = "set", value_name = "NAME=VALUE")]
@@ -51,7 +52,11 @@ pub(crate) struct Arguments {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let catalogue = arguments.bank.catalogue()?;
+    let of_package = arguments
+        .learner
+        .as_ref()
+        .and(arguments.blueprint.as_deref());
+    let catalogue = arguments.bank.catalogue_with(of_package)?;
     if let Some(learner) = &arguments.learner {
         return of_learner(arguments, learner, &catalogue);
     }

@@ -20,7 +20,7 @@ pub(crate) struct Arguments {
     #[arg(long = "set", value_name = "NAME=VALUE")]
     set: Vec<String>,
     /// Draw what is not set from this seed.
-    #[arg(long)]
+    #[arg(short, long)]
     seed: Option<u64>,
     /// A time in seconds, for functions of time.
     #[arg(long = "at", value_name = "SECONDS")]

@@ -1,14 +1,18 @@
 //! A blueprint: what a sheet is made of, as a teacher writes it.
 
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
 use super::manifest::Csv;
+use super::own::Own;
 use super::rules::Rules;
 use crate::answer::{Credit, Doubt};
 use crate::bank::{Space, SpaceError};
-use crate::diagnostic::{Code, Diagnose, Finding, Label};
+use crate::diagnostic::{Code, Diagnose, Finding, Label, Severity};
 use crate::document::Document;
 use crate::message::Language;
 use crate::scene;
-use crate::source::{Data, Problems, Source, Span, Table, Text, toml};
+use crate::source::{Data, Problems, Source, Span, Table, Text, nearest, toml};
 
 /// Where answers are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -112,6 +116,8 @@ pub struct Blueprint {
     pub rules: Rules,
     /// The questions.
     pub questions: Vec<Question>,
+    /// What may be wrong with its texts.
+    pub warnings: Vec<Finding>,
 }
 
 /// Size of the paper.
@@ -151,6 +157,8 @@ pub struct Question {
 pub enum Choice {
     /// A certain item.
     Item(Text),
+    /// None: the question stands in the blueprint.
+    Own(Arc<Own>),
     /// Any items that pass a filter.
     Pick {
         /// What they have to be.
@@ -228,6 +236,24 @@ pub enum BlueprintError {
     /// An `id` of `[page]` that is no name.
     #[error("the `id` of a page has 1 to 64 letters, digits, dots and hyphens")]
     PageId(Span),
+    /// A question without anything to ask.
+    #[error("a question has one of `item`, `pick` and `statement`")]
+    Nothing(Span),
+    /// A question of one's own that also names an item.
+    #[error("a question of your own has no `{0}`")]
+    OwnAndItem(&'static str, Span),
+    /// An `id` of a question of one's own that is no name.
+    #[error("the `id` of a question has 1 to 80 small letters, digits and hyphens")]
+    OwnId(Span),
+    /// Two questions of one's own with one name.
+    #[error("another question of your own has the name `{0}`")]
+    OwnTwice(String, Span),
+    /// Something else between the lines of a question.
+    #[error("this stands between the lines of a question of your own")]
+    OwnApart(Span),
+    /// A question of one's own in braces.
+    #[error("a question of your own has a header `[[question]]`")]
+    OwnInline(Span),
     /// An output format that is listed twice.
     #[error("the format `{0}` is listed twice")]
     FormatTwice(String, Span),
@@ -249,6 +275,12 @@ impl Diagnose for BlueprintError {
             | Self::SparesWithoutList(span)
             | Self::NoFormat(span)
             | Self::PageId(span)
+            | Self::Nothing(span)
+            | Self::OwnAndItem(_, span)
+            | Self::OwnId(span)
+            | Self::OwnTwice(_, span)
+            | Self::OwnApart(span)
+            | Self::OwnInline(span)
             | Self::FormatTwice(_, span) => vec![Label {
                 span: *span,
                 text: String::new(),
@@ -260,7 +292,11 @@ impl Diagnose for BlueprintError {
     fn help(&self) -> Option<String> {
         Some(match self {
             Self::Either(a, b, _) => format!("write one of `{a}` and `{b}`"),
-            Self::Word { known, .. } => format!("it can be {}", known.join(", ")),
+            Self::Word { known, found, .. } => {
+                let near = nearest(found, known.iter().copied());
+                let near = near.map_or_else(String::new, |near| format!("did you mean `{near}`? "));
+                format!("{near}it can be {}", known.join(", "))
+            }
             Self::Space(..) => SpaceError::HELP.to_owned(),
             Self::Columns(_) => "name the list with `students`, or remove `columns`".to_owned(),
             Self::NoQuestion => "add a `[[question]]` with an `item`".to_owned(),
@@ -271,13 +307,28 @@ impl Diagnose for BlueprintError {
             }
             Self::SparesWithoutList(_) => "raise `variants` instead".to_owned(),
             Self::NoFormat(_) => {
-                "list at least one of html, md, pdf, tex, json, or remove the key for html".to_owned()
+                let known = FORMATS.join(", ");
+                format!("list at least one of {known}, or remove the key for html")
             }
             Self::PageId(_) => "write a name such as `dynamics-week-3`, and keep it".to_owned(),
+            Self::Nothing(_) => {
+                "name an `item`, `pick` among items, or write `statement` and `[[question.part]]` of your own"
+                    .to_owned()
+            }
+            Self::OwnAndItem(key, _) => {
+                format!("remove `{key}`, or `statement` and `[[question.part]]`")
+            }
+            Self::OwnId(_) => "write a name such as `bungee-jump`, and keep it".to_owned(),
+            Self::OwnTwice(..) => "give one of them another `id`".to_owned(),
+            Self::OwnApart(_) => "move it above the first `[[question]]`".to_owned(),
+            Self::OwnInline(_) => "write `[[question]]` above its keys, without braces".to_owned(),
             Self::FormatTwice(..) => "list each format once".to_owned(),
         })
     }
 }
+
+/// What a sheet can be written as: the formats of pages, then those of programs.
+pub const FORMATS: &[&str] = &["html", "md", "pdf", "tex", "json", "xlsx"];
 
 /// Most variants that one run makes.
 const MOST_VARIANTS: i64 = 100_000;
@@ -300,11 +351,19 @@ impl Blueprint {
         })
     }
 
+    /// The questions of its own, which stand in it.
+    pub fn own_questions(&self) -> impl Iterator<Item = &Own> {
+        self.questions.iter().filter_map(|own| match &own.choice {
+            Choice::Own(own) => Some(&**own),
+            _ => None,
+        })
+    }
+
     /// Reads a blueprint.
     ///
     /// # Errors
     ///
-    /// All findings at once.
+    /// All findings at once. Warnings alone refuse nothing: they are [`Self::warnings`].
     pub fn read(source: &Source) -> Result<Self, Vec<Finding>> {
         let problems = Problems::default();
         let value = toml::read(source, &problems);
@@ -323,8 +382,14 @@ impl Blueprint {
             .collect();
         findings.extend(faults.findings);
         Finding::sort(&mut findings);
+        let is_sound = findings
+            .iter()
+            .all(|finding| finding.severity != Severity::Error);
         match blueprint {
-            Some(blueprint) if findings.is_empty() => Ok(blueprint),
+            Some(blueprint) if is_sound => Ok(Self {
+                warnings: findings,
+                ..blueprint
+            }),
             _ => Err(findings),
         }
     }
@@ -338,6 +403,11 @@ pub(super) struct Faults<'s> {
 impl Faults<'_> {
     pub(super) fn add(&mut self, error: &BlueprintError) {
         self.findings.push(Finding::of(error, self.source));
+    }
+
+    /// Notes what was found out elsewhere.
+    pub(super) fn found(&mut self, finding: Finding) {
+        self.findings.push(finding);
     }
 
     /// Notes more of something than is read.
@@ -392,13 +462,21 @@ fn questions(table: &Table<'_>, faults: &mut Faults<'_>) -> Vec<Question> {
     let place = tables.get(MOST_QUESTIONS).map(Table::span);
     let of = "questions";
     faults.at_most(MOST_QUESTIONS, tables.len(), of, place);
-    let questions = tables
-        .into_iter()
-        .take(MOST_QUESTIONS)
-        .filter_map(|t| question(t, faults))
+    let tables = tables.into_iter().take(MOST_QUESTIONS).enumerate();
+    let questions: Vec<Question> = tables
+        .filter_map(|(place, own)| question(own, place, table, faults))
         .collect();
     if !table.has("question") {
         faults.add(&BlueprintError::NoQuestion);
+    }
+    let mut known = BTreeSet::new();
+    for question in &questions {
+        if let Choice::Own(own) = &question.choice
+            && !known.insert(&own.item.id)
+        {
+            let slug = own.item.id.slug().to_owned();
+            faults.add(&BlueprintError::OwnTwice(slug, question.span));
+        }
     }
     questions
 }
@@ -525,6 +603,7 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
         solutions: table.boolean("solutions").unwrap_or(true),
         rules: rules.unwrap_or_default(),
         questions,
+        warnings: Vec::new(),
     };
     table.finish();
     (is_whole.then_some(read), faults)
@@ -591,6 +670,14 @@ fn formats(table: &Table<'_>, faults: &mut Faults<'_>) -> Vec<Text> {
         faults.add(&BlueprintError::NoFormat(span));
     }
     for (place, format) in formats.iter().enumerate() {
+        if !FORMATS.contains(&format.value.as_str()) {
+            faults.add(&BlueprintError::Word {
+                key: "formats",
+                found: format.value.clone(),
+                known: FORMATS,
+                span: format.span,
+            });
+        }
         let mut earlier = formats[..place].iter();
         if earlier.any(|other| other.value == format.value) {
             let name = format.value.clone();
@@ -623,25 +710,13 @@ fn keys(table: &Table<'_>, faults: &mut Faults<'_>) -> Keys {
     keys
 }
 
-fn question(table: Table<'_>, faults: &mut Faults<'_>) -> Option<Question> {
-    let item = table.text("item");
-    let pick = table.table("pick").map(filter);
-    let count = table
-        .integer("count", "an integer from 1 to 100", 1..=100)
-        .unwrap_or(1) as usize;
-    let same = table.boolean("same").unwrap_or(true);
-    let choice = match (item, pick) {
-        (Some(item), None) => Some(Choice::Item(item)),
-        (None, Some(filter)) => Some(Choice::Pick {
-            filter,
-            count,
-            same,
-        }),
-        _ => {
-            faults.add(&BlueprintError::Either("item", "pick", table.span()));
-            None
-        }
-    };
+fn question(
+    table: Table<'_>,
+    place: usize,
+    whole: &Table<'_>,
+    faults: &mut Faults<'_>,
+) -> Option<Question> {
+    let choice = choice(&table, place, whole, faults);
     let set = table.table("set").map(settings).unwrap_or_default();
     let parts = table.texts("parts");
     let points = table.number("points");
@@ -661,6 +736,45 @@ fn question(table: Table<'_>, faults: &mut Faults<'_>) -> Option<Question> {
         part_space,
         set,
     })
+}
+
+/// Where the item of a question comes from.
+fn choice(
+    table: &Table<'_>,
+    place: usize,
+    whole: &Table<'_>,
+    faults: &mut Faults<'_>,
+) -> Option<Choice> {
+    let item = table.text("item");
+    let pick = table.table("pick").map(filter);
+    let count = table
+        .integer("count", "an integer from 1 to 100", 1..=100)
+        .unwrap_or(1) as usize;
+    let same = table.boolean("same").unwrap_or(true);
+    if Own::is_meant(table) {
+        let others = ["item", "pick", "count", "same"];
+        let mut others = others.into_iter();
+        if let Some((key, other)) = others.find_map(|key| Some((key, table.entry(key)?))) {
+            faults.add(&BlueprintError::OwnAndItem(key, other.span));
+        }
+        return Own::read(table, place, whole, faults).map(Choice::Own);
+    }
+    match (item, pick) {
+        (Some(item), None) => Some(Choice::Item(item)),
+        (None, Some(filter)) => Some(Choice::Pick {
+            filter,
+            count,
+            same,
+        }),
+        (None, None) => {
+            faults.add(&BlueprintError::Nothing(table.span()));
+            None
+        }
+        (Some(_), Some(_)) => {
+            faults.add(&BlueprintError::Either("item", "pick", table.span()));
+            None
+        }
+    }
 }
 
 fn numbers(table: Table<'_>) -> Vec<(Text, f64)> {
@@ -767,7 +881,7 @@ mod tests {
             "b.toml:1:9",
             "b.toml:3:12",
             "b.toml:6:1",
-            "`item` or `pick`",
+            "`item`, `pick` and `statement`",
         ] {
             assert!(all.contains(part), "{part} is missing in\n{all}");
         }

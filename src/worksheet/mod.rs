@@ -10,6 +10,8 @@ mod blueprint;
 mod fairness;
 mod manifest;
 #[cfg(feature = "render")]
+mod own;
+#[cfg(feature = "render")]
 mod plan;
 mod practice;
 #[cfg(feature = "render")]
@@ -24,13 +26,15 @@ mod variants;
 
 #[cfg(feature = "render")]
 pub use blueprint::{
-    AnswerSpace, Audience, Blueprint, BlueprintError, Choice, Columns, Filter, Keys, Paper,
-    Question,
+    AnswerSpace, Audience, Blueprint, BlueprintError, Choice, Columns, FORMATS, Filter, Keys,
+    Paper, Question,
 };
 pub use fairness::{Alike, Fairness, ItemFairness, QuestionFairness, Range};
 pub use manifest::{
     BankStamp, Csv, EntryError, FORMAT, FileStamp, Manifest, PartEntry, QuestionEntry, VariantEntry,
 };
+#[cfg(feature = "render")]
+pub use own::Own;
 #[cfg(feature = "render")]
 pub use plan::{Plan, Planned};
 pub use practice::{Practice, PracticeError, PracticeQuestion, Weighed};

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::blueprint::{Blueprint, Choice, Filter, Question};
 use super::fairness::Fairness;
+use crate::answer::Kind;
 use crate::bank::{Catalogue, Chapter, ItemId, Part, Space, Template};
 use crate::diagnostic::{Code, Diagnose, Finding, Label, Severity};
 use crate::message::Language;
@@ -56,6 +57,8 @@ enum PlanError {
         nearest: Option<String>,
         span: Span,
     },
+    #[error("the bank has an item `{found}` too")]
+    Known { found: String, span: Span },
     #[error("there is something wrong with the item `{found}`")]
     Broken { found: String, span: Span },
     #[error("`{item}` has no part `{found}`")]
@@ -76,6 +79,13 @@ enum PlanError {
     Value {
         name: String,
         message: String,
+        span: Span,
+    },
+    #[error("no item of the bank has the {what} `{found}`")]
+    Word {
+        what: &'static str,
+        found: String,
+        nearest: Option<String>,
         span: Span,
     },
     #[error("{found} items pass this filter, {wanted} are wanted")]
@@ -293,6 +303,15 @@ impl<'c> Planner<'c> {
                 }
                 None => self.unknown_item(text),
             },
+            Choice::Own(own) => {
+                if self.catalogue.has(own.item.id.as_str()) {
+                    let (found, span) = (own.item.id.to_string(), question.span);
+                    return self.find(&PlanError::Known { found, span });
+                }
+                self.fits(&own.item, question);
+                self.adds_up(&own.item, question, points, &part_points);
+                self.questions.push(planned(vec![&own.item]));
+            }
             Choice::Pick {
                 filter,
                 count,
@@ -305,6 +324,9 @@ impl<'c> Planner<'c> {
                 if let Some((part, _)) = question.part_space.first() {
                     let span = part.span;
                     return self.find(&PlanError::PartSpace { span });
+                }
+                if !self.knows(filter) {
+                    return;
                 }
                 let found = self.pass(filter);
                 if found.len() < *count {
@@ -358,6 +380,36 @@ impl<'c> Planner<'c> {
             self.find(&PlanError::NoFormulas { span: place });
         }
         found
+    }
+
+    /// Whether the words of a filter are those of the bank; a finding for each that is not.
+    fn knows(&mut self, filter: &Filter) -> bool {
+        let bank = self.catalogue;
+        let chapters = bank.ids().map(ItemId::chapter).collect();
+        let topics = bank.items().flat_map(|item| &item.about.topics);
+        let topics = topics.map(|topic| topic.value.as_str()).collect();
+        let kinds = Kind::ALL.iter().map(|kind| kind.name()).collect();
+        let words: [(_, _, BTreeSet<&str>); 3] = [
+            ("chapter", &filter.chapter, chapters),
+            ("topic", &filter.topic, topics),
+            ("kind", &filter.kind, kinds),
+        ];
+        let mut knows_all = true;
+        for (what, wanted, known) in words {
+            let Some(wanted) = wanted.as_ref().filter(|own| !known.contains(&*own.value)) else {
+                continue;
+            };
+            knows_all = false;
+            let near = nearest(&wanted.value, known.into_iter()).map(str::to_owned);
+            let (found, span) = (wanted.value.clone(), wanted.span);
+            self.find(&PlanError::Word {
+                what,
+                found,
+                nearest: near,
+                span,
+            });
+        }
+        knows_all
     }
 
     fn pass(&mut self, filter: &Filter) -> Vec<&'c Template> {
@@ -512,10 +564,12 @@ impl Diagnose for PlanError {
 
     fn labels(&self) -> Vec<Label> {
         let (Self::Item { span, .. }
+        | Self::Known { span, .. }
         | Self::Broken { span, .. }
         | Self::Part { span, .. }
         | Self::Parameter { span, .. }
         | Self::Value { span, .. }
+        | Self::Word { span, .. }
         | Self::TooFew { span, .. }
         | Self::Points { span }
         | Self::PartPoints { span }
@@ -538,10 +592,15 @@ impl Diagnose for PlanError {
                 Some(near) => Some(format!("did you mean `{near}`?")),
                 None => Some("`vibank list` shows all items".to_owned()),
             },
+            Self::Known { .. } => Some("give the question another `id`".to_owned()),
             Self::Broken { found, .. } => Some(format!("`vibank check {found}` shows what it is")),
             Self::Part { nearest, .. } | Self::Parameter { nearest, .. } => nearest
                 .as_ref()
                 .map(|near| format!("did you mean `{near}`?")),
+            Self::Word { nearest, .. } => Some(match nearest {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => "`vibank list` shows all items, chapters and topics".to_owned(),
+            }),
             Self::TooFew { .. } => Some("widen the filter, or lower `count`".to_owned()),
             Self::NoFormulas { .. } => {
                 Some("write them under `formulas` in `_chapter.toml`".to_owned())

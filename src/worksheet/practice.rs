@@ -119,11 +119,17 @@ impl PracticeQuestion {
         }
     }
 
-    /// By what it is known, on the page and in a course: its item, and its parts where not all are asked.
+    /// By what it is known, on the page and in a course: its item, its parts where not all are asked, and data that are
+    /// fixed.
     pub fn key(&self) -> String {
-        let words =
-            std::iter::once(self.item.as_str()).chain(self.parts.iter().map(String::as_str));
-        words.collect::<Vec<_>>().join(" ")
+        let mut key = self.item.to_string();
+        for part in &self.parts {
+            key.push_str(&format!(" {part}"));
+        }
+        for (name, value) in &self.set {
+            key.push_str(&format!(" {name}={value}"));
+        }
+        key
     }
 
     /// Whether a part is asked.
@@ -150,14 +156,6 @@ impl Weighed {
 
 #[cfg(feature = "render")]
 impl Practice {
-    /// What remains of items of which some texts are left out, in the order of the compiled ones.
-    pub fn silenced(catalogue: &Catalogue, items: &[Compiled], keys: &[&str]) -> Vec<Compiled> {
-        let found = items
-            .iter()
-            .filter_map(|item| catalogue.find(item.id.as_str()));
-        found.map(|item| Compiled::without(item, keys)).collect()
-    }
-
     /// A practice of whole items.
     pub fn of_items(
         catalogue: &Catalogue,

@@ -72,6 +72,18 @@ impl SheetQuestion<'_> {
         Rational::sum(&points).unwrap_or(Rational::ZERO)
     }
 
+    /// The expected working time in minutes: that of its item, or its parts' share of it.
+    pub fn minutes(&self) -> u32 {
+        let item = self.solution.template();
+        let of = |part: &Part| part.answer.minutes();
+        let all: u32 = item.parts.iter().map(of).sum();
+        let asked: u32 = self.parts.iter().map(|place| of(&item.parts[*place])).sum();
+        if all == 0 || asked == all {
+            return item.minutes();
+        }
+        (item.minutes() * asked).div_ceil(all)
+    }
+
     /// The points of all its parts.
     pub fn total(&self) -> Rational {
         self.points.iter().fold(Rational::ZERO, |sum, points| {

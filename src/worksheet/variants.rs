@@ -361,7 +361,8 @@ impl<'p, 'c> Chooser<'p, 'c> {
         }
         for (place, asked) in candidate.questions.iter().enumerate() {
             let item = self.plan.questions[place].candidates[asked.item];
-            let is_new = self.questions[place].data.insert(asked.data);
+            let taken = &mut self.questions[place];
+            let is_new = taken.data.insert(asked.data) || taken.is_the_same_for_all();
             self.fairness.questions[place].add(item, asked, is_new);
         }
         if !self.seats.is_empty() {
@@ -461,7 +462,8 @@ impl<'p, 'c> Chooser<'p, 'c> {
             data,
             parts: sizes.collect(),
             is_unusual: usual.judge(question).is_err(),
-            marks: if self.seats.is_empty() {
+            marks: if self.seats.is_empty() || self.questions[question.place].is_the_same_for_all()
+            {
                 Vec::new()
             } else {
                 std::iter::once(data).chain(answers).collect()
@@ -489,6 +491,11 @@ impl Taken {
     /// Whether data were taken before, while there are others.
     fn repeats(&self, data: u64) -> bool {
         self.data.contains(&data) && (self.data.len() as u64) < self.instances
+    }
+
+    /// Whether nothing is drawn, so that it is meant to be the same for all.
+    fn is_the_same_for_all(&self) -> bool {
+        self.instances <= 1
     }
 }
 

@@ -132,11 +132,14 @@ const MARKS = { new: "○", tried: "◔", seen: "◐", done: "●" };
 /** The rules of a page on its own. */
 const FREE = { attempts: null, feedback: "at once", isSilent: false, solution: "always" };
 
+/** By what a question is known here and in a course: its item, its parts where not all are asked, and data that are fixed. */
+const keyOf = ({ item, parts = [], set = [] }) => [item, ...parts, ...set.map(([name, value]) => `${name}=${value}`)].join(" ");
+
 class Page {
   /** In a course, what keeps the answers is the course itself. */
   constructor(practice, grader, memory, course) {
     Object.assign(this, { practice, grader, memory, course, rules: course?.rules ?? FREE });
-    this.keys = practice.questions.map(({ item, parts = [] }) => [item, ...parts].join(" "));
+    this.keys = practice.questions.map(keyOf);
     this.list();
     element("topic").addEventListener("change", () => this.filter());
     element("forget").addEventListener("click", () => this.forget());

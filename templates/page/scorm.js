@@ -174,7 +174,7 @@ const RANKS = ["", "unknown", "not attempted", "incomplete", "failed", "complete
 class Course {
   constructor(about, practice, grader) {
     Object.assign(this, { about, practice, grader, changes: 0, submitted: false, questions: {}, current: "" });
-    this.keys = practice.questions.map(({ item, parts = [] }) => [item, ...parts].join(" "));
+    this.keys = practice.questions.map(keyOf);
     this.state = new State(about, this.keys);
     this.rules = { ...about, isSilent: about.feedback !== "at once" };
     this.pending = [];

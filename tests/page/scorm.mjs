@@ -8,139 +8,21 @@
 
 import assert from "node:assert/strict";
 import { mkdirSync, readFileSync } from "node:fs";
-import { createServer } from "node:http";
-import { strFromU8, unzipSync } from "fflate";
-import { chromium } from "playwright-core";
+import { Platform, answer, ask, calls, leave, open, part, refused, step, wide } from "./platform.mjs";
 
 const [file, keysFile, executablePath = "/usr/bin/chromium"] = process.argv.slice(2);
 const LEARNER = "4711";
-const files = unzipSync(readFileSync(file));
-const about = JSON.parse(strFromU8(files["vibank.json"]));
-const isOld = about.version === "1.2";
-assert.match(strFromU8(files["imsmanifest.xml"]), isOld ? /<schemaversion>1\.2</ : /<schemaversion>2004 4th Edition</);
+const platform = await Platform.start(file, executablePath);
+const { about, isOld, browser, address, complaints } = platform;
+assert.match(platform.manifest, isOld ? /<schemaversion>1\.2</ : /<schemaversion>2004 4th Edition</);
 mkdirSync("shots", { recursive: true });
 
-// ── A platform ─────────────────────────────────────────────────────────────────────────────────
-
-const library = readFileSync(`node_modules/scorm-again/dist/scorm${isOld ? "12" : "2004"}.min.js`);
-/** What the platform keeps of each learner, and how it answers now. */
-const platform = { kept: {}, mode: "normal", isDown: false, commits: 0 };
-
-/** The page of the platform: the interface of the standard, every call of it noted, and the package in a frame. */
-const host = (learner) => `<!DOCTYPE html><meta charset="utf-8"><title>Course</title>
-<script src="/library.js"></script>
-<body style="margin:0"><script>
-  globalThis.calls = [];
-  const isOld = ${isOld};
-  const api = new (isOld ? Scorm12API : Scorm2004API)({ autocommit: false, lmsCommitUrl: "/commit/${learner}", logLevel: 5 });
-  const kept = ${JSON.stringify(platform.kept[learner] ?? null)};
-  const entry = kept ? "resume" : "ab-initio";
-  const [id, mode] = ${JSON.stringify([learner === "nobody" ? "" : learner, platform.mode])};
-  const cmi = structuredClone(kept?.cmi ?? {});
-  if (isOld) Object.assign((cmi.core ??= {}), { student_id: id, student_name: "Learner", lesson_mode: mode, entry });
-  else Object.assign(cmi, { learner_id: id, learner_name: "Learner", mode, entry });
-  for (const own of [cmi, cmi.core ?? {}]) ["session_time", "exit"].forEach((name) => delete own[name]);
-  api.loadFromJSON(cmi, "cmi");
-  const error = isOld ? "LMSGetLastError" : "GetLastError";
-  const noted = new Proxy(api, {
-    get(target, name) {
-      const value = target[name];
-      if (!/^(LMS)?(Initialize|GetValue|SetValue|Commit|Finish|Terminate)$/.test(name)) return typeof value === "function" ? value.bind(target) : value;
-      return (...values) => {
-        const result = value.apply(target, values);
-        calls.push({ name, values, result, error: String(target[error]()) });
-        return result;
-      };
-    },
-  });
-  globalThis[isOld ? "API" : "API_1484_11"] = noted;
-</script><iframe id="package" src="/package/index.html" style="border:0;width:100vw;height:100vh;display:block"></iframe>`;
-
-const server = createServer((request, response) => {
-  const { pathname } = new URL(request.url, "http://localhost");
-  const [, folder, name] = pathname.split("/");
-  const send = (type, content, status = 200) => response.writeHead(status, { "Content-Type": type }).end(content);
-  if (folder === "library.js") return send("text/javascript", library);
-  if (folder === "course") return send("text/html", host(name));
-  if (folder === "package" && files[name]) return send("text/html", Buffer.from(files[name]));
-  if (folder !== "commit") return send("text/plain", "", 404);
-  let body = "";
-  request.on("data", (chunk) => (body += chunk));
-  request.on("end", () => {
-    if (platform.isDown) return request.socket.destroy();
-    platform.commits += 1;
-    platform.kept[name] = JSON.parse(body);
-    send("application/json", JSON.stringify({ result: true, errorCode: 0 }));
-  });
-});
-await new Promise((ready) => server.listen(0, "127.0.0.1", ready));
-const address = `http://127.0.0.1:${server.address().port}`;
-
-// ── A browser ──────────────────────────────────────────────────────────────────────────────────
-
-const browser = await chromium.launch({ executablePath, args: ["--no-sandbox"] });
-const complaints = [];
-
-async function step(name, action) {
-  const said = await action();
-  console.log(`ok  ${name}${said === undefined ? "" : `: ${said}`}`);
-}
-
-/** A sitting: a page of the platform in a profile of its own, or in a given one. */
-async function sit(learner, context, viewport = { width: 1280, height: 900 }) {
-  context ??= await browser.newContext({ viewport });
-  const page = await context.newPage();
-  page.on("dialog", (dialog) => dialog.accept());
-  page.on("pageerror", (error) => complaints.push(String(error)));
-  page.on("console", (message) => {
-    if (message.type() === "error" && !/commit\/|Failed to load resource|Network error|favicon/.test(message.text())) complaints.push(message.text());
-  });
-  await page.goto(`${address}/course/${learner}`);
-  const frame = await (await page.waitForSelector("#package")).contentFrame();
-  await frame.waitForSelector("html[data-ready]", { timeout: 30_000 });
-  return { context, page, frame };
-}
-
-const calls = ({ page }) => page.evaluate(() => globalThis.calls);
-const refused = async (sitting) => (await calls(sitting)).filter(({ error }) => error !== "0");
-/** Leaves the page as a learner does: the platform goes elsewhere, and finishing is called for twice. */
-async function leave(sitting) {
-  const { page, frame } = sitting;
-  await frame.evaluate(() => {
-    dispatchEvent(new PageTransitionEvent("pagehide"));
-    dispatchEvent(new PageTransitionEvent("pagehide"));
-  });
-  const made = await calls(sitting);
-  const ends = made.filter(({ name }) => /Finish|Terminate/.test(name));
-  await page.goto("about:blank");
-  return { made, ends };
-}
-const cmi = (learner = LEARNER) => platform.kept[learner].cmi;
-const score = () => Number(isOld ? cmi().core.score.raw : cmi().score.raw);
-const status = () => (isOld ? [cmi().core.lesson_status] : [cmi().completion_status, cmi().success_status]);
-const interactions = () => {
-  const all = cmi().interactions;
-  return Object.values(all?.childArray ?? all ?? {}).filter((entry) => entry?.id);
-};
-
-const part = (frame, letter) => frame.locator(`section[aria-labelledby="part-${letter}"]`);
-const ask = (frame, request) => frame.evaluate((request) => globalThis.page.grader.ask(request), request);
-const open = (frame, number) => frame.evaluate((number) => globalThis.page.open({ number }, false), number);
+const sit = (learner, context, viewport) => platform.sit(learner, context, viewport);
+const cmi = (learner = LEARNER) => platform.cmi(learner);
+const score = () => platform.score(LEARNER);
+const status = () => platform.status(LEARNER);
+const interactions = (learner = LEARNER) => platform.interactions(learner);
 const known = (frame) => frame.evaluate(() => JSON.parse(JSON.stringify(globalThis.page.memory.questions)));
-
-/** Answers as somebody does: by radio button, in a line, or in the entries of a matrix, which take a line too. */
-async function answer(frame, letter, text) {
-  const section = part(frame, letter);
-  const options = section.locator("input[type=radio], input[type=checkbox]");
-  if ((await options.count()) > 0) {
-    for (const letter of text.split(", ")) await section.locator(`input[value="${letter}"]`).check();
-  } else {
-    const line = section.locator(".line input[type=text]");
-    if (!(await line.isVisible())) await section.locator("fieldset > p > button").click();
-    await line.fill(text);
-  }
-  await section.locator("button[type=submit]").click();
-}
 
 // ── What is typed ──────────────────────────────────────────────────────────────────────────────
 
@@ -278,7 +160,7 @@ await step("a lost network: kept here, said so, handed in later, nothing twice",
   const again = await sit("4712", sitting.context);
   const record = await again.frame.evaluate((id) => globalThis.page.memory.questions[globalThis.page.keys[0]].parts[id], id);
   assert.equal(record.response, "1");
-  assert.equal(Object.values(cmi("4712").interactions?.childArray ?? cmi("4712").interactions).filter((entry) => entry?.id).length, 1);
+  assert.equal(interactions("4712").length, 1);
   const stores = await again.frame.evaluate(() => Object.keys(localStorage));
   assert.deepEqual(stores, [], "what the platform has is not kept in this browser");
   // The network fails and comes back within one sitting.
@@ -287,7 +169,7 @@ await step("a lost network: kept here, said so, handed in later, nothing twice",
   platform.isDown = false;
   await again.frame.evaluate(() => dispatchEvent(new Event("online")));
   await again.frame.waitForFunction(() => /are reported/.test(document.getElementById("course-note").textContent));
-  assert.equal(Object.values(cmi("4712").interactions?.childArray ?? cmi("4712").interactions).filter((entry) => entry?.id).length, 2);
+  assert.equal(interactions("4712").length, 2);
   await leave(again);
 });
 
@@ -307,11 +189,10 @@ await step("another learner at the same computer sees nothing of it, and has oth
   await leave(second);
 });
 
-await step("review, and nobody: plays, reports nothing, says so", async () => {
-  platform.mode = "review";
+await step("review, browsing, and nobody: plays, reports nothing, says so", async () => {
   const commits = platform.commits;
-  for (const [learner, words] of [[LEARNER, /review/], ["nobody", /did not say who you are/]]) {
-    if (learner === "nobody") platform.mode = "normal";
+  for (const [learner, mode, words] of [[LEARNER, "review", /review/], [LEARNER, "browse", /review/], ["nobody", "normal", /did not say who you are/]]) {
+    platform.mode = mode;
     const sitting = await sit(learner);
     assert.match(await sitting.frame.locator("#course-note").textContent(), words);
     await open(sitting.frame, 0);
@@ -322,6 +203,7 @@ await step("review, and nobody: plays, reports nothing, says so", async () => {
     assert.deepEqual(made.filter(({ name }) => /SetValue|Commit/.test(name)), []);
     await sitting.page.goto("about:blank");
   }
+  platform.mode = "normal";
   assert.equal(platform.commits, commits);
 });
 
@@ -338,16 +220,15 @@ await step("without a platform it is a page as any other, and says so", async ()
 
 await step("looks: phone", async () => {
   const sitting = await sit("4715", undefined, { width: 390, height: 844 });
-  assert.ok((await sitting.frame.evaluate(() => document.documentElement.scrollWidth - innerWidth)) <= 0, "no sideways scrolling");
   await sitting.page.screenshot({ path: `shots/scorm-${about.version}-phone.png` });
+  assert.deepEqual(await wide(sitting.frame), [], "no sideways scrolling");
   await leave(sitting);
 });
 
 await end();
 
 async function end() {
-  await browser.close();
-  server.close();
+  await platform.stop();
   assert.deepEqual(complaints, [], "the console is empty");
   console.log("ok  the console is empty");
   process.exit(0);

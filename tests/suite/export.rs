@@ -3,6 +3,7 @@
 
 use vibank::bank::{Catalogue, embedded};
 use vibank::export::{Canvas, Export, Moodle, Qti, Version, Wish};
+use vibank::seed::{Seed, Streams};
 use vibank::source::Source;
 use vibank::worksheet::{Blueprint, Plan, Sheet, SheetQuestion, headings};
 
@@ -137,8 +138,8 @@ fn graded(question: &SheetQuestion<'_>, place: usize, typed: f64) -> f64 {
     marking.credit.share().to_f64()
 }
 
-/// Numbers that are typed into each blank: around each bound, and anywhere near.
-fn trials(blank: &Blank) -> Vec<f64> {
+/// Numbers around each bound of a blank.
+fn at_bounds(blank: &Blank) -> Vec<f64> {
     let mut typed = Vec::new();
     for (value, half, _) in blank.ranges() {
         typed.push(value);
@@ -149,10 +150,18 @@ fn trials(blank: &Blank) -> Vec<f64> {
                 }
             }
         }
-        // A sequence that covers the neighbourhood evenly, by the golden ratio.
-        for step in 1..=8 {
-            let share = (f64::from(step) * 0.618_033_988_749_895).fract();
-            typed.push(value * (0.5 + share));
+    }
+    typed
+}
+
+/// Numbers anywhere near the ranges of a blank, drawn from a stream of its own.
+fn anywhere(blank: &Blank, stream: &str) -> Vec<f64> {
+    let mut stream = Streams::of(Seed::new(1), "cloze").named(stream);
+    let mut typed = Vec::new();
+    for (value, ..) in blank.ranges() {
+        for width in [1.0, 0.04].repeat(6) {
+            let share = stream.below(1 << 40) as f64 / (1_u64 << 40) as f64;
+            typed.push(value * (1.0 + width * (share - 0.5)));
         }
     }
     typed
@@ -187,7 +196,7 @@ fn exported(sheet: &Sheet<'_>, question: &SheetQuestion<'_>, wish: Wish) -> Stri
 
 #[test]
 fn numbers_are_marked_by_moodle_as_by_the_grader() {
-    let mut compared = 0;
+    let (mut compared, mut random) = (0, 0);
     let mut differ = Vec::new();
     each_question(1, |sheet, question| {
         let xml = exported(sheet, question, Wish::default());
@@ -209,15 +218,19 @@ fn numbers_are_marked_by_moodle_as_by_the_grader() {
             // Of an angle a few whole turns are listed, where the grader takes any.
             let ends = blank.ranges().map(|(value, half, _)| value.abs() + half);
             let farthest = ends.fold(0.0, f64::max);
-            for typed in trials(blank) {
+            let template = question.solution.template();
+            let drawn = anywhere(blank, &format!("{} {place}", template.id));
+            let drawn = drawn.into_iter().map(|typed| (typed, true));
+            let typed = at_bounds(blank).into_iter().map(|typed| (typed, false));
+            for (typed, is_random) in typed.chain(drawn) {
                 if typed.abs() > farthest {
                     continue;
                 }
+                random += i32::from(is_random);
                 let (here, there) = (blank.share(typed), graded(question, *place, typed));
                 compared += 1;
                 // Whole percents.
                 if (here - there).abs() > 0.005 {
-                    let template = question.solution.template();
                     let part = &template.parts[*place].id;
                     differ.push(format!(
                         "{}/{part}: {typed:e} gets {here}, of the grader {there}",
@@ -227,7 +240,7 @@ fn numbers_are_marked_by_moodle_as_by_the_grader() {
             }
         }
     });
-    assert!(compared > 10_000, "{compared}");
+    assert!(random > 10_000, "{random} of {compared}");
     assert!(
         differ.is_empty(),
         "{} of {compared}\n{}",

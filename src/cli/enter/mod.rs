@@ -31,7 +31,7 @@ pub(crate) struct Arguments {
     /// The manifest of the run.
     manifest: PathBuf,
     /// The file of answers; `entered.json` beside the manifest if left out.
-    #[arg(long, value_name = "FILE")]
+    #[arg(short, long, value_name = "FILE")]
     out: Option<PathBuf>,
     #[command(flatten)]
     bank: BankArgument,

@@ -52,7 +52,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "VERSION", default_value = "2.1")]
     qti: QtiVersion,
     /// The file to write, else `questions.xml` or `questions.zip`; the manifest goes beside it.
-    #[arg(long, value_name = "FILE")]
+    #[arg(short, long, value_name = "FILE")]
     out: Option<PathBuf>,
     #[command(flatten)]
     bank: BankArgument,

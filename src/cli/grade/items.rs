@@ -59,9 +59,10 @@ impl<'c> Items<'c> {
         .help("mark with the bank of that time (`--bank`), or add `--accept-revisions`"))
     }
 
-    /// Whether the bank has another text of an item.
+    /// Whether the bank has another text of an item; questions of a blueprint's own it never had.
     pub(crate) fn has_moved_on(&self, id: &ItemId, revision: Revision) -> bool {
         let bank = self.bank.find(id.as_str());
-        bank.is_none_or(|own| own.revision != revision)
+        let is_other = |own: &Template| own.revision != revision;
+        bank.map_or(!id.is_own(), is_other)
     }
 }

@@ -63,8 +63,11 @@ pub(crate) struct Arguments {
     manifest: PathBuf,
     /// The responses, as CSV or JSON; or a report as Moodle or Canvas writes it.
     responses: PathBuf,
+    /// The blueprint of a package, if that asks questions of its own.
+    #[arg(long, value_name = "FILE")]
+    blueprint: Option<PathBuf>,
     /// The folder to write to; `marks` beside the manifest if left out.
-    #[arg(long, value_name = "FOLDER")]
+    #[arg(short, long, value_name = "FOLDER")]
     out: Option<PathBuf>,
     /// A CSV file that settles single marks: code, question, part, and response, points or feedback.
     #[arg(long, value_name = "FILE")]
@@ -103,7 +106,8 @@ pub(crate) struct Arguments {
 const CHUNK: usize = 256;
 
 pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
-    let catalogue = arguments.bank.catalogue()?;
+    let blueprint = arguments.blueprint.as_deref();
+    let catalogue = arguments.bank.catalogue_with(blueprint)?;
     let beside = arguments.manifest.parent().unwrap_or(Path::new("."));
     let out = match &arguments.out {
         Some(out) => Folder::at(out),

@@ -35,7 +35,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     filter: Filter,
     /// Repeat the session of this seed.
-    #[arg(long)]
+    #[arg(short, long)]
     seed: Option<u64>,
     /// What becomes of an answer with two readings of which one is right.
     #[arg(long, value_name = "POLICY", default_value = "ask", value_parser = doubt())]

@@ -46,7 +46,7 @@ pub(crate) struct Arguments {
     /// The blueprint; `vibank new sheet FILE` begins one.
     blueprint: PathBuf,
     /// The folder to write to; named after the blueprint if left out.
-    #[arg(long, value_name = "FOLDER")]
+    #[arg(short, long, value_name = "FOLDER")]
     out: Option<PathBuf>,
     /// A file for each sheet, in place of one file for all.
     #[arg(long)]
@@ -83,6 +83,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Ok(blueprint) => blueprint,
         Err(findings) => return bank::refuse(&findings),
     };
+    bank::print(&blueprint.warnings);
     check_pseudonyms(arguments, &blueprint)?;
     let catalogue = arguments.bank.catalogue()?;
     let mut choices = blueprint.questions.iter().map(|question| &question.choice);
@@ -415,7 +416,8 @@ fn out(arguments: &Arguments) -> PathBuf {
     arguments.out.clone().unwrap_or_else(|| name().into())
 }
 
-fn students(blueprint: &Blueprint, folder: &Path) -> Result<Vec<Student>, Failure> {
+/// The students of the class list of a blueprint, which stands in its folder; none without a list.
+pub(crate) fn students(blueprint: &Blueprint, folder: &Path) -> Result<Vec<Student>, Failure> {
     match &blueprint.audience {
         Audience::Variants(_) => Ok(Vec::new()),
         Audience::Students(list) => class_list::read(&folder.join(&list.value), &blueprint.columns),

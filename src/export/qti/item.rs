@@ -126,16 +126,30 @@ fn sum<'a>(parts: impl Iterator<Item = &'a Asked<'a>>) -> f64 {
     parts.fold(Rational::ZERO, add).to_f64()
 }
 
+/// What each of the boxes of a part is worth: equal shares in thousandths of a point, of which the first ones get what is
+/// left. Players round scores to three decimals, so that thirds would not add up to the whole.
+fn shares(points: Rational, boxes: usize) -> Vec<f64> {
+    const STEPS: i128 = 1000;
+    let count = boxes.max(1) as i128;
+    let steps = Rational::new(STEPS, 1).and_then(|steps| points.checked_mul(steps));
+    let Some(steps) = steps.filter(|steps| steps.is_integer()) else {
+        return vec![points.to_f64() / count as f64; boxes.max(1)];
+    };
+    let (each, left) = (steps.numerator() / count, steps.numerator() % count);
+    let share = |place| (each + i128::from(place < left)) as f64 / STEPS as f64;
+    (0..count).map(share).collect()
+}
+
 fn fields<'h>(sorted: &'h Sorted<'_>) -> Vec<Field<'h>> {
     let mut fields = Vec::new();
     for (asked, held) in &sorted.fit {
         let letter = asked.letter.clone();
-        let points = asked.points.to_f64() / held.boxes().max(1) as f64;
+        let mut shares = shares(asked.points, held.boxes()).into_iter();
         let mut add = |identifier: String, marked| {
             fields.push(Field {
                 identifier,
                 asked,
-                points,
+                points: shares.next().unwrap_or_default(),
                 marked,
             });
         };
@@ -353,4 +367,19 @@ fn say(xml: &mut Xml, name: &str) {
     xml.words("baseValue", &[("baseType", "identifier")], name);
     xml.close();
     xml.close();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_are_thousandths_that_add_up() {
+        let of = |points: &str, boxes| shares(Rational::from_decimal(points).unwrap(), boxes);
+        assert_eq!(of("1", 3), [0.334, 0.333, 0.333]);
+        assert_eq!(of("2", 2), [1.0, 1.0]);
+        assert_eq!(of("0.25", 2), [0.125, 0.125]);
+        assert_eq!(of("1.5", 1), [1.5]);
+        assert_eq!(of("0.0005", 1), [0.0005]);
+    }
 }

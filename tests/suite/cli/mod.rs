@@ -1,5 +1,6 @@
 //! The command line from outside: what each command prints, writes and ends with.
 
+mod authors;
 mod commands;
 mod crash;
 mod desk;
