@@ -11,7 +11,7 @@ use crate::quantity::{Evaluation, Graph, NodeId};
 use crate::source::Text;
 use crate::unit::{DecimalMark, Unit};
 
-use super::Credit;
+use super::{Credit, Drawn};
 
 /// The item that is being read.
 pub trait Declare {
@@ -102,6 +102,8 @@ pub enum Role {
 pub struct Context<'a> {
     /// The values.
     pub evaluation: &'a Evaluation<'a>,
+    /// The points at which formulas are compared, as far as they were drawn.
+    pub drawn: &'a Drawn,
     /// The named mistakes that apply.
     pub mistakes: Vec<Mistaken>,
     /// Formulas that stand in for quantities of a symbolic key: what was answered to earlier parts.

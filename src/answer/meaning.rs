@@ -23,7 +23,7 @@ pub(super) struct Meaning {
 }
 
 /// A name that varies freely.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Input {
     pub(super) name: Name,
     /// What it is, in words.

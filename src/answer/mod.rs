@@ -42,6 +42,7 @@ pub use band::Band;
 pub use blank::{Asked, Blank, Entries, Letter, ShapeScale};
 pub use declare::{Context, Declare, Known, Mistaken, Role};
 pub use echo::Echo;
+pub use equality::Drawn;
 pub use error::AnswerError;
 pub use kind::Kind;
 pub use marking::{Credit, Key, KeyValue, Marking, Reading, Reason, Verdict};
@@ -60,7 +61,7 @@ pub use work::Criterion;
 use crate::document::Document;
 use crate::expr::{Equation, Name, Precise};
 use crate::numerics::Complex;
-use crate::quantity::{Absent, NodeId};
+use crate::quantity::{Absent, Evaluation, NodeId};
 pub use crate::response::{At, Trouble};
 use crate::source::{Table, Value};
 use crate::unit::Unit;
@@ -157,7 +158,7 @@ pub trait Answer: Send + Sync {
 
     /// The key as it is printed, from a kind that has it without preparing what marks; such a kind knows
     /// no distance of mistakes.
-    fn printed(&self, _context: &Context<'_>) -> Option<Result<Key, Absent>> {
+    fn printed(&self, _evaluation: &Evaluation<'_>) -> Option<Result<Key, Absent>> {
         None
     }
 

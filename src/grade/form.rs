@@ -19,14 +19,21 @@ pub(super) fn otherwise(
     if response.len() > super::LONGEST_RESPONSE || is_of_another(first) {
         return None;
     }
-    let other = solution.other_marker(place)?;
-    let own = solution.marker(place).ok()?;
+    let is_open = first.verdict == Verdict::Unreadable && !is_doubtful(first);
+    solution.template().parts[place].answer.other_form()?;
     let folded = Folded::of(response).ok()?;
     let text = folded.text().trim();
-    if let Some(marking) = statement(own, other, text) {
+    let sides = response::statement(text);
+    // A key in the other form is prepared only where it may decide.
+    if sides.len() < 2 && !is_open {
+        return None;
+    }
+    let other = solution.other_marker(place)?;
+    let own = solution.marker(place).ok()?;
+    if let Some(marking) = statement(own, other, sides) {
         return Some(marking);
     }
-    if first.verdict != Verdict::Unreadable || is_doubtful(first) {
+    if !is_open {
         return None;
     }
     let marking = other.mark(text);
@@ -59,8 +66,7 @@ pub(super) fn standing(
 
 /// The marking of a statement with sides in both forms: that of its last side in the form that is asked, if all others
 /// agree with it.
-fn statement(own: &dyn Marker, other: &dyn Marker, text: &str) -> Option<Marking> {
-    let mut sides = response::statement(text);
+fn statement(own: &dyn Marker, other: &dyn Marker, mut sides: Vec<&str>) -> Option<Marking> {
     if sides.len() < 2 {
         return None;
     }

@@ -7,11 +7,12 @@ mod session;
 
 use std::cell::{Cell, OnceCell};
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 pub use entry::{Entry, Nested, Number};
 pub use session::Session;
 
-use crate::answer::{Context, Credit, Doubt, Key, Marker, Mistaken};
+use crate::answer::{Context, Credit, Doubt, Drawn, Key, Marker, Mistaken};
 use crate::bank::{Mistake, MistakeAnswer, Part, Template};
 use crate::expr::{Expr, Name, Value};
 use crate::instance::Instance;
@@ -24,6 +25,8 @@ use crate::unit::DecimalMark;
 pub struct Solution<'t> {
     instance: Instance<'t>,
     evaluation: Evaluation<'t>,
+    /// What its parts are compared at, shared with all solutions that follow from it.
+    drawn: Rc<Drawn>,
     markers: Vec<OnceCell<Result<Box<dyn Marker>, Absent>>>,
     /// What marks the other form of an answer.
     others: Vec<OnceCell<Option<Box<dyn Marker>>>>,
@@ -61,6 +64,7 @@ impl<'t> Solution<'t> {
             written: cells(template),
             instance,
             evaluation,
+            drawn: Rc::default(),
             standing: BTreeMap::new(),
             is_following: false,
             mark,
@@ -91,6 +95,7 @@ impl<'t> Solution<'t> {
             written: cells(self.template()),
             instance: self.instance.clone(),
             evaluation: self.evaluation.replacing(values),
+            drawn: Rc::clone(&self.drawn),
             standing: formulas,
             is_following: true,
             mark: self.mark,
@@ -166,7 +171,7 @@ impl<'t> Solution<'t> {
     pub fn key(&self, place: usize) -> Result<&Key, Absent> {
         let printed = self.printed[place].get_or_init(|| {
             let answer = &self.template().parts[place].answer;
-            match answer.printed(&self.context(place)) {
+            match answer.printed(&self.evaluation) {
                 Some(printed) => printed,
                 None => self.marker(place).map(Marker::key),
             }
@@ -190,7 +195,7 @@ impl<'t> Solution<'t> {
     /// As [`Self::marker`].
     pub fn clearance(&self, place: usize) -> Result<Option<f64>, Absent> {
         let answer = &self.template().parts[place].answer;
-        match answer.printed(&self.context(place)) {
+        match answer.printed(&self.evaluation) {
             Some(printed) => printed.map(|_| None),
             None => Ok(self.marker(place)?.clearance()),
         }
@@ -241,6 +246,7 @@ impl<'t> Solution<'t> {
             .collect();
         Context {
             evaluation: &self.evaluation,
+            drawn: &self.drawn,
             mistakes,
             standing: self.standing.clone(),
             order: self.order(place),

@@ -5,6 +5,7 @@
 //! a pair that differs at two points is different.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use super::super::meaning::{Meaning, ORDERS};
 use crate::expr::{Approx, Expr, Name, Precise, Program, Registers};
@@ -31,13 +32,14 @@ pub(super) fn program(
 pub(super) fn differ(
     key: &Program,
     other: &Program,
-    points: &[Vec<Precise>],
+    points: &[Arc<[Precise]>],
     are_integers: &[bool],
 ) -> bool {
     let mut room = Registers::<Approx<f64>>::default();
+    let directions = ANGLES.map(|angle| [crate::numerics::cos(angle), crate::numerics::sin(angle)]);
     let mut differing = 0;
     for point in points.iter().take(POINTS) {
-        let turned = turned(point, are_integers);
+        let turned = turned(point, are_integers, &directions);
         let mut value = |program: &Program| {
             let outcome = program.run(&turned[..], &mut room).ok()?;
             let mut numbers = outcome.numbers();
@@ -58,7 +60,7 @@ pub(super) fn differ(
 }
 
 /// A point with each value turned in the complex plane; two numbers for each.
-fn turned(point: &[Precise], are_integers: &[bool]) -> Vec<Precise> {
+fn turned(point: &[Precise], are_integers: &[bool], directions: &[[f64; 2]]) -> Vec<Precise> {
     let values = point.iter().enumerate();
     values
         .flat_map(|(place, value)| {
@@ -66,11 +68,7 @@ fn turned(point: &[Precise], are_integers: &[bool]) -> Vec<Precise> {
             if are_integers.get(place / ORDERS) == Some(&true) {
                 return [Precise::exact(size), Precise::exact(0.0)];
             }
-            let angle = ANGLES[place % ANGLES.len()];
-            [
-                Precise::exact(size * crate::numerics::cos(angle)),
-                Precise::exact(size * crate::numerics::sin(angle)),
-            ]
+            directions[place % directions.len()].map(|share| Precise::exact(size * share))
         })
         .collect()
 }

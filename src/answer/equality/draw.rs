@@ -7,6 +7,7 @@ use crate::numerics::exp2;
 use crate::quantity::Evaluation;
 
 /// Numbers from a fixed seed (SplitMix64).
+#[derive(Clone, Debug)]
 pub(in crate::answer) struct Draws(u64);
 
 impl Draws {
@@ -47,10 +48,25 @@ pub(in crate::answer) struct Around<'a> {
     centres: Vec<Option<f64>>,
     /// The conditions that the instance meets itself; data that were set by hand need not meet all.
     conditions: Vec<&'a Condition>,
-    draws: Draws,
+    state: State,
     room: Registers<Approx<f64>>,
+}
+
+/// What the next point depends on.
+#[derive(Clone, Debug)]
+pub(super) struct State {
+    draws: Draws,
     /// The integers at the points so far, by input.
     integers: Vec<(usize, f64)>,
+}
+
+impl State {
+    pub(super) fn new() -> Self {
+        Self {
+            draws: Draws::new(),
+            integers: Vec::new(),
+        }
+    }
 }
 
 /// Most points with the same integer. A constraint that favours few cycles would leave the points at n = 1 alone, where
@@ -71,10 +87,19 @@ impl<'a> Around<'a> {
             meaning,
             centres,
             conditions: met.collect(),
-            draws: Draws::new(),
+            state: State::new(),
             room,
-            integers: Vec::new(),
         }
+    }
+
+    /// The value of each input, where it has one.
+    pub(super) fn centres(&self) -> &[Option<f64>] {
+        &self.centres
+    }
+
+    /// What the next point depends on.
+    pub(super) fn state(&mut self) -> &mut State {
+        &mut self.state
     }
 
     /// The inputs that do not vary freely: integers, and what equals something else; none where nothing is equal.
@@ -109,13 +134,13 @@ impl<'a> Around<'a> {
             .map(|(place, _)| (place, point[place * ORDERS].high()))
             .collect();
         let is_frequent = |own: &(usize, f64)| {
-            let alike = self.integers.iter().filter(|other| *other == own);
+            let alike = self.state.integers.iter().filter(|other| *other == own);
             alike.count() >= MOST_ALIKE
         };
         if spread > NARROW && own.iter().any(is_frequent) {
             return None;
         }
-        self.integers.extend(own);
+        self.state.integers.extend(own);
         Some(point)
     }
 
@@ -137,11 +162,11 @@ impl<'a> Around<'a> {
                 // What is zero on the sheet may be anything, but near the sheet it is near zero.
                 let near_zero = if spread > 0.0 { spread.min(1.0) } else { 1.0 };
                 let size = if size == 0.0 { near_zero } else { size };
-                let mut value = size * exp2(octaves * self.draws.signed());
+                let mut value = size * exp2(octaves * self.state.draws.signed());
                 let is_negative = match centre {
                     Some(centre) if *centre < 0.0 => true,
                     Some(centre) if *centre > 0.0 && !flips => false,
-                    _ => input.is_signed && self.draws.signed() < 0.0,
+                    _ => input.is_signed && self.state.draws.signed() < 0.0,
                 };
                 let seems_whole = || keeps_whole && centre.is_some_and(|own| own == own.round());
                 if input.is_integer || seems_whole() {

@@ -21,14 +21,17 @@
 mod complex;
 mod domain;
 mod draw;
+mod drawn;
 mod judge;
 mod residue;
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 pub(super) use self::domain::Condition;
 use self::draw::Ties;
 pub(super) use self::draw::{Around, Draws};
+pub use self::drawn::Drawn;
 use self::judge::{AtPoint, DIFFERENT, Rooms};
 use self::residue::Residue;
 use super::meaning::Meaning;
@@ -101,7 +104,7 @@ impl Comparable {
 /// The points at which answers are compared with a key.
 #[derive(Debug)]
 pub(super) struct Points {
-    points: Vec<Vec<Precise>>,
+    points: Vec<Arc<[Precise]>>,
     ties: Ties,
 }
 
@@ -128,32 +131,26 @@ impl Points {
     pub(super) fn around(
         meaning: &Meaning,
         evaluation: &Evaluation<'_>,
+        drawn: &Drawn,
         keys: &[&Comparable],
     ) -> Self {
-        let mut around = Around::new(meaning, evaluation);
         let mut rooms = Rooms::default();
-        let mut is_defined = |point: &Vec<Precise>| {
+        let mut is_defined = |point: &Arc<[Precise]>| {
             let mut keys = keys.iter();
             keys.all(|key| key.program.run(&point[..], &mut rooms.first).is_ok())
         };
         let mut points = Vec::new();
-        for attempt in 0..MOST_DRAWS {
-            // What has no value far from the data may have one near to them.
-            let share = attempt as f64 / MOST_DRAWS as f64;
-            let spread = WIDEST * (1.0 - share).max(0.02);
-            let point = around.point(spread, share < 0.5, attempt % 4 == 3 || share > 0.6);
-            points.extend(point.filter(&mut is_defined));
-            if points.len() == DRAWN {
-                break;
-            }
-        }
+        let mut around = drawn.around(meaning, evaluation, |point| {
+            points.extend(is_defined(point).then(|| Arc::clone(point)));
+            points.len() == DRAWN
+        });
         // Constraints that hardly any data meet leave no points: then those around the data have to do.
         for attempt in 0..MOST_DRAWS {
             if points.len() >= LEAST {
                 break;
             }
             let point = around.free_point(WIDEST * (1.0 - attempt as f64 / MOST_DRAWS as f64));
-            points.extend(Some(point).filter(&mut is_defined));
+            points.extend(Some(point.into()).filter(&mut is_defined));
         }
         let ties = around.ties();
         Self { points, ties }

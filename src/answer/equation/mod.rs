@@ -34,7 +34,7 @@ use super::meaning::{Meaning, Prefer};
 use super::shared::{self, Shared};
 use super::{Answer, AnswerError, Asked, Blank, Context, Declare, Key, Marker, Role, symbolic};
 use crate::expr::{Equation, Expr, Name, Program};
-use crate::quantity::{Absent, NodeId};
+use crate::quantity::{Absent, Evaluation, NodeId};
 use crate::response::Lexicon;
 use crate::source::{Table, Text, Value};
 
@@ -195,7 +195,7 @@ impl Answer for Equations {
         own.map(|(_, equations)| written(equations))
     }
 
-    fn printed(&self, _context: &Context<'_>) -> Option<Result<Key, Absent>> {
+    fn printed(&self, _evaluation: &Evaluation<'_>) -> Option<Result<Key, Absent>> {
         Some(Ok(self.setup.printed()))
     }
 

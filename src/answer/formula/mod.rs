@@ -29,7 +29,7 @@ use super::meaning::{Meaning, Prefer};
 use super::shared::{self, Shared};
 use super::{Answer, AnswerError, Asked, Blank, Context, Declare, Key, Marker, numeric, symbolic};
 use crate::expr::{Expr, Field, Name, Shape, Type};
-use crate::quantity::{Absent, NodeId};
+use crate::quantity::{Absent, Evaluation, NodeId};
 use crate::response::Lexicon;
 use crate::source::{Table, Text};
 use crate::unit::Unit;
@@ -160,8 +160,8 @@ impl Answer for Formula {
         true
     }
 
-    fn printed(&self, context: &Context<'_>) -> Option<Result<Key, Absent>> {
-        let exists = context.evaluation.exists_for(self.key);
+    fn printed(&self, evaluation: &Evaluation<'_>) -> Option<Result<Key, Absent>> {
+        let exists = evaluation.exists_for(self.key);
         Some(exists.map(|()| self.setup.printed()))
     }
 
@@ -184,7 +184,7 @@ impl Answer for Formula {
             label: "key".into(),
             of: Vec::new(),
         })?;
-        let points = Points::around(&setup.meaning, context.evaluation, &[&key]);
+        let points = Points::around(&setup.meaning, context.evaluation, context.drawn, &[&key]);
         let mistakes = context.mistakes.iter().filter_map(|mistaken| {
             let compile = || match mistaken.given.first() {
                 Some(node) => compile(&symbolic::formula(graph, *node), &none),

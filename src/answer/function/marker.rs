@@ -10,7 +10,7 @@ use crate::answer::trial::typed as typed_number;
 use crate::answer::{
     Close, Credit, Key, Marker, Marking, Misfit, Nature, Reading, Remark, Slip, Trial,
 };
-use crate::expr::{Expr, Kind, Precise, Workspace};
+use crate::expr::{Expr, Form, Kind, Precise};
 use crate::unit::{Dimension, Unit};
 
 /// A response that was read.
@@ -50,14 +50,16 @@ impl Prepared {
         let setup = &self.setup;
         let program = setup.meaning.compile(expr, &BTreeMap::new()).ok()?;
         let slot = setup.meaning.place(&setup.variable)? * ORDERS;
-        let mut data = self.data.clone();
-        let mut room = Workspace::default();
-        let mut values = Vec::with_capacity(times.len());
-        for time in times {
-            data[slot] = *time;
-            values.push(program.evaluate(&data[..], &mut room).ok()?.as_real()?);
+        if program.form() != Form::REAL {
+            return None;
         }
-        Some(values)
+        let mut data = self.data.clone();
+        let mut sweep = program.sweep(vec![slot as u32]);
+        let value = |time: &Precise| {
+            data[slot] = *time;
+            sweep.real(0.0, &data[..]).ok()
+        };
+        times.iter().map(value).collect()
     }
 
     /// The same in SI units, where the numbers are in one of these.

@@ -62,7 +62,7 @@ use super::{
     Answer, AnswerError, Asked, Blank, Context, Declare, Key, Marker, Tolerance, symbolic,
 };
 use crate::expr::{Expr, Form, Name, Type};
-use crate::quantity::{Absent, NodeId};
+use crate::quantity::{Absent, Evaluation, NodeId};
 use crate::response::Lexicon;
 use crate::source::Table;
 use crate::unit::Unit;
@@ -195,9 +195,9 @@ impl Answer for Motion {
         true
     }
 
-    fn printed(&self, context: &Context<'_>) -> Option<Result<Key, Absent>> {
-        let times = self.span.ends(context.evaluation).map(times);
-        let first = times.and_then(|times| samples(context.evaluation, self.key, &times[..1], 0.0));
+    fn printed(&self, evaluation: &Evaluation<'_>) -> Option<Result<Key, Absent>> {
+        let times = self.span.ends(evaluation).map(times);
+        let first = times.and_then(|times| samples(evaluation, self.key, &times[..1], 0.0));
         Some(first.map(|_| self.setup.printed()))
     }
 

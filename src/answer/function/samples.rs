@@ -12,9 +12,10 @@ pub(super) fn samples(
 ) -> Result<Vec<f64>, Absent> {
     let function = evaluation.function(node)?;
     let is_constant = function.variables().next().is_none();
+    let mut sweep = function.sweep();
     let at = |time: &Precise| {
         let variables = if is_constant { &[][..] } else { &[*time] };
-        function.real_at(variables, accuracy)
+        sweep.real_at(variables, accuracy)
     };
     times.iter().map(at).collect()
 }

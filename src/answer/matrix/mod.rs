@@ -275,6 +275,7 @@ impl Answer for Matrix {
             let points = Points::around(
                 &setup.meaning,
                 evaluation,
+                context.drawn,
                 &formulas.iter().collect::<Vec<_>>(),
             );
             (formulas, points)

@@ -71,8 +71,8 @@ pub use function::Function;
 pub use names::Names;
 pub use number::{Approx, Doubt, HyperDual, Precise, Real, Scalar, Undefined};
 pub use program::{
-    Absence, Binder, Binding, CompileError, Inputs, Outcome, Program, Registers, Slots, Value,
-    Workspace,
+    Absence, Binder, Binding, CompileError, Inputs, Outcome, Program, Registers, Slots, Sweep,
+    Value, Workspace,
 };
 pub use read::ReadError;
 pub use relation::{Equation, Interval};

@@ -78,7 +78,7 @@ impl Assembler {
             return Ok(known);
         }
         let out = self.register();
-        if is_complex(&step) {
+        if step.width() == 2 {
             self.register();
         }
         self.push(step, out)?;
@@ -156,15 +156,4 @@ impl Assembler {
             None => [entry.real, self.exact(0.0)?],
         })
     }
-}
-
-fn is_complex(step: &Step) -> bool {
-    matches!(
-        step,
-        Step::ComplexMultiply(..)
-            | Step::ComplexDivide(..)
-            | Step::ComplexPower(..)
-            | Step::ComplexPowerWhole(..)
-            | Step::ComplexUnary(..)
-    )
 }

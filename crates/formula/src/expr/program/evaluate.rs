@@ -85,6 +85,17 @@ impl<S> Default for Registers<S> {
     }
 }
 
+impl<S: Scalar> Registers<S> {
+    /// Those of a program.
+    pub(super) fn of(&mut self, program: &Program) -> &mut [S] {
+        let size = program.registers as usize;
+        if self.0.len() < size {
+            self.0.resize(size, S::exact(0.0));
+        }
+        &mut self.0
+    }
+}
+
 /// Room for evaluations, kept from one to the next so that nothing is allocated.
 #[derive(Clone, Debug, Default)]
 pub struct Workspace {
@@ -122,11 +133,7 @@ impl Program {
         inputs: &(impl Inputs<S> + ?Sized),
         room: &'a mut Registers<S>,
     ) -> Result<Outcome<'a, S>, Absence> {
-        let size = self.registers as usize;
-        if room.0.len() < size {
-            room.0.resize(size, S::exact(0.0));
-        }
-        let mut machine = Machine::new(self, &inputs, &mut room.0);
+        let mut machine = Machine::new(self, &inputs, room.of(self));
         let length = self.code.len() as u32;
         let run = work::within(MOST_WORK, || {
             let run = machine.run(0, length);
@@ -137,11 +144,16 @@ impl Program {
         });
         run.value?;
         let is_open = machine.doubt.is_open;
-        Ok(Outcome {
+        Ok(self.outcome(room, is_open))
+    }
+
+    /// What a run has left in its registers.
+    pub(super) fn outcome<'a, S>(&'a self, room: &'a Registers<S>, is_open: bool) -> Outcome<'a, S> {
+        Outcome {
             registers: &room.0,
             results: &self.results,
             is_open,
-        })
+        }
     }
 
     /// The value for these inputs, rounded to binary64.
@@ -201,21 +213,47 @@ impl Program {
     where
         I: Inputs<Approx<f64>> + Inputs<Approx<Dd>> + ?Sized,
     {
-        let absent = |reason| Absence {
-            reason,
-            span: self.span(),
-        };
+        let double = self.run(inputs, &mut room.double);
+        self.real(accuracy, double, || self.run(inputs, &mut room.wide))
+    }
+
+    /// The number that a run in binary64 gave, or where that is not good enough, one in double-double.
+    pub(super) fn real<'w>(
+        &self,
+        accuracy: f64,
+        double: Result<Outcome<'_, Approx<f64>>, Absence>,
+        wide: impl FnOnce() -> Result<Outcome<'w, Approx<Dd>>, Absence>,
+    ) -> Result<f64, Absence> {
         if self.form.width() != 1 {
-            return Err(absent(Undefined::NotReal));
+            let (reason, span) = (Undefined::NotReal, self.span());
+            return Err(Absence { reason, span });
         }
-        if let Ok(outcome) = self.run(inputs, &mut room.double)
-            && let Some(number) = outcome.numbers().next()
-            && (is_settled(&outcome) || !outcome.is_open && number.bound <= accuracy)
-            && number.value.is_finite()
-        {
-            return Ok(number.value);
-        }
-        Ok(self.evaluate(inputs, room)?.numbers()[0])
+        let first = match double {
+            Ok(outcome) => {
+                let number = self.single(outcome.numbers().map(|x| (x.value, x.bound)));
+                let is_near = |(_, bound): (f64, f64)| !outcome.is_open && bound <= accuracy;
+                if is_settled(&outcome) || number.as_ref().is_ok_and(|own| is_near(*own)) {
+                    return Ok(number?.0);
+                }
+                number
+            }
+            Err(absence) => Err(absence),
+        };
+        let number = match wide() {
+            Ok(outcome) => self.single(outcome.numbers().map(rounded)),
+            Err(absence) if absence.reason == Undefined::TooLong => first,
+            Err(absence) => Err(absence),
+        };
+        Ok(number?.0)
+    }
+
+    /// A finite number with its bound.
+    fn single(&self, mut numbers: impl Iterator<Item = (f64, f64)>) -> Result<(f64, f64), Absence> {
+        let number = numbers.next().filter(|(number, _)| number.is_finite());
+        number.ok_or_else(|| Absence {
+            reason: Undefined::Overflow,
+            span: self.span(),
+        })
     }
 
     /// A value of finite numbers.

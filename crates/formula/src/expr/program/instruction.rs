@@ -67,3 +67,56 @@ pub(super) struct Search {
     /// The end of the body.
     pub(super) end: Target,
 }
+
+impl Step {
+    /// The registers that it reads; not those that the body of a search reads.
+    pub(super) fn reads(&self) -> impl Iterator<Item = Register> {
+        let (count, registers) = match *self {
+            Self::Input(_) | Self::Constant(_) | Self::Jump(_) => (0, [0; 4]),
+            Self::Copy(a)
+            | Self::Negate(a)
+            | Self::PowerWhole(a, _)
+            | Self::Unary(_, a)
+            | Self::Not(a)
+            | Self::Motion(_, _, a)
+            | Self::JumpUnless(a, _)
+            | Self::JumpIf(a, _) => (1, [a, 0, 0, 0]),
+            Self::Add(a, b)
+            | Self::Subtract(a, b)
+            | Self::Multiply(a, b)
+            | Self::Divide(a, b)
+            | Self::Power(a, b)
+            | Self::Binary(_, a, b)
+            | Self::Compare(_, a, b) => (2, [a, b, 0, 0]),
+            Self::ComplexPowerWhole([a, b], _) | Self::ComplexUnary(_, [a, b]) => {
+                (2, [a, b, 0, 0])
+            }
+            Self::Root(Search { ends: [a, b], .. })
+            | Self::Integral(Search { ends: [a, b], .. }) => (2, [a, b, 0, 0]),
+            Self::ComplexMultiply([a, b], [c, d])
+            | Self::ComplexDivide([a, b], [c, d])
+            | Self::ComplexPower([a, b], [c, d]) => (4, [a, b, c, d]),
+        };
+        registers.into_iter().take(count)
+    }
+
+    /// How many registers it writes, from `out` on, if it is no jump.
+    pub(super) fn width(&self) -> u32 {
+        match self {
+            Self::ComplexMultiply(..)
+            | Self::ComplexDivide(..)
+            | Self::ComplexPower(..)
+            | Self::ComplexPowerWhole(..)
+            | Self::ComplexUnary(..) => 2,
+            _ => 1,
+        }
+    }
+
+    /// Whether it only says where to go on.
+    pub(super) fn is_jump(&self) -> bool {
+        matches!(
+            self,
+            Self::Jump(_) | Self::JumpUnless(..) | Self::JumpIf(..)
+        )
+    }
+}

@@ -61,6 +61,20 @@ impl<'a, S: Scalar> Machine<'a, S> {
         Ok(steps)
     }
 
+    /// Takes the step at a place; where to go on.
+    pub(super) fn take(&mut self, at: u32) -> Result<u32, Absence> {
+        let Instruction { step, out } = self.program.code[at as usize];
+        match self.step(&step, out, at as usize) {
+            Ok(target) => Ok(target.unwrap_or(at + 1)),
+            Err(stop) => Err(self.absence(stop, at as usize)),
+        }
+    }
+
+    /// Takes steps of a run anew that go on at their next ones.
+    pub(super) fn repeat(&mut self, steps: &[u32]) -> Result<(), Absence> {
+        steps.iter().try_for_each(|at| self.take(*at).map(drop))
+    }
+
     #[cold]
     fn absence(&self, stop: Stop, at: usize) -> Absence {
         match stop {

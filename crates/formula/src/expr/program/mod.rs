@@ -19,11 +19,13 @@ mod machine;
 #[cfg(test)]
 mod references;
 mod search;
+mod sweep;
 mod value;
 
 pub use binder::{Binder, Binding, Slots};
 pub use error::CompileError;
 pub use evaluate::{Absence, Inputs, Outcome, Registers, Workspace};
+pub use sweep::Sweep;
 pub use value::Value;
 
 use self::entry::Entry;
