@@ -1,6 +1,7 @@
 //! What a kind asks of the item that is being read, and gets of an instance.
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 use std::sync::Arc;
 
 use crate::diagnostic::Diagnose;
@@ -99,11 +100,11 @@ pub enum Role {
 }
 
 /// The data of an instance, for which a key is prepared.
-pub struct Context<'a> {
+pub struct Context<'t> {
     /// The values.
-    pub evaluation: &'a Evaluation<'a>,
+    pub evaluation: Rc<Evaluation<'t>>,
     /// The points at which formulas are compared, as far as they were drawn.
-    pub drawn: &'a Drawn,
+    pub drawn: Rc<Drawn>,
     /// The named mistakes that apply.
     pub mistakes: Vec<Mistaken>,
     /// Formulas that stand in for quantities of a symbolic key: what was answered to earlier parts.

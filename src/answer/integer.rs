@@ -103,7 +103,7 @@ impl Answer for Integer {
         vec![self.key]
     }
 
-    fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
+    fn prepare<'t>(&self, context: &Context<'t>) -> Result<Box<dyn Marker + 't>, Absent> {
         // A key that is whole but for its rounding is that integer.
         let key = context.evaluation.real(self.key)?.round();
         let numbers = context.mistakes.iter().filter_map(|mistake| {

@@ -167,7 +167,7 @@ pub trait Answer: Send + Sync {
     /// # Errors
     ///
     /// Why the key does not exist for these data.
-    fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent>;
+    fn prepare<'t>(&self, context: &Context<'t>) -> Result<Box<dyn Marker + 't>, Absent>;
 }
 
 /// Its kind alone: what all kinds hold would travel in each page with its way to be printed.
@@ -178,7 +178,7 @@ impl std::fmt::Debug for dyn Answer {
 }
 
 /// A key with its tolerance and named mistakes: marks responses.
-pub trait Marker: Send + Sync {
+pub trait Marker {
     /// The key as it is printed and as programs get it.
     fn key(&self) -> Key;
 

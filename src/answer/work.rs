@@ -172,7 +172,7 @@ impl Answer for Work {
         None
     }
 
-    fn prepare(&self, _context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
+    fn prepare<'t>(&self, _context: &Context<'t>) -> Result<Box<dyn Marker + 't>, Absent> {
         Err(Absent::ByHand)
     }
 }

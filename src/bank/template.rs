@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::plot::Plot;
 use super::{About, ItemId, Parameter, Passage, Revision};
-use crate::answer::{Answer, Naming};
+use crate::answer::{Answer, Blank, Naming};
 use crate::document::Document;
 use crate::expr::{Expr, Kind as Node, Name, Precise};
 use crate::figure::Figure;
@@ -119,6 +119,8 @@ pub struct Part {
     pub ask: Passage,
     /// What answers it.
     pub answer: Box<dyn Answer>,
+    /// What its answer line says, once it was asked for: the same for all data.
+    pub(crate) blank: OnceLock<Blank>,
     /// What may stand before an equals sign of a response.
     pub(crate) naming: Naming,
     /// Its weight; the weights of the blanks of a group add up to that of the group.
@@ -150,6 +152,11 @@ pub struct Group {
 }
 
 impl Part {
+    /// What its answer line says.
+    pub fn blank(&self) -> &Blank {
+        self.blank.get_or_init(|| self.answer.blank())
+    }
+
     /// Whether this names it: its identity, that of its group, or one that it had.
     pub fn is_named(&self, name: &str) -> bool {
         self.has_id(name) || self.is_in(name)

@@ -24,16 +24,18 @@ pub fn mark_among(solution: &Solution<'_>, place: usize, responses: &[&str]) -> 
         Ok(folded) => folded,
         Err(dollar) => return Marking::unreadable(dollar),
     };
-    let given: Vec<Option<Folded<'_>>> = responses
-        .iter()
-        .map(|response| Folded::of(response).ok())
+    let others = (0..parts.len()).filter(|at| *at != place && heeds(*at) && solution.asks(*at));
+    let given: Vec<(usize, Option<Folded<'_>>)> = others
+        .map(|at| {
+            let response = responses.get(at);
+            (at, response.and_then(|given| Folded::of(given).ok()))
+        })
         .collect();
-    let others: Vec<Beside<'_>> = (0..parts.len())
-        .filter(|at| *at != place && heeds(*at) && solution.asks(*at))
-        .filter_map(|at| {
-            let folded = given.get(at).and_then(Option::as_ref);
-            let response = folded.map_or("", |folded| folded.text().trim());
-            let marker = solution.marker(at).ok()?;
+    let others: Vec<Beside<'_>> = given
+        .iter()
+        .filter_map(|(at, folded)| {
+            let response = folded.as_ref().map_or("", |folded| folded.text().trim());
+            let marker = solution.marker(*at).ok()?;
             Some(Beside { marker, response }).filter(|beside| is_short(beside.response))
         })
         .collect();

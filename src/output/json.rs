@@ -40,7 +40,7 @@ fn question(question: &SheetQuestion<'_>) -> Json {
                 "kind": part.answer.kind().name(),
                 "points": points.to_f64(),
                 "space": space.to_string(),
-                "blank": blank(&part.answer.blank()),
+                "blank": blank(part.blank()),
                 "key": key(solution, *place),
             })
         }).collect::<Vec<_>>(),

@@ -363,12 +363,12 @@ impl<'p> View<'p> {
         match self.kind {
             Kind::Sheet => {
                 view.lead = self.lead(scene, place);
-                let blank = part.answer.blank();
+                let blank = part.blank();
                 view.unit = blank
                     .unit_behind()
                     .map(|unit| self.writer.math(&unit.math()))
                     .unwrap_or_default();
-                view.asked = self.writer.line(&self.run.spoken().blank(&blank));
+                view.asked = self.writer.line(&self.run.spoken().blank(blank));
             }
             Kind::Key | Kind::Solutions => match scene.key(place) {
                 Ok(Some(key)) => {

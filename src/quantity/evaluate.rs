@@ -6,7 +6,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 use crate::expr::{
-    Absence, Approx, Inputs, Name, Path, Precise, Program, Scalar, Sweep, Undefined, Value, Workspace,
+    Absence, Approx, Inputs, Name, Path, Precise, Program, Scalar, Undefined, Value, Workspace,
 };
 use crate::mechanics::{Lack, Model, Motion, Numbers, TurningPoints};
 use crate::numerics::Dd;
@@ -464,7 +464,7 @@ fn scaled(value: &Value, factor: f64) -> Option<Value> {
     Value::new(value.form(), numbers, value.bounds().to_vec())
 }
 
-impl<'g> Function<'_, 'g> {
+impl Function<'_, '_> {
     /// The free names, in the order in which [`Self::at`] takes their values.
     pub fn variables(&self) -> impl Iterator<Item = &Name> {
         self.computation.variables.iter().map(|(_, name)| name)
@@ -483,18 +483,30 @@ impl<'g> Function<'_, 'g> {
         )
     }
 
-    /// The function at many values of its free names.
-    pub fn sweep(&self) -> FunctionSweep<'_, 'g> {
+    /// The values of a real function at many places, each given by the values of the free names, as [`Self::real_at`]
+    /// gives them; what does not depend on the free names is computed once.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Self::real_at`], for the first place that has one.
+    pub fn reals_at<'v>(
+        &self,
+        places: impl Iterator<Item = &'v [Precise]>,
+        accuracy: f64,
+    ) -> Result<Vec<f64>, Absent> {
         let varied = self.computation.variables.iter().map(|(slot, _)| *slot);
-        FunctionSweep {
-            sweep: self.computation.program.sweep(varied.collect()),
-            function: self,
-        }
-    }
-
-    fn absent(&self, absence: Absence) -> Absent {
-        let label = self.evaluation.graph.node(self.node).label.clone();
-        Absent::Undefined { label, absence }
+        let inputs = places.map(|variables| Given {
+            evaluation: self.evaluation,
+            computation: self.computation,
+            variables,
+        });
+        let inputs: Vec<Given<'_, '_>> = inputs.collect();
+        let mut sweep = self.computation.program.sweep(varied.collect());
+        let values = sweep.reals(accuracy, &inputs);
+        values.map_err(|absence| Absent::Undefined {
+            label: self.evaluation.graph.node(self.node).label.clone(),
+            absence,
+        })
     }
 
     /// The value of a real function, where an absolute error of `accuracy` in SI units is good enough.
@@ -510,29 +522,6 @@ impl<'g> Function<'_, 'g> {
             variables,
             |program, inputs, room| program.evaluate_within(accuracy, inputs, room),
         )
-    }
-}
-
-/// A real function at many values of its free names: what does not depend on them is computed once.
-pub struct FunctionSweep<'f, 'g> {
-    function: &'f Function<'f, 'g>,
-    sweep: Sweep<'g>,
-}
-
-impl FunctionSweep<'_, '_> {
-    /// The value, as [`Function::real_at`] gives it.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Function::real_at`].
-    pub fn real_at(&mut self, variables: &[Precise], accuracy: f64) -> Result<f64, Absent> {
-        let inputs = Given {
-            evaluation: self.function.evaluation,
-            computation: self.function.computation,
-            variables,
-        };
-        let value = self.sweep.real(accuracy, &inputs);
-        value.map_err(|absence| self.function.absent(absence))
     }
 }
 

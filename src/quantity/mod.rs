@@ -18,7 +18,7 @@ mod settle;
 mod trace;
 
 pub use error::GraphError;
-pub use evaluate::{Absent, Evaluation, Function, FunctionSweep};
+pub use evaluate::{Absent, Evaluation, Function};
 pub use graph::{Graph, NodeId};
 pub use method::{Datum, Method, Wrong, variations};
 pub use trace::Trace;

@@ -122,7 +122,7 @@ impl<'s, 't> Scene<'s, 't> {
     }
 
     /// The pieces of a text whose conditions hold.
-    pub fn passage(&self, passage: &'t Passage) -> Vec<Shown<'t>> {
+    pub fn passage<'p>(&self, passage: &'p Passage) -> Vec<Shown<'p>> {
         let evaluation = self.solution.evaluation();
         let holds = |piece: &&Piece| {
             piece
@@ -197,7 +197,7 @@ impl<'s, 't> Scene<'s, 't> {
             .collect()
     }
 
-    fn piece(&self, piece: &'t Piece) -> Shown<'t> {
+    fn piece<'p>(&self, piece: &'p Piece) -> Shown<'p> {
         let places = piece.document.placeholders().iter().zip(&piece.targets);
         let fillings = places
             .map(|(place, target)| self.filling(target, place.form))

@@ -24,12 +24,12 @@ use crate::unit::DecimalMark;
 /// The keys of an instance; nothing is computed before it is asked for.
 pub struct Solution<'t> {
     instance: Instance<'t>,
-    evaluation: Evaluation<'t>,
+    evaluation: Rc<Evaluation<'t>>,
     /// What its parts are compared at, shared with all solutions that follow from it.
     drawn: Rc<Drawn>,
-    markers: Vec<OnceCell<Result<Box<dyn Marker>, Absent>>>,
+    markers: Vec<OnceCell<Result<Box<dyn Marker + 't>, Absent>>>,
     /// What marks the other form of an answer.
-    others: Vec<OnceCell<Option<Box<dyn Marker>>>>,
+    others: Vec<OnceCell<Option<Box<dyn Marker + 't>>>>,
     /// The keys as they are printed, on several pages of one sheet.
     printed: Vec<OnceCell<Result<Key, Absent>>>,
     /// The keys that a scene writes in its own way.
@@ -55,7 +55,7 @@ impl<'t> Solution<'t> {
 
     /// The solution of an instance on a sheet with this decimal sign.
     pub fn with_mark(instance: Instance<'t>, mark: DecimalMark) -> Self {
-        let evaluation = instance.evaluation();
+        let evaluation = Rc::new(instance.evaluation());
         let template = instance.template();
         Self {
             markers: cells(template),
@@ -94,7 +94,7 @@ impl<'t> Solution<'t> {
             printed: cells(self.template()),
             written: cells(self.template()),
             instance: self.instance.clone(),
-            evaluation: self.evaluation.replacing(values),
+            evaluation: Rc::new(self.evaluation.replacing(values)),
             drawn: Rc::clone(&self.drawn),
             standing: formulas,
             is_following: true,
@@ -232,21 +232,21 @@ impl<'t> Solution<'t> {
         self.is_drawn.set(true);
     }
 
-    fn prepare(&self, place: usize) -> Result<Box<dyn Marker>, Absent> {
+    fn prepare(&self, place: usize) -> Result<Box<dyn Marker + 't>, Absent> {
         self.template().parts[place]
             .answer
             .prepare(&self.context(place))
     }
 
-    fn context(&self, place: usize) -> Context<'_> {
+    fn context(&self, place: usize) -> Context<'t> {
         let part = &self.template().parts[place];
         let mistakes = part.mistakes.iter().enumerate();
         let mistakes = mistakes
             .filter_map(|(number, mistake)| self.mistake_of(part, number, mistake))
             .collect();
         Context {
-            evaluation: &self.evaluation,
-            drawn: &self.drawn,
+            evaluation: Rc::clone(&self.evaluation),
+            drawn: Rc::clone(&self.drawn),
             mistakes,
             standing: self.standing.clone(),
             order: self.order(place),

@@ -6,7 +6,7 @@
 //! of the outer one. A budget belongs to its thread, since it would otherwise have to pass through each function
 //! between a file and the products of its formulas; where none is open, nothing is bounded here.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 /// The budget of a thread is used up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,10 +27,14 @@ pub struct Spent<T> {
 struct Budget {
     left: u64,
     is_exhausted: bool,
+    /// Whether what is kept beyond its task is paid by the budget around it.
+    is_for_one: bool,
 }
 
 thread_local! {
-    static BUDGET: Cell<Budget> = const { Cell::new(Budget { left: u64::MAX, is_exhausted: false }) };
+    static BUDGET: Cell<Budget> = const { Cell::new(Budget { left: u64::MAX, is_exhausted: false, is_for_one: false }) };
+    /// Those around it, the outermost first.
+    static OUTER: RefCell<Vec<Budget>> = const { RefCell::new(Vec::new()) };
 }
 
 /// Runs a task that may take so many units of work.
@@ -43,12 +47,23 @@ thread_local! {
 /// assert!(task.is_exhausted);
 /// ```
 pub fn within<T>(units: u64, task: impl FnOnce() -> T) -> Spent<T> {
+    open(units, false, task)
+}
+
+/// The same for one of many tasks that share what they compute: that is done [`aside`].
+pub fn for_one<T>(units: u64, task: impl FnOnce() -> T) -> Spent<T> {
+    open(units, true, task)
+}
+
+fn open<T>(units: u64, is_for_one: bool, task: impl FnOnce() -> T) -> Spent<T> {
     let outer = BUDGET.get();
     let limit = units.min(outer.left);
-    let scope = Scope { outer, limit };
+    OUTER.with_borrow_mut(|budgets| budgets.push(outer));
+    let scope = Scope { limit };
     BUDGET.set(Budget {
         left: limit,
         is_exhausted: false,
+        is_for_one,
     });
     let value = task();
     let inner = BUDGET.get();
@@ -58,6 +73,27 @@ pub fn within<T>(units: u64, task: impl FnOnce() -> T) -> Spent<T> {
         units: limit - inner.left,
         is_exhausted: inner.is_exhausted,
     }
+}
+
+/// Computes what is kept beyond one of many tasks: the budget around that of the task pays for it, so that it does not
+/// depend on which task was first. Elsewhere the open budget pays.
+///
+/// ```
+/// use vibank_formula::work::{aside, for_one, spend, within};
+/// let one = for_one(10, || (aside(|| spend(100)), spend(11)));
+/// assert!(one.value.0.is_ok() && one.value.1.is_err());
+/// assert!(within(10, || aside(|| spend(100))).value.is_err());
+/// ```
+pub fn aside<T>(task: impl FnOnce() -> T) -> T {
+    if !BUDGET.get().is_for_one {
+        return task();
+    }
+    let Some(outer) = OUTER.with_borrow_mut(Vec::pop) else {
+        return task();
+    };
+    let inner = BUDGET.replace(outer);
+    let _scope = Aside { inner };
+    task()
 }
 
 /// Takes units from the budget that is open.
@@ -77,6 +113,7 @@ pub fn spend(units: u64) -> Result<(), Exhausted> {
             BUDGET.set(Budget {
                 left: 0,
                 is_exhausted: true,
+                ..budget
             });
             Err(Exhausted)
         }
@@ -120,24 +157,37 @@ impl Allowance {
 
 /// Gives the outer budget back, less what was spent, also where the task panics.
 struct Scope {
-    outer: Budget,
     limit: u64,
 }
 
 impl Drop for Scope {
     fn drop(&mut self) {
         let inner = BUDGET.get();
-        // Without an outer budget nothing is counted.
-        let left = match self.outer.left {
+        let outer = OUTER.with_borrow_mut(Vec::pop).unwrap_or(inner);
+        // Without an outer budget nothing is counted; what was spent aside was taken from it already.
+        let left = match outer.left {
             u64::MAX => u64::MAX,
-            left => left - (self.limit - inner.left),
+            left => left.saturating_sub(self.limit - inner.left),
         };
         // Who held all that was left used up the outer one too.
         let is_exhausted = inner.is_exhausted && left == 0;
         BUDGET.set(Budget {
             left,
-            is_exhausted: self.outer.is_exhausted || is_exhausted,
+            is_exhausted: outer.is_exhausted || is_exhausted,
+            ..outer
         });
+    }
+}
+
+/// Gives the inner budget back, also where the task panics.
+struct Aside {
+    inner: Budget,
+}
+
+impl Drop for Aside {
+    fn drop(&mut self) {
+        let outer = BUDGET.replace(self.inner);
+        OUTER.with_borrow_mut(|budgets| budgets.push(outer));
     }
 }
 
@@ -158,6 +208,19 @@ mod tests {
         assert!(outer.value && outer.is_exhausted);
         let outer = within(100, || within(50, || spend(51)).is_exhausted);
         assert!(outer.value && !outer.is_exhausted && outer.units == 50);
+    }
+
+    #[test]
+    fn what_is_done_aside_is_paid_by_the_outer_budget() {
+        let outer = within(100, || {
+            let inner = for_one(50, || (aside(|| spend(70)), spend(20)));
+            (inner.value, inner.units, spend(10), spend(1))
+        });
+        let exhausted = Err(Exhausted);
+        assert_eq!(outer.value, ((Ok(()), Ok(())), 20, Ok(()), exhausted));
+        let outer = within(100, || for_one(50, || aside(|| spend(101))).value);
+        assert!(outer.value.is_err() && outer.is_exhausted);
+        assert_eq!(aside(|| spend(1)), Ok(()));
     }
 
     #[test]

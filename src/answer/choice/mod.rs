@@ -164,7 +164,7 @@ impl Answer for Choice {
         None
     }
 
-    fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
+    fn prepare<'t>(&self, context: &Context<'t>) -> Result<Box<dyn Marker + 't>, Absent> {
         let is_right = |right: &Right| match right {
             Right::Always(right) => Ok(*right),
             Right::If(node) => context.evaluation.holds(*node),

@@ -199,7 +199,7 @@ impl Answer for Equations {
         Some(Ok(self.setup.printed()))
     }
 
-    fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
+    fn prepare<'t>(&self, context: &Context<'t>) -> Result<Box<dyn Marker + 't>, Absent> {
         let setup = &self.setup;
         let graph = context.evaluation.graph();
         let none = BTreeMap::new();
@@ -214,7 +214,7 @@ impl Answer for Equations {
             compile().map(Arc::new)
         };
         let key = key.ok_or_else(absent)?;
-        let points = points::points(setup, &key, context.evaluation);
+        let points = points::points(setup, &key, &context.evaluation);
         let mut mistakes = Vec::new();
         for mistaken in &context.mistakes {
             let own = self

@@ -53,17 +53,23 @@ fn data(around: &mut Around<'_>, spread: f64) -> Vec<Precise> {
 /// For each slot the factor that brings its term to the size of the key; 1 for all but time derivatives.
 fn factors(setup: &Setup, key: &[Program], point: &[Precise]) -> Vec<f64> {
     let mut factors = vec![1.0; point.len()];
-    let whole: Vec<f64> = key.iter().map(|program| size(program, point)).collect();
+    let mut room = Registers::default();
+    let mut value = |program: &Program, point: &[Precise]| value_in(&mut room, program, point);
+    let whole: Vec<f64> = key
+        .iter()
+        .map(|program| value(program, point).abs())
+        .collect();
+    let mut still = point.to_vec();
     for (place, input) in setup.meaning.inputs.iter().enumerate() {
         let slots = place * ORDERS + 1..(place + 1) * ORDERS;
         for slot in slots.filter(|_| input.is_moving) {
-            let mut still = point.to_vec();
             still[slot] = Precise::exact(0.0);
             let shares = key.iter().zip(&whole).map(|(program, whole)| {
                 let term = (value(program, point) - value(program, &still)).abs();
                 if *whole > 0.0 { term / whole } else { 0.0 }
             });
             let share = shares.fold(0.0, f64::max);
+            still[slot] = point[slot];
             if share.is_finite() && share > 0.0 {
                 factors[slot] = (1.0 / share).clamp(1.0 / MOST, MOST);
             }
@@ -72,13 +78,12 @@ fn factors(setup: &Setup, key: &[Program], point: &[Precise]) -> Vec<f64> {
     factors
 }
 
-fn size(program: &Program, point: &[Precise]) -> f64 {
-    value(program, point).abs()
+pub(super) fn value(program: &Program, point: &[Precise]) -> f64 {
+    value_in(&mut Registers::default(), program, point)
 }
 
-pub(super) fn value(program: &Program, point: &[Precise]) -> f64 {
-    let mut room = Registers::<Approx<f64>>::default();
-    let outcome = program.run(point, &mut room);
+fn value_in(room: &mut Registers<Approx<f64>>, program: &Program, point: &[Precise]) -> f64 {
+    let outcome = program.run(point, room);
     let number = outcome
         .ok()
         .and_then(|outcome| outcome.numbers().next().map(|number| number.value));

@@ -165,7 +165,7 @@ impl Answer for Formula {
         Some(exists.map(|()| self.setup.printed()))
     }
 
-    fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
+    fn prepare<'t>(&self, context: &Context<'t>) -> Result<Box<dyn Marker + 't>, Absent> {
         let (setup, graph) = (&self.setup, context.evaluation.graph());
         context.evaluation.exists_for(self.key)?;
         let none = BTreeMap::new();
@@ -184,7 +184,7 @@ impl Answer for Formula {
             label: "key".into(),
             of: Vec::new(),
         })?;
-        let points = Points::around(&setup.meaning, context.evaluation, context.drawn, &[&key]);
+        let points = Points::around(&setup.meaning, &context.evaluation, &context.drawn, &[&key]);
         let mistakes = context.mistakes.iter().filter_map(|mistaken| {
             let compile = || match mistaken.given.first() {
                 Some(node) => compile(&symbolic::formula(graph, *node), &none),

@@ -1,17 +1,23 @@
 //! Marks functions by their values at the times of the span.
 
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
+use std::rc::Rc;
 use std::sync::Arc;
 
 use super::Setup;
-use super::late::Window;
+use super::late::{OnSpan, Window};
+use super::samples::{fine, rounding, samples};
 use crate::answer::meaning::ORDERS;
 use crate::answer::trial::typed as typed_number;
 use crate::answer::{
-    Close, Credit, Key, Marker, Marking, Misfit, Nature, Reading, Remark, Slip, Trial,
+    Close, Credit, Key, Marker, Marking, Misfit, Mistaken, Nature, Reading, Remark, Slip,
+    Tolerance, Trial,
 };
-use crate::expr::{Expr, Form, Kind, Precise};
+use crate::expr::{Expr, Form, Inputs, Kind, Precise, Scalar, Undefined};
+use crate::quantity::{Absent, Evaluation, NodeId};
 use crate::unit::{Dimension, Unit};
+use crate::work;
 
 /// A response that was read.
 pub(super) struct Response {
@@ -26,21 +32,87 @@ pub(super) struct Response {
 /// Less than this share of a half-width is a rounding of the machine.
 const SAME: f64 = 1e-6;
 
-/// A prepared key.
-pub(super) struct Prepared {
+/// A prepared key. What only some responses need is computed for the first of them; its cost is not theirs.
+pub(super) struct Prepared<'t> {
     pub(super) setup: Arc<Setup>,
+    pub(super) evaluation: Rc<Evaluation<'t>>,
+    pub(super) key: NodeId,
+    /// The span.
+    pub(super) ends: [f64; 2],
     pub(super) times: Vec<Precise>,
     pub(super) values: Vec<f64>,
-    /// Where data show that do not show on the span.
-    pub(super) windows: Vec<Window>,
     pub(super) halves: Vec<f64>,
-    /// Whether the item states the tolerance.
-    pub(super) is_stated: bool,
-    pub(super) mistakes: Vec<(usize, Vec<f64>, Credit)>,
+    pub(super) tolerance: Tolerance,
+    pub(super) figures: u32,
+    pub(super) mistaken: Vec<Mistaken>,
+    pub(super) mistakes: OnceCell<Vec<Mistake>>,
+    /// Where data show that do not show on the span.
+    pub(super) windows: OnceCell<Vec<Window>>,
     pub(super) data: Vec<Precise>,
 }
 
-impl Prepared {
+/// A named mistake.
+pub(super) struct Mistake {
+    number: usize,
+    /// Its values at the times.
+    values: Vec<f64>,
+    credit: Credit,
+}
+
+impl Prepared<'_> {
+    fn windows(&self) -> &[Window] {
+        let on_span = || OnSpan {
+            evaluation: &self.evaluation,
+            key: self.key,
+            ends: self.ends,
+            times: &self.times,
+            values: &self.values,
+            halves: &self.halves,
+            share: rounding(self.figures),
+            stated: self.is_stated().then_some((&self.tolerance, self.figures)),
+        };
+        self.windows.get_or_init(|| {
+            if self.setup.is_in_pieces {
+                Vec::new()
+            } else {
+                work::aside(|| on_span().windows())
+            }
+        })
+    }
+
+    fn mistakes(&self) -> &[Mistake] {
+        let mistake = |mistaken: &Mistaken| {
+            let (number, credit) = (mistaken.number, mistaken.credit);
+            let values = self.values_of_mistake(mistaken).ok()?;
+            Some(Mistake {
+                number,
+                values,
+                credit,
+            })
+        };
+        let all = || self.mistaken.iter().filter_map(mistake).collect();
+        self.mistakes.get_or_init(|| work::aside(all))
+    }
+
+    fn values_of_mistake(&self, mistaken: &Mistaken) -> Result<Vec<f64>, Absent> {
+        let (evaluation, times) = (&self.evaluation, &self.times);
+        let accuracy = fine(largest(&self.values));
+        if let Some(node) = mistaken.given.first() {
+            return samples(evaluation, *node, times, accuracy);
+        }
+        let with = mistaken
+            .replaced
+            .iter()
+            .map(|(old, new)| Ok((*old, evaluation.value(*new)?.clone())));
+        let replaced = evaluation.replacing(with.collect::<Result<Vec<_>, Absent>>()?);
+        samples(&replaced, self.key, times, accuracy)
+    }
+
+    /// Whether the item states the tolerance.
+    fn is_stated(&self) -> bool {
+        !self.tolerance.is_derived()
+    }
+
     /// The values of a typed function at the times.
     pub(super) fn values_of(&self, expr: &Expr) -> Option<Vec<f64>> {
         self.values_at(expr, &self.times)
@@ -53,13 +125,13 @@ impl Prepared {
         if program.form() != Form::REAL {
             return None;
         }
-        let mut data = self.data.clone();
-        let mut sweep = program.sweep(vec![slot as u32]);
-        let value = |time: &Precise| {
-            data[slot] = *time;
-            sweep.real(0.0, &data[..]).ok()
+        let at = |time: &Precise| AtTime {
+            data: &self.data,
+            slot: slot as u32,
+            time: *time,
         };
-        times.iter().map(value).collect()
+        let inputs: Vec<AtTime<'_>> = times.iter().map(at).collect();
+        program.sweep(vec![slot as u32]).reals(0.0, &inputs).ok()
     }
 
     /// The same in SI units, where the numbers are in one of these.
@@ -99,11 +171,6 @@ impl Prepared {
     /// Whether one of these has the values of the key to rounding.
     fn is_exact(&self, found: &[Vec<f64>]) -> bool {
         const ROUNDING: f64 = 1e-7;
-        let largest = |values: &[f64]| {
-            values
-                .iter()
-                .fold(0.0_f64, |most, value| most.max(value.abs()))
-        };
         let limit = ROUNDING * largest(&self.values);
         found.iter().any(|values| {
             let mut pairs = values.iter().zip(&self.values);
@@ -125,17 +192,14 @@ impl Prepared {
     }
 }
 
-impl Marker for Prepared {
+impl Marker for Prepared<'_> {
     fn trials(&self) -> Vec<Trial> {
         let mut trials = vec![
             Trial::new(Nature::Unreadable, "exp("),
             Trial::new(Nature::Unreadable, "unheard_of cos(t)"),
         ];
         let text = self.setup.shown.to_string();
-        let largest = self
-            .values
-            .iter()
-            .fold(0.0_f64, |most, value| most.max(value.abs()));
+        let largest = largest(&self.values);
         // Cases and numbers with units cannot be typed, and nothing is next to zero.
         let is_typable = !text.contains("if ") && !text.contains('[');
         if !is_typable || largest == 0.0 || !self.setup.shown.names().paths.is_empty() {
@@ -159,11 +223,9 @@ impl Marker for Prepared {
     }
 
     fn clearance(&self) -> Option<f64> {
-        let costly = self
-            .mistakes
-            .iter()
-            .filter(|(_, _, credit)| *credit < Credit::FULL);
-        let distances = costly.filter_map(|(_, given, _)| self.distance(given));
+        let mistakes = self.mistakes().iter();
+        let costly = mistakes.filter(|mistake| mistake.credit < Credit::FULL);
+        let distances = costly.filter_map(|mistake| self.distance(&mistake.values));
         // What is the key itself but for rounding is no other answer for these data.
         distances
             .filter(|distance| !self.times().is_empty() && *distance > SAME)
@@ -181,7 +243,7 @@ impl Marker for Prepared {
 
     fn times(&self) -> &[Precise] {
         // Where later times decide, too, what is near on the span may be told apart there.
-        if self.windows.is_empty() {
+        if self.windows().is_empty() {
             &self.times
         } else {
             &[]
@@ -196,7 +258,7 @@ impl Marker for Prepared {
     }
 }
 
-impl Prepared {
+impl Prepared<'_> {
     /// The marking of a function that was read.
     fn judged(&self, response: Response) -> Marking {
         let wrong =
@@ -212,9 +274,9 @@ impl Prepared {
             }
             return wrong(response, Some(Slip::Near(Close::Function).into()));
         }
-        let mut mistakes = self.mistakes.iter();
-        if let Some((number, _, credit)) =
-            mistakes.find(|(_, given, _)| self.fits(&response.values, given))
+        let mut mistakes = self.mistakes().iter();
+        if let Some(Mistake { number, credit, .. }) =
+            mistakes.find(|mistake| self.fits(&response.values, &mistake.values))
         {
             return Marking::mistake(response.reading, *number, *credit);
         }
@@ -239,7 +301,7 @@ impl Prepared {
         let in_si = |unit: &Unit, values: &[f64]| -> Vec<f64> {
             values.iter().map(|value| unit.to_si(*value)).collect()
         };
-        self.windows.iter().all(|window| {
+        self.windows().iter().all(|window| {
             let values = self.values_at(&response.expr, &window.times);
             values.is_none_or(|values| {
                 let mut units = response.units.iter();
@@ -249,6 +311,30 @@ impl Prepared {
     }
 
     fn has_tolerance_for(&self, response: &Response) -> bool {
-        self.is_stated || !self.is_in_letters(&response.expr) || self.is_exact(&response.values)
+        self.is_stated() || !self.is_in_letters(&response.expr) || self.is_exact(&response.values)
     }
+}
+
+/// The data of an item at a time.
+struct AtTime<'d> {
+    data: &'d [Precise],
+    /// The slot of the time.
+    slot: u32,
+    time: Precise,
+}
+
+impl<S: Scalar> Inputs<S> for AtTime<'_> {
+    fn input(&self, slot: u32) -> Result<S, Undefined> {
+        if slot == self.slot {
+            return Ok(S::of(&self.time));
+        }
+        self.data.input(slot)
+    }
+}
+
+/// The largest size of some values.
+pub(super) fn largest(values: &[f64]) -> f64 {
+    values
+        .iter()
+        .fold(0.0, |most: f64, value| most.max(value.abs()))
 }

@@ -49,12 +49,13 @@ mod slip;
 mod span;
 mod units;
 
+use std::cell::OnceCell;
+use std::rc::Rc;
 use std::sync::{Arc, OnceLock};
 
 use self::label::Labels;
-use self::late::OnSpan;
-use self::marker::Prepared;
-use self::samples::{derived, fine, rounding, samples};
+use self::marker::{Prepared, largest};
+use self::samples::{derived, samples};
 use self::span::{Extent, spans, times};
 use super::letters::Allowed;
 use super::meaning::{Meaning, Prefer};
@@ -209,14 +210,12 @@ impl Answer for Motion {
         !self.tolerance.is_derived()
     }
 
-    fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
-        let evaluation = context.evaluation;
+    fn prepare<'t>(&self, context: &Context<'t>) -> Result<Box<dyn Marker + 't>, Absent> {
+        let evaluation = &*context.evaluation;
         let ends = self.span.ends(evaluation)?;
         let times = times(ends);
         let values = samples(evaluation, self.key, &times, 0.0)?;
-        let largest = values
-            .iter()
-            .fold(0.0_f64, |largest, value| largest.max(value.abs()));
+        let largest = largest(&values);
         let halves = if self.tolerance.is_derived() {
             derived(evaluation, self.key, &times, &values, largest, self.figures)
         } else {
@@ -225,48 +224,20 @@ impl Answer for Motion {
                 .half_width(largest, || 0.0, self.figures, evaluation);
             vec![half; SAMPLES]
         };
-        let mut mistakes = Vec::new();
-        for mistaken in &context.mistakes {
-            let given = if let Some(node) = mistaken.given.first() {
-                samples(evaluation, *node, &times, fine(largest))
-            } else {
-                let with: Result<Vec<_>, Absent> = mistaken
-                    .replaced
-                    .iter()
-                    .map(|(old, new)| Ok((*old, evaluation.value(*new)?.clone())))
-                    .collect();
-                with.and_then(|with| {
-                    samples(&evaluation.replacing(with), self.key, &times, fine(largest))
-                })
-            };
-            if let Ok(given) = given {
-                mistakes.push((mistaken.number, given, mistaken.credit));
-            }
-        }
-        let on_span = OnSpan {
-            evaluation,
-            key: self.key,
-            ends,
-            times: &times,
-            values: &values,
-            halves: &halves,
-            share: rounding(self.figures),
-            stated: (!self.tolerance.is_derived()).then_some((&self.tolerance, self.figures)),
-        };
-        let windows = if self.setup.is_in_pieces {
-            Vec::new()
-        } else {
-            on_span.windows()
-        };
         Ok(Box::new(Prepared {
             setup: Arc::clone(&self.setup),
-            windows,
+            data: self.setup.meaning.data(evaluation),
+            evaluation: Rc::clone(&context.evaluation),
+            key: self.key,
+            ends,
             times,
             values,
             halves,
-            is_stated: !self.tolerance.is_derived(),
-            mistakes,
-            data: self.setup.meaning.data(evaluation),
+            tolerance: self.tolerance.clone(),
+            figures: self.figures,
+            mistaken: context.mistakes.clone(),
+            mistakes: OnceCell::new(),
+            windows: OnceCell::new(),
         }))
     }
 }

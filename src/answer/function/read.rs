@@ -10,7 +10,7 @@ use crate::math::Math;
 use crate::response::{self, Manner, Typed, TypedError};
 use crate::unit::Unit;
 
-impl Prepared {
+impl Prepared<'_> {
     /// The function that a response is: the last form of it that was typed, which the others have to equal.
     pub(super) fn read(&self, response: &str) -> Result<Response, Unreadable> {
         let labels = &self.setup.labels;

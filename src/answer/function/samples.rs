@@ -12,12 +12,9 @@ pub(super) fn samples(
 ) -> Result<Vec<f64>, Absent> {
     let function = evaluation.function(node)?;
     let is_constant = function.variables().next().is_none();
-    let mut sweep = function.sweep();
-    let at = |time: &Precise| {
-        let variables = if is_constant { &[][..] } else { &[*time] };
-        sweep.real_at(variables, accuracy)
-    };
-    times.iter().map(at).collect()
+    let places = times.chunks(1);
+    let places = places.map(|time| if is_constant { &[][..] } else { time });
+    function.reals_at(places, accuracy)
 }
 
 /// The accuracy of values that are compared with others of this size: a million times finer than the steps of the

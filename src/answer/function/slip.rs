@@ -12,7 +12,7 @@ const NEAR: f64 = 3.0;
 /// Samples that a motion has to begin with to begin rightly.
 const FIRST: usize = 3;
 
-impl Prepared {
+impl Prepared<'_> {
     /// The slip that made a wrong function, if it can be told.
     pub(super) fn slip(&self, response: &Response) -> Option<Slip> {
         let scaled = |factor: f64| {

@@ -265,8 +265,8 @@ impl Answer for Interval {
         !self.tolerance.is_derived()
     }
 
-    fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
-        let evaluation = context.evaluation;
+    fn prepare<'t>(&self, context: &Context<'t>) -> Result<Box<dyn Marker + 't>, Absent> {
+        let evaluation = &*context.evaluation;
         let within = self
             .within
             .as_ref()

@@ -247,8 +247,8 @@ impl Answer for Matrix {
         !self.tolerance.is_derived()
     }
 
-    fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
-        let (setup, evaluation) = (&self.setup, context.evaluation);
+    fn prepare<'t>(&self, context: &Context<'t>) -> Result<Box<dyn Marker + 't>, Absent> {
+        let (setup, evaluation) = (&self.setup, &*context.evaluation);
         let graph = evaluation.graph();
         let value = evaluation.value(self.key)?.clone();
         let spreads = std::cell::OnceCell::new();
@@ -275,7 +275,7 @@ impl Answer for Matrix {
             let points = Points::around(
                 &setup.meaning,
                 evaluation,
-                context.drawn,
+                &context.drawn,
                 &formulas.iter().collect::<Vec<_>>(),
             );
             (formulas, points)

@@ -160,8 +160,8 @@ impl Answer for Mode {
         vec![self.key]
     }
 
-    fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
-        let evaluation = context.evaluation;
+    fn prepare<'t>(&self, context: &Context<'t>) -> Result<Box<dyn Marker + 't>, Absent> {
+        let evaluation = &*context.evaluation;
         let key = evaluation.value(self.key)?.clone();
         let angle = match &self.tolerance {
             Some(tolerance) => tolerance.half_width(1.0, || 0.0, self.figures, evaluation),

@@ -271,8 +271,8 @@ impl Answer for Numeric {
         !self.tolerance.is_derived()
     }
 
-    fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
-        let evaluation = context.evaluation;
+    fn prepare<'t>(&self, context: &Context<'t>) -> Result<Box<dyn Marker + 't>, Absent> {
+        let evaluation = &*context.evaluation;
         let key = evaluation.value(self.key)?;
         if key.form().field == Field::Complex {
             return Ok(Box::new(self.complex(key, context)));
@@ -336,7 +336,7 @@ impl Numeric {
 
     /// The marker of complex keys: the tolerance is a distance in the plane.
     fn complex(&self, key: &crate::expr::Value, context: &Context<'_>) -> complex::Numbers {
-        let evaluation = context.evaluation;
+        let evaluation = &*context.evaluation;
         let spreads = std::cell::OnceCell::new();
         let target = |entry: usize| {
             let value = key.entry(entry);

@@ -1,7 +1,7 @@
 //! What is asked, and what is known to go wrong.
 
 use std::collections::BTreeSet;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::{ItemError, Reader};
 use crate::answer::{self, Answer, Credit, Declare, Known, Naming, Role};
@@ -196,6 +196,7 @@ impl<'s> Reader<'s> {
             group: group.cloned(),
             ask: ask?,
             answer: answer?,
+            blank: OnceLock::new(),
             naming: naming?,
             points,
             when,

@@ -216,13 +216,13 @@ fn who(sheet: &VariantEntry) -> String {
 }
 
 /// A part that is asked for.
-struct Asked<'a> {
+struct Asked<'a, 't> {
     place: &'a Place,
-    solution: &'a Solution<'a>,
+    solution: &'a Solution<'t>,
     part: &'a PartEntry,
 }
 
-impl Asked<'_> {
+impl Asked<'_, '_> {
     /// `1a ωₙ = … rad/s [5.2]> `, with what was typed before.
     fn prompt(&self, known: Option<&str>) -> String {
         let Place { question, part, .. } = self.place;

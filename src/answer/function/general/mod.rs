@@ -153,7 +153,7 @@ impl Answer for General {
         Vec::new()
     }
 
-    fn prepare(&self, context: &Context<'_>) -> Result<Box<dyn Marker>, Absent> {
+    fn prepare<'t>(&self, context: &Context<'t>) -> Result<Box<dyn Marker + 't>, Absent> {
         let setup = &self.0;
         let value =
             |node: Option<NodeId>| node.and_then(|node| context.evaluation.value(node).ok());
@@ -171,7 +171,7 @@ impl Answer for General {
         };
         Ok(Box::new(Prepared {
             setup: Arc::clone(setup),
-            data: setup.meaning.data(context.evaluation),
+            data: setup.meaning.data(&context.evaluation),
             modes,
         }))
     }

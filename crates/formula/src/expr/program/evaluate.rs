@@ -86,6 +86,11 @@ impl<S> Default for Registers<S> {
 }
 
 impl<S: Scalar> Registers<S> {
+    /// What is in them.
+    pub(super) fn all(&self) -> &[S] {
+        &self.0
+    }
+
     /// Those of a program.
     pub(super) fn of(&mut self, program: &Program) -> &mut [S] {
         let size = program.registers as usize;
@@ -122,6 +127,17 @@ impl<'a, S> Outcome<'a, S> {
     }
 }
 
+impl<'a, S> Outcome<'a, S> {
+    /// One number.
+    pub(super) fn of_one(number: &'a S, is_open: bool) -> Self {
+        Self {
+            registers: std::slice::from_ref(number),
+            results: &[0],
+            is_open,
+        }
+    }
+}
+
 impl Program {
     /// Runs the program once over one kind of number.
     ///
@@ -148,7 +164,11 @@ impl Program {
     }
 
     /// What a run has left in its registers.
-    pub(super) fn outcome<'a, S>(&'a self, room: &'a Registers<S>, is_open: bool) -> Outcome<'a, S> {
+    pub(super) fn outcome<'a, S>(
+        &'a self,
+        room: &'a Registers<S>,
+        is_open: bool,
+    ) -> Outcome<'a, S> {
         Outcome {
             registers: &room.0,
             results: &self.results,

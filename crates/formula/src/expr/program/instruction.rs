@@ -88,9 +88,7 @@ impl Step {
             | Self::Power(a, b)
             | Self::Binary(_, a, b)
             | Self::Compare(_, a, b) => (2, [a, b, 0, 0]),
-            Self::ComplexPowerWhole([a, b], _) | Self::ComplexUnary(_, [a, b]) => {
-                (2, [a, b, 0, 0])
-            }
+            Self::ComplexPowerWhole([a, b], _) | Self::ComplexUnary(_, [a, b]) => (2, [a, b, 0, 0]),
             Self::Root(Search { ends: [a, b], .. })
             | Self::Integral(Search { ends: [a, b], .. }) => (2, [a, b, 0, 0]),
             Self::ComplexMultiply([a, b], [c, d])

@@ -1,11 +1,12 @@
 //! Runs the steps of a program.
 
+use super::arithmetic::{self, truth};
 use super::instruction::{Instruction, Register, RegisterPair, Search, Step};
 use super::integral::integral;
 use super::search::{self, root};
 use super::{Absence, Inputs, Program};
 use crate::expr::number::complex::{self, Pair};
-use crate::expr::{Doubt, Relation, Scalar, Undefined};
+use crate::expr::{Doubt, Scalar, Undefined};
 use crate::work;
 
 /// Units of work of a step in double-double, where one in binary64 is one: a sine costs a microsecond.
@@ -93,39 +94,26 @@ impl<'a, S: Scalar> Machine<'a, S> {
             Step::Input(slot) => self.inputs.input(slot)?,
             Step::Constant(index) => S::of(&self.program.constants[index as usize]),
             Step::Copy(a) => self.get(a).clone(),
-            Step::Add(a, b) => finite(self.get(a).add(self.get(b)), [self.get(a), self.get(b)])?,
-            Step::Subtract(a, b) => finite(
-                self.get(a).subtract(self.get(b)),
-                [self.get(a), self.get(b)],
-            )?,
-            Step::Multiply(a, b) => finite(
-                self.get(a).multiply(self.get(b)),
-                [self.get(a), self.get(b)],
-            )?,
-            Step::Divide(a, b) => {
-                finite(self.get(a).divide(self.get(b))?, [self.get(a), self.get(b)])?
-            }
+            Step::Add(a, b) => arithmetic::add(self.get(a), self.get(b))?,
+            Step::Subtract(a, b) => arithmetic::subtract(self.get(a), self.get(b))?,
+            Step::Multiply(a, b) => arithmetic::multiply(self.get(a), self.get(b))?,
+            Step::Divide(a, b) => arithmetic::divide(self.get(a), self.get(b))?,
             Step::Negate(a) => self.get(a).negate(),
             Step::Power(a, b) => {
-                let power = self.registers[a as usize]
-                    .power(&self.registers[b as usize], &mut self.doubt)?;
-                finite(power, [self.get(a), self.get(b)])?
+                let (a, b) = (&self.registers[a as usize], &self.registers[b as usize]);
+                arithmetic::power(a, b, &mut self.doubt)?
             }
-            Step::PowerWhole(a, exponent) => finite(
-                self.get(a).power_whole(exponent)?,
-                [self.get(a), self.get(a)],
-            )?,
+            Step::PowerWhole(a, exponent) => arithmetic::power_whole(self.get(a), exponent)?,
             Step::Unary(function, a) => {
-                let value = self.registers[a as usize].unary(function, &mut self.doubt)?;
-                finite(value, [self.get(a), self.get(a)])?
+                arithmetic::unary(function, &self.registers[a as usize], &mut self.doubt)?
             }
             Step::Binary(function, a, b) => {
                 let (a, b) = (&self.registers[a as usize], &self.registers[b as usize]);
-                finite(a.binary(function, b, &mut self.doubt)?, [a, b])?
+                arithmetic::binary(function, a, b, &mut self.doubt)?
             }
             Step::Compare(relation, a, b) => {
                 let (a, b) = (&self.registers[a as usize], &self.registers[b as usize]);
-                truth(relation.holds(a.compare(b, &mut self.doubt)))
+                arithmetic::compare(relation, a, b, &mut self.doubt)
             }
             Step::Not(a) => truth(!self.holds(a)),
             Step::Motion(index, order, time) => self.inputs.motion(index, order, self.get(time))?,
@@ -250,45 +238,5 @@ impl From<Undefined> for Stop {
     #[inline]
     fn from(reason: Undefined) -> Self {
         Self::Here(reason)
-    }
-}
-
-#[inline]
-fn truth<S: Scalar>(holds: bool) -> S {
-    S::exact(f64::from(u8::from(holds)))
-}
-
-/// A result that is finite with a finite bound, or infinite because an operand is.
-#[inline]
-fn finite<S: Scalar>(value: S, operands: [&S; 2]) -> Result<S, Undefined> {
-    if value.to_f64().is_finite() {
-        return if value.bound().is_finite() {
-            Ok(value)
-        } else {
-            Err(Undefined::Uncertain)
-        };
-    }
-    let has_infinity = operands
-        .iter()
-        .any(|operand| operand.to_f64().is_infinite());
-    if has_infinity && !value.to_f64().is_nan() {
-        Ok(value)
-    } else {
-        Err(Undefined::Overflow)
-    }
-}
-
-impl Relation {
-    /// Whether it holds between two numbers of this order.
-    #[inline]
-    pub(super) fn holds(self, order: std::cmp::Ordering) -> bool {
-        match self {
-            Self::Less => order.is_lt(),
-            Self::LessOrEqual => order.is_le(),
-            Self::Greater => order.is_gt(),
-            Self::GreaterOrEqual => order.is_ge(),
-            Self::Equal => order.is_eq(),
-            Self::NotEqual => order.is_ne(),
-        }
     }
 }

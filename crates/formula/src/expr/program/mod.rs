@@ -4,6 +4,7 @@
 //! complex numbers are taken apart when it is compiled, derivatives are formed, names are inputs or put in as
 //! formulas. A computation that occurs twice is made once. It runs over any [`Scalar`](crate::expr::Scalar).
 
+mod arithmetic;
 mod array;
 mod assembler;
 mod binder;
@@ -15,6 +16,7 @@ mod evaluate;
 mod hash;
 mod instruction;
 mod integral;
+mod lanes;
 mod machine;
 #[cfg(test)]
 mod references;

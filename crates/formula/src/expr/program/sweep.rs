@@ -5,18 +5,19 @@
 //! Either way each step gets the numbers that it gets in a whole run, so that results are the same to the last bit.
 
 use super::instruction::{Instruction, Step};
+use super::lanes::Lanes;
 use super::machine::{Machine, weight};
 use super::{Absence, Inputs, Outcome, Program, Registers};
-use crate::expr::{Approx, Scalar};
-use crate::numerics::Dd;
+use crate::expr::{Approx, Doubt, Scalar};
 use crate::work;
+use vibank_dynamics::numerics::Dd;
 
 /// A program at hand for runs between which only some inputs change.
 ///
 /// # Examples
 ///
 /// ```
-/// use vibank::expr::{Expr, Precise, Program, Slots};
+/// use vibank_formula::expr::{Expr, Precise, Program, Slots};
 /// let formula = Expr::read("sqrt(k/m)*t")?;
 /// let program = Program::compile(&formula, &Slots(&["k", "m", "t"]))?;
 /// let mut data = [8.0, 2.0, 0.0].map(Precise::exact);
@@ -85,6 +86,39 @@ impl Sweep<'_> {
     }
 }
 
+impl Sweep<'_> {
+    /// The real numbers for each of these inputs, as [`Self::real`] gives them.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Self::real`], for the first inputs that have one.
+    pub fn reals<I>(&mut self, accuracy: f64, inputs: &[I]) -> Result<Vec<f64>, Absence>
+    where
+        I: Inputs<Approx<f64>> + Inputs<Approx<Dd>>,
+    {
+        let Some((first, rest)) = inputs.split_first() else {
+            return Ok(Vec::new());
+        };
+        let first = self.real(accuracy, first)?;
+        let mut all = Vec::with_capacity(inputs.len());
+        all.push(first);
+        let (program, varied) = (self.program, &self.varied);
+        let Some(lanes) = self.double.lanes(program, rest) else {
+            for own in rest {
+                all.push(self.real(accuracy, own)?);
+            }
+            return Ok(all);
+        };
+        for (place, own) in rest.iter().enumerate() {
+            let (number, is_open) = lanes.at(program.results[0], place);
+            let double = Ok(Outcome::of_one(number, is_open));
+            let wide = &mut self.wide;
+            all.push(program.real(accuracy, double, move || wide.run(program, varied, own))?);
+        }
+        Ok(all)
+    }
+}
+
 impl<S> Default for Lap<S> {
     fn default() -> Self {
         Self {
@@ -95,6 +129,22 @@ impl<S> Default for Lap<S> {
 }
 
 impl<S: Scalar> Lap<S> {
+    /// The runs with each of these inputs, if all of them take the steps that are known.
+    fn lanes(&self, program: &Program, inputs: &[impl Inputs<S>]) -> Option<Lanes<'_, S>> {
+        let Some(Path::Fixed {
+            steps,
+            taken,
+            is_open,
+        }) = &self.path
+        else {
+            return None;
+        };
+        let doubt = Doubt { is_open: *is_open };
+        let lanes = Lanes::run(program, steps, self.registers.all(), inputs, doubt)?;
+        let _ = work::spend(taken * inputs.len() as u64 * weight::<S>());
+        Some(lanes)
+    }
+
     fn run<'a>(
         &'a mut self,
         program: &'a Program,
@@ -182,6 +232,7 @@ fn is_search(step: Step) -> bool {
 #[cfg(test)]
 mod tests {
     use crate::expr::{Expr, Precise, Program, Slots, Workspace};
+    use vibank_dynamics::numerics::Rational;
 
     /// Results, also those that are none, are those of whole runs to the last bit, whatever the formula branches on.
     #[test]
@@ -205,20 +256,28 @@ mod tests {
             "1e300*a*exp(t^4)",
         ];
         let slots = ["a", "b", "t"];
+        let at = |time| {
+            let data = ["0.3", "0.1"].map(|own| Rational::from_decimal(own).unwrap());
+            [data[0].into(), data[1].into(), Precise::exact(time)]
+        };
         for text in formulas {
             let program = Program::compile(&Expr::read(text).unwrap(), &Slots(&slots)).unwrap();
             let (mut sweep, mut room) = (program.sweep(vec![2]), Workspace::default());
             for accuracy in [0.0, 1e-6] {
                 for time in [0.0, 0.5, 1.0, 1.5, 2.0, 10.0, 0.5] {
-                    let data = ["0.3", "0.1"].map(|own| {
-                        Precise::from(crate::numerics::Rational::from_decimal(own).unwrap())
-                    });
-                    let data = [data[0], data[1], Precise::exact(time)];
+                    let data = at(time);
                     let whole = program.evaluate_within(accuracy, &data[..], &mut room);
                     let found = sweep.real(accuracy, &data[..]);
                     let bits = |own: Result<f64, _>| own.map(f64::to_bits);
                     assert_eq!(bits(found), bits(whole), "{text} at {time}");
                 }
+                let all = [0.0, 0.5, 0.75, 1.5, 0.3].map(at);
+                let together = program.sweep(vec![2]).reals(accuracy, &all);
+                let whole = all.iter();
+                let whole = whole.map(|data| program.evaluate_within(accuracy, data, &mut room));
+                let whole: Result<Vec<f64>, _> = whole.collect();
+                let bits = |own: Vec<f64>| own.into_iter().map(f64::to_bits).collect::<Vec<_>>();
+                assert_eq!(together.map(bits), whole.map(bits), "{text}");
             }
         }
     }
@@ -235,7 +294,9 @@ mod tests {
         {
             fn input(&self, slot: u32) -> Result<Approx<N>, Undefined> {
                 self.0.set(self.0.get() + 1);
-                Ok(crate::expr::Scalar::of(&Precise::exact(f64::from(slot) + 2.0)))
+                Ok(crate::expr::Scalar::of(&Precise::exact(
+                    f64::from(slot) + 2.0,
+                )))
             }
         }
         let formula = Expr::read("a*b + exp(a)*t").unwrap();

@@ -1,0 +1,151 @@
+//! Steps of a program at many places at once: each step is looked up once, and then taken at all places.
+
+use super::arithmetic::{add, binary, compare, divide, multiply, power, power_whole, subtract};
+use super::arithmetic::{truth, unary};
+use super::instruction::{Instruction, Register, Step};
+use super::{Inputs, Program};
+use crate::expr::{Doubt, Scalar, Undefined};
+
+/// What steps have computed at all places.
+pub(super) struct Lanes<'a, S> {
+    /// What is the same at all places.
+    registers: &'a [S],
+    /// By register, its column; none where it is the same at all places.
+    columns: Vec<Option<Vec<S>>>,
+    doubts: Vec<Doubt>,
+}
+
+/// What a step reads.
+enum Operand<'a, S> {
+    Same(&'a S),
+    Each(&'a [S]),
+}
+
+impl<'a, S> Operand<'a, S> {
+    #[inline]
+    fn at(&self, place: usize) -> &'a S {
+        match self {
+            Self::Same(number) => number,
+            Self::Each(numbers) => &numbers[place],
+        }
+    }
+}
+
+impl<'a, S: Scalar> Lanes<'a, S> {
+    /// Takes these steps with each of these inputs; `None` where one has no value, or computes what is no real number.
+    pub(super) fn run(
+        program: &Program,
+        steps: &[u32],
+        registers: &'a [S],
+        inputs: &[impl Inputs<S>],
+        doubt: Doubt,
+    ) -> Option<Self> {
+        let mut lanes = Self {
+            registers,
+            columns: (0..program.registers).map(|_| None).collect(),
+            doubts: vec![doubt; inputs.len()],
+        };
+        for at in steps {
+            let Instruction { step, out } = program.code[*at as usize];
+            let column = lanes.column(step, inputs)?;
+            lanes.columns[out as usize] = Some(column);
+        }
+        Some(lanes)
+    }
+
+    /// What a register holds at a place, and whether more digits could change a decision there.
+    pub(super) fn at(&self, register: Register, place: usize) -> (&S, bool) {
+        let number = self.get(register).at(place);
+        (number, self.doubts[place].is_open)
+    }
+
+    fn get(&self, register: Register) -> Operand<'_, S> {
+        match &self.columns[register as usize] {
+            Some(column) => Operand::Each(column),
+            None => Operand::Same(&self.registers[register as usize]),
+        }
+    }
+
+    fn column(&mut self, step: Step, inputs: &[impl Inputs<S>]) -> Option<Vec<S>> {
+        let mut doubts = std::mem::take(&mut self.doubts);
+        let count = doubts.len();
+        let column = match step {
+            Step::Input(slot) => inputs.iter().map(|own| own.input(slot)).collect(),
+            Step::Motion(index, order, time) => {
+                let time = self.get(time);
+                let places = inputs.iter().enumerate();
+                let motion = |(place, own): (usize, &_)| {
+                    Inputs::<S>::motion(own, index, order, time.at(place))
+                };
+                places.map(motion).collect()
+            }
+            Step::Copy(a) => self.one(a, count, |a| Ok(a.clone())),
+            Step::Negate(a) => self.one(a, count, |a| Ok(a.negate())),
+            Step::Not(a) => self.one(a, count, |a| Ok(truth(a.to_f64() == 0.0))),
+            Step::PowerWhole(a, exponent) => self.one(a, count, |a| power_whole(a, exponent)),
+            Step::Add(a, b) => self.two([a, b], count, add),
+            Step::Subtract(a, b) => self.two([a, b], count, subtract),
+            Step::Multiply(a, b) => self.two([a, b], count, multiply),
+            Step::Divide(a, b) => self.two([a, b], count, divide),
+            Step::Unary(function, a) => {
+                self.each([a, a], &mut doubts, |a, _, doubt| unary(function, a, doubt))
+            }
+            Step::Power(a, b) => self.each([a, b], &mut doubts, power),
+            Step::Binary(function, a, b) => self.each([a, b], &mut doubts, |a, b, doubt| {
+                binary(function, a, b, doubt)
+            }),
+            Step::Compare(relation, a, b) => self.each([a, b], &mut doubts, |a, b, doubt| {
+                Ok(compare(relation, a, b, doubt))
+            }),
+            // A constant does not vary, and nothing is gone on with elsewhere.
+            Step::Constant(_) | Step::Jump(_) | Step::JumpUnless(..) | Step::JumpIf(..) => {
+                return None;
+            }
+            Step::Root(_) | Step::Integral(_) => return None,
+            Step::ComplexMultiply(..)
+            | Step::ComplexDivide(..)
+            | Step::ComplexPower(..)
+            | Step::ComplexPowerWhole(..)
+            | Step::ComplexUnary(..) => return None,
+        };
+        self.doubts = doubts;
+        column.ok()
+    }
+
+    #[inline]
+    fn one(
+        &self,
+        a: Register,
+        count: usize,
+        step: impl Fn(&S) -> Result<S, Undefined>,
+    ) -> Result<Vec<S>, Undefined> {
+        let a = self.get(a);
+        (0..count).map(|place| step(a.at(place))).collect()
+    }
+
+    #[inline]
+    fn two(
+        &self,
+        [a, b]: [Register; 2],
+        count: usize,
+        step: impl Fn(&S, &S) -> Result<S, Undefined>,
+    ) -> Result<Vec<S>, Undefined> {
+        let (a, b) = (self.get(a), self.get(b));
+        let places = 0..count;
+        places.map(|place| step(a.at(place), b.at(place))).collect()
+    }
+
+    #[inline]
+    fn each(
+        &self,
+        [a, b]: [Register; 2],
+        doubts: &mut [Doubt],
+        step: impl Fn(&S, &S, &mut Doubt) -> Result<S, Undefined>,
+    ) -> Result<Vec<S>, Undefined> {
+        let (a, b) = (self.get(a), self.get(b));
+        let places = doubts.iter_mut().enumerate();
+        places
+            .map(|(place, doubt)| step(a.at(place), b.at(place), doubt))
+            .collect()
+    }
+}
