@@ -20,6 +20,8 @@ mod cli;
 mod compiled;
 #[cfg(feature = "render")]
 mod course;
+#[cfg(feature = "cli")]
+mod examples;
 #[cfg(feature = "render")]
 mod export;
 #[cfg(feature = "render")]

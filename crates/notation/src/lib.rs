@@ -151,7 +151,7 @@ pub enum Math {
         /// What stands under it.
         #[serde(rename = "r")]
         radicand: Box<Math>,
-        /// The degree.
+        /// The `n` of an n-th root.
         #[serde(rename = "d", skip_serializing_if = "Option::is_none")]
         degree: Option<Box<Math>>,
     },
@@ -187,7 +187,7 @@ pub enum Math {
         /// What bears the accent.
         #[serde(rename = "b")]
         base: Box<Math>,
-        /// Which.
+        /// The mark above the base.
         #[serde(rename = "a")]
         accent: Accent,
     },
@@ -213,7 +213,7 @@ pub enum Math {
         /// Cells by row.
         #[serde(rename = "r")]
         rows: Vec<Vec<Math>>,
-        /// What it is for.
+        /// What the rows are: a matrix, cases, aligned equations.
         #[serde(rename = "k")]
         kind: TableKind,
     },

@@ -6,6 +6,22 @@
 //! `xdot`, `d²x/dt²` and simple LaTeX. What was read is echoed; what cannot be read is refused with
 //! its place and with what to type instead. Nothing is guessed in silence.
 //!
+//! ```
+//! use vibank_formula::expr::{Expr, Name};
+//! use vibank_notation::symbol;
+//! use vibank_response::{Folded, Lexicon, Manner, formula};
+//!
+//! let mut lexicon = Lexicon::new();
+//! for name in ["k", "m"] {
+//!     lexicon.allow(&Name::new(name), symbol(name), false);
+//! }
+//! // LaTeX, words and the signs of paper become one spelling, which is read with the names of the item.
+//! let folded = Folded::of(r"\sqrt{\frac{k}{2m}}").expect("no dollar sign stands alone");
+//! let typed = formula(folded.text(), &lexicon, Manner::default()).expect("it is a formula");
+//! assert_eq!(typed.value, Expr::read("sqrt(k/(2*m))")?);
+//! # Ok::<(), vibank_formula::expr::ReadError>(())
+//! ```
+//!
 //! # The slash
 //!
 //! A slash takes what stands right behind it, without a space: `k/2m` is `k/(2m)`, while `k/2 m` is `(k/2) m`.
