@@ -62,15 +62,15 @@ pub trait Declare {
 /// A name of the item, as responses may use it.
 #[derive(Clone, Debug)]
 pub struct Known {
-    /// The name.
+    /// The name under which the item knows it.
     pub name: Name,
-    /// Its symbol.
+    /// How it is printed.
     pub symbol: Arc<Math>,
     /// What it is, in words.
     pub title: Option<Arc<str>>,
     /// What it stands for.
     pub kind: Type,
-    /// What it is.
+    /// A datum, a quantity, a coordinate, or a letter that only answers use.
     pub role: Role,
 }
 
@@ -79,7 +79,7 @@ pub struct Known {
 pub enum Role {
     /// A datum.
     Parameter {
-        /// Its node.
+        /// Its place in the graph of quantities.
         node: NodeId,
         /// Whether it may be negative.
         is_signed: bool,
@@ -92,7 +92,7 @@ pub enum Role {
     Coordinate,
     /// A quantity.
     Quantity {
-        /// Its node.
+        /// Its place in the graph of quantities.
         node: NodeId,
         /// Whether an earlier part asks for it.
         is_asked: bool,

@@ -142,7 +142,7 @@ pub enum KeyValue {
     Formula {
         /// In the formula language.
         text: String,
-        /// In LaTeX.
+        /// The formula as LaTeX, without dollar signs.
         latex: String,
     },
 }

@@ -6,7 +6,7 @@ use crate::source::{Table, Text};
 /// The `[item]` table.
 #[derive(Clone, Debug)]
 pub struct About {
-    /// Its title.
+    /// The title that lists and pages show.
     pub title: String,
     /// Where it comes from.
     pub source: String,

@@ -33,7 +33,7 @@ pub struct Compiled {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("`{item}` is no compiled item of this version: {reason}")]
 pub struct CompiledError {
-    /// The item.
+    /// The identity that the compiled item claims.
     pub item: String,
     /// What is wrong first.
     pub reason: String,

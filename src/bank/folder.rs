@@ -16,7 +16,7 @@ pub const FORMAT: i64 = 1;
 /// `bank.toml`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BankFile {
-    /// Its title.
+    /// The title that lists and pages show.
     pub title: String,
     /// Its licence; may be empty.
     pub licence: String,
@@ -31,7 +31,7 @@ pub struct BankFile {
 pub struct Chapter {
     /// The name of its folder.
     pub folder: String,
-    /// Its title.
+    /// The title that lists and pages show.
     pub title: String,
     /// Its number, for the order.
     pub number: i64,

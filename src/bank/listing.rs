@@ -14,7 +14,7 @@ pub struct Listing {
     pub id: ItemId,
     /// The text it was read from.
     pub revision: Revision,
-    /// Its title.
+    /// The title that lists and pages show.
     pub title: String,
     /// Where it comes from.
     pub source: String,

@@ -15,7 +15,7 @@ pub struct Parameter {
     pub name: Name,
     /// What it is, in words.
     pub title: Option<Arc<str>>,
-    /// Its symbol.
+    /// How the parameter is printed.
     pub symbol: Arc<Math>,
     /// The value of the source, used when nothing is drawn or set.
     pub value: Quantity,

@@ -33,7 +33,7 @@ pub struct Curves {
     pub x: Abscissa,
     /// The axis upwards.
     pub y: Ordinate,
-    /// The curves.
+    /// The curves in the order of the file, in which their dashes are given out.
     pub curves: Vec<Curve>,
     /// Points that are marked.
     pub marks: Vec<Mark>,
@@ -44,7 +44,7 @@ pub struct Curves {
 pub struct Abscissa {
     /// From where to where.
     pub range: [NodeId; 2],
-    /// Its unit.
+    /// The unit in which the axis counts.
     pub unit: Unit,
     /// What stands at the axis.
     pub label: Math,
@@ -57,7 +57,7 @@ pub struct Abscissa {
 /// The axis of the values.
 #[derive(Clone, Debug)]
 pub struct Ordinate {
-    /// Its unit.
+    /// The unit in which the axis counts.
     pub unit: Unit,
     /// In a phase plane, the unit of the rate.
     pub rate_unit: Unit,
@@ -87,7 +87,7 @@ pub struct Curve {
 /// A marked point.
 #[derive(Clone, Debug)]
 pub struct Mark {
-    /// Where.
+    /// The place in the plane, as formulas of the item.
     pub at: [NodeId; 2],
     /// What stands at it.
     pub label: Option<Math>,

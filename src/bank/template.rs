@@ -85,7 +85,7 @@ pub struct QuantityInfo {
     pub name: Name,
     /// What it is, in words.
     pub title: Option<Arc<str>>,
-    /// Its symbol.
+    /// How the quantity is printed.
     pub symbol: Arc<Math>,
     /// Its units; an abbreviation has none.
     pub units: Option<Units>,
@@ -117,7 +117,7 @@ pub struct Part {
     pub group: Option<Arc<Group>>,
     /// The question.
     pub ask: Passage,
-    /// What answers it.
+    /// The kind of answer with its key, tolerance and mistakes.
     pub answer: Box<dyn Answer>,
     /// What its answer line says, once it was asked for: the same for all data.
     pub(crate) blank: OnceLock<Blank>,

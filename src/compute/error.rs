@@ -48,13 +48,13 @@ pub enum RequestError {
     /// A parameter that the task needs.
     #[error("the parameter `{name}` is missing")]
     MissingParameter {
-        /// Its name.
+        /// The key under `params`, as the request has it.
         name: &'static str,
     },
     /// A parameter that cannot be read as what it should be.
     #[error("the parameter `{name}` must be {expected}")]
     NotANumber {
-        /// Its name.
+        /// The key under `params`, as the request has it.
         name: &'static str,
         /// What it should be.
         expected: &'static str,
@@ -62,7 +62,7 @@ pub enum RequestError {
     /// A list that is too long.
     #[error("the parameter `{name}` has {count} entries, and at most {most} are read")]
     TooMany {
-        /// Its name.
+        /// The key under `params`, as the request has it.
         name: &'static str,
         /// Its length.
         count: usize,
@@ -78,7 +78,7 @@ pub enum RequestError {
     /// A result that is too large for a number.
     #[error("the result `{name}` leaves the range of numbers")]
     NotFinite {
-        /// Its name.
+        /// The key under `params`, as the request has it.
         name: &'static str,
     },
 }

@@ -27,10 +27,10 @@ pub struct Package {
     pub id: String,
     /// Of the questions and the revisions of their items: where it is another, old answers belong to other questions.
     pub digest: String,
-    /// Its rules.
+    /// Attempts, feedback, worked solutions, and the share with which the package is passed.
     #[serde(flatten)]
     pub rules: Rules,
-    /// Its questions.
+    /// The questions in the order of the page.
     pub questions: Vec<Asked>,
 }
 
@@ -41,7 +41,7 @@ pub struct Asked {
     pub key: String,
     /// The text of its item.
     pub revision: String,
-    /// Its parts.
+    /// The parts that are asked, in their order.
     pub parts: Vec<Weighed>,
 }
 

@@ -31,9 +31,9 @@ use crate::unit::Decimal;
 /// What was found out about an item.
 #[derive(Clone, Debug, Serialize)]
 pub struct Examination {
-    /// The item.
+    /// The identity of the item, `chapter/name`.
     pub item: String,
-    /// Its parts.
+    /// What was found of each part, in their order.
     pub parts: Vec<PartExamined>,
     /// The exceptions that were made use of, with their reasons.
     pub allowed: Vec<Exception>,
@@ -51,7 +51,7 @@ fn is_about(template: &Template, fault: &Fault, name: &str) -> bool {
 /// A finding that is in order in an item.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Exception {
-    /// The rule.
+    /// The rule that the item is excepted from.
     pub rule: String,
     /// The part, where it is about one.
     pub part: Option<String>,

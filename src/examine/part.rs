@@ -24,7 +24,7 @@ const LEAST_METHODS: usize = 3;
 /// What was found out about a part.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct PartExamined {
-    /// The part.
+    /// The identifier of the part.
     pub part: String,
     /// How many standard wrong methods gave another answer than the key in some draw.
     pub methods: usize,

@@ -19,7 +19,7 @@ pub(super) struct Asked<'t> {
     pub(super) opens: bool,
     /// Its place in the item.
     pub(super) place: usize,
-    /// Its points.
+    /// The points that can be reached.
     pub(super) points: Rational,
     /// Whether a person marks it wherever it is asked.
     pub(super) is_by_hand: bool,

@@ -47,11 +47,11 @@ pub struct Tally {
 /// A part that a platform cannot mark.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unfit {
-    /// Its item.
+    /// The identity of the item, `chapter/name`.
     pub item: String,
-    /// The part.
+    /// The identifier of the part.
     pub part: String,
-    /// Why.
+    /// Why the platform cannot have it.
     pub reason: &'static str,
 }
 

@@ -26,7 +26,7 @@ pub enum FigureError {
     /// A place of the wrong number of points.
     #[error("`{kind}` is placed by {expected}, found {found}")]
     Place {
-        /// The kind.
+        /// The kind of element, as the figure writes it.
         kind: &'static str,
         /// What is due.
         expected: &'static str,
@@ -38,11 +38,11 @@ pub enum FigureError {
     /// A formula that is no number, or no point.
     #[error("this is {found}, expected {}", if *is_point { "a point, `[x, y]` in units of 10 mm" } else { "a pure number" })]
     Form {
-        /// What it is.
+        /// What stands there instead.
         found: String,
         /// Whether a point is due.
         is_point: bool,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A side or pass of a point that has none.
@@ -52,7 +52,7 @@ pub enum FigureError {
         found: String,
         /// The point that is nearest.
         nearest: Option<String>,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A side of a point at which no body is placed.
@@ -60,7 +60,7 @@ pub enum FigureError {
     NoBody {
         /// The point.
         found: String,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A cord that is led over something that is round nowhere.
@@ -68,7 +68,7 @@ pub enum FigureError {
     NoPulley {
         /// The point.
         found: String,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A motion of an item without a model.
@@ -84,7 +84,7 @@ pub enum FigureError {
         found: String,
         /// The coordinates.
         known: Vec<String>,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A displacement of the wrong dimension.
@@ -94,19 +94,19 @@ pub enum FigureError {
         found: String,
         /// Whether an angle is due.
         is_turn: bool,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A word that a key does not take.
     #[error("`{key}` cannot be `{found}`")]
     Word {
-        /// The key.
+        /// The key of the element, as it is written.
         key: &'static str,
         /// The word.
         found: String,
         /// The words that it takes.
         known: Vec<&'static str>,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
 }

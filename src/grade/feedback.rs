@@ -32,14 +32,14 @@ pub struct Feedback {
     pub points: Rational,
     /// Points of the sheet.
     pub max: Rational,
-    /// By question.
+    /// The questions in the order of the sheet.
     pub questions: Vec<QuestionFeedback>,
 }
 
 /// What a student is told about a question.
 #[derive(Clone, Debug, PartialEq)]
 pub struct QuestionFeedback {
-    /// Its number.
+    /// The number that is printed before the question.
     pub number: usize,
     /// Title of the item.
     pub title: String,
@@ -47,14 +47,14 @@ pub struct QuestionFeedback {
     pub points: Rational,
     /// Points of the question.
     pub max: Rational,
-    /// By part.
+    /// The parts that are asked, in their order.
     pub parts: Vec<PartFeedback>,
 }
 
 /// What a student is told about a part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartFeedback {
-    /// Its letter.
+    /// The letter that is printed before the part; empty where there is one part.
     pub letter: String,
     /// How the answer fared.
     pub verdict: Verdict,

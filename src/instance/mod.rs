@@ -31,7 +31,7 @@ pub enum InstanceError {
     /// The constraints were not met in a bounded number of draws.
     #[error("no data of `{item}` meet its constraints in {attempts} draws: {}", .broken.iter().map(|(name, count)| format!("`{name}` was broken {count} times")).collect::<Vec<_>>().join(", "))]
     Constraints {
-        /// The item.
+        /// The identity of the item, `chapter/name`.
         item: String,
         /// How many draws were made.
         attempts: u32,
@@ -41,7 +41,7 @@ pub enum InstanceError {
     /// A value for a parameter that the item does not have.
     #[error("`{item}` has no parameter `{found}`{}", .nearest.as_ref().map(|near| format!(", did you mean `{near}`?")).unwrap_or_default())]
     UnknownParameter {
-        /// The item.
+        /// The identity of the item, `chapter/name`.
         item: String,
         /// The name.
         found: String,
@@ -199,7 +199,7 @@ impl<'t> Instance<'t> {
             .map(|constraint| &*constraint.name)
     }
 
-    /// Its template.
+    /// The template that it was drawn from.
     pub fn template(&self) -> &'t Template {
         self.template
     }

@@ -52,9 +52,9 @@ pub struct Definition {
 /// A generalized coordinate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Coordinate {
-    /// Its name.
+    /// The name under which formulas of the model know it.
     pub name: Name,
-    /// Its dimension.
+    /// Of its positions: a length, or 1 for an angle.
     pub dimension: Dimension,
     /// Whether it is declared in units of an angle, so that positions a turn apart are the same.
     pub is_angle: bool,
@@ -74,9 +74,9 @@ pub struct Friction {
 /// The initial state along a coordinate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Initial {
-    /// The position.
+    /// The position at t = 0, as the item states it.
     pub position: Expr,
-    /// The velocity.
+    /// The velocity at t = 0, as the item states it.
     pub velocity: Expr,
 }
 
@@ -85,7 +85,7 @@ pub struct Initial {
 /// Forces that the balance at rest takes up are left out here as they are in the energies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
-    /// Its name.
+    /// The name under which formulas of the model know it.
     pub name: Name,
     /// What it does: each displacement or angle, a coordinate or kinematic name, with its mass or moment of inertia.
     pub moves: Vec<(Name, Expr)>,

@@ -70,7 +70,7 @@ pub enum ModelError {
     Check {
         /// In which formula.
         key: Key,
-        /// What.
+        /// What is wrong with the formula.
         error: CheckError,
     },
     /// A term of another dimension than its formula has to have.
@@ -88,7 +88,7 @@ pub enum ModelError {
     /// A name stands for two things that move.
     #[error("`{name}` is declared twice in `coordinates` and `kinematics`")]
     Duplicate {
-        /// The name.
+        /// The name, as the model writes it.
         name: Name,
         /// Where it is declared again.
         span: Span,
@@ -104,7 +104,7 @@ pub enum ModelError {
     /// Something is given along a name that is no coordinate.
     #[error("`{name}` in `{key}` is no coordinate of this model")]
     UnknownCoordinate {
-        /// The name.
+        /// The name, as the model writes it.
         name: Name,
         /// In which table.
         key: Key,
@@ -114,11 +114,11 @@ pub enum ModelError {
     /// A velocity of something that does not move.
     #[error("`{name}'` in `{key}`, but `{name}` is neither a coordinate nor in `kinematics`")]
     MissingCoordinate {
-        /// The name.
+        /// The name, as the model writes it.
         name: Name,
         /// In which formula.
         key: Key,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// An energy that depends on accelerations.
@@ -126,7 +126,7 @@ pub enum ModelError {
     Acceleration {
         /// In which formula.
         key: Key,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A potential energy that depends on velocities.
@@ -182,7 +182,7 @@ pub enum ModelError {
     Symbolic {
         /// In which formula.
         key: Key,
-        /// Why.
+        /// What the algebra could not do.
         error: SymbolicError,
         /// The formula, or the place in it.
         span: Span,

@@ -31,7 +31,7 @@ pub enum Lack {
     /// The stated position is none at rest for these data.
     #[error("the stated position is not at rest: a force along `{coordinate}` is left")]
     NotAtRest {
-        /// The coordinate.
+        /// The coordinate along which a force is left.
         coordinate: Name,
     },
     /// The position at rest is not stable, so that nothing vibrates about it.

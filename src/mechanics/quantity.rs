@@ -81,7 +81,7 @@ pub enum QuantityError {
     Unknown {
         /// As written.
         name: Name,
-        /// The nearest one.
+        /// The name of a model quantity that is spelled nearly so.
         nearest: Option<&'static str>,
     },
     /// A quantity of a coordinate without the coordinate.

@@ -16,7 +16,7 @@ pub enum OutputError {
     /// A layout that cannot be read.
     #[error("the layouts of `{format}` cannot be read: {message}")]
     Layouts {
-        /// The format.
+        /// The format whose layouts these are: `html`, `latex`.
         format: &'static str,
         /// What is wrong and where.
         message: String,
@@ -24,7 +24,7 @@ pub enum OutputError {
     /// A page that cannot be filled.
     #[error("the layout `{layout}` cannot be filled: {message}")]
     Page {
-        /// The layout.
+        /// The name of the layout file.
         layout: String,
         /// What is wrong and where.
         message: String,

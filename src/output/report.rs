@@ -27,7 +27,7 @@ pub struct Lost {
     pub question: usize,
     /// Letter of the part there.
     pub letter: String,
-    /// The item.
+    /// The identity of the item, `chapter/name`.
     pub item: String,
     /// The part of the item.
     pub id: String,
@@ -45,7 +45,7 @@ pub struct Lost {
 /// A sheet with an answer that could not be read.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct LostSheet {
-    /// Its code.
+    /// The code of the sheet, as it was typed.
     pub code: String,
     /// Identity of the student; may be empty.
     pub student: String,

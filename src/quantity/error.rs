@@ -44,7 +44,7 @@ pub enum GraphError {
     /// A path that leads to no quantity of a model.
     #[error("{error}")]
     Offer {
-        /// Why.
+        /// What is wrong with the formula.
         error: QuantityError,
         /// Where the path stands.
         span: Span,
@@ -52,7 +52,7 @@ pub enum GraphError {
     /// A name that is taken.
     #[error("`{name}` is already the name of something else in this item")]
     Taken {
-        /// The name.
+        /// The name of the quantity, as the item declares it.
         name: Name,
     },
 }

@@ -38,7 +38,7 @@ pub enum Absent {
     Lack {
         /// The quantity.
         label: Box<str>,
-        /// Why.
+        /// Why the model does not have it.
         lack: Box<Lack>,
     },
     /// It is a function of something that is not given.
@@ -46,7 +46,7 @@ pub enum Absent {
     Function {
         /// The quantity.
         label: Box<str>,
-        /// Of what.
+        /// The names that have no value.
         of: Vec<Name>,
     },
 }

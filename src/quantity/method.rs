@@ -31,7 +31,7 @@ pub enum Wrong {
     Term {
         /// The quantity.
         step: Arc<str>,
-        /// The term.
+        /// The term that is dropped, as it is written.
         term: String,
     },
     /// A factor is forgotten.
@@ -39,7 +39,7 @@ pub enum Wrong {
     Factor {
         /// The quantity.
         step: Arc<str>,
-        /// The factor.
+        /// The factor that is forgotten, as it is written.
         factor: String,
     },
     /// Sine for cosine, or the reverse.

@@ -21,7 +21,7 @@ pub struct Common {
 pub struct Mistake {
     /// The code of the reason.
     pub code: String,
-    /// What it is.
+    /// The sentence or the tag of the mistake.
     pub what: String,
     /// How often.
     pub count: u64,

@@ -27,7 +27,7 @@ use crate::bank::Catalogue;
 /// A marked response, as far as statistics need it.
 #[derive(Clone, Copy, Debug)]
 pub struct Observation<'a> {
-    /// The item.
+    /// The identity of the item, `chapter/name`.
     pub item: &'a str,
     /// The part of the item.
     pub part: &'a str,
@@ -62,7 +62,7 @@ pub struct Report {
 /// What came out.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Summary {
-    /// How many sheets.
+    /// The number of sheets that were marked.
     pub sheets: usize,
     /// How many of them have parts that nobody has decided yet.
     pub undecided: usize,
@@ -81,11 +81,11 @@ pub struct Summary {
 /// How shares of points are distributed, each from 0 to 1.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Distribution {
-    /// Mean.
+    /// The mean of the points of all sheets.
     pub mean: f64,
     /// Standard deviation; `null` for one sheet.
     pub deviation: Option<f64>,
-    /// Lowest.
+    /// The fewest points that a sheet has.
     pub lowest: f64,
     /// A quarter of the sheets lie below.
     pub lower_quartile: f64,
@@ -93,7 +93,7 @@ pub struct Distribution {
     pub median: f64,
     /// Three quarters of the sheets lie below.
     pub upper_quartile: f64,
-    /// Highest.
+    /// The most points that a sheet has.
     pub highest: f64,
     /// Sheets in each tenth; the last one includes full marks.
     pub tenths: [u64; 10],

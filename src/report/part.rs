@@ -30,9 +30,9 @@ pub(super) struct Tally {
 /// How a part fared.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PartSummary {
-    /// The item.
+    /// The identity of the item, `chapter/name`.
     pub item: String,
-    /// Its title.
+    /// The title of the item.
     pub title: String,
     /// The part of the item.
     pub part: String,

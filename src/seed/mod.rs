@@ -69,7 +69,7 @@ impl Seed {
         Self(number)
     }
 
-    /// Its number.
+    /// The number that it was made of.
     pub const fn number(self) -> u64 {
         self.0
     }

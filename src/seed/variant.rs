@@ -85,7 +85,7 @@ impl Variant {
         derive(&fields, secret)
     }
 
-    /// Its number.
+    /// Its 64 bits as a number.
     pub const fn number(self) -> u64 {
         self.0
     }

@@ -104,12 +104,12 @@ impl<'t> Solution<'t> {
         }
     }
 
-    /// Its instance.
+    /// The instance that it solves.
     pub fn instance(&self) -> &Instance<'t> {
         &self.instance
     }
 
-    /// Its template.
+    /// The template of the instance that it solves.
     pub fn template(&self) -> &'t Template {
         self.instance.template()
     }

@@ -20,15 +20,15 @@ pub enum Unfit {
     /// A part that is asked has no answer.
     #[error("part `{part}` has no answer: {reason}")]
     NoKey {
-        /// The part.
+        /// The identifier of the part.
         part: String,
-        /// Why.
+        /// Why the key does not exist.
         reason: String,
     },
     /// A mistake that cannot be told from the key.
     #[error("a mistake of part `{part}` lies {tolerances:.1} tolerances from its key")]
     NearMistake {
-        /// The part.
+        /// The identifier of the part.
         part: String,
         /// The distance in tolerances.
         tolerances: f64,
@@ -36,7 +36,7 @@ pub enum Unfit {
     /// A wrong method that cannot be told from the right one.
     #[error("part `{part}`: {method} lies {tolerances:.1} tolerances from the key")]
     NearMethod {
-        /// The part.
+        /// The identifier of the part.
         part: String,
         /// What is done wrongly.
         method: Wrong,

@@ -13,7 +13,7 @@ const THREE_FIGURES: f64 = 0.005;
 /// What the keys of a part look like over the draws that are fit to hand out.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct AnswerSurvey {
-    /// The part.
+    /// The identifier of the part.
     pub part: String,
     /// The unit of the numbers.
     pub unit: String,

@@ -36,7 +36,7 @@ use crate::suitability;
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Survey {
-    /// The item.
+    /// The identity of the item, `chapter/name`.
     pub item: String,
     /// How many instances were drawn.
     pub draws: u64,
@@ -56,9 +56,9 @@ pub struct Survey {
 /// How far the two routes to a quantity differ.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Disagreement {
-    /// The quantity.
+    /// The name of the quantity.
     pub quantity: String,
-    /// The seed.
+    /// The seed of the draw with the greatest difference.
     pub seed: u64,
     /// The greatest difference as a share of the greatest of the numbers.
     pub share: f64,

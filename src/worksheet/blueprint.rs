@@ -114,7 +114,7 @@ pub struct Blueprint {
     pub solutions: bool,
     /// The rules of the page that is made of it for a course.
     pub rules: Rules,
-    /// The questions.
+    /// The questions in the order of the blueprint.
     pub questions: Vec<Question>,
     /// What may be wrong with its texts.
     pub warnings: Vec<Finding>,
@@ -194,13 +194,13 @@ pub enum BlueprintError {
     /// A word that is none of the known ones.
     #[error("`{key}` cannot be `{found}`")]
     Word {
-        /// The key.
+        /// The key of the blueprint, as it is written.
         key: &'static str,
         /// The word.
         found: String,
         /// What it can be.
         known: &'static [&'static str],
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A working space that is none.
@@ -217,11 +217,11 @@ pub enum BlueprintError {
     TooMany {
         /// What there are many of.
         of: &'static str,
-        /// How many.
+        /// The number that is asked for.
         found: usize,
-        /// The most.
+        /// The largest number that is accepted.
         most: usize,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A public number and a file that keys the seeds.

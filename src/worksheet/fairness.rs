@@ -53,7 +53,7 @@ pub struct QuestionFairness {
 /// How alike the variants of one item are.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ItemFairness {
-    /// Its title.
+    /// The title of the item.
     pub title: String,
     /// The text of the item that was used.
     pub revision: Revision,

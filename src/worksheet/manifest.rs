@@ -32,7 +32,7 @@ pub struct Manifest {
     pub program: String,
     /// The bank of the items.
     pub bank: BankStamp,
-    /// The blueprint.
+    /// The blueprint that the run was made from.
     pub blueprint: FileStamp,
     /// Title of the sheet.
     pub title: String,
@@ -97,7 +97,7 @@ fn nothing() -> Option<f64> {
 /// A bank, by title and digest.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BankStamp {
-    /// Its title.
+    /// The title of the bank.
     pub title: String,
     /// Digest over the revisions of its items.
     pub digest: String,
@@ -115,7 +115,7 @@ pub struct FileStamp {
 /// One sheet.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct VariantEntry {
-    /// Its code.
+    /// The code that is printed on the sheet.
     pub code: String,
     /// The seed of the variant.
     pub seed: u64,
@@ -126,7 +126,7 @@ pub struct VariantEntry {
     /// Where it stands in the files that it shares with other sheets: its first byte there, and how many are its own.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub pages: BTreeMap<String, (u64, u64)>,
-    /// Its questions.
+    /// The questions in the order of the sheet.
     pub questions: Vec<QuestionEntry>,
 }
 
@@ -135,17 +135,17 @@ pub struct VariantEntry {
 pub struct QuestionEntry {
     /// Its number on the sheet, from 1.
     pub number: usize,
-    /// The item.
+    /// The identity of the item, `chapter/name`.
     pub item: ItemId,
     /// The text of the item that was used.
     pub revision: Revision,
     /// The seed of the instance.
     pub seed: u64,
-    /// Its points.
+    /// The points that can be reached.
     pub points: f64,
     /// The data as printed.
     pub values: BTreeMap<String, String>,
-    /// Its parts.
+    /// The parts that are asked, in their order.
     pub parts: Vec<PartEntry>,
 }
 
@@ -160,7 +160,7 @@ pub struct PartEntry {
     pub kind: String,
     /// The unit asked for; empty if none.
     pub unit: String,
-    /// Its points.
+    /// The points that can be reached.
     pub points: f64,
     /// The options of a choice, in the order printed.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]

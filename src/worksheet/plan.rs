@@ -15,7 +15,7 @@ use crate::source::{Span, Text, nearest};
 /// A blueprint whose items were found.
 #[derive(Debug)]
 pub struct Plan<'c> {
-    /// The blueprint.
+    /// The blueprint that the plan follows.
     pub blueprint: &'c Blueprint,
     /// Its questions, each pick as many times as it counts.
     pub questions: Vec<Planned<'c>>,

@@ -42,7 +42,7 @@ pub struct Practice {
 /// A question, before its data are drawn.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PracticeQuestion {
-    /// Its item.
+    /// The item that the question draws from.
     pub item: ItemId,
     /// The place of the item among those of the page, from 0.
     pub place: usize,
@@ -72,7 +72,7 @@ pub struct PracticeQuestion {
 pub struct Weighed {
     /// The part.
     pub id: String,
-    /// Its points.
+    /// The points that can be reached.
     pub points: f64,
     /// Whether it is asked for some data only.
     #[serde(skip_serializing_if = "std::ops::Not::not")]

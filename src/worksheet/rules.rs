@@ -15,7 +15,7 @@ pub enum Feedback {
     /// After all answers were submitted.
     #[serde(rename = "after submitting")]
     AfterSubmitting,
-    /// Never.
+    /// Not before, and not after submitting.
     #[serde(rename = "never")]
     Never,
 }
@@ -28,7 +28,7 @@ pub enum Worked {
     /// its question.
     #[default]
     After,
-    /// Never.
+    /// Not before, and not after submitting.
     Never,
 }
 

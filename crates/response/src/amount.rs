@@ -13,7 +13,7 @@ use vibank_formula::unit::{Decimal, Dimension, Unit};
 /// A number with its unit, and what else may have been meant.
 #[derive(Clone, Debug)]
 pub struct Amount {
-    /// The number.
+    /// What stands before the unit.
     pub number: Number,
     /// None is written where it is [`Unit::ONE`].
     pub unit: Unit,

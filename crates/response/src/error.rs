@@ -42,7 +42,7 @@ pub enum Trouble {
         name: &'static str,
         /// How many it takes at least.
         least: usize,
-        /// How many at most.
+        /// How many arguments it takes at most.
         most: usize,
     },
     /// Two values at once.

@@ -91,7 +91,7 @@ impl<'t> Values<'t> {
         self.text.get(error.span.range()).unwrap_or_default()
     }
 
-    /// All of it.
+    /// The whole response as one part.
     pub fn all(&self) -> Part {
         0..self.tokens.len()
     }

@@ -10,7 +10,7 @@ pub enum Problem {
     Syntax {
         /// What the reader of TOML says.
         message: String,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A key that has to be there is not.
@@ -18,7 +18,7 @@ pub enum Problem {
     Missing {
         /// The table, as it is called in the file.
         table: String,
-        /// The key.
+        /// The key, as the reader asks for it.
         key: &'static str,
         /// Its header.
         span: Span,
@@ -38,7 +38,7 @@ pub enum Problem {
     /// A value of another kind than its key asks for.
     #[error("`{key}` is {found}, expected {expected}")]
     Kind {
-        /// The key.
+        /// The key, as the reader asks for it.
         key: String,
         /// What is due.
         expected: &'static str,
@@ -59,7 +59,7 @@ fn called(table: &str) -> String {
 }
 
 impl Problem {
-    /// Where it is.
+    /// The bytes of the file that the message points at.
     pub fn span(&self) -> Span {
         match self {
             Self::Syntax { span, .. }

@@ -12,7 +12,7 @@ use super::json::{Fields, FromJson, Misfit, variant};
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(transparent)]
 pub struct Value {
-    /// What it is.
+    /// The text, number, truth, list or table that it holds.
     pub data: Data,
     /// Where it stands; quotes and brackets included.
     #[serde(skip)]
@@ -46,13 +46,13 @@ pub enum Data {
 /// One key of a table and its value, in file order.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Entry {
-    /// The key.
+    /// The key, without quotes.
     #[serde(rename = "k")]
     pub key: String,
     /// Where the key stands.
     #[serde(skip)]
     pub span: Span,
-    /// Its value.
+    /// The value behind the equals sign.
     #[serde(rename = "v")]
     pub value: Value,
 }

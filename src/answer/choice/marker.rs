@@ -1,6 +1,6 @@
 //! Marks what was chosen.
 
-use super::super::{
+use crate::answer::{
     Answered, Credit, Key, KeyValue, Marker, Marking, Nature, Reading, Remark, Trial, Unreadable,
     Why,
 };

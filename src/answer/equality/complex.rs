@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::super::meaning::{Meaning, ORDERS};
+use crate::answer::meaning::{Meaning, ORDERS};
 use crate::expr::{Approx, Expr, Name, Precise, Program, Registers};
 
 /// Points that are turned.

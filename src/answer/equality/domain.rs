@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use super::super::meaning::{Input, Meaning, ORDERS};
+use crate::answer::meaning::{Input, Meaning, ORDERS};
 use crate::expr::{Approx, Expr, Kind, Precise, Program, Registers, Relation};
 
 /// One condition of a constraint, over the inputs of a meaning.

@@ -1,7 +1,7 @@
 //! Points around the data of an instance, from a fixed seed: a verdict can be repeated.
 
-use super::super::meaning::{Meaning, ORDERS};
 use super::domain::Condition;
+use crate::answer::meaning::{Meaning, ORDERS};
 use crate::expr::{Approx, Precise, Registers};
 use crate::numerics::exp2;
 use crate::quantity::Evaluation;

@@ -11,8 +11,8 @@
 
 use std::collections::BTreeMap;
 
-use super::super::meaning::Meaning;
 use super::draw::mixed;
+use crate::answer::meaning::Meaning;
 use crate::expr::{Binder, Binding, Constant, Expr, Kind, Name, Operator, Variable, fold};
 use crate::numerics::Rational;
 use crate::unit::{Decimal, Quantity, Unit};

@@ -1,8 +1,8 @@
 //! The ranges in which numbers are right, half right, or a named mistake, in the order in which the marker tries them.
 
-use super::super::{Band, Credit};
 use super::marker::Numbers;
 use super::target::Target;
+use crate::answer::{Band, Credit};
 
 /// Whole turns to either side of an angle without a stated interval that a list of ranges names.
 const TURNS: i32 = 2;

@@ -1,12 +1,12 @@
 //! Complex numbers as people type them, and how they are marked: `3 - 4i ohm`, `-100j ohm`, `5 ohm at -53 deg`, `5∠-53°`.
 
-use super::super::settle::{Candidate, Rule, settle};
-use super::super::{
+use super::list::{parted, without_empty_ends};
+use super::read::explained;
+use crate::answer::settle::{Candidate, Rule, settle};
+use crate::answer::{
     Answered, Credit, Decades, Doubt, Echo, Example, Key, KeyValue, Marker, Marking, Misfit,
     Mistaken, Negated, Reading, Remark, Slip, Trial, Unreadable, Why,
 };
-use super::list::{parted, without_empty_ends};
-use super::read::explained;
 use crate::expr::{Constant, Expr, Form, Kind};
 use crate::math::Math;
 use crate::numerics::{Complex, Rational, powi};

@@ -1,10 +1,10 @@
 //! Lists of numbers as people type them, and how they are marked: `5; 8.7 rad/s`, `0, ±180°`, `ω1 = 5, ω2 = 8.7`.
 
-use super::super::{Credit, Example, Marking, Remark, Slip, Unreadable, Why};
 use super::marker::Numbers;
 use super::read::{Number, amount, statement};
 use super::target::{Typed, pair};
 use super::words::angles;
+use crate::answer::{Credit, Example, Marking, Remark, Slip, Unreadable, Why};
 use crate::numerics::Rational;
 use crate::response::{Part, Style, Trouble, Values};
 use crate::unit::{DecimalMark, Quantity, Unit};

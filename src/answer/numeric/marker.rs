@@ -1,15 +1,15 @@
 //! Marks numbers: right, a named mistake, or a slip that can be told from the number alone.
 
-use super::super::settle::{Candidate, Rule, settle};
-use super::super::{
-    Answered, Band, Credit, Doubt, Echo, Key, KeyValue, Marker, Marking, Misfit, Mistaken, Note,
-    Reading, Remark, Slip, Trial, Unreadable, Why,
-};
 use super::list::list;
 use super::read::{self, Number};
 use super::slip::mixes_energy_and_moment;
 use super::target::{Target, Typed, pair};
 use super::words::{angles, counts, miswritten};
+use crate::answer::settle::{Candidate, Rule, settle};
+use crate::answer::{
+    Answered, Band, Credit, Doubt, Echo, Key, KeyValue, Marker, Marking, Misfit, Mistaken, Note,
+    Reading, Remark, Slip, Trial, Unreadable, Why,
+};
 use crate::expr::{Form, Shape};
 use crate::math::Math;
 use crate::numerics::Dd;

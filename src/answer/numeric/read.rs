@@ -1,6 +1,6 @@
 //! Numbers with units: what a response says that its name is, and how that is shown.
 
-use super::super::{Example, Unreadable, Why};
+use crate::answer::{Example, Unreadable, Why};
 use crate::expr::{Expr, PlainNotation};
 use crate::math::Math;
 use crate::response::{

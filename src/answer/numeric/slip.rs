@@ -2,9 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use super::super::{Close, Decades, Negated, Slip, TwoPi};
 use super::marker::Numbers;
 use super::target::{Typed, pair};
+use crate::answer::{Close, Decades, Negated, Slip, TwoPi};
 use crate::numerics::{Dd, powi};
 use crate::unit::{Dimension, Unit};
 

@@ -1,9 +1,9 @@
 //! Numbers that test this kind.
 
-use super::super::trial::{Nature, Trial, other_unit, typed};
 use super::complex;
 use super::marker::Numbers;
 use super::target::Target;
+use crate::answer::trial::{Nature, Trial, other_unit, typed};
 use crate::unit::Unit;
 
 fn with_unit(number: String, unit: &Unit) -> String {

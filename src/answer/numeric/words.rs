@@ -1,6 +1,6 @@
 //! Units that do not fit as they are written, but would in another way.
 
-use super::super::Why;
+use crate::answer::Why;
 use crate::unit::{Dimension, Rational, Unit};
 
 /// How a unit was meant that fits only if it is written with small letters or with a space: `rad/S` for `rad/s`,

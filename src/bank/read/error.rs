@@ -26,7 +26,7 @@ pub enum ItemError {
     Route {
         /// The quantity.
         name: String,
-        /// What it is.
+        /// Form and dimension of the quantity.
         expected: String,
         /// What the route leads to.
         found: String,
@@ -79,7 +79,7 @@ pub enum ItemError {
     Form {
         /// The name.
         found: String,
-        /// The form.
+        /// The form that the placeholder asks for.
         form: &'static str,
         /// Where it stands.
         span: Span,
@@ -170,7 +170,7 @@ pub enum ItemError {
     /// A function of something else than the variable.
     #[error("this is a function of `{of}`, which is not the variable")]
     PlotVariable {
-        /// Of what.
+        /// What the formula is a function of.
         of: String,
     },
     /// A unit that its formula does not have.
@@ -184,9 +184,9 @@ pub enum ItemError {
     /// Too many curves, or none.
     #[error("a plot has from 1 to {most} curves, and this one {found}")]
     CurveCount {
-        /// How many.
+        /// The number that the file has.
         found: usize,
-        /// The most.
+        /// The largest number that is accepted.
         most: usize,
     },
     /// Mode shapes of a model that is not there.
@@ -265,10 +265,10 @@ impl Diagnose for ItemError {
             }
             Self::Allow { .. } => Some(format!(
                 "it can be {}",
-                super::super::about::LIFTABLE.join(", ")
+                crate::bank::about::LIFTABLE.join(", ")
             )),
             Self::Rule { found } => {
-                let names = || super::super::Rule::ALL.iter().map(|rule| rule.name());
+                let names = || crate::bank::Rule::ALL.iter().map(|rule| rule.name());
                 let near = nearest(found, names()).map(str::to_owned);
                 mean(&near).or_else(|| {
                     let all: Vec<&str> = names().collect();

@@ -119,7 +119,7 @@ impl Session {
         let part = &solution.template().parts[place];
         let options = part.answer.options();
         Screen::gap();
-        let words = super::super::show::called(own, scene, part);
+        let words = crate::cli::show::called(own, scene, part);
         self.screen.say(Tone::Plain, "", &words);
         let order = solution.order(place).into_iter().enumerate();
         for (at, option) in order.filter(|_| !options.is_empty()) {
@@ -130,7 +130,7 @@ impl Session {
             );
             self.screen.say(Tone::Plain, "   ", &words);
         }
-        let line = super::super::show::answer_line(scene, place);
+        let line = crate::cli::show::answer_line(scene, place);
         self.screen.say(Tone::Faint, "   ", &line);
     }
 

@@ -14,31 +14,31 @@ pub enum TextError {
     /// A text that is longer than any should be.
     #[error("text of {length} bytes, at most {limit} are read")]
     TooLong {
-        /// Its length.
+        /// The length of the text in bytes.
         length: usize,
         /// The bound.
         limit: usize,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// Brackets, lists or quotations inside each other beyond measure.
     #[error("nested too deeply")]
     TooDeep {
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A character that no text may contain.
     #[error("the character U+{:04X} cannot stand in a text", u32::from(*.char))]
     Character {
-        /// Which.
+        /// The character, as it stands in the text.
         char: char,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// `<<` without `>>`.
     #[error("`<<` is not closed")]
     UnterminatedPlaceholder {
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// What stands between `<<` and `>>` is no name.
@@ -46,7 +46,7 @@ pub enum TextError {
     MalformedPlaceholder {
         /// What stands there.
         text: String,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A word after the dot that is no form.
@@ -56,7 +56,7 @@ pub enum TextError {
         name: String,
         /// The form it may have been meant for.
         nearest: Option<&'static str>,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// More placeholders than a text may have.
@@ -64,27 +64,27 @@ pub enum TextError {
     TooManyPlaceholders {
         /// The bound.
         limit: usize,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A placeholder where nothing can be put: in code, in the target of a link.
     #[error("a placeholder cannot stand in {place}")]
     MisplacedPlaceholder {
-        /// In what.
+        /// What the placeholder stands in, as a phrase.
         place: &'static str,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// HTML in a text.
     #[error("HTML in a text")]
     Html {
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// An image.
     #[error("an image in a text")]
     Image {
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A link that leads elsewhere than to a page.
@@ -92,31 +92,31 @@ pub enum TextError {
     Link {
         /// Its target.
         to: String,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// `$ x $`.
     #[error("a blank inside the dollar signs, so this is printed as it stands")]
     SpacedMath {
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A formula on its own with an empty line in it.
     #[error("an empty line ends the formula before its closing `$$`")]
     BlankLineInMath {
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// `$|x|$` in a table.
     #[error("a bar in a formula ends the cell of the table")]
     BarInCell {
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A dollar sign that begins no formula.
     #[error("a dollar sign that begins no formula")]
     LoneDollar {
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
 }

@@ -141,9 +141,9 @@ impl Takes {
 /// A key of an element.
 #[derive(Clone, Copy, Debug)]
 pub struct Key {
-    /// Its name.
+    /// The key under which the figure gives it.
     pub name: &'static str,
-    /// What it holds.
+    /// The kind of value that the key takes.
     pub holds: Holds,
 }
 

@@ -48,15 +48,15 @@ pub enum FreeFault {
     /// A force of the model without an arrow.
     #[error("the force `{force}` on `{body}` has no arrow")]
     NoArrow {
-        /// The body.
+        /// The body, as the model names it.
         body: String,
-        /// The force.
+        /// The force, as the model names it.
         force: String,
     },
     /// An arrow, link or arm of a force that the model does not have.
     #[error("the model has no force `{force}` on `{body}`")]
     NoForce {
-        /// The body.
+        /// The body, as the model names it.
         body: String,
         /// As written.
         force: String,
@@ -64,27 +64,27 @@ pub enum FreeFault {
     /// A link at the body that is the source of no force.
     #[error("{link} is fastened to `{body}` and is not a force of the model")]
     Uncut {
-        /// The body.
+        /// The body, as the model names it.
         body: String,
-        /// The link.
+        /// The link, as a phrase.
         link: String,
     },
     /// A link that does not touch the body.
     #[error("{link} does not touch `{body}`")]
     Apart {
-        /// The body.
+        /// The body, as the model names it.
         body: String,
-        /// The link.
+        /// The link, as a phrase.
         link: String,
     },
     /// A component that is no multiple of the arm.
     #[error("the moment of `{force}` on `{body}` is no force times `{arm}`")]
     Arm {
-        /// The body.
+        /// The body, as the model names it.
         body: String,
-        /// The force.
+        /// The force, as the model names it.
         force: String,
-        /// The arm.
+        /// The arm that is stated, as it is written.
         arm: String,
     },
     /// A motion whose positive direction is not known.
@@ -98,30 +98,30 @@ pub enum FreeFault {
     /// An arrow that does not do the work of the force.
     #[error("the arrow of `{force}` on `{body}` does not do the work of the force in the model")]
     Work {
-        /// The body.
+        /// The body, as the model names it.
         body: String,
-        /// The force.
+        /// The force, as the model names it.
         force: String,
     },
     /// An arrow that does work and is none of the model's.
     #[error("the {arrow} on `{body}` does work and is not a force of the model")]
     Idle {
-        /// The body.
+        /// The body, as the model names it.
         body: String,
-        /// What it is.
+        /// Force or moment, as a word.
         arrow: &'static str,
     },
     /// A cord that pushes.
     #[error("the cord of `{force}` pushes `{body}` where its letter is positive")]
     Push {
-        /// The body.
+        /// The body, as the model names it.
         body: String,
-        /// The force.
+        /// The force, as the model names it.
         force: String,
     },
     /// An element without a place.
     #[error("{0}")]
-    Undrawable(super::super::Undrawable),
+    Undrawable(crate::figure::Undrawable),
 }
 
 impl Diagnose for FreeError {

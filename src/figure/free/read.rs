@@ -263,7 +263,7 @@ impl<'s> Reader<'_, 's> {
             found.copied()
         });
         let Some((key, kind)) = known else {
-            self.find(&super::super::FigureError::Word {
+            self.find(&crate::figure::FigureError::Word {
                 key: "arrow",
                 found: first.map(|entry| entry.key.clone()).unwrap_or_default(),
                 known: kinds().collect(),

@@ -1,15 +1,15 @@
 //! The pictures of a figure that moves: in one position, between the extremes of a mode, and one after the other.
 
-use super::super::element::{Layer, Role};
-use super::super::outline::Form;
-use super::super::part::{Part, Style};
-use super::super::schematic::drawn;
-use super::super::{
+use super::pose::{Pose, Poses, Rigid};
+use super::{Displacements, Motion, State};
+use crate::figure::element::{Layer, Role};
+use crate::figure::outline::Form;
+use crate::figure::part::{Part, Style};
+use crate::figure::schematic::drawn;
+use crate::figure::{
     Bounds, Drawing, Figure, Fill, Given, Head, Lettering, Path, Pen, Picture, Point, Undrawable,
     Weight,
 };
-use super::pose::{Pose, Poses, Rigid};
-use super::{Displacements, Motion, State};
 
 /// A figure that moves, as an SVG element and what is drawn in it one after the other.
 #[derive(Clone, Debug, PartialEq)]
@@ -286,7 +286,7 @@ impl Scene<'_> {
             }
             let own = self.figure.items.iter().zip(&self.parts);
             let outlines = own.filter_map(|(item, part)| {
-                let [super::super::schematic::Place::Named(at)] = item.ends.as_slice() else {
+                let [crate::figure::schematic::Place::Named(at)] = item.ends.as_slice() else {
                     return None;
                 };
                 let outline = item

@@ -1,10 +1,10 @@
 //! A figure in another position: what moves as a whole, what is stretched, and what stays.
 
-use super::super::element::{Layer, Role};
-use super::super::outline::{Form, Outline, turned};
-use super::super::part::{Part, Setting};
-use super::super::schematic::{Item, Place};
-use super::super::{Mark, Path, Point};
+use crate::figure::element::{Layer, Role};
+use crate::figure::outline::{Form, Outline, turned};
+use crate::figure::part::{Part, Setting};
+use crate::figure::schematic::{Item, Place};
+use crate::figure::{Mark, Path, Point};
 
 /// How far from the outline of a body a link may end that is fastened to it.
 const TOUCH: f64 = 0.06;

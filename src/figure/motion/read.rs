@@ -1,11 +1,11 @@
 //! From the table `[figure.motion]` to a motion.
 
-use super::super::FigureError;
-use super::super::formula::{Amount, Local};
-use super::super::read::Reader;
 use super::{Motion, Moved, Spot, Turn};
 use crate::diagnostic::Finding;
 use crate::expr::{Expr, Kind, Name, fold};
+use crate::figure::FigureError;
+use crate::figure::formula::{Amount, Local};
+use crate::figure::read::Reader;
 use crate::source::{Data, Entry, Span, Table, Text, Value};
 use crate::unit::Dimension;
 

@@ -186,7 +186,7 @@ mod tests {
             label: Math::Row(Vec::new()),
             unit: Unit::parse("mm").unwrap(),
             is_logarithmic: false,
-            spacing: super::super::Spacing::Round,
+            spacing: crate::figure::plot::Spacing::Round,
             range: None,
         };
         behaviour(values, &axis, DecimalMark::Point).unwrap()

@@ -33,7 +33,7 @@ pub struct Plot<'a> {
     /// From where to where the variable of the curves goes; the unit is that of the axis to the right,
     /// or in a phase plane that of the time.
     pub range: [f64; 2],
-    /// The curves.
+    /// The curves, in the order in which dashes are given out.
     pub curves: Vec<Curve<'a>>,
     /// Points that are marked.
     pub marks: Vec<Mark>,
@@ -70,7 +70,7 @@ pub enum Spacing {
 
 /// A curve.
 pub struct Curve<'a> {
-    /// Its course.
+    /// What belongs to each value of the variable.
     pub course: Course<'a>,
     /// What stands at it.
     pub label: Option<Math>,
@@ -149,7 +149,7 @@ pub enum PlotError {
     /// A mark that lies outside.
     #[error("a mark at ({}, {}) lies outside of the axes", .at[0], .at[1])]
     Mark {
-        /// Where.
+        /// The place, in the units of the axes.
         at: [f64; 2],
     },
 }

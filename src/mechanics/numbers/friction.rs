@@ -32,9 +32,9 @@ pub struct TurningPoints {
     pub first: usize,
     /// The largest friction at rest, in the coherent unit of force or moment.
     pub holding: f64,
-    /// The coordinate.
+    /// The coordinate that friction acts along.
     pub coordinate: Name,
-    /// Its dimension.
+    /// Of its positions: a length, or 1 for an angle.
     pub dimension: Dimension,
 }
 

@@ -78,7 +78,7 @@ impl Numbers {
         }
     }
 
-    /// The model.
+    /// The model whose matrices these are.
     pub fn model(&self) -> &Model {
         &self.model
     }

@@ -18,7 +18,7 @@ pub enum NewtonError {
     Unknown {
         /// The force.
         unknown: Name,
-        /// The coordinate.
+        /// The coordinate along which the laws are added up.
         coordinate: Name,
         /// The first body.
         span: Span,
@@ -28,7 +28,7 @@ pub enum NewtonError {
         "along `{coordinate}` the laws of the bodies differ from the equation of the energies: `{difference}` is left"
     )]
     Differs {
-        /// The coordinate.
+        /// The coordinate along which the laws are added up.
         coordinate: Name,
         /// Left side by the bodies minus left side by the energies.
         difference: String,
@@ -46,7 +46,7 @@ pub enum NewtonError {
     /// The formulas cannot be compared.
     #[error("the laws of the bodies cannot be compared with the energies: {reason}")]
     Symbolic {
-        /// Why.
+        /// What the algebra could not do.
         reason: String,
         /// The first body.
         span: Span,

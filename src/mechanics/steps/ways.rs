@@ -1,8 +1,8 @@
 //! The derivations that a model offers, by name.
 
-use super::super::Model;
-use super::super::quantity::QuantityError;
 use crate::expr::Name;
+use crate::mechanics::Model;
+use crate::mechanics::quantity::QuantityError;
 
 /// A way to the equations of motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -19,7 +19,7 @@ pub enum Way {
     /// A row of (K − ω² M) u = 0 and its ratio, for a mode of two coordinates, counted from 0.
     Row(usize),
     /// The turning points under dry friction. Their lines are numbers, which the data of an instance give:
-    /// [`Numbers::turning_points`](super::super::Numbers::turning_points).
+    /// [`Numbers::turning_points`](crate::mechanics::Numbers::turning_points).
     TurningPoints,
 }
 

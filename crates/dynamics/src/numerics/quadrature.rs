@@ -8,7 +8,7 @@ const MOST_PIECES: usize = 2000;
 /// An integral and a bound on its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Integral {
-    /// The value.
+    /// The area under the curve.
     pub value: f64,
     /// Estimated bound on the error of the value, truncation and rounding together.
     pub error: f64,

@@ -22,9 +22,9 @@ pub enum IdentificationError {
     /// A quantity that must be positive is not.
     #[error("the {name} must be positive and finite, not {value}")]
     NotPositive {
-        /// Its name.
+        /// The name of the argument.
         name: &'static str,
-        /// Its value.
+        /// The value that was given for it.
         value: f64,
     },
     /// The quality factor belongs to an oscillator whose displacement has no resonance.

@@ -5,9 +5,9 @@ use std::ops::Add;
 /// Position and velocity at one instant, in m and m/s (or rad and rad/s).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct State {
-    /// Position.
+    /// Displacement from equilibrium, in m or rad.
     pub position: f64,
-    /// Velocity.
+    /// Its rate of change, in m/s or rad/s.
     pub velocity: f64,
 }
 

@@ -50,7 +50,7 @@ pub enum Kind {
     Binary(Operator, Expr, Expr),
     /// A chain of comparisons, `a < b <= c`: one relation fewer than operands.
     Compare(Vec<Expr>, Vec<Relation>),
-    /// Both.
+    /// True where both operands are.
     And(Expr, Expr),
     /// At least one.
     Or(Expr, Expr),
@@ -149,7 +149,7 @@ impl Expr {
         Self::new(kind, Span::NONE)
     }
 
-    /// What it is.
+    /// The node: a number, a name, an operation with its operands.
     pub fn kind(&self) -> &Kind {
         &self.0.kind
     }

@@ -31,7 +31,7 @@ pub enum GridError {
     /// A step has to go up.
     #[error("the step `{step}` is not positive")]
     Step {
-        /// The step.
+        /// The distance of neighbouring values.
         step: Decimal,
     },
     /// The end comes before the beginning.
@@ -49,7 +49,7 @@ pub enum GridError {
         lo: Decimal,
         /// The end.
         hi: Decimal,
-        /// The step.
+        /// The distance of neighbouring values.
         step: Decimal,
     },
     /// More values than can be counted, or more digits than are exact.

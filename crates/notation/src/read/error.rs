@@ -10,17 +10,17 @@ pub enum LatexError {
     /// A formula that is longer than any should be.
     #[error("formula of {length} bytes, at most {limit} are read")]
     TooLong {
-        /// Its length.
+        /// The length of the formula in bytes.
         length: usize,
         /// The bound.
         limit: usize,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// Groups inside each other beyond measure.
     #[error("nested too deeply")]
     TooDeep {
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A command that is not in our LaTeX.
@@ -30,31 +30,31 @@ pub enum LatexError {
         name: String,
         /// The command it may have been meant for.
         nearest: Option<&'static str>,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// An environment that is not in our LaTeX.
     #[error("unknown environment `{name}`")]
     UnknownEnvironment {
-        /// Its name.
+        /// What stands between the braces of `\begin`.
         name: String,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// Something that opens and does not close, or closes what was not opened.
     #[error("`{sign}` is not balanced")]
     Unbalanced {
-        /// What.
+        /// The sign that opens or closes.
         sign: String,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A character that means nothing in a formula.
     #[error("`{char}` cannot stand here in a formula")]
     StrayCharacter {
-        /// Which.
+        /// The character, as it stands in the formula.
         char: char,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// LaTeX that cannot be read for another reason.
@@ -62,7 +62,7 @@ pub enum LatexError {
     Malformed {
         /// In the words of the parser.
         reason: String,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// `\(x\)`.
@@ -70,13 +70,13 @@ pub enum LatexError {
     BracketMath {
         /// The bracket.
         sign: char,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// `$…$` in `\text{…}`.
     #[error("a dollar sign in `\\text` does not begin a formula")]
     MathInText {
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
 }

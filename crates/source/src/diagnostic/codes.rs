@@ -9,7 +9,7 @@ pub struct Code(&'static str);
 /// A code with its page.
 #[derive(Clone, Copy, Debug)]
 pub struct Page {
-    /// The code.
+    /// The code that findings bear.
     pub code: Code,
     /// What it is about, in one line.
     pub title: &'static str,
@@ -174,7 +174,7 @@ impl Code {
         self.0
     }
 
-    /// Its page.
+    /// What `vibank explain` and the book say about it.
     pub fn page(self) -> &'static Page {
         PAGES
             .iter()

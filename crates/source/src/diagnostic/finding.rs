@@ -22,7 +22,7 @@ pub enum Severity {
 /// A place to point at, and what to say there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
-    /// Where.
+    /// The bytes of the text that the message points at.
     pub span: Span,
     /// What to say; may be empty.
     pub text: String,

@@ -13,8 +13,8 @@
 //!
 //! A. McCurdy, K. C. Ng, B. N. Parlett, Math. Comp. 43 (1984) 501.
 
-use super::super::oscillator::{Regime, Scaled};
 use crate::numerics::{Complex, Dd};
+use crate::vibration::oscillator::{Regime, Scaled};
 
 /// A node with both parts in double-double.
 #[derive(Clone, Copy, Debug)]

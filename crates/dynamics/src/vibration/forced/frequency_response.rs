@@ -1,9 +1,9 @@
 //! The steady state at one angular frequency.
 
-use super::super::oscillator::{Oscillator, Scaled};
 use crate::numerics::{
     Complex, Dd, atan2, binary_exponent, scale_by_power_of_two, two_prod, two_sum,
 };
+use crate::vibration::oscillator::{Oscillator, Scaled};
 
 /// Response of an oscillator to excitation at one angular frequency Ω, per unit of excitation.
 ///

@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
-use super::super::oscillator::Oscillator;
-use super::super::state::State;
 use super::frequency_response::FrequencyResponse;
 use crate::numerics::{Complex, Dd};
+use crate::vibration::oscillator::Oscillator;
+use crate::vibration::state::State;
 
 /// One harmonic a cos nΩt + b sin nΩt of a periodic force, in N.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

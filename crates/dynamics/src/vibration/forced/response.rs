@@ -1,13 +1,13 @@
 //! The whole motion under a harmonic force, from an initial state.
 
-use super::super::free::FreeResponse;
-use super::super::oscillator::{Oscillator, Scaled};
-use super::super::power_of_two::PowerOfTwo;
-use super::super::state::State;
 use super::divided_difference::Nodes;
 use super::subject::Subject;
 use super::undamped::Beat;
 use crate::numerics::{Complex, Dd, binary_exponent, hypot};
+use crate::vibration::free::FreeResponse;
+use crate::vibration::oscillator::{Oscillator, Scaled};
+use crate::vibration::power_of_two::PowerOfTwo;
+use crate::vibration::state::State;
 
 /// The force a cos Ωt + b sin Ωt in N; at Ω = 0 the constant a.
 ///
@@ -369,8 +369,8 @@ impl FromRest {
 
 #[cfg(test)]
 mod tests {
-    use super::super::frequency_response::FrequencyResponse;
     use super::*;
+    use crate::vibration::forced::frequency_response::FrequencyResponse;
 
     /// The largest position over the last of many periods.
     fn late_amplitude(oscillator: &Oscillator, force: HarmonicForce) -> f64 {

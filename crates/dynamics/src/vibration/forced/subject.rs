@@ -1,12 +1,12 @@
 //! What a force drives: an oscillator, or a mode of several degrees of freedom.
 
-use super::super::free::FreeResponse;
-use super::super::oscillator::{Oscillator, Scaled};
-use super::super::state::State;
 use super::divided_difference::Nodes;
 use super::frequency_response::FrequencyResponse;
 use super::undamped::Beat;
 use crate::numerics::Dd;
+use crate::vibration::free::FreeResponse;
+use crate::vibration::oscillator::{Oscillator, Scaled};
+use crate::vibration::state::State;
 
 /// An oscillator whose numbers are binary64, or a mode of unit mass whose damping and stiffness have thirty digits.
 #[derive(Clone, Copy)]

@@ -13,10 +13,10 @@
 //! x = (F/m) (cos Ωt - cos ω0 t)/(4 σ δ)
 //! ```
 
-use super::super::oscillator::Scaled;
-use super::super::state::State;
 use super::frequency_response::residual_stiffness;
 use crate::numerics::Dd;
+use crate::vibration::oscillator::Scaled;
+use crate::vibration::state::State;
 
 /// Half the difference of the frequencies, as a part of half their sum, from which on they are far apart.
 const FAR: f64 = 0.0625;

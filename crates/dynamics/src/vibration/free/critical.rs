@@ -5,10 +5,10 @@
 //! v = e^(-λt) (v0 - λ (v0 + λ x0) t)
 //! ```
 
-use super::super::oscillator::Scaled;
-use super::super::state::State;
 use super::decay;
 use crate::numerics::{Dd, sum_of_products};
+use crate::vibration::oscillator::Scaled;
+use crate::vibration::state::State;
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Critical {

@@ -249,9 +249,9 @@ impl Overdamped {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::oscillator::Oscillator;
-    use super::super::super::state::State;
     use super::*;
+    use crate::vibration::oscillator::Oscillator;
+    use crate::vibration::state::State;
 
     #[test]
     fn grids_agree_with_single_samples() {

@@ -1,11 +1,11 @@
 //! The free motion of one mode, whose stiffness may be zero or negative and is known to thirty digits.
 
-use super::super::state::State;
 use super::critical::Critical;
 use super::oscillating::Oscillating;
 use super::overdamped::Overdamped;
 use super::{FreeResponse, Motion, Units};
 use crate::numerics::{Dd, binary_exponent};
+use crate::vibration::state::State;
 
 /// Beyond this damping, in units of the natural frequency, the square of the damping coefficient is all that counts.
 const LARGE_DAMPING: f64 = 1e30;

@@ -5,10 +5,10 @@
 //! v = e^(-λt) (v0 cos ω_d t - (2 k x0 + c v0)/s sin ω_d t),   s = √(4 m k - c²)
 //! ```
 
-use super::super::oscillator::Scaled;
-use super::super::state::State;
 use super::decay;
 use crate::numerics::{Dd, atan2, hypot, sum_of_products};
+use crate::vibration::oscillator::Scaled;
+use crate::vibration::state::State;
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Oscillating {

@@ -6,10 +6,10 @@
 //!   = (p e^(r_s t) - q e^(r_f t)) m/s                 = (r_s p e^(r_s t) - r_f q e^(r_f t)) m/s
 //! ```
 
-use super::super::oscillator::Scaled;
-use super::super::state::State;
 use super::decay;
 use crate::numerics::{Dd, expm1};
+use crate::vibration::oscillator::Scaled;
+use crate::vibration::state::State;
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Overdamped {

@@ -26,7 +26,7 @@ pub struct HarmonicForces<'a> {
     pub cosine: &'a [f64],
     /// Factors of the sine.
     pub sine: &'a [f64],
-    /// Angular frequency.
+    /// Angular frequency of the excitation in rad/s.
     pub angular_frequency: f64,
 }
 

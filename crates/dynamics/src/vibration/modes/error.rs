@@ -50,7 +50,7 @@ pub enum ModesError {
     Loop {
         /// Position of the spring or damper in its list, from 1.
         element: usize,
-        /// The node.
+        /// The node at both ends.
         node: usize,
     },
     /// A stiffness or damping coefficient that is not finite, or a negative one where that has no meaning.
@@ -58,7 +58,7 @@ pub enum ModesError {
     Coefficient {
         /// Position of the element in its list, from 1.
         element: usize,
-        /// The value.
+        /// The value that was given for it.
         value: f64,
     },
     /// A matrix or vector that does not fit the number of degrees of freedom.

@@ -235,7 +235,7 @@ impl System {
         }
     }
 
-    /// The mass matrix.
+    /// The mass matrix M, n × n, in kg (or kg·m² for angles).
     pub fn mass_matrix(&self) -> DMatrix<f64> {
         match &self.inertia {
             Inertia::Masses(masses) => {

@@ -56,7 +56,7 @@ pub enum PendulumError {
     NotPositive {
         /// Which of them.
         name: &'static str,
-        /// Its value.
+        /// The value that was given for it.
         value: f64,
     },
     /// A swing from rest has no period at this angle.

@@ -17,21 +17,21 @@ pub enum CheckError {
     /// A name that stands for nothing.
     #[error("`{name}` is not known here")]
     UnknownName {
-        /// The name.
+        /// The name, as it is written in the formula.
         name: Name,
         /// The nearest known name.
         nearest: Option<String>,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A quantity that the model does not have.
     #[error("`{path}` is not known here")]
     UnknownPath {
-        /// The path.
+        /// The path, as it is written in the formula.
         path: Path,
         /// The nearest known path.
         nearest: Option<String>,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// Two dimensions that have to agree and do not.
@@ -49,7 +49,7 @@ pub enum CheckError {
     /// An argument with a dimension where a pure number is due.
     #[error("the argument of `{function}` has to be a pure number, it is in {}", found.describe())]
     NotPure {
-        /// The function.
+        /// The function that is called.
         function: &'static str,
         /// The dimension of the argument.
         found: Dimension,
@@ -77,7 +77,7 @@ pub enum CheckError {
     PowerDimension {
         /// The dimension of the base.
         base: Dimension,
-        /// The exponent.
+        /// The exponent, as it is written.
         exponent: Rational,
         /// The power.
         span: Span,
@@ -87,7 +87,7 @@ pub enum CheckError {
     ConditionDue {
         /// What there is.
         found: Form,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A condition, vector or matrix where a number is due.
@@ -95,7 +95,7 @@ pub enum CheckError {
     NumberDue {
         /// What there is.
         found: Form,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A complex number where a real number is due.
@@ -103,7 +103,7 @@ pub enum CheckError {
     RealDue {
         /// What there is.
         found: Form,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A number where a function takes vectors or matrices.
@@ -115,7 +115,7 @@ pub enum CheckError {
         due: &'static str,
         /// What there is.
         found: Form,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// Two shapes that an operator cannot join.
@@ -133,17 +133,17 @@ pub enum CheckError {
     /// An index that is not an integer from 1.
     #[error("an index is an integer from 1, written out")]
     IndexNotWhole {
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// An index beyond the end.
     #[error("there is no component {index} in {shape}")]
     IndexRange {
-        /// The index.
+        /// The index, as it is written.
         index: usize,
         /// What is indexed.
         shape: Shape,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// An index of something that has no components, or too many indices.
@@ -153,21 +153,21 @@ pub enum CheckError {
         found: Form,
         /// The number of indices.
         count: usize,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A prime on something that does not change with time.
     #[error("`{name}` does not change with time")]
     NotMoving {
-        /// The name.
+        /// The name, as it is written in the formula.
         name: Name,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A value for a name that does not fit it.
     #[error("`{name}` is in {}, the value for it is in {}", declared.describe(), given.describe())]
     BoundDimension {
-        /// The name.
+        /// The name, as it is written in the formula.
         name: Name,
         /// Its dimension.
         declared: Dimension,

@@ -13,17 +13,17 @@ pub enum CompileError {
     /// A name that nothing is bound to.
     #[error("`{name}` has no meaning here")]
     UnknownName {
-        /// The name.
+        /// The name, as it is written in the formula.
         name: Name,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A path that nothing is bound to.
     #[error("`{path}` has no meaning here")]
     UnknownPath {
-        /// The path.
+        /// The path, as it is written in the formula.
         path: Path,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A value of a form that does not fit its place.
@@ -35,7 +35,7 @@ pub enum CompileError {
     /// An index that is not an integer.
     #[error("an index has to be an integer")]
     Index {
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A derivative that cannot be formed.

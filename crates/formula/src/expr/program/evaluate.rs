@@ -69,7 +69,7 @@ impl<S: Scalar, const N: usize> Inputs<S> for [Precise; N] {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error("{reason}")]
 pub struct Absence {
-    /// Why.
+    /// What has no value, or is not a number.
     pub reason: Undefined,
     /// Where the operation stands in its formula.
     pub span: Span,

@@ -19,7 +19,7 @@ pub enum ReadError {
         expected: &'static str,
         /// What stands there: letters in back-ticks, or `the end`.
         found: String,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// Two factors without a sign between them, `2k`.
@@ -29,19 +29,19 @@ pub enum ReadError {
         left: String,
         /// The beginning of the second factor.
         right: String,
-        /// Both.
+        /// From the first to the end of the second.
         span: Span,
     },
     /// `**`, the power of other languages.
     #[error("`**` is no operator")]
     DoubleStar {
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// `=` where two things are compared.
     #[error("`=` does not compare")]
     SingleEquals {
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// `0,5`.
@@ -57,7 +57,7 @@ pub enum ReadError {
     /// `5.` or `.5`.
     #[error("a decimal point needs digits on both sides")]
     BarePoint {
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A number with more digits or a larger exponent than can be kept exactly.
@@ -65,7 +65,7 @@ pub enum ReadError {
     NumberRange {
         /// As written.
         text: String,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A function that the language does not have.
@@ -75,7 +75,7 @@ pub enum ReadError {
         name: String,
         /// The nearest function.
         nearest: Option<&'static str>,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A word of the language where a name is due.
@@ -83,7 +83,7 @@ pub enum ReadError {
     Reserved {
         /// As written.
         name: String,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// Too few or too many arguments.
@@ -139,9 +139,9 @@ pub enum ReadError {
     /// A letter that formulas do not use.
     #[error("`{character}` has no meaning in a formula")]
     UnknownCharacter {
-        /// Which.
+        /// The character, as it stands in the formula.
         character: char,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// More primes than any motion needs.
@@ -149,7 +149,7 @@ pub enum ReadError {
     TooManyPrimes {
         /// The bound.
         most: u8,
-        /// Where.
+        /// The bytes of the text that the message points at.
         span: Span,
     },
     /// A text that is too long to be a formula.

@@ -9,7 +9,7 @@ use crate::expr::{Constant, Expr, Function, Kind, Name, Operator};
 /// A name or one of its time derivatives, as the independent variable of a partial derivative.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Variable {
-    /// The name.
+    /// The name, as it is written in the formula.
     pub name: Name,
     /// 0 for the name itself, 1 for `x'`, 2 for `x''`.
     pub order: u8,
@@ -318,9 +318,9 @@ fn natural_logarithm(expr: &Expr) -> Expr {
 
 #[cfg(test)]
 mod tests {
-    use super::super::calls::compare;
     use super::*;
     use crate::expr::Relation;
+    use crate::expr::symbolic::calls::compare;
 
     fn name(text: &str) -> Expr {
         Expr::name(text)

@@ -20,7 +20,7 @@ pub enum SymbolicError {
     /// A quantity of a model stands where its formula would be needed.
     #[error("`{path}` has no formula here")]
     Unresolved {
-        /// The path.
+        /// The path, as it is written in the formula.
         path: Path,
         /// Where it stands.
         span: Span,
