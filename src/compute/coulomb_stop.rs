@@ -6,8 +6,6 @@
 //! distance from the equilibrium within which friction can hold the mass. Where it only creeps towards its rest `t_stop`
 //! is `null`; where it swings for ever, so are `n_half`, and without damping `x_stop` and `path`.
 
-use serde_json::Value;
-
 use super::{Parameters, Reply, RequestError, Task};
 use crate::numerics::{Dd, ExactNumber};
 use crate::vibration::{DryFriction, FrictionMotion, FrictionOscillator};
@@ -26,7 +24,7 @@ impl Task for CoulombStop {
     fn solve(&self, parameters: &Parameters) -> Result<Reply, RequestError> {
         let system = system(parameters)?;
         let motion = system
-            .motion(exact(parameters, "x0")?, or_zero(parameters, "v0")?)
+            .motion(parameters.exact("x0")?, or_zero(parameters, "v0")?)
             .map_err(RequestError::domain)?;
         let reply = describe(&motion).number("x_stick", system.stick_half_width());
         if !parameters.has("t") {
@@ -42,15 +40,15 @@ impl Task for CoulombStop {
 }
 
 fn system(parameters: &Parameters) -> Result<FrictionOscillator, RequestError> {
-    let kinetic = exact(parameters, "mu")?;
+    let kinetic = parameters.exact("mu")?;
     let fixed = if parameters.has("mu_s") {
-        exact(parameters, "mu_s")?
+        parameters.exact("mu_s")?
     } else {
         kinetic
     };
-    let mass = exact(parameters, "m")?;
-    let friction = DryFriction::of_weight(kinetic, fixed, mass, exact(parameters, "g")?);
-    let (damping, stiffness) = (or_zero(parameters, "c")?, exact(parameters, "k")?);
+    let mass = parameters.exact("m")?;
+    let friction = DryFriction::of_weight(kinetic, fixed, mass, parameters.exact("g")?);
+    let (damping, stiffness) = (or_zero(parameters, "c")?, parameters.exact("k")?);
     let force = or_zero(parameters, "F")?;
     FrictionOscillator::new(mass, damping, stiffness, friction)
         .and_then(|system| system.with_force(force))
@@ -59,19 +57,15 @@ fn system(parameters: &Parameters) -> Result<FrictionOscillator, RequestError> {
 
 fn describe(motion: &FrictionMotion) -> Reply {
     Reply::default()
-        .insert("n_half", motion.slides().map_or(Value::Null, Value::from))
+        .count("n_half", motion.slides())
         .optional("t_stop", Some(motion.stop_time()))
         .optional("x_stop", motion.rest_position())
         .optional("path", Some(motion.path_length()))
 }
 
-fn exact(parameters: &Parameters, name: &'static str) -> Result<ExactNumber, RequestError> {
-    parameters.given(name).map(|given| given.exact)
-}
-
 fn or_zero(parameters: &Parameters, name: &'static str) -> Result<ExactNumber, RequestError> {
     if parameters.has(name) {
-        exact(parameters, name)
+        parameters.exact(name)
     } else {
         Ok(ExactNumber::ZERO)
     }

@@ -32,7 +32,7 @@ fn describe(reply: Reply, oscillator: &Oscillator) -> Reply {
     reply
         .optional("omega0", Some(oscillator.natural_angular_frequency()))
         .optional("zeta", Some(oscillator.damping_ratio()))
-        .text("regime", oscillator.regime().name())
+        .word("regime", oscillator.regime().name())
         .optional("omega_d", oscillator.damped_angular_frequency())
         .optional("r_slow", slow)
         .optional("r_fast", fast)

@@ -18,6 +18,7 @@ mod coulomb_stop;
 mod error;
 mod forced_response;
 mod free_response;
+mod given;
 mod log_decrement;
 mod modal_response;
 mod modes;
@@ -31,9 +32,9 @@ mod steady_amplitude_phase;
 
 pub use error::RequestError;
 
-use serde::{Deserialize, Serialize};
-use serde_json::{Map, Value};
+use serde::Deserialize;
 
+use given::{Line, Object, Value};
 use parameters::Parameters;
 use reply::Reply;
 
@@ -79,30 +80,23 @@ pub const LONGEST_LINE: usize = 4 << 20;
 /// ```
 pub fn answer(line: &str) -> String {
     let (id, result) = match read(line) {
-        Ok(mut request) => (request.remove("id").unwrap_or(Value::Null), solve(&request)),
+        Ok((id, request)) => (id, solve(&request)),
         Err(error) => (id_of(line), Err(error)),
     };
-    let outcome = match result {
-        Ok(result) => Outcome::Result(result),
-        Err(error) => Outcome::Error(error),
-    };
-    serde_json::to_string(&Answer { id, outcome }).expect("a reply is plain data")
-}
-
-/// The reply to a line.
-#[derive(Serialize)]
-struct Answer {
-    id: Value,
-    #[serde(flatten)]
-    outcome: Outcome,
-}
-
-/// What came out.
-#[derive(Serialize)]
-#[serde(rename_all = "lowercase")]
-enum Outcome {
-    Result(Map<String, Value>),
-    Error(RequestError),
+    let mut reply = format!(r#"{{"id":{id}"#).into_bytes();
+    match result {
+        Ok(members) => {
+            reply.extend_from_slice(br#","result":{"#);
+            reply.extend_from_slice(&members);
+            reply.extend_from_slice(b"}}");
+        }
+        Err(error) => {
+            reply.extend_from_slice(br#","error":"#);
+            serde_json::to_writer(&mut reply, &error).expect("an error is plain data");
+            reply.push(b'}');
+        }
+    }
+    String::from_utf8(reply).expect("JSON is text")
 }
 
 /// The names of all tasks, in alphabetical order.
@@ -110,13 +104,13 @@ pub fn tasks() -> impl Iterator<Item = &'static str> {
     TASKS.iter().map(|task| task.name())
 }
 
-fn read(line: &str) -> Result<Map<String, Value>, RequestError> {
+fn read(line: &str) -> Result<(serde_json::Value, Object<'_>), RequestError> {
     if line.len() > LONGEST_LINE {
         return Err(RequestError::LineTooLong { bytes: line.len() });
     }
     match serde_json::from_str(line) {
-        Ok(Value::Object(request)) => Ok(request),
-        Ok(_) => Err(RequestError::NotAnObject),
+        Ok(Line::Request { id, rest }) => Ok((id, rest)),
+        Ok(Line::Other) => Err(RequestError::NotAnObject),
         Err(error) => Err(RequestError::NotJson {
             reason: error.to_string(),
         }),
@@ -124,25 +118,24 @@ fn read(line: &str) -> Result<Map<String, Value>, RequestError> {
 }
 
 /// The id of a line that holds a number beyond the range of numbers and so cannot be read as a whole.
-fn id_of(line: &str) -> Value {
+fn id_of(line: &str) -> serde_json::Value {
     #[derive(Deserialize)]
     struct Identified {
         #[serde(default)]
-        id: Value,
+        id: serde_json::Value,
     }
     let is_short = line.len() <= LONGEST_LINE;
     let identified = is_short.then(|| serde_json::from_str::<Identified>(line).ok());
     identified
         .flatten()
-        .map_or(Value::Null, |request| request.id)
+        .map_or(serde_json::Value::Null, |request| request.id)
 }
 
-fn solve(request: &Map<String, Value>) -> Result<Map<String, Value>, RequestError> {
+fn solve(request: &Object) -> Result<Vec<u8>, RequestError> {
     parameters::refuse_unknown(request, &["id", "task", "params"])?;
-    let name = request
-        .get("task")
-        .and_then(Value::as_str)
-        .ok_or(RequestError::NoTask)?;
+    let Some(Value::Text(name)) = request.get("task") else {
+        return Err(RequestError::NoTask);
+    };
     let task = TASKS.iter().find(|task| task.name() == name);
     let task = task.ok_or_else(|| RequestError::UnknownTask {
         name: error::excerpt(name),
@@ -151,12 +144,12 @@ fn solve(request: &Map<String, Value>) -> Result<Map<String, Value>, RequestErro
         Some(Value::Object(parameters)) => Parameters::of(parameters, task.keys())?,
         _ => return Err(RequestError::NoParameters),
     };
-    task.solve(&parameters)?.into_object()
+    task.solve(&parameters)?.finish()
 }
 
 #[cfg(test)]
 mod tests {
-    use serde_json::json;
+    use serde_json::{Value, json};
 
     use super::*;
 

@@ -4,8 +4,6 @@
 //! `[alpha, beta]` of `C = alpha M + beta K + dampers`, all three optional, and the vectors `x0` and `v0` give the vectors
 //! `x` and `v` at the time `t`, or a list of vectors for a list of times.
 
-use serde_json::{Value, json};
-
 use super::parameters::Times;
 use super::{Parameters, Reply, RequestError, Task, network};
 use crate::vibration::modal::{Damping, ModalResponse as Motion};
@@ -39,19 +37,30 @@ impl Task for ModalResponse {
         let horizon = times.as_slice().iter().copied().fold(0.0, f64::max);
         let motion = Motion::of(&modes, &damping, &displacements, &velocities, horizon)
             .map_err(RequestError::domain)?;
-        let samples = times
-            .as_slice()
-            .iter()
-            .map(|&time| sample(&motion, modes.count(), time))
-            .collect::<Result<Vec<_>, _>>()?;
-        let (x, v): (Vec<Value>, Vec<Value>) = samples.into_iter().unzip();
-        let shaped = |mut values: Vec<Value>| match times {
-            Times::One(_) => values.pop().unwrap_or_default(),
-            Times::Many(_) => Value::from(values),
-        };
-        Ok(Reply::default()
-            .insert("x", shaped(x))
-            .insert("v", shaped(v)))
+        let size = modes.count();
+        let (mut x, mut v) = (Vec::new(), Vec::new());
+        for &time in times.as_slice() {
+            let start = x.len();
+            x.resize(start + size, 0.0);
+            v.resize(start + size, 0.0);
+            motion
+                .state(time, &mut x[start..], &mut v[start..])
+                .map_err(RequestError::domain)?;
+            for (name, vector) in [("x", &x), ("v", &v)] {
+                if vector[start..]
+                    .iter()
+                    .any(|component| !component.is_finite())
+                {
+                    return Err(RequestError::NotFinite { name });
+                }
+            }
+        }
+        Ok(match times {
+            Times::One(_) => Reply::default().list("x", x).list("v", v),
+            Times::Many(_) => Reply::default()
+                .vectors("x", x.chunks_exact(size))
+                .vectors("v", v.chunks_exact(size)),
+        })
     }
 }
 
@@ -83,19 +92,6 @@ fn check_work(size: usize, samples: usize) -> Result<(), RequestError> {
         });
     }
     Ok(())
-}
-
-fn sample(motion: &Motion, size: usize, time: f64) -> Result<(Value, Value), RequestError> {
-    let (mut x, mut v) = (vec![0.0; size], vec![0.0; size]);
-    motion
-        .state(time, &mut x, &mut v)
-        .map_err(RequestError::domain)?;
-    for (name, vector) in [("x", &x), ("v", &v)] {
-        if vector.iter().any(|component| !component.is_finite()) {
-            return Err(RequestError::NotFinite { name });
-        }
-    }
-    Ok((json!(x), json!(v)))
 }
 
 #[cfg(test)]

@@ -4,13 +4,14 @@
 //! ascending, and `shapes`, mass-normalized, in the same order. A mode that grows has `null` for its frequency; then there
 //! is also a list `growth` of the rates, `null` for the others.
 
-use serde_json::json;
-
 use super::{Parameters, Reply, RequestError, Task, network};
 use crate::numerics::Dd;
 use crate::vibration::modes as solver;
 
 pub(super) struct Modes;
+
+/// Up to this size modes take less than what can be seen, and keep all digits of close ones.
+const SMALL: usize = 16;
 
 /// Largest size whose modes are refined to the last digit.
 const MAX_REFINED: usize = 64;
@@ -27,18 +28,31 @@ impl Task for Modes {
     fn solve(&self, parameters: &Parameters) -> Result<Reply, RequestError> {
         let system = network::system(parameters)?;
         let modes = solver::Modes::of(system).map_err(RequestError::domain)?;
-        let count = modes.count();
-        let refined = (count <= MAX_REFINED).then(|| modes.refined());
-        if let Some(refined) = refined.filter(solver::Refined::is_finite) {
-            let frequency = |mode| refined.natural_angular_frequency(mode).map(Dd::hi);
-            let growth = |mode| refined.growth_rate(mode).map(Dd::hi);
-            described(count, frequency, growth, |mode| refined.mode_shape(mode))
-        } else {
-            let frequency = |mode| modes.natural_angular_frequency(mode);
-            let growth = |mode| modes.growth_rate(mode);
-            described(count, frequency, growth, |mode| modes.mode_shape(mode))
-        }
+        Ok(described_modes(&modes))
     }
+}
+
+/// Modes to the last digit, up to a size.
+fn described_modes(modes: &solver::Modes) -> Reply {
+    let count = modes.count();
+    if count > SMALL
+        && let Some(polished) = modes.polished()
+    {
+        let frequency = |mode| polished.natural_angular_frequency(mode);
+        let growth = |mode| polished.growth_rate(mode);
+        return described(count, frequency, growth, |mode| {
+            polished.mode_shape(mode).to_vec()
+        });
+    }
+    let refined = (count <= MAX_REFINED).then(|| modes.refined());
+    if let Some(refined) = refined.filter(solver::Refined::is_finite) {
+        let frequency = |mode| refined.natural_angular_frequency(mode).map(Dd::hi);
+        let growth = |mode| refined.growth_rate(mode).map(Dd::hi);
+        return described(count, frequency, growth, |mode| refined.mode_shape(mode));
+    }
+    let frequency = |mode| modes.natural_angular_frequency(mode);
+    let growth = |mode| modes.growth_rate(mode);
+    described(count, frequency, growth, |mode| modes.mode_shape(mode))
 }
 
 fn described(
@@ -46,21 +60,17 @@ fn described(
     frequency: impl Fn(usize) -> Option<f64>,
     growth: impl Fn(usize) -> Option<f64>,
     shape: impl Fn(usize) -> Vec<f64>,
-) -> Result<Reply, RequestError> {
-    let frequencies: Vec<Option<f64>> = (0..count).map(frequency).collect();
-    let growths: Vec<Option<f64>> = (0..count).map(growth).collect();
+) -> Reply {
     let shapes: Vec<Vec<f64>> = (0..count).map(shape).collect();
-    if shapes.iter().flatten().any(|x| !x.is_finite()) {
-        return Err(RequestError::NotFinite { name: "shapes" });
-    }
+    let growths: Vec<Option<f64>> = (0..count).map(growth).collect();
     let reply = Reply::default()
-        .insert("omega", json!(frequencies))
-        .insert("shapes", json!(shapes));
-    Ok(if growths.iter().any(Option::is_some) {
-        reply.insert("growth", json!(growths))
+        .optional_list("omega", (0..count).map(frequency))
+        .vectors("shapes", shapes.iter().map(Vec::as_slice));
+    if growths.iter().any(Option::is_some) {
+        reply.optional_list("growth", growths)
     } else {
         reply
-    })
+    }
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! Reading systems of several degrees of freedom: masses, springs and dampers, or matrices.
 
-use nalgebra::DMatrix;
-use serde_json::Value;
+use std::borrow::Cow;
 
-use super::parameters::number;
+use nalgebra::DMatrix;
+
 use super::{Parameters, RequestError};
 use crate::vibration::modes::{Link, MAX_DEGREES_OF_FREEDOM, System};
 
@@ -31,11 +31,12 @@ pub(super) fn links(
         name,
         expected: EXPECTED,
     };
-    let entries = parameters.entries(name, EXPECTED)?;
-    entries
-        .iter()
-        .map(|entry| link(entry).ok_or_else(wrong))
-        .collect()
+    let entries = parameters.lists(name, EXPECTED)?;
+    let link = |entry: Option<Cow<[f64]>>| entry.and_then(|entry| link(&entry));
+    let links = entries
+        .into_iter()
+        .map(|entry| link(entry).ok_or_else(wrong));
+    links.collect()
 }
 
 /// The list if it was given, or none.
@@ -50,19 +51,14 @@ pub(super) fn optional_links(
     }
 }
 
-fn link(entry: &Value) -> Option<Link> {
-    let [first, second, coefficient] = entry.as_array()?.as_slice() else {
+fn link(entry: &[f64]) -> Option<Link> {
+    let &[first, second, coefficient] = entry else {
         return None;
     };
-    Some(Link::between(
-        node(first)?,
-        node(second)?,
-        number(coefficient)?.value,
-    ))
+    Some(Link::between(node(first)?, node(second)?, coefficient))
 }
 
-fn node(value: &Value) -> Option<usize> {
-    let value = number(value)?.value;
+fn node(value: f64) -> Option<usize> {
     let is_index = value == value.trunc() && (0.0..=1e9).contains(&value);
     is_index.then_some(value as usize)
 }
@@ -77,7 +73,7 @@ pub(super) fn matrix(
         name,
         expected: EXPECTED,
     };
-    let rows = parameters.entries(name, EXPECTED)?;
+    let rows = parameters.lists(name, EXPECTED)?;
     if rows.len() > MAX_DEGREES_OF_FREEDOM {
         return Err(RequestError::TooMany {
             name,
@@ -87,12 +83,9 @@ pub(super) fn matrix(
     }
     let mut matrix = DMatrix::zeros(rows.len(), rows.len());
     for (i, row) in rows.iter().enumerate() {
-        let row = row
-            .as_array()
-            .filter(|row| row.len() == rows.len())
-            .ok_or_else(wrong)?;
-        for (j, entry) in row.iter().enumerate() {
-            matrix[(i, j)] = number(entry).ok_or_else(wrong)?.value;
+        let row = row.as_ref().filter(|row| row.len() == rows.len());
+        for (j, entry) in row.ok_or_else(wrong)?.iter().enumerate() {
+            matrix[(i, j)] = *entry;
         }
     }
     Ok(matrix)

@@ -1,8 +1,9 @@
 //! Reading the parameters of a request.
 
-use serde_json::{Map, Value};
+use std::borrow::Cow;
 
 use super::error::{RequestError, excerpt};
+use super::given::{Object, Value};
 use crate::numerics::ExactNumber;
 use crate::vibration::Oscillator;
 use crate::vibration::State;
@@ -12,7 +13,7 @@ pub(super) const LONGEST_LIST: usize = 200_000;
 
 /// The parameters of a request, with no key that the task does not know.
 pub(super) struct Parameters<'a> {
-    values: &'a Map<String, Value>,
+    values: &'a Object<'a>,
 }
 
 /// A time or a list of them.
@@ -33,16 +34,9 @@ impl Times {
     }
 }
 
-/// A number as it was written, and the nearest binary64.
-#[derive(Clone, Copy)]
-pub(super) struct Given {
-    pub(super) value: f64,
-    pub(super) exact: ExactNumber,
-}
-
 impl<'a> Parameters<'a> {
     pub(super) fn of(
-        values: &'a Map<String, Value>,
+        values: &'a Object<'a>,
         keys: &'static [&'static str],
     ) -> Result<Self, RequestError> {
         refuse_unknown(values, keys)?;
@@ -51,12 +45,16 @@ impl<'a> Parameters<'a> {
 
     /// Whether a parameter was given; `null` is as good as absent.
     pub(super) fn has(&self, name: &str) -> bool {
-        self.values.get(name).is_some_and(|value| !value.is_null())
+        let value = self.values.get(name);
+        value.is_some_and(|value| !matches!(value, Value::Null))
     }
 
     /// A number.
     pub(super) fn number(&self, name: &'static str) -> Result<f64, RequestError> {
-        self.given(name).map(|given| given.value)
+        number(self.value(name)?).ok_or(RequestError::NotANumber {
+            name,
+            expected: A_NUMBER,
+        })
     }
 
     /// A number, if it was given.
@@ -68,12 +66,11 @@ impl<'a> Parameters<'a> {
         }
     }
 
-    /// A number with its decimal.
-    pub(super) fn given(&self, name: &'static str) -> Result<Given, RequestError> {
-        const EXPECTED: &str = "a finite number, or a decimal in a string";
-        number(self.value(name)?).ok_or(RequestError::NotANumber {
+    /// A number as it was written.
+    pub(super) fn exact(&self, name: &'static str) -> Result<ExactNumber, RequestError> {
+        exact(self.value(name)?).ok_or(RequestError::NotANumber {
             name,
-            expected: EXPECTED,
+            expected: A_NUMBER,
         })
     }
 
@@ -95,7 +92,9 @@ impl<'a> Parameters<'a> {
     /// A number or a list of numbers.
     pub(super) fn times(&self, name: &'static str) -> Result<Times, RequestError> {
         match self.value(name)? {
-            Value::Array(_) => self.list(name).map(Times::Many),
+            Value::List(_) | Value::Numbers(_) | Value::Table { .. } => {
+                self.list(name).map(Times::Many)
+            }
             _ => self.number(name).map(Times::One),
         }
     }
@@ -103,30 +102,30 @@ impl<'a> Parameters<'a> {
     /// A list of numbers.
     pub(super) fn list(&self, name: &'static str) -> Result<Vec<f64>, RequestError> {
         const EXPECTED: &str = "a list of finite numbers, or of decimals in strings";
-        let wrong = || RequestError::NotANumber {
+        let value = self.value(name)?;
+        check_length(name, value)?;
+        let list = numbers(value).ok_or(RequestError::NotANumber {
             name,
             expected: EXPECTED,
-        };
-        let entries = self.entries(name, EXPECTED)?;
-        entries
-            .iter()
-            .map(|entry| number(entry).map(|given| given.value).ok_or_else(wrong))
-            .collect()
+        })?;
+        Ok(list.into_owned())
     }
 
-    /// A list of values, of bounded length.
-    pub(super) fn entries(
+    /// A list of lists of numbers, of bounded length; an entry that is none is nothing.
+    pub(super) fn lists(
         &self,
         name: &'static str,
         expected: &'static str,
-    ) -> Result<&'a [Value], RequestError> {
-        match self.value(name)? {
-            Value::Array(entries) if entries.len() > LONGEST_LIST => Err(RequestError::TooMany {
-                name,
-                count: entries.len(),
-                most: LONGEST_LIST,
-            }),
-            Value::Array(entries) => Ok(entries),
+    ) -> Result<Vec<Option<Cow<'a, [f64]>>>, RequestError> {
+        let value = self.value(name)?;
+        check_length(name, value)?;
+        match value {
+            Value::List(entries) => Ok(entries.iter().map(numbers).collect()),
+            Value::Numbers(entries) => Ok(vec![None; entries.len()]),
+            Value::Table { entries, width } => {
+                let rows = entries.chunks_exact(*width);
+                Ok(rows.map(|row| Some(Cow::Borrowed(row))).collect())
+            }
             _ => Err(RequestError::NotANumber { name, expected }),
         }
     }
@@ -145,43 +144,88 @@ impl<'a> Parameters<'a> {
         })
     }
 
-    fn value(&self, name: &'static str) -> Result<&'a Value, RequestError> {
+    fn value(&self, name: &'static str) -> Result<&'a Value<'a>, RequestError> {
         self.values
             .get(name)
             .ok_or(RequestError::MissingParameter { name })
     }
 }
 
+/// Refuses a list that is too long.
+fn check_length(name: &'static str, value: &Value) -> Result<(), RequestError> {
+    let count = match value {
+        Value::List(entries) => entries.len(),
+        Value::Numbers(entries) => entries.len(),
+        Value::Table { entries, width } => entries.len() / width,
+        _ => 0,
+    };
+    if count > LONGEST_LIST {
+        return Err(RequestError::TooMany {
+            name,
+            count,
+            most: LONGEST_LIST,
+        });
+    }
+    Ok(())
+}
+
+const A_NUMBER: &str = "a finite number, or a decimal in a string";
+
 /// A finite number, or a decimal in a string.
-pub(super) fn number(value: &Value) -> Option<Given> {
+fn number(value: &Value) -> Option<f64> {
     match value {
-        Value::Number(number) => decimal(&number.to_string()),
-        Value::String(text) => decimal(text),
+        Value::Number(number) => Some(*number),
+        Value::Text(text) => nearest(text),
         _ => None,
     }
 }
 
-/// A decimal such as `-12.50`, `.5` or `1e-4`, as it was written and as the nearest binary64.
-fn decimal(text: &str) -> Option<Given> {
+/// The same as it was written: a number has the shortest decimal.
+fn exact(value: &Value) -> Option<ExactNumber> {
+    match value {
+        Value::Number(number) => exact_decimal(&serde_json::Number::from_f64(*number)?.to_string()),
+        Value::Text(text) => exact_decimal(text),
+        _ => None,
+    }
+}
+
+/// A list of numbers.
+fn numbers<'a>(value: &'a Value) -> Option<Cow<'a, [f64]>> {
+    match value {
+        Value::Numbers(numbers) => Some(Cow::Borrowed(numbers)),
+        Value::List(entries) => entries
+            .iter()
+            .map(number)
+            .collect::<Option<_>>()
+            .map(Cow::Owned),
+        _ => None,
+    }
+}
+
+/// The binary64 next to a decimal such as `-12.50`, `.5` or `1e-4`.
+fn nearest(text: &str) -> Option<f64> {
     const LONGEST: usize = 400;
     let is_decimal = text.len() <= LONGEST
         && text
             .bytes()
             .all(|byte| byte.is_ascii_digit() || matches!(byte, b'+' | b'-' | b'.' | b'e' | b'E'));
-    let value = text
-        .parse::<f64>()
+    text.parse::<f64>()
         .ok()
-        .filter(|value| is_decimal && value.is_finite())?;
-    let exact = ExactNumber::from_decimal(text).or_else(|| ExactNumber::from_f64(value))?;
-    Some(Given { value, exact })
+        .filter(|value| is_decimal && value.is_finite())
+}
+
+/// A decimal as it was written; one too long for that as the nearest binary64.
+fn exact_decimal(text: &str) -> Option<ExactNumber> {
+    let value = nearest(text)?;
+    ExactNumber::from_decimal(text).or_else(|| ExactNumber::from_f64(value))
 }
 
 /// Refuses an object with a key that nobody reads.
 pub(super) fn refuse_unknown(
-    object: &Map<String, Value>,
+    object: &Object,
     known: &'static [&'static str],
 ) -> Result<(), RequestError> {
-    match object.keys().find(|key| !known.contains(&key.as_str())) {
+    match object.keys().find(|key| !known.contains(key)) {
         Some(key) => Err(RequestError::UnknownKey {
             key: excerpt(key),
             known,
@@ -198,14 +242,14 @@ mod tests {
     use crate::numerics::sign_of_sum;
 
     #[test]
-    fn decimals_are_kept_beside_the_nearest_number() {
-        let given = |text: &str| number(&serde_json::from_str(text).unwrap()).unwrap();
+    fn decimals_are_kept_as_they_are_written() {
+        let tenth = ExactNumber::from_decimal("0.1").unwrap();
+        let three = ExactNumber::from(3_u64);
         for text in ["0.3", r#""0.3""#, r#""+3e-1""#, "3e-1"] {
-            let (given, tenth) = (given(text), ExactNumber::from_decimal("0.1").unwrap());
-            assert_eq!(given.value, 0.3);
-            let three = ExactNumber::from(3_u64);
+            let value = serde_json::from_str(text).unwrap();
+            assert_eq!(number(&value), Some(0.3));
             assert_eq!(
-                sign_of_sum(&[&[given.exact], &[-three, tenth]]),
+                sign_of_sum(&[&[exact(&value).unwrap()], &[-three, tenth]]),
                 Ordering::Equal,
                 "{text}"
             );
@@ -215,17 +259,17 @@ mod tests {
     #[test]
     fn numbers_of_seventeen_digits_are_the_nearest() {
         let value: Value = serde_json::from_str("0.10000000000000001").unwrap();
-        assert_eq!(number(&value).unwrap().value, 0.1);
+        assert_eq!(number(&value), Some(0.1));
         let value: Value =
             serde_json::from_str("7.0420557077594588669468784357561207962098443483187940792729e28")
                 .unwrap();
-        assert_eq!(number(&value).unwrap().value, 7.042_055_707_759_459e28);
+        assert_eq!(number(&value), Some(7.042_055_707_759_459e28));
     }
 
     #[test]
     fn words_are_no_numbers() {
         for text in ["", "nan", "infinity", "0x10", "1_000", "1,5", "--1", "e5"] {
-            assert!(decimal(text).is_none(), "{text}");
+            assert!(nearest(text).is_none(), "{text}");
         }
     }
 }

@@ -1,15 +1,14 @@
-//! Building the result of a request.
-
-use serde_json::{Map, Value};
+//! Writing the result of a request.
 
 use super::error::RequestError;
 use super::parameters::Times;
 use crate::vibration::State;
 
-/// A result in the making. Numbers that are not finite are found when it is finished.
+/// A result in the making, as JSON. Numbers that are not finite are found when it is finished.
 #[derive(Default)]
 pub(super) struct Reply {
-    object: Map<String, Value>,
+    /// The members of the object so far.
+    text: Vec<u8>,
     /// The first result that is no finite number.
     overflow: Option<&'static str>,
 }
@@ -17,21 +16,33 @@ pub(super) struct Reply {
 impl Reply {
     /// Adds a number.
     pub(super) fn number(mut self, name: &'static str, value: f64) -> Self {
-        let value = self.checked(name, value);
-        self.insert(name, value)
+        self.key(name);
+        self.value(name, value);
+        self
+    }
+
+    /// Adds a whole number, or `null` where there is none.
+    pub(super) fn count(mut self, name: &'static str, value: Option<u64>) -> Self {
+        self.key(name);
+        let text = value.map_or_else(|| "null".to_owned(), |value| value.to_string());
+        self.text.extend_from_slice(text.as_bytes());
+        self
     }
 
     /// Adds a number, or `null` where there is none or it leaves the range of numbers.
-    pub(super) fn optional(self, name: &'static str, value: Option<f64>) -> Self {
-        match value.filter(|value| value.is_finite()) {
-            Some(value) => self.number(name, value),
-            None => self.insert(name, Value::Null),
-        }
+    pub(super) fn optional(mut self, name: &'static str, value: Option<f64>) -> Self {
+        self.key(name);
+        self.value_or_null(value);
+        self
     }
 
-    /// Adds a text.
-    pub(super) fn text(self, name: &'static str, value: &str) -> Self {
-        self.insert(name, Value::from(value))
+    /// Adds a word, which needs no escapes.
+    pub(super) fn word(mut self, name: &'static str, word: &str) -> Self {
+        self.key(name);
+        self.text.push(b'"');
+        self.text.extend_from_slice(word.as_bytes());
+        self.text.push(b'"');
+        self
     }
 
     /// Adds a list of numbers.
@@ -40,11 +51,41 @@ impl Reply {
         name: &'static str,
         values: impl IntoIterator<Item = f64>,
     ) -> Self {
-        let values: Vec<Value> = values
-            .into_iter()
-            .map(|value| self.checked(name, value))
-            .collect();
-        self.insert(name, Value::from(values))
+        self.key(name);
+        self.values(name, values);
+        self
+    }
+
+    /// Adds a list of numbers, `null` where there is none.
+    pub(super) fn optional_list(
+        mut self,
+        name: &'static str,
+        values: impl IntoIterator<Item = Option<f64>>,
+    ) -> Self {
+        self.key(name);
+        self.text.push(b'[');
+        for (i, value) in values.into_iter().enumerate() {
+            self.separate(i);
+            self.value_or_null(value);
+        }
+        self.text.push(b']');
+        self
+    }
+
+    /// Adds a list of vectors.
+    pub(super) fn vectors<'v>(
+        mut self,
+        name: &'static str,
+        vectors: impl IntoIterator<Item = &'v [f64]>,
+    ) -> Self {
+        self.key(name);
+        self.text.push(b'[');
+        for (i, vector) in vectors.into_iter().enumerate() {
+            self.separate(i);
+            self.values(name, vector.iter().copied());
+        }
+        self.text.push(b']');
+        self
     }
 
     /// Adds position and velocity at each of the times.
@@ -68,24 +109,49 @@ impl Reply {
         }
     }
 
-    /// Adds any value.
-    pub(super) fn insert(mut self, name: &'static str, value: Value) -> Self {
-        self.object.insert(name.to_owned(), value);
-        self
-    }
-
-    /// The object, unless a number left its range.
-    pub(super) fn into_object(self) -> Result<Map<String, Value>, RequestError> {
+    /// The members of the object, unless a number left its range.
+    pub(super) fn finish(self) -> Result<Vec<u8>, RequestError> {
         match self.overflow {
             Some(name) => Err(RequestError::NotFinite { name }),
-            None => Ok(self.object),
+            None => Ok(self.text),
         }
     }
 
-    fn checked(&mut self, name: &'static str, value: f64) -> Value {
+    fn key(&mut self, name: &str) {
+        self.separate(self.text.len());
+        self.text.push(b'"');
+        self.text.extend_from_slice(name.as_bytes());
+        self.text.extend_from_slice(b"\":");
+    }
+
+    /// A comma before all but the first.
+    fn separate(&mut self, position: usize) {
+        if position > 0 {
+            self.text.push(b',');
+        }
+    }
+
+    fn values(&mut self, name: &'static str, values: impl IntoIterator<Item = f64>) {
+        self.text.push(b'[');
+        for (i, value) in values.into_iter().enumerate() {
+            self.separate(i);
+            self.value(name, value);
+        }
+        self.text.push(b']');
+    }
+
+    fn value_or_null(&mut self, value: Option<f64>) {
+        match value.filter(|value| value.is_finite()) {
+            Some(value) => self.value("", value),
+            None => self.text.extend_from_slice(b"null"),
+        }
+    }
+
+    /// The shortest decimal that reads back to the same number.
+    fn value(&mut self, name: &'static str, value: f64) {
         if !value.is_finite() {
             self.overflow.get_or_insert(name);
         }
-        Value::from(value)
+        serde_json::to_writer(&mut self.text, &value).expect("a number is plain data");
     }
 }

@@ -1,7 +1,7 @@
 """Prints natural frequencies and mode shapes of spring networks and matrices, one JSON object a line.
 
 Rates are natural angular frequencies with 50 digits, or minus the growth rate of an unstable mode, in ascending order;
-shapes are mass-normalized, with 20 digits, given up to ten degrees of freedom. Data are the binary64 numbers printed.
+shapes are mass-normalized, with 20 digits, given up to ten degrees of freedom, or where asked for. Data are the binary64 numbers printed.
 
     python3 tests/references/modes.py > tests/fixtures/references/modes.jsonl
 """
@@ -55,7 +55,7 @@ def solved(m, k, with_shapes):
 def emit(name, data, m, k, magnitudes, with_shapes=True):
     mp.dps = digits(magnitudes)
     m, k = m(), k()
-    values, shapes = solved(m, k, with_shapes and m.rows <= 10)
+    values, shapes = solved(m, k, with_shapes if with_shapes == "all" else with_shapes and m.rows <= 10)
     largest = max(abs(v) for v in values)
     noise = largest * mpf(10) ** (-mp.dps + 8)
     rates = [mpf(0) if abs(v) < noise else (sqrt(v) if v > 0 else -sqrt(-v)) for v in values]
@@ -70,8 +70,8 @@ def network(name, masses, springs, with_shapes=True):
          lambda: assembled(len(masses), springs), [k for _, _, k in springs] + [1 / x for x in masses], with_shapes)
 
 
-def matrices(name, m, k):
-    emit(name, {"M": m, "K": k}, lambda: matrix(m), lambda: matrix(k), [1.0, 1e16])
+def matrices(name, m, k, with_shapes=True):
+    emit(name, {"M": m, "K": k}, lambda: matrix(m), lambda: matrix(k), [1.0, 1e16], with_shapes)
 
 
 # A stiffness ratio of 10^k in every place of a chain of five, free or held at the far end.
@@ -159,3 +159,38 @@ matrices("saddle", [[2.0, 0.5, 0.0], [0.5, 1.0, 0.25], [0.0, 0.25, 3.0]], [[4.0,
 matrices("stiff", [[2.0, 0.5, 0.0], [0.5, 1.0, 0.25], [0.0, 0.25, 3.0]],
          [[1000001.0, -1000000.0, 0.0], [-1000000.0, 1000002.0, -1.0], [0.0, -1.0, 1.5]])
 matrices("diagonal", [[2.0, 0.0], [0.0, 8.0]], [[1.0, 0.0], [0.0, 1e-12]])
+
+# Larger systems, solved by reduction to tridiagonal form where that can be proven, and neighbours for which it cannot.
+def drawn(low, high):
+    return float(f"{random.uniform(low, high):.4g}")
+
+
+def spread(decades):
+    return float(f"{10 ** random.uniform(-decades, decades):.4g}")
+
+
+def dense(n, stiffness):
+    return [drawn(1, 3) for _ in range(n)], [[i, j, stiffness()] for i in range(1, n + 1) for j in range(i)]
+
+
+def symmetric(n, diagonal):
+    factor = [[drawn(-1, 1) for _ in range(n)] for _ in range(n)]
+    entry = lambda i, j: sum(factor[i][k] * factor[j][k] for k in range(n)) + (diagonal if i == j else 0.0)
+    return [[entry(max(i, j), min(i, j)) for j in range(n)] for i in range(n)]
+
+
+network("chain of twenty", *chain([drawn(1, 3) for _ in range(20)], [drawn(1, 9) for _ in range(20)], 2.5), "all")
+network("chain of twenty, six decades", *chain([spread(1) for _ in range(20)], [spread(3) for _ in range(20)], 0.5), "all")
+network("free chain of eighteen", *chain([drawn(1, 3) for _ in range(18)], [0.0] + [drawn(1, 9) for _ in range(17)]), "all")
+network("chain of eighteen, weak in the middle", *chain([1.0] * 18, [1.0] * 9 + [1e-4] + [1.0] * 8, 1.5), "all")
+network("dense of twenty", *dense(20, lambda: drawn(1, 10)), "all")
+network("dense of eighteen, six decades", *dense(18, lambda: spread(3)), "all")
+network("dense of forty", *dense(40, lambda: drawn(1, 10)))
+network("dense of seventy", *dense(70, lambda: drawn(1, 10)))
+network("tree of twenty", [drawn(1, 3) for _ in range(20)], [[random.randrange(i), i, drawn(1, 9)] for i in range(1, 21)], "all")
+network("ring of eighteen", [2.0] * 18, [[i + 1, (i + 1) % 18 + 1, 3.0] for i in range(18)] + [[1, 0, 1.0]])
+network("complete of eighteen", [1.0] * 18, [[i, j, 1.0] for i in range(1, 19) for j in range(i)])
+matrices("matrices of twenty", symmetric(20, 3.0), symmetric(20, 1.0), "all")
+matrices("matrices of twenty, point masses", [[1.0 + i if i == j else 0.0 for j in range(20)] for i in range(20)], symmetric(20, 1.0), "all")
+matrices("matrices of eighteen, unstable", symmetric(18, 3.0), symmetric(18, -4.0))
+matrices("matrices of seventy", symmetric(70, 9.0), symmetric(70, 1.0))

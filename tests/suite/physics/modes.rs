@@ -179,7 +179,7 @@ pub(super) fn rates_of_matrices(table: &mut Accuracy) {
 
 /// Frequencies as requests are answered.
 pub(super) fn requests(table: &mut Accuracy) {
-    for case in cases().iter().filter(|case| case.rates.len() <= 50) {
+    for case in cases().iter().filter(|case| case.rates.len() <= 64) {
         let params = if case.masses.is_empty() {
             json!({ "M": case.mass, "K": case.stiffness })
         } else {
@@ -195,6 +195,29 @@ pub(super) fn requests(table: &mut Accuracy) {
                 "frequencies by request",
                 relative_error(value, expected),
                 if case.spread() < 1e16 { 2.0 } else { 5.0 } * U,
+                || case.name.clone(),
+            );
+        }
+        if case.rates.len() > 10 && !case.shapes.is_empty() {
+            shapes_by_request(table, case, &reply);
+        }
+    }
+}
+
+/// Shapes of larger systems, each component times the root of its mass, as requests are answered.
+fn shapes_by_request(table: &mut Accuracy, case: &Case, reply: &Value) {
+    let masses = case.modes().system().mass_matrix().diagonal();
+    for (mode, exact) in case.shapes.iter().enumerate() {
+        let exact: Vec<f64> = exact.iter().map(|digits| decimal(digits).hi()).collect();
+        let component = |i: usize| reply["result"]["shapes"][mode][i].as_f64().unwrap();
+        let product: f64 = (0..exact.len())
+            .map(|i| component(i) * exact[i] * masses[i])
+            .sum();
+        for (i, y) in exact.iter().enumerate() {
+            table.record(
+                "shapes by request, component by component (4 n u)",
+                (component(i) - product.signum() * y).abs() * masses[i].sqrt(),
+                4.0 * exact.len() as f64 * U,
                 || case.name.clone(),
             );
         }

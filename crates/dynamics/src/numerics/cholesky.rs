@@ -49,28 +49,40 @@ pub(crate) fn cholesky<T: Real>(matrix: &DMatrix<T>, floor: f64) -> Option<DMatr
     let size = matrix.nrows();
     let mut lower = DMatrix::from_element(size, size, T::from(0.0));
     for j in 0..size {
-        let rest = |i: usize, lower: &DMatrix<T>| {
-            (0..j).fold(matrix[(i, j)], |sum, k| sum - lower[(i, k)] * lower[(j, k)])
-        };
-        let pivot = rest(j, &lower);
+        let (before, from) = lower.as_mut_slice().split_at_mut(j * size);
+        let column = &mut from[j..size];
+        column.copy_from_slice(&matrix.as_slice()[j * size + j..(j + 1) * size]);
+        for earlier in before.chunks_exact(size) {
+            subtract_multiple(column, &earlier[j..], earlier[j]);
+        }
+        let pivot = column[0];
         let threshold = floor * matrix[(j, j)].rounded();
         if !(pivot.rounded() > threshold && pivot.rounded().is_finite()) {
             return None;
         }
         let root = pivot.root();
-        lower[(j, j)] = root;
-        for i in j + 1..size {
-            lower[(i, j)] = rest(i, &lower) / root;
+        column[0] = root;
+        for entry in &mut column[1..] {
+            *entry = *entry / root;
         }
     }
     Some(lower)
 }
 
+/// `x <- x - factor y`.
+fn subtract_multiple<T: Real>(x: &mut [T], y: &[T], factor: T) {
+    for (x, y) in x.iter_mut().zip(y) {
+        *x = *x - *y * factor;
+    }
+}
+
 /// Replaces `x` by the solution of `L y = x`.
 pub(crate) fn solve_lower<T: Real>(lower: &DMatrix<T>, x: &mut [T]) {
-    for i in 0..x.len() {
-        let rest = (0..i).fold(x[i], |sum, k| sum - lower[(i, k)] * x[k]);
-        x[i] = rest / lower[(i, i)];
+    let size = x.len();
+    for (i, column) in lower.as_slice().chunks_exact(size).enumerate() {
+        x[i] = x[i] / column[i];
+        let factor = x[i];
+        subtract_multiple(&mut x[i + 1..], &column[i + 1..], factor);
     }
 }
 

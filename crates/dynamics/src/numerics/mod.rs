@@ -26,14 +26,17 @@ mod elliptic;
 mod exact;
 mod exact_number;
 pub(crate) mod exponential;
+pub(crate) mod householder;
 pub(crate) mod jacobi;
 mod natural;
 mod order;
 mod pencil;
+pub(crate) mod product;
 mod quadrature;
 mod rational;
 mod roots;
 pub(crate) mod symmetric;
+pub(crate) mod tridiagonal;
 
 pub use complex::Complex;
 pub use double::Dd;

@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use super::mass_root::MassRoot;
 use super::solve::{Solution, completed};
 use super::system::{Inertia, Stiffness, System};
-use super::{ModesError, factor};
+use super::{ModesError, factor, reduced};
 use crate::numerics::cholesky::{Real, cholesky, congruent};
 use crate::numerics::symmetric::Symmetric;
 
@@ -13,38 +13,59 @@ use crate::numerics::symmetric::Symmetric;
 const MAX_EXACT: usize = 64;
 
 pub(super) fn solve(system: &System) -> Result<(MassRoot, Solution), ModesError> {
-    if system.degrees_of_freedom() <= MAX_EXACT {
-        factored(system, system.exact_stiffness_matrix())
-    } else {
-        factored(system, system.stiffness_matrix())
+    if let Some(solved) = proven(system) {
+        return Ok(solved);
     }
+    if system.degrees_of_freedom() <= MAX_EXACT {
+        factored(system, &system.exact_stiffness_matrix())
+    } else {
+        factored(system, &system.stiffness_matrix())
+    }
+}
+
+/// By reduction to tridiagonal form, if all frequencies are real, not far apart, and proven.
+fn proven(system: &System) -> Option<(MassRoot, Solution)> {
+    let size = system.degrees_of_freedom();
+    let (root, weighted) = weighted(system, &system.stiffness_matrix()).ok()?;
+    let solution = reduced::of_weighted(weighted.as_slice().to_vec(), size)?;
+    Some((root, solution))
 }
 
 /// Matrices: Cholesky of M, then pivoted Cholesky of `L⁻¹ K L⁻ᵀ` and its singular values;
 /// two-sided rotations if that is indefinite.
 fn factored<T: Real>(
     system: &System,
-    stiffness: DMatrix<T>,
+    stiffness: &DMatrix<T>,
 ) -> Result<(MassRoot, Solution), ModesError> {
     let size = system.degrees_of_freedom();
-    let (root, weighted) = match &system.inertia {
-        Inertia::Masses(masses) => (MassRoot::of_masses(masses), divided(&stiffness, masses)),
-        Inertia::Matrix(mass) => {
-            let lower = cholesky(&mass.map(T::from), size as f64 * f64::EPSILON / 2.0)
-                .ok_or(ModesError::MassNotPositiveDefinite)?;
-            let weighted = congruent(&lower, &stiffness);
-            (MassRoot::Lower(lower.map(Real::rounded)), weighted)
-        }
-    };
-    if weighted.iter().any(|x| !x.rounded().is_finite()) {
-        return Err(ModesError::OutOfRange);
-    }
+    let (root, weighted) = weighted(system, stiffness)?;
     let floor = rounding_floor(system, &weighted);
     let solution = match factor::of_matrix(weighted.clone(), &floor) {
         Some(factor) => completed(size, factor.left_singular(), Vec::new),
         None => indefinite(weighted.map(Real::rounded)),
     };
     Ok((root, solution))
+}
+
+/// The root `R` of the mass matrix, and `R⁻¹ K R⁻ᵀ`.
+fn weighted<T: Real>(
+    system: &System,
+    stiffness: &DMatrix<T>,
+) -> Result<(MassRoot, DMatrix<T>), ModesError> {
+    let size = system.degrees_of_freedom();
+    let (root, weighted) = match &system.inertia {
+        Inertia::Masses(masses) => (MassRoot::of_masses(masses), divided(stiffness, masses)),
+        Inertia::Matrix(mass) => {
+            let lower = cholesky(&mass.map(T::from), size as f64 * f64::EPSILON / 2.0)
+                .ok_or(ModesError::MassNotPositiveDefinite)?;
+            let weighted = congruent(&lower, stiffness);
+            (MassRoot::Lower(lower.map(Real::rounded)), weighted)
+        }
+    };
+    if weighted.iter().any(|x| !x.rounded().is_finite()) {
+        return Err(ModesError::OutOfRange);
+    }
+    Ok((root, weighted))
 }
 
 /// `K_ij / sqrt(m_i m_j)`.

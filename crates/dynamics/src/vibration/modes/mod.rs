@@ -22,12 +22,16 @@ mod mass_root;
 mod matrices;
 mod network;
 mod pair;
+mod polished;
+mod rayleigh;
+mod reduced;
 mod refined;
 mod solve;
 mod system;
 
 pub use error::ModesError;
 pub use pair::Pair;
+pub use polished::Polished;
 pub use refined::Refined;
 pub(crate) use refined::{inner, momenta};
 pub use solve::natural_angular_frequencies;
@@ -240,6 +244,12 @@ impl Modes {
     /// ```
     pub fn participation_factors(&self, direction: &[f64]) -> Result<Vec<f64>, ModesError> {
         self.modal_coordinates(direction)
+    }
+
+    /// Frequencies and shapes rounded once, up to 64 masses; none if two modes are too close for that, which
+    /// [`Self::refined`] tells apart.
+    pub fn polished(&self) -> Option<Polished> {
+        Polished::of(self)
     }
 
     /// Frequencies and shapes to about thirty digits.

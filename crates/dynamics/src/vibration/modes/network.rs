@@ -2,12 +2,15 @@
 
 use super::solve::{Solution, completed};
 use super::system::Link;
-use super::{Pair, factor};
+use super::{Pair, factor, rayleigh, reduced};
 use crate::numerics::jacobi::dot;
 use crate::numerics::{Dd, ascending};
 
 pub(super) fn solve(masses: &[f64], springs: &[Link]) -> Solution {
     if let Some(solution) = pair(masses, springs) {
+        return solution;
+    }
+    if let Some(solution) = reduced::of_network(masses, springs) {
         return solution;
     }
     let elastic = factor::of_network(masses, springs).left_singular();
@@ -198,26 +201,38 @@ fn take_rayleigh_quotients(masses: &[f64], springs: &[Link], solution: &mut Solu
     if size > FEW && !is_sparse_and_in_range(masses, springs, stiffest) {
         return;
     }
-    let root = |m: &f64| factor::root_of_ratio(*m, masses[0]);
-    let roots: Vec<f64> = masses.iter().map(root).collect();
-    let mut shape = vec![0.0; size];
-    for (rate, weighted) in rates.iter_mut().zip(vectors.chunks_exact(size)) {
+    let quotients = if size > reduced::SMALL {
+        let modes = rayleigh::of_springs(masses, springs, vectors);
+        modes.iter().map(|mode| mode.frequency).collect()
+    } else {
+        few_quotients(masses, springs, vectors)
+    };
+    for (rate, quotient) in rates.iter_mut().zip(quotients) {
         if *rate * WIDEST < stiffest * size as f64 {
             continue;
         }
-        for (component, (y, root)) in shape.iter_mut().zip(weighted.iter().zip(&roots)) {
-            *component = y / root;
-        }
-        let quotient = if size <= FEW {
-            exact_rayleigh_rate(masses, springs, &shape)
-        } else {
-            rayleigh_rate(masses, springs, &shape)
-        };
         if (quotient - *rate).abs() <= AGREEMENT * *rate {
             *rate = quotient;
         }
     }
     sort(size, solution);
+}
+
+/// The quotients of systems so small that none of them takes much.
+fn few_quotients(masses: &[f64], springs: &[Link], vectors: &[f64]) -> Vec<f64> {
+    let root = |m: &f64| factor::root_of_ratio(*m, masses[0]);
+    let roots: Vec<f64> = masses.iter().map(root).collect();
+    let shapes = vectors.chunks_exact(masses.len());
+    shapes
+        .map(|weighted| {
+            let shape = displacement(weighted, &roots);
+            if masses.len() <= FEW {
+                exact_rayleigh_rate(masses, springs, &shape)
+            } else {
+                rayleigh_rate(masses, springs, &shape)
+            }
+        })
+        .collect()
 }
 
 fn rayleigh_rate(masses: &[f64], springs: &[Link], shape: &[f64]) -> f64 {

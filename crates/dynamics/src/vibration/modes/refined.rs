@@ -39,6 +39,9 @@ pub struct Refined {
     shapes: DMatrix<Dd>,
 }
 
+/// Part of an eigenvalue by which it must differ from another, so that they are two in numbers of thirty digits.
+const TOLD_APART: f64 = 1e-26;
+
 /// Corrections square the error; three take any start that has a digit to the end.
 const MAX_CORRECTIONS: usize = 6;
 
@@ -215,10 +218,12 @@ impl Basis<'_> {
                 let overlap = inertia[(i, j)];
                 let gap = (eigenvalues[j] - eigenvalues[i]).hi();
                 let mix = (stiffness[(i, j)] - eigenvalues[j] * overlap).hi();
-                let is_separate = mix.abs() <= 0.01 * gap.abs();
+                // Within a repeated eigenvalue both are rounding.
+                let is_told = gap.abs() > TOLD_APART * eigenvalues[j].abs().hi();
+                let is_separate = is_told && mix.abs() <= 0.01 * gap.abs();
                 if i == j {
                     correction[(i, i)] = (1.0 - overlap).hi() / 2.0;
-                } else if is_separate && gap != 0.0 {
+                } else if is_separate {
                     correction[(i, j)] = mix / gap;
                 } else {
                     correction[(i, j)] = -overlap.hi() / 2.0;

@@ -1,0 +1,325 @@
+//! Frequencies and shapes that are rounded once, for systems of some tens of masses.
+//!
+//! What a shape leaves of `K φ = λ M φ` is formed without error that matters: each matrix is split into a part of few bits,
+//! whose products with the leading bits of the shapes are exact, and a small rest. One step of Ogita and Aishima then takes
+//! frequencies and shapes to the last digit, in the time of a few products of matrices. Modes too close for that are left to
+//! [`Refined`](super::Refined).
+//!
+//! # References
+//!
+//! Ogita, Aishima, Japan J. Indust. Appl. Math. 35 (2018) 1007. Ozaki, Ogita, Oishi, Rump, Numer. Algorithms 59 (2012) 95
+//! (splitting).
+
+use nalgebra::DMatrix;
+
+use super::system::{Inertia, System};
+use super::{Modes, is_reversed};
+use crate::numerics::product::product;
+use crate::numerics::{Dd, binary_exponent, scale_by_power_of_two, two_prod, two_sum};
+
+/// Bits of the leading parts: sums of sixty-four products of two of them, each factor below two, take 53.
+const BITS: i32 = 22;
+
+/// Largest number of terms whose sum of leading parts is exact.
+const MAX_SIZE: usize = 64;
+
+/// Distance of two eigenvalues, of the largest, at which what is left of a residual, 2^-75 times the root of the size, still
+/// leaves shapes to the last digit.
+const CLOSEST: f64 = 1e-5;
+
+/// Largest part of one shape in another that is taken out in one step: its square is an error that stays.
+const LARGEST_STEP: f64 = 1e-9;
+
+/// Modes whose frequencies and shapes are rounded once.
+///
+/// # Examples
+///
+/// ```
+/// use vibank_dynamics::vibration::modes::{Link, Modes};
+///
+/// let springs: Vec<Link> = (0..20).map(|i| Link::between(i, i + 1, 1.0)).collect();
+/// let modes = Modes::of_network(&[1.0; 20], &springs)?;
+/// let polished = modes.polished().expect("no two modes are close");
+/// let expected = 2.0 * vibank_dynamics::numerics::sin(std::f64::consts::PI / 82.0);
+/// assert!((polished.natural_angular_frequency(0).unwrap() / expected - 1.0).abs() < 3e-16);
+/// # Ok::<(), vibank_dynamics::vibration::modes::ModesError>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Polished {
+    /// `ω`, or minus the growth rate.
+    rates: Vec<f64>,
+    /// Shapes, one after the other.
+    shapes: Vec<f64>,
+}
+
+impl Polished {
+    pub(super) fn of(modes: &Modes) -> Option<Self> {
+        let size = modes.count();
+        let are_told_apart = size <= MAX_SIZE && are_apart(modes);
+        if !are_told_apart {
+            return None;
+        }
+        let scaled = Scaled::of(&modes.system)?;
+        let shapes = scaled.shapes(modes);
+        if !shapes.iter().all(|x| x.abs() < 2.0) {
+            return None;
+        }
+        let eigenvalues: Vec<f64> = (0..size)
+            .map(|mode| scale_by_power_of_two(modes.eigenvalue(mode), -2 * scaled.rate_exponent))
+            .collect();
+        let residuals = scaled.residuals(&shapes, &eigenvalues);
+        let lengths: Vec<Dd> = shapes
+            .chunks_exact(size)
+            .map(|shape| scaled.inertia(shape))
+            .collect();
+        let mut mixing = product(&transposed(&shapes, size), &residuals, size);
+        let mut rates = Vec::with_capacity(size);
+        for (j, column) in mixing.chunks_exact_mut(size).enumerate() {
+            let eigenvalue = Dd::from(eigenvalues[j]) + Dd::from(column[j]) / lengths[j];
+            let is_rigid = modes.rates[j] == 0.0;
+            rates.push(if is_rigid {
+                0.0
+            } else {
+                signed_root(eigenvalue, scaled.rate_exponent)
+            });
+            for (i, entry) in column.iter_mut().enumerate() {
+                *entry = if i == j {
+                    (Dd::from(1.0) - lengths[j]).hi() / 2.0
+                } else {
+                    *entry / (eigenvalues[j] - eigenvalues[i])
+                };
+            }
+        }
+        let largest = mixing
+            .iter()
+            .fold(0.0_f64, |largest, x| largest.max(x.abs()));
+        if largest.is_nan() || largest > LARGEST_STEP || !rates.is_sorted() {
+            return None;
+        }
+        let corrections = product(&shapes, &mixing, size);
+        let shapes = shapes.iter().zip(&corrections).map(|(x, step)| x + step);
+        let mut shapes = scaled.unscaled(shapes);
+        for shape in shapes.chunks_exact_mut(size) {
+            if is_reversed(&modes.root.weighted(shape)) {
+                shape.iter_mut().for_each(|x| *x = -*x);
+            }
+        }
+        Some(Self { rates, shapes })
+    }
+
+    /// Natural angular frequency of a mode in rad/s; 0 for rigid motion, none for motion that grows.
+    pub fn natural_angular_frequency(&self, mode: usize) -> Option<f64> {
+        self.rates.get(mode).copied().filter(|rate| *rate >= 0.0)
+    }
+
+    /// Rate in 1/s of the motion `exp(κ t)` of an unstable mode; none for the others.
+    pub fn growth_rate(&self, mode: usize) -> Option<f64> {
+        let growing = self.rates.get(mode).filter(|rate| **rate < 0.0);
+        growing.map(|rate| -rate)
+    }
+
+    /// Mass-normalized shape of a mode, its first component that is not zero positive.
+    ///
+    /// # Panics
+    ///
+    /// If there is no such mode.
+    pub fn mode_shape(&self, mode: usize) -> &[f64] {
+        let size = self.rates.len();
+        &self.shapes[mode * size..(mode + 1) * size]
+    }
+}
+
+/// Whether no two eigenvalues are closer than their shapes can be told apart.
+fn are_apart(modes: &Modes) -> bool {
+    let eigenvalues: Vec<f64> = (0..modes.count())
+        .map(|mode| modes.eigenvalue(mode))
+        .collect();
+    let largest = eigenvalues
+        .iter()
+        .fold(0.0_f64, |largest, x| largest.max(x.abs()));
+    let mut pairs = eigenvalues.windows(2);
+    pairs.all(|pair| pair[1] - pair[0] >= CLOSEST * largest)
+}
+
+fn signed_root(eigenvalue: Dd, exponent: i32) -> f64 {
+    let root = scale_by_power_of_two(eigenvalue.abs().sqrt().hi(), exponent);
+    if eigenvalue.is_negative() {
+        -root
+    } else {
+        root
+    }
+}
+
+/// A system in units, powers of two for each coordinate and for time, in which all entries are about one or less.
+struct Scaled {
+    size: usize,
+    /// Displacements are these powers of two times the scaled ones.
+    exponents: Vec<i32>,
+    /// Rates are this power of two times the scaled ones.
+    rate_exponent: i32,
+    stiffness: Split,
+    inertia: ScaledInertia,
+}
+
+enum ScaledInertia {
+    Masses(Vec<f64>),
+    Matrix(Split),
+}
+
+impl Scaled {
+    fn of(system: &System) -> Option<Self> {
+        let size = system.degrees_of_freedom();
+        let masses = match &system.inertia {
+            Inertia::Masses(masses) => masses.clone(),
+            Inertia::Matrix(mass) => mass.diagonal().iter().copied().collect(),
+        };
+        let exponents: Vec<i32> = masses
+            .iter()
+            .map(|m| -(binary_exponent(*m).div_euclid(2)))
+            .collect();
+        let scale = |i: usize, j: usize, exponent: i32, x: Dd| {
+            let power = exponents[i] + exponents[j] + exponent;
+            Dd::sum(
+                scale_by_power_of_two(x.hi(), power),
+                scale_by_power_of_two(x.lo(), power),
+            )
+        };
+        let stiffness = system.exact_stiffness_matrix();
+        let scaled = DMatrix::from_fn(size, size, |i, j| scale(i, j, 0, stiffness[(i, j)]));
+        let largest = scaled
+            .iter()
+            .fold(0.0_f64, |largest, x| largest.max(x.hi().abs()));
+        if largest == 0.0 || !largest.is_finite() {
+            return None;
+        }
+        let rate_exponent = (binary_exponent(largest) + 2).div_euclid(2);
+        let inertia = match &system.inertia {
+            Inertia::Masses(masses) => ScaledInertia::Masses(
+                masses
+                    .iter()
+                    .zip(&exponents)
+                    .map(|(m, exponent)| scale_by_power_of_two(*m, 2 * exponent))
+                    .collect(),
+            ),
+            Inertia::Matrix(mass) => ScaledInertia::Matrix(Split::of((0..size * size).map(|at| {
+                let (i, j) = (at % size, at / size);
+                // Half of it, so that all entries are below two.
+                scale(i, j, -1, Dd::from(mass[(i, j)]))
+            }))),
+        };
+        let stiffness = Split::of((0..size * size).map(|at| {
+            let (i, j) = (at % size, at / size);
+            scale(i, j, -2 * rate_exponent, stiffness[(i, j)])
+        }));
+        Some(Self {
+            size,
+            exponents,
+            rate_exponent,
+            stiffness,
+            inertia,
+        })
+    }
+
+    /// The shapes of modes, in the scaled coordinates.
+    fn shapes(&self, modes: &Modes) -> Vec<f64> {
+        let modes = (0..self.size).map(|mode| modes.root.unweighted(modes.weighted_shape(mode)));
+        modes
+            .flat_map(|shape| {
+                let components = shape.into_iter().zip(&self.exponents);
+                components.map(|(x, exponent)| scale_by_power_of_two(x, -exponent))
+            })
+            .collect()
+    }
+
+    fn unscaled(&self, shapes: impl Iterator<Item = f64>) -> Vec<f64> {
+        shapes
+            .zip(self.exponents.iter().cycle())
+            .map(|(x, exponent)| scale_by_power_of_two(x, *exponent))
+            .collect()
+    }
+
+    /// `K φ - λ M φ` for each shape.
+    fn residuals(&self, shapes: &[f64], eigenvalues: &[f64]) -> Vec<f64> {
+        let split = Split::of(shapes.iter().map(|x| Dd::from(*x)));
+        let forces = self.stiffness.product(shapes, &split, self.size);
+        let momenta: Vec<(f64, f64)> = match &self.inertia {
+            ScaledInertia::Masses(masses) => shapes
+                .iter()
+                .zip(masses.iter().cycle())
+                .map(|(x, m)| two_prod(*x, *m))
+                .collect(),
+            ScaledInertia::Matrix(mass) => mass
+                .product(shapes, &split, self.size)
+                .into_iter()
+                .map(|(high, low)| (2.0 * high, 2.0 * low))
+                .collect(),
+        };
+        let eigenvalues = eigenvalues
+            .iter()
+            .flat_map(|eigenvalue| std::iter::repeat_n(*eigenvalue, self.size));
+        forces
+            .into_iter()
+            .zip(momenta)
+            .zip(eigenvalues)
+            .map(|((force, momentum), eigenvalue)| {
+                let (inertia, error) = two_prod(eigenvalue, momentum.0);
+                let (difference, rest) = two_sum(force.0, -inertia);
+                difference + (rest + (force.1 - (error + eigenvalue * momentum.1)))
+            })
+            .collect()
+    }
+
+    /// `φᵀ M φ`.
+    fn inertia(&self, shape: &[f64]) -> Dd {
+        match &self.inertia {
+            ScaledInertia::Masses(masses) => shape
+                .iter()
+                .zip(masses)
+                .map(|(x, m)| Dd::product(*x, *x) * *m)
+                .sum(),
+            ScaledInertia::Matrix(mass) => {
+                let split = Split::of(shape.iter().map(|x| Dd::from(*x)));
+                let momenta = mass.product(shape, &split, self.size);
+                let terms = shape.iter().zip(momenta);
+                let half: Dd = terms
+                    .map(|(x, (high, low))| Dd::product(*x, high) + *x * low)
+                    .sum();
+                half * 2.0
+            }
+        }
+    }
+}
+
+/// The leading bits of numbers below two, and what they leave.
+struct Split {
+    leading: Vec<f64>,
+    rest: Vec<f64>,
+}
+
+impl Split {
+    fn of(entries: impl Iterator<Item = Dd>) -> Self {
+        /// Sums with this have no bits below 2^-BITS.
+        const ROUNDING: f64 = 1.5 * (1_u64 << (52 - BITS)) as f64;
+        let (leading, rest) = entries
+            .map(|x| {
+                let leading = (x.hi() + ROUNDING) - ROUNDING;
+                (leading, (x.hi() - leading) + x.lo())
+            })
+            .unzip();
+        Self { leading, rest }
+    }
+
+    /// This matrix times vectors, also split: the exact sums of the leading products, and the sums of all others.
+    fn product(&self, vectors: &[f64], split: &Self, size: usize) -> Vec<(f64, f64)> {
+        let exact = product(&self.leading, &split.leading, size);
+        let of_rest = product(&self.leading, &split.rest, size);
+        let by_rest = product(&self.rest, vectors, size);
+        let others = of_rest.into_iter().zip(by_rest).map(|(x, y)| x + y);
+        exact.into_iter().zip(others).collect()
+    }
+}
+
+fn transposed(matrix: &[f64], size: usize) -> Vec<f64> {
+    let entry = |at: usize| matrix[at % size * size + at / size];
+    (0..matrix.len()).map(entry).collect()
+}
