@@ -244,6 +244,11 @@ pub trait Marker {
         &[]
     }
 
+    /// Whether rounding leaves less of the key than answers are marked by.
+    fn is_uncertain(&self) -> bool {
+        false
+    }
+
     /// Whether a named mistake that is not worth everything is the very key for these data.
     fn is_mistaken_key(&self) -> bool {
         false

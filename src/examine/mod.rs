@@ -197,6 +197,9 @@ impl<'t> Course<'t> {
     fn refuse(&mut self, solution: &Solution<'_>, reason: &Unfit) {
         let words = match reason {
             Unfit::NoKey { part, .. } => format!("part `{part}` has no answer"),
+            Unfit::UncertainKey { part } => {
+                format!("the key of part `{part}` is lost in rounding")
+            }
             Unfit::NearMistake { part, .. } => {
                 format!("a mistake of part `{part}` lies near its key")
             }

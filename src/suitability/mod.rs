@@ -25,6 +25,14 @@ pub enum Unfit {
         /// Why the key does not exist.
         reason: String,
     },
+    /// A key that is not known as closely as answers are marked.
+    #[error(
+        "the key of part `{part}` is lost in rounding for these data: its formula takes the difference of numbers that agree to all digits"
+    )]
+    UncertainKey {
+        /// The part.
+        part: String,
+    },
     /// A mistake that cannot be told from the key.
     #[error("a mistake of part `{part}` lies {tolerances:.1} tolerances from its key")]
     NearMistake {
@@ -65,6 +73,10 @@ pub fn judge(solution: &Solution<'_>, parts: &[usize]) -> Result<(), Unfit> {
             part: part(),
             reason: absent.to_string(),
         })?;
+        let is_numeric = solution.template().parts[*place].answer.kind() == Kind::Numeric;
+        if is_numeric && solution.marker(*place).is_ok_and(|own| own.is_uncertain()) {
+            return Err(Unfit::UncertainKey { part: part() });
+        }
         if let Some(tolerances) = clearance.filter(|clearance| *clearance < CLEARANCE) {
             return Err(Unfit::NearMistake {
                 part: part(),

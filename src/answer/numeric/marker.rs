@@ -439,6 +439,13 @@ impl Marker for Numbers {
         })
     }
 
+    fn is_uncertain(&self) -> bool {
+        /// Part of a tolerance that the key may be off by before answers are marked by its rounding.
+        const NOTICEABLE: f64 = 0.25;
+        let mut targets = self.targets.iter();
+        targets.any(|target| target.half > 0.0 && target.bound > NOTICEABLE * target.half)
+    }
+
     fn bands(&self) -> Vec<Vec<Band>> {
         self.bands_of_values()
     }

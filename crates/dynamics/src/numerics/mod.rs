@@ -6,6 +6,7 @@
 //! - [`sin`], [`exp`], [`pow`] and kin, with errors below one unit in the last place.
 //! - [`two_sum`], [`two_prod`], [`diff_of_products`]: the error of an operation as a number.
 //! - [`Dd`]: numbers of about 106 bits, for small differences and long phases.
+//! - [`Long`]: numbers of 256 bits, for what thirty digits cannot tell from zero.
 //! - [`Rational`]: exact fractions.
 //! - [`ExactNumber`], [`sign_of_sum`]: numbers as they were written, compared without rounding.
 //! - [`Complex`]: complex numbers.
@@ -28,6 +29,7 @@ mod exact_number;
 pub(crate) mod exponential;
 pub(crate) mod householder;
 pub(crate) mod jacobi;
+mod long;
 mod natural;
 mod order;
 mod pencil;
@@ -51,6 +53,7 @@ pub use elliptic::{
 };
 pub use exact::{diff_of_products, fast_two_sum, sum_of_products, two_prod, two_sum};
 pub use exact_number::{ExactNumber, sign_of_sum};
+pub use long::Long;
 pub use order::{ascending, gather, sort_by, sort_by_key};
 pub use pencil::{EigenPair, pencil};
 pub use quadrature::{Integral, IntegralError, integral};

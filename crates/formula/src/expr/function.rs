@@ -59,6 +59,8 @@ pub enum Function {
     Mod,
     /// Complete elliptic integral of the first kind, of the parameter m = k².
     EllipticK,
+    /// The same of the complementary parameter p = 1 − m, which keeps its digits next to m = 1.
+    EllipticKm1,
     /// Real part.
     Re,
     /// Imaginary part.
@@ -109,6 +111,7 @@ const TABLE: &[Row] = &[
     (Function::Round, "round", 1, 1),
     (Function::Mod, "mod", 2, 2),
     (Function::EllipticK, "elliptic_k", 1, 1),
+    (Function::EllipticKm1, "elliptic_km1", 1, 1),
     (Function::Re, "re", 1, 1),
     (Function::Im, "im", 1, 1),
     (Function::Arg, "arg", 1, 1),
@@ -155,6 +158,7 @@ impl Function {
                 | Self::Round
                 | Self::Mod
                 | Self::EllipticK
+                | Self::EllipticKm1
         )
     }
 

@@ -260,19 +260,25 @@ impl<T: Real> Approx<T> {
         Ok(Self::function(self.value.atanh(), inherited))
     }
 
-    /// K(m) = π / (2 agm(1, √(1 − m))), whose slope is at most K/(2(1 − m)).
+    /// K(m), by the complement 1 − m.
     fn elliptic_k(&self) -> Result<Self, Undefined> {
-        let rest = 1.0 - self.value.to_f64() - self.bound;
-        if rest <= 0.0 {
-            return Err(Undefined::OutsideDomain(Function::EllipticK));
+        let complement = Self::exact(1.0).subtract(self);
+        complement.elliptic_km1(Function::EllipticK)
+    }
+
+    /// K(1 − p) = π / (2 agm(1, √p)), whose slope is at most K/(2p).
+    fn elliptic_km1(&self, function: Function) -> Result<Self, Undefined> {
+        let least = self.value.to_f64() - self.bound;
+        if least <= 0.0 {
+            return Err(Undefined::OutsideDomain(function));
         }
         let one = T::of_pair(1.0, 0.0);
-        let mean = arithmetic_geometric_mean(one, (one - self.value).sqrt());
+        let mean = arithmetic_geometric_mean(one, self.value.sqrt());
         let value = T::PI / (mean + mean);
-        let slope = value.to_f64() / (2.0 * rest);
-        // The complement 1 − m is rounded once, and each step of the mean twice.
-        let rounding = T::ROUNDOFF * (slope + 20.0 * value.to_f64());
-        Ok(Self::function(value, slope * self.bound + rounding))
+        let slope = value.to_f64() / (2.0 * least);
+        // Each step of the mean is rounded twice.
+        let rounding = T::ROUNDOFF * 20.0 * value.to_f64();
+        Ok(Self::new(value, slope * self.bound + rounding))
     }
 
     fn atan2(&self, x: &Self, doubt: &mut Doubt) -> Result<Self, Undefined> {
@@ -475,6 +481,7 @@ impl<T: Real> Scalar for Approx<T> {
             Function::Ceil => self.negate().floor(doubt).negate(),
             Function::Round => self.round(doubt),
             Function::EllipticK => self.elliptic_k()?,
+            Function::EllipticKm1 => self.elliptic_km1(function)?,
             _ => return Err(Undefined::OutsideDomain(function)),
         })
     }
@@ -561,7 +568,7 @@ fn hyperbolic<T: Real>(value: T, bound: f64) -> Approx<T> {
     Approx::function(value, (1.0 + size) * growth(bound) + T::FUNCTION * size)
 }
 
-/// Converges quadratically; six steps serve for a ratio of 1e16, eight with the digits of double-double.
+/// Converges quadratically; six steps serve for a ratio of 1e16, eleven for one of 1e160 with the digits of long numbers.
 fn arithmetic_geometric_mean<T: Real>(mut a: T, mut b: T) -> T {
     let half = T::of_pair(0.5, 0.0);
     for _ in 0..12 {

@@ -305,7 +305,7 @@ fn check_domain(function: Function, x: f64) -> Result<(), Undefined> {
         Function::Acosh if x < 1.0 => Err(Undefined::OutsideDomain(function)),
         Function::Atanh if x.abs() >= 1.0 => Err(Undefined::OutsideDomain(function)),
         // The derivative of K is no function of this language.
-        Function::EllipticK => Err(Undefined::OutsideDomain(function)),
+        Function::EllipticK | Function::EllipticKm1 => Err(Undefined::OutsideDomain(function)),
         _ => Ok(()),
     }
 }

@@ -2,9 +2,9 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use vibank_dynamics::numerics::{self, Dd};
+use vibank_dynamics::numerics::{self, Dd, Long};
 
-/// A floating-point number whose rounding errors are known: binary64 or double-double.
+/// A floating-point number whose rounding errors are known: binary64, double-double, or of 256 bits.
 pub trait Real:
     Copy
     + PartialOrd
@@ -269,4 +269,58 @@ impl Real for Dd {
     fn powi(self, exponent: i32) -> Self {
         Dd::powi(self, exponent)
     }
+}
+
+impl Real for Long {
+    /// 2^-250.
+    const ROUNDOFF: f64 = 6e-76;
+    const FUNCTION: f64 = 1e-70;
+    const PI: Self = Long::PI;
+
+    fn of_pair(high: f64, low: f64) -> Self {
+        Self::from(high) + Self::from(low)
+    }
+
+    fn dropped(_low: f64) -> f64 {
+        0.0
+    }
+
+    fn to_f64(self) -> f64 {
+        Self::to_f64(self)
+    }
+
+    fn low(self) -> f64 {
+        (self - Self::from(Self::to_f64(self))).to_f64()
+    }
+
+    /// The power is the exponential of a logarithm, whose error it multiplies.
+    fn power_rounding(size: f64) -> f64 {
+        Self::FUNCTION * numerics::ln(size.max(f64::MIN_POSITIVE)).abs()
+    }
+
+    fn exact_sum(self, other: Self) -> (Self, bool) {
+        (self + other, false)
+    }
+
+    fn exact_product(self, other: Self) -> (Self, bool) {
+        (self * other, false)
+    }
+
+    fn atan2(self, x: Self) -> Self {
+        Long::atan2(self, x)
+    }
+
+    fn hypot(self, other: Self) -> Self {
+        Long::hypot(self, other)
+    }
+
+    fn pow(self, exponent: Self) -> Self {
+        Long::pow(self, exponent)
+    }
+
+    fn powi(self, exponent: i32) -> Self {
+        Long::powi(self, exponent)
+    }
+
+    forward!(floor, sqrt, exp, ln, log10, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, asinh, acosh, atanh; Long);
 }

@@ -11,7 +11,7 @@ use crate::expr::{
     Constant, Expr, Field, Form, Function, Kind, Name, Operator, Path, Precise, Relation, Shape,
     Variable,
 };
-use vibank_dynamics::numerics::Dd;
+use vibank_dynamics::numerics::{Dd, Rational};
 use vibank_source::Span;
 
 /// Most formulas inside one another, names put in included.
@@ -407,6 +407,16 @@ impl Compiler<'_> {
     }
 
     fn call(&mut self, function: Function, arguments: &[Expr]) -> Result<Array> {
+        if let (Function::EllipticK, [parameter]) = (function, arguments)
+            && let Some(angle) = angle_of_squared_sine(parameter)
+        {
+            // K(sin²) by the squared cosine: the sine forgets how far the angle is from a right one.
+            let angle = self.array(angle)?.real()?;
+            let cosine = self.assembler.unary(Function::Cos, angle)?;
+            let square = self.assembler.compute(Step::Multiply(cosine, cosine))?;
+            let integral = self.assembler.unary(Function::EllipticKm1, square)?;
+            return Ok(Array::scalar(Entry::real(integral)));
+        }
         let arrays = arguments
             .iter()
             .map(|argument| self.array(argument))
@@ -527,4 +537,17 @@ impl Compiler<'_> {
 struct Mark {
     steps: super::assembler::Scope,
     nodes: usize,
+}
+
+/// The angle of which an expression is the squared sine.
+fn angle_of_squared_sine(expr: &Expr) -> Option<&Expr> {
+    let Kind::Binary(Operator::Power, base, exponent) = expr.kind() else {
+        return None;
+    };
+    match base.kind() {
+        Kind::Call(Function::Sin, arguments) if exponent.as_number() == Some(Rational::from(2)) => {
+            arguments.first()
+        }
+        _ => None,
+    }
 }

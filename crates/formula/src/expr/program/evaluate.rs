@@ -1,12 +1,14 @@
-//! Evaluation: in binary64, and again in double-double where that leaves too much open.
+//! Evaluation: in binary64, again in double-double where that leaves too much open, and with 256 bits where even that cannot
+//! tell a result from zero.
 
 use thiserror::Error;
 
+use super::instruction::Step;
 use super::machine::{Machine, weight};
 use super::{Program, Value};
-use crate::expr::{Approx, Precise, Scalar, Undefined};
+use crate::expr::{Approx, Field, Precise, Real, Scalar, Undefined};
 use crate::work;
-use vibank_dynamics::numerics::Dd;
+use vibank_dynamics::numerics::{Dd, Long};
 use vibank_source::Span;
 
 /// Most work of one run: what two integrals take that stand in each other, some tenths of a second.
@@ -106,6 +108,18 @@ impl<S: Scalar> Registers<S> {
 pub struct Workspace {
     double: Registers<Approx<f64>>,
     wide: Registers<Approx<Dd>>,
+    long: Registers<Approx<Long>>,
+}
+
+/// Inputs of thirty digits for a run with more.
+struct Lengthened<'a, I: ?Sized>(&'a I);
+
+impl<I: Inputs<Approx<Dd>> + ?Sized> Inputs<Approx<Long>> for Lengthened<'_, I> {
+    fn input(&self, slot: u32) -> Result<Approx<Long>, Undefined> {
+        let Approx { value, bound } = self.0.input(slot)?;
+        let value = Long::from(value.hi()) + Long::from(value.lo());
+        Ok(Approx::new(value, bound))
+    }
 }
 
 /// What a run gave.
@@ -179,7 +193,9 @@ impl Program {
     /// The value for these inputs, rounded to binary64.
     ///
     /// Runs in binary64 first. If that leaves a decision open, or a result uncertain by more than 1e-13 of it, or has
-    /// no value, the program runs again in double-double, and what cannot be told from zero even then is zero.
+    /// no value, the program runs again in double-double, and a third time with 256 bits if that does not leave a part
+    /// in 1e13 of a result certain either. What cannot be told from zero even then is zero; its bound says how little is
+    /// known of it.
     ///
     /// # Errors
     ///
@@ -198,11 +214,41 @@ impl Program {
             }
             Err(absence) => Err(absence),
         };
-        match self.run(inputs, &mut room.wide) {
-            Ok(outcome) => self.value(outcome.numbers().map(rounded)),
-            Err(absence) if absence.reason == Undefined::TooLong => first,
+        let second = match self.run(inputs, &mut room.wide) {
+            Ok(outcome) => {
+                let value = self.value(outcome.numbers().map(rounded));
+                if outcome.numbers().all(is_certain) {
+                    return value;
+                }
+                value
+            }
+            Err(absence) if absence.reason == Undefined::TooLong => return first,
+            Err(absence) if absence.reason != Undefined::DivisionByZero => return Err(absence),
             Err(absence) => Err(absence),
+        };
+        if !self.is_explicit() {
+            return second;
         }
+        match self.run(&Lengthened(inputs), &mut room.long) {
+            Ok(outcome) => self.value(outcome.numbers().map(rounded)),
+            Err(_) => second,
+        }
+    }
+
+    /// Whether it computes numbers, step by step: searches and motions are as good as their methods, which more digits do not
+    /// change.
+    fn is_explicit(&self) -> bool {
+        let is_step =
+            |step: &Step| !matches!(step, Step::Root(_) | Step::Integral(_) | Step::Motion(..));
+        self.form.field != Field::Boolean
+            && self
+                .code
+                .iter()
+                .all(|instruction| is_step(&instruction.step))
+            && self
+                .constants
+                .iter()
+                .all(|constant| constant.high().is_finite())
     }
 
     /// The real number (or truth) that the program computes, as [`Self::evaluate`], without allocation.
@@ -296,12 +342,17 @@ impl Program {
 
 /// Whether more digits would change nothing that matters.
 fn is_settled(outcome: &Outcome<'_, Approx<f64>>) -> bool {
-    !outcome.is_open && outcome.numbers().all(|x| x.bound <= WIDEST * x.value.abs())
+    !outcome.is_open && outcome.numbers().all(is_certain)
 }
 
-/// A double-double result in binary64, with its bound.
-fn rounded(x: &Approx<Dd>) -> (f64, f64) {
-    let (high, low) = (x.value.hi(), x.value.lo());
+/// Whether the error of a result is a small part of it.
+fn is_certain<T: Real>(x: &Approx<T>) -> bool {
+    x.bound <= WIDEST * x.value.to_f64().abs()
+}
+
+/// A result with more digits in binary64, with its bound.
+fn rounded<T: Real>(x: &Approx<T>) -> (f64, f64) {
+    let (high, low) = (x.value.to_f64(), x.value.low());
     if high.abs() <= x.bound {
         return (0.0, x.bound + high.abs());
     }
@@ -400,6 +451,12 @@ mod tests {
         assert_eq!(real("(sqrt(1 + 1e-20) - 1)/1e-20"), 0.5);
         assert_eq!(real("(1 - cos(1e-9))/1e-18"), 0.5);
         assert_eq!(real("exp(1e-18) - 1"), 1e-18);
+        assert_near(
+            real("(1 - (1e-9)^2/2)/cos(1e-9) - 1"),
+            -4.166_666_666_666_666_6e-38,
+        );
+        assert_near(real("1/((1 - (1e-9)^2/2)/cos(1e-9) - 1)"), -2.4e37);
+        assert_near(real("sqrt(1 + 1e-40) - 1"), 5e-41);
     }
 
     #[test]

@@ -12,12 +12,19 @@ use crate::work;
 /// Units of work of a step in double-double, where one in binary64 is one: a sine costs a microsecond.
 const WIDE_STEP: u64 = 20;
 
+/// The same with 256 bits: a sine takes some ten microseconds.
+const LONG_STEP: u64 = 400;
+
 /// Steps that finding the next place of a search counts for: the nodes of an integral take two exponentials.
 const STEPS_OF_A_PLACE: u64 = 4;
 
 /// Units of work of a step.
 pub(super) fn weight<S: Scalar>() -> u64 {
-    if S::ROUNDOFF < 1e-20 { WIDE_STEP } else { 1 }
+    match S::ROUNDOFF {
+        roundoff if roundoff < 1e-40 => LONG_STEP,
+        roundoff if roundoff < 1e-20 => WIDE_STEP,
+        _ => 1,
+    }
 }
 
 /// The state of a run.

@@ -32,6 +32,10 @@ impl Setter<'_> {
                 let sum = squares.reduce(|sum, square| sum + square);
                 Piece::atom(Math::root(sum.map_or(Math::row([]), |sum| self.math(&sum))))
             }
+            (Function::EllipticKm1, Some(p)) => {
+                let parameter = Expr::number(1) - p.clone();
+                self.call(Function::EllipticK, &[parameter])
+            }
             (Function::Dot, Some(_)) => self.between("⋅", arguments),
             (Function::Mod, Some(_)) => self.between("mod", arguments),
             _ => self.applied(written_name(function), arguments),
