@@ -7,7 +7,7 @@
 use super::parameters::Times;
 use super::{Parameters, Reply, RequestError, Task, network};
 use crate::vibration::modal::{Damping, ModalResponse as Motion};
-use crate::vibration::modes::Modes;
+use crate::vibration::modes::{MAX_WITHOUT_PROOF, Modes, ModesError};
 
 pub(super) struct ModalResponse;
 
@@ -29,7 +29,13 @@ impl Task for ModalResponse {
     }
 
     fn solve(&self, parameters: &Parameters) -> Result<Reply, RequestError> {
-        let modes = Modes::of(network::system(parameters)?).map_err(RequestError::domain)?;
+        let system = network::system(parameters)?;
+        let count = system.degrees_of_freedom();
+        if count > MAX_WITHOUT_PROOF {
+            let limit = MAX_WITHOUT_PROOF;
+            return Err(RequestError::domain(ModesError::TooMany { count, limit }));
+        }
+        let modes = Modes::of(system).map_err(RequestError::domain)?;
         let damping = damping(parameters)?;
         let (displacements, velocities) = (parameters.list("x0")?, parameters.list("v0")?);
         let times = parameters.times("t")?;

@@ -2,7 +2,8 @@
 //!
 //! `masses` and `springs`, a list of `[i, j, k]` where node 0 is the ground, or matrices `M` and `K` give `omega`,
 //! ascending, and `shapes`, mass-normalized, in the same order. A mode that grows has `null` for its frequency; then there
-//! is also a list `growth` of the rates, `null` for the others.
+//! is also a list `growth` of the rates, `null` for the others. `shapes` = k asks for the k lowest shapes only; up to 256
+//! degrees of freedom all are given by default, beyond that none.
 
 use super::{Parameters, Reply, RequestError, Task, network};
 use crate::numerics::Dd;
@@ -22,25 +23,32 @@ impl Task for Modes {
     }
 
     fn keys(&self) -> &'static [&'static str] {
-        &["masses", "springs", "M", "K"]
+        &["masses", "springs", "M", "K", "shapes"]
     }
 
     fn solve(&self, parameters: &Parameters) -> Result<Reply, RequestError> {
         let system = network::system(parameters)?;
         let modes = solver::Modes::of(system).map_err(RequestError::domain)?;
-        Ok(described_modes(&modes))
+        let count = modes.count();
+        let default = if count > solver::MAX_WITHOUT_PROOF {
+            0
+        } else {
+            count
+        };
+        let shown = parameters.optional_index("shapes")?.unwrap_or(default);
+        Ok(described_modes(&modes, shown.min(count)))
     }
 }
 
 /// Modes to the last digit, up to a size.
-fn described_modes(modes: &solver::Modes) -> Reply {
+fn described_modes(modes: &solver::Modes, shown: usize) -> Reply {
     let count = modes.count();
     if count > SMALL
         && let Some(polished) = modes.polished()
     {
         let frequency = |mode| polished.natural_angular_frequency(mode);
         let growth = |mode| polished.growth_rate(mode);
-        return described(count, frequency, growth, |mode| {
+        return described([count, shown], frequency, growth, |mode| {
             polished.mode_shape(mode).to_vec()
         });
     }
@@ -48,20 +56,25 @@ fn described_modes(modes: &solver::Modes) -> Reply {
     if let Some(refined) = refined.filter(solver::Refined::is_finite) {
         let frequency = |mode| refined.natural_angular_frequency(mode).map(Dd::hi);
         let growth = |mode| refined.growth_rate(mode).map(Dd::hi);
-        return described(count, frequency, growth, |mode| refined.mode_shape(mode));
+        return described([count, shown], frequency, growth, |mode| {
+            refined.mode_shape(mode)
+        });
     }
     let frequency = |mode| modes.natural_angular_frequency(mode);
     let growth = |mode| modes.growth_rate(mode);
-    described(count, frequency, growth, |mode| modes.mode_shape(mode))
+    described([count, shown], frequency, growth, |mode| {
+        modes.mode_shape(mode)
+    })
 }
 
+/// The frequencies of all modes and the shapes of those that are shown.
 fn described(
-    count: usize,
+    [count, shown]: [usize; 2],
     frequency: impl Fn(usize) -> Option<f64>,
     growth: impl Fn(usize) -> Option<f64>,
     shape: impl Fn(usize) -> Vec<f64>,
 ) -> Reply {
-    let shapes: Vec<Vec<f64>> = (0..count).map(shape).collect();
+    let shapes: Vec<Vec<f64>> = (0..shown).map(shape).collect();
     let growths: Vec<Option<f64>> = (0..count).map(growth).collect();
     let reply = Reply::default()
         .optional_list("omega", (0..count).map(frequency))
@@ -95,6 +108,39 @@ mod tests {
         let reply = reply(r#"{"masses":[1,1,1],"springs":[[0,1,-4],[2,3,2]]}"#);
         assert_eq!(reply["result"]["omega"], json!([null, 0.0, 2.0]));
         assert_eq!(reply["result"]["growth"], json!([2.0, null, null]));
+    }
+
+    #[test]
+    fn a_long_chain_has_its_lowest_shapes() {
+        let springs: Vec<_> = (0..600).map(|i| json!([i, i + 1, 1])).collect();
+        let request = |shapes: usize| {
+            let parameters =
+                json!({ "masses": vec![1; 600], "springs": springs, "shapes": shapes });
+            reply(&parameters.to_string())
+        };
+        let two = request(2);
+        assert_eq!(two["result"]["shapes"].as_array().unwrap().len(), 2);
+        let frequencies = two["result"]["omega"].as_array().unwrap();
+        for (i, frequency) in frequencies.iter().enumerate() {
+            let expected =
+                2.0 * crate::numerics::sin((2 * i + 1) as f64 * std::f64::consts::PI / 2402.0);
+            assert!(
+                (frequency.as_f64().unwrap() / expected - 1.0).abs() < 1e-15,
+                "{i}"
+            );
+        }
+        let ring: Vec<_> = (0..600)
+            .map(|i| json!([i + 1, (i + 1) % 600 + 1, 1]))
+            .collect();
+        let parameters = json!({ "masses": vec![1; 600], "springs": ring });
+        assert_eq!(
+            reply(&parameters.to_string())["error"]["code"],
+            "out_of_domain"
+        );
+        assert_eq!(
+            reply(r#"{"masses":[1],"springs":[],"shapes":-1}"#)["error"]["code"],
+            "not_a_number"
+        );
     }
 
     #[test]

@@ -89,6 +89,19 @@ impl<'a> Parameters<'a> {
         }
     }
 
+    /// A whole number from zero up, if it was given.
+    pub(super) fn optional_index(&self, name: &'static str) -> Result<Option<usize>, RequestError> {
+        let value = self.optional_number(name)?;
+        let is_index = |value: f64| value == value.trunc() && (0.0..=1e9).contains(&value);
+        match value {
+            Some(value) if !is_index(value) => Err(RequestError::NotANumber {
+                name,
+                expected: "a whole number from 0 up",
+            }),
+            value => Ok(value.map(|value| value as usize)),
+        }
+    }
+
     /// A number or a list of numbers.
     pub(super) fn times(&self, name: &'static str) -> Result<Times, RequestError> {
         match self.value(name)? {

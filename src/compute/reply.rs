@@ -13,6 +13,9 @@ pub(super) struct Reply {
     overflow: Option<&'static str>,
 }
 
+/// Bytes of a number with its comma.
+const LONGEST_NUMBER: usize = 26;
+
 impl Reply {
     /// Adds a number.
     pub(super) fn number(mut self, name: &'static str, value: f64) -> Self {
@@ -82,6 +85,7 @@ impl Reply {
         self.text.push(b'[');
         for (i, vector) in vectors.into_iter().enumerate() {
             self.separate(i);
+            self.text.reserve(LONGEST_NUMBER * vector.len());
             self.values(name, vector.iter().copied());
         }
         self.text.push(b']');

@@ -17,6 +17,16 @@ pub enum ModesError {
         /// Most that are accepted.
         limit: usize,
     },
+    /// A large system whose frequencies are too close or too far apart for the quick way.
+    #[error(
+        "the modes of these {count} degrees of freedom cannot be proven, since some lie too close together or too far apart; up to {limit} are solved whatever the data"
+    )]
+    NotProven {
+        /// Degrees of freedom given.
+        count: usize,
+        /// Most that are solved without a proof.
+        limit: usize,
+    },
     /// More springs, dampers or squares than any system of this size needs.
     #[error("{count} elements are more than the {limit} that are accepted")]
     TooManyElements {
@@ -107,4 +117,15 @@ pub enum ModesError {
     /// A harmonic force without damping at a natural frequency: there is no steady state.
     #[error("there is no steady state: the force acts at an undamped natural frequency")]
     Resonance,
+}
+
+impl ModesError {
+    /// Refuses a size for which rotations take too long.
+    pub(super) fn refuse_unproven(count: usize) -> Result<(), Self> {
+        let limit = super::MAX_WITHOUT_PROOF;
+        if count > limit {
+            return Err(Self::NotProven { count, limit });
+        }
+        Ok(())
+    }
 }

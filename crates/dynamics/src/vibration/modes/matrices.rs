@@ -16,6 +16,7 @@ pub(super) fn solve(system: &System) -> Result<(MassRoot, Solution), ModesError>
     if let Some(solved) = proven(system) {
         return Ok(solved);
     }
+    ModesError::refuse_unproven(system.degrees_of_freedom())?;
     if system.degrees_of_freedom() <= MAX_EXACT {
         factored(system, &system.exact_stiffness_matrix())
     } else {

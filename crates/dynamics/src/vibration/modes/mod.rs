@@ -35,7 +35,7 @@ pub use polished::Polished;
 pub use refined::Refined;
 pub(crate) use refined::{inner, momenta};
 pub use solve::natural_angular_frequencies;
-pub use system::{Link, MAX_DEGREES_OF_FREEDOM, MAX_ELEMENTS, System};
+pub use system::{Link, MAX_DEGREES_OF_FREEDOM, MAX_ELEMENTS, MAX_WITHOUT_PROOF, System};
 pub(crate) use system::{assembled, check_symmetric};
 
 use nalgebra::DMatrix;
@@ -73,7 +73,9 @@ impl Modes {
     ///
     /// # Errors
     ///
-    /// [`ModesError::MassNotPositiveDefinite`]; [`ModesError::OutOfRange`] if a frequency is not a finite number.
+    /// [`ModesError::MassNotPositiveDefinite`]; [`ModesError::OutOfRange`] if a frequency is not a finite number;
+    /// [`ModesError::NotProven`] for a system of more than [`MAX_WITHOUT_PROOF`] degrees of freedom with modes that are too
+    /// close or too far apart.
     pub fn of(system: System) -> Result<Self, ModesError> {
         solve::modes(system)
     }

@@ -2,22 +2,23 @@
 
 use super::solve::{Solution, completed};
 use super::system::Link;
-use super::{Pair, factor, rayleigh, reduced};
+use super::{ModesError, Pair, factor, rayleigh, reduced};
 use crate::numerics::jacobi::dot;
 use crate::numerics::{Dd, ascending};
 
-pub(super) fn solve(masses: &[f64], springs: &[Link]) -> Solution {
+pub(super) fn solve(masses: &[f64], springs: &[Link]) -> Result<Solution, ModesError> {
     if let Some(solution) = pair(masses, springs) {
-        return solution;
+        return Ok(solution);
     }
     if let Some(solution) = reduced::of_network(masses, springs) {
-        return solution;
+        return Ok(solution);
     }
+    ModesError::refuse_unproven(masses.len())?;
     let elastic = factor::of_network(masses, springs).left_singular();
     let mut solution = completed(masses.len(), elastic, || rigid_motions(masses, springs));
     remove_stiff_motions(masses, springs, &mut solution);
     take_rayleigh_quotients(masses, springs, &mut solution);
-    solution
+    Ok(solution)
 }
 
 /// Two masses whose closed form is in range.

@@ -18,9 +18,10 @@ pub(super) struct Solution {
 pub(super) fn modes(system: System) -> Result<Modes, ModesError> {
     let system = with_springs_recognized(system);
     let (root, solution) = match (&system.inertia, &system.stiffness) {
-        (Inertia::Masses(masses), Stiffness::Springs(springs)) if are_attractive(springs) => {
-            (MassRoot::of_masses(masses), network::solve(masses, springs))
-        }
+        (Inertia::Masses(masses), Stiffness::Springs(springs)) if are_attractive(springs) => (
+            MassRoot::of_masses(masses),
+            network::solve(masses, springs)?,
+        ),
         _ => matrices::solve(&system)?,
     };
     let is_finite = |values: &[f64]| values.iter().all(|x| x.is_finite());

@@ -9,7 +9,11 @@ use super::ModesError;
 use crate::numerics::Dd;
 
 /// Largest number of degrees of freedom that is accepted.
-pub const MAX_DEGREES_OF_FREEDOM: usize = 256;
+pub const MAX_DEGREES_OF_FREEDOM: usize = 2000;
+
+/// Largest number of degrees of freedom whose modes are found whatever the data; those of larger systems where they can be
+/// proven, as of most chains.
+pub const MAX_WITHOUT_PROOF: usize = 256;
 
 /// Largest number of springs, dampers or squares that is accepted.
 pub const MAX_ELEMENTS: usize = 100_000;
