@@ -94,7 +94,7 @@ impl Made {
         let run = Run::of(&blueprint, writer).with_formulas(&plan.formulas, writer);
         let pages = Pages::new(writer, run, &[])?;
         let pane = |kind| {
-            let begin = pages.begin(Pages::subtitle(kind))?;
+            let begin = pages.begin(pages.subtitle(kind))?;
             let page = pages.page(kind, &sheet)?;
             Ok::<_, output::OutputError>((kind, format!("{begin}{}{}", page.text, pages.end()?)))
         };
