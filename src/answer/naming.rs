@@ -6,7 +6,7 @@ use super::{Declare, Kind, Known, Role, Unreadable, Why};
 use crate::expr::{self, Name, Shape};
 use crate::math::symbol;
 use crate::quantity::NodeId;
-use crate::response::{self, Lexicon, Manner, cut};
+use crate::response::{self, Folded, Label, Lexicon, Manner, cut};
 use crate::source::Span;
 use crate::unit::{Dimension, Rational, Unit};
 
@@ -31,6 +31,8 @@ pub(crate) struct Naming {
     /// Letters that the item does not know and that say something else by the custom of the field.
     customary: Vec<&'static str>,
     is_matrix: bool,
+    /// Symbols that are no names, `V(π)`, `x₃/x`, `cos θ`: as they can be typed, with the names that stand for them.
+    printed: Vec<(Label, Name)>,
 }
 
 impl Naming {
@@ -44,7 +46,7 @@ impl Naming {
     ) -> Self {
         let is_labelled = matches!(
             kind,
-            Kind::Numeric | Kind::Integer | Kind::Formula | Kind::Matrix
+            Kind::Numeric | Kind::Integer | Kind::Formula | Kind::Matrix | Kind::ModeShape
         );
         let (true, [key]) = (is_labelled, keys) else {
             return Self::default();
@@ -69,10 +71,19 @@ impl Naming {
             naming
                 .lexicon
                 .allow(&own.name, own.symbol.clone(), own.role == Role::Coordinate);
-            if !asked.iter().any(|asked| is_same(asked, own)) && is_other(own, &asked, dimension) {
+            if !asked.iter().any(|asked| is_same(asked, own))
+                && is_other(own, &asked, dimension, kind)
+            {
                 naming.others.push(own.name.clone());
             }
         }
+        // What is asked is no name that was asked before.
+        let printed = known
+            .iter()
+            .filter(|own| is_seen(own.role) || asked.iter().any(|asked| is_same(asked, own)));
+        naming.printed = printed
+            .filter_map(|own| Some((Label::of_symbol(&own.symbol)?, own.name.clone())))
+            .collect();
         for own in asked {
             naming.lexicon.allow(&own.name, own.symbol.clone(), true);
             // Many leave the index out.
@@ -84,6 +95,29 @@ impl Naming {
             }
         }
         naming
+    }
+
+    /// A response with a name in place of the symbol that is asked, where that is printed as no name: `V(π) = 3 J`.
+    ///
+    /// # Errors
+    ///
+    /// Where it is such a symbol of another quantity.
+    pub(crate) fn named<'t>(&self, response: Folded<'t>) -> Result<Folded<'t>, Unreadable> {
+        if self.printed.is_empty() {
+            return Ok(response);
+        }
+        let Some(end) = response.text().find(['=', '≈', ':']) else {
+            return Ok(response);
+        };
+        let label = &response.text()[..end];
+        let typed = Label::of_text(label);
+        match self.printed.iter().find(|(printed, _)| *printed == typed) {
+            Some((_, name)) if self.asked.contains(name) => {
+                Ok(response.with_name(end, name.as_str()))
+            }
+            Some(_) => Err(Unreadable::at(label.trim(), Why::OtherQuantity)),
+            None => Ok(response),
+        }
     }
 
     /// Checks what stands before the equals signs of the statements of a response.
@@ -105,6 +139,12 @@ impl Naming {
             }
         }
         Ok(())
+    }
+
+    /// Whether a symbol before an equals sign is the one that is asked.
+    pub(crate) fn is_of_asked(&self, label: &str) -> bool {
+        let typed = response::formula(without_frame(label), &self.lexicon, Manner::default());
+        typed.is_ok_and(|typed| self.is_asked(&typed.value))
     }
 
     fn is_of_another(&self, label: &str) -> bool {
@@ -183,7 +223,7 @@ fn is_same(one: &Known, other: &Known) -> bool {
 
 /// Whether a name says something else than what is asked. The letter of what is asked does not, whatever its index was:
 /// many write `k` for k_eq and ω for ω_d.
-fn is_other(own: &Known, asked: &[&Known], dimension: Option<Dimension>) -> bool {
+fn is_other(own: &Known, asked: &[&Known], dimension: Option<Dimension>, kind: Kind) -> bool {
     let (letter, index) = parted(own.name.as_str());
     let is_letter_of = |asked: &&Known| parted(asked.name.as_str()).0 == letter;
     let same_letter = asked.iter().find(|asked| is_letter_of(asked));
@@ -192,6 +232,10 @@ fn is_other(own: &Known, asked: &[&Known], dimension: Option<Dimension>) -> bool
         let (_, of_asked) = parted(asked.name.as_str());
         let is_number = |index: &str| index.parse::<u32>().is_ok_and(|number| number > 0);
         return is_number(index) && is_number(of_asked) && index != of_asked;
+    }
+    // Components have the symbols of their coordinates.
+    if kind == Kind::ModeShape {
+        return false;
     }
     if own.kind.dimension() != dimension || own.kind.shape() != Shape::Scalar {
         return true;

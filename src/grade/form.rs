@@ -2,7 +2,7 @@
 //! statement, `ω = sqrt(k/m) = 15.81 rad/s`.
 
 use super::Sheet;
-use crate::answer::{Credit, Marker, Marking, Note, Reason, Remark, Slip, Verdict, Why};
+use crate::answer::{Credit, Marker, Marking, Naming, Note, Reason, Remark, Slip, Verdict, Why};
 use crate::numerics::Rational;
 use crate::response::{self, Folded};
 use crate::solution::Solution;
@@ -30,7 +30,8 @@ pub(super) fn otherwise(
     }
     let other = solution.other_marker(place)?;
     let own = solution.marker(place).ok()?;
-    if let Some(marking) = statement(own, other, sides) {
+    let naming = &solution.template().parts[place].naming;
+    if let Some(marking) = statement(own, other, naming, sides) {
         return Some(marking);
     }
     if !is_open {
@@ -66,23 +67,34 @@ pub(super) fn standing(
 
 /// The marking of a statement with sides in both forms: that of its last side in the form that is asked, if all others
 /// agree with it.
-fn statement(own: &dyn Marker, other: &dyn Marker, mut sides: Vec<&str>) -> Option<Marking> {
+fn statement(
+    own: &dyn Marker,
+    other: &dyn Marker,
+    naming: &Naming,
+    mut sides: Vec<&str>,
+) -> Option<Marking> {
+    // What is asked may stand before the first equals sign, whatever else its letter means.
+    let is_led = sides.len() > 1 && naming.is_of_asked(sides[0]);
+    if is_led {
+        sides.remove(0);
+    }
     if sides.len() < 2 {
         return None;
     }
     let mark = |side: &str| (own.mark(side), other.mark(side));
-    let first = mark(sides[0]);
-    // What is asked may stand before the first equals sign, whatever else its letter means.
     let is_letter = |marking: &Marking| {
         let reading = marking.reading.as_ref();
         reading.is_none_or(|reading| is_name(&reading.text))
     };
-    if is_symbol(sides[0]) && is_letter(&first.0) && is_letter(&first.1) {
+    let are_letters = |side: &str| {
+        let (own, other) = mark(side);
+        is_letter(&own) && is_letter(&other)
+    };
+    if !is_led && is_symbol(sides[0]) && are_letters(sides[0]) {
         sides.remove(0);
     } else if let Some(last) = sides.last().filter(|side| is_symbol(side)) {
         // Or behind the last one: `15.8 rad/s = ω`.
-        let last = mark(last);
-        if is_letter(&last.0) && is_letter(&last.1) {
+        if are_letters(last) {
             sides.pop();
         }
     }

@@ -83,7 +83,7 @@ fn folded<'s, 'r>(
     if let Some(words) = withdrawn(response, part.answer.kind() == Kind::Choice) {
         return Err(Unreadable::at(words, Why::Withdrawn));
     }
-    let folded = Folded::of(response)?;
+    let folded = part.naming.named(Folded::of(response)?)?;
     part.naming.check(folded.text()).map_err(|mut why| {
         why.point_at_typed(&folded);
         why

@@ -128,7 +128,8 @@ impl Parser<'_> {
         let open = self.here();
         if !matches!(self.item(), Some(Item::Sign('(' | '[' | '{'))) {
             let first = self.signed()?;
-            let argument = self.goes_on_bare(first, false)?;
+            let is_root = function == Function::Sqrt;
+            let argument = self.goes_on_bare(first, false, is_root)?;
             return Self::counted(function, vec![argument], open);
         }
         Self::counted(function, self.listed()?, open)
@@ -239,19 +240,19 @@ impl Parser<'_> {
             self.primary()?
         } else {
             let first = self.power()?;
-            self.goes_on_bare(first, true)?
+            self.goes_on_bare(first, true, true)?
         };
         Ok(Expr::new(Kind::Call(Function::Sqrt, vec![inner]), span))
     }
 
     /// An argument without brackets: a product without signs, up to the next function. The sign `√` takes no more
     /// of it than the letters that stand tight. A slash ends it, unless only so it makes sense: `√k/m`.
-    fn goes_on_bare(&mut self, first: Expr, is_sign: bool) -> Result<Expr> {
+    fn goes_on_bare(&mut self, first: Expr, is_sign: bool, is_root: bool) -> Result<Expr> {
         let mut argument = first;
         while self.begins_factor() {
             if let Some(Item::Unit(unit)) = self.item() {
-                // `sin 30°`, but `√25 m`.
-                if is_sign || !unit.dimension().is_pure() {
+                // `sin 30°`, but `√25 m` and `sqrt 90 deg`.
+                if is_root || !unit.dimension().is_pure() {
                     break;
                 }
                 let angle = self.power()?;

@@ -1,5 +1,6 @@
 //! Sums of vectors, each with a factor: `(1, 2) (A cos 2t + B sin 2t) + (1, -1) C cos(4t + φ)`, read by components.
 
+use super::frame::without_transpositions;
 use super::parser::Parser;
 use super::sides::last_side;
 use super::token::{Item, Token, tokens};
@@ -52,6 +53,7 @@ fn read(
     lexicon: &Lexicon,
     manner: Manner,
 ) -> Result<Option<Vec<Expr>>, TypedError> {
+    let text = &without_transpositions(text);
     let side = last_side(text).range();
     let Ok(tokens) = tokens(text, side.start, side.end, lexicon, manner) else {
         return Ok(None);

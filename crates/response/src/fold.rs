@@ -9,7 +9,7 @@ use std::borrow::Cow;
 use self::alphabets::unstyled;
 use self::latex::Environment;
 use self::programs::holds_list;
-use super::signs::{Plain, RUNS, TURNS, of_char};
+use super::signs::{Plain, RUNS, TURNS, begins_run, of_char};
 use super::surroundings::answer_in;
 use super::words::{EQUATIONS, LISTS, NUMBERS, ROOTS, VERBS, WORDS};
 use vibank_source::Span;
@@ -53,7 +53,8 @@ impl<'t> Folded<'t> {
                 pieces: Vec::new(),
             });
         }
-        let dollars = typed.matches('$').count() - typed.matches("$$").count();
+        let dollars =
+            typed.matches('$').count() - typed.matches("$$").count() - typed.matches("t$2").count();
         if dollars % 2 == 1 {
             return Err(LoneDollar);
         }
@@ -65,6 +66,7 @@ impl<'t> Folded<'t> {
             pieces: Vec::new(),
             blanked: Vec::new(),
             equals: Vec::new(),
+            row_ends: Vec::new(),
             has_cells: has_cells(typed),
             has_barred_numbers: has_barred_numbers(typed),
             open: Vec::new(),
@@ -77,6 +79,30 @@ impl<'t> Folded<'t> {
             text: Cow::Owned(folder.text),
             pieces: folder.pieces,
         })
+    }
+
+    /// The same with a name in place of what stands before a place.
+    #[must_use]
+    pub fn with_name(self, end: usize, name: &str) -> Self {
+        let (typed_from, typed_to) = {
+            let place = self.place(0..end).range();
+            (place.start, place.end)
+        };
+        // One piece that is as long as what was typed would be taken for the same text.
+        let mut text = format!("{name} ");
+        if text.len() == typed_to - typed_from {
+            text.push(' ');
+        }
+        let moved = |at: u32| at - end as u32 + text.len() as u32;
+        let mut pieces = vec![(0, typed_from as u32), (text.len() as u32, typed_to as u32)];
+        let behind = self.pieces.iter().filter(|(at, _)| *at as usize > end);
+        pieces.extend(behind.map(|(at, typed)| (moved(*at), *typed)));
+        text.push_str(&self.text[end..]);
+        Self {
+            typed: self.typed,
+            text: Cow::Owned(text),
+            pieces,
+        }
     }
 
     /// In plain signs.
@@ -160,7 +186,7 @@ fn is_plain(typed: &str) -> bool {
 
 /// Whether what stands before a bracket is a call of which the fold knows.
 fn is_called(before: &str) -> bool {
-    [ROOTS, NUMBERS, LISTS, EQUATIONS]
+    [ROOTS, NUMBERS, LISTS, EQUATIONS, &["eye", "identity"]]
         .iter()
         .any(|names| names.iter().any(|name| before.ends_with(name)))
 }
@@ -206,6 +232,8 @@ struct Folder<'t> {
     blanked: Vec<usize>,
     /// Commas that stand for an equals sign.
     equals: Vec<usize>,
+    /// Commas that end the rows of a matrix.
+    row_ends: Vec<usize>,
     /// Whether tabs part cells.
     has_cells: bool,
     /// Whether bars part numbers.
@@ -243,10 +271,12 @@ impl Folder<'_> {
 
     /// Whether a sign would make a run with what stands before it.
     fn would_run(&self, sign: &str) -> bool {
-        RUNS.iter().any(|(run, _)| {
-            let before = run.strip_suffix(sign).unwrap_or_default();
-            !before.is_empty() && self.text.ends_with(before)
-        })
+        let is_letter = sign.starts_with(|char: char| char.is_ascii_alphanumeric() || char == ' ');
+        !is_letter
+            && RUNS.iter().any(|(run, _)| {
+                let before = run.strip_suffix(sign).unwrap_or_default();
+                !before.is_empty() && self.text.ends_with(before)
+            })
     }
 
     fn piece(&mut self) {
@@ -272,11 +302,19 @@ impl Folder<'_> {
         if self.equals.contains(&self.at) {
             return self.write("=", 1);
         }
+        if self.row_ends.contains(&self.at) {
+            return self.write(";", 1);
+        }
         if char == ' ' && self.is_before_power_of_ten() {
             return self.write("*", width);
         }
         if self.is_rule() {
             return self.write("=", if char == '-' { 2 } else { width });
+        }
+        // `ω₁,₂` lists indices.
+        if ('₀'..='₉').contains(&char) && self.typed[..self.at].ends_with(',') {
+            let digit = char::from(b'0' + (u32::from(char) - u32::from('₀')) as u8);
+            return self.write(digit.encode_utf8(&mut [0; 4]), width);
         }
         if char == '|' && self.has_barred_numbers {
             return self.write(";", 1);
@@ -291,7 +329,7 @@ impl Folder<'_> {
         if char == ' ' && self.rest()[1..].starts_with(['\u{307}', '\u{308}', '¨', '˙']) {
             return self.write("", width);
         }
-        if char.is_ascii_alphabetic() && self.equation() {
+        if char.is_ascii_alphabetic() && (self.equation() || self.matrix()) {
             return;
         }
         if let Some((length, plain)) = self.word() {
@@ -307,7 +345,8 @@ impl Folder<'_> {
         if self.rest().starts_with("^\\circ") {
             return self.write("°", "^\\circ".len());
         }
-        if let Some((run, sign)) = RUNS.iter().find(|(run, _)| self.rest().starts_with(run)) {
+        let mut runs = RUNS.iter().filter(|_| begins_run(char));
+        if let Some((run, sign)) = runs.find(|(run, _)| self.rest().starts_with(run)) {
             return self.write(sign, run.len());
         }
         // Only in what word processors draw as a matrix does it part rows.
@@ -385,7 +424,10 @@ impl Folder<'_> {
             let goes_on = next.trim_start().starts_with(['=', '≈']);
             return goes_on.then_some((1, " "));
         }
-        if self.typed[..self.at].ends_with(|char: char| char.is_alphabetic() || char == '_') {
+        let begins = rest.starts_with(char::is_alphabetic);
+        if !begins
+            || self.typed[..self.at].ends_with(|char: char| char.is_alphabetic() || char == '_')
+        {
             return None;
         }
         if let Some((turn, plain)) = TURNS.iter().find(|(turn, _)| rest.starts_with(turn)) {
@@ -446,7 +488,7 @@ mod tests {
             ("５．２", "5.2"),
             ("x´´", "x''"),
             ("\u{feff}5\u{200b}", "5"),
-            ("\\(k/m\\)", " k/m "),
+            ("\\(k/m\\)", "k/m"),
             ("$$5$$", "  5  "),
             ("—0.3 ‑ 2 ‐ 1", "-0.3 - 2 - 1"),
             ("a =< b >= c == d", "a ≤ b ≥ c = d"),

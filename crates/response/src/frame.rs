@@ -141,6 +141,27 @@ fn without_times(text: &str) -> &str {
     text.trim_end().trim_end_matches(TIMES)
 }
 
+/// A sum of vectors without the signs that make columns of them, `(1, 2)^T cos(2t) + …`; all places stay.
+pub(super) fn without_transpositions(text: &str) -> String {
+    const SIGNS: &[&str] = &[
+        "^{\\mathrm{T}}",
+        "^\\mathrm{T}",
+        "^{\\top}",
+        "^\\top",
+        "^{T}",
+        "^T",
+        "ᵀ",
+    ];
+    let mut plain = text.to_owned();
+    for sign in SIGNS {
+        for bracket in [')', ']', '}'] {
+            let from = format!("{bracket}{sign}");
+            plain = plain.replace(&from, &format!("{bracket:<0$}", 1 + sign.len()));
+        }
+    }
+    plain
+}
+
 /// What follows a sign of transposition, `^T` or `'`.
 fn without_transposition(text: &str) -> &str {
     const SIGNS: &[&str] = &[

@@ -221,7 +221,7 @@ impl Lexer<'_> {
         }
         // The point at the end of a sentence.
         let sentence = rest.trim_end();
-        if sentence.ends_with('.') && sentence[..sentence.len() - 1].contains('.') {
+        if sentence.ends_with('.') && sentence[..sentence.len() - 1].contains(['.', ',', DECIMAL]) {
             end = end.min(sentence.len() - 1);
         }
         let text = &rest[..end];

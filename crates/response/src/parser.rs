@@ -354,6 +354,11 @@ impl<'a> Parser<'a> {
     pub(super) fn exponent(&mut self, base: &Expr) -> Result<Expr> {
         let is_closed = matches!(self.item(), Some(Item::Sign('(' | '{' | '[')));
         let span = self.here();
+        // `10^+3`, as calculators have it.
+        let is_number = |token: Option<&Token>| matches!(token, Some(token) if matches!(token.item, Item::Number(_)) && !token.is_spaced);
+        if self.is_sign('+') && is_number(self.tokens.get(self.at + 1)) {
+            self.at += 1;
+        }
         if self.take('-') {
             let inner = self.deeper(|parser| parser.exponent(base))?;
             return Ok(Expr::new(Kind::Negate(inner), span));

@@ -112,6 +112,9 @@ pub(super) const RUNS: &[(&str, &str)] = &[
     (":=", "="),
     ("**", "^"),
     ("&&", "∩"),
+    // Derivatives of Maple.
+    ("t$2", "t,2"),
+    ("(D@@2)", "ddot"),
     // The constants of Maxima.
     ("%pi", "pi"),
     ("%i", "i"),
@@ -122,6 +125,23 @@ pub(super) const RUNS: &[(&str, &str)] = &[
     ("×₁₀^", "e"),
     ("×₁₀", "e"),
 ];
+
+/// Whether a run may begin with a character: most do not, and each one of a response is asked.
+pub(super) fn begins_run(char: char) -> bool {
+    const FIRST: u128 = {
+        let (mut mask, mut at) = (0, 0);
+        while at < RUNS.len() {
+            let first = RUNS[at].0.as_bytes()[0];
+            // Those beyond ASCII are looked at one by one.
+            if first.is_ascii() {
+                mask |= 1 << first;
+            }
+            at += 1;
+        }
+        mask
+    };
+    !char.is_ascii() || FIRST >> u32::from(char) & 1 == 1
+}
 
 /// Quotation marks and other pairs that people set around a whole answer.
 pub(super) const QUOTES: &[(&str, &str)] = &[
@@ -134,6 +154,9 @@ pub(super) const QUOTES: &[(&str, &str)] = &[
     ("‘", "’"),
     ("«", "»"),
     ("**", "**"),
+    ("$", "$"),
+    ("\\(", "\\)"),
+    ("\\[", "\\]"),
 ];
 
 /// Commands of LaTeX, by their name. What is not listed is a name, a function, or is read by the grammar.

@@ -2,8 +2,10 @@
 
 use std::ops::Range;
 
+use super::list::cut;
 use super::signs::QUOTES;
 use super::words::{ASIDES, LEADS, TRAILS, WITHDRAWALS};
+use vibank_source::Span;
 
 /// Where the answer stands in what was typed.
 pub(super) fn answer_in(typed: &str) -> Range<usize> {
@@ -73,7 +75,8 @@ fn lead(text: &str) -> Option<usize> {
                 .get(..lead.len())
                 .is_some_and(|head| head.eq_ignore_ascii_case(lead));
         let behind = text.get(lead.len()..).filter(|_| is_it)?;
-        let behind = match behind.strip_prefix(':') {
+        // The French set a space before a colon.
+        let behind = match behind.trim_start_matches(' ').strip_prefix(':') {
             Some(behind) => behind,
             None => behind.starts_with(' ').then_some(behind)?,
         };
@@ -107,8 +110,17 @@ fn program(text: &str) -> Option<(usize, usize)> {
     if let Some(head) = head.filter(|_| text.ends_with(']')) {
         return Some((head.len(), 1));
     }
-    let is_rule = text.starts_with('{') && text.ends_with('}') && text.contains("->");
-    (is_rule && text.len() > 2).then_some((1, 1))
+    let inner = text.strip_prefix('{')?.strip_suffix('}')?;
+    // `{x1(t) = …, x2(t) = …}`, as Maple gives solutions.
+    let is_set = || {
+        let pieces = cut(inner, Span::new(0, inner.len()), &[',']);
+        let is_equation = |piece: &Span| {
+            let text = &inner[piece.range()];
+            text.contains('=') && !text.contains(['<', '>', '!', '|', '{', '}'])
+        };
+        pieces.len() > 1 && pieces.iter().all(is_equation)
+    };
+    (text.contains("->") && !inner.is_empty() || is_set()).then_some((1, 1))
 }
 
 /// The length of words behind an answer, of a remark in brackets, of a semicolon, or of a comma.
@@ -116,7 +128,7 @@ fn trail(text: &str) -> Option<usize> {
     let words = TRAILS.iter().find(|trail| text.ends_with(**trail));
     if let Some(words) = words {
         let before = &text[..text.len() - words.len()];
-        let is_apart = before.ends_with([' ', ')']) || words.starts_with(',');
+        let is_apart = before.ends_with([' ', ')', ']']) || words.starts_with(',');
         return is_apart.then_some(words.len());
     }
     if let Some((before, aside)) = text

@@ -531,6 +531,21 @@ impl<'t> Values<'t> {
         Ok(amount)
     }
 
+    /// The amount that a side before the last one is: there `6-4` is a difference, no range.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Self::amount`].
+    pub fn amount_of_step(&self, part: &Part) -> Result<Amount, TypedError> {
+        self.amount(part).or_else(|error| match error.trouble {
+            Trouble::Value(ValueTrouble::Range) => {
+                let formula = self.formula(part)?.value;
+                split(&formula).map_err(|trouble| TypedError { trouble, ..error })
+            }
+            _ => Err(error),
+        })
+    }
+
     fn first(&self, part: &Part) -> &Item {
         const NOTHING: &Item = &Item::Sign(' ');
         self.tokens[part.clone()]

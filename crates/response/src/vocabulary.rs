@@ -272,7 +272,13 @@ impl Words {
                 .filter(|rest| rest.bytes().all(|byte| byte.is_ascii_digit()))
                 .map(|rest| format!("ell{rest}")),
         };
-        for spelling in [printed.clone(), usual, lambda, latin, ell]
+        // `varepsilon` without its backslash.
+        let varied = printed.as_deref().filter(|printed| {
+            let mut varied = ["epsilon", "phi", "theta", "rho"].iter();
+            varied.any(|letter| printed.starts_with(letter))
+        });
+        let varied = varied.map(|printed| format!("var{printed}"));
+        for spelling in [printed.clone(), usual, lambda, latin, ell, varied]
             .into_iter()
             .flatten()
         {

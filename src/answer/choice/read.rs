@@ -46,6 +46,15 @@ fn joined(text: &str) -> Option<String> {
     (is_of_words && word.chars().count() >= SHORTEST).then_some(word)
 }
 
+/// Words without the command of LaTeX that sets them, `\text{stable}`.
+fn without_face(text: &str) -> &str {
+    let inner = ["\\text{", "\\mathrm{", "\\textbf{"].iter();
+    let mut inner = inner.filter_map(|face| text.trim().strip_prefix(face)?.strip_suffix('}'));
+    inner
+        .find(|inner| !inner.contains(['{', '}']))
+        .unwrap_or(text)
+}
+
 /// What stands behind words that say that an answer comes: `option b`, `answer: b`.
 fn announced(text: &str) -> &str {
     const WORDS: &[&str] = &[
@@ -70,7 +79,9 @@ fn announced(text: &str) -> &str {
         let rest = text
             .get(..word.len())
             .filter(|head| head.eq_ignore_ascii_case(word));
-        rest.map(|_| &text[word.len()..])
+        let behind = rest.map(|_| &text[word.len()..]);
+        // `only a`; before words it belongs to them.
+        behind.filter(|behind| *word != "only" || behind.trim().len() == 1)
     });
     match rest {
         Some(rest) if rest.starts_with([' ', ':', '=']) => rest.trim_start_matches([' ', ':', '=']),
@@ -192,6 +203,13 @@ impl Chosen {
 
     /// All that was typed, or what of it is no option.
     pub(super) fn places(&self, response: &str) -> Result<Vec<usize>, String> {
+        let response = without_face(response);
+        // All words of an option are it, also those that could announce one: `only if K = 0`. One word may be a letter.
+        let whole = normalized(response);
+        let is_it = |words: &&String| whole.contains(' ') && **words == whole;
+        if let Some(place) = self.words.iter().position(|words| is_it(&words)) {
+            return Ok(vec![place]);
+        }
         let response = announced(response);
         if self.is_several && normalized(response) == "none" {
             return Ok(Vec::new());
@@ -200,6 +218,10 @@ impl Chosen {
             return Ok(vec![place]);
         }
         if let Some(place) = said(response).and_then(|said| self.place(said)) {
+            return Ok(vec![place]);
+        }
+        let only = response.strip_prefix("only ");
+        if let Some(place) = only.and_then(|rest| self.of_words(&normalized(rest))) {
             return Ok(vec![place]);
         }
         let separated = response

@@ -6,6 +6,7 @@ use super::points::Choice;
 use super::rows::Rows;
 use super::system::Other;
 use super::{Arc, Setup, told, written};
+use crate::answer::meaning::ORDERS;
 use crate::answer::{
     Beside, Credit, Echo, Equations, Key, Marker, Marking, Misfit, Nature, Note, Reading, Remark,
     Slip, Trial, Unreadable, Why,
@@ -93,7 +94,17 @@ impl Prepared {
             found
         };
         let (key, typed) = (data(&self.setup.key), data(equations));
-        let lacks_some = key.iter().any(|name| !typed.contains(name));
+        // One as a value is not written: a letter that is missing is missing.
+        let is_written = |name: &Name| {
+            let place = self.setup.meaning.place(name);
+            let point = self.points.last().and_then(|points| points.first());
+            let value = place
+                .zip(point)
+                .map(|(place, point)| point[place * ORDERS].high());
+            value != Some(1.0)
+        };
+        let mut missing = key.iter().filter(|name| !typed.contains(name));
+        let lacks_some = missing.any(is_written);
         let has_numbers = || equations.iter().any(has_number);
         lacks_some && has_numbers() && (typed.is_empty() || are_right())
     }

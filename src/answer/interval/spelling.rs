@@ -37,6 +37,10 @@ pub(super) fn normalized(response: &str) -> String {
             }
         }
     }
+    // `[0, 1[ m U ]2, 3] m`
+    for open in ["(", "[", "]"] {
+        text = text.replace(&format!(" U {open}"), &format!(" ∪ {open}"));
+    }
     text.trim().to_owned()
 }
 

@@ -162,7 +162,9 @@ fn components(response: &str) -> String {
     let mut commas = text.match_indices(',').map(|(at, _)| at);
     let has_decimals =
         commas.all(|at| text[..at].ends_with(digit) && text[at + 1..].starts_with(digit));
-    if has_decimals && !text.contains([';', '(', '[', '{']) {
+    let is_label =
+        |(at, _): (usize, &str)| text[at + 1..].trim_start().starts_with(['(', '[', '{']);
+    if has_decimals && !text.contains(';') && !text.match_indices(':').any(is_label) {
         text = text.replace(':', ";");
     }
     let inner = text

@@ -76,6 +76,14 @@ enum Way {
 
 /// The complex number that a part of a response is.
 fn number(values: &Values<'_>, part: &Part, way: Way) -> Result<Written, Unreadable> {
+    // `(5∠53°) ohm`
+    if let Some((inner, behind)) = values.front_bracket(part)
+        && values.polar(&inner).is_some()
+        && let Some(unit) = values.unit(&behind)
+    {
+        let (value, own, formula) = number(values, &inner, way)?;
+        return Ok((value, own.or(Some(unit)), formula));
+    }
     if let Some((modulus, angle)) = values.polar(part) {
         return of_polar(values, &modulus, &angle, way);
     }

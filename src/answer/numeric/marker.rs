@@ -278,6 +278,8 @@ impl Numbers {
             && let Some(at) = number.others.iter().position(fits)
         {
             number = number.others.swap_remove(at);
+        } else if fits(&number) {
+            number.others.retain(fits);
         }
         let has_pi = number.arithmetic.as_ref().is_some_and(has_pi);
         if has_pi && number.quantity.unit.is_one() && self.unit.text() == "°" {

@@ -119,7 +119,8 @@ pub(super) fn statement(values: &Values<'_>, part: &Part) -> Result<Number, Unre
     let others = sides.iter().enumerate();
     for (at, side) in others.filter(|(at, side)| *at != value && !values.is_name(side)) {
         let is_between = 0 < at && at < value && is_named;
-        match amount(values, side).ok() {
+        let step = values.amount_of_step(side).ok();
+        match step.as_ref().and_then(Number::of) {
             Some(other) if are_equal(&number, &other) => {}
             Some(_) => {
                 let (one, other) = (values.text(side), values.text(&sides[value]));

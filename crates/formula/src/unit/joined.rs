@@ -80,11 +80,10 @@ fn is_kilogram(found: Found) -> bool {
 }
 
 /// Runs that some take for one unit and some for another.
-const AMBIGUOUS: [(&str, &str, &str); 3] = [
-    ("Grad", "deg", "gon"),
-    ("grad", "deg", "gon"),
-    ("kmh", "km/h", "km h"),
-];
+const AMBIGUOUS: [(&str, &str, &str); 2] = [("grad", "deg", "gon"), ("kmh", "km/h", "km h")];
+
+/// Words that are told by their capitals: the noun of German is always the degree.
+const CAPITALS: [(&str, &str); 2] = [("Grad", "deg"), ("KG", "kg")];
 
 /// What a run of letters means: a symbol, a word, or several symbols.
 pub(super) fn units(name: &str, span: Range<usize>) -> Result<Joined, Error> {
@@ -96,7 +95,8 @@ pub(super) fn units(name: &str, span: Range<usize>) -> Result<Joined, Error> {
         };
         return Err(Error::new(kind, span));
     }
-    let single = symbol(name)
+    let capital = CAPITALS.iter().find(|(own, _)| *own == name);
+    let single = symbol(capital.map_or(name, |(_, plain)| plain))
         .or_else(|| word(name))
         .or_else(|| capital_kilo(name));
     if let Some(joined) = single.and_then(|found| Joined::NONE.with(found)) {

@@ -328,6 +328,9 @@ impl<'a> Reader<'a> {
     /// Reads the units that a run of letters is; returns the run.
     fn letters(&mut self) -> Result<&'a str, Error> {
         let start = self.scanner.at();
+        if self.scanner.peek() == Some('\\') && self.scanner.takes_text("\\mu") {
+            return self.micro(start);
+        }
         let name = match self.scanner.peek() {
             Some('\\' | '^') => self.sign(),
             Some('g') if self.scanner.takes_text("g0") => "g0",
@@ -344,13 +347,34 @@ impl<'a> Reader<'a> {
                 ErrorKind::UnitMissing
             }));
         }
+        self.units(name, start)?;
+        Ok(name)
+    }
+
+    /// The units behind `\mu`, `\mu m` or `\mu\mathrm{m}`; returns their letters.
+    fn micro(&mut self, start: usize) -> Result<&'a str, Error> {
+        self.space();
+        let is_braced = self.scanner.takes('{');
+        let name = self.scanner.run(is_letter);
+        if name.is_empty() {
+            return Err(self.scanner.error(ErrorKind::UnitMissing));
+        }
+        if is_braced && !self.scanner.takes('}') {
+            return Err(self.scanner.error(ErrorKind::Parenthesis));
+        }
+        self.units(&format!("µ{name}"), start)?;
+        Ok(name)
+    }
+
+    /// Adds the units that a run of letters is.
+    fn units(&mut self, name: &str, start: usize) -> Result<(), Error> {
         let span = start..self.scanner.at();
         for found in joined::units(name, span.clone())?.iter() {
             self.builder
                 .push(Factor::new(found, Rational::ONE))
                 .map_err(|kind| Error::new(kind, span.clone()))?;
         }
-        Ok(name)
+        Ok(())
     }
 
     /// The unit of a sign in LaTeX; nothing if there is none.

@@ -134,7 +134,6 @@ mod tests {
         for (name, meant) in [
             ("newtn", "N"),
             ("hz", "Hz"),
-            ("KG", "kg"),
             ("Newtons", "N"),
             ("radd", "rad"),
             ("kilogrm", "kg"),

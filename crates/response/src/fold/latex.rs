@@ -52,7 +52,13 @@ impl Folder<'_> {
     /// The end of a row. One that goes on with a sign is the same statement.
     fn row(&mut self) {
         let next = self.rest()[2..].trim_start_matches([' ', '&', '\n']);
+        // Lines of statements outside of all environments.
+        let is_line = self.open.is_empty()
+            && !self.typed.contains(['&', '['])
+            && self.text.contains('=')
+            && next.contains('=');
         match self.open.last() {
+            None if is_line => self.write("\n", 2),
             Some(Environment::Display) if next.starts_with(['=', '+', '-']) => self.write(" ", 2),
             Some(Environment::Display | Environment::Cases) => self.write("\n", 2),
             Some(Environment::Matrix) | None => self.write("\\\\", 2),

@@ -80,6 +80,44 @@ impl Folder<'_> {
         true
     }
 
+    /// `Matrix(2, 2, [a, b, c, d])`, `eye(2)`: a matrix by its size; whether one stands here.
+    pub(super) fn matrix(&mut self) -> bool {
+        if self.typed[..self.at].ends_with(|before: char| before.is_alphanumeric() || before == '_')
+        {
+            return false;
+        }
+        if let Some((length, plain)) = identity(self.rest()) {
+            self.write(plain, length);
+            return true;
+        }
+        let typed = self.typed;
+        let rest = &typed[self.at..];
+        let inner = SIZED
+            .iter()
+            .find_map(|name| rest.strip_prefix(*name)?.strip_prefix('('));
+        let Some((size, list)) =
+            inner.and_then(|inner| Some(inner.split_at(inner.find(['[', '{'])?)))
+        else {
+            return false;
+        };
+        let columns = match size.split(',').map(str::trim).collect::<Vec<_>>()[..] {
+            [rows, columns, ""] if rows.parse::<usize>().is_ok() => columns.parse::<usize>().ok(),
+            _ => None,
+        };
+        let Some(columns) = columns.filter(|columns| *columns > 0) else {
+            return false;
+        };
+        let start = self.typed.len() - list.len() + 1;
+        let (_, commas) = arguments_of_call(&list[1..]);
+        if !list[1..].trim_start().starts_with(['[', '{']) {
+            let ends = commas.iter().skip(columns - 1).step_by(columns);
+            self.row_ends.extend(ends.map(|comma| start + comma));
+        }
+        let length = self.typed.len() - list.len() - self.at;
+        self.write("(", length);
+        true
+    }
+
     /// `\[Omega]`, `\[CapitalOmega]`, as Mathematica writes Greek letters; whether one stands here.
     pub(super) fn escaped_greek(&mut self) -> bool {
         let Some((name, _)) = self.rest()[2..].split_once(']') else {
@@ -101,6 +139,31 @@ impl Folder<'_> {
         }
         is_greek
     }
+}
+
+/// Calls that make a matrix of its size and its entries.
+const SIZED: [&str; 4] = ["Matrix", "sp.Matrix", "sympy.Matrix", "matrix"];
+
+/// The identity matrix of two or three rows that programs call, with what stands for it.
+fn identity(text: &str) -> Option<(usize, &'static str)> {
+    const NAMES: [&str; 6] = [
+        "np.eye",
+        "numpy.eye",
+        "sp.eye",
+        "eye",
+        "np.identity",
+        "identity",
+    ];
+    let behind = NAMES.iter().find_map(|name| text.strip_prefix(*name))?;
+    let (call, plain) = [
+        ("(2)", "[1, 0; 0, 1]"),
+        ("[2]", "[1, 0; 0, 1]"),
+        ("(3)", "[1, 0, 0; 0, 1, 0; 0, 0, 1]"),
+        ("[3]", "[1, 0, 0; 0, 1, 0; 0, 0, 1]"),
+    ]
+    .into_iter()
+    .find(|(call, _)| behind.starts_with(call))?;
+    Some((text.len() - behind.len() + call.len(), plain))
 }
 
 /// Where a bracket closes that stands open before a text, and where signs part what it holds.

@@ -26,6 +26,8 @@ use crate::source::{Span, Table, Text};
 /// Letters that people give to constants, alone or with a number: all but those of time, of e and of i.
 const LETTERS: &str = "A B C D E F G H I J K L M N O P Q R S T U V W X Y Z a b c d f g h k l m n p q r s u v w x y z \
     phi psi alpha beta delta theta gamma epsilon eta chi";
+/// What those write who cannot use C and D, as in Mathematica.
+const DOUBLED: &str = "AA BB CC DD";
 /// Constants that a response may use: a few more than are needed.
 const MOST_USED: usize = 16;
 /// Highest number behind such a letter.
@@ -98,19 +100,20 @@ pub(super) fn read(
             || listed.iter().any(|text| text.value == name.as_str())
             || own.is_some() && names.any(|names| names.uses(name))
     };
-    for letter in LETTERS.split_whitespace() {
-        let numbered = (0..=MOST_NUMBERED).map(|number| match number {
+    let numbered = LETTERS.split_whitespace().flat_map(|letter| {
+        (0..=MOST_NUMBERED).map(move |number| match number {
             0 => letter.to_owned(),
             number => format!("{letter}{number}"),
-        });
-        for name in numbered.map(Name::new) {
-            // `w1` stays ω₁.
-            let is_spelling = lexicon.reads(name.as_str()).is_some_and(|own| *own != name);
-            if !is_taken(&name) && !is_spelling {
-                meaning.add_free(&name);
-                lexicon.allow(&name, crate::math::symbol(name.as_str()), false);
-                constants.push(name);
-            }
+        })
+    });
+    let all = numbered.chain(DOUBLED.split_whitespace().map(str::to_owned));
+    for name in all.map(Name::new) {
+        // `w1` stays ω₁.
+        let is_spelling = lexicon.reads(name.as_str()).is_some_and(|own| *own != name);
+        if !is_taken(&name) && !is_spelling {
+            meaning.add_free(&name);
+            lexicon.allow(&name, crate::math::symbol(name.as_str()), false);
+            constants.push(name);
         }
     }
     lexicon.allow(&Name::new("t"), crate::math::symbol("t"), false);
@@ -202,6 +205,12 @@ impl Setup {
         places.retain(|place| !response[place.range()].trim().is_empty());
         if places.len() == 1 && self.coordinates.len() > 1 {
             places = cut(response, all, &[',']);
+        }
+        if let ([_], Some(at)) = (&places[..], response.find(" and ")) {
+            places = vec![
+                Span::new(0, at),
+                Span::new(at + " and ".len(), response.len()),
+            ];
         }
         let count = self.coordinates.len();
         if places.len() == 1 && count > 1 {
