@@ -88,7 +88,8 @@ fn read(text: &str) -> Result<Catalogue, Vec<String>> {
     if !errors.is_empty() {
         return Err(errors);
     }
-    match unfree(&Solution::of(Instance::of_source(template(&catalogue)))) {
+    let unfree = unfree(&Solution::of(Instance::of_source(template(&catalogue))));
+    match unfree {
         Some(finding) => Err(vec![format!(
             "{}: {}",
             finding.code.name(),
