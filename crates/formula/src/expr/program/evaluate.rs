@@ -251,7 +251,8 @@ impl Program {
                 .all(|constant| constant.high().is_finite())
     }
 
-    /// The real number (or truth) that the program computes, as [`Self::evaluate`], without allocation.
+    /// The real number (or truth) that the program computes, as [`Self::evaluate`] does with at most thirty digits, without
+    /// allocation.
     ///
     /// # Errors
     ///
