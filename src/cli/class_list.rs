@@ -1,4 +1,5 @@
-//! Class lists: a table with a row of headings, `id` and perhaps `name`, `group`, `seat`, `language`.
+//! Class lists: a table with a row of headings, `id` and perhaps `name`, `group`, `room`, `seat`, `language`, and what is
+//! granted to single students.
 
 mod headings;
 
@@ -48,7 +49,16 @@ pub(crate) fn read(path: &Path, columns: &Columns) -> Result<Vec<Student>, Failu
             return Err(fail(format!(", row {line}, column `{heading}`: {spoilt}"))
                 .help("format the column as text, and type it again"));
         }
-        let student = places.student(&table.headings, &row);
+        let mut student = places.student(&table.headings, &row);
+        let large = student
+            .columns
+            .get("large_print")
+            .map_or("", String::as_str);
+        student.type_size = Student::read_type_size(large).map_err(|error| {
+            fail(format!(", line {line}: {error}")).help(
+                "give large print as a number of points from 8 to 36, or as `yes` for 18 points",
+            )
+        })?;
         if student.id.is_empty() {
             let width = row.cells.join(" ");
             return Err(fail(format!(", line {line}: a student without `id`"))

@@ -129,8 +129,17 @@ impl Faces {
 }
 
 /// What pages print of a student.
-fn printed(student: &Student) -> [&str; 3] {
-    [&student.name, &student.id, &student.group]
+fn printed(student: &Student) -> [&str; 6] {
+    let Student {
+        name,
+        id,
+        group,
+        room,
+        seat,
+        extra_time,
+        ..
+    } = student;
+    [name, id, group, room, seat, extra_time]
 }
 
 /// The signs of a name that the press has no letters for; blanks and marks without a shape need none.

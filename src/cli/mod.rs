@@ -61,6 +61,7 @@ mod report;
 mod responses;
 mod schema;
 mod screen;
+mod shard;
 mod sheet;
 mod show;
 mod solve;

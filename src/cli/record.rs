@@ -17,7 +17,8 @@ use serde_json::json;
 use super::Failure;
 use super::files;
 use super::folder::{Draft, Folder, Left};
-use super::sheet::{FormatChoice, Mark, PROGRAM, Shard, Stamp};
+use super::shard::Shard;
+use super::sheet::{FormatChoice, Mark, PROGRAM, Stamp};
 use super::table::Dialect;
 
 /// The two files of a run that grow with each sheet.

@@ -225,6 +225,16 @@ impl Responses {
             .collect()
     }
 
+    /// How many answers the sheet of this code has.
+    pub fn answers(&self, code: &str) -> usize {
+        let begin = self
+            .rows
+            .partition_point(|row| self.slice(&row.code) < code);
+        let own = self.rows[begin..].iter();
+        let own = own.take_while(|row| self.slice(&row.code) == code);
+        own.filter(|row| !row.response.is_empty()).count()
+    }
+
     /// Notes that a place was handed out.
     pub fn claim(&mut self, place: &Place) {
         if let Ok(found) = self.find(place) {

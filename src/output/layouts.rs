@@ -104,6 +104,12 @@ impl Layouts {
         &self.text
     }
 
+    /// Whether there is a layout `name`.
+    pub(super) fn has(&self, name: &str) -> bool {
+        let layout = format!("{name}.{}", self.ending);
+        self.tera.get_template_names().any(|known| known == layout)
+    }
+
     /// Fills the layout `name`.
     pub(super) fn fill(&self, name: &str, content: &impl Serialize) -> Result<String, OutputError> {
         let layout = format!("{name}.{}", self.ending);

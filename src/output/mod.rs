@@ -11,6 +11,7 @@ mod json;
 mod key_table;
 mod latex;
 mod layouts;
+mod lists;
 mod markdown;
 mod page;
 mod pages;
@@ -23,6 +24,7 @@ mod words;
 
 pub use key_table::{KeyRow, KeyTable};
 pub use layouts::{Layouts, OutputError};
+pub use lists::{List, Roll};
 pub use page::practice;
 pub use pages::{Kind, Names, Page, Pages, Run};
 pub use report::{Analysed, Lost, LostSheet};

@@ -17,7 +17,7 @@ use crate::message::Language;
 use crate::numerics::Rational;
 use crate::scene::{Data, Scene, Shown};
 use crate::unit::DecimalMark;
-use crate::worksheet::{AnswerSpace, Blueprint, Fairness, Paper, Sheet, headings};
+use crate::worksheet::{AnswerSpace, Blueprint, Fairness, Paper, Sheet, Student, headings};
 
 /// What a page is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -58,6 +58,8 @@ pub struct Run {
     pub answer_space: &'static str,
     /// The words of the layouts, in the language of the run.
     pub(super) words: &'static Words,
+    /// Whether the students have seats, so that sheets have room for one.
+    pub has_seats: bool,
     #[serde(skip)]
     pub(super) language: String,
     #[serde(skip)]
@@ -124,6 +126,7 @@ impl Run {
             formulas: String::new(),
             answer_space: "none",
             words: Words::of(spoken(language)),
+            has_seats: false,
             language: language.to_owned(),
             paper: Paper::A4,
             data: Data::Both,
@@ -160,6 +163,7 @@ impl Run {
                 AnswerSpace::None => "none",
             },
             words: Words::of(spoken(&blueprint.language.value)),
+            has_seats: false,
             language: blueprint.language.value.clone(),
             paper: blueprint.paper,
             data: blueprint.data,
@@ -179,6 +183,23 @@ impl Run {
     #[must_use]
     pub fn with_names(self, names: Names) -> Self {
         Self { names, ..self }
+    }
+
+    /// The same with room for the seats of these students, if they have some.
+    #[must_use]
+    pub fn with_seats(self, students: &[Student]) -> Self {
+        let mut seats = students
+            .iter()
+            .map(|student| (&student.room, &student.seat));
+        let has_seats = seats.any(|(room, seat)| !room.is_empty() || !seat.is_empty());
+        Self { has_seats, ..self }
+    }
+
+    /// Room and seat of a student, as far as they can be printed.
+    pub(super) fn seat(&self, student: &Student) -> String {
+        let words = [&student.room, &student.seat].map(|words| self.plain_name(words));
+        let words = words.into_iter().filter(|words| !words.is_empty());
+        words.collect::<Vec<_>>().join(", ")
     }
 
     /// What is printed as the name of a student.
@@ -388,6 +409,25 @@ impl Pages {
             text: self.layouts.fill(kind.name(), &content)?,
             pictures: view.pictures(),
         })
+    }
+
+    /// Whether these pages are printed as they are: they have a layout for sheets that stand among others.
+    pub fn is_for_paper(&self) -> bool {
+        self.layouts.has("among")
+    }
+
+    /// A page as it stands in a file with others; with `duplex` the next one begins on a leaf of its own.
+    ///
+    /// # Errors
+    ///
+    /// [`OutputError::Page`].
+    pub fn among(&self, page: &str, duplex: bool) -> Result<String, OutputError> {
+        #[derive(Serialize)]
+        struct Content<'a> {
+            page: &'a str,
+            duplex: bool,
+        }
+        self.layouts.fill("among", &Content { page, duplex })
     }
 
     /// The page with the answers of all variants.

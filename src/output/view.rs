@@ -21,6 +21,12 @@ pub(super) struct SheetView {
     name: String,
     student: String,
     group: String,
+    /// Room and seat.
+    seat: String,
+    /// What is granted beyond the duration.
+    extra_time: String,
+    /// The size of type in points, where it is not the usual one.
+    type_size: Option<u8>,
     count: String,
     points: String,
     /// Rows of the table where marks are written in; none where nothing is written on the sheet.
@@ -59,6 +65,9 @@ struct QuestionView {
 /// Millimetres of paper beyond which a question may be torn between its parts: one that is moved whole to the next page
 /// leaves at most the rest of this one empty. A page of A4 has 263.
 const LONG: usize = 200;
+
+/// The usual size of type in points, rounded.
+const USUAL: usize = 10;
 
 impl QuestionView {
     /// About how many millimetres of paper it takes: title and statement, figure, and for each part the text and the
@@ -186,6 +195,9 @@ impl<'p> View<'p> {
             name: self.placed(self.run.name(&student.name, &student.id)),
             student: self.placed(self.run.plain_name(&student.id)),
             group: self.placed(self.run.plain_name(&student.group)),
+            seat: self.placed(&self.run.seat(&student)),
+            extra_time: self.placed(self.run.plain_name(&student.extra_time)),
+            type_size: student.type_size.filter(|_| self.kind != Kind::Key),
             count: self.run.words.questions(count),
             points: self.run.points(sheet.points()),
             marks: self.marks(sheet),
@@ -303,7 +315,8 @@ impl<'p> View<'p> {
                 ..self.part(&scene, *place, *points)
             })
             .collect();
-        view.is_long = view.height() > LONG;
+        let size = sheet.student.as_ref().and_then(|student| student.type_size);
+        view.is_long = view.height() > size.map_or(LONG, |size| LONG * USUAL / usize::from(size));
         view
     }
 

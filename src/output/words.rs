@@ -42,6 +42,24 @@ pub(super) struct Words {
     pub(super) accepted: String,
     pub(super) in_the_solution: String,
     pub(super) by_hand: String,
+    pub(super) seat: String,
+    pub(super) room: String,
+    pub(super) no_room: String,
+    pub(super) no_group: String,
+    pub(super) spare_sheets: String,
+    pub(super) all_sheets: String,
+    one_sheet: String,
+    sheets: String,
+    pub(super) extra_time: String,
+    large_print: String,
+    pub(super) attendance_list: String,
+    pub(super) seating_list: String,
+    pub(super) place: String,
+    pub(super) code: String,
+    pub(super) note: String,
+    pub(super) signature: String,
+    /// Between the number of a page and how many there are.
+    page_of: String,
 }
 
 impl Words {
@@ -68,6 +86,21 @@ impl Words {
             &self.questions
         };
         phrase.replace("{count}", &count.to_string())
+    }
+
+    /// `24 sheets`.
+    pub(super) fn sheets(&self, count: usize) -> String {
+        let phrase = if count == 1 {
+            &self.one_sheet
+        } else {
+            &self.sheets
+        };
+        phrase.replace("{count}", &count.to_string())
+    }
+
+    /// `large print, 18 pt`.
+    pub(super) fn large_print(&self, size: u8) -> String {
+        self.large_print.replace("{points}", &size.to_string())
     }
 
     /// `2.5 points`; `points` is printed, `is_one` says whether it counts as a single one.
@@ -101,7 +134,8 @@ mod tests {
                 assert!(!word.trim().is_empty(), "{language:?} {key}");
                 let places = word.matches('{').count();
                 let due = match key.as_str() {
-                    "one_question" | "questions" | "one_point" | "many_points" => 1,
+                    "one_question" | "questions" | "one_point" | "many_points" | "one_sheet"
+                    | "sheets" | "large_print" => 1,
                     "reached_of" => 2,
                     _ => 0,
                 };

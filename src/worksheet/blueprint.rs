@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::manifest::Csv;
 use super::own::Own;
+use super::printing::Printing;
 use super::rules::Rules;
 use crate::answer::{Credit, Doubt};
 use crate::bank::{Space, SpaceError};
@@ -29,8 +30,22 @@ pub enum AnswerSpace {
 /// The headings of a class list for what is known of a student; several are joined.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Columns {
-    /// Headings by what they are: `id`, `name`, `group`, `seat`, `language`.
+    /// Headings by what they are, as [`Self::ROLES`] has it.
     pub headings: Vec<(&'static str, Vec<Text>)>,
+}
+
+impl Columns {
+    /// What may be known of a student.
+    pub const ROLES: [&'static str; 8] = [
+        "id",
+        "name",
+        "group",
+        "room",
+        "seat",
+        "language",
+        "large_print",
+        "extra_time",
+    ];
 }
 
 /// Which keys are made.
@@ -112,6 +127,8 @@ pub struct Blueprint {
     pub keys: Keys,
     /// Whether worked solutions are made.
     pub solutions: bool,
+    /// What is made for the printer, if it is wanted.
+    pub print: Option<Printing>,
     /// The rules of the page that is made of it for a course.
     pub rules: Rules,
     /// The questions in the order of the blueprint.
@@ -233,6 +250,9 @@ pub enum BlueprintError {
     /// No output format.
     #[error("`formats` is empty, so that no sheet would be written")]
     NoFormat(Span),
+    /// `[print]` without a format that is printed.
+    #[error("`[print]` makes files for the printer, of which there are none in these formats")]
+    NothingToPrint(Span),
     /// An `id` of `[page]` that is no name.
     #[error("the `id` of a page has 1 to 64 letters, digits, dots and hyphens")]
     PageId(Span),
@@ -274,6 +294,7 @@ impl Diagnose for BlueprintError {
             | Self::SeedAndSecret(span)
             | Self::SparesWithoutList(span)
             | Self::NoFormat(span)
+            | Self::NothingToPrint(span)
             | Self::PageId(span)
             | Self::Nothing(span)
             | Self::OwnAndItem(_, span)
@@ -309,6 +330,9 @@ impl Diagnose for BlueprintError {
             Self::NoFormat(_) => {
                 let known = FORMATS.join(", ");
                 format!("list at least one of {known}, or remove the key for html")
+            }
+            Self::NothingToPrint(_) => {
+                "add `pdf` or `html` to `formats`, or remove `[print]`".to_owned()
             }
             Self::PageId(_) => "write a name such as `dynamics-week-3`, and keep it".to_owned(),
             Self::Nothing(_) => {
@@ -562,6 +586,7 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
         columns: table.table("columns").map(columns).unwrap_or_default(),
         csv,
         spares,
+        print: print(&table, &formats, &mut faults),
         formats,
         names_formats,
         paper: faults.word(
@@ -609,6 +634,16 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
     (is_whole.then_some(read), faults)
 }
 
+/// What is made for the printer, of the formats that are printed.
+fn print(table: &Table<'_>, formats: &[Text], faults: &mut Faults<'_>) -> Option<Printing> {
+    let print = table.table("print")?;
+    let mut formats = formats.iter().map(|format| format.value.as_str());
+    if !formats.any(|format| matches!(format, "html" | "pdf")) {
+        faults.add(&BlueprintError::NothingToPrint(print.span()));
+    }
+    Some(Printing::read(&print, faults))
+}
+
 fn word(value: &str) -> Text {
     Text {
         value: value.to_owned(),
@@ -652,8 +687,7 @@ fn columns(table: Table<'_>) -> Columns {
         };
         Some((key, headings))
     };
-    let roles = ["id", "name", "group", "seat", "language"];
-    let headings = roles.into_iter().filter_map(heading).collect();
+    let headings = Columns::ROLES.into_iter().filter_map(heading).collect();
     table.finish();
     Columns { headings }
 }

@@ -15,6 +15,8 @@ mod own;
 mod plan;
 mod practice;
 #[cfg(feature = "render")]
+mod printing;
+#[cfg(feature = "render")]
 mod rules;
 #[cfg(feature = "render")]
 mod seat;
@@ -38,6 +40,8 @@ pub use own::Own;
 #[cfg(feature = "render")]
 pub use plan::{Plan, Planned};
 pub use practice::{Practice, PracticeError, PracticeQuestion, Weighed};
+#[cfg(feature = "render")]
+pub use printing::{FileNames, Order, Printing, Section, TypeSizeError, Whose, file_stem};
 #[cfg(feature = "render")]
 pub use rules::{Feedback, Rules, Worked};
 pub use sheet::{Heading, Sheet, SheetQuestion, Student, headings, letter};

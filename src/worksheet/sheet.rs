@@ -46,8 +46,14 @@ pub struct Student {
     pub name: String,
     /// Group; may be empty.
     pub group: String,
+    /// Room in which the seat is; may be empty.
+    pub room: String,
     /// Seat, as row and place, `C7` or `3-7`; may be empty.
     pub seat: String,
+    /// The size of type in points, where it is not the usual one.
+    pub type_size: Option<u8>,
+    /// What is granted beyond the duration, as it is printed; may be empty.
+    pub extra_time: String,
     /// All columns of the class list.
     pub columns: BTreeMap<String, String>,
 }

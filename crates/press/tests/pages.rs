@@ -6,9 +6,9 @@ use vibank::document::{Document, Fill, Fills};
 use vibank::grade::{Comment, Feedback, PartFeedback, QuestionFeedback};
 use vibank::math::{Display, Math, TYPST_PRELUDE};
 use vibank::numerics::Rational;
-use vibank::output::{self, KeyTable, Kind, Pages, Run};
+use vibank::output::{self, KeyTable, Kind, List, Pages, Roll, Run};
 use vibank::source::Source;
-use vibank::worksheet::{Blueprint, Plan, Sheet};
+use vibank::worksheet::{Blueprint, Order, Plan, Sheet, Student};
 use vibank_press::{Job, print};
 
 /// The PDF of a finished text.
@@ -85,6 +85,135 @@ fn sheets_are_tagged_pdf_of_the_same_bytes() {
         pages.end().expect("the layout is sound"),
     ];
     assert!(bound(text.concat()).is_ok());
+}
+
+/// What PDF/UA-1 (ISO 14289-1) asks of a file and can be seen from outside: it says so, it has tags, a language, a title that
+/// is shown, an order of tabs on each page, and words for each figure and formula.
+#[track_caller]
+fn is_accessible(bytes: &[u8]) {
+    for mark in [
+        "<pdfuaid:part>1</pdfuaid:part>",
+        "/StructTreeRoot",
+        "/Marked true",
+        "/Lang(en)",
+        "/DisplayDocTitle true",
+        "<dc:title>",
+    ] {
+        assert!(count(bytes, mark) > 0, "`{mark}` is missing");
+    }
+    let shown = count(bytes, "/S/Figure") + count(bytes, "/S/Formula");
+    assert_eq!(
+        count(bytes, "/Alt"),
+        shown,
+        "words for figures and formulas"
+    );
+    assert_eq!(
+        count(bytes, "/Tabs/S"),
+        pages_of(bytes),
+        "the order of tabs"
+    );
+}
+
+/// How many pages a file has.
+fn pages_of(bytes: &[u8]) -> usize {
+    count(bytes, "/Type/Page") - count(bytes, "/Type/Pages")
+}
+
+/// Students of whom one has a seat, one large print, one extra time; the last sheet is nobody's.
+fn class() -> Vec<Student> {
+    let student = |name: &str| Student {
+        id: name.to_lowercase(),
+        name: name.to_owned(),
+        room: "H#1".to_owned(),
+        ..Student::default()
+    };
+    let seat = "C7".to_owned();
+    let extra_time = "25 % & $x$".to_owned();
+    vec![
+        Student {
+            seat,
+            ..student("Ada")
+        },
+        Student {
+            type_size: Some(24),
+            ..student("Ernst")
+        },
+        Student {
+            extra_time,
+            ..student("Emmy")
+        },
+    ]
+}
+
+#[test]
+fn a_file_for_the_printer_is_accessible_and_each_sheet_has_an_even_number_of_pages() {
+    let (catalogue, _) = Catalogue::load(embedded());
+    let blueprint = blueprint(&[
+        "ch3/e4-underdamped-response",
+        "ch2/p3-parallel-springs-damper",
+    ]);
+    let plan = Plan::of(&blueprint, &catalogue, None).expect("the items are there");
+    let students = class();
+    let writer = output::writer("pdf").expect("the format is there");
+    let run = Run::of(&blueprint, writer).with_seats(&students);
+    let pages = Pages::new(writer, run, &[]).expect("the layouts are sound");
+    let sheet = |place: usize| {
+        let student = students.get(place).cloned();
+        let sheet = Sheet::draw(&plan, plan.variant(place as u64, 0), student);
+        let sheet = sheet.expect("it can be drawn");
+        let page = pages
+            .page(Kind::Sheet, &sheet)
+            .expect("the layout is sound");
+        (sheet.variant.to_string(), page.text)
+    };
+    let (codes, texts): (Vec<String>, Vec<String>) = (0..4).map(sheet).unzip();
+    let roll = Roll {
+        students: &students,
+        codes: &codes,
+    };
+    let file = |texts: &[String], duplex: bool| {
+        let among = |text: &String| pages.among(text, duplex).expect("the layout is sound");
+        let [begin, end] = [pages.begin(""), pages.end()].map(|text| text.expect("it is sound"));
+        let body: String = texts.iter().map(among).collect();
+        bound(format!("{begin}{body}{end}")).unwrap_or_else(|error| panic!("{error}"))
+    };
+    // Alone each has as many pages as it needs, and large print more than usual print.
+    let alone: Vec<usize> = texts
+        .iter()
+        .map(|text| pages_of(&file(std::slice::from_ref(text), false)))
+        .collect();
+    assert!(alone[1] > alone[0], "{alone:?}");
+    assert!(
+        alone.iter().any(|count| count % 2 == 1),
+        "a case without padding: {alone:?}"
+    );
+    let simplex = file(&texts, false);
+    assert_eq!(pages_of(&simplex), alone.iter().sum::<usize>());
+    let section = &Order::Seat.sections(&students, codes.len())[0];
+    let separator = pages.separator(section, roll).expect("the layout is sound");
+    let all: Vec<String> = std::iter::once(separator).chain(texts).collect();
+    let duplex = file(&all, true);
+    is_accessible(&duplex);
+    let even = |count: &usize| count + count % 2;
+    assert_eq!(pages_of(&duplex), 2 + alone.iter().map(even).sum::<usize>());
+    for list in List::ALL {
+        let sections = Order::Seat.sections(&students, codes.len());
+        let begin = pages
+            .begin(pages.list_title(list))
+            .expect("the layout is sound");
+        let page = pages
+            .list(list, &sections, roll)
+            .expect("the layout is sound");
+        let end = pages.end().expect("the layout is sound");
+        let bytes = bound(format!("{begin}{page}{end}"));
+        let bytes = bytes.unwrap_or_else(|error| panic!("{error}"));
+        is_accessible(&bytes);
+        assert_eq!(
+            pages_of(&bytes),
+            2,
+            "a page for the room, one for the spare sheet"
+        );
+    }
 }
 
 /// Every text and key of a chapter: nothing in them is an error of Typst.

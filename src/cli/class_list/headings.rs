@@ -15,12 +15,15 @@ enum Role {
     Family,
     Name,
     Group,
+    Room,
     Seat,
     Language,
+    LargePrint,
+    ExtraTime,
 }
 
 /// Words for headings, without accents and signs; of several columns for one thing the one of the earliest word counts.
-const WORDS: [(Role, &[&str]); 7] = [
+const WORDS: [(Role, &[&str]); 10] = [
     (
         Role::Id,
         &[
@@ -156,6 +159,24 @@ const WORDS: [(Role, &[&str]); 7] = [
         ],
     ),
     (
+        Role::Room,
+        &[
+            "room",
+            "exam room",
+            "hall",
+            "exam hall",
+            "salle",
+            "raum",
+            "horsaal",
+            "saal",
+            "aula",
+            "sala",
+            "zaal",
+            "lokaal",
+            "sal",
+        ],
+    ),
+    (
         Role::Seat,
         &[
             "seat",
@@ -175,6 +196,30 @@ const WORDS: [(Role, &[&str]); 7] = [
     (
         Role::Language,
         &["language", "langue", "sprache", "idioma", "lingua", "taal"],
+    ),
+    (
+        Role::LargePrint,
+        &[
+            "large print",
+            "enlarged print",
+            "gros caracteres",
+            "grossdruck",
+            "großdruck",
+        ],
+    ),
+    (
+        Role::ExtraTime,
+        &[
+            "extra time",
+            "additional time",
+            "more time",
+            "temps majore",
+            "tiers temps",
+            "zeitverlangerung",
+            "zeitzuschlag",
+            "tempo aggiuntivo",
+            "tiempo adicional",
+        ],
     ),
 ];
 
@@ -229,8 +274,11 @@ impl Places {
             ("id", Role::Id),
             ("name", Role::Name),
             ("group", Role::Group),
+            ("room", Role::Room),
             ("seat", Role::Seat),
             ("language", Role::Language),
+            ("large_print", Role::LargePrint),
+            ("extra_time", Role::ExtraTime),
         ] {
             let own = columns.headings.iter().find(|(own, _)| *own == what);
             let places = match (own, role) {
@@ -282,7 +330,10 @@ impl Places {
             id: column("id"),
             name: column("name"),
             group: column("group"),
+            room: column("room"),
             seat: column("seat"),
+            extra_time: column("extra_time"),
+            type_size: None,
             columns,
         }
     }
@@ -362,6 +413,7 @@ mod tests {
             ("Student;ID;SIS User ID;Section", "1;0;3;"),
             ("Username;First name;Last name;ID number", "3;1 2;;"),
             ("STUDENT_ID;FULL_NAME", "0;1;;"),
+            ("id;Hall;Seat", "0;;;2"),
         ] {
             assert_eq!(columns(headings).as_deref(), Ok(given), "{headings}");
         }

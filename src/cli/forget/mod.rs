@@ -120,9 +120,11 @@ fn locks(out: &Folder, places: &[(Folder, String)]) -> Result<Vec<File>, Failure
     let is_ledger = |name: &String| name.starts_with(".sheet") && name.ends_with(".run");
     let ledgers = out.names("").into_iter().filter(is_ledger);
     let ledgers = ledgers.map(|name| (out, name));
-    let journals = places
-        .iter()
-        .map(|(folder, inside)| (folder, format!("{inside}.grading.jsonl")));
+    let journals = places.iter().flat_map(|(folder, inside)| {
+        let names = folder.names(inside.trim_end_matches('/')).into_iter();
+        let names = names.filter(|name| grade::is_journal(name));
+        names.map(move |name| (folder, format!("{inside}{name}")))
+    });
     let mut locks = Vec::new();
     for (folder, name) in ledgers
         .chain(journals)

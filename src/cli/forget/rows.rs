@@ -6,8 +6,9 @@ use vibank::worksheet::Csv;
 use super::Task;
 use crate::cli::folder::Folder;
 use crate::cli::record::FORM;
+use crate::cli::sheet::PRINTS;
 use crate::cli::table::{Dialect, Edit, Row, Table};
-use crate::cli::{Failure, files};
+use crate::cli::{Failure, files, grade};
 
 /// The tables of a run and of its marks.
 const TABLES: [&str; 5] = [
@@ -18,18 +19,17 @@ const TABLES: [&str; 5] = [
     "unreadable.csv",
 ];
 
-/// Pages about all, which `vibank sheet` and `vibank grade` make again, and the journal of a grading that was
-/// interrupted.
-const OVERVIEWS: [&str; 6] = [
+/// Pages about all, which `vibank sheet` and `vibank grade` make again.
+const OVERVIEWS: [&str; 5] = [
     "fairness.html",
     "fairness.md",
     "report.html",
     "report.json",
     "report.csv",
-    ".grading.jsonl",
 ];
 
-/// Tables that are packed, which `vibank sheet` and `vibank grade` make again: they are removed as a whole.
+/// Tables that are packed, which `vibank sheet` and `vibank grade` make again: they are removed as a whole, as is what is
+/// for the printer.
 const PACKED: [&str; 2] = ["key-table.xlsx", "marks.xlsx"];
 
 /// Between those who gave the same answer.
@@ -153,7 +153,11 @@ impl Task {
 
     /// Removes pages about all that tell of the student.
     pub(super) fn overviews(&mut self, folder: &Folder, inside: &str) -> Result<(), Failure> {
-        for name in OVERVIEWS {
+        // And what is left of a grading that was interrupted, or of which parts are not joined.
+        let names = folder.names(inside.trim_end_matches('/')).into_iter();
+        let marked = names.filter(|name| grade::is_journal(name) || grade::is_part(name));
+        let overviews = OVERVIEWS.map(str::to_owned).into_iter();
+        for name in overviews.chain(marked) {
             let name = format!("{inside}{name}");
             if folder.has(&name) {
                 let bytes = files::read_bytes(&folder.path(&name)?)?;
@@ -166,7 +170,9 @@ impl Task {
                 }
             }
         }
-        for name in PACKED {
+        let packed = PACKED.map(str::to_owned).into_iter();
+        let prints = folder.names(&format!("{inside}{PRINTS}")).into_iter();
+        for name in packed.chain(prints.map(|name| format!("{PRINTS}/{name}"))) {
             let name = format!("{inside}{name}");
             if folder.has(&name) {
                 self.remove(folder, &name)?;

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use vibank::bank::Catalogue;
-use vibank::worksheet::Student;
+use vibank::worksheet::{Student, VariantEntry};
 
 use super::items::Items;
 use super::manifest::Sheets;
@@ -14,7 +14,8 @@ use crate::cli::Failure;
 pub(super) struct Census<'c> {
     /// The items that the sheets are marked with.
     pub(super) items: Items<'c>,
-    pub(super) sheets: usize,
+    /// The sheets in their order: the code of each, and how many parts it has.
+    pub(super) sheets: Vec<(String, usize)>,
     /// All parts, in the order of the sheets.
     pub(super) columns: Vec<Column>,
     /// Whether a person marks some of them.
@@ -36,7 +37,7 @@ impl<'c> Census<'c> {
     ) -> Result<Self, Failure> {
         let mut census = Self {
             items: Items::of(&[], catalogue, accepts),
-            sheets: 0,
+            sheets: Vec::new(),
             columns: Vec::new(),
             has_hand: false,
             asked: BTreeMap::new(),
@@ -51,7 +52,14 @@ impl<'c> Census<'c> {
             if chunk.is_empty() {
                 break;
             }
-            census.sheets += chunk.len();
+            let sheet = |variant: &VariantEntry| {
+                let parts = variant
+                    .questions
+                    .iter()
+                    .map(|question| question.parts.len());
+                (variant.code.clone(), parts.sum())
+            };
+            census.sheets.extend(chunk.iter().map(sheet));
             for variant in &chunk {
                 if !codes.insert(variant.code.clone()) {
                     let code = &variant.code;

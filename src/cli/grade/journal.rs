@@ -1,52 +1,66 @@
 //! The journal of a run: what was marked so far, so that an interrupted run goes on where it stopped.
 //!
 //! Its first line names the input; each further line is a sheet that was marked and whose page is written. It is
-//! removed when the tables are complete.
+//! removed when the tables are complete; that of a part of a run becomes the part.
 
 use std::fs::File;
 use std::io::{BufRead, BufReader, BufWriter, Seek, SeekFrom, Write};
 
 use super::outcome::Outcome;
+use super::parts::{self, End};
 use crate::cli::Failure;
 use crate::cli::folder::Folder;
+use crate::cli::shard::Shard;
 
 /// The journal of a run; while it is open no other run marks into the folder.
 pub(super) struct Journal {
     folder: Folder,
+    shard: Shard,
+    name: String,
     /// What an earlier run of the same input marked, in its order.
     earlier: Option<BufReader<File>>,
     file: BufWriter<File>,
     done: usize,
 }
 
-/// The name of the journal.
-const NAME: &str = ".grading.jsonl";
+/// How the name of a journal begins, and how it ends.
+const NAME: (&str, &str) = (".grading", "jsonl");
+
+/// Whether a file is the journal of a run or of a part of one.
+pub(crate) fn is_journal(name: &str) -> bool {
+    name == Shard::default().named(NAME.0, NAME.1) || Shard::of_name(name, NAME.0, NAME.1).is_some()
+}
 
 impl Journal {
     /// Opens the journal of a folder; what was marked from another input is forgotten, and what an interrupted run has
     /// left beside it is removed.
-    pub(super) fn open(folder: &Folder, input: &str) -> Result<Self, Failure> {
+    pub(super) fn open(folder: &Folder, shard: Shard, input: &str) -> Result<Self, Failure> {
+        let name = shard.named(NAME.0, NAME.1);
         let shown = folder.root().display();
         let fail = |error: std::io::Error| {
-            Failure::new(format!("cannot write `{NAME}` in `{shown}`: {error}"))
+            Failure::new(format!("cannot write `{name}` in `{shown}`: {error}"))
         };
-        let Some(mut file) = folder.claim(NAME)? else {
+        let Some(mut file) = folder.claim(&name)? else {
             return Err(Failure::new(format!("another run marks into `{shown}`"))
                 .help("wait for it, or give another folder with `--out`"));
         };
-        folder.sweep(&["", "feedback"], &std::collections::BTreeSet::new());
+        if shard.is_whole() && !has_company(folder, &name) {
+            folder.sweep(&["", "feedback"], &std::collections::BTreeSet::new());
+        }
         let (end, done) = sound(&file, input).map_err(fail)?;
         file.set_len(end).map_err(fail)?;
         file.seek(SeekFrom::End(0)).map_err(fail)?;
         if end == 0 {
             writeln!(file, "{input}").map_err(fail)?;
         }
-        let mut earlier = BufReader::new(folder.open(NAME)?);
+        let mut earlier = BufReader::new(folder.open(&name)?);
         earlier.read_line(&mut String::new()).map_err(fail)?;
         Ok(Self {
             earlier: Some(earlier).filter(|_| done > 0),
             file: BufWriter::new(file),
             folder: folder.clone(),
+            shard,
+            name,
             done,
         })
     }
@@ -71,17 +85,39 @@ impl Journal {
             serde_json::to_writer(&mut self.file, outcome)?;
             self.file.write_all(b"\n")
         });
-        written.and_then(|()| self.file.flush()).map_err(|error| {
-            let shown = self.folder.root().display();
-            Failure::new(format!("cannot write `{NAME}` in `{shown}`: {error}"))
-        })
+        let flushed = written.and_then(|()| self.file.flush());
+        flushed.map_err(|error| self.unwritable(&error))
+    }
+
+    fn unwritable(&self, error: &std::io::Error) -> Failure {
+        let (name, shown) = (&self.name, self.folder.root().display());
+        Failure::new(format!("cannot write `{name}` in `{shown}`: {error}"))
     }
 
     /// Removes the journal of a run that is complete.
     pub(super) fn finish(self) {
         drop(self.file);
-        let _ = self.folder.remove(NAME);
+        let _ = self.folder.remove(&self.name);
     }
+
+    /// Makes the journal the part of so many sheets that was marked, in place of an earlier one; its name is returned.
+    pub(super) fn become_part(mut self, sheets: usize) -> Result<String, Failure> {
+        let end = serde_json::to_string(&End { end: sheets }).expect("a number is plain data");
+        let written = writeln!(self.file, "{end}").and_then(|()| self.file.flush());
+        let kept = written.and_then(|()| self.file.get_ref().sync_data());
+        kept.map_err(|error| self.unwritable(&error))?;
+        let name = parts::name(self.shard);
+        self.folder.remove(&name)?;
+        self.folder.rename(&self.name, &name)?;
+        Ok(name)
+    }
+}
+
+/// Whether parts of a run are being marked into the same folder, whose drafts are none of ours.
+fn has_company(folder: &Folder, own: &str) -> bool {
+    let names = folder.names("");
+    let mut others = names.iter().filter(|name| is_journal(name) && *name != own);
+    others.any(|name| !matches!(folder.claim(name), Ok(Some(_))))
 }
 
 /// Up to where a journal is sound and of this input, and how many sheets stand in it.

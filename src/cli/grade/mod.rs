@@ -12,10 +12,12 @@ mod manifest;
 mod marking;
 mod outcome;
 mod overrides;
+mod parts;
 mod said;
 mod tables;
 mod undecided;
 
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -26,7 +28,9 @@ use vibank::output::{self, Lost, Pages, Run};
 use vibank::worksheet::{Student, VariantEntry};
 
 pub(crate) use self::items::Items as RunItems;
+pub(crate) use self::journal::is_journal;
 pub(crate) use self::manifest::{manifest, solution};
+pub(crate) use self::parts::is_part;
 
 use self::analysis::Analysis;
 use self::census::Census;
@@ -39,6 +43,7 @@ use self::manifest::Sheets;
 use self::marking::Marker;
 use self::outcome::Outcome;
 use self::overrides::Overrides;
+use self::parts::Parts;
 use self::said::{Earlier, Written, gradebook_lacks, items_moved_on, told};
 use self::tables::Tables;
 use self::undecided::{Alike, Undecided};
@@ -47,6 +52,7 @@ use super::faces::Faces;
 use super::folder::Folder;
 use super::platform::Which;
 use super::press::{Missing, Press, Printed};
+use super::shard::Shard;
 use super::table::Dialect;
 use super::table::workbook::{self, XLSX};
 use super::{Failure, files, progress};
@@ -78,6 +84,9 @@ pub(crate) struct Arguments {
     /// The folder or `results.json` of an earlier run, to list changed marks; that in the output folder if omitted.
     #[arg(long, value_name = "OLD")]
     compare: Option<PathBuf>,
+    /// Mark one part of the sheets, such as 2/4, for machines that share the work; then a run without it joins the parts.
+    #[arg(long, value_name = "I/N", default_value_t)]
+    shard: Shard,
     /// The format of the feedback pages, as of sheets: html, md, pdf, tex.
     #[arg(long, value_name = "FORMAT", default_value = "html")]
     feedback: String,
@@ -130,6 +139,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     let census = Census::take(&mut open()?, &catalogue, arguments.accept_revisions)?;
     overrides.check(&census.asked)?;
     let sheets = open()?;
+    let shard = arguments.shard;
+    let input = input(arguments, &sheets, &catalogue.digest())?;
     let changes = match &arguments.compare {
         Some(path) => Some(Changes::since(path)?),
         None if out.has("results.json") => Some(Changes::since(&out.path("results.json")?)?),
@@ -143,11 +154,17 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
         );
     }
     let has_book = wants_book && workbook::IS_BUILT_IN;
+    let journal = Journal::open(&out, shard, &input)?;
+    let parts = shard.is_whole().then(|| Parts::in_folder(&out, &input));
+    let share = handed.share(shard, &census.sheets);
+    let tables = || Tables::begin(&out, census.columns, census.has_hand, dialect, has_book);
     let mut job = Job {
-        journal: Journal::open(&out, &input(arguments, &sheets, &catalogue.digest())?)?,
+        journal,
+        parts: parts.transpose()?.flatten(),
+        share,
         pages: layout(&sheets, "html", &[])?,
         feedback: layout(&sheets, &arguments.feedback, &census.students)?,
-        tables: Tables::begin(&out, census.columns, census.has_hand, dialect, has_book)?,
+        tables: shard.is_whole().then(tables).transpose()?,
         dialect,
         changes,
         analysis: Analysis::default(),
@@ -165,7 +182,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
         responses: handed.responses,
         overrides,
     };
-    job.mark(census.sheets)?;
+    job.mark()?;
+    if !shard.is_whole() {
+        return job.finish_part(shard);
+    }
     faults.extend(job.responses.unclaimed().iter().map(ToString::to_string));
     faults.extend(job.overrides.doubts());
     job.finish(&faults, &census.changed)
@@ -249,6 +269,24 @@ impl Layout {
     }
 }
 
+impl Layout {
+    /// How a run ends of which these pages could not be printed, which is reported.
+    fn ending(&self, unprinted: &[String]) -> super::Outcome {
+        for line in unprinted {
+            eprintln!("error: {line}");
+        }
+        if let Some(missing) = &self.missing {
+            let failure = missing.failure("feedback pages as PDF");
+            eprintln!("{}", failure.to_string().trim_end());
+        }
+        if unprinted.is_empty() && self.missing.is_none() {
+            super::Outcome::Done
+        } else {
+            super::Outcome::Unprinted
+        }
+    }
+}
+
 /// One run.
 struct Job<'a> {
     arguments: &'a Arguments,
@@ -261,9 +299,14 @@ struct Job<'a> {
     takes_points: bool,
     overrides: Overrides,
     journal: Journal,
+    /// What was marked apart and is joined.
+    parts: Option<Parts>,
+    /// The places of the sheets that are marked.
+    share: Range<usize>,
     pages: Layout,
     feedback: Layout,
-    tables: Tables,
+    /// Those of the whole run.
+    tables: Option<Tables>,
     dialect: Dialect,
     changes: Option<Changes>,
     analysis: Analysis,
@@ -281,35 +324,53 @@ struct Findings<'a> {
 }
 
 impl Job<'_> {
-    fn mark(&mut self, count: usize) -> Result<(), Failure> {
-        let bar = progress::bar(count as u64, "sheets");
+    fn mark(&mut self) -> Result<(), Failure> {
+        let bar = progress::bar(self.share.len() as u64, "sheets");
         if self.journal.done() > 0 {
             eprintln!(
                 "{} sheets were marked before the interruption",
                 self.journal.done()
             );
         }
-        loop {
-            let chunk = self.sheets.chunk(CHUNK)?;
-            if chunk.is_empty() {
-                break;
-            }
-            let mut outcomes = Vec::with_capacity(chunk.len());
-            while outcomes.len() < chunk.len()
-                && let Some(outcome) = self.journal.next()
-            {
-                outcomes.push(outcome);
-            }
-            let fresh = self.chunk(&chunk[outcomes.len()..])?;
-            self.journal.note(&fresh)?;
-            outcomes.extend(fresh);
+        let mut begin = 0;
+        while begin < self.share.end {
+            let mut chunk = self.sheets.chunk(CHUNK)?;
+            let places = begin..begin + chunk.len();
+            begin = places.end;
+            // What comes before and after its share is marked by others.
+            chunk.truncate(self.share.end.saturating_sub(places.start).min(chunk.len()));
+            chunk.drain(
+                ..self
+                    .share
+                    .start
+                    .saturating_sub(places.start)
+                    .min(chunk.len()),
+            );
+            let outcomes = match &mut self.parts {
+                Some(parts) => parts.take(&chunk)?,
+                None => self.marked(&chunk)?,
+            };
             outcomes
                 .iter()
                 .try_for_each(|outcome| self.count(outcome))?;
             bar.inc(chunk.len() as u64);
         }
         bar.finish_and_clear();
-        Ok(())
+        self.parts.take().map_or(Ok(()), Parts::finish)
+    }
+
+    /// What comes out for sheets, of which an interrupted run may have marked the first ones.
+    fn marked(&mut self, chunk: &[VariantEntry]) -> Result<Vec<Outcome>, Failure> {
+        let mut outcomes = Vec::with_capacity(chunk.len());
+        while outcomes.len() < chunk.len()
+            && let Some(outcome) = self.journal.next()
+        {
+            outcomes.push(outcome);
+        }
+        let fresh = self.chunk(&chunk[outcomes.len()..])?;
+        self.journal.note(&fresh)?;
+        outcomes.extend(fresh);
+        Ok(outcomes)
     }
 
     /// Marks sheets and writes their pages.
@@ -357,7 +418,10 @@ impl Job<'_> {
     }
 
     fn count(&mut self, outcome: &Outcome) -> Result<(), Failure> {
-        self.tables.add(outcome)?;
+        let Some(tables) = &mut self.tables else {
+            return Ok(());
+        };
+        tables.add(outcome)?;
         self.analysis.add(outcome);
         self.undecided.add(outcome);
         if let Some(gradebook) = &mut self.gradebook {
@@ -376,6 +440,18 @@ impl Job<'_> {
             self.overrides.claim(&place, &Alike::of(part), part.max.0);
         }
         Ok(())
+    }
+
+    /// Keeps what was marked, to be joined with the other parts.
+    fn finish_part(self, shard: Shard) -> Result<super::Outcome, Failure> {
+        let unprinted = std::mem::take(&mut *self.unprinted());
+        let part = self.journal.become_part(self.share.len())?;
+        println!("{} sheets marked, part {shard}", self.share.len());
+        println!(
+            "  {:<28} joined with the other parts by the same command without `--shard`",
+            self.out.root().join(part).display()
+        );
+        Ok(self.feedback.ending(&unprinted))
     }
 
     /// Writes what all sheets together give, and says what came out, in the order in which it is read.
@@ -400,7 +476,11 @@ impl Job<'_> {
             self.dialect,
             &findings,
         )?;
-        let marks = self.tables.finish(self.out)?;
+        let marks = match self.tables.take() {
+            Some(tables) => tables.finish(self.out)?,
+            None => "",
+        };
+        Parts::remove(self.out);
         let has_gradebook = match self.gradebook.take() {
             Some(gradebook) => {
                 let unknown = gradebook.finish(self.out, &self.sheets.head.title)?;
@@ -425,19 +505,11 @@ impl Job<'_> {
             makes_feedback,
         }
         .tell();
-        for line in &unprinted {
-            eprintln!("error: {line}");
-        }
-        if let Some(missing) = &self.feedback.missing {
-            let failure = missing.failure("feedback pages as PDF");
-            eprintln!("{}", failure.to_string().trim_end());
-        }
-        Ok(if !faults.is_empty() {
-            super::Outcome::Findings
-        } else if unprinted.is_empty() && self.feedback.missing.is_none() {
-            super::Outcome::Done
+        let ending = self.feedback.ending(&unprinted);
+        Ok(if faults.is_empty() {
+            ending
         } else {
-            super::Outcome::Unprinted
+            super::Outcome::Findings
         })
     }
 }

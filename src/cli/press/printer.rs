@@ -16,6 +16,9 @@ const PATIENCE: Duration = Duration::from_mins(1);
 /// Bytes of text for which it has a second more: a key table of 300 variants, 4 MB, takes less than a minute.
 const BYTES_A_SECOND: usize = 20_000;
 
+/// Bytes of text for which a job counts as one more: a sheet of some pages.
+const BYTES_A_JOB: usize = 32_000;
+
 /// Seconds of patience in place of [`PATIENCE`].
 const VARIABLE: &str = "VIBANK_PRESS_SECONDS";
 
@@ -59,15 +62,15 @@ impl Printer {
         Ok((printer, greeting))
     }
 
-    /// Jobs that it has taken.
+    /// Jobs that it has taken, where a long one counts as several.
     pub(super) fn done(&self) -> usize {
         self.done
     }
 
     /// The reply to a job; an error where the process is lost.
     pub(super) fn print(&mut self, job: &Job) -> io::Result<Reply> {
-        self.done += 1;
         let (Job::Page { text, .. } | Job::Figure { svg: text }) = job;
+        self.done += 1 + text.len() / BYTES_A_JOB;
         let limit = patience(text.len());
         let sent = self.jobs.as_ref().map(|jobs| jobs.send(job.clone()));
         if !matches!(sent, Some(Ok(()))) {

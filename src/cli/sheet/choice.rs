@@ -6,10 +6,10 @@ use std::sync::Arc;
 use vibank::output;
 use vibank::worksheet::{Blueprint, Student};
 
-use super::shard::Shard;
 use crate::cli::Failure;
 use crate::cli::faces::Faces;
 use crate::cli::press::{Missing, Press};
+use crate::cli::shard::Shard;
 
 /// The formats of a run.
 pub(crate) struct FormatChoice {

@@ -3,10 +3,10 @@
 //! A manifest is never replaced: sheets that were printed from it can be marked as long as it is there.
 
 use super::known::Held;
-use super::shard::Shard;
 use super::stamp::Stamp;
 use crate::cli::folder::Folder;
 use crate::cli::record::FORM;
+use crate::cli::shard::Shard;
 use crate::cli::{Failure, files, table};
 
 /// Where manifests of earlier runs are kept, under their digests.

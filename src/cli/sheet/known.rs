@@ -7,10 +7,10 @@ use serde::Deserialize;
 use vibank::worksheet::{Fixed, Plan, QuestionEntry, Student, VariantEntry};
 
 use super::guard::MANIFESTS;
-use super::shard::Shard;
 use super::stamp::Stamp;
 use crate::cli::files;
 use crate::cli::folder::{Folder, is_plain};
+use crate::cli::shard::Shard;
 
 /// What the manifests of a folder say.
 #[derive(Default)]

@@ -6,9 +6,10 @@ use std::io::{Seek, Write};
 
 use serde::{Deserialize, Serialize};
 
-use super::shard::Shard;
+use super::print;
 use crate::cli::Failure;
 use crate::cli::folder::{self, Folder, Left};
+use crate::cli::shard::Shard;
 
 /// How far a run has come.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -35,7 +36,15 @@ struct Line {
 }
 
 /// The folders that a run writes drafts to.
-const FOLDERS: [&str; 6] = ["", "sheets", "keys", "solutions", "figures", "manifests"];
+const FOLDERS: [&str; 7] = [
+    "",
+    "sheets",
+    "keys",
+    "solutions",
+    "figures",
+    "manifests",
+    print::FOLDER,
+];
 
 /// The ledger of a run; while it is open no other run writes to the folder.
 pub(crate) struct Ledger {

@@ -11,12 +11,14 @@ use indicatif::ProgressBar;
 use rayon::prelude::*;
 use vibank::seed::Variant;
 use vibank::worksheet::{
-    Candidate, Chooser, Fairness, Fixed, Plan, Sheet, SheetError, Student, VariantEntry,
+    Candidate, Chooser, Fairness, FileNames, Fixed, Plan, Sheet, SheetError, Student, VariantEntry,
+    file_stem,
 };
 
 use super::known::Alike;
 use super::ledger::{Ledger, Mark};
 use super::outputs::{Finished, Format, Outputs, Written, write_fairness};
+use super::print::{PrintJob, Prints};
 use crate::cli::folder::Folder;
 use crate::cli::record::{self, Record};
 use crate::cli::{Failure, progress};
@@ -38,8 +40,8 @@ pub(super) struct Job<'a, 'c> {
     pub(super) known: Alike<'a>,
     pub(super) out: &'a Folder,
     pub(super) layouts: Option<&'a Path>,
-    /// Whether all variants are there, so that it can be told how alike they are.
-    pub(super) tell_fairness: bool,
+    /// Whether it is the whole run, so that it can be told how alike the variants are, and all can be printed.
+    pub(super) is_whole: bool,
 }
 
 /// Where sheets are kept.
@@ -120,10 +122,17 @@ impl Job<'_, '_> {
             (pages, begin) = (written?, end);
         }
         bar.finish_and_clear();
+        let prints = self.prints(&variants)?;
         let fairness = self
-            .tell_fairness
+            .is_whole
             .then(|| write_fairness(self.plan, self.layouts, &made.fairness, self.out));
-        store.finish(self.out, fairness.transpose()?, self.plan, &mut made)?;
+        store.finish(
+            self.out,
+            prints,
+            fairness.transpose()?,
+            self.plan,
+            &mut made,
+        )?;
         Ok(made)
     }
 
@@ -141,23 +150,25 @@ impl Job<'_, '_> {
                 .filter(|_| !self.has_pseudonyms)
                 .cloned();
             let sheet = Sheet::draw(self.plan, variants[place], student);
-            let page = self.page(&sheet.map_err(|error| refuse(&error))?)?;
+            let page = self.page(&sheet.map_err(|error| refuse(&error))?, place)?;
             bar.inc(1);
             Ok(page)
         };
         places.into_par_iter().map(write).collect()
     }
 
-    fn page(&self, sheet: &Sheet<'_>) -> Result<Page, Failure> {
+    fn page(&self, sheet: &Sheet<'_>, place: usize) -> Result<Page, Failure> {
         let mut entry = record::entry(sheet);
+        let stem = self.stem(sheet, place);
         let is_split = self.formats.iter().any(Format::is_split);
         let held = is_split
             .then(|| self.known.files(self.out, &entry))
-            .flatten();
+            .flatten()
+            .filter(|files| are_named(files, &stem));
         let is_kept = held.is_some();
         let formats = self.formats.iter();
         let written = formats
-            .map(|format| format.write(sheet, is_kept, self.out))
+            .map(|format| format.write(sheet, &stem, is_kept, self.out))
             .collect::<Result<_, _>>()?;
         entry.files = held.cloned().unwrap_or_default();
         Ok(Page {
@@ -166,6 +177,50 @@ impl Job<'_, '_> {
             written,
         })
     }
+
+    /// The name of the files of a sheet.
+    fn stem(&self, sheet: &Sheet<'_>, place: usize) -> String {
+        let code = sheet.variant.to_string();
+        let print = self.plan.blueprint.print.as_ref();
+        let names_students = print.is_some_and(|print| print.files == FileNames::Student);
+        if names_students && !self.named().is_empty() {
+            file_stem(place, self.count, sheet.student.as_ref(), &code)
+        } else {
+            code
+        }
+    }
+
+    /// The students that pages may name.
+    fn named(&self) -> &[Student] {
+        if self.has_pseudonyms {
+            &[]
+        } else {
+            self.students
+        }
+    }
+
+    /// What is made for the printer, where it is wanted and all sheets are there.
+    fn prints(&self, variants: &[Variant]) -> Result<Prints, Failure> {
+        let print = self.plan.blueprint.print.as_ref();
+        let Some(printing) = print.filter(|_| self.is_whole) else {
+            return Ok(Prints::default());
+        };
+        let job = PrintJob {
+            plan: self.plan,
+            printing,
+            students: self.named(),
+            variants,
+            formats: self.formats,
+            out: self.out,
+        };
+        job.make()
+    }
+}
+
+/// Whether files that are a sheet's own have this name; figures have the names of what they show.
+fn are_named(files: &BTreeMap<String, String>, stem: &str) -> bool {
+    let mut own = files.keys().filter(|file| !file.starts_with("figures/"));
+    own.all(|file| Path::new(file).file_stem().is_some_and(|own| own == stem))
 }
 
 /// Chooses the variant of each of `count` places.
@@ -214,11 +269,13 @@ impl Store<'_> {
     fn finish(
         self,
         out: &Folder,
+        prints: Prints,
         fairness: Option<Finished>,
         plan: &Plan<'_>,
         made: &mut Made,
     ) -> Result<(), Failure> {
-        let mut digests = BTreeMap::new();
+        let mut digests = prints.files;
+        made.unprinted.extend(prints.unprinted);
         for finished in self
             .outputs
             .finish(out, &mut made.unprinted)?
@@ -230,6 +287,7 @@ impl Store<'_> {
             }
             made.shown.push((finished.name, finished.what));
         }
+        made.shown.extend(prints.shown);
         let items = plan.used(&made.fairness);
         made.shown.extend(self.record.finish(&items, &digests)?);
         self.ledger.close();

@@ -7,7 +7,7 @@ mod known;
 mod ledger;
 mod make;
 mod outputs;
-mod shard;
+mod print;
 mod stamp;
 mod trace;
 
@@ -21,7 +21,7 @@ use vibank::worksheet::{Audience, Blueprint, Choice, Fairness, Plan, Student};
 pub(crate) use self::choice::FormatChoice;
 pub(crate) use self::guard::{KEPT, MANIFESTS, MARKS};
 pub(crate) use self::ledger::Mark;
-pub(crate) use self::shard::Shard;
+pub(crate) use self::print::FOLDER as PRINTS;
 pub(crate) use self::stamp::{PROGRAM, Stamp};
 
 use self::known::Known;
@@ -32,6 +32,7 @@ use super::bank::{self, BankArgument};
 use super::files::Access;
 use super::folder::Folder;
 use super::record::{Origin, Record};
+use super::shard::Shard;
 use super::table::Dialect;
 use super::{Failure, Format, Outcome, class_list, files};
 
@@ -148,7 +149,11 @@ impl Run<'_, '_> {
     fn make(&self, catalogue: &vibank::bank::Catalogue, count: usize) -> Result<Summary, Failure> {
         let shard = self.arguments.shard;
         let layouts = self.arguments.layouts.as_deref();
-        let formats = outputs::formats(self.plan, self.choice, layouts, self.is_split)?;
+        let named = match self.arguments.pseudonyms {
+            Some(_) => &[],
+            None => self.students,
+        };
+        let formats = outputs::formats(self.plan, self.choice, named, layouts, self.is_split)?;
         let stamp = Stamp::of(self.plan, self.students, catalogue, &formats).for_run(
             self.is_split,
             shard,
@@ -192,7 +197,7 @@ impl Run<'_, '_> {
             known: known.for_look(&stamp.look),
             out: self.out,
             layouts,
-            tell_fairness: shard.is_whole(),
+            is_whole: shard.is_whole(),
         };
         let made = job.make(
             share,
@@ -327,8 +332,10 @@ impl Summary {
             counted(plan.questions.len(), "question"),
             self.folder.display()
         );
+        let widths = self.files.iter().map(|(file, _)| file.chars().count());
+        let width = widths.max().unwrap_or(0).max(18);
         for (file, what) in &self.files {
-            println!("  {file:<18} {what}");
+            println!("  {file:<width$} {what}");
         }
         let gave_way = self.fairness.iter().flat_map(|fairness| &fairness.gave_way);
         let gave_way: Vec<&str> = gave_way.map(String::as_str).collect();

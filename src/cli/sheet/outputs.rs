@@ -5,16 +5,16 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use vibank::output::{self, KeyRow, KeyTable, Kind, Pages, Run};
-use vibank::worksheet::{Fairness, FileStamp, Plan, Sheet, VariantEntry};
+use vibank::worksheet::{Fairness, FileStamp, Plan, Sheet, Student, VariantEntry};
 
 use super::choice::FormatChoice;
 use super::key_book;
 use super::ledger::Mark;
-use super::shard::Shard;
 use crate::cli::Failure;
 use crate::cli::files;
 use crate::cli::folder::{Draft, Folder, Left};
 use crate::cli::press::{Press, Printed};
+use crate::cli::shard::Shard;
 use crate::cli::table::workbook::{self, XLSX};
 
 /// How sheets are written in one format.
@@ -47,7 +47,7 @@ pub(crate) struct Laid {
 }
 
 /// The digest of a file that could not be printed. No file has it, so that the next run tries again.
-const UNPRINTED: &str = "";
+pub(super) const UNPRINTED: &str = "";
 
 /// What one sheet gives in one format.
 pub(crate) enum Written {
@@ -70,10 +70,11 @@ pub(crate) struct Leaf {
     unprinted: Vec<String>,
 }
 
-/// The formats that are made; `layouts` is a folder of the user.
+/// The formats that are made, for pages that name these students; `layouts` is a folder of the user.
 pub(super) fn formats(
     plan: &Plan<'_>,
     choice: &FormatChoice,
+    students: &[Student],
     layouts: Option<&Path>,
     is_split: bool,
 ) -> Result<Vec<Format>, Failure> {
@@ -94,7 +95,7 @@ pub(super) fn formats(
                 Err(workbook::missing())
             };
         }
-        let laid = Laid::of(name, plan, Some(choice), layouts, is_split)?;
+        let laid = Laid::of(name, plan, Some(choice), students, layouts, is_split)?;
         Ok(Format::Pages(Box::new(laid)))
     };
     choice.made.iter().map(format).collect()
@@ -121,15 +122,24 @@ impl Format {
         }
     }
 
+    /// Its pages, where they are for paper.
+    pub(super) fn printed(&self) -> Option<&Laid> {
+        match self {
+            Self::Pages(laid) if laid.pages.is_for_paper() => Some(laid),
+            _ => None,
+        }
+    }
+
     /// Whether each sheet is a file of its own.
     pub(super) fn is_split(&self) -> bool {
         matches!(self, Self::Pages(laid) if laid.is_split)
     }
 
-    /// What a sheet gives; with `is_kept` its own files are there already.
+    /// What a sheet gives, with files of this name where it has its own; with `is_kept` these are there already.
     pub(super) fn write(
         &self,
         sheet: &Sheet<'_>,
+        stem: &str,
         is_kept: bool,
         out: &Folder,
     ) -> Result<Written, Failure> {
@@ -144,7 +154,7 @@ impl Format {
             return Ok(Written::Kept(row));
         }
         let kinds = laid.kinds.iter();
-        let leaves = kinds.map(|(kind, begin)| laid.leaf(*kind, begin, sheet, out));
+        let leaves = kinds.map(|(kind, begin)| laid.leaf(*kind, begin, sheet, stem, out));
         Ok(Written::Pages(leaves.collect::<Result<_, _>>()?, row))
     }
 }
@@ -154,6 +164,7 @@ impl Laid {
         name: &str,
         plan: &Plan<'_>,
         choice: Option<&FormatChoice>,
+        students: &[Student],
         layouts: Option<&Path>,
         is_split: bool,
     ) -> Result<Self, Failure> {
@@ -166,7 +177,7 @@ impl Laid {
             .filter(|_| writer.is_bound())
             .map(|choice| choice.faces.clone());
         let faces = faces.unwrap_or_default();
-        run = run.with_names(faces.names);
+        run = run.with_names(faces.names).with_seats(students);
         let press = choice.and_then(|choice| choice.press.as_ref());
         let pages = Pages::new(writer, run, &own).map_err(unfilled)?;
         let mut kinds = vec![Kind::Sheet];
@@ -192,7 +203,7 @@ impl Laid {
         })
     }
 
-    fn extension(&self) -> &'static str {
+    pub(super) fn extension(&self) -> &'static str {
         self.pages.writer().extension()
     }
 
@@ -201,6 +212,7 @@ impl Laid {
         kind: Kind,
         begin: &str,
         sheet: &Sheet<'_>,
+        stem: &str,
         out: &Folder,
     ) -> Result<Leaf, Failure> {
         let page = self.pages.page(kind, sheet).map_err(unfilled)?;
@@ -217,7 +229,7 @@ impl Laid {
             });
         }
         let whole = format!("{begin}{}{}", page.text, self.end);
-        let inside = format!("{}/{}.{}", kind.folder(), sheet.variant, self.extension());
+        let inside = format!("{}/{stem}.{}", kind.folder(), self.extension());
         let bytes = match self.bind(whole) {
             Ok(bytes) => bytes,
             Err(why) => {
@@ -239,8 +251,18 @@ impl Laid {
         })
     }
 
+    /// How its pages are filled.
+    pub(super) fn pages(&self) -> &Pages {
+        &self.pages
+    }
+
+    /// What stands after the last page of a file.
+    pub(super) fn end(&self) -> &str {
+        &self.end
+    }
+
     /// The file of a finished text.
-    fn bind(&self, text: String) -> Printed {
+    pub(super) fn bind(&self, text: String) -> Printed {
         match &self.press {
             Some(press) if self.pages.writer().is_bound() => press.page(text, &self.fonts),
             _ => Ok(text.into_bytes()),
@@ -293,7 +315,7 @@ pub(super) fn write_fairness(
     let mut formats = plan.blueprint.formats.iter();
     let is_markdown = formats.all(|format| ["md", "json", XLSX].contains(&&*format.value));
     let name = if is_markdown { "md" } else { "html" };
-    let laid = Laid::of(name, plan, None, layouts, true)?;
+    let laid = Laid::of(name, plan, None, &[], layouts, true)?;
     let what = "how alike the variants are";
     let page = laid.pages.fairness(fairness).map_err(unfilled)?;
     let begin = laid.pages.begin("fairness").map_err(unfilled)?;
@@ -309,7 +331,7 @@ pub(super) fn write_fairness(
 /// What the page with all keys is called.
 const TABLE: &str = "answers of all variants";
 
-fn unfilled(error: output::OutputError) -> Failure {
+pub(super) fn unfilled(error: output::OutputError) -> Failure {
     Failure::new(error.to_string())
 }
 

@@ -5,8 +5,8 @@ use vibank::bank::Catalogue;
 use vibank::worksheet::{Plan, Student};
 
 use super::outputs::Format;
-use super::shard::Shard;
 use crate::cli::files;
+use crate::cli::shard::Shard;
 
 /// The version of the program, as manifests have it.
 pub(crate) const PROGRAM: &str = concat!("vibank ", env!("CARGO_PKG_VERSION"));

@@ -24,7 +24,7 @@ fn scripted() -> String {
 
 /// Runs the program with a press that plays a part.
 #[track_caller]
-fn with_press(script: &str, arguments: &[&str]) -> Ran {
+pub(super) fn with_press(script: &str, arguments: &[&str]) -> Ran {
     let press = scripted();
     let variables = [
         ("VIBANK_PRESS", press.as_str()),

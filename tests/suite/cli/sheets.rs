@@ -512,6 +512,12 @@ fn the_schema_of_blueprints_has_the_keys_that_are_read() {
     let places = [
         (keys(&schema), "", ""),
         (keys(question), "[[question]]\n", ""),
+        (keys(&schema["properties"]["print"]), "[print]\n", ""),
+        (
+            keys(&schema["properties"]["columns"]),
+            "students = 'class.csv'\ncolumns = { ",
+            " }",
+        ),
         (
             keys(&question["properties"]["pick"]),
             "[[question]]\npick = { ",
@@ -541,7 +547,8 @@ fn the_schema_of_blueprints_has_the_keys_that_are_read() {
         .complains("did you mean `chapter`?");
     // The file that begins a blueprint names them all.
     let begun = include_str!("../../../templates/new/sheet.toml");
-    for key in keys(&schema).iter().chain(&keys(question)) {
+    let print = keys(&schema["properties"]["print"]);
+    for key in keys(&schema).iter().chain(&keys(question)).chain(&print) {
         assert!(begun.contains(key.as_str()), "{key}");
     }
 }
