@@ -30,7 +30,7 @@ pub enum Unfit {
         "the key of part `{part}` is lost in rounding for these data: its formula takes the difference of numbers that agree to all digits"
     )]
     UncertainKey {
-        /// The part.
+        /// The identifier of the part.
         part: String,
     },
     /// A mistake that cannot be told from the key.

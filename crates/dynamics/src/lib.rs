@@ -39,7 +39,6 @@
 //!   roots, quadrature.
 
 pub mod numerics;
-mod tolerance;
 pub mod vibration;
 
 pub use vibration::{

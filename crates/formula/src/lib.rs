@@ -24,7 +24,6 @@
 //! - [`work`]: budgets that bound what reading, evaluation and algebra of untrusted input may cost.
 
 pub mod expr;
-mod tolerance;
 pub mod unit;
 pub mod work;
 

@@ -26,6 +26,7 @@ mod pendulum;
 mod power_of_two;
 mod resonance;
 mod state;
+mod tolerance;
 
 pub use decrement::{IdentificationError, Identified, LogarithmicDecrement, ResonanceCurve};
 pub use forced::{

@@ -61,6 +61,7 @@ mod program;
 mod read;
 mod relation;
 mod symbolic;
+mod tolerance;
 mod tree;
 mod types;
 mod typeset;
