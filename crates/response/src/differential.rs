@@ -141,12 +141,12 @@ pub(super) fn called(text: &str, at: usize) -> Option<(String, u8, usize)> {
     let order = own + order;
     let end = at + name.len() + 1 + close + 1;
     // `(D@@2)(x)(t)`
-    let end = end
-        + text[end..]
-            .starts_with("(t)")
-            .then_some("(t)".len())
-            .unwrap_or(0);
-    (order <= 2).then_some((spelling, order, end))
+    let time = if text[end..].starts_with("(t)") {
+        "(t)".len()
+    } else {
+        0
+    };
+    (order <= 2).then_some((spelling, order, end + time))
 }
 
 /// Reads a derivative that is written as a method at a place, `x.diff(t, 2)`, `x(t).diff(t)`: spelling of the name,
