@@ -9,6 +9,8 @@ mod bounds;
 mod catalogue;
 mod compiled;
 #[cfg(feature = "render")]
+mod corrected;
+#[cfg(feature = "render")]
 mod embedded;
 mod folder;
 mod identity;
@@ -26,11 +28,15 @@ mod read;
 mod rule;
 #[cfg(feature = "render")]
 mod space;
+#[cfg(feature = "render")]
+mod stripped;
 mod template;
 
 pub use about::About;
 pub use catalogue::{Catalogue, Open};
 pub use compiled::{Compiled, CompiledError};
+#[cfg(feature = "render")]
+pub use corrected::CorrectionError;
 #[cfg(feature = "render")]
 pub use embedded::embedded;
 pub use folder::{BankFile, Chapter, FORMAT};

@@ -36,6 +36,7 @@ mod files;
 mod filter;
 mod folder;
 mod forget;
+mod form;
 #[cfg(feature = "fuzzing")]
 #[allow(
     missing_docs,
@@ -59,6 +60,8 @@ mod progress;
 mod record;
 mod report;
 mod responses;
+mod saved;
+mod scanner;
 mod schema;
 mod screen;
 mod shard;
@@ -101,6 +104,7 @@ enum Command {
     Sheet(sheet::Arguments),
     Preview(preview::Arguments),
     Enter(enter::Arguments),
+    Form(form::Arguments),
     Grade(grade::Arguments),
     Forget(forget::Arguments),
     Practice(practice::Arguments),
@@ -165,6 +169,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Show(arguments) => show::run(&arguments),
         Command::Mark(arguments) => mark::run(&arguments),
         Command::Enter(arguments) => enter::run(&arguments),
+        Command::Form(arguments) => form::run(&arguments),
         Command::Grade(arguments) => grade::run(&arguments),
         Command::Forget(arguments) => forget::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),

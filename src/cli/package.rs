@@ -152,6 +152,8 @@ impl ReadPackage<'_> {
             spaces: vec![Space::None; parts.len()],
             parts,
             points,
+            bonus: false,
+            section: String::new(),
         })))
     }
 

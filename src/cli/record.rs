@@ -101,6 +101,8 @@ pub(crate) fn question(question: &SheetQuestion<'_>) -> QuestionEntry {
             .seed()
             .map_or(0, vibank::seed::Seed::number),
         points: question.total().to_f64(),
+        bonus: question.bonus,
+        section: question.section.clone(),
         values: values
             .map(|(parameter, value)| (parameter.name.to_string(), value.to_string()))
             .collect(),
@@ -131,6 +133,7 @@ pub(crate) fn without_sheets(catalogue: &Catalogue) -> Manifest {
         decimal: '.',
         doubt: Doubt::Benefit,
         other_form: None,
+        marks: None,
         csv: Csv::default(),
         keyed: false,
         shard: "1/1".to_owned(),
@@ -280,6 +283,7 @@ fn head(origin: Origin<'_>) -> String {
         decimal: blueprint.decimal,
         doubt: blueprint.doubt.unwrap_or(Doubt::Benefit),
         other_form: blueprint.other_form.map(|share| share.share().to_f64()),
+        marks: blueprint.marks.clone(),
         csv: blueprint.csv,
         keyed: plan.secret.is_some(),
         shard: shard.to_string(),

@@ -9,6 +9,8 @@ use vibank::grade::{Responses, Row};
 use vibank::seed::Variant;
 
 use super::platform::Report;
+use super::saved;
+use super::scanner::Scan;
 use super::table::{self, Table};
 use super::{Failure, files};
 
@@ -26,6 +28,10 @@ struct Reading {
 pub(crate) enum Handed {
     /// The answers to parts of sheets, and what is wrong with single rows.
     Rows(Responses, Vec<String>),
+    /// The answers that pages have saved.
+    Saved(saved::Saved),
+    /// The table of a scanner.
+    Scan(Box<Scan>),
     /// The report of a platform.
     Report(Report),
 }
@@ -36,6 +42,8 @@ impl Handed {
     pub(crate) fn faults(&self) -> usize {
         match self {
             Self::Rows(_, faults) => faults.len(),
+            Self::Saved(saved) => saved.faults.len(),
+            Self::Scan(scan) => scan.faults(),
             Self::Report(report) => report.faults(),
         }
     }
@@ -43,18 +51,24 @@ impl Handed {
 
 /// The responses of a file.
 pub(crate) fn read(path: &Path) -> Result<Handed, Failure> {
+    if path.is_dir() {
+        return saved::folder(path).map(Handed::Saved);
+    }
     let mut reading = Reading::default();
     let is_json = path
         .extension()
         .is_some_and(|end| end.eq_ignore_ascii_case("json"));
     if is_json {
         let text = files::read(path)?;
+        if saved::is_saved(&text) {
+            return Ok(Handed::Saved(saved::file(path, &text)));
+        }
         reading.json(path, text.as_bytes())?;
     } else {
         let table = Table::read(path)?;
         match Layout::of(&small(&table)) {
             Some(layout) => reading.table(&layout, &table),
-            None => return report(path, &table),
+            None => return report(path, table),
         }
     }
     let errors = reading.responses.settle();
@@ -74,14 +88,18 @@ fn small(table: &Table) -> Vec<String> {
 }
 
 /// A table that is no form of this program.
-fn report(path: &Path, table: &Table) -> Result<Handed, Failure> {
-    let report = Report::of(path, table)?.ok_or_else(|| {
-        let failure = Failure::new(format!("`{}` has no columns of responses", path.display()));
-        failure.help("the header needs `code`, `question`, `part`, `response`, or `code` and one column a part (`1a`, `1b`); or give the report of a platform as it was downloaded")
-    })?;
+fn report(path: &Path, table: Table) -> Result<Handed, Failure> {
     if let Some(doubt) = &table.doubt {
         eprintln!("{doubt}");
     }
+    let table = match Scan::of(table) {
+        Ok(scan) => return Ok(Handed::Scan(Box::new(scan))),
+        Err(table) => table,
+    };
+    let report = Report::of(path, &table)?.ok_or_else(|| {
+        let failure = Failure::new(format!("`{}` has no columns of responses", path.display()));
+        failure.help("the header needs `code`, `question`, `part`, `response`, or `code` and one column a part (`1a`, `1b`); or give the report of a platform or of a scanner as it was downloaded")
+    })?;
     Ok(Handed::Report(report))
 }
 
@@ -243,7 +261,7 @@ pub(crate) fn begins_sheet(row: &table::Row<'_>, code: usize) -> bool {
 }
 
 /// A column such as `2b`, or `2b1` of a blank: question and part.
-fn part_column(name: &str) -> Option<(&str, &str)> {
+pub(crate) fn part_column(name: &str) -> Option<(&str, &str)> {
     let digits = name.find(|letter: char| !letter.is_ascii_digit())?;
     let (question, part) = name.split_at(digits);
     let letters = part.trim_end_matches(|char: char| char.is_ascii_digit());

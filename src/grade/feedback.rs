@@ -30,8 +30,12 @@ pub struct Feedback {
     pub student: String,
     /// Points reached.
     pub points: Rational,
+    /// Points that nobody has decided yet.
+    pub open: Rational,
     /// Points of the sheet.
     pub max: Rational,
+    /// The grade, where there is a scale and it is decided.
+    pub grade: Option<String>,
     /// The questions in the order of the sheet.
     pub questions: Vec<QuestionFeedback>,
 }
@@ -45,6 +49,8 @@ pub struct QuestionFeedback {
     pub title: String,
     /// Points reached.
     pub points: Rational,
+    /// Points that nobody has decided yet.
+    pub open: Rational,
     /// Points of the question.
     pub max: Rational,
     /// The parts that are asked, in their order.

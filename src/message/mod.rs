@@ -30,6 +30,23 @@ pub enum ByHand {
     ReadAs,
     /// The file of responses does not say clearly what was answered.
     Unclear,
+    /// A person accepts an answer beside the key.
+    Accepted,
+    /// A person gives a share of the points for an answer.
+    Shared,
+    /// The part does not count: everybody has its points.
+    FullMarks,
+    /// The part does not count: the others share its points.
+    Rescaled,
+    /// The part does not count.
+    LeftOut,
+    /// What a wrong choice costs: points as they are printed, and whether it is one.
+    Charged {
+        /// The points.
+        points: String,
+        /// Whether it is a single one.
+        is_one: bool,
+    },
     /// Points of a row of the rubric: those given, if they were given by rows, and the most there are.
     Row {
         /// Points that were given.

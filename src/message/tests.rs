@@ -490,6 +490,15 @@ fn what_a_person_did_is_said_in_each_language() {
         ByHand::Marked,
         ByHand::ReadAs,
         ByHand::Unclear,
+        ByHand::Accepted,
+        ByHand::Shared,
+        ByHand::FullMarks,
+        ByHand::Rescaled,
+        ByHand::LeftOut,
+        ByHand::Charged {
+            points: "0.5".to_owned(),
+            is_one: false,
+        },
         row(None),
         row(Some("1")),
     ];

@@ -56,16 +56,7 @@ impl Pages {
             code: feedback.code.clone(),
             name: self.placed(self.run.name(&feedback.name, &feedback.student)),
             student: self.placed(self.run.plain_name(&feedback.student)),
-            total: self.reached(
-                feedback.points,
-                open(
-                    feedback
-                        .questions
-                        .iter()
-                        .flat_map(|question| &question.parts),
-                ),
-                feedback.max,
-            ),
+            total: self.total(feedback),
             questions: feedback
                 .questions
                 .iter()
@@ -80,7 +71,7 @@ impl Pages {
         QuestionView {
             number: question.number,
             title: self.placed(&question.title),
-            points: self.reached(question.points, open(&question.parts), question.max),
+            points: self.reached(question.points, question.open, question.max),
             parts: question
                 .parts
                 .iter()
@@ -116,18 +107,18 @@ impl Pages {
         }
     }
 
+    /// What the sheet came to, with its grade.
+    fn total(&self, feedback: &Feedback) -> String {
+        let reached = self.reached(feedback.points, feedback.open, feedback.max);
+        match &feedback.grade {
+            Some(grade) => format!("{reached}, grade {}", self.placed(grade)),
+            None => reached,
+        }
+    }
+
     /// `2.5 of 4 points`, or `2.5 + ?1 of 4 points` where one of them is not decided yet.
     fn reached(&self, points: Rational, open: Rational, max: Rational) -> String {
         let reached = self.run.marked(&crate::grade::standing(points, open));
         self.run.words.reached(&reached, &self.points(max))
     }
-}
-
-/// The points that hang on parts which nobody has decided yet.
-fn open<'a>(parts: impl IntoIterator<Item = &'a PartFeedback>) -> Rational {
-    let parts = parts.into_iter();
-    let open = parts.filter(|part| part.verdict == Verdict::Unreadable);
-    open.fold(Rational::ZERO, |sum, part| {
-        sum.checked_add(part.max).unwrap_or(sum)
-    })
 }

@@ -14,7 +14,7 @@ pub fn sheet(sheet: &Sheet<'_>) -> Json {
         "code": sheet.variant,
         "seed": sheet.variant.number(),
         "student": sheet.student.as_ref().map(|student| &student.columns),
-        "points": sheet.points().to_f64(),
+        "points": sheet.points.to_f64(),
         "questions": sheet.questions.iter().map(question).collect::<Vec<_>>(),
     })
 }

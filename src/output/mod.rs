@@ -6,6 +6,7 @@
 
 mod fairness;
 mod feedback;
+mod form;
 mod html;
 mod json;
 mod key_table;
@@ -13,6 +14,7 @@ mod latex;
 mod layouts;
 mod lists;
 mod markdown;
+mod marks;
 mod page;
 mod pages;
 mod pdf;
@@ -22,12 +24,14 @@ mod scorm;
 mod view;
 mod words;
 
+pub use form::{FormQuestion, FormSheet, form};
 pub use key_table::{KeyRow, KeyTable};
 pub use layouts::{Layouts, OutputError};
 pub use lists::{List, Roll};
+pub use marks::Marked;
 pub use page::practice;
 pub use pages::{Kind, Names, Page, Pages, Run};
-pub use report::{Analysed, Lost, LostSheet};
+pub use report::{Analysed, Decided, DecidedMark, Lost, LostSheet};
 pub use scorm::{DESCRIPTION, Scorm, scorm};
 
 use crate::document::{Block, Document};

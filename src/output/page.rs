@@ -12,10 +12,10 @@ use crate::document::Filling;
 use crate::worksheet::Practice;
 
 /// The grader, built from these sources and deflated by `src/wasm/build.sh`.
-const GRADER: &[u8] = include_bytes!("../wasm/grader.deflate");
+pub(super) const GRADER: &[u8] = include_bytes!("../wasm/grader.deflate");
 
 /// How hard the items are deflated: the most that miniz does.
-const LEVEL: u8 = 10;
+pub(super) const LEVEL: u8 = 10;
 
 /// The page of a practice with its items.
 ///
@@ -42,7 +42,12 @@ fn page(
 ) -> Result<String, OutputError> {
     let adapter = course.map_or("", |_| layouts::text("page/scorm.js"));
     let script = &unspaced(
-        &format!("{adapter}{}", layouts::text("page/page.js")),
+        &[
+            layouts::text("page/common.js"),
+            adapter,
+            layouts::text("page/page.js"),
+        ]
+        .concat(),
         "/**",
     );
     let texts = texts(&practice.language);
@@ -85,7 +90,7 @@ fn page(
 }
 
 /// A program or a style without indents, empty lines, and lines that are a comment; it travels in every page.
-fn unspaced(text: &str, comment: &str) -> String {
+pub(super) fn unspaced(text: &str, comment: &str) -> String {
     let is_comment =
         |line: &str| line.starts_with("//") || line.starts_with(comment) && line.ends_with("*/");
     let lines = text.lines().map(str::trim);
@@ -96,7 +101,7 @@ fn unspaced(text: &str, comment: &str) -> String {
 }
 
 /// The words of the page in a language, else in English.
-fn texts(language: &str) -> &'static str {
+pub(super) fn texts(language: &str) -> &'static str {
     match layouts::text(&format!("page/texts.{language}.json")) {
         "" => layouts::text("page/texts.en.json"),
         texts => texts,
@@ -104,6 +109,6 @@ fn texts(language: &str) -> &'static str {
 }
 
 /// JSON as it may stand in a `script` element.
-fn in_script(json: &str) -> String {
+pub(super) fn in_script(json: &str) -> String {
     json.replace('<', "\\u003c")
 }

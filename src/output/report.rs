@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::layouts::OutputError;
+use super::marks::{Marked, MarksView};
 use super::pages::{Pages, Run};
 use super::quoted;
 use crate::report::{Common, Distribution, PartSummary, Summary};
@@ -18,6 +19,48 @@ pub struct Analysed<'a> {
     pub unreadable: u64,
     /// Rows that were left out, each with its line.
     pub faults: &'a [String],
+    /// The marks of the sheets, where there is more to say of them than points.
+    pub marks: Option<&'a Marked>,
+    /// What was decided after the sheets were handed out.
+    pub decided: &'a [Decided],
+}
+
+/// A decision, and what it has changed.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Decided {
+    /// The file and line that say it.
+    pub place: String,
+    /// What it is about.
+    pub subject: String,
+    /// What was decided.
+    pub words: String,
+    /// Who decided it; may be empty.
+    pub who: String,
+    /// Why; may be empty.
+    pub why: String,
+    /// The marks that are others without it.
+    pub changed: Vec<DecidedMark>,
+}
+
+/// A mark before and after a decision; points that are not decided stand behind a question mark.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct DecidedMark {
+    /// Code of the sheet.
+    pub code: String,
+    /// Identity of the student; may be empty.
+    pub student: String,
+    /// Number of the question.
+    pub question: usize,
+    /// Letter of the part.
+    pub letter: String,
+    /// Its points without the decision.
+    pub points_before: String,
+    /// What could be reached without it.
+    pub max_before: String,
+    /// Its points.
+    pub points: String,
+    /// What can be reached.
+    pub max: String,
 }
 
 /// Responses to one part of an item that could not be read, and are alike.
@@ -98,6 +141,9 @@ struct Page<'a> {
     lost: Vec<LostView<'a>>,
     unreadable: u64,
     faults: Vec<Vec<quoted::Piece<'a>>>,
+    marks: Option<MarksView>,
+    decided: Vec<DecidedView<'a>>,
+    more_decided: usize,
     facts: Vec<[String; 2]>,
     bars: Vec<Bar>,
     parts: Vec<PartView<'a>>,
@@ -165,11 +211,80 @@ impl Pages {
                 .iter()
                 .map(|fault| quoted::pieces(fault))
                 .collect(),
+            marks: analysed.marks.map(|marks| marks.view(&self.run)),
+            decided: analysed
+                .decided
+                .iter()
+                .take(MOST_DECIDED)
+                .map(|own| self.decided(own))
+                .collect(),
+            more_decided: analysed.decided.len().saturating_sub(MOST_DECIDED),
             facts: facts(summary),
             bars: summary.shares.as_ref().map_or(Vec::new(), bars),
             parts: summary.parts.iter().map(part).collect(),
         };
         self.layouts.fill("report", &page)
+    }
+
+    fn decided<'a>(&self, decided: &'a Decided) -> DecidedView<'a> {
+        let mut counts: Vec<(String, usize)> = Vec::new();
+        for mark in &decided.changed {
+            let words = self.run.marked(&mark.words());
+            match counts.iter_mut().find(|(own, _)| *own == words) {
+                Some((_, count)) => *count += 1,
+                None => counts.push((words, 1)),
+            }
+        }
+        counts.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+        let more = counts.len().saturating_sub(MOST_CHANGES);
+        counts.truncate(MOST_CHANGES);
+        DecidedView {
+            place: &decided.place,
+            subject: quoted::pieces(&decided.subject),
+            words: quoted::pieces(&decided.words),
+            who: &decided.who,
+            why: &decided.why,
+            times: decided.changed.len(),
+            changes: counts
+                .into_iter()
+                .map(|(words, count)| format!("{count}× {words}"))
+                .collect(),
+            more,
+        }
+    }
+}
+
+/// Decisions that the page lists; the table of decisions has all.
+const MOST_DECIDED: usize = 100;
+
+/// Different changes that the page lists of a decision.
+const MOST_CHANGES: usize = 6;
+
+/// A decision as a layout shows it.
+#[derive(Serialize)]
+struct DecidedView<'a> {
+    place: &'a str,
+    subject: Vec<quoted::Piece<'a>>,
+    words: Vec<quoted::Piece<'a>>,
+    who: &'a str,
+    why: &'a str,
+    times: usize,
+    /// How often which mark became which.
+    changes: Vec<String>,
+    more: usize,
+}
+
+impl DecidedMark {
+    /// `0 of 2 → 2 of 2`.
+    pub fn words(&self) -> String {
+        let Self {
+            points_before,
+            max_before,
+            points,
+            max,
+            ..
+        } = self;
+        format!("{points_before} of {max_before} → {points} of {max}")
     }
 }
 

@@ -13,7 +13,7 @@ use crate::document::{Document, Filling};
 use crate::numerics::Rational;
 use crate::scene::Scene;
 use crate::solution::Solution;
-use crate::worksheet::{Sheet, SheetQuestion, headings, letter};
+use crate::worksheet::{Best, Sheet, SheetQuestion, headings, letter};
 
 #[derive(Serialize)]
 pub(super) struct SheetView {
@@ -172,6 +172,15 @@ pub(super) struct View<'p> {
     pictures: RefCell<BTreeMap<String, String>>,
 }
 
+/// How many questions count, in words behind their number.
+fn best(best: &[Best]) -> String {
+    let words = best.iter().map(|best| match best.section.as_str() {
+        "" => format!(", of which the best {} count", best.count),
+        section => format!(", of section {section} the best {} count", best.count),
+    });
+    words.collect()
+}
+
 impl<'p> View<'p> {
     pub(super) fn new(writer: &'static dyn Writer, run: &'p Run, kind: Kind) -> Self {
         Self {
@@ -198,8 +207,12 @@ impl<'p> View<'p> {
             seat: self.placed(&self.run.seat(&student)),
             extra_time: self.placed(self.run.plain_name(&student.extra_time)),
             type_size: student.type_size.filter(|_| self.kind != Kind::Key),
-            count: self.run.words.questions(count),
-            points: self.run.points(sheet.points()),
+            count: format!(
+                "{}{}",
+                self.run.words.questions(count),
+                self.placed(&best(&sheet.best))
+            ),
+            points: self.run.points(sheet.points),
             marks: self.marks(sheet),
             questions: sheet
                 .questions
@@ -207,6 +220,17 @@ impl<'p> View<'p> {
                 .map(|question| self.question(sheet, question))
                 .collect(),
         }
+    }
+
+    /// What a question is worth.
+    fn worth(&self, question: &SheetQuestion<'_>) -> String {
+        let section = match question.section.as_str() {
+            "" => String::new(),
+            section => format!("section {}, ", self.placed(section)),
+        };
+        let points = self.run.points(question.total());
+        let bonus = if question.bonus { " of bonus" } else { "" };
+        format!("{section}{points}{bonus}")
     }
 
     /// The table where marks are written in, in rows of nearly equal length; one question needs none.
@@ -221,7 +245,7 @@ impl<'p> View<'p> {
         });
         let sum = MarkView {
             name: self.run.words.sum.clone(),
-            worth: self.run.number(sheet.points()),
+            worth: self.run.number(sheet.points),
             is_sum: true,
         };
         let mut rest: Vec<MarkView> = questions.chain([sum]).collect();
@@ -270,7 +294,7 @@ impl<'p> View<'p> {
         let mut view = QuestionView {
             number: question.number,
             title: self.placed(&template.about.title),
-            points: self.run.points(question.total()),
+            points: self.worth(question),
             ..QuestionView::default()
         };
         if self.kind != Kind::Key {

@@ -9,6 +9,7 @@
 //! alpha, which needs the same parts on every sheet.
 
 mod common;
+mod marks;
 mod part;
 mod statistics;
 
@@ -17,6 +18,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 pub use common::{Common, Mistake};
+pub use marks::{GradeCount, GroupSummary, MarksSummary, Standing, Standings};
 pub use part::PartSummary;
 
 use self::part::Tally;

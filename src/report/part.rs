@@ -91,7 +91,8 @@ impl Tally {
                 let other = seen.other.filter(|_| seen.verdict == Verdict::Wrong);
                 other.into_iter().for_each(|other| self.others.add(other));
             }
-            Some(&("matches" | "unreadable" | "missing")) | None => {}
+            // What was decided says nothing of what was answered.
+            Some(&("matches" | "unreadable" | "missing" | "accepted" | "void")) | None => {}
             Some(mistake) => self.mistakes.add(mistake),
         }
     }

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::manifest::Csv;
+use super::marks::Marks;
 use super::own::Own;
 use super::printing::Printing;
 use super::rules::Rules;
@@ -131,6 +132,8 @@ pub struct Blueprint {
     pub print: Option<Printing>,
     /// The rules of the page that is made of it for a course.
     pub rules: Rules,
+    /// What becomes of the points of a sheet, where that is stated.
+    pub marks: Option<Marks>,
     /// The questions in the order of the blueprint.
     pub questions: Vec<Question>,
     /// What may be wrong with its texts.
@@ -167,6 +170,10 @@ pub struct Question {
     pub part_space: Vec<(Text, Space)>,
     /// Data that are fixed, as name and quantity.
     pub set: Vec<(Text, Text)>,
+    /// Whether its points are beyond those of the sheet.
+    pub bonus: bool,
+    /// Its section, of which the best questions may count.
+    pub section: Option<Text>,
 }
 
 /// Where the item of a question comes from.
@@ -419,6 +426,18 @@ impl Blueprint {
     }
 }
 
+impl Question {
+    /// The section of each question that is made of it; the nameless one where it states none.
+    fn sections(&self) -> impl Iterator<Item = &str> {
+        let count = match &self.choice {
+            Choice::Item(_) | Choice::Own(_) => 1,
+            Choice::Pick { count, .. } => *count,
+        };
+        let section = self.section.as_ref().map_or("", |text| text.value.as_str());
+        std::iter::repeat_n(section, count)
+    }
+}
+
 pub(super) struct Faults<'s> {
     source: &'s Source,
     findings: Vec<Finding>,
@@ -522,6 +541,22 @@ fn csv(table: &Table<'_>, decimal: char, faults: &mut Faults<'_>) -> Csv {
     faults.word(table, "csv", &["plain", "excel"], &ways)
 }
 
+/// What becomes of the points of a sheet, where that is stated.
+fn marks(table: &Table<'_>, questions: &[Question], faults: &mut Faults<'_>) -> Option<Marks> {
+    let table = table.table("marks")?;
+    let (marks, mut findings) = Marks::read(&table);
+    let counted = questions.iter().filter(|question| !question.bonus);
+    let sections: Vec<&str> = counted.flat_map(Question::sections).collect();
+    let lacking = marks.check(&sections, table.span());
+    findings.extend(
+        lacking
+            .iter()
+            .map(|error| Finding::of(error, faults.source)),
+    );
+    faults.findings.append(&mut findings);
+    Some(marks)
+}
+
 /// How doubts are settled, where that is stated.
 fn doubt(table: &Table<'_>, faults: &mut Faults<'_>) -> Option<Doubt> {
     let ways = [Doubt::Benefit, Doubt::Ask, Doubt::Undecided];
@@ -571,6 +606,7 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
     let instructions = instructions.unwrap_or_default();
     let rules = table.table("page");
     let rules = rules.map(|table| Rules::read(&table, &mut faults));
+    let marks = marks(&table, &questions, &mut faults);
     let is_whole = title.is_some() && audience.is_some();
     let read = Blueprint {
         source: table.source().clone(),
@@ -627,6 +663,7 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
         keys,
         solutions: table.boolean("solutions").unwrap_or(true),
         rules: rules.unwrap_or_default(),
+        marks,
         questions,
         warnings: Vec::new(),
     };
@@ -758,6 +795,8 @@ fn question(
     let space = table.text("space").and_then(|text| faults.space(&text));
     let part_space = table.table("part_space");
     let part_space = part_space.map_or_else(Vec::new, |table| spaces(&table, faults));
+    let bonus = table.boolean("bonus").unwrap_or(false);
+    let section = table.text("section");
     let span = table.span();
     table.finish();
     Some(Question {
@@ -769,6 +808,8 @@ fn question(
         space,
         part_space,
         set,
+        bonus,
+        section,
     })
 }
 

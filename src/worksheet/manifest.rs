@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use super::marks::Marks;
 use crate::answer::Doubt;
 use crate::bank::{ItemId, Revision};
 use crate::scene::Data;
@@ -49,6 +50,9 @@ pub struct Manifest {
     /// It was nothing before there was this key.
     #[serde(default = "nothing")]
     pub other_form: Option<f64>,
+    /// What becomes of the points of a sheet, where that was stated when the sheets were made.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub marks: Option<Marks>,
     /// How its tables are written.
     #[serde(default)]
     pub csv: Csv,
@@ -143,6 +147,12 @@ pub struct QuestionEntry {
     pub seed: u64,
     /// The points that can be reached.
     pub points: f64,
+    /// Whether its points are beyond those of the sheet.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub bonus: bool,
+    /// Its section, of which the best questions may count; empty if it is in none.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub section: String,
     /// The data as printed.
     pub values: BTreeMap<String, String>,
     /// The parts that are asked, in their order.

@@ -7,8 +7,11 @@
 
 #[cfg(feature = "render")]
 mod blueprint;
+#[cfg(feature = "render")]
+mod decisions;
 mod fairness;
 mod manifest;
+mod marks;
 #[cfg(feature = "render")]
 mod own;
 #[cfg(feature = "render")]
@@ -31,10 +34,16 @@ pub use blueprint::{
     AnswerSpace, Audience, Blueprint, BlueprintError, Choice, Columns, FORMATS, Filter, Keys,
     Paper, Question,
 };
+#[cfg(feature = "render")]
+pub use decisions::{
+    Corrected, Decision, DecisionError, Decisions, Effect, HandedOut, Subject, Void,
+};
 pub use fairness::{Alike, Fairness, ItemFairness, QuestionFairness, Range};
 pub use manifest::{
     BankStamp, Csv, EntryError, FORMAT, FileStamp, Manifest, PartEntry, QuestionEntry, VariantEntry,
 };
+pub use marks::MarksError;
+pub use marks::{Best, Bound, Direction, Exact, Marks, Rounding, Scored, Step, Total, Worth};
 #[cfg(feature = "render")]
 pub use own::Own;
 #[cfg(feature = "render")]

@@ -25,6 +25,8 @@ pub struct Plan<'c> {
     pub secret: Option<Secret>,
     /// What the teacher should know though all can be made.
     pub warnings: Vec<Finding>,
+    /// A further sitting of the same exam, of which students get other variants; empty for the first.
+    pub sitting: String,
 }
 
 /// A question whose item, or whose candidates, are known.
@@ -46,6 +48,10 @@ pub struct Planned<'c> {
     pub part_space: Vec<(String, Space)>,
     /// Data that are fixed.
     pub set: Vec<(String, String)>,
+    /// Whether its points are beyond those of the sheet.
+    pub bonus: bool,
+    /// Its section; empty if it is in none.
+    pub section: String,
 }
 
 /// What in a blueprint does not fit the bank.
@@ -157,6 +163,7 @@ impl<'c> Plan<'c> {
             formulas,
             secret,
             warnings: planner.findings,
+            sitting: String::new(),
         })
     }
 
@@ -169,7 +176,12 @@ impl<'c> Plan<'c> {
     /// The variant of a student, and an attempt at it.
     pub fn variant_of_student(&self, id: &str, attempt: u64) -> Variant {
         let seed = Seed::new(self.blueprint.seed);
-        Variant::of_student(seed, id, attempt, self.secret.as_ref())
+        if self.sitting.is_empty() {
+            return Variant::of_student(seed, id, attempt, self.secret.as_ref());
+        }
+        // No identity of a class list has a line break.
+        let own = format!("{id}\n{}", self.sitting);
+        Variant::of_student(seed, &own, attempt, self.secret.as_ref())
     }
 
     /// The files of the items that variants have, by identity: what marking needs when the bank has moved on.
@@ -293,6 +305,11 @@ impl<'c> Planner<'c> {
                 .iter()
                 .map(|(name, value)| (name.value.clone(), value.value.clone()))
                 .collect(),
+            bonus: question.bonus,
+            section: question
+                .section
+                .as_ref()
+                .map_or_else(String::new, |section| section.value.clone()),
         };
         match &question.choice {
             Choice::Item(text) => match self.catalogue.find(&text.value) {

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use super::marks::Best;
 #[cfg(feature = "render")]
 use crate::bank::Space;
 use crate::bank::{Group, Part, Template};
@@ -18,6 +19,10 @@ pub struct Sheet<'c> {
     pub student: Option<Student>,
     /// Its questions in order.
     pub questions: Vec<SheetQuestion<'c>>,
+    /// The points that can be reached without bonus, where the best questions count by these.
+    pub points: Rational,
+    /// How many questions count, where not all do.
+    pub best: Vec<Best>,
 }
 
 /// One question of a sheet.
@@ -32,6 +37,10 @@ pub struct SheetQuestion<'c> {
     pub parts: Vec<usize>,
     /// Their points.
     pub points: Vec<Rational>,
+    /// Whether they are beyond those of the sheet.
+    pub bonus: bool,
+    /// Its section, of which the best questions may count; empty if it is in none.
+    pub section: String,
     /// Room for work at them.
     #[cfg(feature = "render")]
     pub spaces: Vec<Space>,
@@ -56,16 +65,6 @@ pub struct Student {
     pub extra_time: String,
     /// All columns of the class list.
     pub columns: BTreeMap<String, String>,
-}
-
-impl Sheet<'_> {
-    /// The points of all questions.
-    pub fn points(&self) -> Rational {
-        let all = self.questions.iter().map(SheetQuestion::total);
-        all.fold(Rational::ZERO, |sum, points| {
-            sum.checked_add(points).unwrap_or(sum)
-        })
-    }
 }
 
 impl SheetQuestion<'_> {

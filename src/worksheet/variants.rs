@@ -11,6 +11,7 @@ use sha2::{Digest, Sha256};
 
 use super::fairness::{Alike, Fairness, ItemFairness, QuestionFairness, Range};
 use super::manifest::QuestionEntry;
+use super::marks::Scored;
 use super::plan::{Plan, Planned};
 use super::seat::Seat;
 use super::sheet::{Sheet, SheetQuestion, Student, is_one_group};
@@ -36,6 +37,8 @@ pub struct Chooser<'p, 'c> {
     students: Vec<String>,
     /// What they have already, by place in the run.
     fixed: BTreeMap<u64, Fixed>,
+    /// What they had on an earlier sheet, of which they get nothing again, by place in the run.
+    barred: BTreeMap<u64, Vec<QuestionEntry>>,
     /// The seats of the students, by place in the run.
     seats: Vec<Option<Seat>>,
     /// Who has a seat.
@@ -85,6 +88,8 @@ impl Fixed {
 pub struct Candidate {
     index: u64,
     attempt: u64,
+    /// How many attempts were looked at for fairness before it.
+    tries: u64,
     variant: Variant,
     /// Whether it was there before, so that nothing speaks against it.
     is_fixed: bool,
@@ -116,6 +121,16 @@ pub enum SheetError {
     /// An item has no data that meet its constraints.
     #[error(transparent)]
     Instance(#[from] InstanceError),
+    /// A further sheet of a student always has something of the first one.
+    #[error(
+        "no data were found in {attempts} tries that the first sheet does not have; most often {datum} is the same"
+    )]
+    Shared {
+        /// How many seeds were tried.
+        attempts: u64,
+        /// The datum that was on the first sheet most often, with its item.
+        datum: String,
+    },
     /// No suitable variant was found.
     #[error("no suitable variant was found in {attempts} tries; the last: {reason}")]
     NoVariant {
@@ -143,6 +158,8 @@ enum Objection {
 const TRIES_FOR_FAIRNESS: u64 = 60;
 /// Seeds tried for one variant before giving up.
 const MOST_TRIES: u64 = 400;
+/// The same where nothing of an earlier sheet may come again: drawing data alone costs little.
+const MOST_TRIES_APART: u64 = 20_000;
 
 impl<'p, 'c> Chooser<'p, 'c> {
     /// A chooser at the first variant of a plan; `students` are those of the class list, if there is one, of whom some
@@ -179,6 +196,7 @@ impl<'p, 'c> Chooser<'p, 'c> {
                 .filter_map(|(place, student)| Some((place, fixed.remove(&student.id)?)))
                 .collect(),
             students: students.iter().map(|student| student.id.clone()).collect(),
+            barred: BTreeMap::new(),
             seats,
             room,
             marks: BTreeMap::new(),
@@ -226,6 +244,38 @@ impl<'p, 'c> Chooser<'p, 'c> {
             has_pseudonyms: true,
             ..self
         }
+    }
+
+    /// The same, but students get no datum that they had: the questions of an earlier sheet, by identity.
+    #[must_use]
+    pub fn without(self, mut earlier: BTreeMap<String, Vec<QuestionEntry>>) -> Self {
+        let places = (0..).zip(&self.students);
+        let barred = places
+            .filter_map(|(place, id)| Some((place, earlier.remove(id)?)))
+            .collect();
+        Self { barred, ..self }
+    }
+
+    /// A datum that is drawn and was on an earlier sheet of the same student.
+    fn barred(&self, index: u64, sheet: &Sheet<'c>) -> Option<String> {
+        let earlier = self.barred.get(&index)?;
+        for question in &sheet.questions {
+            let template = question.solution.template();
+            let set = &self.plan.questions[question.place].set;
+            let values = question.solution.instance().values();
+            let drawn = template.parameters.iter().zip(values).filter(|(own, _)| {
+                let is_drawn = own.grid.is_some_and(|grid| grid.count() > 1);
+                is_drawn && set.iter().all(|(name, _)| name != own.name.as_str())
+            });
+            let before = || earlier.iter().filter(|entry| entry.item == template.id);
+            for (parameter, value) in drawn {
+                let (name, value) = (parameter.name.as_str(), value.to_string());
+                if before().any(|entry| entry.values.get(name) == Some(&value)) {
+                    return Some(format!("`{name} = {value}` of {}", template.id));
+                }
+            }
+        }
+        None
     }
 
     /// What a page calls the sheet at a place of the run, which has been taken.
@@ -277,14 +327,32 @@ impl<'p, 'c> Chooser<'p, 'c> {
         {
             return Ok(candidate);
         }
+        let is_apart = self.barred.contains_key(&index);
+        let most = if is_apart {
+            MOST_TRIES_APART
+        } else {
+            MOST_TRIES
+        };
+        let mut shared: BTreeMap<String, u64> = BTreeMap::new();
+        // What has a datum of the first sheet says nothing of fairness.
+        let mut tries = if is_apart { 0 } else { from };
         let mut last = None;
         let mut unsuitable = Vec::new();
         // Whoever proposes again does so because another has what was proposed before.
         let mut gave_way = from > 0;
-        for attempt in from..MOST_TRIES {
+        for attempt in from..from.max(most) {
             let variant = self.variant(index, attempt);
             let sheet = Sheet::draw(self.plan, variant, None)?;
-            match self.judge(index, attempt, &sheet) {
+            if let Some(datum) = self.barred(index, &sheet) {
+                *shared.entry(datum).or_default() += 1;
+                continue;
+            }
+            if tries >= MOST_TRIES {
+                break;
+            }
+            let judged = self.judge(index, [attempt, tries], &sheet);
+            tries += 1;
+            match judged {
                 Ok(candidate) => {
                     return Ok(Candidate {
                         gave_way,
@@ -301,6 +369,13 @@ impl<'p, 'c> Chooser<'p, 'c> {
                     ));
                 }
             }
+        }
+        let most_shared = shared.into_iter().max_by_key(|(_, count)| *count);
+        if let Some((datum, _)) = most_shared.filter(|_| last.is_none()) {
+            return Err(SheetError::Shared {
+                attempts: most,
+                datum,
+            });
         }
         Err(SheetError::NoVariant {
             attempts: MOST_TRIES,
@@ -334,7 +409,7 @@ impl<'p, 'c> Chooser<'p, 'c> {
         }
         self.codes.insert(candidate.variant);
         self.taken.insert(candidate.index, candidate.variant);
-        self.rejected += candidate.attempt;
+        self.rejected += candidate.tries;
         for item in &candidate.unsuitable {
             *self.unsuitable.entry(item.clone()).or_default() += 1;
         }
@@ -377,15 +452,18 @@ impl<'p, 'c> Chooser<'p, 'c> {
     fn judge(
         &self,
         index: u64,
-        attempt: u64,
+        [attempt, tries]: [u64; 2],
         sheet: &Sheet<'c>,
     ) -> Result<Candidate, (Objection, Option<String>)> {
         let of_all = |objection| (objection, None);
-        let mut candidate = Candidate::of(index, attempt, sheet);
+        let mut candidate = Candidate {
+            tries,
+            ..Candidate::of(index, attempt, sheet)
+        };
         self.accepts(&candidate).map_err(of_all)?;
         for question in &sheet.questions {
             let data = candidate.questions[question.place].data;
-            let asked = self.judge_question(attempt, question, data);
+            let asked = self.judge_question(tries, question, data);
             candidate.questions[question.place] = asked.map_err(|objection| {
                 let item = question.solution.template().id.to_string();
                 (objection, Some(item))
@@ -397,13 +475,13 @@ impl<'p, 'c> Chooser<'p, 'c> {
 
     fn judge_question(
         &self,
-        attempt: u64,
+        tries: u64,
         question: &SheetQuestion<'_>,
         data: u64,
     ) -> Result<Asked, Objection> {
         suitability::judge(&question.solution, &question.parts)?;
         let asked = self.asked(question, data);
-        if attempt < TRIES_FOR_FAIRNESS {
+        if tries < TRIES_FOR_FAIRNESS {
             suitability::judge_methods(&question.solution, &question.parts)?;
             if asked.is_unusual {
                 self.usual(question).judge(question)?;
@@ -417,7 +495,7 @@ impl<'p, 'c> Chooser<'p, 'c> {
         if self.codes.contains(&candidate.variant) {
             return Err(Objection::Repeats);
         }
-        if candidate.is_fixed || candidate.attempt >= TRIES_FOR_FAIRNESS {
+        if candidate.is_fixed || candidate.tries >= TRIES_FOR_FAIRNESS {
             return Ok(());
         }
         let mut pairs = self.questions.iter().zip(&candidate.questions);
@@ -505,6 +583,7 @@ impl Candidate {
         let mut candidate = Self {
             index,
             attempt,
+            tries: attempt,
             variant: sheet.variant,
             is_fixed: false,
             gave_way: false,
@@ -677,10 +756,21 @@ impl<'c> Sheet<'c> {
                 Solution::with_mark(instance, mark),
             ));
         }
+        let marks = plan.blueprint.marks.clone().unwrap_or_default();
+        let scored = questions.iter().map(|question| Scored {
+            points: Rational::ZERO,
+            open: Rational::ZERO,
+            max: question.total(),
+            bonus: question.bonus,
+            section: &question.section,
+        });
+        let points = marks.total(&scored.collect::<Vec<_>>()).max;
         Ok(Self {
             variant,
             student,
             questions,
+            points,
+            best: marks.best,
         })
     }
 }
@@ -735,6 +825,8 @@ fn question<'c>(
         solution,
         parts,
         points,
+        bonus: planned.bonus,
+        section: planned.section.clone(),
         spaces,
     }
 }

@@ -33,6 +33,9 @@ pub(crate) struct Arguments {
     /// The file of answers; `entered.json` beside the manifest if left out.
     #[arg(short, long, value_name = "FILE")]
     out: Option<PathBuf>,
+    /// Show codes alone, no names and ids.
+    #[arg(long)]
+    anonymous: bool,
     #[command(flatten)]
     bank: BankArgument,
 }
@@ -51,6 +54,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         items: RunItems::of(std::slice::from_ref(&manifest.items), &catalogue, false),
         screen: Screen::of_stdout(),
         manifest: &manifest,
+        is_anonymous: arguments.anonymous,
         journal,
     };
     desk.welcome();
@@ -66,6 +70,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 struct Desk<'a> {
     screen: Screen,
     manifest: &'a Manifest,
+    is_anonymous: bool,
     items: RunItems<'a>,
     journal: Journal,
 }
@@ -149,7 +154,12 @@ impl Desk<'_> {
             0 => String::new(),
             _ => format!(", {known} answered before"),
         };
-        let words = format!("{}{parts} parts{known}", who(sheet));
+        let whose = if self.is_anonymous {
+            String::new()
+        } else {
+            who(sheet)
+        };
+        let words = format!("{whose}{parts} parts{known}");
         self.screen.say(Tone::Faint, "   ", &words);
         let solutions: Vec<Solution<'_>> = sheet
             .questions

@@ -7,7 +7,7 @@ use vibank::worksheet::Manifest;
 use super::{Task, runs};
 use crate::cli::folder::{Folder, is_plain};
 use crate::cli::sheet::MANIFESTS;
-use crate::cli::{Failure, files, record};
+use crate::cli::{Failure, files, form, record};
 
 impl Task {
     /// Removes the student's files, pages and entries.
@@ -31,6 +31,11 @@ impl Task {
             .filter(|file| is_plain(file) && !shared.contains(file))
             .cloned()
             .collect();
+        let codes = all().filter(|entry| self.person.has(entry));
+        let pages = codes.flat_map(|entry| {
+            [form::PAGES, form::SCREEN].map(|folder| format!("{folder}{}.html", entry.code))
+        });
+        let own: BTreeSet<String> = own.into_iter().chain(pages).collect();
         for run in runs(out) {
             for file in &own {
                 self.remove(out, &format!("{run}{file}"))?;

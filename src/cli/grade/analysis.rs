@@ -109,6 +109,8 @@ impl Analysis {
             "program": PROGRAM,
             "unreadable": findings.lost,
             "rows_left_out": findings.faults,
+            "decisions": findings.decided,
+            "marks": findings.marks.map(|marks| &marks.summary),
             "summary": summary,
         });
         let text = serde_json::to_string_pretty(&json).expect("a report is plain data");
@@ -123,6 +125,8 @@ impl Analysis {
             lost: findings.lost,
             unreadable,
             faults: findings.faults,
+            marks: findings.marks,
+            decided: findings.decided,
         };
         let page = layout
             .pages

@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use vibank::bank::Catalogue;
-use vibank::worksheet::{Student, VariantEntry};
+use vibank::bank::{Catalogue, ItemId, Revision};
+use vibank::worksheet::{HandedOut, QuestionEntry, Student, VariantEntry};
 
 use super::items::Items;
 use super::manifest::Sheets;
@@ -20,8 +20,10 @@ pub(super) struct Census<'c> {
     pub(super) columns: Vec<Column>,
     /// Whether a person marks some of them.
     pub(super) has_hand: bool,
-    /// By the number of a question, the items that it is.
-    pub(super) asked: BTreeMap<usize, BTreeSet<String>>,
+    /// What decisions may name.
+    pub(super) handed_out: HandedOut,
+    /// The items and texts of them that are on sheets.
+    pub(super) used: BTreeSet<(ItemId, Revision)>,
     /// The students by `id` and name.
     pub(super) students: Vec<Student>,
     /// Items whose text in the bank is another one than when the sheets were made.
@@ -40,13 +42,13 @@ impl<'c> Census<'c> {
             sheets: Vec::new(),
             columns: Vec::new(),
             has_hand: false,
-            asked: BTreeMap::new(),
+            handed_out: HandedOut::default(),
+            used: BTreeSet::new(),
             students: Vec::new(),
             changed: Vec::new(),
         };
         let mut columns = BTreeSet::new();
         let mut used = BTreeMap::<_, BTreeSet<String>>::new();
-        let mut codes = BTreeSet::new();
         loop {
             let chunk = sheets.chunk(super::CHUNK)?;
             if chunk.is_empty() {
@@ -61,7 +63,7 @@ impl<'c> Census<'c> {
             };
             census.sheets.extend(chunk.iter().map(sheet));
             for variant in &chunk {
-                if !codes.insert(variant.code.clone()) {
+                if !census.handed_out.codes.insert(variant.code.clone()) {
                     let code = &variant.code;
                     let failure = Failure::new(format!("the manifest has the sheet {code} twice"));
                     return Err(failure.help("give the `manifest.json` as `vibank sheet` wrote it"));
@@ -79,8 +81,8 @@ impl<'c> Census<'c> {
                 for part in &question.parts {
                     columns.insert((question.number, part.letter.len(), part.letter.clone()));
                 }
-                let asked = census.asked.entry(question.number).or_default();
-                asked.insert(question.item.to_string());
+                columns.insert((question.number, 0, String::new()));
+                census.note(question);
                 let parts = used.entry((question.item.clone(), question.revision));
                 let ids = question.parts.iter().map(|part| part.id.clone());
                 parts.or_default().extend(ids);
@@ -95,10 +97,26 @@ impl<'c> Census<'c> {
             let template = census.items.find(item, *revision)?;
             let mut parts = parts.iter().filter_map(|id| template.part(id));
             census.has_hand |= parts.any(|part| part.answer.kind().is_by_hand());
+            census.used.insert((item.clone(), *revision));
             if census.items.has_moved_on(item, *revision) {
                 census.changed.push(item.to_string());
             }
         }
         Ok(census)
+    }
+
+    /// Notes what decisions may name of a question.
+    fn note(&mut self, question: &QuestionEntry) {
+        let item = question.item.to_string();
+        let asked = self
+            .handed_out
+            .questions
+            .entry(question.number)
+            .or_default();
+        asked.insert(item.clone());
+        let parts = question.parts.iter();
+        let parts = parts.map(|part| (part.id.clone(), part.letter.clone()));
+        let together = self.handed_out.parts.entry(item).or_default();
+        together.insert(parts.collect());
     }
 }

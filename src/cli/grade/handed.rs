@@ -1,5 +1,6 @@
 //! What was handed in: the form of a run, or attempts at a platform, each of which becomes a sheet.
 
+use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::Path;
 
@@ -7,13 +8,13 @@ use rayon::prelude::*;
 use vibank::bank::Catalogue;
 use vibank::grade::Responses;
 use vibank::message::Language;
-use vibank::worksheet::{Manifest, VariantEntry};
+use vibank::worksheet::{Manifest, Marks, VariantEntry};
 
 use super::Arguments;
+use super::decisions::{Corrected, Decisions};
 use super::items::Items;
 use super::manifest::{Sheets, manifest};
 use super::marking::Marker;
-use super::overrides::Overrides;
 use crate::cli::platform::{self, Known, Report, Taken, Which};
 use crate::cli::shard::Shard;
 use crate::cli::{Failure, files, package, responses};
@@ -23,6 +24,8 @@ pub(super) struct Handed {
     pub(super) responses: Responses,
     /// What is wrong with single rows.
     pub(super) faults: Vec<String>,
+    /// The names of the files that pages have saved, by the code of their sheets.
+    pub(super) names: BTreeMap<String, String>,
     /// The attempts, where they are not the sheets of a manifest.
     attempts: Option<Attempts>,
 }
@@ -40,17 +43,32 @@ impl Handed {
     pub(super) fn read(
         arguments: &Arguments,
         catalogue: &Catalogue,
-        overrides: &Overrides,
+        decisions: &Decisions,
     ) -> Result<Self, Failure> {
         match responses::read(&arguments.responses)? {
-            responses::Handed::Rows(responses, faults) => Ok(Self {
-                responses,
-                faults,
-                attempts: None,
+            responses::Handed::Rows(responses, faults) => Ok(Self::typed(responses, faults)),
+            responses::Handed::Saved(saved) => Ok(Self {
+                names: saved.names(),
+                ..Self::typed(saved.responses, saved.faults)
             }),
-            responses::Handed::Report(report) => {
-                Self::reported(report, arguments, catalogue, overrides)
+            responses::Handed::Scan(scan) => {
+                let sheets = manifest(&arguments.manifest)?.variants;
+                let (responses, faults) = scan.taken(&sheets);
+                Ok(Self::typed(responses, faults))
             }
+            responses::Handed::Report(report) => {
+                Self::reported(report, arguments, catalogue, decisions)
+            }
+        }
+    }
+
+    /// What a teacher, a student or a scanner has put into a file.
+    fn typed(responses: Responses, faults: Vec<String>) -> Self {
+        Self {
+            responses,
+            faults,
+            names: BTreeMap::new(),
+            attempts: None,
         }
     }
 
@@ -58,7 +76,7 @@ impl Handed {
         report: Report,
         arguments: &Arguments,
         catalogue: &Catalogue,
-        overrides: &Overrides,
+        decisions: &Decisions,
     ) -> Result<Self, Failure> {
         let path = &arguments.manifest;
         let is_package = files::read_bytes(path)?.starts_with(PACKED);
@@ -83,12 +101,14 @@ impl Handed {
             let sheets = Sheets::of_attempts(path, &head, Vec::new());
             let marker = Marker {
                 items: &items,
+                corrected: &Corrected::new(),
+                marks: &Marks::default(),
                 decimal: sheets.decimal,
                 language: Language::of(&head.language).unwrap_or_default(),
                 doubt: sheets.doubt,
                 other_form: sheets.other_form,
                 responses: &platform::responses(&attempts),
-                overrides,
+                decisions,
                 takes_points: false,
             };
             let points = |taken: &Taken| Ok(marker.sheet(&taken.entry)?.0.points());
@@ -110,6 +130,7 @@ impl Handed {
         Ok(Self {
             responses: platform::responses(&attempts),
             faults,
+            names: BTreeMap::new(),
             attempts: Some(Attempts {
                 head,
                 sheets: attempts.into_iter().map(|taken| taken.entry).collect(),
@@ -119,7 +140,7 @@ impl Handed {
 
     /// Whether a teacher typed it, so that it holds the points for work on paper.
     pub(super) fn is_typed(&self) -> bool {
-        self.attempts.is_none()
+        self.attempts.is_none() && self.names.is_empty()
     }
 
     /// The places of the sheets that a part of a run marks, of sheets with these codes and so many parts each: the parts of

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 use vibank::answer::{Credit, Doubt};
+use vibank::bank::Template;
 use vibank::instance::Instance;
 use vibank::seed::Seed;
 use vibank::solution::Solution;
@@ -231,6 +232,16 @@ pub(crate) fn solution<'i>(
     doubt: Doubt,
 ) -> Result<Solution<'i>, Failure> {
     let template = items.find(&question.item, question.revision)?;
+    solution_of(template, question, decimal, doubt)
+}
+
+/// The same of an item as it is marked now.
+pub(super) fn solution_of<'i>(
+    template: &'i Template,
+    question: &QuestionEntry,
+    decimal: char,
+    doubt: Doubt,
+) -> Result<Solution<'i>, Failure> {
     let known: Vec<(&str, &str)> = question
         .values
         .iter()

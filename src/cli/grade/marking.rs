@@ -1,102 +1,143 @@
 //! Marking one sheet.
 
-use vibank::answer::{Credit, Criterion, Doubt, Verdict};
+use vibank::answer::{Credit, Doubt};
 use vibank::bank::Template;
-use vibank::grade::{
-    self, Comment, Feedback, Grade, PartFeedback, Place, QuestionFeedback, Responses, Sheet,
-};
-use vibank::message::{ByHand, Language};
+use vibank::grade::{Feedback, Grade, QuestionFeedback, Responses, Sheet};
+use vibank::message::Language;
 use vibank::numerics::Rational;
-use vibank::solution::Solution;
-use vibank::worksheet::{PartEntry, QuestionEntry, VariantEntry};
+use vibank::worksheet::{Marks, QuestionEntry, Scored, VariantEntry, Void};
 
-use super::hand;
+use super::answered::Answered;
+use super::decisions::{Corrected, Decisions};
 use super::items::Items;
-use super::manifest::solution;
-use super::outcome::{Fraction, Outcome, PartOutcome, sum};
-use super::overrides::{Override, Overrides};
-use super::undecided::Alike;
+use super::manifest::solution_of;
+use super::outcome::{Fraction, Outcome, QuestionOutcome, Standing, sum};
+use super::part::Marked;
 use crate::cli::Failure;
 
 /// What all sheets of a run are marked with.
 pub(super) struct Marker<'a> {
     pub(super) items: &'a Items<'a>,
+    /// Items whose keys were corrected.
+    pub(super) corrected: &'a Corrected,
     pub(super) decimal: char,
     /// In which students are spoken to.
     pub(super) language: Language,
     pub(super) doubt: Doubt,
     pub(super) other_form: Option<Credit>,
+    /// What becomes of the points of a sheet.
+    pub(super) marks: &'a Marks,
     pub(super) responses: &'a Responses,
-    pub(super) overrides: &'a Overrides,
+    pub(super) decisions: &'a Decisions,
     /// Whether responses to work on paper are the points that a person gave: in the report of a platform they are what
     /// students wrote.
     pub(super) takes_points: bool,
 }
 
-/// A part as it was handed out and answered.
-struct Answered<'a> {
-    entry: &'a PartEntry,
-    /// Its place in the item.
-    place: usize,
-    max: Rational,
-    is_by_hand: bool,
-    given: &'a str,
-    /// Whether `given` is what the file holds, which does not say what was answered.
-    is_open: bool,
-    decision: Option<&'a Override>,
-    /// The line of the file that says it.
-    line: Option<usize>,
-}
-
-impl<'a> Answered<'a> {
-    /// What is marked.
-    fn response(&self) -> &'a str {
-        let read = self
-            .decision
-            .and_then(|decision| decision.response.as_deref());
-        read.unwrap_or(if self.is_open { "" } else { self.given })
-    }
-
-    /// Whether nobody has said yet what was answered.
-    fn is_undecided(&self) -> bool {
-        let is_settled =
-            |decision: &Override| decision.response.is_some() || decision.points.is_some();
-        self.is_open && !self.decision.is_some_and(is_settled)
-    }
-}
-
 impl Marker<'_> {
     /// What came out for a sheet, and what its student is told.
     pub(super) fn sheet(&self, variant: &VariantEntry) -> Result<(Outcome, Feedback), Failure> {
-        let (mut parts, mut questions) = (Vec::new(), Vec::new());
+        let (mut parts, mut feedback, mut questions) = (Vec::new(), Vec::new(), Vec::new());
+        let mut scored = Vec::new();
         for question in &variant.questions {
-            let (outcomes, feedback) = self.question(&variant.code, question)?;
-            parts.extend(outcomes);
-            questions.push(feedback);
+            let marked = self.question(&variant.code, question)?;
+            let standing = self.standing(&marked);
+            scored.push(Scored {
+                points: standing.points.0,
+                open: standing.open.0,
+                max: standing.max.0,
+                bonus: question.bonus,
+                section: &question.section,
+            });
+            questions.push(QuestionOutcome {
+                number: question.number,
+                standing,
+            });
+            let mut own = QuestionFeedback {
+                number: question.number,
+                title: self.item(question)?.about.title.clone(),
+                points: standing.points.0,
+                open: standing.open.0,
+                max: standing.max.0,
+                parts: Vec::new(),
+            };
+            for part in marked {
+                parts.push(part.outcome);
+                own.parts.push(part.feedback);
+            }
+            feedback.push(own);
         }
+        let total = self.marks.total(&scored);
+        let worth = self.marks.worth(&total);
         let outcome = Outcome {
             code: variant.code.clone(),
             student: variant.student.clone().unwrap_or_default(),
             parts,
+            questions,
+            total: Standing::of_total(&total),
         };
         let feedback = Feedback {
             code: outcome.code.clone(),
             name: outcome.column("name").to_owned(),
             student: outcome.column("id").to_owned(),
-            points: outcome.points(),
-            max: outcome.max(),
-            questions,
+            points: total.points,
+            open: total.open,
+            max: total.max,
+            grade: match worth.grades[..] {
+                [grade] => Some(grade.to_owned()),
+                _ => None,
+            },
+            questions: feedback,
         };
         Ok((outcome, feedback))
     }
 
-    fn question(
+    /// The item of a question as it was handed out.
+    fn item(&self, question: &QuestionEntry) -> Result<&Template, Failure> {
+        self.items.find(&question.item, question.revision)
+    }
+
+    /// The parts of a question, marked by what was decided; each that is otherwise without it says so.
+    fn question(&self, code: &str, question: &QuestionEntry) -> Result<Vec<Marked>, Failure> {
+        let template = self.item(question)?;
+        let answered = self.answered(code, question, template)?;
+        let mut numbers: Vec<usize> = answered
+            .iter()
+            .flat_map(|part| part.ruling.numbers.iter().copied())
+            .collect();
+        if numbers.is_empty() {
+            return self.marked(template, question, &answered);
+        }
+        numbers.sort_unstable();
+        numbers.dedup();
+        let plain: Vec<Answered<'_>> = answered.iter().map(Answered::plain).collect();
+        let before = self.marked(template, question, &plain)?;
+        let key = (question.item.clone(), question.revision);
+        let now = self.corrected.get(&key).unwrap_or(template);
+        let mut marked = self.marked(now, question, &answered)?;
+        rescale(&mut marked, &answered);
+        for ((part, before), answered) in marked.iter_mut().zip(&before).zip(&answered) {
+            let before = Standing::of(&before.outcome);
+            if before == Standing::of(&part.outcome) {
+                continue;
+            }
+            part.outcome.before = Some(before);
+            // What no decision is about follows from one about another part.
+            part.outcome.decisions = match &answered.ruling.numbers[..] {
+                [] => numbers.clone(),
+                own => own.to_vec(),
+            };
+        }
+        Ok(marked)
+    }
+
+    fn marked(
         &self,
-        code: &str,
+        template: &Template,
         question: &QuestionEntry,
-    ) -> Result<(Vec<PartOutcome>, QuestionFeedback), Failure> {
-        let solution = solution(self.items, question, self.decimal, self.doubt)?;
-        let answered = self.answered(code, question, solution.template())?;
+        answered: &[Answered<'_>],
+    ) -> Result<Vec<Marked>, Failure> {
+        let solution = solution_of(template, question, self.decimal, self.doubt)?;
         let responses = answered.iter().map(|part| {
             let response = if part.is_by_hand { "" } else { part.response() };
             (part.place, response)
@@ -107,235 +148,54 @@ impl Marker<'_> {
             other_form: self.other_form,
         };
         let grade = Grade::mark_on(&solution, &sheet, responses);
-        let (mut outcomes, mut parts) = (Vec::new(), Vec::new());
-        for part in &answered {
-            let (outcome, feedback) = self.marked(&solution, question.number, part, &grade);
-            outcomes.push(outcome);
-            parts.push(feedback);
-        }
-        let feedback = QuestionFeedback {
-            number: question.number,
-            title: solution.template().about.title.clone(),
-            points: sum(parts.iter().map(|part| part.points)),
-            max: sum(parts.iter().map(|part| part.max)),
-            parts,
-        };
-        Ok((outcomes, feedback))
+        let parts = answered.iter();
+        Ok(parts
+            .map(|part| self.part(&solution, question.number, part, &grade))
+            .collect())
     }
 
-    /// What a person gave for work on paper.
-    fn given(&self, number: usize, part: &Answered<'_>, criteria: &[Criterion]) -> Given {
-        let sheet = hand::Sheet::of(criteria, part.max, self.decimal);
-        let unmarked = self.language.by_hand(&ByHand::Open);
-        let open = |why: String| Given {
-            points: None,
-            remarks: vec![Comment::sentence(&unmarked)],
-            why: Some(why),
-        };
-        let is_decided = part
-            .decision
-            .is_some_and(|decision| decision.response.is_some());
-        let text = if self.takes_points || is_decided {
-            part.response()
-        } else {
-            ""
-        };
-        match sheet.read(text) {
-            Ok(Some(hand)) => Given {
-                points: Some(hand.points),
-                remarks: sheet.told(&hand, self.language),
-                why: None,
-            },
-            Ok(None) => open("This part has not been marked yet.".to_owned()),
-            Err(why) => {
-                let row = part
-                    .line
-                    .map_or_else(String::new, |line| format!("row {line}, "));
-                open(format!("{row}part {number}{}: {why}", part.entry.letter))
-            }
-        }
-    }
-
-    /// What came out for a part, and what its student is told.
-    fn marked(
-        &self,
-        solution: &Solution<'_>,
-        number: usize,
-        part: &Answered<'_>,
-        grade: &Grade,
-    ) -> (PartOutcome, PartFeedback) {
-        let marking = grade.part(part.place).expect("its response was marked");
-        let mut remarks = grade::remarks(solution, part.place, marking, self.language);
-        let mut reasons: Vec<String> = marking
-            .reasons()
-            .iter()
-            .map(|reason| reason.code())
-            .collect();
-        let (mut verdict, mut credit) = (marking.verdict, marking.credit.share());
-        let mut points = grade::of_marking(marking, part.max);
-        let criteria = solution.template().parts[part.place].answer.rubric();
-        let by_hand = part.is_by_hand;
-        let mut why = None;
-        if by_hand {
-            let given = self.given(number, part, criteria);
-            remarks = given.remarks;
-            why = given.why;
-            reasons = vec![
-                if given.points.is_some() {
-                    "by-hand"
-                } else {
-                    "open"
-                }
-                .to_owned(),
-            ];
-            points = given.points.unwrap_or(Rational::ZERO);
-            (verdict, credit) = match given.points {
-                Some(points) => worth(points, part.max),
-                None => (Verdict::Unreadable, Rational::ZERO),
-            };
-        }
-        if part.is_undecided() {
-            verdict = Verdict::Unreadable;
-            reasons = vec!["unreadable".to_owned()];
-            let unclear = self.language.by_hand(&ByHand::Unclear);
-            remarks = vec![Comment::sentence(&unclear)];
-        }
-        if let Some(decision) = part.decision {
-            reasons.insert(0, "override".to_owned());
-            if let Some(settled) = decision.points {
-                points = settled;
-                (verdict, credit) = worth(settled, part.max);
-                remarks.clear();
-            }
-            remarks.splice(0..0, said(decision, self.language));
-        }
-        let other = matches!(verdict, Verdict::Wrong)
-            .then(|| grade::pattern(solution, part.place, marking))
-            .flatten();
-        let outcome = PartOutcome {
-            question: number,
-            letter: part.entry.letter.clone(),
-            item: solution.template().id.to_string(),
-            id: part.entry.id.clone(),
-            response: part.given.to_owned(),
-            reading: marking
-                .reading
-                .as_ref()
-                .map_or_else(String::new, |reading| reading.math.latex()),
-            verdict,
-            credit: Fraction(credit),
-            points: Fraction(points),
-            max: Fraction(part.max),
-            reasons,
-            feedback: why.unwrap_or_else(|| {
-                let plain: Vec<String> = remarks.iter().map(Comment::plain).collect();
-                plain.join(" ")
-            }),
-            by_hand,
-            other,
-        };
-        let feedback = PartFeedback {
-            letter: part.entry.letter.clone(),
-            verdict,
-            points,
-            max: part.max,
-            // Points are no answer of the student.
-            response: if by_hand && self.takes_points {
-                String::new()
+    /// What a question came to: not below zero, unless that is asked for.
+    fn standing(&self, parts: &[Marked]) -> Standing {
+        let parts = parts.iter().map(|part| Standing::of(&part.outcome));
+        let parts: Vec<Standing> = parts.collect();
+        let all = |value: fn(&Standing) -> Rational| sum(parts.iter().map(value));
+        let least = all(|part| part.points.0);
+        let most = sum([least, all(|part| part.open.0)].into_iter());
+        let floor = |points: Rational| {
+            if self.marks.below_zero {
+                points
             } else {
-                part.given.to_owned()
-            },
-            reading: marking.reading.as_ref().map(|reading| reading.math.clone()),
-            // The page says the verdict itself.
-            remarks: if marking.remarks.is_empty()
-                && part.decision.is_none()
-                && !by_hand
-                && !part.is_undecided()
-            {
-                Vec::new()
-            } else {
-                remarks
-            },
-        };
-        (outcome, feedback)
-    }
-
-    fn answered<'q>(
-        &'q self,
-        code: &str,
-        question: &'q QuestionEntry,
-        template: &Template,
-    ) -> Result<Vec<Answered<'q>>, Failure> {
-        let place = |entry: &PartEntry| {
-            let found = template.place(&entry.id);
-            found.ok_or_else(|| {
-                let id = &entry.id;
-                Failure::new(format!("`{}` has no part `{id}` any more", template.id))
-            })
-        };
-        let places = question
-            .parts
-            .iter()
-            .map(place)
-            .collect::<Result<Vec<_>, _>>()?;
-        let parts = question.parts.iter().zip(places);
-        let answered = parts.map(|(entry, place)| {
-            let at = Place {
-                code: code.to_owned(),
-                question: question.number,
-                part: entry.letter.clone(),
-            };
-            let open = self.responses.open(&at);
-            let given = open.or_else(|| self.responses.get(&at)).unwrap_or_default();
-            let alike = Alike::new(template.id.as_str(), &entry.id, given);
-            Answered {
-                entry,
-                place,
-                max: exact(entry.points),
-                is_by_hand: template.parts[place].answer.kind().is_by_hand(),
-                given,
-                is_open: open.is_some(),
-                decision: self.overrides.find(&at, &alike),
-                line: self.responses.line(&at),
+                points.max(Rational::ZERO)
             }
-        });
-        Ok(answered.collect())
-    }
-}
-
-/// What a person gave for a part: the points, if it is marked, and what the student is told.
-struct Given {
-    points: Option<Rational>,
-    remarks: Vec<Comment>,
-    /// Why it is open, for the teacher.
-    why: Option<String>,
-}
-
-/// What points out of so many amount to.
-fn worth(points: Rational, max: Rational) -> (Verdict, Rational) {
-    let credit = points.checked_div(max).unwrap_or(Rational::ZERO);
-    let verdict = Credit::new(credit).map_or(Verdict::Right, Credit::verdict);
-    (verdict, credit)
-}
-
-/// Points as the manifest states them: decimals, as they were handed out.
-fn exact(points: f64) -> Rational {
-    Rational::from_decimal(&points.to_string()).unwrap_or(Rational::ZERO)
-}
-
-/// What a student is told of a teacher's decision.
-fn said(decision: &Override, language: Language) -> Vec<Comment> {
-    let mut said = Vec::new();
-    if let Some(response) = &decision.response {
-        said.push(Comment::sentence(&language.by_hand(&ByHand::ReadAs)));
-        said.push(Comment::code(response));
-    }
-    match &decision.feedback {
-        Some(words) => said.push(Comment::words(words)),
-        None if decision.points.is_some() => {
-            said.push(Comment::sentence(&language.by_hand(&ByHand::Marked)));
+        };
+        let (least, most) = (floor(least), floor(most));
+        Standing {
+            points: Fraction(least),
+            open: Fraction(most.checked_sub(least).unwrap_or(Rational::ZERO)),
+            max: Fraction(all(|part| part.max.0)),
         }
-        None => {}
     }
-    said
+}
+
+/// Takes away the points of parts that do not count, and gives those that are to be shared to the other parts.
+fn rescale(marked: &mut [Marked], answered: &[Answered<'_>]) {
+    let void = |part: &Answered<'_>| part.ruling.void.map(|(_, void)| void);
+    let of = |wanted: Void| {
+        let parts = answered.iter().filter(|part| void(part) == Some(wanted));
+        sum(parts.map(|part| part.max))
+    };
+    let shared = of(Void::Rescaled);
+    let all = sum(answered.iter().map(|part| part.max));
+    let kept = all
+        .checked_sub(of(Void::LeftOut))
+        .and_then(|kept| Some((kept, kept.checked_sub(shared)?)));
+    let factor = kept.and_then(|(kept, rest)| kept.checked_div(rest));
+    let factor = factor.unwrap_or(Rational::ONE);
+    for (part, answered) in marked.iter_mut().zip(answered) {
+        match void(answered) {
+            Some(Void::Rescaled | Void::LeftOut) => part.scale(Rational::ZERO),
+            _ if !shared.is_zero() => part.scale(factor),
+            _ => {}
+        }
+    }
 }

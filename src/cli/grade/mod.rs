@@ -1,8 +1,10 @@
 //! `vibank grade MANIFEST RESPONSES`
 
 mod analysis;
+mod answered;
 mod census;
 mod changes;
+mod decisions;
 mod gradebook;
 mod hand;
 mod handed;
@@ -11,9 +13,10 @@ mod journal;
 mod manifest;
 mod marking;
 mod outcome;
-mod overrides;
+mod part;
 mod parts;
 mod said;
+mod standings;
 mod tables;
 mod undecided;
 
@@ -22,10 +25,10 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use rayon::prelude::*;
-use vibank::grade::{Feedback, Place, Responses};
+use vibank::grade::{Feedback, Place, Responses, RowError};
 use vibank::message::Language;
-use vibank::output::{self, Lost, Pages, Run};
-use vibank::worksheet::{Student, VariantEntry};
+use vibank::output::{self, Decided, Lost, Marked, Pages, Run};
+use vibank::worksheet::{Marks, Student, VariantEntry};
 
 pub(crate) use self::items::Items as RunItems;
 pub(crate) use self::journal::is_journal;
@@ -35,6 +38,7 @@ pub(crate) use self::parts::is_part;
 use self::analysis::Analysis;
 use self::census::Census;
 use self::changes::Changes;
+use self::decisions::{Corrected, Decisions, Log};
 use self::gradebook::Gradebook;
 use self::handed::Handed;
 use self::items::Items;
@@ -42,9 +46,9 @@ use self::journal::Journal;
 use self::manifest::Sheets;
 use self::marking::Marker;
 use self::outcome::Outcome;
-use self::overrides::Overrides;
 use self::parts::Parts;
 use self::said::{Earlier, Written, gradebook_lacks, items_moved_on, told};
+use self::standings::Class;
 use self::tables::Tables;
 use self::undecided::{Alike, Undecided};
 use super::bank::BankArgument;
@@ -52,6 +56,7 @@ use super::faces::Faces;
 use super::folder::Folder;
 use super::platform::Which;
 use super::press::{Missing, Press, Printed};
+use super::saved::{self, Saved};
 use super::shard::Shard;
 use super::table::Dialect;
 use super::table::workbook::{self, XLSX};
@@ -67,7 +72,8 @@ use super::{Failure, files, progress};
 pub(crate) struct Arguments {
     /// The manifest of the run or of an export; for a report on a SCORM package the package.
     manifest: PathBuf,
-    /// The responses, as CSV or JSON; or a report as Moodle or Canvas writes it.
+    /// The responses, as CSV or JSON; a report as Moodle, Canvas or a scanner writes it; or a folder of the files that
+    /// the pages of `vibank form` save.
     responses: PathBuf,
     /// The blueprint of a package, if that asks questions of its own.
     #[arg(long, value_name = "FILE")]
@@ -78,6 +84,12 @@ pub(crate) struct Arguments {
     /// A CSV file that settles single marks: code, question, part, and response, points or feedback.
     #[arg(long, value_name = "FILE")]
     overrides: Option<PathBuf>,
+    /// A file of decisions, each with who decided it and why; `decisions.toml` beside the manifest if left out.
+    #[arg(long, value_name = "FILE")]
+    decisions: Option<PathBuf>,
+    /// Show codes alone, no names and ids, in all that is written; groups stay.
+    #[arg(long, conflicts_with = "gradebook")]
+    anonymous: bool,
     /// Mark with the items of the bank where they have changed since the sheets were made; changed marks are listed.
     #[arg(long)]
     accept_revisions: bool,
@@ -125,22 +137,32 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     // The manifest first: without it nothing else matters.
     drop(files::open(&arguments.manifest)?);
     let mut faults = Vec::new();
-    let overrides = match &arguments.overrides {
-        Some(path) => {
-            let (overrides, wrong) = Overrides::read(path)?;
-            faults.extend(wrong);
-            overrides
-        }
-        None => Overrides::default(),
-    };
-    let handed = Handed::read(arguments, &catalogue, &overrides)?;
+    let mut decisions = Decisions::default();
+    if let Some(path) = &arguments.overrides {
+        faults.extend(decisions.read_table(path)?);
+    }
+    let file = Decisions::file(arguments.decisions.as_deref(), &arguments.manifest);
+    let stated = file.as_deref().map(Decisions::read_file).transpose()?;
+    let handed = Handed::read(arguments, &catalogue, &decisions)?;
     faults.extend(handed.faults.iter().cloned());
+    let names = handed.names.clone();
     let open = || handed.sheets(&arguments.manifest);
     let census = Census::take(&mut open()?, &catalogue, arguments.accept_revisions)?;
-    overrides.check(&census.asked)?;
+    let is_known = |code: &str| census.handed_out.codes.contains(code);
+    faults.extend(Saved::foreign(&names, is_known));
+    decisions.check(&census.handed_out.questions)?;
+    if let Some(stated) = &stated {
+        faults.extend(decisions.add(stated, &census.handed_out)?);
+    }
+    let corrected = decisions::corrected(&decisions, &census.items, &census.used)?;
     let sheets = open()?;
+    let marks = decisions
+        .marks
+        .clone()
+        .or_else(|| sheets.head.marks.clone());
+    let marks = marks.unwrap_or_default();
     let shard = arguments.shard;
-    let input = input(arguments, &sheets, &catalogue.digest())?;
+    let input = input(arguments, file.as_deref(), &sheets, &catalogue.digest())?;
     let changes = match &arguments.compare {
         Some(path) => Some(Changes::since(path)?),
         None if out.has("results.json") => Some(Changes::since(&out.path("results.json")?)?),
@@ -157,7 +179,16 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     let journal = Journal::open(&out, shard, &input)?;
     let parts = shard.is_whole().then(|| Parts::in_folder(&out, &input));
     let share = handed.share(shard, &census.sheets);
-    let tables = || Tables::begin(&out, census.columns, census.has_hand, dialect, has_book);
+    let tables = || {
+        Tables::begin(
+            &out,
+            census.columns,
+            census.has_hand,
+            marks.clone(),
+            dialect,
+            has_book,
+        )
+    };
     let mut job = Job {
         journal,
         parts: parts.transpose()?.flatten(),
@@ -165,6 +196,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
         pages: layout(&sheets, "html", &[])?,
         feedback: layout(&sheets, &arguments.feedback, &census.students)?,
         tables: shard.is_whole().then(tables).transpose()?,
+        class: Class::new(marks.clone()),
+        log: Log::default(),
         dialect,
         changes,
         analysis: Analysis::default(),
@@ -176,25 +209,41 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
         arguments,
         catalogue: &catalogue,
         items: &census.items,
+        corrected: &corrected,
+        marks: &marks,
         out: &out,
         sheets,
         takes_points: handed.is_typed(),
         responses: handed.responses,
-        overrides,
+        decisions,
     };
     job.mark()?;
     if !shard.is_whole() {
         return job.finish_part(shard);
     }
-    faults.extend(job.responses.unclaimed().iter().map(ToString::to_string));
-    faults.extend(job.overrides.doubts());
+    // What is of another run was reported by the names of its files.
+    let unclaimed = job.responses.unclaimed().into_iter();
+    let unclaimed = unclaimed.filter(|error| match error {
+        RowError::Unknown { place, .. } => {
+            !names.contains_key(&place.code) || census.handed_out.codes.contains(&place.code)
+        }
+        _ => true,
+    });
+    faults.extend(unclaimed.map(|error| saved::said(&error, &names)));
+    faults.extend(job.decisions.doubts());
     job.finish(&faults, &census.changed)
 }
 
 /// What the outcome depends on, in one line.
-fn input(arguments: &Arguments, sheets: &Sheets, bank: &str) -> Result<String, Failure> {
+fn input(
+    arguments: &Arguments,
+    decisions: Option<&Path>,
+    sheets: &Sheets,
+    bank: &str,
+) -> Result<String, Failure> {
     let digest = |path: &Path| files::digest_of(path);
     let overrides = arguments.overrides.as_deref().map(digest).transpose()?;
+    let decisions = decisions.map(digest).transpose()?;
     let earlier: Vec<String> = sheets
         .earlier()
         .iter()
@@ -202,16 +251,27 @@ fn input(arguments: &Arguments, sheets: &Sheets, bank: &str) -> Result<String, F
         .collect::<Result<_, _>>()?;
     let earlier = earlier.concat();
     Ok(format!(
-        "vibank {} {}{earlier} {} {} {bank} {} {} {} {}",
+        "vibank {} {}{earlier} {} {} {} {bank} {} {} {} {} {}",
         env!("CARGO_PKG_VERSION"),
         digest(&arguments.manifest)?,
-        digest(&arguments.responses)?,
+        saved::digest(&arguments.responses)?,
         overrides.as_deref().unwrap_or("-"),
+        decisions.as_deref().unwrap_or("-"),
         arguments.accept_revisions,
         arguments.no_feedback,
         arguments.feedback,
         arguments.attempt.name(),
+        arguments.anonymous,
     ))
+}
+
+/// A sheet without what says whose it is.
+fn anonymous(variant: &VariantEntry) -> VariantEntry {
+    let mut variant = variant.clone();
+    if let Some(student) = &mut variant.student {
+        student.retain(|column, _| column == "group");
+    }
+    variant
 }
 
 /// What fills the pages, with what stands before and after each.
@@ -292,12 +352,14 @@ struct Job<'a> {
     arguments: &'a Arguments,
     catalogue: &'a vibank::bank::Catalogue,
     items: &'a Items<'a>,
+    corrected: &'a Corrected,
+    marks: &'a Marks,
     out: &'a Folder,
     sheets: Sheets,
     responses: Responses,
     /// Whether these are what a teacher typed.
     takes_points: bool,
-    overrides: Overrides,
+    decisions: Decisions,
     journal: Journal,
     /// What was marked apart and is joined.
     parts: Option<Parts>,
@@ -310,6 +372,8 @@ struct Job<'a> {
     dialect: Dialect,
     changes: Option<Changes>,
     analysis: Analysis,
+    class: Class,
+    log: Log,
     /// The gradebook of a platform, where it is wanted.
     gradebook: Option<Gradebook>,
     /// Feedback pages that could not be printed, and why.
@@ -321,6 +385,8 @@ struct Job<'a> {
 struct Findings<'a> {
     lost: &'a [Lost],
     faults: &'a [String],
+    marks: Option<&'a Marked>,
+    decided: &'a [Decided],
 }
 
 impl Job<'_> {
@@ -382,11 +448,17 @@ impl Job<'_> {
             doubt: self.sheets.doubt,
             other_form: self.sheets.other_form,
             responses: &self.responses,
-            overrides: &self.overrides,
+            corrected: self.corrected,
+            marks: self.marks,
+            decisions: &self.decisions,
             takes_points: self.takes_points,
         };
         let marked = variants.par_iter().map(|variant| {
-            let (outcome, feedback) = marker.sheet(variant)?;
+            let (outcome, feedback) = if self.arguments.anonymous {
+                marker.sheet(&anonymous(variant))?
+            } else {
+                marker.sheet(variant)?
+            };
             if self.makes_feedback() {
                 let layout = &self.feedback;
                 let extension = layout.pages.writer().extension();
@@ -424,6 +496,8 @@ impl Job<'_> {
         tables.add(outcome)?;
         self.analysis.add(outcome);
         self.undecided.add(outcome);
+        self.class.add(outcome);
+        self.log.add(outcome);
         if let Some(gradebook) = &mut self.gradebook {
             gradebook.add(outcome);
         }
@@ -437,7 +511,7 @@ impl Job<'_> {
                 part: part.letter.clone(),
             };
             self.responses.claim(&place);
-            self.overrides.claim(&place, &Alike::of(part), part.max.0);
+            self.decisions.claim(&place, &Alike::of(part), part.max.0);
         }
         Ok(())
     }
@@ -465,9 +539,19 @@ impl Job<'_> {
         let undecided = std::mem::take(&mut self.undecided);
         let lost = undecided.groups();
         undecided::write(&lost, self.out, self.dialect)?;
+        let marked = self.class.marked();
+        if let Some(marked) = &marked {
+            Class::write(marked, self.out, self.dialect)?;
+        }
+        let decided = std::mem::take(&mut self.log).decided(&self.decisions);
+        if !self.decisions.is_empty() {
+            decisions::write(&decided, self.out, self.dialect)?;
+        }
         let findings = Findings {
             lost: &lost,
             faults,
+            marks: marked.as_ref(),
+            decided: &decided,
         };
         self.analysis.write(
             self.out,
@@ -492,6 +576,7 @@ impl Job<'_> {
         self.journal.finish();
         told(&self.analysis, &lost, faults);
         items_moved_on(changed, self.arguments.accept_revisions, earlier.is_some());
+        said::decided(&decided);
         if let Some(earlier) = &earlier {
             earlier.tell();
         }
@@ -502,6 +587,8 @@ impl Job<'_> {
             marks,
             has_gradebook,
             has_changes,
+            has_groups: marked.is_some(),
+            has_decisions: !decided.is_empty(),
             makes_feedback,
         }
         .tell();

@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 use vibank::answer::Verdict;
+use vibank::grade::rounded;
 use vibank::numerics::Rational;
+use vibank::worksheet::Total;
 
 /// A sheet that was marked.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -12,6 +14,26 @@ pub(super) struct Outcome {
     pub(super) code: String,
     pub(super) student: BTreeMap<String, String>,
     pub(super) parts: Vec<PartOutcome>,
+    pub(super) questions: Vec<QuestionOutcome>,
+    /// What the sheet came to.
+    pub(super) total: Standing,
+}
+
+/// What a question came to.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(super) struct QuestionOutcome {
+    pub(super) number: usize,
+    pub(super) standing: Standing,
+}
+
+/// Points, of which some may not be decided.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Standing {
+    /// The least that they come to.
+    pub(super) points: Fraction,
+    /// What more they come to at most, when all is decided.
+    pub(super) open: Fraction,
+    pub(super) max: Fraction,
 }
 
 /// A part that was marked.
@@ -35,6 +57,12 @@ pub(super) struct PartOutcome {
     pub(super) by_hand: bool,
     /// Another wrong answer, apart from its data.
     pub(super) other: Option<String>,
+    /// How it stood without what was decided, where that is otherwise.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) before: Option<Standing>,
+    /// The numbers of the decisions that have changed it, from 0.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) decisions: Vec<usize>,
 }
 
 /// An exact fraction as two integers.
@@ -47,14 +75,15 @@ impl Outcome {
         self.student.get(name).map_or("", String::as_str)
     }
 
+    /// The points that are decided.
     pub(super) fn points(&self) -> Rational {
-        sum(self.parts.iter().map(|part| part.points.0))
+        self.total.points.0
     }
 
     /// How many parts nobody has decided yet, and the points that hang on them.
     pub(super) fn undecided(&self) -> (usize, Rational) {
-        let parts = || self.parts.iter().filter(|part| part.is_undecided());
-        (parts().count(), sum(parts().map(|part| part.max.0)))
+        let parts = self.parts.iter().filter(|part| part.is_undecided());
+        (parts.count(), self.total.open.0)
     }
 
     /// The points of the parts that a person marks, or of all others, and those that are open there.
@@ -67,8 +96,16 @@ impl Outcome {
         )
     }
 
+    /// The points that can be reached.
     pub(super) fn max(&self) -> Rational {
-        sum(self.parts.iter().map(|part| part.max.0))
+        self.total.max.0
+    }
+
+    /// What a question came to, if the sheet has it.
+    pub(super) fn question(&self, number: usize) -> Option<&Standing> {
+        let mut questions = self.questions.iter();
+        let found = questions.find(|question| question.number == number)?;
+        Some(&found.standing)
     }
 }
 
@@ -76,6 +113,49 @@ impl PartOutcome {
     /// What could not be read is neither right nor wrong until somebody decides.
     pub(super) fn is_undecided(&self) -> bool {
         self.verdict == Verdict::Unreadable
+    }
+}
+
+impl Standing {
+    /// That of a part.
+    pub(super) fn of(part: &PartOutcome) -> Self {
+        let open = if part.is_undecided() {
+            part.max.0.checked_sub(part.points.0).unwrap_or(part.max.0)
+        } else {
+            Rational::ZERO
+        };
+        Self {
+            points: part.points,
+            open: Fraction(open),
+            max: part.max,
+        }
+    }
+
+    /// That of a sheet.
+    pub(super) fn of_total(total: &Total) -> Self {
+        Self {
+            points: Fraction(total.points),
+            open: Fraction(total.open),
+            max: Fraction(total.max),
+        }
+    }
+
+    /// The same in numbers.
+    pub(super) fn total(&self) -> Total {
+        Total {
+            points: self.points.0,
+            open: self.open.0,
+            max: self.max.0,
+        }
+    }
+
+    /// The points of a part as they are shown: behind a question mark what is not decided.
+    pub(super) fn shown(&self) -> String {
+        if self.open.0.is_zero() {
+            rounded(self.points.0)
+        } else {
+            format!("?{}", rounded(self.max.0))
+        }
     }
 }
 

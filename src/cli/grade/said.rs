@@ -1,11 +1,11 @@
 //! What a run says when all is marked.
 
 use vibank::answer::Verdict;
-use vibank::output::Lost;
+use vibank::output::{Decided, Lost};
 
 use super::analysis::Analysis;
 use super::changes::Changes;
-use super::gradebook;
+use super::{gradebook, standings};
 use crate::cli::Failure;
 use crate::cli::folder::Folder;
 use crate::cli::sheet::PROGRAM;
@@ -41,6 +41,32 @@ impl Earlier {
         if count > MOST_CHANGES {
             println!("  and {} more, in changes.csv", count - MOST_CHANGES);
         }
+    }
+}
+
+/// What was decided, each with the marks that it has changed.
+pub(super) fn decided(decided: &[Decided]) {
+    if decided.is_empty() {
+        return;
+    }
+    let changed: usize = decided.iter().map(|own| own.changed.len()).sum();
+    println!("{} decisions have changed {changed} marks", decided.len());
+    let mut left = MOST_CHANGES;
+    for own in decided.iter().filter(|own| !own.who.is_empty()) {
+        println!("  {}: {}, by {}", own.subject, own.words, own.who);
+        for mark in own.changed.iter().take(left) {
+            let student = if mark.student.is_empty() {
+                ""
+            } else {
+                &format!(" ({})", mark.student)
+            };
+            let place = format!("{}{}", mark.question, mark.letter);
+            println!("    {}{student} {place}: {}", mark.code, mark.words());
+        }
+        left = left.saturating_sub(own.changed.len());
+    }
+    if changed > MOST_CHANGES {
+        println!("  all are in decisions.csv");
     }
 }
 
@@ -83,6 +109,8 @@ pub(super) struct Written<'a> {
     pub(super) marks: &'static str,
     pub(super) has_gradebook: bool,
     pub(super) has_changes: bool,
+    pub(super) has_groups: bool,
+    pub(super) has_decisions: bool,
     pub(super) makes_feedback: bool,
 }
 
@@ -125,6 +153,15 @@ impl Written<'_> {
             "details.csv",
             "one row a part, with reading and reasons; results.json for programs",
         );
+        if self.has_groups {
+            file(standings::FILE, "mean, median, spread and passes by group");
+        }
+        if self.has_decisions {
+            file(
+                "decisions.csv",
+                "what was decided, and the marks it has changed",
+            );
+        }
         if self.has_changes {
             file("changes.csv", "marks that differ from the earlier run");
         }

@@ -2,7 +2,8 @@
 
 use serde_json::json;
 use vibank::grade;
-use vibank::worksheet::Csv;
+use vibank::numerics::Rational;
+use vibank::worksheet::{Csv, Marks};
 
 use super::outcome::{Outcome, PartOutcome};
 use crate::cli::Failure;
@@ -10,7 +11,7 @@ use crate::cli::folder::{Draft, Folder};
 use crate::cli::table::Dialect;
 use crate::cli::table::workbook::{self, Cell};
 
-/// A column of the marks: number of the question, letter of the part.
+/// A column of the marks: number of the question, letter of the part; the question as a whole has none.
 pub(super) type Column = (usize, String);
 
 /// The columns of the marks before those of the parts; the first four are never numbers.
@@ -28,10 +29,14 @@ const MARKS: [&str; 8] = [
 /// Those for the points that the program gave, and those that a person gave, where there are such.
 const APART: [&str; 2] = ["auto", "hand"];
 
-/// The columns of the marks before those of the parts.
-fn marks(has_hand: bool) -> impl Iterator<Item = &'static str> {
+/// What a sheet is worth, where `[marks]` says it.
+const WORTH: [&str; 3] = ["percent", "grade", "passed"];
+
+/// The columns of the marks before those of questions and parts.
+fn marks(has_hand: bool, has_worth: bool) -> impl Iterator<Item = &'static str> {
     let apart = APART.into_iter().filter(move |_| has_hand);
-    MARKS.into_iter().chain(apart)
+    let worth = WORTH.into_iter().filter(move |_| has_worth);
+    MARKS.into_iter().chain(apart).chain(worth)
 }
 
 /// The tables, written as sheets are marked.
@@ -42,6 +47,8 @@ pub(super) struct Tables {
     columns: Vec<Column>,
     /// Whether a person marks some parts, so that their points stand apart.
     has_hand: bool,
+    /// What becomes of the points of a sheet.
+    rules: Marks,
     dialect: Dialect,
     is_first: bool,
     /// The rows of the marks for a workbook, where the run has one.
@@ -59,6 +66,7 @@ impl Tables {
         out: &Folder,
         columns: Vec<Column>,
         has_hand: bool,
+        rules: Marks,
         dialect: Dialect,
         has_book: bool,
     ) -> Result<Self, Failure> {
@@ -71,7 +79,7 @@ impl Tables {
             .iter()
             .map(|(question, letter)| format!("{question}{letter}"))
             .collect();
-        let fixed: Vec<&str> = marks(has_hand).collect();
+        let fixed: Vec<&str> = marks(has_hand, is_worth(&rules)).collect();
         let head: Vec<&str> = fixed
             .into_iter()
             .chain(names.iter().map(String::as_str))
@@ -84,6 +92,7 @@ impl Tables {
             results,
             columns,
             has_hand,
+            rules,
             dialect,
             is_first: true,
             book: has_book.then(Vec::new),
@@ -103,6 +112,12 @@ impl Tables {
     fn row(&self, sheet: &Outcome, dialect: Dialect) -> Vec<String> {
         let points = |points| dialect.number(&grade::rounded(points));
         let cell = |(question, letter): &Column| {
+            if letter.is_empty() {
+                let standing = sheet.question(*question);
+                return standing.map_or_else(String::new, |own| {
+                    dialect.number(&grade::standing(own.points.0, own.open.0))
+                });
+            }
             let mut parts = sheet.parts.iter();
             let found = parts.find(|part| part.question == *question && part.letter == *letter);
             found.map_or_else(String::new, |part| part_points(part, dialect))
@@ -123,8 +138,38 @@ impl Tables {
             dialect.number(&grade::standing(reached, open))
         });
         row.chain(apart)
+            .chain(self.worth(sheet, dialect))
             .chain(self.columns.iter().map(cell))
             .collect()
+    }
+
+    /// Percent, grade and whether it passes, where `[marks]` says it.
+    fn worth(&self, sheet: &Outcome, dialect: Dialect) -> Vec<String> {
+        if !is_worth(&self.rules) {
+            return Vec::new();
+        }
+        let total = sheet.total.total();
+        let percent = |points| {
+            let share = self.rules.share(points, total.max)?;
+            share.checked_mul(Rational::from(100))
+        };
+        let [least, open] = [total.points, total.open].map(percent);
+        let percent = least.zip(open);
+        let percent =
+            percent.map_or_else(String::new, |(least, open)| grade::standing(least, open));
+        let worth = self.rules.worth(&total);
+        let grade = match worth.grades[..] {
+            [] => String::new(),
+            [grade] => grade.to_owned(),
+            _ => format!("?{}", worth.grades.join(" to ")),
+        };
+        let passed = match (self.rules.pass, worth.passed) {
+            (None, _) => "",
+            (_, Some(true)) => "yes",
+            (_, Some(false)) => "no",
+            (_, None) => "?",
+        };
+        vec![dialect.number(&percent), grade, passed.to_owned()]
     }
 
     fn mark(&mut self, sheet: &Outcome) -> Result<(), Failure> {
@@ -213,7 +258,7 @@ impl Tables {
         if let Some(rows) = self.book.take() {
             let parts = self.columns.iter();
             let parts = parts.map(|(question, letter)| format!("{question}{letter}"));
-            let head = marks(self.has_hand).map(str::to_owned);
+            let head = marks(self.has_hand, is_worth(&self.rules)).map(str::to_owned);
             let head: Vec<String> = head.chain(parts).collect();
             out.write("marks.xlsx", &workbook::written("Marks", &head, &rows)?)?;
         }
@@ -223,6 +268,11 @@ impl Tables {
         }
         Ok(files)
     }
+}
+
+/// Whether there is more to say of a sheet than its points.
+fn is_worth(rules: &Marks) -> bool {
+    rules.pass.is_some() || rules.full.is_some() || !rules.scale.is_empty()
 }
 
 /// The points of a part; with a question mark those that are not decided.

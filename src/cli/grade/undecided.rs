@@ -101,7 +101,7 @@ pub(super) fn write(groups: &[Lost], out: &Folder, dialect: Dialect) -> Result<(
         };
         let code = match group.sheets.as_slice() {
             [one] => &one.code,
-            _ => super::overrides::ALL,
+            _ => super::decisions::ALL,
         };
         table.extend(dialect.line(&[
             code,

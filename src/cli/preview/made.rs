@@ -143,7 +143,7 @@ impl Summary {
             duration: blueprint.duration.clone(),
             duration_minutes: duration::minutes(&blueprint.duration),
             minutes: questions.clone().map(SheetQuestion::minutes).sum(),
-            points: pages.points(sheet.points()),
+            points: pages.points(sheet.points),
             questions: questions.map(|own| Question::of(own, pages)).collect(),
         }
     }

@@ -11,8 +11,8 @@ use indicatif::ProgressBar;
 use rayon::prelude::*;
 use vibank::seed::Variant;
 use vibank::worksheet::{
-    Candidate, Chooser, Fairness, FileNames, Fixed, Plan, Sheet, SheetError, Student, VariantEntry,
-    file_stem,
+    Candidate, Chooser, Fairness, FileNames, Fixed, Plan, QuestionEntry, Sheet, SheetError,
+    Student, VariantEntry, file_stem,
 };
 
 use super::known::Alike;
@@ -36,6 +36,8 @@ pub(super) struct Job<'a, 'c> {
     pub(super) has_pseudonyms: bool,
     /// What students have already, by identity.
     pub(super) fixed: BTreeMap<String, Fixed>,
+    /// What students had on an earlier sheet and do not get again, by identity.
+    pub(super) earlier: BTreeMap<String, Vec<QuestionEntry>>,
     pub(super) formats: &'a [Format],
     pub(super) known: Alike<'a>,
     pub(super) out: &'a Folder,
@@ -89,7 +91,8 @@ impl Job<'_, '_> {
         } else {
             self.count
         };
-        let mut chooser = Chooser::new(self.plan, self.students, self.fixed.clone());
+        let mut chooser = Chooser::new(self.plan, self.students, self.fixed.clone())
+            .without(self.earlier.clone());
         if self.has_pseudonyms {
             chooser = chooser.with_pseudonyms();
         }
@@ -297,6 +300,11 @@ impl Store<'_> {
 
 /// A run that cannot be made.
 pub(super) fn refuse(error: &SheetError) -> Failure {
-    Failure::new(error.to_string())
-        .help("loosen the constraints of the item, or fix other data with `set`")
+    let way = match error {
+        SheetError::Shared { .. } => {
+            "widen its range in the item, fix another value with `set`, or ask another item"
+        }
+        _ => "loosen the constraints of the item, or fix other data with `set`",
+    };
+    Failure::new(error.to_string()).help(way)
 }

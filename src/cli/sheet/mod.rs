@@ -6,11 +6,13 @@ mod key_book;
 mod known;
 mod ledger;
 mod make;
+mod make_up;
 mod outputs;
 mod print;
 mod stamp;
 mod trace;
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use serde_json::json;
@@ -27,6 +29,7 @@ pub(crate) use self::stamp::{PROGRAM, Stamp};
 use self::known::Known;
 use self::ledger::Ledger;
 use self::make::{Job, Made};
+use self::make_up::MakeUp;
 use self::outputs::Outputs;
 use super::bank::{self, BankArgument};
 use super::files::Access;
@@ -34,7 +37,7 @@ use super::folder::Folder;
 use super::record::{Origin, Record};
 use super::shard::Shard;
 use super::table::Dialect;
-use super::{Failure, Format, Outcome, class_list, files};
+use super::{Failure, Format, Outcome, class_list, files, form};
 
 /// Make the sheets of a blueprint, with keys, worked solutions, a response form and a manifest.
 ///
@@ -64,6 +67,17 @@ pub(crate) struct Arguments {
     /// Print codes alone, no names, and write which student has which code to this file and nowhere else.
     #[arg(long, value_name = "FILE")]
     pseudonyms: Option<PathBuf>,
+    /// Make other sheets for these students of the class list, by id: a make-up exam, with no datum that they had.
+    #[arg(
+        long,
+        value_name = "STUDENT",
+        value_delimiter = ',',
+        conflicts_with = "pseudonyms"
+    )]
+    make_up: Vec<String>,
+    /// The manifest of the run whose sheets these students had; that in the folder named after the blueprint if left out.
+    #[arg(long, value_name = "MANIFEST", requires = "make_up")]
+    first: Option<PathBuf>,
     /// How many threads work; all cores if left out.
     #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u16).range(1..=512))]
     threads: Option<u16>,
@@ -92,12 +106,21 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         bank::read_all(&catalogue);
     }
     let folder = path.parent().unwrap_or(Path::new("."));
-    let plan = match Plan::of(&blueprint, &catalogue, secret(&blueprint)?) {
+    let mut plan = match Plan::of(&blueprint, &catalogue, secret(&blueprint)?) {
         Ok(plan) => plan,
         Err(findings) => return bank::refuse(&findings),
     };
     bank::print(&plan.warnings);
-    let students = students(&blueprint, folder)?;
+    let mut students = students(&blueprint, folder)?;
+    let make_up = if arguments.make_up.is_empty() {
+        None
+    } else {
+        check_make_up(&blueprint)?;
+        let own = MakeUp::of(arguments, std::mem::take(&mut students))?;
+        make_up::SITTING.clone_into(&mut plan.sitting);
+        students.clone_from(&own.students);
+        Some(own)
+    };
     let choice = FormatChoice::of(&blueprint, arguments.shard)?;
     let named: &[Student] = match arguments.pseudonyms {
         Some(_) => &[],
@@ -108,6 +131,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let choice = choice.with_names(named, fonts.as_deref())?;
     let count = match blueprint.audience {
         Audience::Variants(count) => count,
+        // Spare sheets are those of the first run.
+        Audience::Students(_) if make_up.is_some() => students.len(),
         Audience::Students(_) => students.len() + blueprint.spares,
     };
     let pool = rayon::ThreadPoolBuilder::new()
@@ -119,10 +144,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         plan: &plan,
         choice: &choice,
         students: &students,
+        make_up: make_up.as_ref(),
         out: &Folder::at(&out(arguments)),
         is_split: arguments.split || !arguments.shard.is_whole(),
     };
-    let summary = pool.install(|| run.make(&catalogue, count))?;
+    let mut summary = pool.install(|| run.make(&catalogue, count))?;
+    let screens = pool.install(|| run.screens(&catalogue))?;
+    summary.files.extend(screens);
     if arguments.trace {
         trace::first_sheet(&plan)?;
     }
@@ -141,6 +169,7 @@ struct Run<'a, 'c> {
     plan: &'a Plan<'c>,
     choice: &'a FormatChoice,
     students: &'a [Student],
+    make_up: Option<&'a MakeUp>,
     out: &'a Folder,
     is_split: bool,
 }
@@ -158,6 +187,7 @@ impl Run<'_, '_> {
             self.is_split,
             shard,
             self.arguments.pseudonyms.is_some(),
+            self.make_up.map(|own| own.digest.as_str()),
         );
         let known = Known::in_folder(self.out);
         let has_key = self
@@ -193,6 +223,10 @@ impl Run<'_, '_> {
             count,
             has_pseudonyms: self.arguments.pseudonyms.is_some(),
             fixed: known.fixed(self.plan, self.students),
+            earlier: self
+                .make_up
+                .map(|own| own.earlier.clone())
+                .unwrap_or_default(),
             formats: &formats,
             known: known.for_look(&stamp.look),
             out: self.out,
@@ -217,6 +251,46 @@ impl Run<'_, '_> {
 }
 
 impl Run<'_, '_> {
+    /// Makes the sheets of students whose class list says `format = screen` as pages on which they are answered.
+    fn screens(
+        &self,
+        catalogue: &vibank::bank::Catalogue,
+    ) -> Result<Option<(String, &'static str)>, Failure> {
+        let wants = |student: &Student| {
+            let mut columns = student.columns.iter();
+            columns.any(|(name, value)| {
+                name.eq_ignore_ascii_case("format") && value.trim().eq_ignore_ascii_case("screen")
+            })
+        };
+        let wanted: BTreeSet<&str> = self
+            .students
+            .iter()
+            .filter(|student| wants(student))
+            .map(|student| student.id.as_str())
+            .collect();
+        if wanted.is_empty() || !self.arguments.shard.is_whole() {
+            return Ok(None);
+        }
+        if self.arguments.pseudonyms.is_some() {
+            eprintln!(
+                "a run without names makes no pages for `format = screen`: `vibank form` makes them by code"
+            );
+            return Ok(None);
+        }
+        let manifest = super::grade::manifest(&self.out.path("manifest.json")?)?;
+        let whose = manifest.variants.iter().filter_map(|variant| {
+            let id = variant.student.as_ref()?.get("id")?;
+            wanted.contains(id.as_str()).then(|| variant.code.clone())
+        });
+        let codes: BTreeSet<String> = whose.collect();
+        let is_wanted = |code: &str| codes.contains(code);
+        form::pages(&manifest, catalogue, &is_wanted, self.out, form::SCREEN)?;
+        Ok(Some((
+            form::SCREEN.to_owned(),
+            "sheets that are answered on a screen",
+        )))
+    }
+
     /// Writes which student has which code.
     fn write_key(&self, path: &Path, made: &Made) -> Result<(), Failure> {
         let blueprint = self.plan.blueprint;
@@ -233,6 +307,15 @@ impl Run<'_, '_> {
             table.extend(dialect.line(&[&variant.to_string(), id, name, group, seat])?);
         }
         files::write(path, &table, Access::Private)
+    }
+}
+
+/// Only students of a list can be named, and their data follow from the seed alone.
+fn check_make_up(blueprint: &Blueprint) -> Result<(), Failure> {
+    match blueprint.audience {
+        Audience::Students(_) => Ok(()),
+        Audience::Variants(_) => Err(Failure::new("there are no students who could be named")
+            .help("name a class list with `students`, or make another run with another `seed`")),
     }
 }
 
@@ -420,7 +503,11 @@ impl Summary {
 /// The folder to write to.
 fn out(arguments: &Arguments) -> PathBuf {
     let name = || arguments.blueprint.file_stem().unwrap_or("sheet".as_ref());
-    arguments.out.clone().unwrap_or_else(|| name().into())
+    let usual = || match arguments.make_up[..] {
+        [] => name().into(),
+        _ => make_up::folder(&arguments.blueprint),
+    };
+    arguments.out.clone().unwrap_or_else(usual)
 }
 
 /// The students of the class list of a blueprint, which stands in its folder; none without a list.

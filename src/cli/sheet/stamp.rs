@@ -57,12 +57,22 @@ impl Stamp {
     }
 
     /// The stamp of one part of the run.
-    pub(crate) fn for_run(mut self, is_split: bool, shard: Shard, has_pseudonyms: bool) -> Self {
+    pub(crate) fn for_run(
+        mut self,
+        is_split: bool,
+        shard: Shard,
+        has_pseudonyms: bool,
+        first: Option<&str>,
+    ) -> Self {
         let mut inputs = Fields::default();
         inputs.add(&self.inputs);
         inputs.add(&format!("{is_split} {shard}"));
         if has_pseudonyms {
             inputs.add("pseudonyms");
+        }
+        if let Some(first) = first {
+            inputs.add("make-up");
+            inputs.add(first);
         }
         self.inputs = inputs.digest();
         self

@@ -63,6 +63,17 @@ pub(super) fn by_hand(what: &ByHand) -> String {
         ByHand::Unclear => {
             "The file of responses does not say clearly what was answered here.".to_owned()
         }
+        ByHand::Accepted => "Your teacher accepts this answer.".to_owned(),
+        ByHand::Shared => "Your teacher gives a share of the points for this answer.".to_owned(),
+        ByHand::FullMarks => "All students have the points of this part.".to_owned(),
+        ByHand::Rescaled => {
+            "This part does not count; the other parts share its points.".to_owned()
+        }
+        ByHand::LeftOut => "This part does not count.".to_owned(),
+        ByHand::Charged { points, is_one } => {
+            let noun = if *is_one { "point" } else { "points" };
+            format!("A wrong choice costs {points} {noun}.")
+        }
         ByHand::Row {
             given: Some(given),
             most,

@@ -63,6 +63,19 @@ pub(super) fn by_hand(what: &ByHand) -> String {
         ByHand::Unclear => {
             "Le fichier des réponses ne dit pas clairement ce qui a été répondu ici.".to_owned()
         }
+        ByHand::Accepted => "Votre enseignant accepte cette réponse.".to_owned(),
+        ByHand::Shared => {
+            "Votre enseignant accorde une partie des points pour cette réponse.".to_owned()
+        }
+        ByHand::FullMarks => "Tout le monde reçoit les points de cette question.".to_owned(),
+        ByHand::Rescaled => {
+            "Cette question ne compte pas ; les autres se partagent ses points.".to_owned()
+        }
+        ByHand::LeftOut => "Cette question ne compte pas.".to_owned(),
+        ByHand::Charged { points, is_one } => {
+            let noun = if *is_one { "point" } else { "points" };
+            format!("Un mauvais choix coûte {points} {noun}.")
+        }
         ByHand::Row {
             given: Some(given),
             most,

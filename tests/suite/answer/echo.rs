@@ -1,6 +1,6 @@
 //! What is shown of a response while it is typed tells nothing of the key.
 
-use vibank::bank::Catalogue;
+use vibank::bank::{Catalogue, Template};
 use vibank::grade;
 use vibank::instance::Instance;
 use vibank::solution::Solution;
@@ -94,4 +94,110 @@ fn a_number_that_is_marked_is_echoed_as_it_was_read() {
     );
     assert_eq!(of("5.1 rad/s").other, None);
     assert!(grade::echo(&solution, 0, "five").is_err());
+}
+
+/// What reads the parts of an item and knows no key, with the places of those that it reads.
+fn stripped(template: &Template) -> (Template, Vec<usize>) {
+    let places = 0..template.parts.len();
+    let places: Vec<usize> = places
+        .filter(|place| template.stripped(&[*place]).is_some())
+        .collect();
+    let compiled = template
+        .stripped(&places)
+        .expect("each of them alone was read");
+    let own = compiled
+        .template()
+        .expect("it was compiled by this program");
+    (own, places)
+}
+
+#[test]
+fn what_knows_no_key_reads_as_the_item_does() {
+    let catalogue = catalogue(ITEM);
+    let item = catalogue.items().next().expect("the item is sound");
+    let (bare, places) = stripped(item);
+    assert_eq!(places.len(), item.parts.len(), "{places:?}");
+    let [one, two] = [item, &bare].map(|own| Solution::of(Instance::of_source(own)));
+    let last = |line: &'static str| line.rsplit('\t').next().unwrap_or_default();
+    let lines = [TYPED, NUMBERS, READINGS].into_iter().flat_map(str::lines);
+    let lines = lines.filter(|line| !line.starts_with('#')).map(last);
+    let (mut faults, mut count) = (Vec::new(), 0);
+    for line in lines.step_by(3) {
+        let response = line.replace("\\neq", "≠").replace("\\n", "\n");
+        for (own, place) in places.iter().enumerate() {
+            let echo = |solution, place| {
+                let echo = grade::echo(solution, place, &response);
+                echo.map(|echo| (echo.reading.text, echo.other))
+            };
+            let (first, second) = (echo(&one, *place), echo(&two, own));
+            count += 1;
+            if first != second {
+                let id = &item.parts[*place].id;
+                faults.push(format!("{id} `{response}`:\n  {first:?}\n  {second:?}"));
+            }
+        }
+    }
+    assert!(count > 5_000, "{count} echoes");
+    assert!(
+        faults.is_empty(),
+        "{} of {count}\n{}",
+        faults.len(),
+        faults[..faults.len().min(40)].join("\n")
+    );
+}
+
+/// Parts of the bank that no page can read without their keys, each with the reason.
+const NOT_STRIPPED: [(&str, &str); 0] = [];
+
+#[test]
+fn all_parts_of_the_bank_can_be_read_without_their_keys() {
+    let (catalogue, _) = Catalogue::open(vibank::bank::embedded());
+    let (mut lost, mut other, mut count) = (Vec::new(), Vec::new(), 0);
+    for item in catalogue.items() {
+        let (bare, places) = stripped(item);
+        for place in 0..item.parts.len() {
+            if !places.contains(&place) {
+                lost.push(format!("{} {}", item.id, item.parts[place].id));
+            }
+        }
+        let json = serde_json::to_string(&vibank::bank::Compiled::of(&bare)).expect("JSON");
+        for words in ["sqrt", "model.", "feedback", "tolerance"] {
+            let is_known = item.parts.iter().any(|part| part.id.contains(words));
+            assert!(
+                is_known || !json.contains(words) || words == "model.",
+                "{} has `{words}`",
+                item.id
+            );
+        }
+        let [full, own] = [item, &bare].map(|own| Solution::of(Instance::of_source(own)));
+        for (at, place) in places.iter().enumerate() {
+            let Ok(marker) = full.marker(*place) else {
+                continue;
+            };
+            for trial in marker.trials() {
+                let echo = |solution, place| {
+                    let echo = grade::echo(solution, place, &trial.response);
+                    echo.map(|echo| echo.reading.text).ok()
+                };
+                count += 1;
+                let (first, second) = (echo(&full, *place), echo(&own, at));
+                if first != second {
+                    let id = &item.parts[*place].id;
+                    other.push(format!(
+                        "{} {id} `{}`: {first:?} {second:?}",
+                        item.id, trial.response
+                    ));
+                }
+            }
+        }
+    }
+    lost.retain(|own| NOT_STRIPPED.iter().all(|(known, _)| own != known));
+    assert!(lost.is_empty(), "{} parts: {}", lost.len(), lost.join(", "));
+    assert!(count > 3_000, "{count} responses");
+    assert!(
+        other.is_empty(),
+        "{} of {count}\n{}",
+        other.len(),
+        other[..other.len().min(60)].join("\n")
+    );
 }

@@ -210,11 +210,14 @@ fn sums_agree(exam: &Exam, details: &BTreeMap<(String, String), Json>) {
             "max",
             "undecided",
             "undecided points",
+            "1",
             "1a",
             "1b",
+            "2",
             "2a",
             "2b",
             "2c",
+            "3",
             "3a",
             "3b"
         ]

@@ -28,7 +28,7 @@ fn report(code: &str) -> Ran {
     let name = file_name(code);
     let broken = content(fixture(code));
     let folder = folder(&format!("report-{name}"));
-    if code.starts_with("blueprint::") {
+    if code.starts_with("blueprint::") || code.starts_with("marks::") {
         let plan = put(&folder, &format!("{name}.toml"), broken);
         return small(&["sheet", &plan]).ends(2);
     }

@@ -166,6 +166,8 @@ codes! {
         "A model offers its quantities as `model.…` or `models.<name>.…`; with several coordinates those of one coordinate take its name last, `model.motion.x1`.\nThe reference of the item file lists them."
     BLUEPRINT "blueprint::value" "A blueprint says something that cannot be done."
         "A blueprint names a title, a seed (or a secret file), the number of variants or a class list, and at least one question with an item or a filter.\nThe reference of the blueprint lists all keys with their values and defaults."
+    MARKS "marks::value" "Rules for marks or a decision about a run that cannot be carried out."
+        "`[marks]` says what becomes of the points of a sheet, in a blueprint or in `decisions.toml`; `[[decision]]` says there what was decided about a part after the sheets were handed out.\nThe page on marking lists their keys."
 }
 
 impl Code {

@@ -5,6 +5,8 @@ use std::path::PathBuf;
 
 use vibank::bank::{Catalogue, embedded};
 use vibank::diagnostic::Severity;
+use vibank::source::Source;
+use vibank::worksheet::Decisions;
 
 use super::{blocks, put, run, with_codes_of_today, workplace};
 
@@ -100,7 +102,8 @@ fn the_items_of_the_book_load() {
         let is_item = block.language == "toml"
             && !block.text.contains("[[question]]")
             && block.text.starts_with('[')
-            && !block.text.starts_with("[bank]");
+            && !block.text.starts_with("[bank]")
+            && !block.text.contains("[[decision]]");
         if !is_item || drawn.iter().any(|page| block.is_on(page)) {
             continue;
         }
@@ -171,6 +174,25 @@ fn the_blueprints_of_the_book_are_made() {
     }
     assert!(count >= 4, "{count} blueprints");
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn the_decisions_of_the_book_are_read() {
+    let blocks = blocks();
+    let of_decisions = blocks
+        .iter()
+        .filter(|block| block.text.contains("[[decision]]"));
+    let mut count = 0;
+    for block in of_decisions.filter(|block| block.language == "toml") {
+        let source = Source::new(block.place(), block.text.as_str());
+        let read = Decisions::read(&source).map_err(|findings| {
+            let words = findings.iter().map(ToString::to_string);
+            words.collect::<Vec<_>>().join("\n")
+        });
+        let read = read.unwrap_or_else(|words| panic!("{words}"));
+        count += read.decisions.len();
+    }
+    assert!(count >= 4, "{count} decisions");
 }
 
 #[test]

@@ -1,0 +1,273 @@
+//! What was decided about marks after the sheets were handed out, whichever file says it.
+//!
+//! `decisions.toml` stands beside the manifest: each decision is about a part of an item and says who decided it and why.
+//! A table of overrides ([`table`]) settles single marks, row by row. Both come to the same [`Decision`]s, of which a
+//! [`Ruling`] says what holds for one part of one sheet.
+
+mod correct;
+mod file;
+mod log;
+mod table;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+use vibank::answer::Credit;
+use vibank::grade::{Place, rounded};
+use vibank::numerics::Rational;
+use vibank::source::Value;
+use vibank::worksheet::{Marks, Subject, Void};
+
+use super::undecided::Alike;
+use crate::cli::Failure;
+
+pub(super) use self::correct::Corrected;
+pub(super) use self::correct::corrected;
+pub(super) use self::log::{Log, write};
+
+/// The code that stands for all sheets.
+pub(super) const ALL: &str = "*";
+
+/// Something that was decided.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Decision {
+    /// The file and line that say it.
+    place: String,
+    /// What it is about, in words.
+    subject: String,
+    /// What was decided, in words.
+    words: String,
+    /// Who decided it; may be empty.
+    who: String,
+    /// Why; may be empty.
+    why: String,
+    pub(super) effect: Effect,
+    /// What the student is told.
+    pub(super) feedback: Option<String>,
+    /// What it would be about, if nothing of the kind was handed out.
+    unknown: String,
+    /// The part, as it is named where it has too many points.
+    part: String,
+    is_claimed: bool,
+    /// The points of the part, where more were given.
+    exceeded: Option<Rational>,
+}
+
+/// What was decided.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Effect {
+    /// What is marked in place of what was handed in, or the points.
+    Settle {
+        response: Option<String>,
+        points: Option<Rational>,
+    },
+    /// The part does not count as it was answered.
+    Void(Void),
+    /// These answers are worth this much.
+    Accept(Vec<String>, Credit),
+    /// The key is this value of an item file.
+    Key(Value),
+}
+
+/// All that was decided about a run.
+#[derive(Debug, Default)]
+pub(super) struct Decisions {
+    all: Vec<Decision>,
+    /// Those that settle a part of one sheet.
+    places: BTreeMap<Place, usize>,
+    /// The same by the item and the id of the part.
+    parts: BTreeMap<Subject, usize>,
+    /// For all sheets with the same words.
+    alike: BTreeMap<Alike, usize>,
+    /// For all sheets with an item, by its name and the id or letter of the part.
+    items: BTreeMap<(String, String), usize>,
+    /// Those that hold beside the ones that settle, by item and part.
+    rules: BTreeMap<(String, String), Vec<(Option<String>, usize)>>,
+    /// The lines of decisions for all sheets by the number of a question alone.
+    by_number: Vec<(usize, String)>,
+    /// Rules for marks in place of those of the blueprint.
+    pub(super) marks: Option<Marks>,
+}
+
+/// What was decided about one part of one sheet, by the numbers of the decisions.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Ruling<'a> {
+    /// What settles it.
+    pub(super) settled: Option<&'a Decision>,
+    /// What is worth something beside the key.
+    pub(super) accepted: Vec<(&'a Decision, &'a [String], Credit)>,
+    /// That it does not count as it was answered.
+    pub(super) void: Option<(&'a Decision, Void)>,
+    /// The numbers of all that hold, from 0.
+    pub(super) numbers: Vec<usize>,
+}
+
+impl Decision {
+    /// What is marked in place of what was handed in.
+    pub(super) fn response(&self) -> Option<&str> {
+        match &self.effect {
+            Effect::Settle { response, .. } => response.as_deref(),
+            _ => None,
+        }
+    }
+
+    /// The points, where they are settled.
+    pub(super) fn points(&self) -> Option<Rational> {
+        match &self.effect {
+            Effect::Settle { points, .. } => *points,
+            _ => None,
+        }
+    }
+
+    /// Notes that its part was handed out, with so many points.
+    fn claim(&mut self, most: Rational) {
+        self.is_claimed = true;
+        if self.points().is_some_and(|points| points > most) {
+            self.exceeded = Some(most);
+        }
+    }
+
+    /// What looks like a slip.
+    fn doubt(&self) -> Option<String> {
+        if !self.is_claimed {
+            return Some(self.unknown.clone());
+        }
+        let (points, most) = (self.points()?, self.exceeded?);
+        Some(format!(
+            "{} points were given for part {}, which has {}; they count as given",
+            rounded(points),
+            self.part,
+            rounded(most)
+        ))
+    }
+}
+
+impl Decisions {
+    /// Reads a table of overrides; what is wrong with single rows is reported, and the rest counts.
+    pub(super) fn read_table(&mut self, path: &Path) -> Result<Vec<String>, Failure> {
+        table::read(self, path)
+    }
+
+    /// Whether nothing was decided.
+    pub(super) fn is_empty(&self) -> bool {
+        self.all.is_empty()
+    }
+
+    /// What holds for a part: what settles it for its own sheet, else for all with these words, else for all; and what
+    /// holds beside that.
+    pub(super) fn ruling(&self, place: &Place, alike: &Alike) -> Ruling<'_> {
+        if self.all.is_empty() {
+            return Ruling::default();
+        }
+        let settled = self.settling(place, alike);
+        let mut ruling = Ruling {
+            settled: settled.map(|number| &self.all[number]),
+            numbers: settled.into_iter().collect(),
+            ..Ruling::default()
+        };
+        let rules = self.rules.get(&(alike.item.clone(), alike.id.clone()));
+        for (code, number) in rules.into_iter().flatten() {
+            if code.as_ref().is_some_and(|code| *code != place.code) {
+                continue;
+            }
+            let decision = &self.all[*number];
+            ruling.numbers.push(*number);
+            match &decision.effect {
+                Effect::Void(void) => ruling.void = ruling.void.or(Some((decision, *void))),
+                Effect::Accept(texts, credit) => {
+                    ruling.accepted.push((decision, texts, *credit));
+                }
+                Effect::Settle { .. } | Effect::Key(_) => {}
+            }
+        }
+        ruling
+    }
+
+    fn settling(&self, place: &Place, alike: &Alike) -> Option<usize> {
+        let own = self.places.get(place);
+        let subject = Subject {
+            sheet: Some(place.code.clone()),
+            item: alike.item.clone(),
+            part: alike.id.clone(),
+        };
+        let found = own
+            .or_else(|| self.parts.get(&subject))
+            .or_else(|| self.alike.get(alike))
+            .or_else(|| {
+                named(place, alike)
+                    .iter()
+                    .find_map(|name| self.items.get(name))
+            })
+            .or_else(|| self.places.get(&everywhere(place)));
+        found.copied()
+    }
+
+    /// Refuses a decision for all sheets by the number of a question that is another one on others.
+    pub(super) fn check(&self, asked: &BTreeMap<usize, BTreeSet<String>>) -> Result<(), Failure> {
+        for (number, place) in &self.by_number {
+            let items = asked.get(number).filter(|items| items.len() > 1);
+            let Some(items) = items else { continue };
+            let names: Vec<String> = items
+                .iter()
+                .take(3)
+                .map(|item| format!("`{item}`"))
+                .collect();
+            let names = names.join(", ");
+            let failure = Failure::new(format!(
+                "{place}: question {number} is not the same on all sheets: {names}"
+            ));
+            return Err(failure.help(
+                "name what is meant in the columns `item` and `id`, such as those of `unreadable.csv`; the number then does not matter",
+            ));
+        }
+        Ok(())
+    }
+
+    /// Notes that a part was handed out, with so many points at most.
+    pub(super) fn claim(&mut self, place: &Place, alike: &Alike, most: Rational) {
+        if self.all.is_empty() {
+            return;
+        }
+        let mut found: Vec<usize> = [
+            self.places.get(place),
+            self.alike.get(alike),
+            self.places.get(&everywhere(place)),
+        ]
+        .into_iter()
+        .flatten()
+        .copied()
+        .collect();
+        let names = named(place, alike);
+        found.extend(names.iter().filter_map(|name| self.items.get(name)));
+        for number in found {
+            self.all[number].claim(most);
+        }
+        let ruling = self.ruling(place, alike).numbers;
+        for number in ruling {
+            self.all[number].claim(most);
+        }
+    }
+
+    /// What looks like a slip, by file and line: a decision about a part that was not handed out, or more points than it
+    /// has.
+    pub(super) fn doubts(&self) -> Vec<String> {
+        let doubts = self.all.iter().filter_map(|decision| {
+            let doubt = decision.doubt()?;
+            Some(format!("{}: {doubt}", decision.place))
+        });
+        doubts.collect()
+    }
+}
+
+/// The names by which a part of an item is decided upon for all: its id, and its letter.
+fn named(place: &Place, alike: &Alike) -> [(String, String); 2] {
+    [&alike.id, &place.part].map(|part| (alike.item.clone(), part.clone()))
+}
+
+/// The same part on all sheets.
+fn everywhere(place: &Place) -> Place {
+    Place {
+        code: ALL.to_owned(),
+        ..place.clone()
+    }
+}

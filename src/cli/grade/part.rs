@@ -1,0 +1,344 @@
+//! Marking one part of a sheet, by its answer and by what was decided about it.
+
+use vibank::answer::{Credit, Criterion, Kind, Marking, Verdict};
+use vibank::grade::{self, Comment, Grade, PartFeedback, rounded};
+use vibank::message::{ByHand, Language};
+use vibank::numerics::Rational;
+use vibank::solution::Solution;
+use vibank::worksheet::Void;
+
+use super::answered::Answered;
+use super::decisions::Decision;
+use super::hand;
+use super::marking::Marker;
+use super::outcome::{Fraction, PartOutcome};
+
+/// What came out for a part, and what its student is told.
+pub(super) struct Marked {
+    pub(super) outcome: PartOutcome,
+    pub(super) feedback: PartFeedback,
+}
+
+impl Marked {
+    /// Changes what the part is worth.
+    pub(super) fn scale(&mut self, factor: Rational) {
+        let scaled = |points: Rational| points.checked_mul(factor).unwrap_or(points);
+        let (outcome, feedback) = (&mut self.outcome, &mut self.feedback);
+        feedback.points = scaled(feedback.points);
+        feedback.max = scaled(feedback.max);
+        outcome.points = Fraction(feedback.points);
+        outcome.max = Fraction(feedback.max);
+    }
+}
+
+/// What a part is worth so far, and what is said about it.
+struct Standing {
+    verdict: Verdict,
+    credit: Rational,
+    points: Rational,
+    reasons: Vec<String>,
+    remarks: Vec<Comment>,
+    /// Why it is open, for the teacher.
+    why: Option<String>,
+}
+
+/// What a person gave for a part: the points, if it is marked, and what the student is told.
+struct Given {
+    points: Option<Rational>,
+    remarks: Vec<Comment>,
+    /// Why it is open, for the teacher.
+    why: Option<String>,
+}
+
+impl Marker<'_> {
+    /// What came out for a part, and what its student is told.
+    pub(super) fn part(
+        &self,
+        solution: &Solution<'_>,
+        number: usize,
+        part: &Answered<'_>,
+        grade: &Grade,
+    ) -> Marked {
+        let marking = grade.part(part.place).expect("its response was marked");
+        let answer = &solution.template().parts[part.place].answer;
+        let mut standing = if part.is_by_hand {
+            self.by_hand(number, part, answer.rubric())
+        } else {
+            Standing {
+                verdict: marking.verdict,
+                credit: marking.credit.share(),
+                points: grade::of_marking(marking, part.max),
+                reasons: marking
+                    .reasons()
+                    .iter()
+                    .map(|reason| reason.code())
+                    .collect(),
+                remarks: grade::remarks(solution, part.place, marking, self.language),
+                why: None,
+            }
+        };
+        if part.is_undecided() {
+            standing.leave_open(self.language);
+        }
+        standing.accept(solution, part, self.language);
+        if answer.kind() == Kind::Choice {
+            self.charge(&mut standing, part.max);
+        }
+        standing.settle(part, self.language);
+        standing.void(part, self.language);
+        // The page says the verdict itself.
+        let is_plain = marking.remarks.is_empty()
+            && part.ruling.numbers.is_empty()
+            && !part.is_by_hand
+            && !part.is_undecided()
+            && standing.points >= Rational::ZERO;
+        let other = matches!(standing.verdict, Verdict::Wrong)
+            .then(|| grade::pattern(solution, part.place, marking))
+            .flatten();
+        Marked {
+            feedback: PartFeedback {
+                letter: part.entry.letter.clone(),
+                verdict: standing.verdict,
+                points: standing.points,
+                max: part.max,
+                // Points are no answer of the student.
+                response: if part.is_by_hand && self.takes_points {
+                    String::new()
+                } else {
+                    part.given.to_owned()
+                },
+                reading: marking.reading.as_ref().map(|reading| reading.math.clone()),
+                remarks: if is_plain {
+                    Vec::new()
+                } else {
+                    standing.remarks.clone()
+                },
+            },
+            outcome: standing.outcome(solution, number, part, marking, other),
+        }
+    }
+
+    /// What a person has marked.
+    fn by_hand(&self, number: usize, part: &Answered<'_>, criteria: &[Criterion]) -> Standing {
+        let given = self.given(number, part, criteria);
+        let reason = if given.points.is_some() {
+            "by-hand"
+        } else {
+            "open"
+        };
+        let (verdict, credit) = match given.points {
+            Some(points) => worth(points, part.max),
+            None => (Verdict::Unreadable, Rational::ZERO),
+        };
+        Standing {
+            verdict,
+            credit,
+            points: given.points.unwrap_or(Rational::ZERO),
+            reasons: vec![reason.to_owned()],
+            remarks: given.remarks,
+            why: given.why,
+        }
+    }
+
+    /// What a person gave for work on paper.
+    fn given(&self, number: usize, part: &Answered<'_>, criteria: &[Criterion]) -> Given {
+        let sheet = hand::Sheet::of(criteria, part.max, self.decimal);
+        let unmarked = self.language.by_hand(&ByHand::Open);
+        let open = |why: String| Given {
+            points: None,
+            remarks: vec![Comment::sentence(&unmarked)],
+            why: Some(why),
+        };
+        let text = if self.takes_points || part.is_read() {
+            part.response()
+        } else {
+            ""
+        };
+        match sheet.read(text) {
+            Ok(Some(hand)) => Given {
+                points: Some(hand.points),
+                remarks: sheet.told(&hand, self.language),
+                why: None,
+            },
+            Ok(None) => open("This part has not been marked yet.".to_owned()),
+            Err(why) => {
+                let row = part
+                    .line
+                    .map_or_else(String::new, |line| format!("row {line}, "));
+                open(format!("{row}part {number}{}: {why}", part.entry.letter))
+            }
+        }
+    }
+
+    /// Takes off what a wrong choice costs; where nothing is decided yet, it may still turn out to be wrong.
+    fn charge(&self, standing: &mut Standing, max: Rational) {
+        let penalty = self.marks.penalty(max);
+        if penalty.is_zero() {
+            return;
+        }
+        match standing.verdict {
+            Verdict::Unreadable => standing.points = -penalty,
+            Verdict::Wrong => {
+                standing.points = -penalty;
+                standing.credit = standing.points.checked_div(max).unwrap_or(Rational::ZERO);
+                standing.reasons.push("negative".to_owned());
+                let points = rounded(penalty).replace('.', &self.decimal.to_string());
+                let is_one = penalty == Rational::ONE;
+                let words = self.language.by_hand(&ByHand::Charged { points, is_one });
+                standing.remarks.push(Comment::sentence(&words));
+            }
+            _ => {}
+        }
+    }
+}
+
+impl Standing {
+    fn leave_open(&mut self, language: Language) {
+        self.verdict = Verdict::Unreadable;
+        self.reasons = vec!["unreadable".to_owned()];
+        self.remarks = vec![Comment::sentence(&language.by_hand(&ByHand::Unclear))];
+    }
+
+    /// Gives what was decided for an answer that is accepted beside the key.
+    fn accept(&mut self, solution: &Solution<'_>, part: &Answered<'_>, language: Language) {
+        let response = part.response();
+        if response.is_empty() || part.is_undecided() {
+            return;
+        }
+        for (decision, texts, credit) in &part.ruling.accepted {
+            let is_accepted = |text: &String| is_same(solution, part.place, response, text);
+            if credit.share() <= self.credit || !texts.iter().any(is_accepted) {
+                continue;
+            }
+            self.credit = credit.share();
+            self.verdict = credit.verdict();
+            self.points = credit.share().checked_mul(part.max).unwrap_or(part.max);
+            self.reasons.insert(0, "accepted".to_owned());
+            self.why = None;
+            self.remarks = vec![match &decision.feedback {
+                Some(words) => Comment::words(words),
+                None if *credit == Credit::FULL => {
+                    Comment::sentence(&language.by_hand(&ByHand::Accepted))
+                }
+                None => Comment::sentence(&language.by_hand(&ByHand::Shared)),
+            }];
+        }
+    }
+
+    /// What was decided about this mark alone.
+    fn settle(&mut self, part: &Answered<'_>, language: Language) {
+        let Some(decision) = part.ruling.settled else {
+            return;
+        };
+        self.reasons.insert(0, "override".to_owned());
+        if let Some(points) = decision.points() {
+            self.points = points;
+            (self.verdict, self.credit) = worth(points, part.max);
+            self.remarks.clear();
+        }
+        self.remarks.splice(0..0, said(decision, language));
+    }
+
+    /// A part that does not count as it was answered.
+    fn void(&mut self, part: &Answered<'_>, language: Language) {
+        let Some((decision, void)) = part.ruling.void else {
+            return;
+        };
+        self.reasons.insert(0, "void".to_owned());
+        self.why = None;
+        let words = match void {
+            Void::FullMarks => {
+                self.points = part.max;
+                (self.verdict, self.credit) = (Verdict::Right, Rational::ONE);
+                ByHand::FullMarks
+            }
+            Void::Rescaled => ByHand::Rescaled,
+            Void::LeftOut => ByHand::LeftOut,
+        };
+        if self.verdict == Verdict::Unreadable {
+            // There is nothing left to be decided.
+            self.verdict = Verdict::Missing;
+            self.points = Rational::ZERO;
+        }
+        self.remarks = vec![match &decision.feedback {
+            Some(words) => Comment::words(words),
+            None => Comment::sentence(&language.by_hand(&words)),
+        }];
+    }
+
+    fn outcome(
+        self,
+        solution: &Solution<'_>,
+        number: usize,
+        part: &Answered<'_>,
+        marking: &Marking,
+        other: Option<String>,
+    ) -> PartOutcome {
+        let plain: Vec<String> = self.remarks.iter().map(Comment::plain).collect();
+        PartOutcome {
+            question: number,
+            letter: part.entry.letter.clone(),
+            item: solution.template().id.to_string(),
+            id: part.entry.id.clone(),
+            response: part.given.to_owned(),
+            reading: marking
+                .reading
+                .as_ref()
+                .map_or_else(String::new, |reading| reading.math.latex()),
+            verdict: self.verdict,
+            credit: Fraction(self.credit),
+            points: Fraction(self.points),
+            max: Fraction(part.max),
+            reasons: self.reasons,
+            feedback: self.why.unwrap_or_else(|| plain.join(" ")),
+            by_hand: part.is_by_hand,
+            other,
+            before: None,
+            decisions: Vec::new(),
+        }
+    }
+}
+
+/// Whether an answer is one that is accepted: as it is typed, blanks aside, or as it is read.
+fn is_same(solution: &Solution<'_>, place: usize, response: &str, accepted: &str) -> bool {
+    /// How far numbers of the same reading are apart that were typed in different units.
+    const ROUNDING: f64 = 1e-9;
+    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    if words(response) == words(accepted) {
+        return true;
+    }
+    let read = |text: &str| Some(grade::echo(solution, place, text).ok()?.reading);
+    let Some((own, other)) = read(response).zip(read(accepted)) else {
+        return false;
+    };
+    let numbers = (own.answered.si(), other.answered.si());
+    if numbers.0.is_empty() || numbers.0.len() != numbers.1.len() {
+        return own.text == other.text;
+    }
+    let mut pairs = numbers.0.iter().zip(&numbers.1);
+    pairs.all(|(own, other)| (own - other).abs() <= ROUNDING * other.abs())
+}
+
+/// What points out of so many amount to.
+fn worth(points: Rational, max: Rational) -> (Verdict, Rational) {
+    let credit = points.checked_div(max).unwrap_or(Rational::ZERO);
+    let verdict = Credit::new(credit).map_or(Verdict::Right, Credit::verdict);
+    (verdict, credit)
+}
+
+/// What a student is told of a teacher's decision.
+fn said(decision: &Decision, language: Language) -> Vec<Comment> {
+    let mut said = Vec::new();
+    if let Some(response) = decision.response() {
+        said.push(Comment::sentence(&language.by_hand(&ByHand::ReadAs)));
+        said.push(Comment::code(response));
+    }
+    match &decision.feedback {
+        Some(words) => said.push(Comment::words(words)),
+        None if decision.points().is_some() => {
+            said.push(Comment::sentence(&language.by_hand(&ByHand::Marked)));
+        }
+        None => {}
+    }
+    said
+}

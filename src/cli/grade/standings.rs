@@ -1,0 +1,154 @@
+//! The marks of a run: by group, as a table and for the report.
+
+use vibank::grade::rounded;
+use vibank::numerics::Rational;
+use vibank::output::Marked;
+use vibank::report::{GroupSummary, Standing, Standings};
+use vibank::worksheet::{Best, Direction, Marks};
+
+use super::outcome::Outcome;
+use crate::cli::Failure;
+use crate::cli::folder::Folder;
+use crate::cli::table::Dialect;
+
+/// The marks of a run while sheets are marked.
+pub(super) struct Class {
+    marks: Marks,
+    standings: Standings,
+    /// The points that can be reached on a sheet, at most.
+    max: Rational,
+    has_groups: bool,
+}
+
+/// The columns of `groups.csv`.
+const COLUMNS: [&str; 11] = [
+    "group",
+    "sheets",
+    "undecided",
+    "mean",
+    "median",
+    "standard deviation",
+    "lowest",
+    "highest",
+    "passed",
+    "failed",
+    "pass rate",
+];
+
+/// The table of groups.
+pub(super) const FILE: &str = "groups.csv";
+
+impl Class {
+    pub(super) fn new(marks: Marks) -> Self {
+        Self {
+            marks,
+            standings: Standings::default(),
+            max: Rational::ZERO,
+            has_groups: false,
+        }
+    }
+
+    pub(super) fn add(&mut self, sheet: &Outcome) {
+        let total = sheet.total.total();
+        let worth = self.marks.worth(&total);
+        let group = sheet.column("group");
+        self.has_groups |= !group.is_empty();
+        self.max = self.max.max(total.max);
+        self.standings.add(&Standing {
+            group,
+            points: (sheet.undecided().0 == 0 || total.open.is_zero())
+                .then(|| total.points.to_f64()),
+            grade: match worth.grades[..] {
+                [grade] => Some(grade),
+                _ => None,
+            },
+            passed: worth.passed,
+        });
+    }
+
+    /// What there is to say of the marks; nothing where they are points alone and of one group.
+    pub(super) fn marked(&self) -> Option<Marked> {
+        if !self.has_groups && self.marks == Marks::default() {
+            return None;
+        }
+        let full = self.marks.full(self.max);
+        let scale = self.marks.scale.iter();
+        let scale: Vec<(String, f64)> = scale
+            .map(|step| (step.grade.clone(), step.from.points(full).to_f64()))
+            .collect();
+        let grades: Vec<&str> = scale.iter().map(|(grade, _)| grade.as_str()).collect();
+        Some(Marked {
+            summary: self.standings.summary(&grades),
+            max: self.max.to_f64(),
+            pass: self.marks.pass.map(|pass| pass.points(full).to_f64()),
+            rules: rules(&self.marks),
+            scale,
+        })
+    }
+
+    /// Writes the table of groups.
+    pub(super) fn write(marked: &Marked, out: &Folder, dialect: Dialect) -> Result<(), Failure> {
+        let mut table = dialect.head(&COLUMNS)?;
+        let all = GroupSummary {
+            group: "*".to_owned(),
+            ..marked.summary.all.clone()
+        };
+        for group in std::iter::once(&all).chain(&marked.summary.groups) {
+            let number = |value: Option<f64>| {
+                value.map_or_else(String::new, |own| dialect.number(&format!("{own:.3}")))
+            };
+            let row = [
+                group.group.clone(),
+                group.sheets.to_string(),
+                group.undecided.to_string(),
+                number(group.mean),
+                number(group.median),
+                number(group.deviation),
+                number(group.lowest),
+                number(group.highest),
+                group.passed.to_string(),
+                group.failed.to_string(),
+                number(group.pass_rate),
+            ];
+            table.extend(dialect.line(&row.each_ref().map(String::as_str))?);
+        }
+        out.write(FILE, &table).map(drop)
+    }
+}
+
+/// How points become marks, a sentence each.
+fn rules(marks: &Marks) -> Vec<String> {
+    let mut rules = Vec::new();
+    for Best { section, count } in &marks.best {
+        let of = match section.as_str() {
+            "" => String::new(),
+            section => format!(" of section {section}"),
+        };
+        rules.push(format!("The best {count} questions{of} count."));
+    }
+    if let Some(share) = marks.wrong_choice {
+        let percent = share.0.checked_mul(Rational::from(100)).unwrap_or(share.0);
+        let floor = if marks.below_zero {
+            ""
+        } else {
+            "; no question has less than 0"
+        };
+        rules.push(format!(
+            "A wrong choice costs {} % of its points{floor}.",
+            rounded(percent)
+        ));
+    }
+    if let Some(rounding) = marks.rounding {
+        let way = match rounding.direction {
+            Direction::Nearest => "",
+            Direction::Up => " up",
+            Direction::Down => " down",
+        };
+        let step = rounded(rounding.step.0);
+        rules.push(format!("Sums are rounded{way} to multiples of {step}."));
+    }
+    if let Some(full) = marks.full {
+        rules.push(format!("{} points are 100 %.", rounded(full.0)));
+    }
+    rules
+}

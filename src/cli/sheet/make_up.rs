@@ -1,0 +1,102 @@
+//! A make-up exam: other sheets of the same blueprint for students who had one, with nothing that they had.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use vibank::source::nearest;
+use vibank::worksheet::{QuestionEntry, Student};
+
+use super::Arguments;
+use crate::cli::grade::manifest;
+use crate::cli::{Failure, files};
+
+/// What variants of a make-up are named after, and its folder.
+pub(super) const SITTING: &str = "make-up";
+
+/// The students of a make-up, and what they had.
+pub(super) struct MakeUp {
+    /// Those of the class list who are named.
+    pub(super) students: Vec<Student>,
+    /// The questions of their first sheets, by identity.
+    pub(super) earlier: BTreeMap<String, Vec<QuestionEntry>>,
+    /// The digest of the manifest of the first run.
+    pub(super) digest: String,
+}
+
+impl MakeUp {
+    /// The students that the command names, each with a sheet of the first run.
+    pub(super) fn of(arguments: &Arguments, students: Vec<Student>) -> Result<Self, Failure> {
+        let path = first(arguments);
+        if !path.is_file() {
+            return Err(Failure::new(format!(
+                "the first sheets are not known: there is no `{}`",
+                path.display()
+            ))
+            .help("give the manifest of the first run with `--first`"));
+        }
+        let manifest_of_first = manifest(&path)?;
+        let mut had = BTreeMap::new();
+        for variant in manifest_of_first.variants {
+            let id = variant
+                .student
+                .as_ref()
+                .and_then(|student| student.get("id"));
+            if let Some(id) = id.cloned() {
+                had.insert(id, variant.questions);
+            }
+        }
+        let mut make_up = Self {
+            students: Vec::new(),
+            earlier: BTreeMap::new(),
+            digest: files::digest_of(&path)?,
+        };
+        for id in &arguments.make_up {
+            let id = id.trim();
+            if make_up.earlier.contains_key(id) {
+                continue;
+            }
+            let student = students.iter().find(|student| student.id == id);
+            let Some(student) = student else {
+                return Err(unknown(id, &students));
+            };
+            let Some(questions) = had.remove(id) else {
+                let shown = path.display();
+                return Err(Failure::new(format!("`{id}` has no sheet in `{shown}`"))
+                    .help("a student who had none gets an ordinary sheet: leave out `--make-up`"));
+            };
+            make_up.earlier.insert(id.to_owned(), questions);
+            make_up.students.push(student.clone());
+        }
+        // In the order of the class list, however they are named.
+        let place = |own: &Student| students.iter().position(|student| student.id == own.id);
+        make_up.students.sort_by_key(place);
+        Ok(make_up)
+    }
+}
+
+/// The folder of a make-up, if it is not named.
+pub(super) fn folder(blueprint: &Path) -> PathBuf {
+    let name = blueprint.file_stem().unwrap_or("sheet".as_ref());
+    PathBuf::from(format!("{}-{SITTING}", name.to_string_lossy()))
+}
+
+/// The manifest of the first run.
+fn first(arguments: &Arguments) -> PathBuf {
+    let usual = || {
+        let name = arguments.blueprint.file_stem().unwrap_or("sheet".as_ref());
+        Path::new(name).join("manifest.json")
+    };
+    arguments.first.clone().unwrap_or_else(usual)
+}
+
+fn unknown(id: &str, students: &[Student]) -> Failure {
+    let failure = Failure::new(format!("the class list has no student `{id}`"));
+    if let Some(named) = students.iter().find(|student| student.name == id) {
+        return failure.help(format!("`{id}` is named by the id `{}`", named.id));
+    }
+    let near = nearest(id, students.iter().map(|student| student.id.as_str()));
+    match near {
+        Some(near) => failure.help(format!("did you mean `{near}`?")),
+        None => failure.help("name students by their `id` in the class list"),
+    }
+}

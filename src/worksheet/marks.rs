@@ -1,0 +1,688 @@
+//! From the points of a sheet to its mark: which questions count, rounding, the scale of grades, what passes.
+//!
+//! All points are exact fractions. Where some are not decided yet, everything is worked out for the least and for the most
+//! that the sheet can come to, so that a grade is stated only where it is the same whatever is decided.
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use crate::numerics::Rational;
+
+/// The table `[marks]` of a blueprint or of a file of decisions.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Marks {
+    /// How the points of a sheet are rounded, if they are.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rounding: Option<Rounding>,
+    /// The points that count as 100 %, in place of all that can be reached.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub full: Option<Exact>,
+    /// How many questions count of each section; the nameless one is that of all without a section.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub best: Vec<Best>,
+    /// The share of the points of a choice that a wrong one costs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wrong_choice: Option<Exact>,
+    /// Whether wrong choices may bring a question below zero.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub below_zero: bool,
+    /// The grades, the best first.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub scale: Vec<Step>,
+    /// What passes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pass: Option<Bound>,
+}
+
+/// How many questions of a section count.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Best {
+    /// The section; empty for the questions that are in none.
+    pub section: String,
+    /// How many count.
+    pub count: usize,
+}
+
+/// A grade, and from where on it is given.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Step {
+    /// As it is printed.
+    pub grade: String,
+    /// The least that it takes.
+    pub from: Bound,
+}
+
+/// A least number of points.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Bound {
+    /// In points.
+    Points(Exact),
+    /// As a share of the points that count as 100 %.
+    Share(Exact),
+}
+
+/// How points are rounded.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Rounding {
+    /// To multiples of this.
+    pub step: Exact,
+    /// In which direction.
+    pub direction: Direction,
+}
+
+/// The direction of a rounding.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Direction {
+    /// To the nearest, halves up.
+    #[default]
+    Nearest,
+    /// In favour of the student.
+    Up,
+    /// Only what is complete counts.
+    Down,
+}
+
+/// An exact fraction, as a text in a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Exact(pub Rational);
+
+impl Serialize for Exact {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.0.to_string())
+    }
+}
+
+impl<'de> Deserialize<'de> for Exact {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        let (above, below) = text.split_once('/').unwrap_or((&text, "1"));
+        let quotient = Rational::from_decimal(above)
+            .zip(Rational::from_decimal(below))
+            .and_then(|(above, below)| above.checked_div(below));
+        quotient
+            .map(Self)
+            .ok_or_else(|| serde::de::Error::custom("no fraction"))
+    }
+}
+
+/// What a question came to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scored<'a> {
+    /// The least that it comes to.
+    pub points: Rational,
+    /// What more it comes to at most, when all is decided.
+    pub open: Rational,
+    /// What can be reached.
+    pub max: Rational,
+    /// Whether its points are beyond those of the sheet.
+    pub bonus: bool,
+    /// Its section; may be empty.
+    pub section: &'a str,
+}
+
+/// What a sheet came to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Total {
+    /// The least that it comes to.
+    pub points: Rational,
+    /// What more it comes to at most, when all is decided.
+    pub open: Rational,
+    /// What can be reached without bonus.
+    pub max: Rational,
+}
+
+/// What a total is worth.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Worth<'m> {
+    /// The grade; two of them, the lower first, where it depends on what is not decided; none without a scale.
+    pub grades: Vec<&'m str>,
+    /// Whether it passes; none where that is not decided, or nothing says what passes.
+    pub passed: Option<bool>,
+}
+
+impl Marks {
+    /// The points of a sheet: the best questions of each section, and bonus.
+    ///
+    /// ```
+    /// use vibank::numerics::Rational;
+    /// use vibank::worksheet::{Best, Marks, Scored};
+    ///
+    /// let points = Rational::from;
+    /// let question = |own, max| Scored {
+    ///     points: points(own), open: points(0), max: points(max), bonus: false, section: "",
+    /// };
+    /// let marks = Marks { best: vec![Best { section: String::new(), count: 2 }], ..Marks::default() };
+    /// let total = marks.total(&[question(3, 10), question(8, 10), question(7, 10)]);
+    /// assert_eq!((total.points, total.max), (points(15), points(20)));
+    /// ```
+    pub fn total(&self, questions: &[Scored<'_>]) -> Total {
+        let bonus = questions.iter().filter(|question| question.bonus);
+        let mut least: Vec<Rational> = bonus.clone().map(|question| question.points).collect();
+        let mut most: Vec<Rational> = bonus
+            .map(|question| add(question.points, question.open))
+            .collect();
+        let mut max = Vec::new();
+        let mut sections: Vec<&str> = Vec::new();
+        for question in questions.iter().filter(|question| !question.bonus) {
+            if !sections.contains(&question.section) {
+                sections.push(question.section);
+            }
+        }
+        for section in sections {
+            let own = questions.iter();
+            let own: Vec<&Scored<'_>> = own
+                .filter(|own| !own.bonus && own.section == section)
+                .collect();
+            let counts = self.best.iter().find(|best| best.section == section);
+            let count = counts.map_or(own.len(), |best| best.count);
+            least.extend(best(own.iter().map(|own| own.points), count));
+            most.extend(best(own.iter().map(|own| add(own.points, own.open)), count));
+            max.extend(best(own.iter().map(|own| own.max), count));
+        }
+        let [least, most] = [least, most].map(|points| self.rounded(sum(&points)));
+        Total {
+            points: least,
+            open: subtract(most, least),
+            max: sum(&max),
+        }
+    }
+
+    /// What the wrong choice of an option costs, of a part with so many points.
+    pub fn penalty(&self, max: Rational) -> Rational {
+        let share = self.wrong_choice.map_or(Rational::ZERO, |share| share.0);
+        share.checked_mul(max).unwrap_or(Rational::ZERO)
+    }
+
+    /// The points that count as 100 %, of so many that can be reached.
+    pub fn full(&self, max: Rational) -> Rational {
+        self.full.map_or(max, |full| full.0)
+    }
+
+    /// The share of what counts as 100 %.
+    pub fn share(&self, points: Rational, max: Rational) -> Option<Rational> {
+        points.checked_div(self.full(max))
+    }
+
+    /// What a total is worth: its grade, and whether it passes.
+    pub fn worth(&self, total: &Total) -> Worth<'_> {
+        let most = add(total.points, total.open);
+        let mut grades: Vec<&str> = [total.points, most]
+            .into_iter()
+            .filter_map(|points| self.grade(points, total.max))
+            .collect();
+        grades.dedup();
+        let passes = |points| {
+            self.pass
+                .map(|bound| bound.is_reached(points, self.full(total.max)))
+        };
+        let passed = passes(total.points);
+        Worth {
+            grades,
+            passed: passed.filter(|_| passed == passes(most)),
+        }
+    }
+
+    /// The grade of some points.
+    pub fn grade(&self, points: Rational, max: Rational) -> Option<&str> {
+        let full = self.full(max);
+        let mut steps = self.scale.iter();
+        let step = steps.find(|step| step.from.is_reached(points, full));
+        step.or(self.scale.last()).map(|step| step.grade.as_str())
+    }
+
+    fn rounded(&self, points: Rational) -> Rational {
+        let Some(Rounding { step, direction }) = self.rounding else {
+            return points;
+        };
+        let whole = |steps: Rational| {
+            let (above, below) = (steps.numerator(), steps.denominator());
+            match direction {
+                Direction::Down => above.div_euclid(below),
+                Direction::Up => -(-above).div_euclid(below),
+                Direction::Nearest => (2 * above + below).div_euclid(2 * below),
+            }
+        };
+        let rounded = points
+            .checked_div(step.0)
+            .and_then(|steps| Rational::new(whole(steps), 1)?.checked_mul(step.0));
+        rounded.unwrap_or(points)
+    }
+}
+
+impl Bound {
+    /// In points, of so many that count as 100 %.
+    pub fn points(self, full: Rational) -> Rational {
+        match self {
+            Self::Points(points) => points.0,
+            Self::Share(share) => share.0.checked_mul(full).unwrap_or(full),
+        }
+    }
+
+    fn is_reached(self, points: Rational, full: Rational) -> bool {
+        points >= self.points(full)
+    }
+}
+
+/// The largest of some numbers, at most so many.
+fn best(points: impl Iterator<Item = Rational>, count: usize) -> Vec<Rational> {
+    let mut points: Vec<Rational> = points.collect();
+    points.sort_by(|a, b| b.cmp(a));
+    points.truncate(count);
+    points
+}
+
+fn sum(points: &[Rational]) -> Rational {
+    Rational::sum(points).unwrap_or(Rational::ZERO)
+}
+
+fn add(a: Rational, b: Rational) -> Rational {
+    a.checked_add(b).unwrap_or(a)
+}
+
+fn subtract(a: Rational, b: Rational) -> Rational {
+    a.checked_sub(b).unwrap_or(Rational::ZERO)
+}
+
+#[cfg(feature = "render")]
+pub use read::MarksError;
+
+#[cfg(feature = "render")]
+mod read {
+    //! Reading the table.
+
+    use super::{Best, Bound, Direction, Exact, Marks, Rounding, Step};
+    use crate::diagnostic::{Code, Diagnose, Finding, Label};
+    use crate::numerics::Rational;
+    use crate::source::{Data, Span, Table, Value};
+
+    /// What is wrong with `[marks]` beyond its form.
+    #[derive(Clone, Debug, thiserror::Error)]
+    pub enum MarksError {
+        /// A word that is none of the known ones.
+        #[error("`round` cannot be `{0}`")]
+        Round(String, Span),
+        /// A direction without a step.
+        #[error("`round` says in which direction, and no `step` says to what")]
+        NoStep(Span),
+        /// Two grades that begin at the same points.
+        #[error("`{0}` and `{1}` begin at the same points")]
+        SameStep(String, String, Span),
+        /// Grades in points beside grades in percent.
+        #[error("`scale` has grades in points and grades in percent")]
+        Mixed(Span),
+        /// Nothing is left for those with few points.
+        #[error("no grade begins at 0, so that sheets with few points have none")]
+        NoLowest(Span),
+        /// A grade that passes and is none.
+        #[error("`pass` is no share, no number of points, and no grade of the scale: `{0}`")]
+        Pass(String, Option<String>, Span),
+        /// A section that has too few questions.
+        #[error(
+            "{found} questions are in the section `{section}`, of which the best {count} are to count"
+        )]
+        Section {
+            /// The section.
+            section: String,
+            /// How many questions are in it.
+            found: usize,
+            /// How many count.
+            count: usize,
+            /// Where.
+            span: Span,
+        },
+    }
+
+    impl Diagnose for MarksError {
+        fn code(&self) -> Code {
+            Code::MARKS
+        }
+
+        fn labels(&self) -> Vec<Label> {
+            let (Self::Round(_, span)
+            | Self::NoStep(span)
+            | Self::SameStep(_, _, span)
+            | Self::Mixed(span)
+            | Self::NoLowest(span)
+            | Self::Pass(_, _, span)
+            | Self::Section { span, .. }) = self;
+            vec![Label {
+                span: *span,
+                text: String::new(),
+            }]
+        }
+
+        fn help(&self) -> Option<String> {
+            Some(match self {
+                Self::Round(..) => "it can be nearest, up, down".to_owned(),
+                Self::NoStep(_) => "add a `step`, such as `step = 0.5`".to_owned(),
+                Self::SameStep(..) => "give each grade points of its own".to_owned(),
+                Self::Mixed(_) => "write all as \"75 %\", or all as points".to_owned(),
+                Self::NoLowest(_) => "let the lowest grade begin at 0".to_owned(),
+                Self::Pass(_, Some(near), _) => format!("did you mean `{near}`?"),
+                Self::Pass(_, None, _) => {
+                    "write \"50 %\", a number of points, or a grade".to_owned()
+                }
+                Self::Section { .. } => {
+                    "name the section at its questions, `section = \"B\"`, or let fewer count"
+                        .to_owned()
+                }
+            })
+        }
+    }
+
+    impl Marks {
+        /// Reads the table; what is wrong is noted with its problems, or returned.
+        pub(crate) fn read(table: &Table<'_>) -> (Self, Vec<Finding>) {
+            let mut errors = Vec::new();
+            let marks = Self {
+                rounding: rounding(table, &mut errors),
+                full: positive(table, "full"),
+                best: best(table),
+                wrong_choice: share(table),
+                below_zero: table.boolean("below_zero").unwrap_or(false),
+                scale: scale(table, &mut errors),
+                pass: None,
+            };
+            let pass = table.value("pass");
+            let pass = pass.and_then(|value| pass_of(table, value, &marks.scale, &mut errors));
+            table.finish_ref();
+            let findings = errors.iter();
+            let findings = findings.map(|error| Finding::of(error, table.source()));
+            (Self { pass, ..marks }, findings.collect())
+        }
+
+        /// What is wrong with the sections of which the best count, for questions that are in these and not bonus.
+        pub(crate) fn check(&self, sections: &[&str], span: Span) -> Vec<MarksError> {
+            let found = |best: &Best| sections.iter().filter(|own| **own == best.section).count();
+            let lacking = self.best.iter().filter(|best| best.count > found(best));
+            lacking
+                .map(|best| MarksError::Section {
+                    section: best.section.clone(),
+                    found: found(best),
+                    count: best.count,
+                    span,
+                })
+                .collect()
+        }
+    }
+
+    fn rounding(table: &Table<'_>, errors: &mut Vec<MarksError>) -> Option<Rounding> {
+        let step = positive(table, "step");
+        let text = table.text("round");
+        let direction = match text.as_ref().map(|text| text.value.as_str()) {
+            None | Some("nearest") => Direction::Nearest,
+            Some("up") => Direction::Up,
+            Some("down") => Direction::Down,
+            Some(other) => {
+                let span = text.as_ref().map_or(Span::NONE, |text| text.span);
+                errors.push(MarksError::Round(other.to_owned(), span));
+                Direction::Nearest
+            }
+        };
+        if let Some(text) = text.filter(|_| !table.has("step")) {
+            errors.push(MarksError::NoStep(text.span));
+        }
+        step.map(|step| Rounding { step, direction })
+    }
+
+    /// A number of points above zero.
+    fn positive(table: &Table<'_>, key: &'static str) -> Option<Exact> {
+        let value = table.value(key)?;
+        let number = decimal(value).filter(|number| *number > Rational::ZERO);
+        let number = number.or_else(|| table.wrong(key, "a number of points above 0", value));
+        number.map(Exact)
+    }
+
+    /// A share of the points of a part that a wrong choice costs.
+    fn share(table: &Table<'_>) -> Option<Exact> {
+        let value = table.value("wrong_choice")?;
+        let share = percent(value).or_else(|| decimal(value));
+        let share = share.filter(|share| (Rational::ZERO..=Rational::ONE).contains(share));
+        let what = "what a wrong choice costs, from 0 to 1 or \"25 %\"";
+        share
+            .or_else(|| table.wrong("wrong_choice", what, value))
+            .map(Exact)
+    }
+
+    /// How many count: a number, or one for each section.
+    fn best(table: &Table<'_>) -> Vec<Best> {
+        let Some(value) = table.value("best") else {
+            return Vec::new();
+        };
+        let count = |value: &Value| match &value.data {
+            Data::Number { number } => number
+                .parse()
+                .ok()
+                .filter(|count| (1..=200).contains(count)),
+            _ => None,
+        };
+        let wrong = |value: &Value| {
+            table.wrong(
+                "best",
+                "how many questions count, or a table of sections",
+                value,
+            )
+        };
+        let of = |section: &str, value: &Value| {
+            let count = count(value).or_else(|| wrong(value))?;
+            Some(Best {
+                section: section.to_owned(),
+                count,
+            })
+        };
+        match &value.data {
+            Data::Table(entries) => entries
+                .iter()
+                .filter_map(|entry| of(&entry.key, &entry.value))
+                .collect(),
+            _ => of("", value).into_iter().collect(),
+        }
+    }
+
+    /// The grades, the best first.
+    fn scale(table: &Table<'_>, errors: &mut Vec<MarksError>) -> Vec<Step> {
+        let Some(value) = table.value("scale") else {
+            return Vec::new();
+        };
+        let Data::Table(entries) = &value.data else {
+            return table
+                .wrong(
+                    "scale",
+                    "a table such as { A = \"80 %\", B = \"0 %\" }",
+                    value,
+                )
+                .unwrap_or_default();
+        };
+        let mut steps: Vec<Step> = Vec::new();
+        for entry in entries {
+            let from = bound(&entry.value).or_else(|| {
+                table.wrong(
+                    &entry.key,
+                    "points or a share such as \"75 %\"",
+                    &entry.value,
+                )
+            });
+            steps.extend(from.map(|from| Step {
+                grade: entry.key.clone(),
+                from,
+            }));
+        }
+        let is_share = |step: &&Step| matches!(step.from, Bound::Share(_));
+        let shares = steps.iter().filter(is_share).count();
+        if shares != 0 && shares != steps.len() {
+            errors.push(MarksError::Mixed(value.span));
+            return steps;
+        }
+        let from = |step: &Step| match step.from {
+            Bound::Points(points) | Bound::Share(points) => points,
+        };
+        steps.sort_by(|a, b| from(b).cmp(&from(a)).then_with(|| a.grade.cmp(&b.grade)));
+        for pair in steps
+            .windows(2)
+            .filter(|pair| from(&pair[0]) == from(&pair[1]))
+        {
+            let [first, second] = [0, 1].map(|at: usize| pair[at].grade.clone());
+            errors.push(MarksError::SameStep(first, second, value.span));
+        }
+        let lowest = steps.last().map(from);
+        if entries.len() == steps.len() && lowest.is_none_or(|lowest| !lowest.0.is_zero()) {
+            errors.push(MarksError::NoLowest(value.span));
+        }
+        steps
+    }
+
+    /// What passes: a share, points, or a grade of the scale.
+    fn pass_of(
+        table: &Table<'_>,
+        value: &Value,
+        scale: &[Step],
+        errors: &mut Vec<MarksError>,
+    ) -> Option<Bound> {
+        if let Some(bound) = bound(value) {
+            return Some(bound);
+        }
+        let Data::Text(grade) = &value.data else {
+            return table.wrong(
+                "pass",
+                "a share such as \"50 %\", points, or a grade",
+                value,
+            );
+        };
+        if let Some(step) = scale.iter().find(|step| step.grade == *grade) {
+            return Some(step.from);
+        }
+        let names = scale.iter().map(|step| step.grade.as_str());
+        let near = crate::source::nearest(grade, names).map(str::to_owned);
+        errors.push(MarksError::Pass(grade.clone(), near, value.span));
+        None
+    }
+
+    /// Points as a number, or a share as a text with a per cent sign.
+    fn bound(value: &Value) -> Option<Bound> {
+        let points = decimal(value).filter(|points| *points >= Rational::ZERO);
+        points
+            .map(|points| Bound::Points(Exact(points)))
+            .or_else(|| Some(Bound::Share(Exact(percent(value)?))))
+    }
+
+    fn decimal(value: &Value) -> Option<Rational> {
+        match &value.data {
+            Data::Number { number } => Rational::from_decimal(number),
+            _ => None,
+        }
+    }
+
+    /// `"75 %"` as a share from 0 to 1.
+    fn percent(value: &Value) -> Option<Rational> {
+        let Data::Text(text) = &value.data else {
+            return None;
+        };
+        let number = text.trim().strip_suffix('%')?.trim();
+        let share = Rational::from_decimal(number)?.checked_div(Rational::from(100))?;
+        (Rational::ZERO..=Rational::ONE)
+            .contains(&share)
+            .then_some(share)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn exact(above: i128, below: i128) -> Exact {
+        Exact(Rational::new(above, below).expect("a fraction"))
+    }
+
+    fn question(points: i32, open: i32, max: i32) -> Scored<'static> {
+        Scored {
+            points: points.into(),
+            open: open.into(),
+            max: max.into(),
+            bonus: false,
+            section: "",
+        }
+    }
+
+    #[test]
+    fn what_is_open_stays_open_in_the_best_questions() {
+        let marks = Marks {
+            best: vec![Best {
+                section: String::new(),
+                count: 1,
+            }],
+            ..Marks::default()
+        };
+        // The second may come to 9, and then it is the one that counts.
+        let total = marks.total(&[question(6, 0, 10), question(4, 5, 10)]);
+        assert_eq!(
+            (total.points, total.open, total.max),
+            (6.into(), 3.into(), 10.into())
+        );
+        // At most 5: it never counts.
+        let total = marks.total(&[question(6, 0, 10), question(4, 1, 10)]);
+        assert_eq!((total.points, total.open), (6.into(), 0.into()));
+    }
+
+    #[test]
+    fn bonus_is_beyond_the_points_of_the_sheet() {
+        let bonus = Scored {
+            bonus: true,
+            ..question(3, 0, 5)
+        };
+        let total = Marks::default().total(&[question(10, 0, 10), bonus]);
+        assert_eq!((total.points, total.max), (13.into(), 10.into()));
+    }
+
+    #[test]
+    fn points_are_rounded_in_the_direction_that_is_stated() {
+        let rounded = |points: Rational, direction| {
+            let marks = Marks {
+                rounding: Some(Rounding {
+                    step: exact(1, 2),
+                    direction,
+                }),
+                ..Marks::default()
+            };
+            marks.rounded(points)
+        };
+        let quarter = exact(29, 4).0;
+        assert_eq!(rounded(quarter, Direction::Nearest), exact(15, 2).0);
+        assert_eq!(rounded(quarter, Direction::Up), exact(15, 2).0);
+        assert_eq!(rounded(quarter, Direction::Down), 7.into());
+        assert_eq!(rounded(exact(-1, 4).0, Direction::Down), exact(-1, 2).0);
+        assert_eq!(rounded(exact(-1, 4).0, Direction::Nearest), 0.into());
+    }
+
+    #[test]
+    fn a_grade_is_stated_where_it_does_not_depend_on_what_is_open() {
+        let step = |grade: &str, from| Step {
+            grade: grade.to_owned(),
+            from: Bound::Share(from),
+        };
+        let marks = Marks {
+            scale: vec![
+                step("A", exact(3, 4)),
+                step("B", exact(1, 2)),
+                step("F", exact(0, 1)),
+            ],
+            pass: Some(Bound::Share(exact(1, 2))),
+            ..Marks::default()
+        };
+        let worth = |points: i32, open: i32| {
+            let total = Total {
+                points: points.into(),
+                open: open.into(),
+                max: 20.into(),
+            };
+            let worth = marks.worth(&total);
+            (worth.grades.join(" to "), worth.passed)
+        };
+        assert_eq!(worth(10, 4), ("B".to_owned(), Some(true)));
+        assert_eq!(worth(10, 5), ("B to A".to_owned(), Some(true)));
+        assert_eq!(worth(9, 1), ("F to B".to_owned(), None));
+        assert_eq!(worth(0, 0), ("F".to_owned(), Some(false)));
+        assert_eq!(worth(-1, 0), ("F".to_owned(), Some(false)));
+    }
+}
