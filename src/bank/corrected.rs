@@ -82,6 +82,14 @@ impl Template {
             }
             _ => {
                 set(table, "key", unplaced(key).data);
+                // A quantity had a unit, which a formula in its place has not.
+                let unit = own
+                    .answer
+                    .unit()
+                    .filter(|_| own.answer.kind() == Kind::Numeric);
+                if let Some(unit) = unit.filter(|_| text(table, "unit").is_none()) {
+                    set(table, "unit", Data::Text(unit.to_string()));
+                }
                 rename(table, own);
             }
         }

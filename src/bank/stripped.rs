@@ -214,6 +214,14 @@ impl Template {
             Kind::Interval => {
                 let variable = text(stated, "variable")?;
                 let unit = self.unit_of_name(variable)?;
+                // What goes without saying is cut from what is typed, too, where the item says it in numbers.
+                let within = text(stated, "within").filter(|within| {
+                    let mut words = within.split(|letter: char| !letter.is_alphanumeric());
+                    words.all(|word| !self.graph.names().any(|name| name.as_str() == word))
+                });
+                if let Some(within) = within {
+                    put("within", quoted(within));
+                }
                 // What is asked here is a letter of later answers.
                 let ends = self.ends(stated);
                 let key = match &ends[..] {

@@ -518,6 +518,7 @@ fn the_schema_of_blueprints_has_the_keys_that_are_read() {
             "students = 'class.csv'\ncolumns = { ",
             " }",
         ),
+        (keys(&schema["properties"]["marks"]), "[marks]\n", ""),
         (
             keys(&question["properties"]["pick"]),
             "[[question]]\npick = { ",

@@ -153,9 +153,12 @@ fn points_that_a_person_gave_stand_apart_and_what_is_not_marked_is_open() {
         .complains("row 4, part 1a: `2` is more than the 1 of row 2");
     let marks = content(out.join("marks/marks.csv"));
     let rows: Vec<&str> = marks.lines().collect();
-    assert!(rows[0].ends_with(",auto,hand,1a,1b"), "{marks}");
-    assert!(rows[1].ends_with(",2.5,4,0,0,0,2.5,2.5,0"), "{marks}");
-    assert!(rows[2].ends_with(",0 + ?3,4,1,3,0,0 + ?3,?3,0"), "{marks}");
+    assert!(rows[0].ends_with(",auto,hand,1,1a,1b"), "{marks}");
+    assert!(rows[1].ends_with(",2.5,4,0,0,0,2.5,2.5,2.5,0"), "{marks}");
+    assert!(
+        rows[2].ends_with(",0 + ?3,4,1,3,0,0 + ?3,0 + ?3,?3,0"),
+        "{marks}"
+    );
     let page = content(out.join(format!("marks/feedback/{}.html", codes[0])));
     assert!(page.contains("1.5 of 2: weight and force of the spring"));
     assert!(page.contains("2.5 of 3 points") && !page.contains("1.5;1"));
