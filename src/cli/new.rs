@@ -1,7 +1,6 @@
 //! `vibank new item|exam|sheet|bank|secret NAME`
 
-use std::path::Path;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::files::{self, Access};
 use super::{Failure, Outcome};
@@ -10,7 +9,7 @@ use super::{Failure, Outcome};
 ///
 /// Nothing is asked, and nothing is overwritten.
 ///
-/// Example: vibank new exam midterm.toml
+/// Example: vibank new exam test.toml
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
     /// What to begin.

@@ -136,7 +136,7 @@ pub struct Blueprint {
     pub marks: Option<Marks>,
     /// The questions in the order of the blueprint.
     pub questions: Vec<Question>,
-    /// What may be wrong with its texts.
+    /// What may be wrong with its own questions.
     pub warnings: Vec<Finding>,
 }
 
@@ -394,13 +394,14 @@ impl Blueprint {
     ///
     /// # Errors
     ///
-    /// All findings at once. Warnings alone refuse nothing: they are [`Self::warnings`].
+    /// All findings at once. Warnings about questions of its own refuse nothing: they are [`Self::warnings`].
     pub fn read(source: &Source) -> Result<Self, Vec<Finding>> {
         let problems = Problems::default();
         let value = toml::read(source, &problems);
         let faults = Faults {
             source,
             findings: Vec::new(),
+            warnings: Vec::new(),
         };
         let (blueprint, faults) = match Table::of(source, &problems, "", &value) {
             Some(table) => blueprint(table, faults),
@@ -413,15 +414,16 @@ impl Blueprint {
             .collect();
         findings.extend(faults.findings);
         Finding::sort(&mut findings);
-        let is_sound = findings
-            .iter()
-            .all(|finding| finding.severity != Severity::Error);
         match blueprint {
-            Some(blueprint) if is_sound => Ok(Self {
-                warnings: findings,
+            Some(blueprint) if findings.is_empty() => Ok(Self {
+                warnings: faults.warnings,
                 ..blueprint
             }),
-            _ => Err(findings),
+            _ => {
+                findings.extend(faults.warnings);
+                Finding::sort(&mut findings);
+                Err(findings)
+            }
         }
     }
 }
@@ -441,6 +443,8 @@ impl Question {
 pub(super) struct Faults<'s> {
     source: &'s Source,
     findings: Vec<Finding>,
+    /// What refuses nothing.
+    warnings: Vec<Finding>,
 }
 
 impl Faults<'_> {
@@ -448,9 +452,13 @@ impl Faults<'_> {
         self.findings.push(Finding::of(error, self.source));
     }
 
-    /// Notes what was found out elsewhere.
+    /// Notes what was found out about a question of its own.
     pub(super) fn found(&mut self, finding: Finding) {
-        self.findings.push(finding);
+        if finding.severity == Severity::Error {
+            self.findings.push(finding);
+        } else {
+            self.warnings.push(finding);
+        }
     }
 
     /// Notes more of something than is read.

@@ -73,12 +73,12 @@ await step("a change is shown within a second", async () => {
 
 await step("what is wrong is shown with its place, here and on the terminal, and the last sheet stays", async () => {
   const trouble = page.locator("#trouble");
-  const wrong = text.replace('key  = "0.4 Hz"', 'kye  = "0.4 Hz"');
+  const wrong = text.replace("minutes   = 8", "minuts    = 8");
   await changed(wrong, () => trouble.waitFor());
-  const line = wrong.slice(0, wrong.indexOf("kye")).split("\n").length;
+  const line = wrong.slice(0, wrong.indexOf("minuts")).split("\n").length;
   const said = await trouble.textContent();
   assert.match(said, new RegExp(`exam\\.toml:${line}:1`));
-  assert.match(said, /did you mean `key`/);
+  assert.match(said, /did you mean `minutes`/);
   assert.match(terminal, new RegExp(`exam\\.toml:${line}:1`));
   await shows("worksheet", "A swing takes 2.5 s".replace("A swing", "Slide: a swing"));
   await page.screenshot({ path: "shots/preview-trouble.png" });

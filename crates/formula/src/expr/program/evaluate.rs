@@ -281,37 +281,43 @@ impl Program {
         I: Inputs<Approx<f64>> + Inputs<Approx<Dd>> + ?Sized,
     {
         let double = self.run(inputs, &mut room.double);
-        self.real(accuracy, double, || self.run(inputs, &mut room.wide))
+        let found = self.real(accuracy, double, || self.run(inputs, &mut room.wide));
+        found.unwrap_or_else(|| Ok(self.evaluate(inputs, room)?.numbers()[0]))
     }
 
-    /// The number that a run in binary64 gave, or where that is not good enough, one in double-double.
+    /// The number that a run in binary64 gave, or where that is not good enough, one in double-double; `None` where
+    /// [`Self::evaluate`] goes on with still more digits.
     pub(super) fn real<'w>(
         &self,
         accuracy: f64,
         double: Result<Outcome<'_, Approx<f64>>, Absence>,
         wide: impl FnOnce() -> Result<Outcome<'w, Approx<Dd>>, Absence>,
-    ) -> Result<f64, Absence> {
+    ) -> Option<Result<f64, Absence>> {
         if self.form.width() != 1 {
             let (reason, span) = (Undefined::NotReal, self.span());
-            return Err(Absence { reason, span });
+            return Some(Err(Absence { reason, span }));
         }
         let first = match double {
             Ok(outcome) => {
                 let number = self.single(outcome.numbers().map(|x| (x.value, x.bound)));
                 let is_near = |(_, bound): (f64, f64)| !outcome.is_open && bound <= accuracy;
                 if is_settled(&outcome) || number.as_ref().is_ok_and(|own| is_near(*own)) {
-                    return Ok(number?.0);
+                    return Some(number.map(|own| own.0));
                 }
                 number
             }
             Err(absence) => Err(absence),
         };
-        let number = match wide() {
+        let found = match wide() {
+            Ok(outcome) if !outcome.numbers().all(is_certain) && self.is_explicit() => return None,
             Ok(outcome) => self.single(outcome.numbers().map(rounded)),
             Err(absence) if absence.reason == Undefined::TooLong => first,
+            Err(absence) if absence.reason == Undefined::DivisionByZero && self.is_explicit() => {
+                return None;
+            }
             Err(absence) => Err(absence),
         };
-        Ok(number?.0)
+        Some(found.map(|own| own.0))
     }
 
     /// A finite number with its bound.
