@@ -655,11 +655,7 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
         ),
         figures: table.boolean("figures").unwrap_or(true),
         hints: table.boolean("hints").unwrap_or(false),
-        formula_sheet: table
-            .boolean("formula_sheet")
-            .filter(|is_on| *is_on)
-            .and_then(|_| table.value("formula_sheet"))
-            .map(|value| value.span),
+        formula_sheet: formula_sheet(&table),
         answer_space: faults.word(
             &table,
             "answer_space",
@@ -677,6 +673,13 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
     };
     table.finish();
     (is_whole.then_some(read), faults)
+}
+
+/// Where it says that the formulas of the chapters are printed, if it does.
+fn formula_sheet(table: &Table<'_>) -> Option<Span> {
+    let is_on = table.boolean("formula_sheet").unwrap_or(false);
+    let value = table.value("formula_sheet").filter(|_| is_on);
+    value.map(|value| value.span)
 }
 
 /// What is made for the printer, of the formats that are printed.
