@@ -33,9 +33,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     ] {
         let marking = grade::mark(&solution, part, response);
         writeln!(out, "{response}: {}", marking.verdict.name())?;
-        for remark in &marking.remarks {
-            if let Some(text) = Language::English.say(remark) {
-                writeln!(out, "    {}", text.plain(&Vec::new()))?;
+        if !marking.remarks.is_empty() {
+            for remark in grade::remarks(&solution, part, &marking, Language::English) {
+                writeln!(out, "    {}", remark.plain())?;
             }
         }
     }

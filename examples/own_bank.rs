@@ -23,6 +23,7 @@ k = { name = "stiffness", value = "800 N/m", range = "200 .. 900 N/m", step = "1
 text = "A block of mass << m.given >> hangs on a spring of stiffness << k.given >>."
 
 [[part]]
+id   = "omega_n"
 key  = "sqrt(k/m)"
 unit = "rad/s"
 ask  = "Find its natural angular frequency."

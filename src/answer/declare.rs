@@ -37,11 +37,17 @@ pub trait Declare {
     /// The equations of a model that a path names, `model.equation.x1`; `None`, with a finding, where there are none.
     fn equations(&mut self, text: &Text) -> Option<Vec<Equation>>;
 
+    /// The coordinates of the model whose equations a text names; none where it names none.
+    fn coordinates_of(&self, text: &Text) -> Vec<Name>;
+
     /// The constraints of the item, which its data meet.
     fn constraints(&self) -> Vec<Expr>;
 
     /// All names of the item.
     fn known(&self) -> Vec<Known>;
+
+    /// Whether the part that is read, or an earlier one, writes a symbol that only answers use.
+    fn is_introduced(&self, symbol: &Name) -> bool;
 
     /// The one unit of all entries of a quantity.
     fn unit_of(&self, node: NodeId) -> Option<Unit>;

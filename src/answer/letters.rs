@@ -20,7 +20,7 @@ pub(super) struct Allowed {
 
 impl Allowed {
     /// The letters that may be used: all data and symbols, the numbers that earlier parts ask for, and what the part lists as
-    /// `in`; what moves with time only where the answer does; without those of its `without`, and never the key itself unless
+    /// `in`; a symbol is on the line from the first part on that writes it; what moves with time only where the answer does; without those of its `without`, and never the key itself unless
     /// it is listed.
     pub(super) fn read(
         part: &Table<'_>,
@@ -65,7 +65,12 @@ impl Allowed {
                 continue;
             }
             seen.push(&own.name);
-            allowed.allow(own, is_moving);
+            allowed
+                .lexicon
+                .allow(&own.name, Arc::clone(&own.symbol), is_moving);
+            if is_listed || own.role != Role::Symbol || declare.is_introduced(&own.name) {
+                allowed.letters.push(own.name.clone());
+            }
             if listed.is_empty() || is_listed {
                 allowed.names.push(own.name.clone());
             }
@@ -81,12 +86,6 @@ impl Allowed {
             allowed.letters.push(Name::new("t"));
         }
         Some(allowed)
-    }
-
-    fn allow(&mut self, own: &Known, is_moving: bool) {
-        self.lexicon
-            .allow(&own.name, Arc::clone(&own.symbol), is_moving);
-        self.letters.push(own.name.clone());
     }
 
     /// Lets answers use the variable of a function, which is named elsewhere on the line.

@@ -93,6 +93,11 @@ pub trait Answer: Send + Sync {
         None
     }
 
+    /// The letter whose values are asked for, where they are more than one: that of an interval.
+    fn ranging(&self) -> Option<&crate::math::Math> {
+        None
+    }
+
     /// The significant figures that are asked for.
     fn figures(&self) -> u32 {
         3

@@ -24,6 +24,8 @@ pub enum PlotKind {
     PhasePlane(Curves),
     /// The mode shapes of a model.
     ModeShapes(ModeShapes),
+    /// Complex amplitudes as pointers.
+    Phasors(Phasors),
 }
 
 /// Curves over the range of a variable.
@@ -82,6 +84,8 @@ pub struct Curve {
     pub style: Style,
     /// Quantities that have other values for this curve.
     pub with: Vec<(NodeId, NodeId)>,
+    /// From where to where of the variable it is drawn, if not over all of the axis.
+    pub range: Option<[NodeId; 2]>,
 }
 
 /// A marked point.
@@ -106,4 +110,37 @@ pub struct ModeShapes {
     pub coordinates: Vec<Math>,
     /// The units of the components as shares of the first.
     pub units: Vec<Unit>,
+}
+
+/// Complex amplitudes as pointers in the complex plane.
+#[derive(Clone, Debug)]
+pub struct Phasors {
+    /// The pointers.
+    pub phasors: Vec<Phasor>,
+    /// Angles about the origin.
+    pub angles: Vec<Turn>,
+    /// The unit of the pointers.
+    pub unit: Unit,
+}
+
+/// A pointer.
+#[derive(Clone, Debug)]
+pub struct Phasor {
+    /// The complex amplitude.
+    pub of: NodeId,
+    /// What stands at it.
+    pub label: Option<Math>,
+    /// Whether it begins at the tip of the one before.
+    pub is_joined: bool,
+    /// How it is drawn.
+    pub style: Style,
+}
+
+/// An angle between the directions of two complex numbers.
+#[derive(Clone, Debug)]
+pub struct Turn {
+    /// Where it begins and ends.
+    pub ends: [NodeId; 2],
+    /// What stands at it.
+    pub label: Option<Math>,
 }

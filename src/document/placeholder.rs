@@ -78,7 +78,7 @@ impl Form {
 fn is_derivation(name: &str) -> bool {
     matches!(
         name,
-        "lagrange" | "energy" | "newton" | "characteristic" | "row" | "turning_points"
+        "lagrange" | "energy" | "newton" | "characteristic" | "row" | "turning_points" | "static"
     )
 }
 

@@ -1,7 +1,8 @@
 //! Labels: formulas set as one line of SVG text, with the box that they take.
 //!
 //! A label is a list of runs of letters of one look, at one height. Sub- and superscripts are smaller runs
-//! that are raised or lowered; fractions stand on the line, `l/2`; the dots of time derivatives are drawn.
+//! that are raised or lowered; fractions stand on the line, `l/2`; the dots of time derivatives and the
+//! hats of amplitudes are drawn.
 
 use super::metrics;
 use crate::math::{Accent, Class, Math, Style};
@@ -19,7 +20,7 @@ const MOST_DEPTH: u32 = 40;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Label {
     pub(super) runs: Vec<Run>,
-    pub(super) dots: Vec<Dots>,
+    pub(super) marks: Vec<Above>,
     width: f64,
     ascent: f64,
     descent: f64,
@@ -43,12 +44,46 @@ pub(super) struct Look {
     pub(super) rise: f64,
 }
 
-/// Dots above a letter: how many, and where they are centred, from the start of the baseline.
+/// A mark above a letter: what it is, and where it is centred, from the start of the baseline.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Dots {
-    pub(super) count: u8,
+pub(super) struct Above {
+    pub(super) accent: Accent,
     pub(super) x: f64,
     pub(super) y: f64,
+}
+
+impl Above {
+    /// How many dots it has.
+    pub(super) fn dots(self) -> u8 {
+        match self.accent {
+            Accent::Dot => 1,
+            Accent::DoubleDot => 2,
+            Accent::TripleDot => 3,
+            Accent::Hat | Accent::Tilde | Accent::Bar | Accent::Vector => 0,
+        }
+    }
+
+    /// Corners of its line, from its centre, in figure units.
+    pub(super) fn line(self) -> &'static [(f64, f64)] {
+        match self.accent {
+            Accent::Dot | Accent::DoubleDot | Accent::TripleDot => &[],
+            Accent::Hat => &[(-0.075, -0.035), (0.0, 0.035), (0.075, -0.035)],
+            Accent::Tilde => &[
+                (-0.08, -0.02),
+                (-0.035, 0.025),
+                (0.035, -0.02),
+                (0.08, 0.025),
+            ],
+            Accent::Bar => &[(-0.08, 0.0), (0.08, 0.0)],
+            Accent::Vector => &[
+                (-0.09, 0.0),
+                (0.09, 0.0),
+                (0.035, 0.04),
+                (0.09, 0.0),
+                (0.035, -0.04),
+            ],
+        }
+    }
 }
 
 impl Label {
@@ -100,9 +135,9 @@ impl Label {
                 run.gap += if place == 0 { start - self.width } else { 0.0 };
                 run
             }));
-        self.dots.extend(other.dots.into_iter().map(|mut dots| {
-            dots.x += start;
-            dots
+        self.marks.extend(other.marks.into_iter().map(|mut mark| {
+            mark.x += start;
+            mark
         }));
         self.width = start + other.width;
         self.ascent = self.ascent.max(other.ascent);
@@ -284,19 +319,10 @@ impl Setter {
         let (start, ascent) = (self.x, self.label.ascent);
         self.label.ascent = 0.0;
         self.math(base, depth);
-        let count = match accent {
-            Accent::Dot => 1,
-            Accent::DoubleDot => 2,
-            Accent::TripleDot => 3,
-            Accent::Hat | Accent::Tilde | Accent::Bar | Accent::Vector => {
-                self.label.ascent = self.label.ascent.max(ascent);
-                return;
-            }
-        };
         // Slanted letters have their top to the right of their middle.
         let x = f64::midpoint(start, self.x) + 0.06 * self.size;
         let y = self.label.ascent + 0.12 * self.size;
-        self.label.dots.push(Dots { count, x, y });
+        self.label.marks.push(Above { accent, x, y });
         self.label.ascent = ascent.max(y + 0.08 * self.size);
     }
 
@@ -377,7 +403,20 @@ mod tests {
         let theta = symbol("theta");
         let plain = Label::of(&theta).ascent();
         let moving = Label::of(&theta.derivative(1));
-        assert_eq!(moving.dots.len(), 1);
+        assert_eq!(moving.marks.len(), 1);
         assert!(moving.ascent() > plain);
+    }
+
+    #[test]
+    fn a_hat_is_one_line_and_no_dots() {
+        let base = Box::new(symbol("X"));
+        let accent = Accent::Hat;
+        let label = Label::of(&Math::Accent { base, accent });
+        let marks: Vec<_> = label
+            .marks
+            .iter()
+            .map(|mark| (mark.dots(), mark.line().len()))
+            .collect();
+        assert_eq!(marks, [(0, 3)]);
     }
 }

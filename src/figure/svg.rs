@@ -4,7 +4,7 @@
 //! share one element. Letters name the fonts that the pages and the PDF have, and stay text.
 
 use super::drawing::{Drawing, Lettering, Mark};
-use super::label::{Look, Run};
+use super::label::{Above, Look, Run};
 use super::path::{Path, Step};
 use super::{Bounds, Fill, LETTER_SIZE, Pen, Point};
 
@@ -293,17 +293,31 @@ impl Writer<'_> {
             rise = run.look.rise;
         }
         self.text("</text>\n");
-        for dots in &label.dots {
-            for number in 0..dots.count {
-                let shift = (f64::from(number) - f64::from(dots.count - 1) / 2.0) * 0.1;
-                let centre = Point::new(bounds.low.x + dots.x + shift, baseline + dots.y);
-                self.text("<circle cx=\"");
-                self.number(centre.x * SCALE);
-                self.text("\" cy=\"");
-                self.number(-centre.y * SCALE);
-                self.text("\" r=\"2.4\"/>\n");
-            }
+        for mark in &label.marks {
+            self.above(*mark, Point::new(bounds.low.x + mark.x, baseline + mark.y));
         }
+    }
+
+    fn above(&mut self, mark: Above, centre: Point) {
+        let count = mark.dots();
+        for number in 0..count {
+            let shift = (f64::from(number) - f64::from(count - 1) / 2.0) * 0.1;
+            self.text("<circle cx=\"");
+            self.number((centre.x + shift) * SCALE);
+            self.text("\" cy=\"");
+            self.number(-centre.y * SCALE);
+            self.text("\" r=\"2.4\"/>\n");
+        }
+        let Some((first, rest)) = mark.line().split_first() else {
+            return;
+        };
+        self.text("<path fill=\"none\" stroke=\"currentColor\" stroke-width=\"2\" d=\"M");
+        self.point(centre + Point::new(first.0, first.1));
+        for corner in rest {
+            self.out.push('L');
+            self.point(centre + Point::new(corner.0, corner.1));
+        }
+        self.text("\"/>\n");
     }
 
     fn run(&mut self, run: &Run, rise: f64) {

@@ -34,6 +34,20 @@ pub enum Lack {
         /// The coordinate along which a force is left.
         coordinate: Name,
     },
+    /// No weight or pre-stretch is balanced at rest.
+    #[error(
+        "nothing is balanced at rest: weights and pre-stretches belong to a further model, `[models.full]`, and the balance to \
+         `models.full.static`"
+    )]
+    NothingStatic,
+    /// A model with weights and pre-stretches moves in another way than the one without.
+    #[error("along `{coordinate}` it moves otherwise than `[model]`: `{difference}` is left")]
+    AnotherMotion {
+        /// The coordinate.
+        coordinate: Name,
+        /// Its left side minus that of the model.
+        difference: String,
+    },
     /// The position at rest is not stable, so that nothing vibrates about it.
     #[error("the position at rest is not stable")]
     Unstable,

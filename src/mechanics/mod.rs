@@ -35,4 +35,4 @@ pub use model::{MOST_COORDINATES, Model};
 pub use nature::Nature;
 pub use numbers::{Frictional, Linearization, Motion, Numbers, Single, TurningPoints};
 pub use quantity::{Quantity, QuantityError};
-pub use steps::{Line, NewtonError, Reason, Side, Step, Term, Way};
+pub use steps::{Letters, Line, NewtonError, Reason, Side, Step, Term, Way};

@@ -42,6 +42,7 @@ fn slips() -> Vec<Slip> {
         Slip::RunsAway,
         Slip::CommonFactor,
         Slip::OtherOrder,
+        Slip::Reversed,
         Slip::Entries(vec![(1, 2)]),
         Slip::Entries(vec![(1, 2), (2, 1)]),
         Slip::CountOfIntervals,

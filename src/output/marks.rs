@@ -137,7 +137,7 @@ impl Marked {
                 y: round(HEIGHT - height),
                 width: round(to - from - 1.5),
                 height,
-                middle: round((from + to) / 2.0),
+                middle: round(f64::midpoint(from, to)),
                 count: *count,
                 passes: self.pass.is_none_or(|pass| edge(place) + 1e-9 >= pass),
             }
@@ -190,7 +190,7 @@ impl Marked {
             bands.push(Band {
                 x: begin,
                 width,
-                middle: round((begin + end) / 2.0),
+                middle: round(f64::midpoint(begin, end)),
                 label: if fits { grade.clone() } else { String::new() },
             });
             end = begin;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::error::GraphError;
 use super::graph::{Graph, Node, NodeId, Role};
 use crate::expr::{CheckError, Expr, Kind, Name, Names, Path, Substitution, Type};
-use crate::mechanics::{Definition, Model, Nature, Quantity, QuantityError, Way};
+use crate::mechanics::{Definition, Lack, Model, Nature, Quantity, QuantityError, Step, Way};
 use crate::source::nearest;
 
 /// A system as it is written, and once its names are settled, as it was derived.
@@ -161,6 +161,28 @@ impl Graph {
     pub fn derivation(&self, path: &Path) -> Option<Result<(&Arc<Model>, Way), QuantityError>> {
         let model = self.system(self.model_of(path)?)?.model.as_ref()?;
         Some(model.way(rest(path)).map(|way| (model, way)))
+    }
+
+    /// The lines of the derivation that a path names; nothing where it names none.
+    pub fn lines(&self, path: &Path) -> Option<Result<Vec<Step>, Lack>> {
+        let (model, way) = self.way(path)?;
+        Some(match way {
+            Way::Static => {
+                let reduced = self.derived("model")?;
+                model.statics(reduced, &self.letters(model))
+            }
+            way => model.derivation(way),
+        })
+    }
+
+    /// The quantities that a model uses as letters, with their formulas; one whose formula is a number stays a letter.
+    fn letters(&self, model: &Model) -> Vec<(Name, Expr)> {
+        let formula = |name: &Name| {
+            let formula = self.expr(self.find(name)?)?;
+            let is_number = formula.names().free.is_empty();
+            (!is_number).then(|| (name.clone(), formula.clone()))
+        };
+        model.names().iter().filter_map(formula).collect()
     }
 
     /// All models that were derived, by the beginnings of their paths.

@@ -137,10 +137,15 @@ impl<'s, 't> Scene<'s, 't> {
             .collect()
     }
 
-    /// The symbol of the quantity that a part asks for, and an equals sign; `None` where it asks for something else.
+    /// The symbol of the quantity that a part asks for, and an equals sign, or for its range the sign of membership; `None`
+    /// where it asks for something else.
     pub fn lead(&self, place: usize) -> Option<Math> {
         let template = self.solution.template();
-        let keys = template.parts[place].answer.keys();
+        let answer = &template.parts[place].answer;
+        if let Some(symbol) = answer.ranging() {
+            return Some(Math::row([symbol.clone(), Math::relation("∈")]));
+        }
+        let keys = answer.keys();
         let [key] = keys[..] else {
             return None;
         };

@@ -1,11 +1,11 @@
 //! Plots of an instance: the formulas of a declared plot, evaluated for its data.
 
 use super::Scene;
-use crate::bank::plot::{Abscissa, Curve, Curves, ModeShapes, Plot, PlotKind};
+use crate::bank::plot::{Abscissa, Curve, Curves, ModeShapes, Phasors, Plot, PlotKind};
 use crate::document::Filling;
 use crate::expr::Precise;
-use crate::figure::Head;
 use crate::figure::plot::{self, Axis, Course, Picture, PlotError, Shape, Spacing, Style};
+use crate::figure::{Head, Point};
 use crate::math::{Math, symbol};
 use crate::quantity::{Absent, Evaluation, Function, NodeId};
 use crate::unit::{Decimal, Quantity, Rational, Unit};
@@ -46,6 +46,7 @@ impl Scene<'_, '_> {
             PlotKind::Curves(curves) => self.curves(curves, false),
             PlotKind::PhasePlane(curves) => self.curves(curves, true),
             PlotKind::ModeShapes(shapes) => self.mode_shapes(shapes),
+            PlotKind::Phasors(phasors) => self.phasors(phasors),
         });
         if drawn.is_exhausted {
             // A curve with gaps where nothing was left would not be that of its formula.
@@ -93,15 +94,19 @@ impl Scene<'_, '_> {
         let mut drawn = Vec::new();
         for (curve, own) in curves.curves.iter().zip(&evaluations) {
             let evaluation = own.as_ref().unwrap_or_else(|| self.solution.evaluation());
+            let within = match curve.range {
+                Some(ends) => self.ends(ends, &curves.x.unit)?,
+                None => [f64::NEG_INFINITY, f64::INFINITY],
+            };
             let value = match evaluation.function(curve.y) {
-                Ok(function) => values(function, curves.x.unit),
+                Ok(function) => values(function, curves.x.unit, within),
                 // What does not exist for these data is not drawn.
                 Err(Absent::NotForTheseData(_)) => continue,
                 Err(absent) => return Err(absent.into()),
             };
             let course = match curve.rate {
                 Some(rate) => {
-                    let rate = values(evaluation.function(rate)?, curves.x.unit);
+                    let rate = values(evaluation.function(rate)?, curves.x.unit, within);
                     Course::Path(Box::new(move |variable| {
                         let at = first(&value(variable)?)?;
                         let rate = first(&rate(variable)?)?;
@@ -263,6 +268,36 @@ impl Scene<'_, '_> {
         Ok(modes.draw())
     }
 
+    fn phasors(&self, phasors: &Phasors) -> Result<Picture, Undrawn> {
+        let evaluation = self.solution.evaluation();
+        let pointer = |node: NodeId| {
+            let own = evaluation.value(node)?.entry(0);
+            Ok::<_, Absent>(Point::new(own.re, own.im))
+        };
+        let drawn = phasors.phasors.iter().map(|own| {
+            Ok(plot::Phasor {
+                value: pointer(own.of)? * (1.0 / phasors.unit.to_si(1.0)),
+                label: own.label.clone(),
+                is_joined: own.is_joined,
+                style: own.style,
+            })
+        });
+        let angles = phasors.angles.iter().map(|own| {
+            Ok(plot::Turn {
+                from: pointer(own.ends[0])?.angle(),
+                to: pointer(own.ends[1])?.angle(),
+                label: own.label.clone(),
+            })
+        });
+        let diagram = plot::Phasors {
+            phasors: drawn.collect::<Result<_, Absent>>()?,
+            angles: angles.collect::<Result<_, Absent>>()?,
+            unit: phasors.unit,
+            decimal: self.solution.mark(),
+        };
+        Ok(diagram.draw()?)
+    }
+
     /// `ω₁ = 3.16 rad/s`.
     fn heading(&self, number: usize, frequency: f64) -> Math {
         let unit = Unit::parse("rad/s").unwrap_or(Unit::ONE);
@@ -277,25 +312,30 @@ impl Scene<'_, '_> {
         ])
     }
 
-    /// The components as shares of the first that is not zero.
+    /// The components as shares of the largest one; where they have several units, of the first that is not zero.
     fn components(&self, row: &[f64], units: &[Unit]) -> Vec<Math> {
         let largest = row
             .iter()
             .fold(0.0_f64, |largest, own| largest.max(own.abs()));
-        let first = row
-            .iter()
-            .position(|own| own.abs() > 1e-9 * largest)
-            .unwrap_or(0);
+        let is_uniform = units.windows(2).all(|pair| pair[0] == pair[1]);
+        let counts = |own: &f64| {
+            if is_uniform {
+                own.abs() >= largest
+            } else {
+                own.abs() > 1e-9 * largest
+            }
+        };
+        let reference = row.iter().position(counts).unwrap_or(0);
         let mark = self.solution.mark();
         let component = |(place, own): (usize, &f64)| {
             if own.abs() <= 1e-9 * largest {
                 return Math::number("0");
             }
-            if place == first {
-                return Math::number("1");
-            }
-            let unit = share(&units[place], &units[first]);
-            let value = Decimal::rounded(own / row[first], 3).unwrap_or(Decimal::ZERO);
+            let unit = share(&units[place], &units[reference]);
+            let value = own / row[reference].abs();
+            let is_whole = unit.is_one() && (value.abs() - 1.0).abs() < 1e-9;
+            let digits = if is_whole { 1 } else { 3 };
+            let value = Decimal::rounded(value, digits).unwrap_or(Decimal::ZERO);
             Quantity::new(value, unit).math(mark)
         };
         row.iter().enumerate().map(component).collect()
@@ -305,9 +345,13 @@ impl Scene<'_, '_> {
 /// What a quantity is at a value of its variable, in the unit of the axis; SI numbers.
 type Values<'e> = Box<dyn Fn(f64) -> Option<Vec<f64>> + 'e>;
 
-fn values<'e>(function: Function<'e, '_>, unit: Unit) -> Values<'e> {
+/// The values of a function within some range of its variable; outside of it there are none.
+fn values<'e>(function: Function<'e, '_>, unit: Unit, [from, to]: [f64; 2]) -> Values<'e> {
     let count = function.variables().count();
     Box::new(move |variable| {
+        if !(from..=to).contains(&variable) {
+            return None;
+        }
         let variables = [Precise::exact(unit.to_si(variable))];
         let value = function.at(&variables[..count.min(1)]).ok()?;
         Some(value.numbers().to_vec())

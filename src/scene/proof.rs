@@ -38,9 +38,8 @@ pub fn underived(template: &Template) -> Vec<Finding> {
         for (place, target) in places {
             let reason = match target {
                 Target::Derivation(path) => {
-                    let way = template.graph.way(path);
-                    way.and_then(|(model, way)| model.derivation(way).err())
-                        .map(|lack| lack.to_string())
+                    let lines = template.graph.lines(path);
+                    lines.and_then(|lines| Some(lines.err()?.to_string()))
                 }
                 Target::Node(node) if place.form == Form::Worked => {
                     unworkable(template, *node).map(str::to_owned)

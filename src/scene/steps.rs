@@ -18,16 +18,17 @@ impl Scene<'_, '_> {
     /// The derivation that a path asks for.
     pub(super) fn steps(&self, path: &Path) -> Filling {
         let graph = &self.solution.template().graph;
-        let steps = match graph.way(path) {
-            Some((_, Way::TurningPoints)) => return self.turning_points(path),
-            Some((model, way)) => model.derivation(way).unwrap_or_default(),
-            None => Vec::new(),
-        };
+        if let Some((_, Way::TurningPoints)) = graph.way(path) {
+            return self.turning_points(path);
+        }
+        let steps = graph.lines(path).and_then(Result::ok).unwrap_or_default();
         Filling::Steps(steps.iter().map(|step| self.step(step)).collect())
     }
 
     fn step(&self, step: &Step) -> Shown {
-        let lines: Vec<Chain> = step.lines.iter().map(|line| self.line(line)).collect();
+        let mut lines: Vec<Chain> = step.lines.iter().map(|line| self.line(line)).collect();
+        // What differs in its order alone is printed once.
+        lines.dedup_by(|line, before| line.sides == before.sides);
         Shown {
             words: self.words(&step.reason),
             lines: aligned(&lines),
@@ -126,6 +127,9 @@ impl Scene<'_, '_> {
                 let words = name.as_str().replace('_', " ");
                 vec![text(&format!("Newton’s law, {words}:"))]
             }
+            Reason::AtRest => vec![text("At rest, with all displacements zero:")],
+            Reason::Letters => vec![text("So the static displacements are:")],
+            Reason::InMotion => vec![text("In motion, with the balance at rest:")],
             Reason::Characteristic => {
                 vec![text(
                     "A motion with one angular frequency and without dampers:",
@@ -561,6 +565,51 @@ mod tests {
         };
         assert_eq!(asked("T0").as_deref(), Some("0.628 ms"));
         assert_eq!(asked("f0"), None);
+    }
+
+    /// The balance at rest vanishes and the motion is left, with what the letters are said to stand for.
+    #[test]
+    fn balances_at_rest_are_read_back_and_vanish() {
+        let (catalogue, _) = Catalogue::load(embedded());
+        let (mut balances, mut motions) = (0, 0);
+        for template in catalogue.items() {
+            let path = Path::new(["models", "full", "static"].map(Name::new).to_vec());
+            let Some(steps) = template.graph.lines(&path) else {
+                continue;
+            };
+            let steps = steps.unwrap_or_else(|lack| panic!("{}: {lack}", template.id));
+            let model = template.graph.derived("models.full").expect("a model");
+            let solution = Solution::of(Instance::of_source(template));
+            let scene = Scene::of(&solution, Data::Both);
+            let mut reader = Reader::of(&scene, model, &steps);
+            let of = |reason: Reason| steps.iter().filter(move |step| step.reason == reason);
+            let learned = of(Reason::Kinematics).chain(of(Reason::Letters));
+            let learned: Vec<&Line> = learned.flat_map(|step| &step.lines).collect();
+            // Twice: a letter may stand for what a later line says another one stands for.
+            for line in learned.iter().chain(&learned) {
+                reader.learn(line);
+            }
+            let zero = Normal::of(&Expr::number(0)).expect("a number");
+            for line in of(Reason::AtRest).flat_map(|step| &step.lines) {
+                let balance = reader.read(&line.sides[1]).expect("a formula");
+                assert_same(template.id.as_str(), &balance, &zero);
+                balances += 1;
+            }
+            for line in of(Reason::InMotion).flat_map(|step| &step.lines) {
+                let sides: Vec<Normal> = line.sides[1..]
+                    .iter()
+                    .filter_map(|side| reader.read(side))
+                    .collect();
+                for pair in sides.windows(2) {
+                    assert_same(template.id.as_str(), &pair[0], &pair[1]);
+                    motions += 1;
+                }
+            }
+        }
+        assert!(
+            balances >= 6 && motions >= 6,
+            "{balances} balances, {motions} motions"
+        );
     }
 
     #[test]

@@ -9,14 +9,19 @@ use crate::expr::{Notation, Path};
 use crate::math::Math;
 use crate::unit::{Decimal, Dimension, Quantity, Unit};
 
-/// Lines beyond which a list teaches nothing more; the last one shows that it goes on.
-const MOST_LINES: usize = 8;
+/// Lines beyond which a list teaches nothing more; of a longer one its beginning and its end are shown.
+const MOST_LINES: usize = 9;
+/// Lines of the beginning of a longer list.
+const FIRST_LINES: usize = 5;
+/// Lines of its end: the last point that is left, and the rest.
+const LAST_LINES: usize = 2;
+/// Turning points that are sought; where more come, the end is not shown.
+const MOST_POINTS: usize = 500;
 
 impl Scene<'_, '_> {
     pub(super) fn turning_points(&self, path: &Path) -> Filling {
         let evaluation = self.solution.evaluation();
-        // One more tells whether the list ends.
-        let Some(turns) = evaluation.turning_points(path, MOST_LINES + 1) else {
+        let Some(turns) = evaluation.turning_points(path, MOST_POINTS) else {
             return Filling::Steps(Vec::new());
         };
         let digits = u32::from(self.solution.template().about.digits);
@@ -46,11 +51,16 @@ impl Scene<'_, '_> {
                 is_approximate: false,
             }
         };
-        let shown = 0..turns.points.len().min(MOST_LINES);
-        let mut lines = aligned(&shown.map(line).collect::<Vec<_>>());
-        if turns.points.len() > MOST_LINES {
-            lines.push([Math::row([]), Math::text("and so on")]);
-        }
+        let count = turns.points.len();
+        let set = |places: std::ops::Range<usize>| aligned(&places.map(line).collect::<Vec<_>>());
+        let lines = if count <= MOST_LINES {
+            set(0..count)
+        } else {
+            let mut lines = set(0..FIRST_LINES);
+            lines.push([Math::row([]), Math::text("and so on, until")]);
+            lines.extend(set(count - LAST_LINES..count));
+            lines
+        };
         Filling::Steps(vec![Shown {
             words: vec![Inline::Text(
                 "Turning points, and the pull of all other forces there against the largest friction:"
@@ -125,6 +135,19 @@ mod tests {
             }
         }
         assert!(lists >= 25, "{lists} lists");
+    }
+
+    #[test]
+    fn a_long_list_shows_its_beginning_and_its_end() {
+        let (catalogue, _) = Catalogue::load(embedded());
+        let template = catalogue.find("ch3/t7-mu-from-decay").expect("an item");
+        let solution = Solution::of(Instance::of_source(template));
+        let scene = Scene::of(&solution, Data::Both);
+        let Filling::Steps(steps) = scene.turning_points(&path()) else {
+            panic!("lines");
+        };
+        let last = steps[0].lines.last().expect("a line")[1].plain();
+        assert!(last.contains("≤"), "the rest is shown: {last}");
     }
 
     #[test]

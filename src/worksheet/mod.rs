@@ -42,6 +42,7 @@ pub use fairness::{Alike, Fairness, ItemFairness, QuestionFairness, Range};
 pub use manifest::{
     BankStamp, Csv, EntryError, FORMAT, FileStamp, Manifest, PartEntry, QuestionEntry, VariantEntry,
 };
+#[cfg(feature = "render")]
 pub use marks::MarksError;
 pub use marks::{Best, Bound, Direction, Exact, Marks, Rounding, Scored, Step, Total, Worth};
 #[cfg(feature = "render")]

@@ -417,7 +417,7 @@ impl<'c> Planner<'c> {
                 continue;
             };
             knows_all = false;
-            let near = nearest(&wanted.value, known.into_iter()).map(str::to_owned);
+            let near = nearest(&wanted.value, known).map(str::to_owned);
             let (found, span) = (wanted.value.clone(), wanted.span);
             self.find(&PlanError::Word {
                 what,

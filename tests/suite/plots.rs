@@ -128,7 +128,7 @@ fn sound(picture: &Picture) -> Result<(), String> {
 }
 
 /// The plots of the book's gallery: item, plot, and what it is an example of.
-const GALLERY: [(&str, &str, &str); 12] = [
+const GALLERY: [(&str, &str, &str); 13] = [
     (
         "ch3/e4-underdamped-response",
         "decay",
@@ -151,6 +151,11 @@ const GALLERY: [(&str, &str, &str); 12] = [
     ),
     ("ch4/e3-bandwidth-cutoff", "resonance", "Peak and cut-offs"),
     ("ch4/e5-phase-behaviour", "phase", "Phase"),
+    (
+        "ch4/e1-forced-steady-state",
+        "phasors",
+        "Phasors of the forces",
+    ),
     (
         "ch4/t4-vibration-absorber",
         "response",

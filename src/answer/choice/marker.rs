@@ -1,8 +1,8 @@
 //! Marks what was chosen.
 
 use crate::answer::{
-    Answered, Credit, Key, KeyValue, Marker, Marking, Nature, Reading, Remark, Trial, Unreadable,
-    Why,
+    Answered, Credit, Key, KeyValue, Marker, Marking, Nature, Reading, Remark, Slip, Trial,
+    Unreadable, Why,
 };
 use crate::document::Document;
 use crate::math::Math;
@@ -97,7 +97,9 @@ impl Chosen {
         let credit = Rational::new(ordered as i128, all as i128)
             .and_then(Credit::new)
             .unwrap_or(Credit::NONE);
-        Marking::read(self.reading(places), credit, None)
+        let is_reversed = ordered == 0 && all > 1;
+        let remark = is_reversed.then_some(Remark::Slip(Slip::Reversed));
+        Marking::read(self.reading(places), credit, remark)
     }
 }
 

@@ -11,7 +11,7 @@
 //! kind     = "equation"
 //! id       = "eom"
 //! key      = "m*x'' + c*x' + k*x = 0"     # or `model.equation`
-//! unknowns = ["x"]                         # the coordinates if left out
+//! unknowns = ["x"]                         # if left out, the coordinates of the model of the keys
 //! ask      = "Find the equation of motion."
 //! mistakes = [{ answer = "m*x'' + k*x = 0", feedback = "The damper is missing." }]
 //! ```
@@ -73,8 +73,16 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         names.push(own.name.clone());
     }
     if unknowns.is_empty() {
+        let of_models: Vec<Name> = texts
+            .iter()
+            .flat_map(|text| declare.coordinates_of(text))
+            .collect();
+        let is_own = |name: &Name| of_models.is_empty() || of_models.contains(name);
         let coordinates = known.iter().filter(|own| own.role == Role::Coordinate);
-        names = coordinates.map(|own| own.name.clone()).collect();
+        names = coordinates
+            .map(|own| own.name.clone())
+            .filter(is_own)
+            .collect();
     }
     for name in &names {
         meaning.set_moving(name);

@@ -229,6 +229,10 @@ impl Answer for Interval {
         written.describe(blank, (letters, lexicon), (Some(*unit), self.digits))
     }
 
+    fn ranging(&self) -> Option<&Math> {
+        Some(&self.setup.symbol)
+    }
+
     fn keys(&self) -> Vec<NodeId> {
         self.key
             .iter()

@@ -45,6 +45,8 @@ pub enum Slip {
     CommonFactor,
     /// The entries for the coordinates in another order.
     OtherOrder,
+    /// A ranking from its end to its beginning.
+    Reversed,
     /// Entries of a matrix, by row and column from 1.
     Entries(Vec<(usize, usize)>),
     /// Another number of intervals than there are.

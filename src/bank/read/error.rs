@@ -167,6 +167,9 @@ pub enum ItemError {
     /// A band without two edges.
     #[error("a band has two edges")]
     PlotBand,
+    /// A phasor that is no number.
+    #[error("a phasor is one number, real or complex")]
+    Phasor,
     /// A function of something else than the variable.
     #[error("this is a function of `{of}`, which is not the variable")]
     PlotVariable {
@@ -230,6 +233,7 @@ impl Diagnose for ItemError {
             | Self::PlotPair
             | Self::PlotValue
             | Self::PlotBand
+            | Self::Phasor
             | Self::PlotVariable { .. }
             | Self::PlotUnit { .. }
             | Self::CurveCount { .. }
@@ -286,12 +290,15 @@ impl Diagnose for ItemError {
                     ))
                 })
             }
-            Self::PlotKind { .. } => Some("it can be curves, mode-shapes, phase-plane".to_owned()),
+            Self::PlotKind { .. } => {
+                Some("it can be curves, mode-shapes, phase-plane, phasors".to_owned())
+            }
             Self::PlotStyle { .. } => {
                 let names: Vec<_> = crate::figure::plot::Style::names().collect();
                 Some(format!("it can be {}", names.join(", ")))
             }
             Self::PlotPair => Some("write `[\"0\", \"5*T\"]`".to_owned()),
+            Self::Phasor => Some("write a complex amplitude, `i*c*Omega*X`".to_owned()),
             Self::PlotBand => Some("write both, `[-delta, delta]`".to_owned()),
             Self::PlotVariable { .. } => {
                 Some("put in its value, `at(x, t = 2[s])`, or choose it as the variable".to_owned())

@@ -9,6 +9,7 @@ mod figure;
 mod models;
 mod parts;
 mod passages;
+mod phasors;
 mod plots;
 mod quantities;
 mod texts;
@@ -53,6 +54,8 @@ struct Reader<'s> {
     free: Vec<Known>,
     /// What the parts that were read ask for.
     asked: Vec<NodeId>,
+    /// The names that they and the part that is being read write in their keys.
+    introduced: BTreeSet<String>,
     /// The constraints.
     constraints: Vec<NodeId>,
     /// The part that is being read.
@@ -125,6 +128,7 @@ impl<'s> Reader<'s> {
             moves: false,
             free: Vec::new(),
             asked: Vec::new(),
+            introduced: BTreeSet::new(),
             constraints: Vec::new(),
             part: String::new(),
             was: BTreeMap::new(),

@@ -11,6 +11,17 @@ use crate::source::{Data, Entry, Span, Table, Value};
 /// The keys of a model that `like` may take over.
 const FORMULAS: [&str; 3] = ["kinetic", "potential", "dissipation"];
 
+/// The keys on which the motion of a model depends.
+const OF_THE_MOTION: [&str; 7] = [
+    "coordinates",
+    "kinematics",
+    "kinetic",
+    "potential",
+    "dissipation",
+    "forces",
+    "friction",
+];
+
 /// A model as declared, until all names are known.
 pub(super) struct Declared {
     pub(super) node: NodeId,
@@ -90,7 +101,11 @@ impl<'s> Reader<'s> {
         definition.kinematics = self.by_name(from("kinematics"), "kinematics");
         definition.forces = self.by_name(from("forces"), "forces");
         definition.equilibrium = self.by_name(from("equilibrium"), "equilibrium");
-        definition.bodies = self.bodies(from("bodies"));
+        // Bodies are laws of the same motion: another energy makes them those of another system.
+        let is_other = OF_THE_MOTION.iter().any(|key| table.has(key));
+        let bodies = Some(table).filter(|own| own.has("bodies"));
+        let bodies = bodies.or(like.filter(|like| !is_other && like.has("bodies")));
+        definition.bodies = self.bodies(bodies);
         definition.friction = self.frictions(from("friction"));
         definition.initial = self.initials(from("initial"));
         definition

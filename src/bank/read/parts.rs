@@ -13,6 +13,7 @@ use crate::bank::template::{Group, Mistake, MistakeAnswer, Part, Units};
 use crate::diagnostic::{Diagnose, Finding};
 use crate::document::Document;
 use crate::expr::{Equation, Expr, Kind, Name};
+use crate::mechanics::{Model, Quantity};
 use crate::numerics::Rational;
 use crate::quantity::{Graph, NodeId};
 use crate::source::{Data, Span, Table, Text};
@@ -161,6 +162,7 @@ impl<'s> Reader<'s> {
         let space = self.space(&table);
         #[cfg(not(feature = "render"))]
         table.value("space");
+        self.introduce(&table);
         let mut answer = kind.read(&table, self);
         let naming = answer
             .as_ref()
@@ -206,6 +208,26 @@ impl<'s> Reader<'s> {
             space,
             mistakes,
         })
+    }
+
+    /// Notes the names that the answer of a part is written with.
+    fn introduce(&mut self, table: &Table<'s>) {
+        let written = ["key", "unknowns", "in", "variable"];
+        let entries = table.entries().iter();
+        for entry in entries.filter(|entry| written.contains(&entry.key.as_str())) {
+            let texts = match &entry.value.data {
+                Data::Text(_) => std::slice::from_ref(&entry.value),
+                Data::List(items) => items,
+                _ => &[],
+            };
+            for text in texts {
+                if let Data::Text(text) = &text.data {
+                    let is_part = |letter: char| letter.is_ascii_alphanumeric() || letter == '_';
+                    let names = text.split(|letter| !is_part(letter)).map(str::to_owned);
+                    self.introduced.extend(names);
+                }
+            }
+        }
     }
 
     /// The kind of answer of a part.
@@ -349,6 +371,15 @@ impl<'s> Reader<'s> {
         }
         replaced
     }
+
+    /// The model and the quantity that a text names.
+    fn named(&self, text: &Text) -> Option<(&Arc<Model>, Quantity)> {
+        let path = Expr::read(&text.value).ok()?;
+        let Kind::Path(path) = path.kind() else {
+            return None;
+        };
+        self.graph.offered(path)
+    }
 }
 
 fn is_name(key: &str) -> bool {
@@ -388,11 +419,7 @@ impl Declare for Reader<'_> {
     }
 
     fn equations(&mut self, text: &Text) -> Option<Vec<Equation>> {
-        let path = Expr::read(&text.value).ok();
-        let offered = path.as_ref().and_then(|path| match path.kind() {
-            Kind::Path(path) => self.graph.offered(path),
-            _ => None,
-        });
+        let offered = self.named(text);
         let equations = offered.and_then(|(model, quantity)| model.equations(quantity).ok());
         if equations.is_none() {
             self.find(
@@ -403,6 +430,13 @@ impl Declare for Reader<'_> {
             );
         }
         equations
+    }
+
+    fn coordinates_of(&self, text: &Text) -> Vec<Name> {
+        let dimensions = self
+            .named(text)
+            .map_or_else(Vec::new, |(model, _)| model.coordinate_dimensions());
+        dimensions.into_iter().map(|(name, _)| name).collect()
     }
 
     fn constraints(&self) -> Vec<Expr> {
@@ -435,6 +469,10 @@ impl Declare for Reader<'_> {
             })
         });
         named.chain(self.free.iter().cloned()).collect()
+    }
+
+    fn is_introduced(&self, symbol: &Name) -> bool {
+        self.introduced.contains(symbol.as_str())
     }
 
     fn unit(&mut self, text: &Text) -> Option<Unit> {

@@ -40,6 +40,7 @@ impl<'s> Reader<'s> {
             "curves" => self.curves(&table, false).map(PlotKind::Curves),
             "phase-plane" => self.curves(&table, true).map(PlotKind::PhasePlane),
             "mode-shapes" => self.mode_shapes(&table).map(PlotKind::ModeShapes),
+            "phasors" => self.phasors(&table).map(PlotKind::Phasors),
             other => {
                 let found = other.to_owned();
                 self.find(&ItemError::PlotKind { found }, &kind.clone()?);
@@ -62,8 +63,9 @@ impl<'s> Reader<'s> {
         let mut curves = Vec::new();
         for item in self.few(table, "curves", items?) {
             let inner = Table::of(table.source(), table.problems(), "curves", item);
-            let read =
-                inner.and_then(|inner| self.curve(table.name(), inner, &variable, is_phase_plane));
+            let read = inner.and_then(|inner| {
+                self.curve(table.name(), inner, (&variable, &x.unit), is_phase_plane)
+            });
             curves.extend(read);
         }
         let unit = self.ordinate_unit(&curves, unit, &variable)?;
@@ -85,7 +87,12 @@ impl<'s> Reader<'s> {
     }
 
     /// The items of an array that has few of them.
-    fn few(&mut self, table: &Table<'s>, key: &'static str, value: &'s Value) -> &'s [Value] {
+    pub(super) fn few(
+        &mut self,
+        table: &Table<'s>,
+        key: &'static str,
+        value: &'s Value,
+    ) -> &'s [Value] {
         let items = table.items(key, value);
         if items.is_empty() || items.len() > MOST_CURVES {
             let error = ItemError::CurveCount {
@@ -191,7 +198,7 @@ impl<'s> Reader<'s> {
         is_real.then_some(())
     }
 
-    fn dimension_of(&self, nodes: &[NodeId]) -> Option<Dimension> {
+    pub(super) fn dimension_of(&self, nodes: &[NodeId]) -> Option<Dimension> {
         let dimension = |node: &NodeId| self.graph.kind(*node).and_then(Type::dimension);
         nodes.iter().find_map(dimension)
     }
@@ -221,7 +228,7 @@ impl<'s> Reader<'s> {
     }
 
     /// A finding unless a unit has this dimension; zero has every dimension.
-    fn hold(&mut self, unit: &Unit, dimension: Option<Dimension>, text: &Text) {
+    pub(super) fn hold(&mut self, unit: &Unit, dimension: Option<Dimension>, text: &Text) {
         if let Some(found) = dimension.filter(|found| *found != unit.dimension()) {
             let error = ItemError::PlotUnit {
                 unit: unit.to_string(),
@@ -236,21 +243,19 @@ impl<'s> Reader<'s> {
         &mut self,
         plot: &str,
         table: Table<'s>,
-        variable: &Variable,
+        (variable, unit): (&Variable, &Unit),
         is_phase_plane: bool,
     ) -> Option<(Curve, Text)> {
         let y = table.required("y").and_then(|y| table.as_formula("y", y));
         let label = table.text("label").map(|label| self.plot_label(&label));
-        let style = table.text("style");
-        let style = style.map_or(Style::Auto, |text| {
-            Style::of_name(&text.value).unwrap_or_else(|| {
-                let found = text.value.clone();
-                self.find(&ItemError::PlotStyle { found }, &text);
-                Style::Auto
-            })
-        });
+        let style = self.style(&table);
         let with = table.table("with");
         let with = with.map_or(Vec::new(), |with| self.replacements(&with));
+        let range = table.value("range");
+        let range = range.and_then(|value| self.ends(plot, &table, "range", value));
+        if let Some((ends, place)) = &range {
+            self.hold(unit, self.dimension_of(ends), place);
+        }
         table.finish();
         let text = y?;
         let expr = self.expr(&text)?;
@@ -276,8 +281,21 @@ impl<'s> Reader<'s> {
             label,
             style,
             with,
+            range: range.map(|(ends, _)| ends),
         };
         Some((curve, text))
+    }
+
+    /// How a curve or phasor is drawn.
+    pub(super) fn style(&mut self, table: &Table<'s>) -> Style {
+        let Some(text) = table.text("style") else {
+            return Style::Auto;
+        };
+        Style::of_name(&text.value).unwrap_or_else(|| {
+            let found = text.value.clone();
+            self.find(&ItemError::PlotStyle { found }, &text);
+            Style::Auto
+        })
     }
 
     /// A formula over the variable of the plot.
@@ -503,7 +521,7 @@ fn place(value: &Value) -> Text {
 }
 
 /// The coherent unit of a dimension.
-fn coherent(dimension: Option<Dimension>) -> Unit {
+pub(super) fn coherent(dimension: Option<Dimension>) -> Unit {
     dimension
         .and_then(|dimension| Unit::parse(&dimension.describe()).ok())
         .unwrap_or(Unit::ONE)

@@ -1,5 +1,7 @@
 //! Marking one sheet.
 
+use std::collections::BTreeSet;
+
 use vibank::answer::{Credit, Doubt};
 use vibank::bank::Template;
 use vibank::grade::{Feedback, Grade, QuestionFeedback, Responses, Sheet};
@@ -101,32 +103,29 @@ impl Marker<'_> {
     fn question(&self, code: &str, question: &QuestionEntry) -> Result<Vec<Marked>, Failure> {
         let template = self.item(question)?;
         let answered = self.answered(code, question, template)?;
-        let mut numbers: Vec<usize> = answered
-            .iter()
-            .flat_map(|part| part.ruling.numbers.iter().copied())
-            .collect();
-        if numbers.is_empty() {
+        if answered.iter().all(|part| part.ruling.is_empty()) {
             return self.marked(template, question, &answered);
         }
-        numbers.sort_unstable();
-        numbers.dedup();
         let plain: Vec<Answered<'_>> = answered.iter().map(Answered::plain).collect();
         let before = self.marked(template, question, &plain)?;
         let key = (question.item.clone(), question.revision);
         let now = self.corrected.get(&key).unwrap_or(template);
         let mut marked = self.marked(now, question, &answered)?;
         rescale(&mut marked, &answered);
-        for ((part, before), answered) in marked.iter_mut().zip(&before).zip(&answered) {
+        let all = marked.iter().flat_map(|part| &part.outcome.decisions);
+        let all: BTreeSet<usize> = all.copied().collect();
+        for (part, before) in marked.iter_mut().zip(&before) {
+            let outcome = &mut part.outcome;
             let before = Standing::of(&before.outcome);
-            if before == Standing::of(&part.outcome) {
+            if before == Standing::of(outcome) {
+                outcome.decisions.clear();
                 continue;
             }
-            part.outcome.before = Some(before);
+            outcome.before = Some(before);
             // What no decision is about follows from one about another part.
-            part.outcome.decisions = match &answered.ruling.numbers[..] {
-                [] => numbers.clone(),
-                own => own.to_vec(),
-            };
+            if outcome.decisions.is_empty() {
+                outcome.decisions = all.iter().copied().collect();
+            }
         }
         Ok(marked)
     }

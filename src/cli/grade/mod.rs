@@ -163,11 +163,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     let marks = marks.unwrap_or_default();
     let shard = arguments.shard;
     let input = input(arguments, file.as_deref(), &sheets, &catalogue.digest())?;
-    let changes = match &arguments.compare {
-        Some(path) => Some(Changes::since(path)?),
-        None if out.has("results.json") => Some(Changes::since(&out.path("results.json")?)?),
-        None => None,
-    };
+    let changes = changes(arguments, &out)?;
     let dialect = Dialect::new(sheets.head.csv, sheets.head.decimal);
     let wants_book = sheets.head.formats.iter().any(|format| format == XLSX);
     if wants_book && !workbook::IS_BUILT_IN {
@@ -232,6 +228,15 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     faults.extend(unclaimed.map(|error| saved::said(&error, &names)));
     faults.extend(job.decisions.doubts());
     job.finish(&faults, &census.changed)
+}
+
+/// What the marks are compared with: those of an earlier run, or those that the folder holds.
+fn changes(arguments: &Arguments, out: &Folder) -> Result<Option<Changes>, Failure> {
+    match &arguments.compare {
+        Some(path) => Ok(Some(Changes::since(path)?)),
+        None if out.has("results.json") => Ok(Some(Changes::since(&out.path("results.json")?)?)),
+        None => Ok(None),
+    }
 }
 
 /// What the outcome depends on, in one line.

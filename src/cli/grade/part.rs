@@ -8,7 +8,7 @@ use vibank::solution::Solution;
 use vibank::worksheet::Void;
 
 use super::answered::Answered;
-use super::decisions::Decision;
+use super::decisions::{Accepted, Decision};
 use super::hand;
 use super::marking::Marker;
 use super::outcome::{Fraction, PartOutcome};
@@ -40,6 +40,8 @@ struct Standing {
     remarks: Vec<Comment>,
     /// Why it is open, for the teacher.
     why: Option<String>,
+    /// The numbers of the decisions that were carried out.
+    carried_out: Vec<usize>,
 }
 
 /// What a person gave for a part: the points, if it is marked, and what the student is told.
@@ -75,6 +77,7 @@ impl Marker<'_> {
                     .collect(),
                 remarks: grade::remarks(solution, part.place, marking, self.language),
                 why: None,
+                carried_out: part.ruling.numbers.clone(),
             }
         };
         if part.is_undecided() {
@@ -86,9 +89,13 @@ impl Marker<'_> {
         }
         standing.settle(part, self.language);
         standing.void(part, self.language);
+        // A key that was corrected has its remarks as any.
+        let is_decided = part.ruling.settled.is_some()
+            || part.ruling.void.is_some()
+            || standing.carried_out.len() > part.ruling.numbers.len();
         // The page says the verdict itself.
         let is_plain = marking.remarks.is_empty()
-            && part.ruling.numbers.is_empty()
+            && !is_decided
             && !part.is_by_hand
             && !part.is_undecided()
             && standing.points >= Rational::ZERO;
@@ -137,6 +144,7 @@ impl Marker<'_> {
             reasons: vec![reason.to_owned()],
             remarks: given.remarks,
             why: given.why,
+            carried_out: part.ruling.numbers.clone(),
         }
     }
 
@@ -205,7 +213,13 @@ impl Standing {
         if response.is_empty() || part.is_undecided() {
             return;
         }
-        for (decision, texts, credit) in &part.ruling.accepted {
+        for Accepted {
+            number,
+            decision,
+            texts,
+            credit,
+        } in &part.ruling.accepted
+        {
             let is_accepted = |text: &String| is_same(solution, part.place, response, text);
             if credit.share() <= self.credit || !texts.iter().any(is_accepted) {
                 continue;
@@ -213,6 +227,7 @@ impl Standing {
             self.credit = credit.share();
             self.verdict = credit.verdict();
             self.points = credit.share().checked_mul(part.max).unwrap_or(part.max);
+            self.carried_out.push(*number);
             self.reasons.insert(0, "accepted".to_owned());
             self.why = None;
             self.remarks = vec![match &decision.feedback {
@@ -294,7 +309,7 @@ impl Standing {
             by_hand: part.is_by_hand,
             other,
             before: None,
-            decisions: Vec::new(),
+            decisions: self.carried_out,
         }
     }
 }

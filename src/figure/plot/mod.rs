@@ -1,4 +1,4 @@
-//! Plots: curves over a variable, phase planes and mode shapes, for black-and-white print.
+//! Plots: curves over a variable, phase planes, mode shapes and phasor diagrams, for black-and-white print.
 //!
 //! A plot is told apart by dashes and by labels at its curves, not by colours and a legend. Its axes have
 //! round ticks and name their units. Curves are sampled where they bend, so that few cubic pieces follow
@@ -14,6 +14,7 @@ mod description;
 mod frame;
 mod lettering;
 mod modes;
+mod phasors;
 mod room;
 mod sample;
 mod ticks;
@@ -23,6 +24,7 @@ use crate::math::Math;
 use crate::unit::{DecimalMark, Unit};
 
 pub use modes::{ModeShapes, Shape};
+pub use phasors::{Phasor, Phasors, Turn};
 
 /// Curves between two axes.
 pub struct Plot<'a> {
@@ -143,8 +145,8 @@ pub enum PlotError {
         /// Its end.
         to: f64,
     },
-    /// No curve has a value anywhere.
-    #[error("none of its curves has a value")]
+    /// No curve has a value anywhere, or no phasor a length.
+    #[error("nothing in it has a value")]
     Nothing,
     /// A mark that lies outside.
     #[error("a mark at ({}, {}) lies outside of the axes", .at[0], .at[1])]

@@ -54,7 +54,13 @@ impl Deriver<'_> {
             sum = sum.plus(&entry.times(&Normal::of(&Expr::name(name.clone()))?)?)?;
         }
         let written = |own: &Normal| own.to_bracket(self.model.order());
-        let ratio = -(written(&entries[row][0]) / written(&entries[row][1]));
+        // The sign goes where it makes the fewest.
+        let (own, other) = (&entries[row][0], &entries[row][1]);
+        let ratio = if other.has_negative_coefficients_alone() {
+            written(own) / written(&other.negated())
+        } else {
+            -(written(own) / written(other))
+        };
         let names = Expr::name(second.clone()) / Expr::name(first.clone());
         Ok(vec![Step {
             reason: Reason::Row(row),

@@ -8,11 +8,11 @@ use crate::expr::{
 };
 
 /// A derivative through the kinematic names, and in the coordinates.
-struct Derivative {
+pub(super) struct Derivative {
     through_names: Expr,
     /// In the coordinates: term by term, or collected where that is shorter.
     shortest: Expr,
-    collected: Normal,
+    pub(super) collected: Normal,
 }
 
 /// A line for a term, the sign with which it stands in the equation, its name and what it is.
@@ -229,7 +229,7 @@ impl Deriver<'_> {
 
     /// The derivative of an energy by a coordinate or its velocity, term by term as the author wrote it; `None` where it
     /// vanishes. What contributes is noted in `used`.
-    fn derivative(
+    pub(super) fn derivative(
         &self,
         energy: &Expr,
         by: &Variable,
@@ -302,7 +302,7 @@ impl Deriver<'_> {
 }
 
 impl Derivative {
-    fn sides(&self) -> Vec<Side> {
+    pub(super) fn sides(&self) -> Vec<Side> {
         let sides = [&self.through_names, &self.shortest];
         let mut sides: Vec<Expr> = sides.into_iter().cloned().collect();
         sides.dedup();

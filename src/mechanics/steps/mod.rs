@@ -8,11 +8,13 @@ mod energy;
 mod factors;
 mod frequencies;
 mod lagrange;
+mod statics;
 #[cfg(test)]
 mod tests;
 mod ways;
 
 pub use bodies::NewtonError;
+pub use statics::Letters;
 pub use ways::Way;
 
 use std::collections::BTreeSet;
@@ -103,6 +105,12 @@ pub enum Reason {
     Characteristic,
     /// A row of the equations for the shape of a mode, counted from 0.
     Row(usize),
+    /// The forces with a potential where all coordinates are zero.
+    AtRest,
+    /// What the letters in the balance at rest stand for.
+    Letters,
+    /// The same forces in motion, with what balances at rest gone.
+    InMotion,
 }
 
 impl Line {
@@ -223,7 +231,8 @@ fn is_zero(formula: &Expr) -> Result<bool, SymbolicError> {
 }
 
 impl Model {
-    /// The lines of a derivation in letters; none for [`Way::TurningPoints`], which needs numbers.
+    /// The lines of a derivation in letters; none for [`Way::TurningPoints`], which needs numbers. For [`Way::Static`] see
+    /// [`Model::statics`], which needs a second model.
     ///
     /// # Errors
     ///
@@ -237,6 +246,7 @@ impl Model {
             Way::Newton => deriver.newton(),
             Way::Characteristic => deriver.characteristic(),
             Way::Row(mode) => deriver.row(mode),
+            Way::Static => Err(Lack::NothingStatic),
             Way::TurningPoints if self.definition.friction.is_empty() => Err(Lack::NoFriction),
             Way::TurningPoints => Ok(Vec::new()),
         }

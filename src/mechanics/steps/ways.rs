@@ -21,17 +21,20 @@ pub enum Way {
     /// The turning points under dry friction. Their lines are numbers, which the data of an instance give:
     /// [`Numbers::turning_points`](crate::mechanics::Numbers::turning_points).
     TurningPoints,
+    /// The balance at rest, and what is left of it in motion.
+    Static,
 }
 
 impl Way {
     /// The names of all ways.
-    pub const NAMES: [&str; 6] = [
+    pub const NAMES: [&str; 7] = [
         "lagrange",
         "energy",
         "newton",
         "characteristic",
         "row",
         "turning_points",
+        "static",
     ];
 }
 
@@ -53,6 +56,7 @@ impl Model {
             "newton" => Way::Newton,
             "characteristic" => Way::Characteristic,
             "turning_points" => Way::TurningPoints,
+            "static" => Way::Static,
             "row" => return self.mode(rest).map(Way::Row),
             name => return Err(unknown(name)),
         };

@@ -248,6 +248,7 @@ fn slip(slip: &Slip) -> String {
         }
         Slip::CommonFactor => "All entries are off by one factor.",
         Slip::OtherOrder => "These are the entries for the coordinates in another order.",
+        Slip::Reversed => "The order is right, but it begins at the wrong end.",
         Slip::CountOfIntervals => "Look again at how many intervals there are.",
         Slip::DependentShapes => {
             "These shapes are multiples of one another; independent ones are asked."

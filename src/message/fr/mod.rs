@@ -266,6 +266,7 @@ fn slip(slip: &Slip) -> String {
         Slip::OtherOrder => {
             "Ce sont les éléments pour les coordonnées dans un autre ordre."
         }
+        Slip::Reversed => "L’ordre est juste, mais il commence par le mauvais bout.",
         Slip::CountOfIntervals => "Revoyez combien il y a d’intervalles.",
         Slip::DependentShapes => {
             "Ces formes sont proportionnelles ; des formes indépendantes sont demandées."

@@ -238,7 +238,7 @@ fn what_is_wrong_with_a_question_of_ones_own_has_its_place_in_the_blueprint() {
         ("kind", format!("title = 'A'\nstatement = 'S'\n{part}kind = 'nummeric'\n"), "11:8", "did you mean `numeric`?"),
         ("id", format!("id = 'A B'\ntitle = 'A'\nstatement = 'S'\n{part}"), "6:6", "small letters"),
         ("both", format!("item = 'free/spring-mass'\nstatement = 'S'\ntitle = 'A'\n{part}"), "6:1", "has no `item`"),
-        ("text", "title = 'A'\nstatement = '''\nS\n<< m.given >>\n'''\n[[question.part]]\nask = 'W'\nkey = 3\n".to_owned(), "9:4", "`m`"),
+        ("text", "title = 'A'\nstatement = '''\nS\n<< m.given >>\n'''\n[[question.part]]\nask = 'W'\nkey = 3\n".to_owned(), "9:1", "`m`"),
         ("apart", format!("title = 'A'\nstatement = 'S'\n[page]\npass = '60 %'\n{part}"), "8:2", "between the lines"),
         ("twice", format!("title = 'A'\nstatement = 'S'\n{part}[[question]]\ntitle = 'a'\nstatement = 'S'\n{part}"), "11:1", "`a`"),
         ("nothing", "points = 3\n".to_owned(), "5:1", "`item`, `pick` and `statement`"),
@@ -432,7 +432,7 @@ impl Running {
     #[track_caller]
     fn waits_for(&self, words: &str) {
         /// A busy machine may take its time; a program that hangs does not end the suite.
-        const LONGEST: Duration = Duration::from_secs(120);
+        const LONGEST: Duration = Duration::from_mins(2);
         let mut all = String::new();
         while !all.contains(words) {
             let line = self.said.recv_timeout(LONGEST);

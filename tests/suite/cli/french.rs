@@ -58,16 +58,16 @@ fn desk() -> (Desk, String) {
     put(
         &bank,
         "bank.toml",
-        "format = 1\ntitle = \"Ooo\"\nlanguage = \"fr\"\n".to_owned(),
+        "format = 1\ntitle = \"Ooo\"\nlanguage = \"fr\"\n",
     );
     put(
         &bank.join("ooo"),
         "_chapter.toml",
-        "title = \"Ooo\"\nnumber = 1\n".to_owned(),
+        "title = \"Ooo\"\nnumber = 1\n",
     );
-    put(&bank.join("ooo"), "ooo.toml", ITEM.to_owned());
+    put(&bank.join("ooo"), "ooo.toml", ITEM);
     let blueprint = "title = \"Ooo\"\nlanguage = \"fr\"\nseed = 1\nvariants = 2\nduration = \"90 min\"\nhints = true\nformats = [\"html\", \"md\"]\n[[question]]\nitem = \"ooo/ooo\"\n[[question]]\nitem = \"ooo/ooo\"\n";
-    put(&desk.folder, "t.toml", blueprint.to_owned());
+    put(&desk.folder, "t.toml", blueprint);
     let bank = text_of(&bank);
     (desk, bank)
 }
@@ -164,7 +164,7 @@ fn sheets_keys_and_feedback_are_french_throughout() {
             is_french(&out.join(format!("{name}.{ending}")));
         }
     }
-    let sheets = seen(&content(&out.join("sheets.html")));
+    let sheets = seen(&content(out.join("sheets.html")));
     for words in [
         "(valeur, 3 chiffres significatifs)",
         "(formule en fonction de",
@@ -175,7 +175,7 @@ fn sheets_keys_and_feedback_are_french_throughout() {
     ] {
         assert!(sheets.contains(words), "`{words}` is not in {sheets}");
     }
-    let form = content(&out.join("responses.csv"));
+    let form = content(out.join("responses.csv"));
     let typed = ["3 m", "k/m + 1", "z", "", "20", "sqrt(", "a;b", ""];
     let mut lines = form.lines();
     let mut rows = vec![lines.next().expect("a heading").to_owned()];
@@ -226,7 +226,7 @@ fn english_items_on_a_french_sheet_are_a_warning() {
         .ends(0)
         .complains("the texts of the items are in `en`");
     // The decimal sign is that of the language, unless the blueprint states another one.
-    let sheets = content(&desk.out.join("sheets.html"));
+    let sheets = content(desk.out.join("sheets.html"));
     assert!(sheets.contains("lang=\"fr\""));
     let plan = desk.plan("seed = 1\nvariants = 1\nlanguage = \"de\"");
     desk.sheet(&plan, &[])

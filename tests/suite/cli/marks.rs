@@ -255,6 +255,12 @@ fn decisions_are_carried_out_logged_and_listed_with_what_they_change() {
         (&*log[1]["code"], &*log[1]["points"]),
         (&*run.codes[2], "5")
     );
+    // What one student wrote changes the mark of no other.
+    let accepted = log
+        .iter()
+        .filter(|row| row["decided"].contains("see  sketch"));
+    let accepted: Vec<&str> = accepted.map(|row| row["code"].as_str()).collect();
+    assert_eq!(accepted, [run.codes[1].as_str()]);
     let report = content(run.folder.join("marks/report.html"));
     for words in [
         "<h2>Decisions</h2>",

@@ -82,12 +82,15 @@ pub(super) struct Decisions {
     /// For all sheets with an item, by its name and the id or letter of the part.
     items: BTreeMap<(String, String), usize>,
     /// Those that hold beside the ones that settle, by item and part.
-    rules: BTreeMap<(String, String), Vec<(Option<String>, usize)>>,
+    rules: BTreeMap<(String, String), Vec<Rule>>,
     /// The lines of decisions for all sheets by the number of a question alone.
     by_number: Vec<(usize, String)>,
     /// Rules for marks in place of those of the blueprint.
     pub(super) marks: Option<Marks>,
 }
+
+/// The code of the sheet for which a decision holds, all without one, and its number.
+type Rule = (Option<String>, usize);
 
 /// What was decided about one part of one sheet, by the numbers of the decisions.
 #[derive(Clone, Debug, Default)]
@@ -95,11 +98,28 @@ pub(super) struct Ruling<'a> {
     /// What settles it.
     pub(super) settled: Option<&'a Decision>,
     /// What is worth something beside the key.
-    pub(super) accepted: Vec<(&'a Decision, &'a [String], Credit)>,
+    pub(super) accepted: Vec<Accepted<'a>>,
     /// That it does not count as it was answered.
     pub(super) void: Option<(&'a Decision, Void)>,
-    /// The numbers of all that hold, from 0.
+    /// The numbers of those that hold whatever was answered, from 0.
     pub(super) numbers: Vec<usize>,
+}
+
+/// Answers that are worth something beside the key.
+#[derive(Clone, Debug)]
+pub(super) struct Accepted<'a> {
+    /// The number of the decision, from 0.
+    pub(super) number: usize,
+    pub(super) decision: &'a Decision,
+    pub(super) texts: &'a [String],
+    pub(super) credit: Credit,
+}
+
+impl Ruling<'_> {
+    /// Whether nothing was decided.
+    pub(super) fn is_empty(&self) -> bool {
+        self.numbers.is_empty() && self.accepted.is_empty()
+    }
 }
 
 impl Decision {
@@ -171,14 +191,20 @@ impl Decisions {
                 continue;
             }
             let decision = &self.all[*number];
-            ruling.numbers.push(*number);
             match &decision.effect {
                 Effect::Void(void) => ruling.void = ruling.void.or(Some((decision, *void))),
                 Effect::Accept(texts, credit) => {
-                    ruling.accepted.push((decision, texts, *credit));
+                    ruling.accepted.push(Accepted {
+                        number: *number,
+                        decision,
+                        texts,
+                        credit: *credit,
+                    });
+                    continue;
                 }
                 Effect::Settle { .. } | Effect::Key(_) => {}
             }
+            ruling.numbers.push(*number);
         }
         ruling
     }
@@ -242,8 +268,10 @@ impl Decisions {
         for number in found {
             self.all[number].claim(most);
         }
-        let ruling = self.ruling(place, alike).numbers;
-        for number in ruling {
+        let ruling = self.ruling(place, alike);
+        let accepted = ruling.accepted.iter().map(|own| own.number);
+        let all: Vec<usize> = ruling.numbers.iter().copied().chain(accepted).collect();
+        for number in all {
             self.all[number].claim(most);
         }
     }

@@ -118,14 +118,18 @@ fn the_schema_of_items_has_the_keys_that_are_read() {
         let stated = keys(schema.pointer(pointer).expect(pointer));
         let read = read_at(place);
         // Plots and parts are one table in the schema, with the keys of all their kinds.
-        let is_one_of_several = ["curves", "shapes", "numeric", "group", "blank"].contains(&place);
+        let is_one_of_several =
+            ["curves", "shapes", "phasors", "numeric", "group", "blank"].contains(&place);
         if stated != read && !(is_one_of_several && stated.is_superset(&read)) {
             faults.push(format!("{place}: {stated:?} stated, {read:?} read"));
         }
     }
     assert!(faults.is_empty(), "{faults:#?}");
     let plot = keys(&schema["properties"]["plots"]["additionalProperties"]);
-    assert_eq!(plot, &read_at("curves") | &read_at("shapes"));
+    assert_eq!(
+        plot,
+        &(&read_at("curves") | &read_at("shapes")) | &read_at("phasors")
+    );
     // A blank is a part, and has no blanks.
     let part = read_at("blank");
     assert_eq!(

@@ -45,6 +45,11 @@ marks = [{ at = ["0[s]", "1"] @mark@ }]
 [plots.q]
 kind = "mode-shapes"
 @shapes@
+[plots.r]
+kind = "phasors"
+phasors = [{ of = "w" @phasor@ }]
+angles = [{ from = "1", to = "i" @angle@ }]
+@phasors@
 [[part]]
 key = "w"
 ask = "Y"
@@ -126,7 +131,7 @@ expect = { w = "1 rad/s" }
 "#;
 
 /// Where the schema has the keys of a table of the specimen; parts are looked at apart.
-pub(super) const PLACES: [(&str, &str); 25] = [
+pub(super) const PLACES: [(&str, &str); 28] = [
     ("top", ""),
     ("item", "/properties/item"),
     (
@@ -167,8 +172,17 @@ pub(super) const PLACES: [(&str, &str); 25] = [
         "mark",
         "/properties/plots/additionalProperties/properties/marks/items",
     ),
+    (
+        "phasor",
+        "/properties/plots/additionalProperties/properties/phasors/items",
+    ),
+    (
+        "angle",
+        "/properties/plots/additionalProperties/properties/angles/items",
+    ),
     ("curves", "/properties/plots/additionalProperties"),
     ("shapes", "/properties/plots/additionalProperties"),
+    ("phasors", "/properties/plots/additionalProperties"),
     (
         "mistake",
         "/properties/part/items/properties/mistakes/items",

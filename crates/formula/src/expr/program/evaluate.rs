@@ -281,43 +281,37 @@ impl Program {
         I: Inputs<Approx<f64>> + Inputs<Approx<Dd>> + ?Sized,
     {
         let double = self.run(inputs, &mut room.double);
-        let found = self.real(accuracy, double, || self.run(inputs, &mut room.wide));
-        found.unwrap_or_else(|| Ok(self.evaluate(inputs, room)?.numbers()[0]))
+        self.real(accuracy, double, || self.run(inputs, &mut room.wide))
     }
 
-    /// The number that a run in binary64 gave, or where that is not good enough, one in double-double; `None` where
-    /// [`Self::evaluate`] goes on with still more digits.
+    /// The number that a run in binary64 gave, or where that is not good enough, one in double-double.
     pub(super) fn real<'w>(
         &self,
         accuracy: f64,
         double: Result<Outcome<'_, Approx<f64>>, Absence>,
         wide: impl FnOnce() -> Result<Outcome<'w, Approx<Dd>>, Absence>,
-    ) -> Option<Result<f64, Absence>> {
+    ) -> Result<f64, Absence> {
         if self.form.width() != 1 {
             let (reason, span) = (Undefined::NotReal, self.span());
-            return Some(Err(Absence { reason, span }));
+            return Err(Absence { reason, span });
         }
         let first = match double {
             Ok(outcome) => {
                 let number = self.single(outcome.numbers().map(|x| (x.value, x.bound)));
                 let is_near = |(_, bound): (f64, f64)| !outcome.is_open && bound <= accuracy;
                 if is_settled(&outcome) || number.as_ref().is_ok_and(|own| is_near(*own)) {
-                    return Some(number.map(|own| own.0));
+                    return Ok(number?.0);
                 }
                 number
             }
             Err(absence) => Err(absence),
         };
-        let found = match wide() {
-            Ok(outcome) if !outcome.numbers().all(is_certain) && self.is_explicit() => return None,
+        let number = match wide() {
             Ok(outcome) => self.single(outcome.numbers().map(rounded)),
             Err(absence) if absence.reason == Undefined::TooLong => first,
-            Err(absence) if absence.reason == Undefined::DivisionByZero && self.is_explicit() => {
-                return None;
-            }
             Err(absence) => Err(absence),
         };
-        Some(found.map(|own| own.0))
+        Ok(number?.0)
     }
 
     /// A finite number with its bound.

@@ -7,7 +7,7 @@
 use super::instruction::{Instruction, Step};
 use super::lanes::Lanes;
 use super::machine::{Machine, weight};
-use super::{Absence, Inputs, Outcome, Program, Registers, Workspace};
+use super::{Absence, Inputs, Outcome, Program, Registers};
 use crate::expr::{Approx, Doubt, Scalar};
 use crate::work;
 use vibank_dynamics::numerics::Dd;
@@ -57,15 +57,6 @@ enum Path {
 }
 
 impl Program {
-    /// What hardly any inputs need.
-    fn with_most_digits<I>(&self, inputs: &I) -> Result<f64, Absence>
-    where
-        I: Inputs<Approx<f64>> + Inputs<Approx<Dd>> + ?Sized,
-    {
-        let value = self.evaluate(inputs, &mut Workspace::default())?;
-        Ok(value.numbers()[0])
-    }
-
     /// The program for runs between which only the inputs in these slots change.
     pub fn sweep(&self, varied: Vec<u32>) -> Sweep<'_> {
         Sweep {
@@ -91,8 +82,7 @@ impl Sweep<'_> {
         let (program, varied) = (self.program, &self.varied);
         let double = self.double.run(program, varied, inputs);
         let wide = &mut self.wide;
-        let found = program.real(accuracy, double, move || wide.run(program, varied, inputs));
-        found.unwrap_or_else(|| program.with_most_digits(inputs))
+        program.real(accuracy, double, move || wide.run(program, varied, inputs))
     }
 }
 
@@ -123,8 +113,7 @@ impl Sweep<'_> {
             let (number, is_open) = lanes.at(program.results[0], place);
             let double = Ok(Outcome::of_one(number, is_open));
             let wide = &mut self.wide;
-            let found = program.real(accuracy, double, move || wide.run(program, varied, own));
-            all.push(found.unwrap_or_else(|| program.with_most_digits(own))?);
+            all.push(program.real(accuracy, double, move || wide.run(program, varied, own))?);
         }
         Ok(all)
     }
@@ -242,7 +231,7 @@ fn is_search(step: Step) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use crate::expr::{Absence, Expr, Precise, Program, Slots, Workspace};
+    use crate::expr::{Expr, Precise, Program, Slots, Workspace};
     use vibank_dynamics::numerics::Rational;
 
     /// Results, also those that are none, are those of whole runs to the last bit, whatever the formula branches on.
@@ -265,11 +254,8 @@ mod tests {
             "min(a, t)*mod(t, b)",
             "a < t",
             "a*exp(t^4)",
-            "((1 + 1e-20*1e-20*t) - 1)*1e20*1e20 + a",
-            "1/((1 + 1e-20*1e-20*t) - 1)",
         ];
         let slots = ["a", "b", "t"];
-        let bits = |own: Result<f64, Absence>| own.map(f64::to_bits);
         let at = |time| {
             let data = ["0.3", "0.1"].map(|own| Rational::from_decimal(own).unwrap());
             [data[0].into(), data[1].into(), Precise::exact(time)]
@@ -281,11 +267,8 @@ mod tests {
                 for time in [0.0, 0.5, 1.0, 1.5, 2.0, 10.0, 0.5] {
                     let data = at(time);
                     let whole = program.evaluate_within(accuracy, &data[..], &mut room);
-                    if accuracy == 0.0 {
-                        let value = program.evaluate(&data[..], &mut room);
-                        assert_eq!(value.map(|own| own.numbers()[0].to_bits()), bits(whole));
-                    }
                     let found = sweep.real(accuracy, &data[..]);
+                    let bits = |own: Result<f64, _>| own.map(f64::to_bits);
                     assert_eq!(bits(found), bits(whole), "{text} at {time}");
                 }
                 let all = [0.0, 0.5, 0.75, 1.5, 0.3].map(at);
