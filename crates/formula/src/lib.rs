@@ -20,7 +20,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! - [`unit`]: dimensions, units, decimals, quantities, their strict and their lenient reading.
+//! - [`mod@unit`]: dimensions, units, decimals, quantities, their strict and their lenient reading.
 //! - [`expr`]: the formula language; names, and what they stand for, belong to whoever uses it.
 //! - [`work`]: budgets that bound what reading, evaluation and algebra of untrusted input may cost.
 
