@@ -30,7 +30,7 @@ fn blueprint(items: &[&str]) -> Blueprint {
 /// The file of the first sheet, and the text that it was made of.
 fn file(pages: &Pages, kind: Kind, sheet: &Sheet<'_>) -> (Vec<u8>, String) {
     let begin = pages
-        .begin(Pages::subtitle(kind))
+        .begin(pages.subtitle(kind))
         .expect("the layout is sound");
     let page = pages.page(kind, sheet).expect("the layout is sound");
     let end = pages.end().expect("the layout is sound");
