@@ -57,5 +57,5 @@ fn a_bank_of_ones_own_gives_a_sheet_and_its_key() {
         text.contains("# Quiz") && text.contains("hangs on a spring"),
         "{text}"
     );
-    assert!(text.contains("rad/s"), "{text}");
+    assert!(text.contains(r"\mathrm{rad}"), "{text}");
 }
