@@ -276,7 +276,10 @@ fn nothing_typed_is_read_as_markup() {
         student: typed.to_owned(),
         points,
         max,
+        open: Rational::ZERO,
+        grade: None,
         questions: vec![QuestionFeedback {
+            open: Rational::ZERO,
             number: 1,
             title: typed.to_owned(),
             points,
