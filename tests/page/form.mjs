@@ -109,8 +109,9 @@ await step("answers are read, and what cannot be read is told", async () => {
   await page.locator("#unread li").first().waitFor();
   await page.screenshot({ path: "shots/form-unread.png", fullPage: true });
   await check("unreadable");
+  await first.locator("input[type=text]").focus();
   await page.keyboard.press("Control+a");
-  await page.keyboard.type("0.5 s");
+  await page.keyboard.type("2 pi/omega_n");
   await first.locator(".echo math").waitFor();
   assert.match(await first.locator(".echo").textContent(), /Read as/);
   await page.waitForFunction(() => document.querySelectorAll("#unread li").length === 0);
@@ -125,7 +126,7 @@ await step("a choice is made with the space bar", async () => {
 await step("answers are there again after the page was closed", async () => {
   await page.reload();
   await ready();
-  assert.equal(await page.locator("section.part input[type=text]").first().inputValue(), "0.5 s");
+  assert.equal(await page.locator("section.part input[type=text]").first().inputValue(), "2 pi/omega_n");
   assert.equal(await page.locator("input[type=radio]:checked").count(), 1);
 });
 
@@ -137,7 +138,7 @@ await step("they are saved with the enter key", async () => {
   await own.saveAs(saved);
   const answers = JSON.parse(readFileSync(saved, "utf8"));
   assert.equal(answers.format, "vibank answers 1");
-  assert.equal(answers.answers[0].response, "0.5 s");
+  assert.equal(answers.answers[0].response, "2 pi/omega_n");
   assert.match(await page.locator("#saved").textContent(), /Saved as/);
   return own.suggestedFilename();
 });
@@ -148,7 +149,7 @@ await step("a saved file is loaded again", async () => {
   await page.keyboard.press("Enter");
   assert.equal(await page.locator("section.part input[type=text]").first().inputValue(), "");
   await page.locator("#load").setInputFiles(saved);
-  await page.waitForFunction(() => document.querySelector("section.part input[type=text]").value === "0.5 s");
+  await page.waitForFunction(() => document.querySelector("section.part input[type=text]").value === "2 pi/omega_n");
   const other = saved.replace(/\.json$/, "-other.json");
   writeFileSync(other, readFileSync(saved, "utf8").replace(/"code": "[^"]*"/, '"code": "AAA-AAA-AAA"'));
   await page.locator("#load").setInputFiles(other);
