@@ -32,7 +32,7 @@ impl Timing {
     }
 }
 
-/// Batches that are timed, as long as they take less than [`LONGEST`] together.
+/// Batches that are timed, as long as they take less than [`MAX_DURATION`] together.
 const BATCHES: usize = 25;
 
 /// Fewest batches that are timed.
@@ -48,7 +48,7 @@ const BATCH: f64 = 5e5;
 const YARDS: usize = 1024;
 
 /// Duration of all batches in nanoseconds.
-const LONGEST: f64 = 1.5e8;
+const MAX_DURATION: f64 = 1.5e8;
 
 /// Times an operation on the items 0, 1, 2, ....
 pub(crate) fn time<T>(mut operation: impl FnMut(usize) -> T) -> Timing {
@@ -58,7 +58,7 @@ pub(crate) fn time<T>(mut operation: impl FnMut(usize) -> T) -> Timing {
     }
     let (mut times, mut yards) = (Vec::with_capacity(BATCHES), Vec::with_capacity(BATCHES));
     let mut spent = 0.0;
-    while times.len() < FEWEST || times.len() < BATCHES && spent < LONGEST {
+    while times.len() < FEWEST || times.len() < BATCHES && spent < MAX_DURATION {
         let each = batch(&mut operation, items);
         spent += each * items as f64;
         times.push(each);

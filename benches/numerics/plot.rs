@@ -19,7 +19,7 @@ const COLOURS: [&str; 7] = [
 ];
 
 /// Errors below this are drawn on the edge of the picture.
-const LEAST_ERROR: f64 = 1e-17;
+const MIN_ERROR: f64 = 1e-17;
 
 /// A logarithmic axis on a stretch of pixels.
 struct Axis {
@@ -95,7 +95,7 @@ pub(crate) fn work(task: &str, records: &[&Record]) -> String {
         Axis::over(times, HEIGHT - BOTTOM, TOP),
     );
     picture.frame("largest error, of the scale", "time per item in ns");
-    let point = |record: &Record| (record.error.scaled.max(LEAST_ERROR), record.timing.fast);
+    let point = |record: &Record| (record.error.scaled.max(MIN_ERROR), record.timing.fast);
     picture.methods(records, point, |before, after| {
         before.case == after.case && before.tolerance.is_some()
     });
@@ -114,7 +114,7 @@ pub(crate) fn sweep(task: &str, records: &[&Record]) -> String {
     let mut sorted = records.to_vec();
     let parameter = |record: &Record| record.parameter.unwrap_or(f64::NAN);
     sorted.sort_by(|a, b| parameter(a).total_cmp(&parameter(b)));
-    let point = |record: &Record| (parameter(record), record.error.scaled.max(LEAST_ERROR));
+    let point = |record: &Record| (parameter(record), record.error.scaled.max(MIN_ERROR));
     picture.methods(&sorted, point, |_, _| true);
     picture.finish()
 }

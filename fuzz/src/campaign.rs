@@ -21,7 +21,7 @@ use vibank_fuzz::generate::{Stream, input};
 use vibank_fuzz::{seeds, targets, typed};
 
 /// Findings after which a target is left.
-const MOST_FINDINGS: usize = 20;
+const MAX_FINDINGS: usize = 20;
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -126,7 +126,7 @@ fn run(target: &str, extent: Extent, seed: u64) -> bool {
         Extent::Seconds(seconds) => used() - start < Duration::from_secs(seconds),
         Extent::Inputs(most) => inputs - (given as u64) < most,
     };
-    while findings < MOST_FINDINGS && (inputs < given as u64 || goes_on(inputs)) {
+    while findings < MAX_FINDINGS && (inputs < given as u64 || goes_on(inputs)) {
         let bytes = match pool.get(inputs as usize).filter(|_| inputs < given as u64) {
             Some(seed) => seed.clone(),
             None => input(&pool, &mut stream),

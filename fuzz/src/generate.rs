@@ -3,7 +3,7 @@
 use arbitrary::{Arbitrary, Result, Unstructured};
 
 /// What an input is never longer than.
-pub const LONGEST: usize = 1 << 15;
+pub const MAX_LENGTH: usize = 1 << 15;
 
 /// A stream of numbers: splitmix64, of which the campaign asks no more than that it is the same everywhere.
 pub struct Stream(u64);
@@ -45,7 +45,7 @@ pub fn input(pool: &[Vec<u8>], stream: &mut Stream) -> Vec<u8> {
     let raw = stream.bytes(1024);
     let mut raw = Unstructured::new(&raw);
     let mut made = make(pool, &mut raw).unwrap_or_default();
-    made.truncate(LONGEST);
+    made.truncate(MAX_LENGTH);
     made
 }
 
@@ -94,7 +94,7 @@ fn mutate(made: &mut Vec<u8>, pool: &[Vec<u8>], raw: &mut Unstructured<'_>) -> R
         5 => {
             let piece = made[at..end].to_vec();
             let times = 1 << raw.int_in_range(0..=8)?;
-            if piece.len() * times <= LONGEST {
+            if piece.len() * times <= MAX_LENGTH {
                 made.splice(at..at, piece.repeat(times));
             }
         }

@@ -38,7 +38,7 @@ pub const NAMES: [&str; 10] = [
 ];
 
 /// Units of work that no input may take: some seconds.
-const MOST_WORK: u64 = 1_000_000_000;
+const MAX_WORK: u64 = 1_000_000_000;
 
 /// Runs a target on an input; what it saw.
 ///
@@ -47,7 +47,7 @@ const MOST_WORK: u64 = 1_000_000_000;
 /// Where an oracle does not hold, and for names that are no target's.
 pub fn run(target: &str, bytes: &[u8]) -> u64 {
     let text = || String::from_utf8_lossy(bytes);
-    let seen = work::within(MOST_WORK, || match target {
+    let seen = work::within(MAX_WORK, || match target {
         "answer" => answer(&text()),
         "blueprint" => blueprint(&text()),
         "class_list" => saw(&vibank::cli::fuzz::class_list(bytes)),
@@ -60,7 +60,7 @@ pub fn run(target: &str, bytes: &[u8]) -> u64 {
         "workbook" => workbook(bytes),
         other => panic!("there is no target `{other}`"),
     });
-    assert!(!seen.is_exhausted, "more than {MOST_WORK} units of work");
+    assert!(!seen.is_exhausted, "more than {MAX_WORK} units of work");
     // The size of the work is a part of what was seen.
     seen.value ^ u64::from(64 - seen.units.leading_zeros()) << 58
 }

@@ -41,7 +41,7 @@ const BOUND: Duration = Duration::from_millis(20);
 /// One response in so many is echoed with both keys.
 const ECHOED: u64 = 4;
 /// Different findings after which a kind is left.
-const MOST_FINDINGS: usize = 20;
+const MAX_FINDINGS: usize = 20;
 
 /// What people type into answers of all kinds.
 const PIECES: &[&str] = &[
@@ -146,7 +146,7 @@ fn of_part(
     let own = pool_of(id);
     let mut known = HashSet::new();
     let start = used();
-    while tally.inputs < count && tally.findings < MOST_FINDINGS {
+    while tally.inputs < count && tally.findings < MAX_FINDINGS {
         // The clock is looked at now and then only.
         if tally.inputs % 1024 == 0 && used() - start > Duration::from_secs(seconds) {
             break;

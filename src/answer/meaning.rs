@@ -211,11 +211,11 @@ impl Meaning {
 
     /// Whether a formula keeps its meaning at complex values of its names, with those that are put in for them.
     pub(super) fn is_analytic(&self, expr: &Expr, replaced: &BTreeMap<Name, Expr>) -> bool {
-        const MOST_NAMES: usize = 200;
+        const MAX_NAMES: usize = 200;
         let mut open = vec![expr.clone()];
         let mut seen: Vec<Name> = Vec::new();
         while let Some(expr) = open.pop() {
-            if !expr.is_analytic() || seen.len() > MOST_NAMES {
+            if !expr.is_analytic() || seen.len() > MAX_NAMES {
                 return false;
             }
             for variable in expr.names().free {
@@ -267,9 +267,9 @@ impl Meaning {
 
     /// A formula with all names put in that an answer may not use.
     pub(super) fn expanded(&self, expr: &Expr, keep: &[Name]) -> Expr {
-        const MOST_STEPS: usize = 20;
+        const MAX_STEPS: usize = 20;
         let mut result = expr.clone();
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             let mut put = Substitution::new();
             let mut is_done = true;
             for variable in result.names().free {

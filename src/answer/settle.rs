@@ -82,7 +82,7 @@ pub(super) enum Rule {
 }
 
 /// The most readings of a response that are looked at, the conventional one among them.
-const MOST_READINGS: usize = 4;
+const MAX_READINGS: usize = 4;
 
 /// The marking of a response by those of its readings, the conventional one first.
 /// If none is right, or all come to the same, the first counts.
@@ -97,7 +97,7 @@ pub(super) fn settle(
     }
     // What cannot be marked, as an angle of many turns, was not meant.
     let is_read = |reading: &Candidate| reading.marking.verdict != Verdict::Unreadable;
-    let mut others = others.into_iter().take(MOST_READINGS - 1).filter(is_read);
+    let mut others = others.into_iter().take(MAX_READINGS - 1).filter(is_read);
     let first = if is_read(&first) {
         first
     } else {

@@ -48,7 +48,7 @@ struct Work {
 
 /// Most rows of a rubric.
 #[cfg(feature = "render")]
-const MOST: usize = 20;
+const MAX_COUNT: usize = 20;
 
 /// Reads the keys of a part that belong to this kind; what is wrong is noted.
 #[cfg(feature = "render")]
@@ -94,9 +94,9 @@ fn rubric(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Vec<Criterion>>
     }
     let whole = points(part).or_else(|| (!part.has("points")).then_some(Rational::ONE));
     let sum = Rational::sum(&rows.iter().map(|row| row.points).collect::<Vec<_>>());
-    if rows.is_empty() || rows.len() > MOST {
+    if rows.is_empty() || rows.len() > MAX_COUNT {
         let found = rows.len();
-        let error = format!("a rubric has from 1 to {MOST} rows, and this one {found}");
+        let error = format!("a rubric has from 1 to {MAX_COUNT} rows, and this one {found}");
         declare.find(&AnswerError::Rubric(error), &place(part, "rubric"));
         return None;
     }

@@ -9,16 +9,16 @@ use crate::source::{Data, Source, Span, Value};
 pub(super) const LARGEST_FILE: usize = 1 << 18;
 
 /// Entries of a table or array of an item.
-const MOST_ENTRIES: usize = 500;
+const MAX_ENTRIES: usize = 500;
 
 /// Parts of an item: a sheet counts them by letters.
-const MOST_PARTS: usize = 100;
+const MAX_PARTS: usize = 100;
 
 /// Letters of a title.
-pub(crate) const LONGEST_TITLE: usize = 300;
+pub(crate) const MAX_TITLE_LENGTH: usize = 300;
 
 /// Findings about one file that are reported.
-const MOST_FINDINGS: usize = 100;
+const MAX_FINDINGS: usize = 100;
 
 /// Units of work that reading an item may take: about a second.
 pub(super) const READING: u64 = 100_000_000;
@@ -39,14 +39,14 @@ pub(super) enum Excess {
         most: usize,
         span: Span,
     },
-    #[error("the title has {found} letters, at most {LONGEST_TITLE} are read")]
+    #[error("the title has {found} letters, at most {MAX_TITLE_LENGTH} are read")]
     Title { found: usize, span: Span },
     #[error(
         "deriving and simplifying the formulas of this item takes more than {} million steps",
         READING / 1_000_000
     )]
     Work,
-    #[error("more than {MOST_FINDINGS} findings about this file, of which the first are shown")]
+    #[error("more than {MAX_FINDINGS} findings about this file, of which the first are shown")]
     Findings,
 }
 
@@ -66,7 +66,7 @@ pub(super) fn excesses(tree: &Value) -> Vec<Excess> {
             }
             Data::Text(text) if key == "title" => {
                 let letters = text.chars().count();
-                if letters > LONGEST_TITLE {
+                if letters > MAX_TITLE_LENGTH {
                     let span = value.span;
                     found.push(Excess::Title {
                         found: letters,
@@ -78,9 +78,9 @@ pub(super) fn excesses(tree: &Value) -> Vec<Excess> {
             _ => continue,
         };
         let most = if key == "part" {
-            MOST_PARTS
+            MAX_PARTS
         } else {
-            MOST_ENTRIES
+            MAX_ENTRIES
         };
         if entries > most {
             found.push(Excess::Entries {
@@ -96,8 +96,8 @@ pub(super) fn excesses(tree: &Value) -> Vec<Excess> {
 
 /// The first findings, and that there are others.
 pub(super) fn shortened(mut findings: Vec<Finding>, source: &Source) -> Vec<Finding> {
-    if findings.len() > MOST_FINDINGS {
-        findings.truncate(MOST_FINDINGS);
+    if findings.len() > MAX_FINDINGS {
+        findings.truncate(MAX_FINDINGS);
         findings.push(Finding::of(&Excess::Findings, source));
     }
     findings

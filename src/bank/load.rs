@@ -28,7 +28,7 @@ enum FolderError {
 }
 
 impl Catalogue {
-    /// Opens a bank and reads all its items; what is wrong is told, the rest serves.
+    /// Opens a bank and reads all its items; what is wrong is reported, the rest serves.
     pub fn load<'f>(files: impl IntoIterator<Item = (&'f str, &'f str)>) -> (Self, Vec<Finding>) {
         let (catalogue, mut findings) = Self::open(files);
         findings.append(&mut catalogue.findings());

@@ -69,7 +69,7 @@ pub enum ParameterError {
     #[error("the step of `{0}` has to be positive and in a unit of its own range")]
     Step(Name),
     /// More values than a grid may have.
-    #[error("the range of `{0}` has more than {MOST_VALUES} values")]
+    #[error("the range of `{0}` has more than {MAX_VALUES} values")]
     TooMany(Name),
     /// A sign that it may not have.
     #[error("`{name}` has to be {domain}, this is {found}")]
@@ -84,9 +84,9 @@ pub enum ParameterError {
 }
 
 /// No grid has more values.
-const MOST_VALUES: u64 = 1_000_000_000;
+const MAX_VALUES: u64 = 1_000_000_000;
 
-/// A place on a grid, of which there are fewer than [`MOST_VALUES`].
+/// A place on a grid, of which there are fewer than [`MAX_VALUES`].
 fn place(index: u64) -> Decimal {
     Decimal::from(u32::try_from(index).unwrap_or(u32::MAX))
 }
@@ -214,7 +214,7 @@ impl Parameter {
             return Err((Field::Value, mismatch(name, &unit, &value.unit)));
         }
         let (lo, hi) = (range.lo().value, range.hi().value);
-        let grid = Grid::new(lo, hi, step).filter(|grid| grid.count() <= MOST_VALUES);
+        let grid = Grid::new(lo, hi, step).filter(|grid| grid.count() <= MAX_VALUES);
         let grid = grid.ok_or_else(|| (Field::Step, ParameterError::TooMany(name.clone())))?;
         let domain = Domain::from(&lo);
         Ok(Self {

@@ -43,7 +43,7 @@ impl Space {
     /// The side of a square, in mm.
     pub const SQUARE: u16 = 5;
     /// The highest, in mm: with its question it still fits on a page.
-    pub const MOST: u16 = 200;
+    pub const MAX_COUNT: u16 = 200;
 
     /// The space that a text names.
     ///
@@ -60,7 +60,8 @@ impl Space {
             ["none"] => Some(Self::None),
             [count, "line" | "lines"] => {
                 let count = count.parse().ok()?;
-                Some(Self::Lines(count)).filter(|_| (1..=Self::MOST / Self::LINE).contains(&count))
+                Some(Self::Lines(count))
+                    .filter(|_| (1..=Self::MAX_COUNT / Self::LINE).contains(&count))
             }
             [number, unit] => millimetres(number, unit).map(Self::Blank),
             [number, unit, "squared"] => {
@@ -122,7 +123,7 @@ fn millimetres(number: &str, unit: &str) -> Option<u16> {
         _ => return None,
     };
     let height = (number * scale).round();
-    let fits = (1.0..=f64::from(Space::MOST)).contains(&height);
+    let fits = (1.0..=f64::from(Space::MAX_COUNT)).contains(&height);
     fits.then_some(height as u16)
 }
 

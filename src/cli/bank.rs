@@ -242,7 +242,7 @@ impl Found {
     /// The TOML files below a folder that stands at `inside`; what is hidden is left out.
     fn collect(&mut self, folder: &Path, inside: &str) -> Result<(), Failure> {
         // Each takes some hundred bytes of memory.
-        const MOST_FILES: usize = 100_000;
+        const MAX_FILES: usize = 100_000;
         let fail = |error: std::io::Error| {
             Failure::new(format!("cannot read `{}`: {error}", folder.display()))
         };
@@ -276,9 +276,9 @@ impl Found {
                     },
                 }
             }
-            if self.texts.len() + self.items.len() > MOST_FILES {
+            if self.texts.len() + self.items.len() > MAX_FILES {
                 return Err(Failure::new(format!(
-                    "`{}` has more than {MOST_FILES} files",
+                    "`{}` has more than {MAX_FILES} files",
                     folder.display()
                 )));
             }

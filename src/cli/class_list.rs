@@ -16,7 +16,7 @@ use super::table::{Fault, Row, Table};
 
 /// The students of a class list, in its order.
 pub(crate) fn read(path: &Path, columns: &Columns) -> Result<Vec<Student>, Failure> {
-    const MOST_STUDENTS: usize = 100_000;
+    const MAX_STUDENTS: usize = 100_000;
     let shown = path.display();
     let fail = |what: String| Failure::new(format!("`{shown}`{what}"));
     let table = Table::read(path)?;
@@ -71,8 +71,8 @@ pub(crate) fn read(path: &Path, columns: &Columns) -> Result<Vec<Student>, Failu
             )));
         }
         students.push(student);
-        if students.len() > MOST_STUDENTS {
-            return Err(fail(format!(" has more than {MOST_STUDENTS} students")));
+        if students.len() > MAX_STUDENTS {
+            return Err(fail(format!(" has more than {MAX_STUDENTS} students")));
         }
     }
     if students.is_empty() {

@@ -19,7 +19,7 @@ use super::{Failure, files, setting};
 const VARIABLE: &str = "VIBANK_FONTS";
 
 /// Fonts of one run. With scripts of all continents fewer are needed.
-const MOST: usize = 32;
+const MAX_COUNT: usize = 32;
 
 /// The fonts of a run, and who is printed without their name.
 #[derive(Clone, Debug, Default)]
@@ -97,7 +97,7 @@ impl Faces {
                 taken.insert(&candidate.path);
             }
         }
-        for path in taken.into_iter().take(MOST) {
+        for path in taken.into_iter().take(MAX_COUNT) {
             let name = path.file_name().unwrap_or_default();
             faces.stamps.push(FileStamp {
                 path: name.to_string_lossy().into_owned(),

@@ -303,10 +303,10 @@ impl Drop for Draft {
 /// Whether a name consists of plain steps: none leads up, to a root, a drive or a device, or breaks a line.
 pub(crate) fn is_plain(name: &str) -> bool {
     /// Longest name of a file on the usual systems, less what a draft adds.
-    const LONGEST: usize = 200;
+    const MAX_LENGTH: usize = 200;
     let is_step = |step: &str| {
         !matches!(step, "" | "." | "..")
-            && step.len() <= LONGEST
+            && step.len() <= MAX_LENGTH
             && !step.contains(|char: char| char.is_control() || "\\:*?\"<>|".contains(char))
             && !step.ends_with(['.', ' '])
     };

@@ -5,7 +5,7 @@ use std::io::{self, BufRead, Write};
 use super::{Failure, Outcome};
 
 /// Longest line that is kept; of a longer one the rest is skipped, and its answer says so.
-const LONGEST: usize = 5 << 20;
+const MAX_LENGTH: usize = 5 << 20;
 
 /// Answers each line of standard input on standard output; empty lines are skipped.
 pub(crate) fn answer(mut reply: impl FnMut(&str) -> String) -> Result<Outcome, Failure> {
@@ -42,7 +42,7 @@ pub(crate) fn answer(mut reply: impl FnMut(&str) -> String) -> Result<Outcome, F
     Ok(Outcome::Done)
 }
 
-/// Reads one line, keeping at most [`LONGEST`] bytes of it; `false` at the end.
+/// Reads one line, keeping at most [`MAX_LENGTH`] bytes of it; `false` at the end.
 fn take(input: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> {
     let mut any = false;
     loop {
@@ -53,7 +53,7 @@ fn take(input: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> {
         any = true;
         let end = buffer.iter().position(|byte| *byte == b'\n');
         let taken = end.map_or(buffer.len(), |end| end + 1);
-        let room = LONGEST.saturating_sub(line.len());
+        let room = MAX_LENGTH.saturating_sub(line.len());
         line.extend_from_slice(&buffer[..taken.min(room)]);
         input.consume(taken);
         if end.is_some() {

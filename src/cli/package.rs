@@ -18,7 +18,7 @@ use vibank::worksheet::{Manifest, Practice, PracticeQuestion, QuestionEntry, She
 use super::{Failure, files, record};
 
 /// Most that the description of a package unpacks to; that of the whole bank has 60 kB.
-const LONGEST: u64 = 8_000_000;
+const MAX_LENGTH: u64 = 8_000_000;
 
 /// What a package says of itself.
 #[derive(Deserialize)]
@@ -204,11 +204,11 @@ fn description(path: &Path) -> Result<String, Failure> {
     let file = archive.by_name(DESCRIPTION);
     let file = file.map_err(|error| refuse(format!("`{DESCRIPTION}`: {error}")))?;
     let mut text = String::new();
-    let read = file.take(LONGEST + 1).read_to_string(&mut text);
+    let read = file.take(MAX_LENGTH + 1).read_to_string(&mut text);
     read.map_err(|error| refuse(format!("`{DESCRIPTION}`: {error}")))?;
-    if text.len() as u64 > LONGEST {
+    if text.len() as u64 > MAX_LENGTH {
         return Err(refuse(format!(
-            "`{DESCRIPTION}` has more than {LONGEST} bytes"
+            "`{DESCRIPTION}` has more than {MAX_LENGTH} bytes"
         )));
     }
     Ok(text)

@@ -21,7 +21,7 @@ pub(crate) struct Screen {
 }
 
 /// Longest line that is read.
-const LONGEST: u64 = 8 << 10;
+const MAX_LENGTH: u64 = 8 << 10;
 
 /// Lines are no longer than this; what is longer is hard to read.
 const WIDTH: usize = 78;
@@ -59,7 +59,7 @@ impl Screen {
         let _ = out.flush();
         drop(out);
         let mut line = Vec::new();
-        let mut input = std::io::stdin().lock().take(LONGEST);
+        let mut input = std::io::stdin().lock().take(MAX_LENGTH);
         let length = input
             .read_until(b'\n', &mut line)
             .map_err(|error| Failure::new(format!("cannot read standard input: {error}")))?;

@@ -82,13 +82,13 @@ impl FromStr for Shard {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        const MOST: usize = 1000;
+        const MAX_COUNT: usize = 1000;
         let parts = text.split_once('/');
         let numbers = parts.and_then(|(part, of)| Some((part.parse().ok()?, of.parse().ok()?)));
         match numbers {
-            Some((part, of)) if 1 <= part && part <= of && of <= MOST => Ok(Self { part, of }),
+            Some((part, of)) if 1 <= part && part <= of && of <= MAX_COUNT => Ok(Self { part, of }),
             _ => Err(format!(
-                "write the part and the number of parts, from 1/1 to {MOST}/{MOST}"
+                "write the part and the number of parts, from 1/1 to {MAX_COUNT}/{MAX_COUNT}"
             )),
         }
     }

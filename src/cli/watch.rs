@@ -17,7 +17,7 @@ const PAUSE: Duration = Duration::from_millis(150);
 const SETTLING: Duration = Duration::from_millis(30);
 
 /// Looks at files that are being written; whoever writes for longer is noticed again.
-const MOST_SETTLING: usize = 10;
+const MAX_SETTLING: usize = 10;
 
 /// Files and folders, and what they were like.
 #[derive(Debug)]
@@ -48,7 +48,7 @@ impl Watch {
             changed = self.look();
         }
         // Many programs empty a file before they fill it.
-        for _ in 0..MOST_SETTLING {
+        for _ in 0..MAX_SETTLING {
             thread::sleep(SETTLING);
             let further = self.look();
             if further.is_empty() {

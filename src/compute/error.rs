@@ -10,7 +10,7 @@ pub enum RequestError {
     /// The line is longer than any request.
     #[error(
         "the line has {bytes} bytes, and at most {} are read",
-        super::LONGEST_LINE
+        super::MAX_LINE_LENGTH
     )]
     LineTooLong {
         /// Its length.
@@ -119,8 +119,8 @@ impl Serialize for RequestError {
 
 /// The beginning of a text that came from outside.
 pub(super) fn excerpt(text: &str) -> String {
-    const LONGEST: usize = 40;
-    match text.char_indices().nth(LONGEST) {
+    const MAX_LENGTH: usize = 40;
+    match text.char_indices().nth(MAX_LENGTH) {
         Some((end, _)) => format!("{}…", &text[..end]),
         None => text.to_owned(),
     }

@@ -80,11 +80,11 @@ impl<'a> Visitor<'a> for OfValue {
     }
 
     fn visit_u64<E>(self, number: u64) -> Result<Value<'a>, E> {
-        Ok(integer(number, number <= LONGEST_EXACT))
+        Ok(integer(number, number <= MAX_EXACT))
     }
 
     fn visit_i64<E>(self, number: i64) -> Result<Value<'a>, E> {
-        Ok(integer(number, number.unsigned_abs() <= LONGEST_EXACT))
+        Ok(integer(number, number.unsigned_abs() <= MAX_EXACT))
     }
 
     fn visit_borrowed_str<E>(self, text: &'a str) -> Result<Value<'a>, E> {
@@ -115,7 +115,7 @@ impl<'a> Visitor<'a> for OfValue {
 }
 
 /// Integers up to this are binary64 numbers.
-const LONGEST_EXACT: u64 = 1 << f64::MANTISSA_DIGITS;
+const MAX_EXACT: u64 = 1 << f64::MANTISSA_DIGITS;
 
 impl<'a> Deserialize<'a> for Value<'a> {
     fn deserialize<D: Deserializer<'a>>(deserializer: D) -> Result<Self, D::Error> {
@@ -184,14 +184,14 @@ impl<'a> Visitor<'a> for &mut Entries<'a> {
     }
 
     fn visit_u64<E: Error>(self, number: u64) -> Result<Self::Value, E> {
-        match integer(number, number <= LONGEST_EXACT) {
+        match integer(number, number <= MAX_EXACT) {
             Value::Number(number) => self.visit_f64(number),
             other => Ok(Some(other)),
         }
     }
 
     fn visit_i64<E: Error>(self, number: i64) -> Result<Self::Value, E> {
-        match integer(number, number.unsigned_abs() <= LONGEST_EXACT) {
+        match integer(number, number.unsigned_abs() <= MAX_EXACT) {
             Value::Number(number) => self.visit_f64(number),
             other => Ok(Some(other)),
         }

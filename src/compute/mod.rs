@@ -64,7 +64,7 @@ static TASKS: &[&dyn Task] = &[
 ];
 
 /// The longest line that is read, in bytes.
-pub const LONGEST_LINE: usize = 4 << 20;
+pub const MAX_LINE_LENGTH: usize = 4 << 20;
 
 /// The reply to one line: a JSON object with the request's `id` and a `result` or an `error`.
 ///
@@ -105,7 +105,7 @@ pub fn tasks() -> impl Iterator<Item = &'static str> {
 }
 
 fn read(line: &str) -> Result<(serde_json::Value, Object<'_>), RequestError> {
-    if line.len() > LONGEST_LINE {
+    if line.len() > MAX_LINE_LENGTH {
         return Err(RequestError::LineTooLong { bytes: line.len() });
     }
     match serde_json::from_str(line) {
@@ -124,7 +124,7 @@ fn id_of(line: &str) -> serde_json::Value {
         #[serde(default)]
         id: serde_json::Value,
     }
-    let is_short = line.len() <= LONGEST_LINE;
+    let is_short = line.len() <= MAX_LINE_LENGTH;
     let identified = is_short.then(|| serde_json::from_str::<Identified>(line).ok());
     identified
         .flatten()
@@ -187,7 +187,7 @@ mod tests {
             assert_eq!(code(line), expected, "{line}");
         }
         assert_eq!(code(&"[".repeat(100_000)), "not_json");
-        assert_eq!(code(&" ".repeat(LONGEST_LINE + 1)), "line_too_long");
+        assert_eq!(code(&" ".repeat(MAX_LINE_LENGTH + 1)), "line_too_long");
     }
 
     #[test]
@@ -230,7 +230,7 @@ mod tests {
         assert_eq!(reply["result"]["x"], json!([0.5, 0.5]));
         assert_eq!(reply["result"]["r_slow"], Value::Null);
         assert_eq!(reply["result"]["regime"], "undamped");
-        let times = vec!["0"; parameters::LONGEST_LIST + 1].join(",");
+        let times = vec!["0"; parameters::MAX_LIST_LENGTH + 1].join(",");
         let parameters = format!(r#"{{"m":1,"c":0,"k":1,"x0":1,"v0":0,"t":[{times}]}}"#);
         assert_eq!(code_of("free_response", &parameters), "too_many");
     }

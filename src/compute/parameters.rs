@@ -9,7 +9,7 @@ use crate::vibration::Oscillator;
 use crate::vibration::State;
 
 /// The longest list that is read.
-pub(super) const LONGEST_LIST: usize = 200_000;
+pub(super) const MAX_LIST_LENGTH: usize = 200_000;
 
 /// The parameters of a request, with no key that the task does not know.
 pub(super) struct Parameters<'a> {
@@ -74,7 +74,7 @@ impl<'a> Parameters<'a> {
         })
     }
 
-    /// A whole number from one up.
+    /// An integer from one up.
     pub(super) fn count(&self, name: &'static str) -> Result<u64, RequestError> {
         const EXPECTED: &str = "an integer from 1 to 9007199254740992";
         let value = self.number(name)?;
@@ -89,14 +89,14 @@ impl<'a> Parameters<'a> {
         }
     }
 
-    /// A whole number from zero up, if it was given.
+    /// An integer from zero up, if it was given.
     pub(super) fn optional_index(&self, name: &'static str) -> Result<Option<usize>, RequestError> {
         let value = self.optional_number(name)?;
         let is_index = |value: f64| value == value.trunc() && (0.0..=1e9).contains(&value);
         match value {
             Some(value) if !is_index(value) => Err(RequestError::NotANumber {
                 name,
-                expected: "a whole number from 0 up",
+                expected: "an integer from 0 up",
             }),
             value => Ok(value.map(|value| value as usize)),
         }
@@ -172,11 +172,11 @@ fn check_length(name: &'static str, value: &Value) -> Result<(), RequestError> {
         Value::Table { entries, width } => entries.len() / width,
         _ => 0,
     };
-    if count > LONGEST_LIST {
+    if count > MAX_LIST_LENGTH {
         return Err(RequestError::TooMany {
             name,
             count,
-            most: LONGEST_LIST,
+            most: MAX_LIST_LENGTH,
         });
     }
     Ok(())
@@ -217,8 +217,8 @@ fn numbers<'a>(value: &'a Value) -> Option<Cow<'a, [f64]>> {
 
 /// The binary64 next to a decimal such as `-12.50`, `.5` or `1e-4`.
 fn nearest(text: &str) -> Option<f64> {
-    const LONGEST: usize = 400;
-    let is_decimal = text.len() <= LONGEST
+    const MAX_LENGTH: usize = 400;
+    let is_decimal = text.len() <= MAX_LENGTH
         && text
             .bytes()
             .all(|byte| byte.is_ascii_digit() || matches!(byte, b'+' | b'-' | b'.' | b'e' | b'E'));

@@ -14,7 +14,7 @@ pub(super) struct Reply {
 }
 
 /// Bytes of a number with its comma.
-const LONGEST_NUMBER: usize = 26;
+const MAX_NUMBER_LENGTH: usize = 26;
 
 impl Reply {
     /// Adds a number.
@@ -24,7 +24,7 @@ impl Reply {
         self
     }
 
-    /// Adds a whole number, or `null` where there is none.
+    /// Adds an integer, or `null` where there is none.
     pub(super) fn count(mut self, name: &'static str, value: Option<u64>) -> Self {
         self.key(name);
         let text = value.map_or_else(|| "null".to_owned(), |value| value.to_string());
@@ -85,7 +85,7 @@ impl Reply {
         self.text.push(b'[');
         for (i, vector) in vectors.into_iter().enumerate() {
             self.separate(i);
-            self.text.reserve(LONGEST_NUMBER * vector.len());
+            self.text.reserve(MAX_NUMBER_LENGTH * vector.len());
             self.values(name, vector.iter().copied());
         }
         self.text.push(b']');

@@ -9,15 +9,15 @@ use crate::quantity::NodeId;
 use crate::solution::Solution;
 
 /// Most questions of an item, where a group counts as one: an examination of an hour, at seven minutes each.
-const MOST_QUESTIONS: usize = 8;
+const MAX_QUESTIONS: usize = 8;
 
 /// All of it.
 pub(super) fn faults(template: &Template, solution: &Solution<'_>) -> Vec<Fault> {
     let mut faults = unused(template, solution);
     faults.extend(disclosed(template));
     let count = template.questions();
-    if count > MOST_QUESTIONS {
-        let most = MOST_QUESTIONS;
+    if count > MAX_QUESTIONS {
+        let most = MAX_QUESTIONS;
         faults.push(Fault::ManyQuestions { count, most });
     }
     for part in &template.parts {

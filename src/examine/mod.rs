@@ -120,7 +120,7 @@ struct Refused {
 }
 
 /// More than this share of refused draws makes variants alike.
-const MOST_REFUSED: f64 = 0.5;
+const MAX_REFUSED: f64 = 0.5;
 
 impl<'t> Course<'t> {
     fn of(template: &'t Template) -> Self {
@@ -288,7 +288,7 @@ impl<'t> Course<'t> {
         let all = self.redraws + self.draws;
         let redrawn = self.redraws as f64 / all.max(1) as f64;
         let worst = self.broken.iter().max_by_key(|(_, count)| **count);
-        if let Some((constraint, count)) = worst.filter(|_| redrawn > MOST_REFUSED) {
+        if let Some((constraint, count)) = worst.filter(|_| redrawn > MAX_REFUSED) {
             faults.push(Fault::Redrawn {
                 constraint: (*constraint).to_owned(),
                 percent: 100.0 * *count as f64 / all as f64,
@@ -298,7 +298,7 @@ impl<'t> Course<'t> {
         let unfit = self.draws - self.fit;
         let share = unfit as f64 / self.draws.max(1) as f64;
         let worst = self.unfit.iter().max_by_key(|(_, own)| own.count);
-        if let Some((reason, own)) = worst.filter(|_| share > MOST_REFUSED) {
+        if let Some((reason, own)) = worst.filter(|_| share > MAX_REFUSED) {
             faults.push(Fault::Unfit {
                 percent: 100.0 * share,
                 reason: reason.clone(),

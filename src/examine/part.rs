@@ -19,7 +19,7 @@ const SYMBOLIC_DRAWS: u64 = 4;
 const FUNCTION_DRAWS: u64 = 40;
 
 /// A part has at least so many ways to go wrong that are known.
-const LEAST_METHODS: usize = 3;
+const MIN_METHODS: usize = 3;
 
 /// What was found out about a part.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -282,7 +282,7 @@ impl Tally {
                     let largest = shape.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
                     // A component that is zero is a node, which one sees.
                     let small = shape.iter().position(|own| {
-                        own.abs() < LEAST_COMPONENT * largest && own.abs() > NODE * largest
+                        own.abs() < MIN_COMPONENT * largest && own.abs() > NODE * largest
                     });
                     if let Some(component) = small {
                         self.component.get_or_insert(Fault::SmallComponent {
@@ -354,11 +354,11 @@ impl Tally {
             part.answer.kind(),
             Kind::Numeric | Kind::Function | Kind::Equation
         );
-        if needs && count < LEAST_METHODS && self.draws >= FEW_DRAWS {
+        if needs && count < MIN_METHODS && self.draws >= FEW_DRAWS {
             faults.push(Fault::FewMethods {
                 part: part.id.clone(),
                 count,
-                least: LEAST_METHODS,
+                least: MIN_METHODS,
             });
         }
         // Accepted in 999 of 1000: in fewer draws each counts.
@@ -393,7 +393,7 @@ impl Tally {
 const FEW_DRAWS: u64 = 20;
 
 /// A component of a shape that is a smaller share of the largest one is lost in rounding.
-const LEAST_COMPONENT: f64 = 0.05;
+const MIN_COMPONENT: f64 = 0.05;
 
 /// A component that is a smaller share of the largest one is zero but for rounding in the machine.
 const NODE: f64 = 1e-9;

@@ -180,7 +180,7 @@ fn without_units(text: &str) -> String {
     out
 }
 
-/// Figures of what has to be told apart from the key by itself, not by its rounding.
+/// Figures of what has to be distinguished from the key by itself, not by its rounding.
 pub(super) const FINE: u32 = 7;
 
 /// A formula as it stands, and in data alone.
@@ -207,7 +207,7 @@ fn is_typable(text: &str) -> bool {
 /// A formula with those of quantities in place of their names, but for those to keep.
 fn inlined(graph: &Graph, expr: &Expr, keep: &dyn Fn(&Name) -> bool) -> Expr {
     let mut expr = expr.clone();
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let names = expr.names().free;
         let formulas = names
             .iter()
@@ -233,7 +233,7 @@ fn inlined(graph: &Graph, expr: &Expr, keep: &dyn Fn(&Name) -> bool) -> Expr {
 }
 
 /// No chain of quantities that is worth typing is longer.
-const MOST_STEPS: usize = 20;
+const MAX_STEPS: usize = 20;
 
 /// A function of time with numbers in SI units for all that is no function, rounded; `method` may take its formula
 /// wrongly. None where nobody can type it.
@@ -272,7 +272,7 @@ impl Writing<'_, '_> {
         let graph = self.evaluation.graph();
         let inside = |inner: &Expr| self.written(inner, depth);
         match expr.kind() {
-            _ if depth > MOST_STEPS => None,
+            _ if depth > MAX_STEPS => None,
             Node::Name(name) => match graph.find(name) {
                 Some(node) if graph.variables(node).is_empty() => {
                     number(self.evaluation.real(node).ok()?, self.figures)
@@ -482,7 +482,7 @@ pub(super) fn honestly(
 ) -> Option<String> {
     let part = &template.parts[place];
     let key = *part.answer.keys().first()?;
-    let figures = part.answer.figures().max(LEAST_FIGURES);
+    let figures = part.answer.figures().max(MIN_FIGURES);
     let graph = &template.graph;
     let mut steps = graph.steps(key);
     steps.sort_by_key(|step| graph.steps(*step).len());
@@ -526,4 +526,4 @@ pub(super) fn honestly(
 }
 
 /// Figures in which one works at least.
-const LEAST_FIGURES: u32 = 3;
+const MIN_FIGURES: u32 = 3;

@@ -14,7 +14,7 @@ pub const LETTER_SIZE: f64 = 0.37;
 pub(super) const SCRIPT: f64 = 0.72;
 
 /// Deepest formula that is set; what lies deeper is left out.
-const MOST_DEPTH: u32 = 40;
+const MAX_DEPTH: u32 = 40;
 
 /// A formula or words, set as one line.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -199,7 +199,7 @@ impl Setter {
     }
 
     fn math(&mut self, math: &Math, depth: u32) {
-        if depth > MOST_DEPTH {
+        if depth > MAX_DEPTH {
             return;
         }
         let inner = depth + 1;

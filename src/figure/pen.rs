@@ -1,4 +1,4 @@
-//! How lines and areas look: told apart in black-and-white print by weight and dash alone.
+//! How lines and areas look: distinguished in black-and-white print by weight and dash alone.
 
 /// How a line is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]

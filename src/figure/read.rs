@@ -39,7 +39,7 @@ pub trait Subject {
 }
 
 /// Most elements of a figure, and most names.
-const MOST: usize = 300;
+const MAX_COUNT: usize = 300;
 
 pub(super) struct Reader<'a, 's> {
     pub(super) table: &'a Table<'s>,
@@ -75,7 +75,7 @@ impl<'s> Reader<'_, 's> {
         let rows = elements.map_or(&[][..], |value| table.items("elements", value));
         let items: Vec<Item> = rows
             .iter()
-            .take(MOST)
+            .take(MAX_COUNT)
             .filter_map(|row| self.element(row))
             .collect();
         self.hold_identities(&items, rows);
@@ -107,7 +107,7 @@ impl<'s> Reader<'_, 's> {
         let mut locals = Vec::new();
         let table = self.table;
         if let Some(inner) = table.table("where") {
-            for entry in inner.entries().iter().take(MOST) {
+            for entry in inner.entries().iter().take(MAX_COUNT) {
                 let amount = inner
                     .as_formula(&entry.key, &entry.value)
                     .and_then(|text| self.amount(&text));
@@ -116,7 +116,7 @@ impl<'s> Reader<'_, 's> {
             }
         }
         if let Some(inner) = table.table("points") {
-            for entry in inner.entries().iter().take(MOST) {
+            for entry in inner.entries().iter().take(MAX_COUNT) {
                 let pair = self.pair(&inner, &entry.key, &entry.value);
                 let slot = self.names.add(&entry.key, true);
                 locals.extend(pair.map(|pair| (slot, Local::Point(pair))));
@@ -209,7 +209,7 @@ impl<'s> Reader<'_, 's> {
         let fits = |count: usize| match takes {
             Takes::Two => count == 2,
             Takes::Three => count == 3,
-            _ => (2..=MOST).contains(&count),
+            _ => (2..=MAX_COUNT).contains(&count),
         };
         match &value.data {
             Data::List(items) if fits(items.len()) => items

@@ -75,7 +75,7 @@ struct View {
 
 impl View {
     fn of(frame: Bounds) -> Self {
-        // What is drawn is bounded; the clamp keeps whole numbers in range whatever it was given.
+        // What is drawn is bounded; the clamp keeps integers in range whatever it was given.
         let whole = |number: f64| number.clamp(-1e9, 1e9) as i64;
         let (left, top) = (
             whole((frame.low.x * SCALE).floor()),

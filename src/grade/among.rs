@@ -1,7 +1,7 @@
 //! Marking of parts that are looked at together.
 
 use super::bound::bounded;
-use super::{LONGEST_RESPONSE, mark, silence};
+use super::{MAX_RESPONSE_LENGTH, mark, silence};
 use crate::answer::{Beside, Marking};
 use crate::response::{Folded, withdrawn};
 use crate::solution::Solution;
@@ -12,7 +12,7 @@ pub fn mark_among(solution: &Solution<'_>, place: usize, responses: &[&str]) -> 
     let parts = &solution.template().parts;
     let response = responses.get(place).map_or("", |response| response.trim());
     let heeds = |at: usize| parts[at].answer.heeds_others();
-    let is_short = |response: &str| response.len() <= LONGEST_RESPONSE;
+    let is_short = |response: &str| response.len() <= MAX_RESPONSE_LENGTH;
     if response.is_empty()
         || !is_short(response)
         || !heeds(place)

@@ -16,7 +16,7 @@ pub(super) fn otherwise(
     first: &Marking,
     sheet: &Sheet<'_>,
 ) -> Option<Marking> {
-    if response.len() > super::LONGEST_RESPONSE || is_of_another(first) {
+    if response.len() > super::MAX_RESPONSE_LENGTH || is_of_another(first) {
         return None;
     }
     let is_open = first.verdict == Verdict::Unreadable && !is_doubtful(first);
@@ -56,7 +56,7 @@ pub(super) fn standing(
     marking: &Marking,
 ) -> Option<Marking> {
     let is_open =
-        marking.verdict == Verdict::Unreadable && response.len() <= super::LONGEST_RESPONSE;
+        marking.verdict == Verdict::Unreadable && response.len() <= super::MAX_RESPONSE_LENGTH;
     if !is_open || is_doubtful(marking) || is_of_another(marking) {
         return None;
     }
@@ -155,9 +155,9 @@ fn is_name(formula: &str) -> bool {
 
 /// Whether a side is no more than a symbol: letters, digits, and what subscripts are written with.
 fn is_symbol(side: &str) -> bool {
-    const LONGEST: usize = 30;
+    const MAX_LENGTH: usize = 30;
     let is_part = |char: char| char.is_alphanumeric() || "_{}\\()'|, ".contains(char);
-    side.len() <= LONGEST && side.chars().all(is_part)
+    side.len() <= MAX_LENGTH && side.chars().all(is_part)
 }
 
 /// What the other form is worth; nothing where another part that is asked has the same key.

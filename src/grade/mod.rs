@@ -27,7 +27,7 @@ use crate::solution::Solution;
 use self::bound::bounded;
 
 /// Longest response that is read.
-pub const LONGEST_RESPONSE: usize = 4000;
+pub const MAX_RESPONSE_LENGTH: usize = 4000;
 
 /// Marks a response to a part; an empty one, or one that says that there is no answer, is missing.
 ///
@@ -76,8 +76,8 @@ fn folded<'s, 'r>(
     place: usize,
     response: &'r str,
 ) -> Result<(&'s dyn Marker, Folded<'r>), Unreadable> {
-    if response.len() > LONGEST_RESPONSE {
-        return Err(Why::LongerThan(LONGEST_RESPONSE).into());
+    if response.len() > MAX_RESPONSE_LENGTH {
+        return Err(Why::LongerThan(MAX_RESPONSE_LENGTH).into());
     }
     let part = &solution.template().parts[place];
     if let Some(words) = withdrawn(response, part.answer.kind() == Kind::Choice) {

@@ -6,7 +6,7 @@ use crate::unit::Decimal;
 
 /// A wrong answer without its data: a number as a multiple of the key in three figures, all else as it was read.
 pub fn pattern(solution: &Solution<'_>, place: usize, marking: &Marking) -> Option<String> {
-    const LONGEST: usize = 80;
+    const MAX_LENGTH: usize = 80;
     let reading = marking.reading.as_ref()?;
     if let [number] = reading.answered.si()[..]
         && let Ok(KeyValue::Numbers { si, .. }) =
@@ -18,7 +18,7 @@ pub fn pattern(solution: &Solution<'_>, place: usize, marking: &Marking) -> Opti
         return Some(format!("{ratio} × the key"));
     }
     let text = reading.text.as_str();
-    Some(match text.char_indices().nth(LONGEST) {
+    Some(match text.char_indices().nth(MAX_LENGTH) {
         Some((end, _)) => format!("{}…", &text[..end]),
         None => text.to_owned(),
     })

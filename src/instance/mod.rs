@@ -63,10 +63,10 @@ pub enum InstanceError {
 pub const DRAWS: Allowance = Allowance::new(40_000_000, 4_000_000);
 
 /// Draws that are made before giving up.
-const MOST_DRAWS: u32 = 1000;
+const MAX_DRAWS: u32 = 1000;
 
 /// Units of work that the constraints may take in all these draws.
-const MOST_WORK: u64 = 20_000_000;
+const MAX_WORK: u64 = 20_000_000;
 
 /// Units of work of a draw by itself.
 const WORK_OF_A_DRAW: u64 = 100;
@@ -152,8 +152,8 @@ impl<'t> Instance<'t> {
             return Ok(());
         }
         let mut broken: Vec<(&'t str, u32)> = Vec::new();
-        let tried = work::within(MOST_WORK, || {
-            for attempt in 0..MOST_DRAWS {
+        let tried = work::within(MAX_WORK, || {
+            for attempt in 0..MAX_DRAWS {
                 for (place, unit, grid, stream) in &mut drawn {
                     self.values[*place] = Quantity::new(grid.at(stream.below(grid.count())), *unit);
                 }
@@ -169,7 +169,7 @@ impl<'t> Instance<'t> {
                     return Some(attempt + 1);
                 }
             }
-            Some(MOST_DRAWS)
+            Some(MAX_DRAWS)
         });
         crate::numerics::sort_by(&mut broken, |a, b| b.1.cmp(&a.1).then_with(|| a.0.cmp(b.0)));
         let Some(attempts) = tried.value else {

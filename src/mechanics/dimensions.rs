@@ -8,7 +8,7 @@ use crate::expr::{AnyDimension, Expr, Kind, Name, Operator, Scope, Type};
 use crate::unit::Dimension;
 
 /// The kinematic formulas may use each other in any order; more passes than this settle no more of them.
-const MOST_PASSES: usize = 16;
+const MAX_PASSES: usize = 16;
 
 /// All that is wrong with the dimensions of a definition.
 pub(super) fn check(definition: &Definition) -> Vec<ModelError> {
@@ -65,7 +65,7 @@ impl Scope for Checker<'_> {
 impl Checker<'_> {
     fn settle_kinematics(&mut self) {
         let formulas = &self.definition.kinematics;
-        for _ in 0..formulas.len().min(MOST_PASSES) {
+        for _ in 0..formulas.len().min(MAX_PASSES) {
             for (name, formula) in formulas {
                 if let Ok(found) = formula.check(&*self) {
                     self.kinematics.insert(name.clone(), found);

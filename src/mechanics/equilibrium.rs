@@ -1,4 +1,4 @@
-//! Positions at rest, as formulas.
+//! Equilibria, as formulas.
 
 use std::collections::BTreeSet;
 
@@ -8,7 +8,7 @@ use super::kinematics::Kinematics;
 use super::lagrange::position;
 use crate::expr::{Expr, Kind, Name, Normal, Order, Substitution, SymbolicError, Variable};
 
-/// What is known of the position at rest before any number is.
+/// What is known of the equilibrium before any number is.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Equilibrium {
     /// The author states it; whether it is one is checked with numbers.

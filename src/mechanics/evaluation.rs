@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
-use super::Lack;
+use super::Unavailable;
 use super::definition::{Friction, Initial};
 use super::driving::Driving;
 use super::equilibrium::{Balance, Equilibrium};
@@ -24,7 +24,7 @@ pub(super) struct Evaluation {
     /// The forces at rest as functions of the position, and their derivatives where the position is sought.
     pub(super) restoring: Compiled,
     pub(super) slopes: Option<Compiled>,
-    /// The position at rest, where it has a formula.
+    /// The equilibrium, where it has a formula.
     pub(super) position: Option<Compiled>,
     /// Position and velocity at the start, by coordinate.
     pub(super) start: Compiled,
@@ -83,12 +83,12 @@ impl Evaluation {
         squares.as_ref()
     }
 
-    pub(super) fn tangent(&self) -> Result<&Tangent, Lack> {
-        self.tangent.as_ref().ok_or(Lack::TimeVarying)
+    pub(super) fn tangent(&self) -> Result<&Tangent, Unavailable> {
+        self.tangent.as_ref().ok_or(Unavailable::TimeVarying)
     }
 
-    pub(super) fn driving(&self) -> Result<&Driving, Lack> {
-        self.driving.as_ref().ok_or(Lack::NotHarmonic)
+    pub(super) fn driving(&self) -> Result<&Driving, Unavailable> {
+        self.driving.as_ref().ok_or(Unavailable::NotHarmonic)
     }
 }
 

@@ -1,8 +1,8 @@
 //! Quantities of a model as formulas in its names.
 
-use super::numbers::Single;
+use super::numbers::Sdof;
 use super::quantity::Quantity;
-use super::{Lack, Model};
+use super::{Model, Unavailable};
 use crate::expr::{Equation, Expr, Function, Kind, Normal, Operator, Substitution};
 
 impl Model {
@@ -10,8 +10,8 @@ impl Model {
     ///
     /// # Errors
     ///
-    /// [`Lack::NoFormula`] where it has none, [`Lack::SeveralCoordinates`].
-    pub fn formula(&self, quantity: Quantity) -> Result<Expr, Lack> {
+    /// [`Unavailable::NoFormula`] where it has none, [`Unavailable::SeveralCoordinates`].
+    pub fn formula(&self, quantity: Quantity) -> Result<Expr, Unavailable> {
         let formula = match quantity {
             Quantity::Kinetic => Some(self.kinetic()),
             Quantity::Potential => Some(self.potential()),
@@ -22,18 +22,18 @@ impl Model {
             Quantity::Equilibrium(at) | Quantity::StaticDeflection(at) => {
                 self.equilibrium().and_then(|all| all.get(at).cloned())
             }
-            Quantity::Single(single) => Some(self.formula_of_single(single)?),
+            Quantity::Sdof(single) => Some(self.formula_of_single(single)?),
             _ => None,
         };
-        formula.ok_or(Lack::NoFormula)
+        formula.ok_or(Unavailable::NoFormula)
     }
 
     /// The equations that a quantity is: one, or one per coordinate, with dry friction on the right.
     ///
     /// # Errors
     ///
-    /// [`Lack::NoFormula`].
-    pub fn equations(&self, quantity: Quantity) -> Result<Vec<Equation>, Lack> {
+    /// [`Unavailable::NoFormula`].
+    pub fn equations(&self, quantity: Quantity) -> Result<Vec<Equation>, Unavailable> {
         let equations = match quantity {
             Quantity::Equation(at) => self
                 .equation(at)
@@ -47,7 +47,7 @@ impl Model {
                 .collect(),
             _ => None,
         };
-        equations.ok_or(Lack::NoFormula)
+        equations.ok_or(Unavailable::NoFormula)
     }
 
     /// An equation along a coordinate with the force of dry friction against the velocity, −F sign(q').
@@ -66,19 +66,19 @@ impl Model {
     }
 
     /// A number of one degree of freedom in terms of m, c and k.
-    fn formula_of_single(&self, single: Single) -> Result<Expr, Lack> {
+    fn formula_of_single(&self, single: Sdof) -> Result<Expr, Unavailable> {
         let [mass, damping, stiffness] = self.coefficients()?;
         let expr = |coefficient: &Normal| self.written(coefficient);
         let put = Substitution::new()
             .with("m", expr(&mass))
             .with("c", expr(&damping))
             .with("k", expr(&stiffness));
-        let definition = Expr::read(single.definition()).map_err(|_| Lack::NoFormula)?;
+        let definition = Expr::read(single.definition()).map_err(|_| Unavailable::NoFormula)?;
         self.in_normal_form(&definition, &put)
     }
 
     /// A definition with the coefficients put in; what has no root and no number like π is written in normal form.
-    fn in_normal_form(&self, definition: &Expr, put: &Substitution) -> Result<Expr, Lack> {
+    fn in_normal_form(&self, definition: &Expr, put: &Substitution) -> Result<Expr, Unavailable> {
         let mut is_rational = !definition.names().free.is_empty();
         definition.walk(&mut |node| {
             is_rational &= !matches!(node.kind(), Kind::Call(..) | Kind::Constant(_));

@@ -5,13 +5,13 @@ use std::collections::BTreeSet;
 use super::equilibrium::{Balance, at_rest};
 use crate::expr::{Expr, Name, Normal, Order, Substitution, SymbolicError, Variable};
 
-/// `M q'' + C q' + K q = f(t)` about a position at rest, as formulas.
+/// `M q'' + C q' + K q = f(t)` about an equilibrium, as formulas.
 #[derive(Clone, Debug)]
 pub(super) struct Linear {
     pub(super) mass: Matrix,
     pub(super) damping: Matrix,
     pub(super) stiffness: Matrix,
-    /// What drives each equation: functions of time, and what the position at rest leaves on the right.
+    /// What drives each equation: functions of time, and what the equilibrium leaves on the right.
     pub(super) driving: Vec<Normal>,
 }
 
@@ -113,7 +113,7 @@ impl Linear {
     }
 }
 
-/// A position at rest, ready to be put into derivatives.
+/// An equilibrium, ready to be put into derivatives.
 struct Place {
     moving: BTreeSet<Name>,
     position: Substitution,

@@ -2,7 +2,7 @@
 //!
 //! A [`Definition`] holds the kinetic and potential energy, the dissipation function and the generalized
 //! forces of a system as formulas; [`Model::derive`] makes of them, symbolically, Lagrange's equations,
-//! the position at rest and the equations linearized about it. Electrical circuits are the same with a
+//! the equilibrium and the equations linearized about it. Electrical circuits are the same with a
 //! charge as coordinate, `L` for the mass, `R` for the damping and `1/C` for the stiffness.
 
 mod characteristic;
@@ -15,7 +15,6 @@ mod error;
 mod evaluation;
 mod formulas;
 mod kinematics;
-mod lack;
 mod lagrange;
 mod linear;
 mod model;
@@ -27,12 +26,13 @@ mod quantity;
 mod relation;
 mod squares;
 mod steps;
+mod unavailable;
 
 pub use definition::{Body, Coordinate, Definition, Friction, Initial};
 pub use error::{Key, ModelError};
-pub use lack::Lack;
-pub use model::{MOST_COORDINATES, Model};
+pub use model::{MAX_COORDINATES, Model};
 pub use nature::Nature;
-pub use numbers::{Frictional, Linearization, Motion, Numbers, Single, TurningPoints};
+pub use numbers::{Frictional, Linearization, Motion, Numbers, Sdof, TurningPoints};
 pub use quantity::{Quantity, QuantityError};
 pub use steps::{Letters, Line, NewtonError, Reason, Side, Step, Term, Way};
+pub use unavailable::Unavailable;

@@ -12,12 +12,12 @@ use super::lagrange::{Energies, position};
 use super::linear::{Linear, Matrix};
 use super::order::textbook;
 use super::programs::Compiled;
-use super::{Lack, dimensions};
+use super::{Unavailable, dimensions};
 use crate::expr::{Equation, Expr, Name, Normal, Order, Variable};
 use crate::unit::Dimension;
 
 /// Most coordinates of a model.
-pub const MOST_COORDINATES: usize = 16;
+pub const MAX_COORDINATES: usize = 16;
 
 /// A mechanical or electrical system derived from its energies.
 ///
@@ -59,10 +59,10 @@ impl Model {
     /// All that is wrong with the definition.
     pub fn derive(definition: Definition) -> Result<Self, Vec<ModelError>> {
         let count = definition.coordinates.len();
-        if count == 0 || count > MOST_COORDINATES {
+        if count == 0 || count > MAX_COORDINATES {
             return Err(vec![ModelError::CoordinateCount {
                 found: count,
-                most: MOST_COORDINATES,
+                most: MAX_COORDINATES,
             }]);
         }
         let kinematics = Kinematics::of(&definition).map_err(|error| vec![error])?;
@@ -201,7 +201,7 @@ impl Model {
         )
     }
 
-    /// The equation of motion along one coordinate, linearized about the position at rest; constants and
+    /// The equation of motion along one coordinate, linearized about the equilibrium; constants and
     /// functions of time stand on the right. Nothing where that position has no formula, or time stands
     /// beside a coordinate.
     pub fn equation(&self, coordinate: usize) -> Option<Equation> {
@@ -239,7 +239,7 @@ impl Model {
         self.matrix(|linear| &linear.stiffness)
     }
 
-    /// The position at rest, one formula per coordinate, if it has them.
+    /// The equilibrium, one formula per coordinate, if it has them.
     pub fn equilibrium(&self) -> Option<Vec<Expr>> {
         let position = self.equilibrium.formula()?;
         let written = |own: &Expr| Normal::of(own).map(|own| own.to_expr(&self.order));
@@ -247,11 +247,11 @@ impl Model {
     }
 
     /// M, C and K of a model of one coordinate as formulas.
-    pub(super) fn coefficients(&self) -> Result<[Normal; 3], Lack> {
+    pub(super) fn coefficients(&self) -> Result<[Normal; 3], Unavailable> {
         if self.degrees_of_freedom() > 1 {
-            return Err(Lack::SeveralCoordinates);
+            return Err(Unavailable::SeveralCoordinates);
         }
-        let linear = self.linear.as_ref().ok_or(Lack::NoFormula)?;
+        let linear = self.linear.as_ref().ok_or(Unavailable::NoFormula)?;
         Ok([&linear.mass, &linear.damping, &linear.stiffness].map(|own| own[0][0].clone()))
     }
 

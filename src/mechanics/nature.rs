@@ -1,7 +1,7 @@
 //! What the quantities of a model are: types and dimensions.
 
 use super::Model;
-use super::numbers::{Frictional, Single};
+use super::numbers::{Frictional, Sdof};
 use super::quantity::Quantity;
 use crate::expr::{Field, Form, Shape, Type};
 use crate::unit::Dimension;
@@ -53,7 +53,7 @@ impl Model {
             Quantity::Stable | Quantity::Frictional(Frictional::Slides) => {
                 Nature::Number(Type::boolean())
             }
-            Quantity::Single(single) => number(self.dimension_of_single(single)),
+            Quantity::Sdof(single) => number(self.dimension_of_single(single)),
             Quantity::NaturalAngularFrequencies => vector(Dimension::FREQUENCY),
             Quantity::Multiplicities | Quantity::ModalDampingRatios => vector(Dimension::PURE),
             Quantity::ModeShapes => self.rows_of_coordinates(),
@@ -104,18 +104,18 @@ impl Model {
         typed(Shape::Matrix(size, 2), vec![modal; 2 * size])
     }
 
-    fn dimension_of_single(&self, single: Single) -> Dimension {
+    fn dimension_of_single(&self, single: Sdof) -> Dimension {
         match single {
-            Single::Mass => self.coefficient(0, 0, 2),
-            Single::Damping | Single::CriticalDamping => self.coefficient(0, 0, 1),
-            Single::Stiffness => self.coefficient(0, 0, 0),
-            Single::NaturalAngularFrequency
-            | Single::NaturalFrequency
-            | Single::DecayRate
-            | Single::DampedAngularFrequency
-            | Single::ResonanceAngularFrequency => Dimension::FREQUENCY,
-            Single::Period | Single::DampedPeriod => Dimension::TIME,
-            Single::DampingRatio | Single::LogarithmicDecrement | Single::QualityFactor => {
+            Sdof::Mass => self.coefficient(0, 0, 2),
+            Sdof::Damping | Sdof::CriticalDamping => self.coefficient(0, 0, 1),
+            Sdof::Stiffness => self.coefficient(0, 0, 0),
+            Sdof::NaturalAngularFrequency
+            | Sdof::NaturalFrequency
+            | Sdof::DecayRate
+            | Sdof::DampedAngularFrequency
+            | Sdof::ResonanceAngularFrequency => Dimension::FREQUENCY,
+            Sdof::Period | Sdof::DampedPeriod => Dimension::TIME,
+            Sdof::DampingRatio | Sdof::LogarithmicDecrement | Sdof::QualityFactor => {
                 Dimension::PURE
             }
         }

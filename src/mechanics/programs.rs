@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use super::Lack;
+use super::Unavailable;
 use super::linear::Matrix;
 use crate::expr::{
     Approx, Binder, Binding, Expr, Form, Inputs, Name, Normal, Order, Precise, Program, Scalar,
@@ -13,7 +13,7 @@ use crate::expr::{
 #[derive(Clone, Debug)]
 pub(super) struct Compiled {
     formula: Formula,
-    program: OnceLock<Result<Ready, Lack>>,
+    program: OnceLock<Result<Ready, Unavailable>>,
 }
 
 /// What is to be compiled; sums are written as formulas only then.
@@ -87,7 +87,7 @@ impl Compiled {
         Self::new(Expr::array(formulas.into_iter().collect::<Vec<_>>()))
     }
 
-    pub(super) fn ready(&self, names: &Slots) -> Result<&Ready, Lack> {
+    pub(super) fn ready(&self, names: &Slots) -> Result<&Ready, Unavailable> {
         let compile = || {
             let program = Program::compile(&self.formula.written(), names)?;
             let slots = program.slots();
@@ -100,7 +100,7 @@ impl Compiled {
     }
 
     /// Its value for these data.
-    pub(super) fn value(&self, names: &Slots, data: &Data<'_>) -> Result<Value, Lack> {
+    pub(super) fn value(&self, names: &Slots, data: &Data<'_>) -> Result<Value, Unavailable> {
         let program = &self.ready(names)?.program;
         Ok(program.evaluate(data, &mut Workspace::default())?)
     }

@@ -3,8 +3,8 @@
 use thiserror::Error;
 
 use super::equilibrium::Equilibrium;
-use super::numbers::{Frictional, Motion, Numbers, Single};
-use super::{Lack, Model, ModelError};
+use super::numbers::{Frictional, Motion, Numbers, Sdof};
+use super::{Model, ModelError, Unavailable};
 use crate::expr::{Name, Value};
 use crate::source::nearest;
 
@@ -32,16 +32,16 @@ pub enum Quantity {
     DampingMatrix,
     /// K.
     StiffnessMatrix,
-    /// The position at rest of a coordinate.
+    /// The equilibrium of a coordinate.
     Equilibrium(usize),
-    /// All positions at rest.
+    /// All equilibria.
     Equilibria,
-    /// Whether the position at rest is stable.
+    /// Whether the equilibrium is stable.
     Stable,
-    /// The displacement of a coordinate from its origin to the position at rest.
+    /// The displacement of a coordinate from its origin to the equilibrium.
     StaticDeflection(usize),
     /// A number of one degree of freedom.
-    Single(Single),
+    Sdof(Sdof),
     /// ω₁ ≤ ω₂ ≤ ….
     NaturalAngularFrequencies,
     /// How often each of them occurs.
@@ -139,46 +139,37 @@ const TABLE: &[(&str, Row)] = &[
     ("equilibria", Alone(Quantity::Equilibria)),
     ("stable", Whole(Quantity::Stable)),
     ("static_deflection", Each(Quantity::StaticDeflection)),
-    ("mass", Alone(Quantity::Single(Single::Mass))),
-    ("damping", Alone(Quantity::Single(Single::Damping))),
-    ("stiffness", Alone(Quantity::Single(Single::Stiffness))),
+    ("mass", Alone(Quantity::Sdof(Sdof::Mass))),
+    ("damping", Alone(Quantity::Sdof(Sdof::Damping))),
+    ("stiffness", Alone(Quantity::Sdof(Sdof::Stiffness))),
     (
         "natural_angular_frequency",
-        Alone(Quantity::Single(Single::NaturalAngularFrequency)),
+        Alone(Quantity::Sdof(Sdof::NaturalAngularFrequency)),
     ),
     (
         "natural_frequency",
-        Alone(Quantity::Single(Single::NaturalFrequency)),
+        Alone(Quantity::Sdof(Sdof::NaturalFrequency)),
     ),
-    ("period", Alone(Quantity::Single(Single::Period))),
-    ("decay_rate", Alone(Quantity::Single(Single::DecayRate))),
-    (
-        "damping_ratio",
-        Alone(Quantity::Single(Single::DampingRatio)),
-    ),
+    ("period", Alone(Quantity::Sdof(Sdof::Period))),
+    ("decay_rate", Alone(Quantity::Sdof(Sdof::DecayRate))),
+    ("damping_ratio", Alone(Quantity::Sdof(Sdof::DampingRatio))),
     (
         "critical_damping",
-        Alone(Quantity::Single(Single::CriticalDamping)),
+        Alone(Quantity::Sdof(Sdof::CriticalDamping)),
     ),
     (
         "damped_angular_frequency",
-        Alone(Quantity::Single(Single::DampedAngularFrequency)),
+        Alone(Quantity::Sdof(Sdof::DampedAngularFrequency)),
     ),
-    (
-        "damped_period",
-        Alone(Quantity::Single(Single::DampedPeriod)),
-    ),
+    ("damped_period", Alone(Quantity::Sdof(Sdof::DampedPeriod))),
     (
         "logarithmic_decrement",
-        Alone(Quantity::Single(Single::LogarithmicDecrement)),
+        Alone(Quantity::Sdof(Sdof::LogarithmicDecrement)),
     ),
-    (
-        "quality_factor",
-        Alone(Quantity::Single(Single::QualityFactor)),
-    ),
+    ("quality_factor", Alone(Quantity::Sdof(Sdof::QualityFactor))),
     (
         "resonance_angular_frequency",
-        Alone(Quantity::Single(Single::ResonanceAngularFrequency)),
+        Alone(Quantity::Sdof(Sdof::ResonanceAngularFrequency)),
     ),
     (
         "natural_angular_frequencies",
@@ -220,7 +211,7 @@ const TABLE: &[(&str, Row)] = &[
 ];
 
 impl Quantity {
-    /// Whether it has a meaning only about a position at rest.
+    /// Whether it has a meaning only about an equilibrium.
     fn needs_rest(self) -> bool {
         !matches!(
             self,
@@ -233,7 +224,7 @@ impl Quantity {
                 | Self::MassMatrix
                 | Self::DampingMatrix
                 | Self::StiffnessMatrix
-                | Self::Single(Single::Mass | Single::Damping | Single::Stiffness)
+                | Self::Sdof(Sdof::Mass | Sdof::Damping | Sdof::Stiffness)
         )
     }
 }
@@ -310,7 +301,7 @@ impl Model {
         }
     }
 
-    /// Whether a quantity can exist: most need a position at rest.
+    /// Whether a quantity can exist: most need an equilibrium.
     ///
     /// # Errors
     ///
@@ -331,8 +322,8 @@ impl Numbers {
     ///
     /// # Errors
     ///
-    /// Why it has none; [`Lack::NoNumber`] for formulas, equations and functions of time.
-    pub fn value_of(&self, quantity: Quantity) -> Result<Value, Lack> {
+    /// Why it has none; [`Unavailable::NoNumber`] for formulas, equations and functions of time.
+    pub fn value_of(&self, quantity: Quantity) -> Result<Value, Unavailable> {
         Ok(match quantity {
             Quantity::MassMatrix => self.mass_matrix()?.clone(),
             Quantity::DampingMatrix => self.damping_matrix()?.clone(),
@@ -342,7 +333,7 @@ impl Numbers {
             }
             Quantity::Equilibria => self.equilibria_value()?,
             Quantity::Stable => self.stable_value()?,
-            Quantity::Single(single) => self.single(single)?,
+            Quantity::Sdof(single) => self.single(single)?,
             Quantity::NaturalAngularFrequencies => self.natural_angular_frequencies()?,
             Quantity::Multiplicities => self.multiplicities()?,
             Quantity::ModeShapes => self.mode_shapes()?,
@@ -352,7 +343,7 @@ impl Numbers {
             Quantity::ComplexAmplitude(at) => self.complex_amplitude_value(at)?,
             Quantity::ExactPeriod => self.exact_period()?,
             Quantity::Frictional(frictional) => self.frictional(frictional)?,
-            _ => return Err(Lack::NoNumber),
+            _ => return Err(Unavailable::NoNumber),
         })
     }
 
@@ -360,14 +351,14 @@ impl Numbers {
     ///
     /// # Errors
     ///
-    /// Why there is none; [`Lack::NoMotion`] for what is no function of time.
-    pub fn motion_of(&self, quantity: Quantity) -> Result<Motion, Lack> {
+    /// Why there is none; [`Unavailable::NoMotion`] for what is no function of time.
+    pub fn motion_of(&self, quantity: Quantity) -> Result<Motion, Unavailable> {
         match quantity {
             Quantity::Motion(at) => self.motion(at),
             Quantity::SteadyMotion(at) => self.steady_motion(at),
             Quantity::Energy => self.energy(),
             Quantity::ExactMotion => self.exact_motion(),
-            _ => Err(Lack::NoMotion),
+            _ => Err(Unavailable::NoMotion),
         }
     }
 }

@@ -4,9 +4,9 @@
 //! in which somebody who has other numbers gets it, from which follow-through is computed. That the numbers of a model
 //! agree with all of them is a test.
 
-use super::Single;
+use super::Sdof;
 
-impl Single {
+impl Sdof {
     /// All numbers of one degree of freedom, each behind those by which it is usually found.
     pub const ALL: [Self; 14] = [
         Self::Mass,
@@ -58,8 +58,8 @@ impl Single {
     /// Formulas for it in the letters of the numbers: its definition, then the others, the most usual first.
     ///
     /// ```
-    /// use vibank::mechanics::Single;
-    /// assert_eq!(Single::Period.relations(), ["2*pi*sqrt(m/k)", "2*pi/w", "1/f"]);
+    /// use vibank::mechanics::Sdof;
+    /// assert_eq!(Sdof::Period.relations(), ["2*pi*sqrt(m/k)", "2*pi/w", "1/f"]);
     /// ```
     pub fn relations(self) -> &'static [&'static str] {
         match self {

@@ -1,4 +1,4 @@
-//! What a student is told about a sheet, and what a teacher is told about all sheets, as pages.
+//! What a student reads about a sheet, and what a teacher reads about all sheets, as pages.
 
 use serde::Serialize;
 

@@ -86,9 +86,9 @@ const WIDTH: f64 = 400.0;
 /// Height of the highest bar.
 const HEIGHT: f64 = 90.0;
 /// Most bars: more are thinner than their counts.
-const MOST_BARS: f64 = 24.0;
+const MAX_BARS: f64 = 24.0;
 /// Most numbers along the axis.
-const MOST_TICKS: f64 = 9.0;
+const MAX_TICKS: f64 = 9.0;
 /// Width that a letter takes under the axis.
 const LETTER: f64 = 4.5;
 
@@ -116,7 +116,7 @@ impl Marked {
         let (first, last) = (points.first()?, points.last()?);
         let low = first.min(0.0);
         let high = last.max(self.max);
-        let step = nice((high - low) / MOST_BARS);
+        let step = nice((high - low) / MAX_BARS);
         let low = (low / step).floor() * step;
         // The highest points stand in the last bar, not beyond it.
         let count = ((high - low) / step - 1e-9).ceil().max(1.0) as usize;
@@ -142,7 +142,7 @@ impl Marked {
                 passes: self.pass.is_none_or(|pass| edge(place) + 1e-9 >= pass),
             }
         };
-        let tick_step = nice((high - low) / MOST_TICKS).max(step);
+        let tick_step = nice((high - low) / MAX_TICKS).max(step);
         let ticks = (0..=count)
             .map(edge)
             .filter(|points| ((points / tick_step).round() * tick_step - points).abs() < 1e-9)

@@ -215,10 +215,10 @@ impl Pages {
             decided: analysed
                 .decided
                 .iter()
-                .take(MOST_DECIDED)
+                .take(MAX_DECIDED)
                 .map(|own| self.decided(own))
                 .collect(),
-            more_decided: analysed.decided.len().saturating_sub(MOST_DECIDED),
+            more_decided: analysed.decided.len().saturating_sub(MAX_DECIDED),
             facts: facts(summary),
             bars: summary.shares.as_ref().map_or(Vec::new(), bars),
             parts: summary.parts.iter().map(part).collect(),
@@ -236,8 +236,8 @@ impl Pages {
             }
         }
         counts.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
-        let more = counts.len().saturating_sub(MOST_CHANGES);
-        counts.truncate(MOST_CHANGES);
+        let more = counts.len().saturating_sub(MAX_CHANGES);
+        counts.truncate(MAX_CHANGES);
         DecidedView {
             place: &decided.place,
             subject: quoted::pieces(&decided.subject),
@@ -255,10 +255,10 @@ impl Pages {
 }
 
 /// Decisions that the page lists; the table of decisions has all.
-const MOST_DECIDED: usize = 100;
+const MAX_DECIDED: usize = 100;
 
 /// Different changes that the page lists of a decision.
-const MOST_CHANGES: usize = 6;
+const MAX_CHANGES: usize = 6;
 
 /// A decision as a layout shows it.
 #[derive(Serialize)]

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use crate::expr::{
     Absence, Approx, Inputs, Name, Path, Precise, Program, Scalar, Undefined, Value, Workspace,
 };
-use crate::mechanics::{Lack, Model, Motion, Numbers, TurningPoints};
+use crate::mechanics::{Model, Motion, Numbers, TurningPoints, Unavailable};
 use crate::numerics::Dd;
 use crate::work;
 
@@ -35,11 +35,11 @@ pub enum Absent {
     },
     /// A model does not have it for these data.
     #[error("`{label}` does not exist for these data: {lack}")]
-    Lack {
+    Unavailable {
         /// The quantity.
         label: Box<str>,
         /// Why the model does not have it.
-        lack: Box<Lack>,
+        lack: Box<Unavailable>,
     },
     /// It is a function of something that is not given.
     #[error("`{label}` is a function of {}", .of.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "))]
@@ -54,7 +54,7 @@ pub enum Absent {
 type Wide = Arc<[Approx<Dd>]>;
 
 /// Units of work that all values of an item may take for one set of data: some tenths of a second.
-const MOST_WORK: u64 = 20_000_000;
+const MAX_WORK: u64 = 20_000_000;
 
 /// A place for each node, filled when it is first asked for.
 type Slots<T> = Box<[OnceCell<Result<T, Absent>>]>;
@@ -99,7 +99,7 @@ impl<'g> Evaluation<'g> {
             wide,
             replaced,
             rooms,
-            work: Cell::new(MOST_WORK),
+            work: Cell::new(MAX_WORK),
             is_computing: Cell::new(false),
             systems: RefCell::default(),
             motions: RefCell::default(),
@@ -271,7 +271,7 @@ impl<'g> Evaluation<'g> {
         }
         if let Role::Offered(offered) = &node.role {
             let value = self.numbers(offered).value_of(offered.quantity);
-            return value.map_err(|lack| Absent::Lack {
+            return value.map_err(|lack| Absent::Unavailable {
                 label: node.label.clone(),
                 lack: Box::new(lack),
             });
@@ -434,7 +434,7 @@ impl<'g> Evaluation<'g> {
             return Err(self.undefined(id, Undefined::NotReal));
         };
         let motion = self.numbers(offered).motion_of(offered.quantity);
-        let motion = motion.map(Rc::new).map_err(|lack| Absent::Lack {
+        let motion = motion.map(Rc::new).map_err(|lack| Absent::Unavailable {
             label: node.label.clone(),
             lack: Box::new(lack),
         });

@@ -19,7 +19,7 @@ pub(super) struct Order<'g> {
 }
 
 /// No chain of quantities is longer: evaluation recurs along it.
-const LONGEST_CHAIN: usize = 200;
+const MAX_CHAIN_LENGTH: usize = 200;
 
 impl<'g> Order<'g> {
     pub(super) fn of(graph: &'g Graph) -> Self {
@@ -54,7 +54,7 @@ impl<'g> Order<'g> {
             self.errors.push((id, GraphError::Cycle { circle }));
             return 0;
         }
-        if self.open.len() >= LONGEST_CHAIN {
+        if self.open.len() >= MAX_CHAIN_LENGTH {
             // It is visited again by itself.
             return self.refuse(id);
         }
@@ -92,7 +92,7 @@ impl<'g> Order<'g> {
             length = length.max(self.chain(next) + 1);
         }
         self.open.pop();
-        if length > LONGEST_CHAIN {
+        if length > MAX_CHAIN_LENGTH {
             length = self.refuse(id);
         }
         self.done.insert(id, length);
@@ -103,7 +103,7 @@ impl<'g> Order<'g> {
     /// Notes that a chain is too long; behind this place it is counted anew.
     fn refuse(&mut self, id: NodeId) -> usize {
         let name = Name::new(self.graph.label(id));
-        let limit = LONGEST_CHAIN;
+        let limit = MAX_CHAIN_LENGTH;
         self.errors.push((id, GraphError::TooLong { name, limit }));
         0
     }

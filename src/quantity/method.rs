@@ -101,7 +101,7 @@ pub struct Datum {
 }
 
 /// No part has more methods from its formulas: what is long has many terms that are alike.
-const MOST_FORMULAS: usize = 24;
+const MAX_FORMULAS: usize = 24;
 
 impl Graph {
     /// The wrong methods to a quantity: its own formula and those on the way to it, up to the quantities in `asked`,
@@ -123,7 +123,7 @@ impl Graph {
                 continue;
             };
             for (slip, changed) in variations(self.label(step), expr) {
-                let is_sound = methods.len() < MOST_FORMULAS && changed.check(self).is_ok();
+                let is_sound = methods.len() < MAX_FORMULAS && changed.check(self).is_ok();
                 if let Some(computation) = is_sound.then(|| self.link(&changed).ok()).flatten() {
                     let change = Change::Formula(Box::new(computation), changed);
                     methods.push(Method::of(slip, step, change, &held));

@@ -6,7 +6,9 @@ use std::sync::Arc;
 use super::error::GraphError;
 use super::graph::{Graph, Node, NodeId, Role};
 use crate::expr::{CheckError, Expr, Kind, Name, Names, Path, Substitution, Type};
-use crate::mechanics::{Definition, Lack, Model, Nature, Quantity, QuantityError, Step, Way};
+use crate::mechanics::{
+    Definition, Model, Nature, Quantity, QuantityError, Step, Unavailable, Way,
+};
 use crate::source::nearest;
 
 /// A system as it is written, and once its names are settled, as it was derived.
@@ -164,7 +166,7 @@ impl Graph {
     }
 
     /// The lines of the derivation that a path names; nothing where it names none.
-    pub fn lines(&self, path: &Path) -> Option<Result<Vec<Step>, Lack>> {
+    pub fn lines(&self, path: &Path) -> Option<Result<Vec<Step>, Unavailable>> {
         let (model, way) = self.way(path)?;
         Some(match way {
             Way::Static => {
@@ -287,8 +289,8 @@ impl Graph {
         definition: &mut Definition,
         mut needed: BTreeSet<Name>,
     ) -> Result<BTreeSet<Name>, crate::expr::SymbolicError> {
-        const DEEPEST: usize = 10;
-        for _ in 0..DEEPEST {
+        const MAX_DEPTH: usize = 10;
+        for _ in 0..MAX_DEPTH {
             let mut substitution = Substitution::new();
             let mut any = false;
             for name in &needed {

@@ -32,13 +32,13 @@ pub struct Mistake {
 pub(super) struct Counts(BTreeMap<String, u64>);
 
 /// Different things that are counted.
-const MOST: usize = 1000;
+const MAX_COUNT: usize = 1000;
 
 impl Counts {
     pub(super) fn add(&mut self, what: &str) {
         if let Some(count) = self.0.get_mut(what) {
             *count += 1;
-        } else if self.0.len() < MOST {
+        } else if self.0.len() < MAX_COUNT {
             self.0.insert(what.to_owned(), 1);
         }
     }

@@ -62,7 +62,7 @@ pub struct PartSummary {
     pub others: Vec<Common>,
 }
 
-/// The commonest that are told.
+/// How many of the commonest are reported.
 const TOLD: usize = 5;
 
 impl Tally {

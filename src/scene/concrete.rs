@@ -16,7 +16,7 @@ use crate::solution::Solution;
 use crate::unit::Decimal;
 
 /// Pieces within pieces that are written out at most.
-const DEEPEST: usize = 20;
+const MAX_DEPTH: usize = 20;
 
 /// A formula without the branches that the data rule out, its moving pieces written out.
 pub(super) fn concrete(solution: &Solution<'_>, expr: &Expr) -> Expr {
@@ -47,11 +47,11 @@ impl Reader<'_, '_> {
                 Some(false) => self.concrete(second, depth),
                 None => self.in_children(expr, depth),
             },
-            Kind::Name(name) if depth < DEEPEST => match self.moving_piece(name) {
+            Kind::Name(name) if depth < MAX_DEPTH => match self.moving_piece(name) {
                 Some(piece) => self.concrete(piece, depth + 1),
                 None => expr.clone(),
             },
-            Kind::Path(path) if depth < DEEPEST => match self.of_model(path) {
+            Kind::Path(path) if depth < MAX_DEPTH => match self.of_model(path) {
                 Some(formula) => self.concrete(&formula, depth + 1),
                 None => expr.clone(),
             },

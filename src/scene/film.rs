@@ -7,7 +7,7 @@ use super::notation::Symbols;
 use crate::expr::Expr;
 use crate::figure::{Film, Head, State};
 use crate::math::Math;
-use crate::mechanics::{Lack, Motion, Numbers};
+use crate::mechanics::{Motion, Numbers, Unavailable};
 use crate::unit::{Decimal, Dimension, Unit};
 
 /// Pictures of the shortest period that is in a motion: enough for it to look continuous in slow motion.
@@ -21,7 +21,7 @@ const PERIODS: f64 = 5.0;
 const LOOPS: f64 = 2.0;
 
 /// Longest motion, in periods of the slowest natural vibration: beats of weak coupling take many of them.
-const LONGEST: f64 = 60.0;
+const MAX_PERIODS: f64 = 60.0;
 
 /// Most turning points that are listed.
 const LISTED: usize = 16;
@@ -167,7 +167,7 @@ fn course(run: Run, numbers: &Numbers) -> Option<Course> {
     let largest = highest(&natural);
     let vibrates = |frequency: f64| frequency > 1e-6 * largest;
     let driving = numbers.driving_frequencies().unwrap_or_default();
-    let motions = |motion: &dyn Fn(usize) -> Result<Motion, Lack>| {
+    let motions = |motion: &dyn Fn(usize) -> Result<Motion, Unavailable>| {
         let rest = numbers.equilibrium().ok()?;
         let all = rest.iter().enumerate();
         all.map(|(place, rest)| Some((motion(place).ok()?, *rest)))
@@ -198,7 +198,7 @@ fn course(run: Run, numbers: &Numbers) -> Option<Course> {
             for (place, first) in all.iter().enumerate() {
                 for second in &all[..place] {
                     let beat = period((first - second).abs());
-                    if beat <= LONGEST * slow {
+                    if beat <= MAX_PERIODS * slow {
                         seconds = seconds.max(beat);
                     }
                 }

@@ -3,13 +3,13 @@
 use crate::math::{Class, Math};
 
 /// Characters of a line beyond which a sum continues on the next: a column of a printed page, a phone held upright.
-const LONGEST_LINE: usize = 35;
+const MAX_LINE_LENGTH: usize = 35;
 
 /// Characters kept free for a right side like 0.
 const SHORTEST_RIGHT: usize = 4;
 
 /// Characters of a left side to which the lines of a step are still aligned.
-const LONGEST_LEFT: usize = 12;
+const MAX_LEFT_LENGTH: usize = 12;
 
 /// A chain of sides as it is set.
 pub(super) struct Chain {
@@ -23,7 +23,7 @@ pub(super) fn aligned(lines: &[Chain]) -> Vec<[Math; 2]> {
     let is_short = |line: &Chain| {
         line.sides
             .first()
-            .is_none_or(|left| width(left) <= LONGEST_LEFT)
+            .is_none_or(|left| width(left) <= MAX_LEFT_LENGTH)
     };
     let has_short_sides = lines.iter().all(is_short);
     let mut rows: Vec<[Math; 2]> = Vec::new();
@@ -55,9 +55,9 @@ pub(super) fn aligned(lines: &[Chain]) -> Vec<[Math; 2]> {
                 } else {
                     Math::row([])
                 };
-                let mut pieces = broken(side, LONGEST_LINE).into_iter();
+                let mut pieces = broken(side, MAX_LINE_LENGTH).into_iter();
                 let start = pieces.next().unwrap_or_else(|| Math::row([]));
-                room = LONGEST_LINE.saturating_sub(width(&start) + LONGEST_LEFT / 2);
+                room = MAX_LINE_LENGTH.saturating_sub(width(&start) + MAX_LEFT_LENGTH / 2);
                 rows.push([left, Math::row([sign(at + 1), start])]);
                 for piece in pieces {
                     room = 0;
@@ -66,12 +66,12 @@ pub(super) fn aligned(lines: &[Chain]) -> Vec<[Math; 2]> {
             }
             continue;
         }
-        let mut pieces = broken(first, LONGEST_LINE - SHORTEST_RIGHT);
+        let mut pieces = broken(first, MAX_LINE_LENGTH - SHORTEST_RIGHT);
         for (at, side) in others.iter().enumerate() {
-            let mut parts = broken(side, LONGEST_LINE).into_iter();
+            let mut parts = broken(side, MAX_LINE_LENGTH).into_iter();
             let start = parts.next().unwrap_or_else(|| Math::row([]));
             let last = pieces.pop().unwrap_or_else(|| Math::row([]));
-            if at == 0 && width(&last) + width(&start) <= LONGEST_LINE {
+            if at == 0 && width(&last) + width(&start) <= MAX_LINE_LENGTH {
                 pieces.push(Math::row([last, sign(at + 1), start]));
             } else {
                 pieces.push(last);

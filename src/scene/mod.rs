@@ -65,7 +65,7 @@ pub struct Shown<'t> {
 }
 
 /// Letters of a function that a key shows at most.
-const LONGEST_KEY: usize = 120;
+const MAX_KEY_LENGTH: usize = 120;
 
 impl<'s, 't> Scene<'s, 't> {
     /// A scene of a solution.
@@ -88,7 +88,7 @@ impl<'s, 't> Scene<'s, 't> {
         }
     }
 
-    /// The same with figures and plots told in words, for terminals.
+    /// The same with figures and plots described in words, for terminals.
     #[must_use]
     pub fn in_words(self) -> Self {
         Self {
@@ -162,7 +162,7 @@ impl<'s, 't> Scene<'s, 't> {
     pub fn key(&self, place: usize) -> Result<Option<&'s Math>, Absent> {
         let general = &self.solution.key(place)?.math;
         let own = self.solution.written(place, || self.concrete(place));
-        let is_too_long = own.is_some_and(|own| own.plain().chars().count() > LONGEST_KEY);
+        let is_too_long = own.is_some_and(|own| own.plain().chars().count() > MAX_KEY_LENGTH);
         Ok((!is_too_long).then(|| own.unwrap_or(general)))
     }
 

@@ -12,7 +12,7 @@ use crate::unit::{Decimal, Quantity, Rational, Unit};
 use crate::work;
 
 /// Units of work that the curves of one plot may take: some tenths of a second.
-const MOST_WORK: u64 = 20_000_000;
+const MAX_WORK: u64 = 20_000_000;
 
 /// Why a plot cannot be drawn for these data.
 #[derive(Clone, Debug, thiserror::Error)]
@@ -28,7 +28,7 @@ pub enum Undrawn {
     #[error("{0}")]
     Plot(#[from] PlotError),
     /// Its curves take too long.
-    #[error("its curves take more than {} million steps", MOST_WORK / 1_000_000)]
+    #[error("its curves take more than {} million steps", MAX_WORK / 1_000_000)]
     Work,
 }
 
@@ -42,7 +42,7 @@ impl Scene<'_, '_> {
         let mut plots = self.solution.template().plots.iter();
         let plot = plots.find(|plot: &&Plot| plot.name == name);
         let plot = plot.ok_or_else(|| Undrawn::Unknown(name.to_owned()))?;
-        let drawn = work::within(MOST_WORK, || match &plot.kind {
+        let drawn = work::within(MAX_WORK, || match &plot.kind {
             PlotKind::Curves(curves) => self.curves(curves, false),
             PlotKind::PhasePlane(curves) => self.curves(curves, true),
             PlotKind::ModeShapes(shapes) => self.mode_shapes(shapes),

@@ -12,7 +12,7 @@ use crate::mechanics::{Line, Reason, Side, Step, Term, Way};
 use crate::quantity::{Graph, NodeId};
 
 /// Characters of a formula with its helpers opened beyond which nobody follows the numbers in it.
-const LONGEST_WORKED: usize = 90;
+const MAX_WORKED_LENGTH: usize = 90;
 
 impl Scene<'_, '_> {
     /// The derivation that a path asks for.
@@ -190,15 +190,15 @@ pub(super) fn unworkable(template: &crate::bank::Template, node: NodeId) -> Opti
         .plain()
         .chars()
         .count()
-        > LONGEST_WORKED;
+        > MAX_WORKED_LENGTH;
     is_long.then_some("its formula is too long with its helpers opened")
 }
 
 /// A formula with the helpers opened that have no unit, and so no value of their own to print.
 fn opened(template: &crate::bank::Template, expr: &Expr) -> Option<Expr> {
     // No chain of helpers is as long.
-    const DEEPEST: usize = 20;
-    opened_at(template, expr, DEEPEST)
+    const MAX_DEPTH: usize = 20;
+    opened_at(template, expr, MAX_DEPTH)
 }
 
 fn opened_at(template: &crate::bank::Template, expr: &Expr, deepest: usize) -> Option<Expr> {

@@ -10,18 +10,18 @@ use crate::math::Math;
 use crate::unit::{Decimal, Dimension, Quantity, Unit};
 
 /// Lines beyond which a list teaches nothing more; of a longer one its beginning and its end are shown.
-const MOST_LINES: usize = 9;
+const MAX_LINES: usize = 9;
 /// Lines of the beginning of a longer list.
 const FIRST_LINES: usize = 5;
 /// Lines of its end: the last point that is left, and the rest.
 const LAST_LINES: usize = 2;
 /// Turning points that are sought; where more come, the end is not shown.
-const MOST_POINTS: usize = 500;
+const MAX_POINTS: usize = 500;
 
 impl Scene<'_, '_> {
     pub(super) fn turning_points(&self, path: &Path) -> Filling {
         let evaluation = self.solution.evaluation();
-        let Some(turns) = evaluation.turning_points(path, MOST_POINTS) else {
+        let Some(turns) = evaluation.turning_points(path, MAX_POINTS) else {
             return Filling::Steps(Vec::new());
         };
         let digits = u32::from(self.solution.template().about.digits);
@@ -53,7 +53,7 @@ impl Scene<'_, '_> {
         };
         let count = turns.points.len();
         let set = |places: std::ops::Range<usize>| aligned(&places.map(line).collect::<Vec<_>>());
-        let lines = if count <= MOST_LINES {
+        let lines = if count <= MAX_LINES {
             set(0..count)
         } else {
             let mut lines = set(0..FIRST_LINES);

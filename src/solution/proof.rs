@@ -102,7 +102,7 @@ fn known_results(template: &Template) -> Vec<Finding> {
 ///
 /// The work is bounded as a whole; where an item takes more, a finding says so in place of what was found with it.
 pub fn findings(template: &Template, seeds: u64) -> Vec<Finding> {
-    let limit = MOST_WORK.max(seeds.saturating_mul(WORK_OF_A_SEED));
+    let limit = MAX_WORK.max(seeds.saturating_mul(WORK_OF_A_SEED));
     let found = work::within(limit, || {
         let mut findings = known_results(template);
         findings.extend(data(template));
@@ -118,7 +118,7 @@ pub fn findings(template: &Template, seeds: u64) -> Vec<Finding> {
 }
 
 /// Units of work of a check: a second or two, of which an item that comes with the program takes a hundredth.
-const MOST_WORK: u64 = 100_000_000;
+const MAX_WORK: u64 = 100_000_000;
 
 /// Units of work that each draw of a longer check adds.
 const WORK_OF_A_SEED: u64 = 500_000;

@@ -106,9 +106,9 @@ pub struct Refusal {
 }
 
 /// Longest line that is read.
-pub const LONGEST_LINE: usize = 1 << 20;
+pub const MAX_LINE_LENGTH: usize = 1 << 20;
 /// Most times in one request.
-const MOST_TIMES: usize = 100_000;
+const MAX_TIMES: usize = 100_000;
 
 impl Refusal {
     /// A refusal with this code.
@@ -133,8 +133,8 @@ pub fn answer(session: &mut Session<'_>, line: &str) -> String {
 
 /// The request in a line, or the reply that refuses it, with identity and tag where they could be read.
 pub(crate) fn read<T: DeserializeOwned>(line: &str) -> Result<T, Map<String, Json>> {
-    let (refusal, parts) = if line.len() > LONGEST_LINE {
-        let message = format!("the line has more than {LONGEST_LINE} bytes");
+    let (refusal, parts) = if line.len() > MAX_LINE_LENGTH {
+        let message = format!("the line has more than {MAX_LINE_LENGTH} bytes");
         (Refusal::new("limit", message), Json::Null)
     } else {
         let error = match serde_json::from_str(line) {
@@ -245,10 +245,10 @@ fn text_of(name: &str, value: &Json) -> Result<String, Refusal> {
 }
 
 fn times(at: &[Json]) -> Result<Vec<Precise>, Refusal> {
-    if at.len() > MOST_TIMES {
+    if at.len() > MAX_TIMES {
         return Err(Refusal::new(
             "limit",
-            format!("more than {MOST_TIMES} times"),
+            format!("more than {MAX_TIMES} times"),
         ));
     }
     let time = |value: &Json| {

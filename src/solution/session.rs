@@ -12,9 +12,9 @@ use crate::bank::{Catalogue, Template};
 
 /// Solutions that are kept. One with all its parts prepared takes up to half a megabyte, so that these are the whole bank
 /// for one set of data, and no more than some fifty megabytes.
-const MOST_KEPT: usize = 128;
+const MAX_KEPT: usize = 128;
 /// Longest data, as they were set, of a solution that is kept.
-const LONGEST_DATA: usize = 4096;
+const MAX_DATA_LENGTH: usize = 4096;
 
 /// Answers requests about the items of a bank, and keeps the solutions that were asked for lately.
 ///
@@ -113,7 +113,7 @@ impl<'c> Session<'c> {
             return Ok(Rc::clone(&kept.solution));
         }
         let solution = Rc::new(Solution::of(instance(template, seed, set)?).settling(doubt));
-        if data.set.len() <= LONGEST_DATA {
+        if data.set.len() <= MAX_DATA_LENGTH {
             self.keep(data, Rc::clone(&solution));
         }
         Ok(solution)
@@ -121,7 +121,7 @@ impl<'c> Session<'c> {
 
     /// Keeps a solution in place of the one that was not asked for for longest.
     fn keep(&mut self, data: Data, solution: Rc<Solution<'c>>) {
-        if self.kept.len() >= MOST_KEPT {
+        if self.kept.len() >= MAX_KEPT {
             let oldest = self.kept.values().map(|kept| kept.last).min();
             self.kept.retain(|_, kept| Some(kept.last) != oldest);
         }
@@ -156,7 +156,7 @@ mod tests {
             of(Some(seed), &none);
         }
         assert!(!Rc::ptr_eq(&first, &of(Some(1), &none)));
-        assert_eq!(session.kept.len(), MOST_KEPT);
+        assert_eq!(session.kept.len(), MAX_KEPT);
     }
 
     #[test]

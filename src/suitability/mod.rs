@@ -33,7 +33,7 @@ pub enum Unfit {
         /// The identifier of the part.
         part: String,
     },
-    /// A mistake that cannot be told from the key.
+    /// A mistake that cannot be distinguished from the key.
     #[error("a mistake of part `{part}` lies {tolerances:.1} tolerances from its key")]
     NearMistake {
         /// The identifier of the part.
@@ -41,7 +41,7 @@ pub enum Unfit {
         /// The distance in tolerances.
         tolerances: f64,
     },
-    /// A wrong method that cannot be told from the right one.
+    /// A wrong method that cannot be distinguished from the right one.
     #[error("part `{part}`: {method} lies {tolerances:.1} tolerances from the key")]
     NearMethod {
         /// The identifier of the part.
@@ -56,7 +56,7 @@ pub enum Unfit {
 /// Mistakes and wrong methods keep this distance from the key, in tolerances.
 pub const CLEARANCE: f64 = 2.0;
 
-/// Whether the parts that are asked have keys from which their named mistakes can be told.
+/// Whether the parts that are asked have keys from which their named mistakes can be distinguished.
 ///
 /// # Errors
 ///
@@ -87,7 +87,7 @@ pub fn judge(solution: &Solution<'_>, parts: &[usize]) -> Result<(), Unfit> {
     Ok(())
 }
 
-/// Whether the parts that are asked have keys from which the standard wrong methods can be told, and which no named
+/// Whether the parts that are asked have keys from which the standard wrong methods can be distinguished, and which no named
 /// mistake happens to give.
 ///
 /// # Errors

@@ -63,7 +63,7 @@ struct Item {
 }
 
 /// Variants that are tried before one that is not fit is taken after all.
-const MOST_TRIES: u64 = 400;
+const MAX_TRIES: u64 = 400;
 
 impl Grader {
     /// The grader of a page with these lines.
@@ -188,7 +188,7 @@ impl Grader {
             Variant::new(from.wrapping_add(step) % Variant::COUNT).expect("it is below the count")
         };
         let mut next_best = None;
-        for step in 0..MOST_TRIES {
+        for step in 0..MAX_TRIES {
             let solution = self.draw(question, template, variant(step))?;
             let asked = question::asked(question, &solution);
             if !asked.is_empty() && suitability::judge(&solution, &asked).is_ok() {

@@ -97,7 +97,7 @@ pub(super) fn insertions(blank: &Blank) -> Vec<Insertion> {
 /// Rows and columns of an answer that is easier to fill in entry by entry.
 pub(super) fn shape(part: &Part, template: &Template) -> Option<(usize, usize)> {
     /// Wider tables do not fit a telephone.
-    const MOST: usize = 6;
+    const MAX_COUNT: usize = 6;
     let keys = part.answer.keys();
     let [key] = keys[..] else {
         return None;
@@ -108,5 +108,5 @@ pub(super) fn shape(part: &Part, template: &Template) -> Option<(usize, usize)> 
         (Kind::ModeShape, Shape::Vector(rows)) => (rows, 1),
         _ => return None,
     };
-    (rows <= MOST && columns <= MOST).then_some((rows, columns))
+    (rows <= MAX_COUNT && columns <= MAX_COUNT).then_some((rows, columns))
 }

@@ -362,13 +362,13 @@ impl Diagnose for BlueprintError {
 pub const FORMATS: &[&str] = &["html", "md", "pdf", "tex", "json", "xlsx"];
 
 /// Most variants that one run makes.
-const MOST_VARIANTS: i64 = 100_000;
+const MAX_VARIANTS: i64 = 100_000;
 
 /// Most questions of a sheet.
-const MOST_QUESTIONS: usize = 200;
+const MAX_QUESTIONS: usize = 200;
 
 /// Most letters of a title.
-const LONGEST_TITLE: usize = 300;
+const MAX_TITLE_LENGTH: usize = 300;
 
 impl Blueprint {
     /// Whether a file is meant to be a blueprint, sound or not: it asks questions, which items do not.
@@ -510,10 +510,10 @@ impl Faults<'_> {
 /// The questions, as many as a sheet can have.
 fn questions(table: &Table<'_>, faults: &mut Faults<'_>) -> Vec<Question> {
     let tables = table.tables("question");
-    let place = tables.get(MOST_QUESTIONS).map(Table::span);
+    let place = tables.get(MAX_QUESTIONS).map(Table::span);
     let of = "questions";
-    faults.at_most(MOST_QUESTIONS, tables.len(), of, place);
-    let tables = tables.into_iter().take(MOST_QUESTIONS).enumerate();
+    faults.at_most(MAX_QUESTIONS, tables.len(), of, place);
+    let tables = tables.into_iter().take(MAX_QUESTIONS).enumerate();
     let questions: Vec<Question> = tables
         .filter_map(|(place, own)| question(own, place, table, faults))
         .collect();
@@ -580,7 +580,7 @@ fn blueprint<'s>(table: Table<'_>, mut faults: Faults<'s>) -> (Option<Blueprint>
     if let Some(title) = &title {
         let letters = title.value.chars().count();
         let of = "letters in the title";
-        faults.at_most(LONGEST_TITLE, letters, of, Some(title.span));
+        faults.at_most(MAX_TITLE_LENGTH, letters, of, Some(title.span));
     }
     let title = title.map(|text| text.value);
     let audience = audience(&table, &mut faults);
@@ -709,7 +709,7 @@ fn spares(table: &Table<'_>, faults: &mut Faults<'_>) -> usize {
 }
 
 fn audience(table: &Table<'_>, faults: &mut Faults<'_>) -> Option<Audience> {
-    let variants = table.integer("variants", "an integer from 1 to 100000", 1..=MOST_VARIANTS);
+    let variants = table.integer("variants", "an integer from 1 to 100000", 1..=MAX_VARIANTS);
     let students = table.text("students");
     match (variants, students) {
         (Some(count), None) => Some(Audience::Variants(count as usize)),

@@ -43,7 +43,7 @@ pub struct Decision {
     pub given: Option<Text>,
     /// What was decided.
     pub effect: Effect,
-    /// What the student is told.
+    /// What the student reads.
     pub feedback: Option<String>,
     /// Who decided it.
     pub who: String,

@@ -1,4 +1,4 @@
-//! How alike the variants of a run are: what a teacher is told.
+//! How alike the variants of a run are: what the teacher sees.
 
 use std::collections::BTreeMap;
 
@@ -36,7 +36,7 @@ pub struct Alike {
 impl Fairness {
     /// Pairs of neighbours that are listed.
     #[cfg(feature = "render")]
-    pub(super) const MOST_LISTED: usize = 500;
+    pub(super) const MAX_LISTED: usize = 500;
 }
 
 /// How alike the variants of one question are.

@@ -100,8 +100,11 @@ fn id(table: &Table<'_>, place: usize, faults: &mut Faults<'_>) -> Option<ItemId
     let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
     let slug: String = words.join("-").to_ascii_lowercase();
     /// Letters of a name that is made of a title.
-    const LONGEST: usize = 60;
-    let slug = slug.get(..LONGEST).unwrap_or(&slug).trim_end_matches('-');
+    const MAX_LENGTH: usize = 60;
+    let slug = slug
+        .get(..MAX_LENGTH)
+        .unwrap_or(&slug)
+        .trim_end_matches('-');
     of(slug).or_else(|| of(&format!("question-{}", place + 1)))
 }
 

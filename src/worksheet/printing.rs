@@ -196,7 +196,7 @@ impl Student {
 }
 
 /// Most letters of an `id` or a name that become part of the name of a file.
-const LONGEST: usize = 40;
+const MAX_LENGTH: usize = 40;
 
 /// The name of the files of a sheet, without folder and ending: its place in the class list, the `id` and the name, or the
 /// code where it is nobody's.
@@ -228,7 +228,7 @@ fn plain(text: &str) -> String {
     let is_inner = |sign: char| sign.is_alphanumeric() || sign == '_' || is_mark(sign);
     let words = text.split(|sign: char| !is_inner(sign));
     let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
-    let plain: String = words.join("-").chars().take(LONGEST).collect();
+    let plain: String = words.join("-").chars().take(MAX_LENGTH).collect();
     plain.trim_end_matches('-').to_owned()
 }
 

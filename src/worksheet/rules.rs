@@ -50,10 +50,10 @@ pub struct Rules {
 }
 
 /// Most attempts that can be stated: a package keeps their number in six bits.
-const MOST_ATTEMPTS: i64 = 60;
+const MAX_ATTEMPTS: i64 = 60;
 
 /// Longest identity of a package: it is a name in a manifest and part of keys.
-const LONGEST_ID: usize = 64;
+const MAX_ID_LENGTH: usize = 64;
 
 impl Rules {
     pub(super) fn read(table: &Table<'_>, faults: &mut Faults<'_>) -> Self {
@@ -61,7 +61,7 @@ impl Rules {
             id: id(table, faults),
             pass: pass(table),
             attempts: table
-                .integer("attempts", "an integer from 1 to 60", 1..=MOST_ATTEMPTS)
+                .integer("attempts", "an integer from 1 to 60", 1..=MAX_ATTEMPTS)
                 .map(|attempts| attempts as u32),
             feedback: faults.word(
                 table,
@@ -84,7 +84,7 @@ impl Rules {
 fn id(table: &Table<'_>, faults: &mut Faults<'_>) -> Option<String> {
     let id = table.text("id")?;
     let is_plain = |sign: char| sign.is_ascii_alphanumeric() || "-_.".contains(sign);
-    if id.value.is_empty() || id.value.len() > LONGEST_ID || !id.value.chars().all(is_plain) {
+    if id.value.is_empty() || id.value.len() > MAX_ID_LENGTH || !id.value.chars().all(is_plain) {
         faults.add(&BlueprintError::PageId(id.span));
         return None;
     }

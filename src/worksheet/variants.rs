@@ -157,9 +157,9 @@ enum Objection {
 /// Seeds tried for one variant before one is taken that repeats another or is not like most.
 const TRIES_FOR_FAIRNESS: u64 = 60;
 /// Seeds tried for one variant before giving up.
-const MOST_TRIES: u64 = 400;
+const MAX_TRIES: u64 = 400;
 /// The same where nothing of an earlier sheet may come again: drawing data alone costs little.
-const MOST_TRIES_APART: u64 = 20_000;
+const MAX_TRIES_APART: u64 = 20_000;
 
 impl<'p, 'c> Chooser<'p, 'c> {
     /// A chooser at the first variant of a plan; `students` are those of the class list, if there is one, of whom some
@@ -328,11 +328,7 @@ impl<'p, 'c> Chooser<'p, 'c> {
             return Ok(candidate);
         }
         let is_apart = self.barred.contains_key(&index);
-        let most = if is_apart {
-            MOST_TRIES_APART
-        } else {
-            MOST_TRIES
-        };
+        let most = if is_apart { MAX_TRIES_APART } else { MAX_TRIES };
         let mut shared: BTreeMap<String, u64> = BTreeMap::new();
         // What has a datum of the first sheet says nothing of fairness.
         let mut tries = if is_apart { 0 } else { from };
@@ -347,7 +343,7 @@ impl<'p, 'c> Chooser<'p, 'c> {
                 *shared.entry(datum).or_default() += 1;
                 continue;
             }
-            if tries >= MOST_TRIES {
+            if tries >= MAX_TRIES {
                 break;
             }
             let judged = self.judge(index, [attempt, tries], &sheet);
@@ -378,7 +374,7 @@ impl<'p, 'c> Chooser<'p, 'c> {
             });
         }
         Err(SheetError::NoVariant {
-            attempts: MOST_TRIES,
+            attempts: MAX_TRIES,
             reason: last.unwrap_or_default(),
         })
     }
@@ -422,7 +418,7 @@ impl<'p, 'c> Chooser<'p, 'c> {
             .collect();
         self.fairness.neighbours += count as u64;
         self.fairness.alike_neighbours += alike.len() as u64;
-        let room = Fairness::MOST_LISTED.saturating_sub(self.fairness.alike.len());
+        let room = Fairness::MAX_LISTED.saturating_sub(self.fairness.alike.len());
         let own = self.name(candidate.index);
         for (place, questions) in alike.into_iter().take(room) {
             let students = [self.name(place), own.clone()];

@@ -7,7 +7,7 @@ use vibank::diagnostic::Finding;
 use vibank::document::Document;
 use vibank::examine::Examination;
 use vibank::expr::{Expr, Normal};
-use vibank::grade::{LONGEST_RESPONSE, mark};
+use vibank::grade::{MAX_RESPONSE_LENGTH, mark};
 use vibank::instance::Instance;
 use vibank::scene::{Data, Scene, Undrawn, undrawn};
 use vibank::seed::Seed;
@@ -317,7 +317,7 @@ fn no_response_takes_much_work() {
         // The key is prepared once, and by itself.
         let _ = solution.marker(place);
         for piece in PIECES {
-            let text = piece.repeat(LONGEST_RESPONSE / piece.len() / 3);
+            let text = piece.repeat(MAX_RESPONSE_LENGTH / piece.len() / 3);
             let text = format!("{text}1{}", ")".repeat(text.matches('(').count()));
             let units = within(MUCH, || mark(&solution, place, &text)).units;
             if units > most.0 {

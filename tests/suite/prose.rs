@@ -9,10 +9,10 @@ use toml::Value;
 const FEWEST_WORDS: usize = 5;
 
 /// Solutions in which one sentence may occur: two of a pair, as for two modes.
-const MOST_SOLUTIONS: usize = 2;
+const MAX_SOLUTIONS: usize = 2;
 
 /// Parts with one hint; a question that three items ask alike may have the same nudge.
-const MOST_HINTS: usize = 3;
+const MAX_HINTS: usize = 3;
 
 fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
     let mut found = Vec::new();
@@ -146,8 +146,8 @@ fn no_sentence_is_said_again_and_again() {
         said.len(),
         hinted.len()
     );
-    let mut faults = repeated(said, MOST_SOLUTIONS);
-    faults.extend(repeated(hinted, MOST_HINTS));
+    let mut faults = repeated(said, MAX_SOLUTIONS);
+    faults.extend(repeated(hinted, MAX_HINTS));
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 

@@ -276,10 +276,10 @@ impl Writer<'_> {
     /// Turns what was written since the sign of a subscript into subscript characters, if they exist.
     fn lower(&mut self, start: usize) -> bool {
         /// A longer word reads better in full size.
-        const LONGEST: usize = 3;
+        const MAX_LENGTH: usize = 3;
         let lowered: Option<String> = self.out[start..].chars().map(subscript).collect();
         match lowered {
-            Some(lowered) if (1..=LONGEST).contains(&lowered.chars().count()) => {
+            Some(lowered) if (1..=MAX_LENGTH).contains(&lowered.chars().count()) => {
                 self.out.truncate(start - 1);
                 self.out.push_str(&lowered);
                 true

@@ -3,7 +3,7 @@
 use vibank_formula::unit::Unit;
 
 /// Most places that are tried for the beginning of the unit.
-const MOST_PLACES: usize = 16;
+const MAX_PLACES: usize = 16;
 
 /// The ways to cut a text into a formula and a unit behind it, the shortest unit first.
 pub fn with_unit(text: &str) -> impl Iterator<Item = (&str, Unit)> {
@@ -35,6 +35,6 @@ fn places(text: &str) -> Vec<usize> {
         }
         before = char;
     }
-    let surplus = places.len().saturating_sub(MOST_PLACES);
+    let surplus = places.len().saturating_sub(MAX_PLACES);
     places.split_off(surplus)
 }

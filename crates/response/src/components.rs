@@ -5,7 +5,7 @@ use super::parser::Parser;
 use super::sides::last_side;
 use super::token::{Item, Token, tokens};
 use super::ways::readings;
-use super::{LONGEST, Lexicon, Manner, Trouble, TypedError};
+use super::{Lexicon, MAX_LENGTH, Manner, Trouble, TypedError};
 use vibank_formula::expr::Expr;
 
 /// A vector in a row of tokens: its brackets, and the signs between its entries.
@@ -26,8 +26,8 @@ pub fn components(
     lexicon: &Lexicon,
     manner: Manner,
 ) -> Result<Option<Vec<Expr>>, TypedError> {
-    if text.len() > LONGEST {
-        return Err(TypedError::new(Trouble::TooLong, LONGEST, text.len()));
+    if text.len() > MAX_LENGTH {
+        return Err(TypedError::new(Trouble::TooLong, MAX_LENGTH, text.len()));
     }
     let read = |comma_is_decimal| {
         let manner = Manner {

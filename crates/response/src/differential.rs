@@ -32,8 +32,8 @@ pub(super) fn leibniz(text: &str, at: usize) -> Option<(String, u8, usize)> {
 /// Reads a derivative whose name stands behind the quotient, `d/dt(x)`, `\frac{d}{dt}\left(\frac{dx}{dt}\right)`,
 /// `\frac{d^2}{dt^2} x`, `(d/dt) x`: spelling of the name, order, end.
 pub(super) fn behind(text: &str, at: usize) -> Option<(String, u8, usize)> {
-    const LONGEST: usize = 80;
-    const MOST: u8 = 2;
+    const MAX_LENGTH: usize = 80;
+    const MAX_ORDER: u8 = 2;
     let mut scanner = Differentials { text, at };
     let is_bracketed = scanner.take("(");
     let is_fraction = scanner.fraction();
@@ -48,7 +48,7 @@ pub(super) fn behind(text: &str, at: usize) -> Option<(String, u8, usize)> {
     let (inner, end) = match rest.trim_start().strip_prefix('(') {
         Some(inner) => {
             let start = text.len() - inner.len();
-            let close = closing(inner).filter(|close| *close < LONGEST)?;
+            let close = closing(inner).filter(|close| *close < MAX_LENGTH)?;
             let inner = inner[..close].trim();
             let inner = if is_sized {
                 inner.strip_suffix("\\right")?.trim_end()
@@ -63,7 +63,7 @@ pub(super) fn behind(text: &str, at: usize) -> Option<(String, u8, usize)> {
             let length = trimmed
                 .find(|char| !is_of_name(char))
                 .unwrap_or(trimmed.len());
-            let length = Some(length).filter(|length| *length < LONGEST)?;
+            let length = Some(length).filter(|length| *length < MAX_LENGTH)?;
             (&trimmed[..length], text.len() - trimmed.len() + length)
         }
     };
@@ -72,7 +72,7 @@ pub(super) fn behind(text: &str, at: usize) -> Option<(String, u8, usize)> {
         _ => (spelling(inner)?, 0),
     };
     let order = order + inner_order;
-    (order <= MOST).then_some((spelling, order, end))
+    (order <= MAX_ORDER).then_some((spelling, order, end))
 }
 
 /// The spelling of a name, `x_1`, `\theta`, `x(t)`.
@@ -94,7 +94,7 @@ fn spelling(name: &str) -> Option<String> {
 /// Reads a derivative that is written as a function at a place, `diff(x, t, 2)`, `ddot(x1)`: spelling of the name,
 /// order, end.
 pub(super) fn called(text: &str, at: usize) -> Option<(String, u8, usize)> {
-    const LONGEST: usize = 80;
+    const MAX_LENGTH: usize = 80;
     let rest = &text[at..];
     // `ddot x1`
     let bare = [("ddot ", 2), ("dot ", 1)];
@@ -113,7 +113,7 @@ pub(super) fn called(text: &str, at: usize) -> Option<(String, u8, usize)> {
         "diff" | "Diff" | "D" | "Derivative" => None,
         _ => return None,
     };
-    let close = closing(inner).filter(|close| *close < LONGEST)?;
+    let close = closing(inner).filter(|close| *close < MAX_LENGTH)?;
     let whole = &inner[..close];
     // `diff(diff(x, t), t)`
     let (spelling, own, behind) = match called(whole, 0) {
@@ -243,7 +243,7 @@ impl Differentials<'_> {
 
     /// A name up to the slash, brace or bracket.
     fn name(&mut self) -> Option<String> {
-        const LONGEST: usize = 80;
+        const MAX_LENGTH: usize = 80;
         let rest = &self.text[self.at..];
         let mut depth = 0_usize;
         let is_end = |(_, char): &(usize, char)| match char {
@@ -257,7 +257,7 @@ impl Differentials<'_> {
             }
             char => matches!(char, '/' | '}' | ')'),
         };
-        let (end, _) = rest.char_indices().take(LONGEST).find(is_end)?;
+        let (end, _) = rest.char_indices().take(MAX_LENGTH).find(is_end)?;
         let spelling = spelling(&rest[..end])?;
         self.at += end;
         Some(spelling)

@@ -120,9 +120,9 @@ impl TypedError {
 
     /// Where that is in the `text` that was typed.
     pub fn at(&self, text: &str) -> At {
-        const LONGEST_QUOTE: usize = 40;
+        const MAX_QUOTE_LENGTH: usize = 40;
         let place = text.get(self.span.range()).unwrap_or_default().trim();
-        let short: String = place.chars().take(LONGEST_QUOTE).collect();
+        let short: String = place.chars().take(MAX_QUOTE_LENGTH).collect();
         if short.is_empty() {
             At::Behind(last_signs(text).to_owned())
         } else {

@@ -119,9 +119,9 @@ impl Lexicon {
 
     /// The names that may be used, unless they are too many to be read.
     fn listed(&self) -> Vec<String> {
-        const MOST_LISTED: usize = 12;
+        const MAX_LISTED: usize = 12;
         let allowed = self.words().allowed();
-        if (1..=MOST_LISTED).contains(&allowed.len()) {
+        if (1..=MAX_LISTED).contains(&allowed.len()) {
             allowed.to_vec()
         } else {
             Vec::new()

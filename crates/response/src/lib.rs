@@ -85,9 +85,9 @@ use vibank_formula::expr::{Expr, Relation};
 use vibank_formula::unit::DecimalMark;
 
 /// Longest response that is read, in bytes.
-const LONGEST: usize = 2_000;
+const MAX_LENGTH: usize = 2_000;
 /// Deepest formula that is read; deeper ones would strain the recursion of what follows.
-const DEEPEST: u32 = 150;
+const MAX_DEPTH: u32 = 150;
 
 /// How a text is to be read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -158,8 +158,8 @@ fn read<T: PartialEq>(
     manner: Manner,
     parse: impl Fn(&mut Parser<'_>) -> Result<T, TypedError>,
 ) -> Result<Typed<T>, TypedError> {
-    if text.len() > LONGEST {
-        return Err(TypedError::new(Trouble::TooLong, LONGEST, text.len()));
+    if text.len() > MAX_LENGTH {
+        return Err(TypedError::new(Trouble::TooLong, MAX_LENGTH, text.len()));
     }
     let tokens = tokens(text, from, to, lexicon, manner)?;
     readings(|ways| parse(&mut Parser::new(&tokens, to, ways)))

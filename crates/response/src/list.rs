@@ -6,15 +6,15 @@ use super::labels::{columns, in_order};
 use super::layout::{has_signed_gap, laid_out, spaced};
 use super::parser::Parser;
 use super::vocabulary::is_function;
-use super::{DEEPEST, LONGEST, Lexicon, Manner, Trouble, Typed, TypedError, read};
+use super::{Lexicon, MAX_DEPTH, MAX_LENGTH, Manner, Trouble, Typed, TypedError, read};
 use vibank_formula::expr::Expr;
 use vibank_formula::unit::Unit;
 use vibank_source::Span;
 
 /// Most entries that are read.
-const MOST_ENTRIES: usize = 400;
+const MAX_ENTRIES: usize = 400;
 /// Most brackets around one another that are lists.
-const MOST_NESTED: u32 = 4;
+const MAX_NESTED: u32 = 4;
 /// What parts rows and entries; `&` as in LaTeX.
 const SEPARATORS: &[char] = &[',', ';', '&'];
 
@@ -93,8 +93,8 @@ pub(super) fn list(
     units: &[Unit],
     is_up_to_factor: bool,
 ) -> Result<Listed, TypedError> {
-    if text.len() > LONGEST {
-        return Err(TypedError::new(Trouble::TooLong, LONGEST, text.len()));
+    if text.len() > MAX_LENGTH {
+        return Err(TypedError::new(Trouble::TooLong, MAX_LENGTH, text.len()));
     }
     balanced(text)?;
     let reader = Reader {
@@ -166,7 +166,7 @@ impl Reader<'_> {
         if let Some(factor) = frame.factor {
             for entry in rows.iter_mut().flatten() {
                 *entry = factor.clone() * entry.clone();
-                if entry.depth() > DEEPEST {
+                if entry.depth() > MAX_DEPTH {
                     return Err(TypedError {
                         trouble: Trouble::TooDeep,
                         span: piece,
@@ -263,7 +263,7 @@ impl Reader<'_> {
                 rows = entries.chunks(columns).map(<[Expr]>::to_vec).collect();
             }
         }
-        if rows.iter().map(Vec::len).sum::<usize>() > MOST_ENTRIES {
+        if rows.iter().map(Vec::len).sum::<usize>() > MAX_ENTRIES {
             return Err(TypedError {
                 trouble: Trouble::TooLong,
                 span,
@@ -318,7 +318,7 @@ impl Reader<'_> {
             let is_argument = before.ends_with(['_', '^']) || is_function(&before[word.len()..]);
             let inside = inside(*group);
             !is_argument
-                && depth < MOST_NESTED
+                && depth < MAX_NESTED
                 && (self.pieces(inside, SEPARATORS).len() > 1
                     || self.list_in(inside, depth + 1).is_some())
         };

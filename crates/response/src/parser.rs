@@ -2,7 +2,7 @@
 
 use super::token::{Item, Token};
 use super::ways::Ways;
-use super::{Chain, DEEPEST, Trouble, TypedError, ValueTrouble};
+use super::{Chain, MAX_DEPTH, Trouble, TypedError, ValueTrouble};
 use vibank_dynamics::numerics::Rational;
 use vibank_formula::expr::{Constant, Expr, Function, Kind, Name, Operator, Relation};
 use vibank_formula::unit::Unit;
@@ -24,7 +24,7 @@ pub(super) struct Parser<'a> {
 pub(super) type Result<T> = std::result::Result<T, TypedError>;
 
 /// Brackets, functions and exponents within one another.
-const MOST_NESTED: u32 = 60;
+const MAX_NESTED: u32 = 60;
 
 impl<'a> Parser<'a> {
     pub(super) fn new(tokens: &'a [Token], end: usize, ways: &'a mut Ways) -> Self {
@@ -122,7 +122,7 @@ impl<'a> Parser<'a> {
     }
 
     fn deeper<T>(&mut self, inner: impl FnOnce(&mut Self) -> Result<T>) -> Result<T> {
-        if self.depth >= MOST_NESTED {
+        if self.depth >= MAX_NESTED {
             return self.error(Trouble::TooDeep);
         }
         self.depth += 1;
@@ -542,7 +542,7 @@ impl<'a> Parser<'a> {
     pub(super) fn binary(operator: Operator, left: Expr, right: Expr) -> Result<Expr> {
         let span = left.span().join(right.span());
         let expr = Expr::new(Kind::Binary(operator, left, right), span);
-        if expr.depth() > DEEPEST {
+        if expr.depth() > MAX_DEPTH {
             return Err(TypedError {
                 trouble: Trouble::TooDeep,
                 span,

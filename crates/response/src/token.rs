@@ -19,7 +19,7 @@ pub(super) enum Item {
     Function(Function),
     /// A power that is written as a function.
     Powered(Powered),
-    /// A raised whole number, `²`.
+    /// A superscript integer, `²`.
     Power(i128),
     /// Primes behind a bracket.
     Primes(u8),

@@ -25,9 +25,9 @@ use vibank_formula::unit::{Decimal, DecimalMark, Unit};
 use vibank_source::Span;
 
 /// Longest response that is read as values, in bytes.
-const LONGEST: usize = 2_000;
+const MAX_LENGTH: usize = 2_000;
 /// Longest formula of numbers, in bytes.
-const LONGEST_FORMULA: usize = 200;
+const MAX_FORMULA_LENGTH: usize = 200;
 
 /// Functions and constants, but no names.
 static NUMBERS: LazyLock<Lexicon> = LazyLock::new(Lexicon::new);
@@ -69,8 +69,8 @@ impl<'t> Values<'t> {
     ///
     /// Only if it is too long.
     pub fn read(text: &'t str, style: Style) -> Result<Self, TypedError> {
-        if text.len() > LONGEST {
-            return Err(TypedError::new(Trouble::TooLong, LONGEST, text.len()));
+        if text.len() > MAX_LENGTH {
+            return Err(TypedError::new(Trouble::TooLong, MAX_LENGTH, text.len()));
         }
         let manner = Manner {
             comma_is_decimal: style.comma_is_decimal,
@@ -512,7 +512,7 @@ impl<'t> Values<'t> {
         if matches!(self.first(part), Item::Unit(_)) {
             return error(Trouble::Value(ValueTrouble::Missing));
         }
-        if self.text(part).len() > LONGEST_FORMULA {
+        if self.text(part).len() > MAX_FORMULA_LENGTH {
             return error(Trouble::TooLong);
         }
         let whole = self.formula(part);

@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use super::{Typed, TypedError};
 
 /// Most readings that are tried.
-const MOST_READINGS: usize = 48;
+const MAX_READINGS: usize = 48;
 
 /// The ways that a parser takes where there are two.
 #[derive(Clone, Debug, Default)]
@@ -40,15 +40,15 @@ pub(super) fn readings<T: PartialEq>(
     let mut ways = Ways::default();
     let value = parse(&mut ways)?;
     let mut others: Vec<T> = Vec::new();
-    let mut open: VecDeque<Ways> = ways.further().take(MOST_READINGS).collect();
-    for _ in 0..MOST_READINGS {
+    let mut open: VecDeque<Ways> = ways.further().take(MAX_READINGS).collect();
+    for _ in 0..MAX_READINGS {
         let Some(mut ways) = open.pop_front() else {
             break;
         };
         let other = parse(&mut ways);
         open.extend(
             ways.further()
-                .take(MOST_READINGS - open.len().min(MOST_READINGS)),
+                .take(MAX_READINGS - open.len().min(MAX_READINGS)),
         );
         others.extend(
             other

@@ -10,7 +10,7 @@
 /// assert_eq!(nearest("q", ["alpha", "beta"]), None);
 /// ```
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let letters: Vec<char> = word.chars().take(LONGEST).collect();
+    let letters: Vec<char> = word.chars().take(MAX_LENGTH).collect();
     let limit = (letters.len() / 3).max(1);
     let is_begun = |candidate: &str| {
         !candidate.is_empty() && (candidate.starts_with(word) || word.starts_with(candidate))
@@ -39,11 +39,11 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
 }
 
 /// Letters of a word that are compared.
-const LONGEST: usize = 64;
+const MAX_LENGTH: usize = 64;
 
 /// Number of letters to insert, delete, replace or swap with their neighbour, where it is within a limit.
 fn distance(left: &[char], right: &str, limit: usize) -> Option<usize> {
-    let mut letters = ['\0'; LONGEST];
+    let mut letters = ['\0'; MAX_LENGTH];
     let mut length = 0;
     for (place, letter) in letters.iter_mut().zip(right.chars()) {
         *place = letter;
@@ -53,10 +53,10 @@ fn distance(left: &[char], right: &str, limit: usize) -> Option<usize> {
     if left.len().abs_diff(length) > limit {
         return None;
     }
-    let mut before = [0; LONGEST + 1];
-    let mut previous: [usize; LONGEST + 1] = std::array::from_fn(|place| place);
+    let mut before = [0; MAX_LENGTH + 1];
+    let mut previous: [usize; MAX_LENGTH + 1] = std::array::from_fn(|place| place);
     for (i, a) in left.iter().enumerate() {
-        let mut row = [0; LONGEST + 1];
+        let mut row = [0; MAX_LENGTH + 1];
         row[0] = i + 1;
         for (j, b) in right.iter().enumerate() {
             let replace = previous[j] + usize::from(!a.eq_ignore_ascii_case(b));
@@ -67,7 +67,8 @@ fn distance(left: &[char], right: &str, limit: usize) -> Option<usize> {
             row[j + 1] = best;
         }
         // A swap reaches over two rows; what is beyond the limit in both stays there.
-        let is_beyond = |row: &[usize; LONGEST + 1]| row[..=length].iter().all(|own| *own > limit);
+        let is_beyond =
+            |row: &[usize; MAX_LENGTH + 1]| row[..=length].iter().all(|own| *own > limit);
         if is_beyond(&row) && is_beyond(&previous) {
             return None;
         }

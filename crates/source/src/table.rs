@@ -177,7 +177,7 @@ impl<'s> Table<'s> {
         number.or_else(|| self.out_of_range(key, expected, value))
     }
 
-    /// A whole number of a range.
+    /// An integer of a range.
     pub fn integer(
         &self,
         key: &'static str,

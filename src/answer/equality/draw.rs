@@ -71,7 +71,7 @@ impl State {
 
 /// Most points with the same integer. A constraint that favours few cycles would leave the points at n = 1 alone, where
 /// nothing says how a formula depends on n, or at n = 2, where n² is 2n.
-const MOST_ALIKE: usize = 3;
+const MAX_ALIKE: usize = 3;
 /// Below this width of the draws, in decades, nothing else is to be had.
 const NARROW: f64 = 0.2;
 
@@ -135,7 +135,7 @@ impl<'a> Around<'a> {
             .collect();
         let is_frequent = |own: &(usize, f64)| {
             let alike = self.state.integers.iter().filter(|other| *other == own);
-            alike.count() >= MOST_ALIKE
+            alike.count() >= MAX_ALIKE
         };
         if spread > NARROW && own.iter().any(is_frequent) {
             return None;

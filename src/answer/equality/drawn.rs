@@ -7,7 +7,7 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use super::draw::{Around, State};
-use super::{MOST_DRAWS, WIDEST};
+use super::{MAX_DRAWS, WIDEST};
 use crate::answer::meaning::{Input, Meaning};
 use crate::expr::Precise;
 use crate::quantity::Evaluation;
@@ -50,7 +50,7 @@ impl Drawn {
         });
         let own = &mut all[place];
         std::mem::swap(around.state(), &mut own.state);
-        for attempt in 0..MOST_DRAWS {
+        for attempt in 0..MAX_DRAWS {
             if attempt == own.points.len() {
                 let point = around.attempt(attempt);
                 own.points.push(point.map(Arc::from));
@@ -68,7 +68,7 @@ impl Around<'_> {
     /// One of the draws for an instance.
     fn attempt(&mut self, attempt: usize) -> Option<Vec<Precise>> {
         // What has no value far from the data may have one near to them.
-        let share = attempt as f64 / MOST_DRAWS as f64;
+        let share = attempt as f64 / MAX_DRAWS as f64;
         let spread = WIDEST * (1.0 - share).max(0.02);
         self.point(spread, share < 0.5, attempt % 4 == 3 || share > 0.6)
     }

@@ -43,9 +43,9 @@ const POINTS: usize = 8;
 /// Points that are drawn, so that some may be passed over.
 const DRAWN: usize = 12;
 /// Points that have to decide.
-const LEAST: usize = 4;
+const MIN_COUNT: usize = 4;
 /// Draws until as many points have a key.
-const MOST_DRAWS: usize = 240;
+const MAX_DRAWS: usize = 240;
 /// Half the width of the draws, in decades: what holds for the data holds for data ten times as large or small, as long
 /// as the constraints of the item do.
 const WIDEST: f64 = 1.0;
@@ -145,11 +145,11 @@ impl Points {
             points.len() == DRAWN
         });
         // Constraints that hardly any data meet leave no points: then those around the data have to do.
-        for attempt in 0..MOST_DRAWS {
-            if points.len() >= LEAST {
+        for attempt in 0..MAX_DRAWS {
+            if points.len() >= MIN_COUNT {
                 break;
             }
-            let point = around.free_point(WIDEST * (1.0 - attempt as f64 / MOST_DRAWS as f64));
+            let point = around.free_point(WIDEST * (1.0 - attempt as f64 / MAX_DRAWS as f64));
             points.extend(Some(point.into()).filter(&mut is_defined));
         }
         let ties = around.ties();
@@ -167,7 +167,7 @@ impl Points {
         if is_certain && residues == Some(true) && !is_found_different {
             return Comparison::Same;
         }
-        if sampled.decided() < LEAST.min(self.points.len()) || self.points.is_empty() {
+        if sampled.decided() < MIN_COUNT.min(self.points.len()) || self.points.is_empty() {
             return match residues {
                 Some(true) if !is_found_different => Comparison::Same,
                 _ if sampled.undefined > 0 => Comparison::Undefined,

@@ -23,11 +23,11 @@ const TRIALS: usize = 2;
 const BELOW: [u64; TRIALS] = [1, 31];
 const PRIMES: [u64; TRIALS] = [(1 << 61) - BELOW[0], (1 << 61) - BELOW[1]];
 /// Most nodes that are visited, names put in included.
-const MOST_NODES: usize = 4_000;
+const MAX_NODES: usize = 4_000;
 /// Deepest formula, names put in included.
-const DEEPEST: usize = 300;
+const MAX_DEPTH: usize = 300;
 /// Largest exponent.
-const MOST_POWER: i128 = 10_000;
+const MAX_POWER: i128 = 10_000;
 
 /// The values of a formula at the points.
 type Values = [u64; TRIALS];
@@ -84,7 +84,7 @@ struct Reader<'a> {
 impl Reader<'_> {
     fn values(&mut self, expr: &Expr, depth: usize) -> Option<Values> {
         self.nodes += 1;
-        if self.nodes > MOST_NODES || depth > DEEPEST {
+        if self.nodes > MAX_NODES || depth > MAX_DEPTH {
             return None;
         }
         let next = depth + 1;
@@ -130,7 +130,7 @@ impl Reader<'_> {
     fn power(&mut self, base: &Expr, exponent: &Expr, depth: usize) -> Option<Values> {
         if let Some(exponent) = fold(exponent) {
             let (above, below) = (exponent.numerator(), exponent.denominator());
-            if above.abs() > MOST_POWER {
+            if above.abs() > MAX_POWER {
                 return None;
             }
             let base = self.values(base, depth)?;

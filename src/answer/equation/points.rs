@@ -15,9 +15,9 @@ const DATA_POINTS: usize = 4;
 /// Points for each of them, beyond two for each equation of the key.
 const SPARE: usize = 10;
 /// Draws until data lie in the domain of the item; later ones are nearer to those of the instance.
-const MOST_DRAWS: usize = 40;
+const MAX_DRAWS: usize = 40;
 /// The largest and, inverted, the least factor by which a term is brought to size.
-const MOST: f64 = 1e4;
+const MAX_FACTOR: f64 = 1e4;
 
 /// Points that differ in all but the data.
 pub(super) type Choice = Vec<Vec<Precise>>;
@@ -45,7 +45,7 @@ pub(super) fn points(setup: &Setup, key: &[Program], evaluation: &Evaluation<'_>
 
 /// Data within `spread` decades of those of the instance, where the constraints hold.
 fn data(around: &mut Around<'_>, spread: f64) -> Vec<Precise> {
-    let mut spreads = (0..MOST_DRAWS).map(|draw| spread * (1.0 - draw as f64 / MOST_DRAWS as f64));
+    let mut spreads = (0..MAX_DRAWS).map(|draw| spread * (1.0 - draw as f64 / MAX_DRAWS as f64));
     let found = spreads.find_map(|spread| around.point(spread, false, false));
     found.unwrap_or_else(|| around.free_point(0.0))
 }
@@ -71,7 +71,7 @@ fn factors(setup: &Setup, key: &[Program], point: &[Precise]) -> Vec<f64> {
             let share = shares.fold(0.0, f64::max);
             still[slot] = point[slot];
             if share.is_finite() && share > 0.0 {
-                factors[slot] = (1.0 / share).clamp(1.0 / MOST, MOST);
+                factors[slot] = (1.0 / share).clamp(1.0 / MAX_FACTOR, MAX_FACTOR);
             }
         }
     }

@@ -9,7 +9,7 @@ use crate::answer::{Beside, Equations};
 use crate::expr::{Equation, Name, Program};
 
 /// Other parts that are looked at; what they can say together grows with every one.
-const MOST_OTHERS: usize = 5;
+const MAX_OTHERS: usize = 5;
 
 /// The key of another part of the system, and what was answered to it.
 pub(super) struct Other {
@@ -43,7 +43,7 @@ impl Prepared {
             let is_alike = self.is_linear(&other.key) == self.is_linear(&self.key);
             (fits && is_alike).then_some(other)
         };
-        others.iter().filter_map(read).take(MOST_OTHERS).collect()
+        others.iter().filter_map(read).take(MAX_OTHERS).collect()
     }
 
     fn is_linear(&self, equations: &[Program]) -> bool {

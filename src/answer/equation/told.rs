@@ -11,7 +11,7 @@ use crate::expr::{Name, Precise, Program};
 type Faults = Vec<(Named, Fault)>;
 
 /// Most data that are named.
-const MOST_NAMED: usize = 3;
+const MAX_NAMED: usize = 3;
 
 /// What is wrong with the first equation that is none of the key, next to the one of the key that is most like it.
 pub(super) fn terms(
@@ -158,8 +158,8 @@ impl Pair<'_> {
             return Coefficient::Number;
         }
         if missed.is_empty() && surplus.is_empty()
-            || missed.len() > MOST_NAMED
-            || surplus.len() > MOST_NAMED
+            || missed.len() > MAX_NAMED
+            || surplus.len() > MAX_NAMED
         {
             return Coefficient::Other;
         }

@@ -22,7 +22,7 @@ use crate::quantity::{Evaluation, NodeId};
 /// A datum shows where its own size moves the function by so many half-widths: an error of an eighth is seen.
 const SHOWS: f64 = 8.0;
 /// Windows that are tried; each lies twice as far behind the span as the one before.
-const MOST_DOUBLINGS: i32 = 12;
+const MAX_DOUBLINGS: i32 = 12;
 /// Every so many times of the span tell whether a datum shows.
 const STRIDE: usize = 4;
 /// The relative step of the derivatives.
@@ -74,7 +74,7 @@ impl OnSpan<'_> {
         let data = graph.parameters(self.key).into_iter();
         let mut hidden: Vec<NodeId> = data.filter(|datum| !self.shows(*datum)).collect();
         let mut windows = Vec::new();
-        for doubling in 0..MOST_DOUBLINGS {
+        for doubling in 0..MAX_DOUBLINGS {
             if hidden.is_empty() {
                 break;
             }

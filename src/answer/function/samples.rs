@@ -30,7 +30,7 @@ pub(super) fn rounding(digits: u32) -> f64 {
 
 /// The rounding of one step widens a function by at most this share of its largest value: a phase that is lost altogether
 /// is no tolerance.
-const MOST: f64 = 0.05;
+const MAX_SHARE: f64 = 0.05;
 
 /// How far rounding in the steps moves the function, time by time.
 pub(super) fn derived(
@@ -48,7 +48,7 @@ pub(super) fn derived(
         for ((sum, moved), value) in spread.iter_mut().zip(moved).zip(values) {
             let part = (moved - value).abs() / STEP;
             *sum += if part.is_finite() {
-                part.min(MOST / share * largest)
+                part.min(MAX_SHARE / share * largest)
             } else {
                 0.0
             };

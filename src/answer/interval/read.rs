@@ -53,7 +53,7 @@ impl From<Misfit> for Refusal {
 pub(super) type Read<T> = Result<T, Refusal>;
 
 /// Longest response that is read, in bytes.
-const LONGEST: usize = 2_000;
+const MAX_LENGTH: usize = 2_000;
 
 /// With an example of what can be typed.
 pub(super) fn like_interval(why: Why) -> Unreadable {
@@ -70,7 +70,7 @@ struct Sign {
 impl Ends<'_> {
     /// The set that a response is.
     pub(super) fn read(&self, response: &str) -> Read<Set> {
-        if response.len() > LONGEST {
+        if response.len() > MAX_LENGTH {
             return Err(Why::TooLong.into());
         }
         let text = normalized(response);

@@ -9,7 +9,7 @@ use crate::expr::Expr;
 use crate::unit::Dimension;
 
 /// Largest number of coordinates whose order is looked at.
-const MOST_COORDINATES: usize = 4;
+const MAX_COORDINATES: usize = 4;
 
 impl Prepared {
     /// What slipped where not all entries are those of the key.
@@ -60,7 +60,7 @@ impl Prepared {
     /// Whether the entries are those for two coordinates in each other's place.
     fn reordered(&self, same: impl Fn(usize, usize) -> bool) -> Option<Slip> {
         let (rows, columns) = (self.setup.rows, self.setup.columns);
-        let count = Some(rows).filter(|count| *count == columns && *count <= MOST_COORDINATES)?;
+        let count = Some(rows).filter(|count| *count == columns && *count <= MAX_COORDINATES)?;
         let is_for = |first: usize, second: usize| {
             let other = |own: usize| match own {
                 own if own == first => second,

@@ -10,7 +10,7 @@ use crate::response::{Part, Style, Trouble, Values};
 use crate::unit::{DecimalMark, Quantity, Unit};
 
 /// The most numbers of a list.
-const MOST_ITEMS: usize = 100;
+const MAX_ITEMS: usize = 100;
 
 /// The numbers of a list where `count` are asked; numbers whose names have indices come in their order, and frequencies
 /// have to ascend in it where the question gives no other. A unit at
@@ -63,8 +63,8 @@ pub(super) fn list(
     if pieces.is_empty() {
         return Err(Unreadable::of(Why::Form).like(Example::Number));
     }
-    if pieces.len() > MOST_ITEMS {
-        return Err(Why::MostNumbers(MOST_ITEMS).into());
+    if pieces.len() > MAX_ITEMS {
+        return Err(Why::MostNumbers(MAX_ITEMS).into());
     }
     let first_of = |piece: &Part| values.statement(piece).sides[0].clone();
     let is_frequency = pieces

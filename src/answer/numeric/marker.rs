@@ -142,10 +142,10 @@ impl Numbers {
 
     /// What is said of an angle that nobody means: so many turns that what is left of it tells nothing.
     pub(super) fn absurd(&self, typed: Typed) -> Option<Why> {
-        const MOST_TURNS: u32 = 100;
+        const MAX_TURNS: u32 = 100;
         let period = self.modulo?;
         let turn = Quantity::new(Decimal::rounded(self.unit.of_si(period), 4)?, self.unit);
-        let times = MOST_TURNS;
+        let times = MAX_TURNS;
         (typed.hi().abs() > f64::from(times) * period).then_some(Why::TooManyTurns { times, turn })
     }
 

@@ -43,7 +43,7 @@ pub(super) use self::complex::complex_number;
 pub(super) use self::read::{quantity, readings};
 
 /// Significant figures in which one works at least.
-const LEAST_FIGURES: u32 = 3;
+const MIN_FIGURES: u32 = 3;
 
 /// What a part asks for.
 #[derive(Debug)]
@@ -320,7 +320,7 @@ impl Numeric {
         evaluation: &crate::quantity::Evaluation<'_>,
     ) -> f64 {
         // Nobody works in fewer figures than three to give an answer in two.
-        let figures = self.figures.max(LEAST_FIGURES);
+        let figures = self.figures.max(MIN_FIGURES);
         let half = self
             .tolerance
             .half_width(value, spread, figures, evaluation);

@@ -254,8 +254,8 @@ fn are_equal(one: &Number, other: &Number) -> bool {
 
 /// As much of a text as a message can quote.
 pub(super) fn short(text: &str) -> String {
-    const MOST: usize = 40;
-    let start: String = text.trim().chars().take(MOST).collect();
+    const MAX_COUNT: usize = 40;
+    let start: String = text.trim().chars().take(MAX_COUNT).collect();
     if start.len() < text.trim().len() {
         format!("{start}…")
     } else {

@@ -300,9 +300,9 @@ impl Diagnose for ItemError {
             Self::PlotPair => Some("write `[\"0\", \"5*T\"]`".to_owned()),
             Self::Phasor => Some("write a complex amplitude, `i*c*Omega*X`".to_owned()),
             Self::PlotBand => Some("write both, `[-delta, delta]`".to_owned()),
-            Self::PlotVariable { .. } => {
-                Some("put in its value, `at(x, t = 2[s])`, or choose it as the variable".to_owned())
-            }
+            Self::PlotVariable { .. } => Some(
+                "substitute its value, `at(x, t = 2[s])`, or choose it as the variable".to_owned(),
+            ),
             Self::PlotModel { .. } => Some(
                 "mode shapes are those of `[model]` or of the model named in `model`".to_owned(),
             ),

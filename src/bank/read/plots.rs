@@ -11,7 +11,7 @@ use crate::source::{Data, Entry, Table, Text, Value};
 use crate::unit::{Dimension, Unit};
 
 /// No plot has more curves, or more marks.
-const MOST_CURVES: usize = 12;
+const MAX_CURVES: usize = 12;
 
 /// The variable of a plot while it is read.
 struct Variable {
@@ -75,7 +75,7 @@ impl<'s> Reader<'s> {
         let up = if is_phase_plane { y.rate_unit } else { y.unit };
         let marks = marks
             .into_iter()
-            .take(MOST_CURVES)
+            .take(MAX_CURVES)
             .filter_map(|mark| self.mark(table.name(), mark, &[across, up]))
             .collect();
         Some(Curves {
@@ -94,14 +94,14 @@ impl<'s> Reader<'s> {
         value: &'s Value,
     ) -> &'s [Value] {
         let items = table.items(key, value);
-        if items.is_empty() || items.len() > MOST_CURVES {
+        if items.is_empty() || items.len() > MAX_CURVES {
             let error = ItemError::CurveCount {
                 found: items.len(),
-                most: MOST_CURVES,
+                most: MAX_CURVES,
             };
             self.find(&error, &place(value));
         }
-        &items[..items.len().min(MOST_CURVES)]
+        &items[..items.len().min(MAX_CURVES)]
     }
 
     fn abscissa(&mut self, plot: &str, table: &Table<'s>) -> Option<(Variable, Abscissa)> {

@@ -20,9 +20,9 @@ use crate::cli::sheet::MANIFESTS;
 use crate::cli::{Failure, files};
 
 /// Longest line of a manifest: what is recorded of one sheet.
-const LONGEST_LINE: u64 = 4 << 20;
+const MAX_LINE_LENGTH: u64 = 4 << 20;
 /// Longest foot of a manifest: the items that were used.
-const LONGEST_FOOT: u64 = 64 << 20;
+const MAX_FOOT_LENGTH: u64 = 64 << 20;
 
 /// A manifest.
 pub(crate) fn manifest(path: &Path) -> Result<Manifest, Failure> {
@@ -135,7 +135,10 @@ impl Sheets {
         };
         let mut file = BufReader::new(files::open(path)?);
         let mut first = String::new();
-        let is_text = (&mut file).take(LONGEST_LINE).read_line(&mut first).is_ok();
+        let is_text = (&mut file)
+            .take(MAX_LINE_LENGTH)
+            .read_line(&mut first)
+            .is_ok();
         let begins_list = first.trim_end().ends_with('[');
         if is_text && begins_list {
             let head = read(path, &format!("{}]}}", first.trim_end()))?;
@@ -186,7 +189,7 @@ impl Sheets {
         let mut line = String::new();
         *number += 1;
         let fail = |why: String| no_manifest(&self.path, &format!("line {number}: {why}"));
-        file.take(LONGEST_LINE)
+        file.take(MAX_LINE_LENGTH)
             .read_line(&mut line)
             .map_err(|error| fail(error.to_string()))?;
         let entry = line.trim().trim_end_matches(',');
@@ -196,7 +199,7 @@ impl Sheets {
         }
         if let Some(begun) = entry.strip_prefix(']') {
             let mut foot = begun.trim_start_matches(',').to_owned();
-            let rest = file.take(LONGEST_FOOT).read_to_string(&mut foot);
+            let rest = file.take(MAX_FOOT_LENGTH).read_to_string(&mut foot);
             rest.map_err(|error| fail(error.to_string()))?;
             let foot: Foot = serde_json::from_str(&format!("{{{foot}"))
                 .map_err(|error| fail(error.to_string()))?;

@@ -12,7 +12,7 @@ use crate::cli::sheet::PROGRAM;
 use crate::cli::table::Dialect;
 
 /// Changed marks that are printed; all are in `changes.csv`.
-const MOST_CHANGES: usize = 40;
+const MAX_CHANGES: usize = 40;
 
 /// The marks that differ from those of an earlier run.
 pub(super) struct Earlier {
@@ -35,11 +35,11 @@ impl Earlier {
         });
         let count = self.rows.len();
         println!("{count} marks differ from the earlier run{before}");
-        for row in self.rows.iter().take(MOST_CHANGES) {
+        for row in self.rows.iter().take(MAX_CHANGES) {
             println!("  {row}");
         }
-        if count > MOST_CHANGES {
-            println!("  and {} more, in changes.csv", count - MOST_CHANGES);
+        if count > MAX_CHANGES {
+            println!("  and {} more, in changes.csv", count - MAX_CHANGES);
         }
     }
 }
@@ -51,7 +51,7 @@ pub(super) fn decided(decided: &[Decided]) {
     }
     let changed: usize = decided.iter().map(|own| own.changed.len()).sum();
     println!("{} decisions have changed {changed} marks", decided.len());
-    let mut left = MOST_CHANGES;
+    let mut left = MAX_CHANGES;
     for own in decided.iter().filter(|own| !own.who.is_empty()) {
         println!("  {}: {}, by {}", own.subject, own.words, own.who);
         for mark in own.changed.iter().take(left) {
@@ -65,7 +65,7 @@ pub(super) fn decided(decided: &[Decided]) {
         }
         left = left.saturating_sub(own.changed.len());
     }
-    if changed > MOST_CHANGES {
+    if changed > MAX_CHANGES {
         println!("  all are in decisions.csv");
     }
 }
@@ -174,14 +174,14 @@ impl Written<'_> {
 /// What needs a teacher's eye, on standard error.
 pub(super) fn told(analysis: &Analysis, lost: &[Lost], faults: &[String]) {
     let list = |title: &str, lines: &mut dyn Iterator<Item = String>, count: usize| {
-        const MOST: usize = 40;
+        const MAX_COUNT: usize = 40;
         if count == 0 {
             return;
         }
         eprintln!("{title}");
-        lines.take(MOST).for_each(|line| eprintln!("  {line}"));
-        if count > MOST {
-            eprintln!("  and {} more", count - MOST);
+        lines.take(MAX_COUNT).for_each(|line| eprintln!("  {line}"));
+        if count > MAX_COUNT {
+            eprintln!("  and {} more", count - MAX_COUNT);
         }
     };
     let unreadable = analysis.count(Verdict::Unreadable) - analysis.open();

@@ -65,7 +65,7 @@ pub(super) fn bare(html: &str) -> String {
 }
 
 /// Longest words before the colon of a box.
-const LONGEST_LABEL: usize = 40;
+const MAX_LABEL_LENGTH: usize = 40;
 
 /// The answers of several boxes in one text, as Moodle writes them: `part 1: 5.2; part 2: 7`, in the language of the site.
 ///
@@ -77,7 +77,7 @@ pub(super) fn boxes(text: &str, count: usize) -> Option<Result<Vec<String>, ()>>
     let label = &text[..end];
     let digits: String = label.chars().filter(char::is_ascii_digit).collect();
     let has_word = label.chars().any(char::is_alphabetic);
-    if digits != "1" || !has_word || end > LONGEST_LABEL {
+    if digits != "1" || !has_word || end > MAX_LABEL_LENGTH {
         return None;
     }
     let (mut answers, mut from) = (Vec::with_capacity(count), end);

@@ -16,7 +16,7 @@ use crate::cli::Failure;
 use crate::cli::package::ReadPackage;
 
 /// Longest response that SCORM 1.2 keeps.
-const LONGEST: usize = 255;
+const MAX_LENGTH: usize = 255;
 
 /// What parts the codes of attempts from those of sheets; any number will do that stays.
 const ATTEMPTS: u64 = 0x6174_7465_6d70_7473;
@@ -435,12 +435,12 @@ impl Sheet<'_> {
                 .insert(format!("{} {}/{}", own.item, own.code, own.part));
             return;
         };
-        let is_cut = answer.text.chars().count() >= LONGEST;
+        let is_cut = answer.text.chars().count() >= MAX_LENGTH;
         let why = match &answer.spoilt {
             Some(why) => Some(why.clone()),
             None => is_cut.then(|| {
                 format!(
-                    "the platform keeps {LONGEST} characters of an answer, and this one has as many"
+                    "the platform keeps {MAX_LENGTH} characters of an answer, and this one has as many"
                 )
             }),
         };

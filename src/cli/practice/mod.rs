@@ -129,12 +129,12 @@ fn is_meant(item: &Listing, word: &str) -> bool {
 
 /// The first suitable instance for an exercise of a session.
 fn instance(template: &Template, seed: u64, number: u64) -> Result<Solution<'_>, Failure> {
-    const MOST_TRIES: u64 = 200;
+    const MAX_TRIES: u64 = 200;
     let stream = Streams::of(Seed::new(seed), template.id.as_str());
     let mut seeds = stream.named(&format!("exercise {number}"));
     let parts: Vec<usize> = (0..template.parts.len()).collect();
     let mut next_best = None;
-    for _ in 0..MOST_TRIES {
+    for _ in 0..MAX_TRIES {
         // Seeds that are short to type again in `vibank show --seed`.
         let seed = Seed::new(seeds.below(1_000_000));
         let instance =

@@ -102,7 +102,7 @@ pub(crate) fn run(arguments: Arguments) -> Result<Outcome, Failure> {
 }
 
 /// Sheets that are kept; all are made anew when a file changes.
-const MOST_KEPT: usize = 32;
+const MAX_KEPT: usize = 32;
 
 /// How long a request for a change waits before it is asked anew.
 const PATIENCE: Duration = Duration::from_secs(8);
@@ -182,7 +182,7 @@ impl Bench {
         let made = Arc::new(self.make(place).ok()?);
         let mut board = self.board();
         if board.version == version {
-            if board.made.len() >= MOST_KEPT {
+            if board.made.len() >= MAX_KEPT {
                 board.made.pop_last();
             }
             board.made.insert(place, Arc::clone(&made));

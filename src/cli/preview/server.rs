@@ -14,13 +14,13 @@ use std::time::Duration;
 use crate::cli::Failure;
 
 /// Most bytes of a request.
-const LONGEST: u64 = 16 << 10;
+const MAX_LENGTH: u64 = 16 << 10;
 
 /// How long a browser may take to ask, and to take an answer.
 const PATIENCE: Duration = Duration::from_secs(10);
 
 /// Requests that are answered at once; a page has one that waits and four others.
-const MOST_AT_ONCE: usize = 64;
+const MAX_AT_ONCE: usize = 64;
 
 /// What is asked for: the last word of the address, and what stands behind the question mark.
 #[derive(Debug)]
@@ -92,7 +92,7 @@ impl Server {
                 continue;
             };
             let (shared, busy) = (Arc::clone(&shared), Arc::clone(&busy));
-            if busy.fetch_add(1, Ordering::Relaxed) >= MOST_AT_ONCE {
+            if busy.fetch_add(1, Ordering::Relaxed) >= MAX_AT_ONCE {
                 busy.fetch_sub(1, Ordering::Relaxed);
                 continue;
             }
@@ -115,7 +115,7 @@ fn exchange(
 ) -> io::Result<()> {
     stream.set_read_timeout(Some(PATIENCE))?;
     stream.set_write_timeout(Some(PATIENCE))?;
-    let asked = asked(&mut BufReader::new(stream.take(LONGEST)), word, port)?;
+    let asked = asked(&mut BufReader::new(stream.take(MAX_LENGTH)), word, port)?;
     let reply = match asked {
         Ok(request) => answer(&request).ok_or("404 Not Found"),
         Err(status) => Err(status),

@@ -118,15 +118,15 @@ fn is_filled_in(out: &Folder, held: Option<&Held>) -> Result<bool, Failure> {
 }
 
 fn refusal(out: &Folder, precious: &[(String, &str)], is_other: bool) -> Failure {
-    const MOST: usize = 20;
+    const MAX_COUNT: usize = 20;
     let shown = out.root().display();
     let mut list: Vec<String> = precious
         .iter()
-        .take(MOST)
+        .take(MAX_COUNT)
         .map(|(file, why)| format!("  {file}: {why}"))
         .collect();
-    if precious.len() > MOST {
-        list.push(format!("  and {} more", precious.len() - MOST));
+    if precious.len() > MAX_COUNT {
+        list.push(format!("  and {} more", precious.len() - MAX_COUNT));
     }
     let why = if is_other {
         "other sheets would be made than those that it holds"

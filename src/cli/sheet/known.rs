@@ -99,7 +99,7 @@ impl Known {
     /// Manifests of earlier runs count where later ones know nothing of a student.
     pub(crate) fn fixed(&self, plan: &Plan<'_>, students: &[Student]) -> BTreeMap<String, Fixed> {
         /// Attempts that a run makes for a student.
-        const MOST: u64 = 400;
+        const MAX_TRIES: u64 = 400;
         let mut fixed = BTreeMap::new();
         for held in self.manifests.values().chain(&self.earlier) {
             let mut by_id = BTreeMap::new();
@@ -117,12 +117,12 @@ impl Known {
                 let found = match by_id.get(student.id.as_str()) {
                     Some((code, sheet, seat)) => {
                         // The first version drew variants by the place in the list.
-                        let mut variants = (0..MOST)
+                        let mut variants = (0..MAX_TRIES)
                             .flat_map(|attempt| [own(attempt), plan.variant(sheet.place, attempt)]);
                         let variant = variants.find(|variant| variant.to_string() == **code);
                         variant.map(|variant| (variant, *sheet, *seat != student.seat))
                     }
-                    None if has_pseudonyms => (0..MOST).map(own).find_map(|variant| {
+                    None if has_pseudonyms => (0..MAX_TRIES).map(own).find_map(|variant| {
                         let sheet = held.sheets.get(&variant.to_string())?;
                         Some((variant, sheet, false))
                     }),

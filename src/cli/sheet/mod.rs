@@ -424,8 +424,8 @@ impl Summary {
         let gave_way: Vec<&str> = gave_way.map(String::as_str).collect();
         if !gave_way.is_empty() {
             /// Students who are named here; the page on fairness names all.
-            const MOST: usize = 12;
-            let more = gave_way.len().saturating_sub(MOST);
+            const MAX_COUNT: usize = 12;
+            let more = gave_way.len().saturating_sub(MAX_COUNT);
             let names = gave_way[..gave_way.len() - more].join(", ");
             let more = if more > 0 {
                 format!(" and {more} more")

@@ -80,7 +80,7 @@ pub(super) struct Cursor<'t> {
 }
 
 /// Most lines of one row: whoever writes more has forgotten a quote. It also bounds what is read twice.
-const MOST_LINES: usize = 100;
+const MAX_LINES: usize = 100;
 
 impl<'t> Cursor<'t> {
     pub(super) fn new(text: &'t str, delimiter: u8) -> Self {
@@ -201,7 +201,7 @@ impl<'t> Cursor<'t> {
             if self.peek() != Some(b'"') {
                 words.push('\n');
                 self.end_of_line();
-                if self.line - first > MOST_LINES {
+                if self.line - first > MAX_LINES {
                     return Err(Fault::Open { line: first });
                 }
                 continue;

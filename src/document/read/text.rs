@@ -18,7 +18,7 @@ const LENGTH: usize = 1 << 16;
 /// How deep lists, quotations and emphasis may stand in each other.
 const DEPTH: usize = 8;
 /// Errors of a text that are kept: finding the place of each in its file walks through the text, and nobody reads more.
-const MOST_ERRORS: usize = 101;
+const MAX_ERRORS: usize = 101;
 
 /// Reads a text.
 pub(super) fn read(text: &str) -> Reading {
@@ -49,7 +49,7 @@ pub(super) fn read(text: &str) -> Reading {
     let blocks = reader.blocks().1;
     let mut errors = reader.errors;
     errors.sort_by_key(TextError::span);
-    errors.truncate(MOST_ERRORS);
+    errors.truncate(MAX_ERRORS);
     Reading {
         document: Document::of(blocks, reader.masked.placeholders),
         errors,

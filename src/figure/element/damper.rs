@@ -23,7 +23,7 @@ const HALF: f64 = 0.2;
 const REST: &str = "length at rest";
 
 /// Longest cylinder.
-const LONGEST: f64 = 0.9;
+const MAX_LENGTH: f64 = 0.9;
 
 impl Element for Damper {
     fn name(&self) -> &'static str {
@@ -56,7 +56,7 @@ impl Element for Damper {
         let along = (b - a).unit();
         let length = a.distance(b);
         let rest = part.number(REST).unwrap_or(length);
-        let cylinder = (0.5 * rest).min(LONGEST);
+        let cylinder = (0.5 * rest).min(MAX_LENGTH);
         let bottom = (rest - cylinder) / 2.0;
         // One that is pressed together stays within its ends.
         let cylinder = if length < rest {

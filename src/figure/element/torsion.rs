@@ -23,7 +23,7 @@ const RADIUS: f64 = 0.62;
 /// The spiral begins clear of the ball of a pin, whose radius is 0.1.
 const HUB: f64 = 0.16;
 
-/// Turns where none are given: enough to be seen as wound, few enough to be told apart in print.
+/// Turns where none are given: enough to be seen as wound, few enough to be distinguished in print.
 const TURNS: f64 = 2.5;
 
 /// Length of the foot at the outer end.

@@ -188,7 +188,7 @@ impl<'f> Scene<'f> {
                             label,
                             item: None,
                         });
-                        drawn.words.push(told(noun, words, direction));
+                        drawn.words.push(described(noun, words, direction));
                     }
                 }
                 Origin::Shown(item) => {
@@ -211,7 +211,7 @@ impl<'f> Scene<'f> {
                         .map(|share| self.values.amount(share));
                     works(body, force, &moved, at, direction, share)?;
                     drawn.arrows.push(Self::contact(written, part, direction));
-                    let mut words = told(written.kind.noun(), &written.label.1, direction);
+                    let mut words = described(written.kind.noun(), &written.label.1, direction);
                     if let Some(velocity) = &force.velocity {
                         words.push_str(&format!(" (where {velocity} is positive)"));
                     }
@@ -234,7 +234,7 @@ impl<'f> Scene<'f> {
             drawn.arrows.push(Self::contact(written, part, direction));
             drawn
                 .words
-                .push(told(written.kind.noun(), &written.label.1, direction));
+                .push(described(written.kind.noun(), &written.label.1, direction));
         }
         self.hold_links(body)?;
         Ok(drawn)
@@ -266,7 +266,7 @@ impl<'f> Scene<'f> {
             let out = part.ends[0].out.unwrap_or(Point::new(1.0, 0.0));
             let direction = part.vector("direction").unwrap_or(out).unit();
             works(body, force, moved, part.point(), direction, None)?;
-            told(noun, part.words, direction)
+            described(noun, part.words, direction)
         };
         drawn.shown.push(item);
         drawn.words.push(words);
@@ -568,7 +568,7 @@ fn fault(body: &Body, force: &Force) -> FreeFault {
     }
 }
 
-fn told(noun: &str, letter: &str, direction: Point) -> String {
+fn described(noun: &str, letter: &str, direction: Point) -> String {
     let article = if noun.starts_with(['a', 'e', 'i', 'o', 'u']) {
         "an"
     } else {

@@ -17,7 +17,7 @@ use crate::figure::schematic::{Item, Place};
 use crate::source::{Data, Entry, Span, Table, Text, Value, nearest};
 
 /// No body has more arrows.
-const MOST: usize = 40;
+const MAX_COUNT: usize = 40;
 
 /// A force as the bodies of a diagram have it: a component for each motion.
 struct Components {
@@ -217,7 +217,7 @@ impl<'s> Reader<'_, 's> {
             arrows: Vec::new(),
         };
         if let Some(links) = table.table("links") {
-            for entry in links.entries().iter().take(MOST) {
+            for entry in links.entries().iter().take(MAX_COUNT) {
                 let ids = match &entry.value.data {
                     Data::List(items) => items.as_slice(),
                     _ => std::slice::from_ref(&entry.value),
@@ -227,7 +227,7 @@ impl<'s> Reader<'_, 's> {
             }
         }
         if let Some(arms) = table.table("arms") {
-            for entry in arms.entries().iter().take(MOST) {
+            for entry in arms.entries().iter().take(MAX_COUNT) {
                 let arm = arms
                     .as_formula(&entry.key, &entry.value)
                     .and_then(|text| self.formula(&text));
@@ -236,7 +236,7 @@ impl<'s> Reader<'_, 's> {
         }
         if let Some(arrows) = table.value("arrows") {
             let rows = table.items("arrows", arrows);
-            for row in rows.iter().take(MOST) {
+            for row in rows.iter().take(MAX_COUNT) {
                 let arrow = self.arrow(table, row);
                 stated.arrows.extend(arrow);
             }

@@ -10,7 +10,7 @@ use crate::source::{Data, Entry, Span, Table, Text, Value};
 use crate::unit::Dimension;
 
 /// Most points that move.
-const MOST: usize = 100;
+const MAX_COUNT: usize = 100;
 
 impl<'s> Reader<'_, 's> {
     /// How the figure moves; read last, so that what it takes from the item is no demand of the figure itself.
@@ -37,7 +37,7 @@ impl<'s> Reader<'_, 's> {
         let entries = table.entries().iter();
         let points = entries
             .filter(|entry| !["scale", "metre"].contains(&entry.key.as_str()))
-            .take(MOST)
+            .take(MAX_COUNT)
             .filter_map(|entry| self.moved(&table, entry))
             .collect();
         let taken = self.names.taken().split_off(before);

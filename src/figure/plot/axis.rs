@@ -15,7 +15,7 @@ const TICKS: [f64; 2] = [0.1, 0.06];
 /// Room between a tick and its label.
 const GAP: f64 = 0.08;
 /// Most ticks across and upwards.
-const MOST: [usize; 2] = [8, 6];
+const MAX_TICK_COUNTS: [usize; 2] = [8, 6];
 
 impl Axis {
     /// Where a value stands, in the axis's own coordinate.
@@ -139,7 +139,7 @@ pub(super) fn draw(
     let width = |label: &Label| label.width();
     let across = plot
         .x
-        .clear_ticks(frame.x, MOST[0], plot.decimal, width, WIDTH);
+        .clear_ticks(frame.x, MAX_TICK_COUNTS[0], plot.decimal, width, WIDTH);
     for tick in &across.ticks {
         let at = Point::new(frame.place([tick.at, frame.y[0]]).x, 0.0);
         draw_tick(drawing, tick, at, Point::new(0.0, -1.0));
@@ -147,7 +147,7 @@ pub(super) fn draw(
     let height = |label: &Label| label.ascent() + label.depth();
     let upward = plot
         .y
-        .clear_ticks(frame.y, MOST[1], plot.decimal, height, HEIGHT);
+        .clear_ticks(frame.y, MAX_TICK_COUNTS[1], plot.decimal, height, HEIGHT);
     for tick in &upward.ticks {
         let at = Point::new(0.0, frame.place([frame.x[0], tick.at]).y);
         draw_tick(drawing, tick, at, Point::new(-1.0, 0.0));

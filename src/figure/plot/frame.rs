@@ -57,7 +57,7 @@ impl Frame {
     }
 }
 
-/// Whether a range has numbers enough to be told apart.
+/// Whether a range has numbers enough to be distinguished.
 fn is_fine(from: f64, to: f64) -> bool {
     to - from > 1e-9 * from.abs().max(to.abs())
 }

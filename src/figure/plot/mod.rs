@@ -1,6 +1,6 @@
 //! Plots: curves over a variable, phase planes, mode shapes and phasor diagrams, for black-and-white print.
 //!
-//! A plot is told apart by dashes and by labels at its curves, not by colours and a legend. Its axes have
+//! Curves are distinguished by dashes and by labels at them, not by colours and a legend. The axes have
 //! round ticks and name their units. Curves are sampled where they bend, so that few cubic pieces follow
 //! them to less than the width of the line.
 //!

@@ -36,13 +36,13 @@ struct Place {
 /// Pieces into which the range is cut at first.
 const PIECES: usize = 24;
 /// How often a piece is halved at most.
-const DEEPEST: u32 = 9;
+const MAX_DEPTH: u32 = 9;
 /// No curve is asked more often.
-const MOST_CALLS: u32 = 20_000;
+const MAX_CALLS: u32 = 20_000;
 /// Step of the differences that give directions, as a share of the range.
 const STEP: f64 = 1e-6;
 /// No joined piece spans more of the pieces that were found.
-const LONGEST_JOIN: usize = 16;
+const MAX_JOIN_LENGTH: usize = 16;
 /// Distance, in print, from which two neighbouring points are the edges of a jump.
 const JUMP: f64 = 1.0;
 
@@ -79,7 +79,7 @@ impl<'a> Coarse<'a> {
             runs: vec![self.places[0].knot.into_iter().collect()],
         };
         for pair in self.places.windows(2) {
-            refined.piece(pair[0], pair[1], DEEPEST);
+            refined.piece(pair[0], pair[1], MAX_DEPTH);
         }
         let runs = refined.runs.into_iter().filter(|run| run.len() > 1);
         runs.map(|run| joined(&run, size, error)).collect()
@@ -168,7 +168,7 @@ impl Refined<'_, '_> {
             .is_some_and(|point| self.fits(&from, &to, 0.5, point) && self.fits_beside(&from, &to));
         if fits {
             self.push(to);
-        } else if halvings == 0 || self.calls > MOST_CALLS {
+        } else if halvings == 0 || self.calls > MAX_CALLS {
             self.end(&from, to);
         } else {
             let ends = [from, to].map(|knot| Place {
@@ -228,7 +228,7 @@ fn joined(run: &[Knot], size: [f64; 2], error: f64) -> Run {
     while start + 1 < run.len() {
         let mut end = start + 1;
         while end + 1 < run.len()
-            && end + 1 - start <= LONGEST_JOIN
+            && end + 1 - start <= MAX_JOIN_LENGTH
             && serves(&run[start..=end + 1], size, error)
         {
             end += 1;

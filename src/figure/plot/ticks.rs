@@ -19,7 +19,7 @@ pub(super) struct Ticks {
 }
 
 /// No axis has more.
-const MOST: usize = 60;
+const MAX_COUNT: usize = 60;
 
 impl Ticks {
     /// Ticks at multiples of 1, 2 or 5 times a power of ten, about `count` of them.
@@ -68,7 +68,7 @@ impl Ticks {
         let mut ticks = Vec::new();
         let first = range[0].floor();
         let mut decade = first;
-        while decade <= range[1] && ticks.len() < MOST {
+        while decade <= range[1] && ticks.len() < MAX_COUNT {
             for digit in 1..10 {
                 let at = decade + log10(f64::from(digit));
                 let is_labelled = digit == 1 || (decades < 1.5 && [2, 5].contains(&digit));
@@ -97,7 +97,7 @@ fn multiples(range: [f64; 2], step: f64) -> impl Iterator<Item = f64> {
     } else {
         0
     };
-    (0..count.min(MOST)).map(move |place| {
+    (0..count.min(MAX_COUNT)).map(move |place| {
         let at = (first + place as f64) * step;
         if at == 0.0 { 0.0 } else { at }
     })
@@ -256,9 +256,9 @@ mod tests {
             [0.0, 5e-324],
         ] {
             let ticks = Ticks::linear(range, 6, DecimalMark::Point);
-            assert!(ticks.ticks.len() <= MOST);
+            assert!(ticks.ticks.len() <= MAX_COUNT);
             let ticks = Ticks::stepped(range, 1e-9, DecimalMark::Point);
-            assert!(ticks.ticks.len() <= MOST);
+            assert!(ticks.ticks.len() <= MAX_COUNT);
         }
     }
 }

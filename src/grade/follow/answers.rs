@@ -292,9 +292,9 @@ fn as_written(right: &Value, si: &[f64]) -> Option<Value> {
 
 /// A formula in the data of the item alone.
 pub(super) fn in_data(formula: &Expr, graph: &Graph) -> Option<Expr> {
-    const MOST_STEPS: usize = 20;
+    const MAX_STEPS: usize = 20;
     let mut formula = formula.clone();
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let quantities = formula.names().free.into_iter().filter_map(|variable| {
             let expr = graph.expr(graph.find(&variable.name)?)?;
             Some((variable.name, expr.clone()))

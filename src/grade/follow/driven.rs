@@ -12,7 +12,7 @@ use super::answers::{Answers, Own, Source, in_data, number};
 use super::oscillator::{self, Coefficients};
 use super::system::changed;
 use crate::expr::{Equation, Expr, Field, Form, Name, Normal, Order, Shape, Substitution, Value};
-use crate::mechanics::{Model, Quantity, Single};
+use crate::mechanics::{Model, Quantity, Sdof};
 use crate::numerics::Complex;
 use crate::quantity::NodeId;
 use crate::solution::Solution;
@@ -75,11 +75,11 @@ fn own(
         return Some((own, None));
     }
     let right = Driven::of(solution, &model.equation(0)?, coordinate)?;
-    let known: Vec<(NodeId, Single)> = oscillator::numbers(solution.template())
+    let known: Vec<(NodeId, Sdof)> = oscillator::numbers(solution.template())
         .filter(|(_, of, _)| of == coordinate)
         .map(|(node, _, single)| (node, single))
         .collect();
-    let answered = |single: Single| {
+    let answered = |single: Sdof| {
         let mut known = known.iter();
         let (node, _) = known.find(|(_, own)| *own == single)?;
         answers
@@ -87,8 +87,8 @@ fn own(
             .filter(|own| own.source != Source::Related)
             .cloned()
     };
-    let frequency = answered(Single::NaturalAngularFrequency);
-    let ratio = answered(Single::DampingRatio);
+    let frequency = answered(Sdof::NaturalAngularFrequency);
+    let ratio = answered(Sdof::DampingRatio);
     let source = frequency.clone().or_else(|| ratio.clone())?;
     let value =
         |own: &Option<Own>, right: f64| own.as_ref().map_or(Some(right), |own| own.value.as_real());

@@ -229,11 +229,11 @@ impl Search<'_> {
 
 /// A number as a fraction times a power of π.
 fn factor(number: f64) -> Option<Expr> {
-    const MOST_BELOW: i128 = 24;
+    const MAX_BELOW: i128 = 24;
     const PI_POWERS: [i32; 5] = [0, 1, -1, 2, -2];
     PI_POWERS.into_iter().find_map(|power| {
         let rest = number / crate::numerics::powi(std::f64::consts::PI, power);
-        let below = (1..=MOST_BELOW).find(|below| {
+        let below = (1..=MAX_BELOW).find(|below| {
             let above = rest * *below as f64;
             above.round() != 0.0 && (above - above.round()).abs() <= ROUNDING * above.abs()
         })?;

@@ -3,7 +3,7 @@
 use super::answers::in_data;
 use crate::bank::Template;
 use crate::expr::{Equation, Expr, Kind, Name, Substitution, Variable, differentiate};
-use crate::mechanics::{Model, Quantity, Single};
+use crate::mechanics::{Model, Quantity, Sdof};
 use crate::quantity::{Graph, NodeId};
 
 /// The coefficients of m x'' + c x' + k x = f(t).
@@ -24,7 +24,7 @@ pub(super) fn quantities(template: &Template, equation: &Equation) -> Vec<(NodeI
 }
 
 /// The quantities of an item that are numbers of models of one coordinate, with the coordinate.
-pub(super) fn numbers(template: &Template) -> impl Iterator<Item = (NodeId, Name, Single)> + '_ {
+pub(super) fn numbers(template: &Template) -> impl Iterator<Item = (NodeId, Name, Sdof)> + '_ {
     template.quantities.iter().filter_map(|(node, info)| {
         let mut routes = [Some(*node), info.verify].into_iter().flatten();
         let (coordinate, single) = routes.find_map(|route| number(&template.graph, route))?;
@@ -33,9 +33,9 @@ pub(super) fn numbers(template: &Template) -> impl Iterator<Item = (NodeId, Name
 }
 
 /// The number of a model of one coordinate that a node is, and the coordinate.
-fn number(graph: &Graph, node: NodeId) -> Option<(Name, Single)> {
+fn number(graph: &Graph, node: NodeId) -> Option<(Name, Sdof)> {
     match (offered(graph, node)?, offered(graph, node)?.0.coordinates()) {
-        ((_, Quantity::Single(single)), [coordinate]) => Some((coordinate.clone(), single)),
+        ((_, Quantity::Sdof(single)), [coordinate]) => Some((coordinate.clone(), single)),
         _ => None,
     }
 }
@@ -50,7 +50,7 @@ fn offered(graph: &Graph, node: NodeId) -> Option<(&Model, Quantity)> {
 }
 
 /// A number of the model of one coordinate by its right equation of motion, in the data.
-pub(super) fn right(template: &Template, coordinate: &Name, single: Single) -> Option<Expr> {
+pub(super) fn right(template: &Template, coordinate: &Name, single: Sdof) -> Option<Expr> {
     let graph = &template.graph;
     let mut nodes = template
         .quantities
@@ -83,7 +83,7 @@ impl Coefficients {
     }
 
     /// A number of the oscillator in formulas.
-    fn formula(&self, single: Single) -> Option<Expr> {
+    fn formula(&self, single: Sdof) -> Option<Expr> {
         let put = Substitution::new()
             .with("m", self.mass.clone())
             .with("c", self.damping.clone())

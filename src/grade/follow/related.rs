@@ -5,7 +5,7 @@
 use super::answers::{self, Answers, Own};
 use super::oscillator;
 use crate::expr::{Expr, Name, Precise, Program, Slots, Substitution, Value, Workspace};
-use crate::mechanics::Single;
+use crate::mechanics::Sdof;
 use crate::quantity::NodeId;
 use crate::solution::Solution;
 
@@ -13,7 +13,7 @@ use crate::solution::Solution;
 struct Known {
     node: NodeId,
     coordinate: Name,
-    single: Single,
+    single: Sdof,
 }
 
 /// Adds what follows from the student's own numbers for those that were not answered.
@@ -32,7 +32,7 @@ pub(super) fn extend(solution: &Solution<'_>, answers: &mut Answers) {
     const ROUNDS: usize = 3;
     for _ in 0..ROUNDS {
         let count = answers.own().count();
-        for single in Single::ALL {
+        for single in Sdof::ALL {
             for target in known.iter().filter(|own| own.single == single) {
                 for rule in single.relations() {
                     if !answers.has(target.node) {
@@ -117,7 +117,7 @@ impl Taken {
         name: &Name,
     ) -> Option<Self> {
         let evaluation = solution.evaluation();
-        let single = Single::of_letter(name.as_str())?;
+        let single = Sdof::of_letter(name.as_str())?;
         let is_it = |own: &&Known| own.coordinate == target.coordinate && own.single == single;
         let Some(quantity) = known.iter().find(is_it) else {
             let formula = oscillator::right(solution.template(), &target.coordinate, single)?;

@@ -1,6 +1,6 @@
 //! Harmonic forces as numbers.
 
-use super::{Lack, Numbers};
+use super::{Numbers, Unavailable};
 use crate::numerics::sin_cos;
 
 /// Harmonic forces of one angular frequency, `a cos Ωt + b sin Ωt` on each coordinate.
@@ -14,7 +14,7 @@ pub(super) struct Drive {
 
 impl Numbers {
     /// The forces, one entry per angular frequency.
-    pub(super) fn drives(&self) -> Result<&[Drive], Lack> {
+    pub(super) fn drives(&self) -> Result<&[Drive], Unavailable> {
         let drives = self.drives.get_or_init(|| self.evaluated_drives());
         drives.as_deref().map_err(Clone::clone)
     }
@@ -23,22 +23,22 @@ impl Numbers {
     ///
     /// # Errors
     ///
-    /// [`Lack::NotHarmonic`], or a number that is missing.
-    pub fn driving_frequencies(&self) -> Result<Vec<f64>, Lack> {
+    /// [`Unavailable::NotHarmonic`], or a number that is missing.
+    pub fn driving_frequencies(&self) -> Result<Vec<f64>, Unavailable> {
         let frequencies = self.drives()?.iter().map(|drive| drive.frequency);
         Ok(frequencies.filter(|frequency| *frequency > 0.0).collect())
     }
 
     /// The forces of the only angular frequency.
-    pub(super) fn only_drive(&self) -> Result<&Drive, Lack> {
+    pub(super) fn only_drive(&self) -> Result<&Drive, Unavailable> {
         match self.drives()? {
-            [] => Err(Lack::NoForce),
+            [] => Err(Unavailable::NoForce),
             [only] => Ok(only),
-            _ => Err(Lack::SeveralFrequencies),
+            _ => Err(Unavailable::SeveralFrequencies),
         }
     }
 
-    fn evaluated_drives(&self) -> Result<Vec<Drive>, Lack> {
+    fn evaluated_drives(&self) -> Result<Vec<Drive>, Unavailable> {
         let driving = self.model.evaluation.driving()?;
         let mut drives: Vec<Drive> = Vec::new();
         if driving.terms.is_empty() {

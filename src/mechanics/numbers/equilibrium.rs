@@ -1,19 +1,19 @@
-//! Positions at rest as numbers.
+//! Equilibria as numbers.
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{Lack, Numbers};
+use super::{Numbers, Unavailable};
 use crate::expr::{Form, Precise, Shape, Value};
 use crate::mechanics::equilibrium::Equilibrium;
 use crate::numerics::{Dd, bracketed_root};
 
 /// Newton's method is given up after this many steps.
-const MOST_STEPS: usize = 200;
+const MAX_STEPS: usize = 200;
 
 /// A step is halved at most this often before it is taken as it is.
-const MOST_HALVINGS: usize = 40;
+const MAX_HALVINGS: usize = 40;
 
-/// An angle is searched for positions at rest in this many steps of a turn; equilibria a textbook asks
+/// An angle is searched for equilibria in this many steps of a turn; equilibria a textbook asks
 /// for lie further apart, or at simple fractions of a turn, which are among the steps.
 const STEPS_OF_A_TURN: i32 = 720;
 
@@ -21,25 +21,25 @@ const STEPS_OF_A_TURN: i32 = 720;
 const PI_ERROR: f64 = 1e-31;
 
 impl Numbers {
-    /// The position at rest about which the model is linearized.
+    /// The equilibrium about which the model is linearized.
     ///
     /// # Errors
     ///
-    /// [`Lack::NoEquilibrium`], [`Lack::NotAtRest`] for a stated position that is none, or a number that
+    /// [`Unavailable::NoEquilibrium`], [`Unavailable::NotAtRest`] for a stated position that is none, or a number that
     /// is missing.
-    pub fn equilibrium(&self) -> Result<&[f64], Lack> {
+    pub fn equilibrium(&self) -> Result<&[f64], Unavailable> {
         let position = self.position.get_or_init(|| self.found_position());
         position.as_deref().map_err(Clone::clone)
     }
 
-    /// All positions at rest of the single coordinate, ascending; of an angle those in (−π, π].
+    /// All equilibria of the single coordinate, ascending; of an angle those in (−π, π].
     ///
     /// # Errors
     ///
-    /// [`Lack::SeveralCoordinates`], and those of [`Self::equilibrium`].
-    pub fn equilibria(&self) -> Result<Vec<f64>, Lack> {
+    /// [`Unavailable::SeveralCoordinates`], and those of [`Self::equilibrium`].
+    pub fn equilibria(&self) -> Result<Vec<f64>, Unavailable> {
         let [coordinate] = self.model.definition.coordinates.as_slice() else {
-            return Err(Lack::SeveralCoordinates);
+            return Err(Unavailable::SeveralCoordinates);
         };
         if !coordinate.is_angle {
             return Ok(self.equilibrium()?.to_vec());
@@ -66,12 +66,12 @@ impl Numbers {
         Ok(positions)
     }
 
-    /// Whether the position at rest is stable: whether the potential energy has a minimum there.
+    /// Whether the equilibrium is stable: whether the potential energy has a minimum there.
     ///
     /// # Errors
     ///
     /// Those of [`Self::equilibrium`] and [`Self::modes`].
-    pub fn is_stable(&self) -> Result<bool, Lack> {
+    pub fn is_stable(&self) -> Result<bool, Unavailable> {
         if self.model.degrees_of_freedom() == 1 {
             return Ok(self.stiffness_matrix()?.numbers()[0] > 0.0);
         }
@@ -79,12 +79,12 @@ impl Numbers {
         Ok(!modes.is_unstable() && modes.rigid_count() == 0)
     }
 
-    /// A coordinate of the position at rest as a value.
+    /// A coordinate of the equilibrium as a value.
     ///
     /// # Errors
     ///
     /// Those of [`Self::equilibrium`].
-    pub fn equilibrium_value(&self, coordinate: usize) -> Result<Value, Lack> {
+    pub fn equilibrium_value(&self, coordinate: usize) -> Result<Value, Unavailable> {
         let position = self.equilibrium()?[coordinate];
         if let Some(formula) = &self.model.evaluation.position {
             let value = self.value(formula, &[])?;
@@ -98,12 +98,12 @@ impl Numbers {
     /// # Errors
     ///
     /// Those of [`Self::equilibria`].
-    pub fn equilibria_value(&self) -> Result<Value, Lack> {
+    pub fn equilibria_value(&self) -> Result<Value, Unavailable> {
         let positions = self.equilibria()?;
         let bounds = positions.iter().map(|own| 16.0 * f64::EPSILON * own.abs());
         let form = Form::real(Shape::Vector(positions.len()));
         let bounds = bounds.collect();
-        Value::new(form, positions, bounds).ok_or(Lack::NoEquilibrium)
+        Value::new(form, positions, bounds).ok_or(Unavailable::NoEquilibrium)
     }
 
     /// [`Self::is_stable`] as a value.
@@ -111,33 +111,33 @@ impl Numbers {
     /// # Errors
     ///
     /// Those of [`Self::is_stable`].
-    pub fn stable_value(&self) -> Result<Value, Lack> {
+    pub fn stable_value(&self) -> Result<Value, Unavailable> {
         let stable = f64::from(u8::from(self.is_stable()?));
-        Value::new(Form::BOOLEAN, vec![stable], vec![0.0]).ok_or(Lack::NoEquilibrium)
+        Value::new(Form::BOOLEAN, vec![stable], vec![0.0]).ok_or(Unavailable::NoEquilibrium)
     }
 
     /// The restoring force of a single coordinate, and whether it cannot be told from zero.
-    fn force_at(&self, position: &[Precise]) -> Result<(f64, bool), Lack> {
+    fn force_at(&self, position: &[Precise]) -> Result<(f64, bool), Unavailable> {
         let forces = self.value(&self.model.evaluation.restoring, position)?;
         let force = forces.numbers()[0];
         Ok((force, force.abs() <= forces.bounds()[0]))
     }
 
-    fn found_position(&self) -> Result<Vec<f64>, Lack> {
+    fn found_position(&self) -> Result<Vec<f64>, Unavailable> {
         match (&self.model.equilibrium, &self.model.evaluation.position) {
             (Equilibrium::Stated(_), Some(formula)) => {
                 let position = self.value(formula, &[])?;
                 self.check_rest(&position)?;
                 Ok(position.numbers().to_vec())
             }
-            (Equilibrium::Missing(_), _) => Err(Lack::NoEquilibrium),
+            (Equilibrium::Missing(_), _) => Err(Unavailable::NoEquilibrium),
             (_, Some(formula)) => Ok(self.value(formula, &[])?.numbers().to_vec()),
             _ => self.sought_position(),
         }
     }
 
     /// A stated position leaves no force beyond what its own rounding explains.
-    fn check_rest(&self, position: &Value) -> Result<(), Lack> {
+    fn check_rest(&self, position: &Value) -> Result<(), Unavailable> {
         let at: Vec<_> = position
             .numbers()
             .iter()
@@ -156,7 +156,7 @@ impl Numbers {
                 .map(|(slope, (at, bound))| slope.abs() * (bound + 4.0 * f64::EPSILON * at.abs()))
                 .sum();
             if forces.numbers()[row].abs() > 4.0 * (rounding + forces.bounds()[row]) {
-                return Err(Lack::NotAtRest {
+                return Err(Unavailable::NotAtRest {
                     coordinate: name.clone(),
                 });
             }
@@ -165,14 +165,14 @@ impl Numbers {
     }
 
     /// Newton's method from zero, each step halved until the forces get smaller.
-    fn sought_position(&self) -> Result<Vec<f64>, Lack> {
+    fn sought_position(&self) -> Result<Vec<f64>, Unavailable> {
         let size = self.model.degrees_of_freedom();
         let mut at = Place::of(self, DVector::zeros(size))?;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             if at.is_at_rest() {
                 return Ok(at.position.as_slice().to_vec());
             }
-            let step = at.newton_step().ok_or(Lack::NoEquilibrium)?;
+            let step = at.newton_step().ok_or(Unavailable::NoEquilibrium)?;
             let Some(next) = at.after(self, &step) else {
                 // No shorter step helps: either nothing but rounding is left, or there is no way on.
                 let is_tiny = step.amax() <= 64.0 * f64::EPSILON * at.position.amax();
@@ -180,12 +180,12 @@ impl Numbers {
                 return if is_tiny {
                     Ok(position)
                 } else {
-                    Err(Lack::NoEquilibrium)
+                    Err(Unavailable::NoEquilibrium)
                 };
             };
             at = next;
         }
-        Err(Lack::NoEquilibrium)
+        Err(Unavailable::NoEquilibrium)
     }
 }
 
@@ -198,11 +198,11 @@ struct Place {
 }
 
 impl Place {
-    fn of(numbers: &Numbers, position: DVector<f64>) -> Result<Self, Lack> {
+    fn of(numbers: &Numbers, position: DVector<f64>) -> Result<Self, Unavailable> {
         let at: Vec<_> = position.iter().copied().map(Precise::exact).collect();
         let forces = numbers.value(&numbers.model.evaluation.restoring, &at)?;
         let slopes = numbers.model.evaluation.slopes.as_ref();
-        let slopes = numbers.value(slopes.ok_or(Lack::NoEquilibrium)?, &at)?;
+        let slopes = numbers.value(slopes.ok_or(Unavailable::NoEquilibrium)?, &at)?;
         let size = at.len();
         Ok(Self {
             position,
@@ -237,7 +237,7 @@ impl Place {
     /// The first place along a step, whole or halved, where the forces are smaller.
     fn after(&self, numbers: &Numbers, step: &DVector<f64>) -> Option<Self> {
         let mut share = 1.0;
-        for _ in 0..MOST_HALVINGS {
+        for _ in 0..MAX_HALVINGS {
             let place = Self::of(numbers, &self.position + step * share).ok();
             if let Some(place) = place.filter(|place| place.forces.norm() < self.forces.norm()) {
                 return Some(place);

@@ -1,6 +1,6 @@
 //! Dry friction along a single coordinate.
 
-use super::{Lack, Motion, Numbers};
+use super::{Motion, Numbers, Unavailable};
 use crate::expr::{Form, Name, Precise, Value};
 use crate::numerics::ExactNumber;
 use crate::unit::Dimension;
@@ -44,7 +44,7 @@ impl Numbers {
     /// # Errors
     ///
     /// As for [`Self::frictional`].
-    pub fn turning_points(&self, most: usize) -> Result<TurningPoints, Lack> {
+    pub fn turning_points(&self, most: usize) -> Result<TurningPoints, Unavailable> {
         let motion = self.friction_motion()?;
         let coordinate = &self.model.definition.coordinates[0];
         Ok(TurningPoints {
@@ -60,19 +60,19 @@ impl Numbers {
     ///
     /// # Errors
     ///
-    /// [`Lack::NoFriction`], [`Lack::Endless`] if it never rests, and those of [`Self::equilibrium`].
-    pub fn frictional(&self, quantity: Frictional) -> Result<Value, Lack> {
+    /// [`Unavailable::NoFriction`], [`Unavailable::Endless`] if it never rests, and those of [`Self::equilibrium`].
+    pub fn frictional(&self, quantity: Frictional) -> Result<Value, Unavailable> {
         let motion = self.friction_motion()?;
         let slides = motion.slides();
         Ok(match quantity {
-            Frictional::HalfCycles => Value::real(slides.ok_or(Lack::Endless)? as f64, 0.0),
+            Frictional::HalfCycles => Value::real(slides.ok_or(Unavailable::Endless)? as f64, 0.0),
             Frictional::Slides => {
                 let slides = f64::from(u8::from(slides != Some(0)));
-                Value::new(Form::BOOLEAN, vec![slides], vec![0.0]).ok_or(Lack::Endless)?
+                Value::new(Form::BOOLEAN, vec![slides], vec![0.0]).ok_or(Unavailable::Endless)?
             }
             Frictional::StopTime => self.finite(motion.stop_time())?,
             Frictional::RestPosition => {
-                self.finite(motion.rest_position().ok_or(Lack::Endless)?)?
+                self.finite(motion.rest_position().ok_or(Unavailable::Endless)?)?
             }
             Frictional::PathLength => self.finite(motion.path_length())?,
             Frictional::DissipatedEnergy => self.finite(motion.dissipated_energy())?,
@@ -80,7 +80,7 @@ impl Numbers {
     }
 
     /// The motion with dry friction.
-    pub(super) fn friction_path(&self) -> Result<Motion, Lack> {
+    pub(super) fn friction_path(&self) -> Result<Motion, Unavailable> {
         let path = Box::new(self.friction_motion()?.path());
         let matrices = self.matrices()?;
         let [mass, damping, stiffness] =
@@ -97,13 +97,13 @@ impl Numbers {
         ))
     }
 
-    fn friction_motion(&self) -> Result<FrictionMotion, Lack> {
+    fn friction_motion(&self) -> Result<FrictionMotion, Unavailable> {
         if !self.drives()?.is_empty() {
-            return Err(Lack::Forced);
+            return Err(Unavailable::Forced);
         }
         let forces = self.friction_forces()?;
         let matrices = self.matrices()?;
-        let on_paper = |number: f64| ExactNumber::on_paper(number).ok_or(Lack::Endless);
+        let on_paper = |number: f64| ExactNumber::on_paper(number).ok_or(Unavailable::Endless);
         let entry = |value: &Value| on_paper(value.numbers()[0]);
         let friction = DryFriction::of_forces(
             on_paper(forces.numbers()[0])?,
@@ -121,29 +121,29 @@ impl Numbers {
     }
 
     /// Kinetic and largest static friction.
-    fn friction_forces(&self) -> Result<Value, Lack> {
+    fn friction_forces(&self) -> Result<Value, Unavailable> {
         let forces = self
             .model
             .evaluation
             .sticking
             .as_ref()
-            .ok_or(Lack::NoFriction)?;
+            .ok_or(Unavailable::NoFriction)?;
         self.value(forces, &[])
     }
 
     /// The force on the coordinate at its origin.
-    fn constant_force(&self) -> Result<f64, Lack> {
+    fn constant_force(&self) -> Result<f64, Unavailable> {
         let origin = [Precise::exact(0.0)];
         Ok(-self
             .value(&self.model.evaluation.restoring, &origin)?
             .numbers()[0])
     }
 
-    fn finite(&self, number: f64) -> Result<Value, Lack> {
+    fn finite(&self, number: f64) -> Result<Value, Unavailable> {
         if number.is_finite() {
             Ok(self.with_relative_bound(number))
         } else {
-            Err(Lack::Endless)
+            Err(Unavailable::Endless)
         }
     }
 }

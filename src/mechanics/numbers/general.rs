@@ -1,6 +1,6 @@
 //! The general solution of the linearized equations, with free constants.
 
-use super::{Lack, Numbers};
+use super::{Numbers, Unavailable};
 use crate::expr::{Expr, Function, Kind, Operator};
 use crate::numerics::Rational;
 
@@ -24,13 +24,13 @@ enum Course {
 
 impl Numbers {
     /// Each coordinate as a formula in `t` with the free constants `A` and `B` (`A1`, `B1`, … of several
-    /// modes): the position at rest, the steady state and the free motion. Numbers are in SI units, to six
+    /// modes): the equilibrium, the steady state and the free motion. Numbers are in SI units, to six
     /// significant digits.
     ///
     /// # Errors
     ///
-    /// [`Lack::Unstable`], [`Lack::CoupledDamping`], [`Lack::NotHarmonic`], [`Lack::Resonance`].
-    pub fn general_motion(&self) -> Result<Vec<Expr>, Lack> {
+    /// [`Unavailable::Unstable`], [`Unavailable::CoupledDamping`], [`Unavailable::NotHarmonic`], [`Unavailable::Resonance`].
+    pub fn general_motion(&self) -> Result<Vec<Expr>, Unavailable> {
         let size = self.model.degrees_of_freedom();
         let mut sums: Vec<Vec<(f64, Expr)>> = vec![Vec::new(); size];
         self.add_modes(&mut sums)?;
@@ -48,13 +48,13 @@ impl Numbers {
         Ok(sums.iter().map(|sum| written_sum(sum)).collect())
     }
 
-    fn add_modes(&self, sums: &mut [Vec<(f64, Expr)>]) -> Result<(), Lack> {
+    fn add_modes(&self, sums: &mut [Vec<(f64, Expr)>]) -> Result<(), Unavailable> {
         let modes = self.modes()?;
         let dampings = self.modal_dampings()?;
         for (mode, damping) in dampings.into_iter().enumerate() {
             let frequency = modes
                 .natural_angular_frequency(mode)
-                .ok_or(Lack::Unstable)?;
+                .ok_or(Unavailable::Unstable)?;
             let index = if modes.count() == 1 {
                 String::new()
             } else {

@@ -1,7 +1,7 @@
 //! M, C and K from second derivatives of the energies by hyper-dual numbers: the route that knows nothing of the
 //! symbolic one.
 
-use super::{Lack, Numbers};
+use super::{Numbers, Unavailable};
 use crate::expr::{HyperDual, Inputs, Precise, Program, Registers, Undefined};
 use crate::mechanics::programs::{Compiled, Data};
 
@@ -36,7 +36,7 @@ impl Inputs<HyperDual> for Seeded<'_> {
 }
 
 impl Numbers {
-    /// The matrices about the position at rest, by exact second derivatives of the energies as they are
+    /// The matrices about the equilibrium, by exact second derivatives of the energies as they are
     /// written, at time zero.
     ///
     /// ```text
@@ -48,7 +48,7 @@ impl Numbers {
     /// # Errors
     ///
     /// Those of [`Self::equilibrium`], or an operation without value.
-    pub fn linearization(&self) -> Result<Linearization, Lack> {
+    pub fn linearization(&self) -> Result<Linearization, Unavailable> {
         let size = self.model.degrees_of_freedom();
         let position: Vec<_> = self
             .equilibrium()?
@@ -115,7 +115,7 @@ struct Kernel<'a> {
 
 impl Kernel<'_> {
     /// The second derivative of a formula by two inputs.
-    fn second(&mut self, formula: &Compiled, first: u32, second: u32) -> Result<f64, Lack> {
+    fn second(&mut self, formula: &Compiled, first: u32, second: u32) -> Result<f64, Unavailable> {
         let ready = formula.ready(&self.numbers.model.evaluation.slots)?;
         if !(ready.reads(first) && ready.reads(second)) {
             return Ok(0.0);
@@ -124,13 +124,23 @@ impl Kernel<'_> {
     }
 
     /// The first derivatives of a formula by two inputs.
-    fn first(&mut self, formula: &Compiled, first: u32, second: u32) -> Result<[f64; 2], Lack> {
+    fn first(
+        &mut self,
+        formula: &Compiled,
+        first: u32,
+        second: u32,
+    ) -> Result<[f64; 2], Unavailable> {
         let ready = formula.ready(&self.numbers.model.evaluation.slots)?;
         let result = self.run(&ready.program, first, second)?;
         Ok([result.first, result.second])
     }
 
-    fn run(&mut self, program: &Program, first: u32, second: u32) -> Result<HyperDual, Lack> {
+    fn run(
+        &mut self,
+        program: &Program,
+        first: u32,
+        second: u32,
+    ) -> Result<HyperDual, Unavailable> {
         let inputs = Seeded {
             data: Data {
                 constants: &self.numbers.constants,
@@ -140,6 +150,10 @@ impl Kernel<'_> {
             second,
         };
         let outcome = program.run(&inputs, &mut self.room)?;
-        outcome.numbers().next().copied().ok_or(Lack::NoNumber)
+        outcome
+            .numbers()
+            .next()
+            .copied()
+            .ok_or(Unavailable::NoNumber)
     }
 }

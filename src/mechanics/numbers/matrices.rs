@@ -1,8 +1,8 @@
-//! Matrices about the position at rest, and the modes they give.
+//! Matrices about the equilibrium, and the modes they give.
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{Lack, Numbers};
+use super::{Numbers, Unavailable};
 use crate::expr::Value;
 use crate::vibration::modes::{Modes, System};
 
@@ -22,8 +22,8 @@ impl Numbers {
     ///
     /// # Errors
     ///
-    /// [`Lack::TimeVarying`], [`Lack::NoEquilibrium`], or a number that is missing.
-    pub fn mass_matrix(&self) -> Result<&Value, Lack> {
+    /// [`Unavailable::TimeVarying`], [`Unavailable::NoEquilibrium`], or a number that is missing.
+    pub fn mass_matrix(&self) -> Result<&Value, Unavailable> {
         Ok(&self.matrices()?.mass)
     }
 
@@ -32,7 +32,7 @@ impl Numbers {
     /// # Errors
     ///
     /// As for [`Self::mass_matrix`].
-    pub fn damping_matrix(&self) -> Result<&Value, Lack> {
+    pub fn damping_matrix(&self) -> Result<&Value, Unavailable> {
         Ok(&self.matrices()?.damping)
     }
 
@@ -41,7 +41,7 @@ impl Numbers {
     /// # Errors
     ///
     /// As for [`Self::mass_matrix`].
-    pub fn stiffness_matrix(&self) -> Result<&Value, Lack> {
+    pub fn stiffness_matrix(&self) -> Result<&Value, Unavailable> {
         Ok(&self.matrices()?.stiffness)
     }
 
@@ -50,18 +50,18 @@ impl Numbers {
     ///
     /// # Errors
     ///
-    /// As for [`Self::mass_matrix`], and [`Lack::Modes`].
-    pub fn modes(&self) -> Result<&Modes, Lack> {
+    /// As for [`Self::mass_matrix`], and [`Unavailable::Modes`].
+    pub fn modes(&self) -> Result<&Modes, Unavailable> {
         let modes = self.modes.get_or_init(|| Ok(Modes::of(self.system()?)?));
         modes.as_ref().map_err(Clone::clone)
     }
 
-    pub(super) fn matrices(&self) -> Result<&Matrices, Lack> {
+    pub(super) fn matrices(&self) -> Result<&Matrices, Unavailable> {
         let matrices = self.matrices.get_or_init(|| self.evaluated_matrices());
         matrices.as_ref().map_err(Clone::clone)
     }
 
-    fn evaluated_matrices(&self) -> Result<Matrices, Lack> {
+    fn evaluated_matrices(&self) -> Result<Matrices, Unavailable> {
         let tangent = self.model.evaluation.tangent()?;
         Ok(Matrices {
             mass: self.value_at_rest(&tangent.mass)?,
@@ -70,7 +70,7 @@ impl Numbers {
         })
     }
 
-    pub(super) fn system(&self) -> Result<System, Lack> {
+    pub(super) fn system(&self) -> Result<System, Unavailable> {
         let matrices = self.matrices()?;
         let mass = self.square(&matrices.mass);
         if let Some((stiffnesses, rows)) = self.squares()? {
@@ -89,7 +89,7 @@ impl Numbers {
     }
 
     /// The stiffnesses and rows of the squares of V, if it is written so and none is negative.
-    fn squares(&self) -> Result<Option<Squares>, Lack> {
+    fn squares(&self) -> Result<Option<Squares>, Unavailable> {
         let Some(squares) = self.model.squares() else {
             return Ok(None);
         };

@@ -16,7 +16,7 @@ use std::cell::OnceCell;
 use std::sync::Arc;
 
 use super::programs::{Compiled, Data};
-use super::{Lack, Model};
+use super::{Model, Unavailable};
 use crate::expr::{Name, Precise, Undefined, Value};
 use crate::vibration::Oscillator;
 use crate::vibration::modes::Modes;
@@ -26,7 +26,7 @@ pub use hyper_dual::Linearization;
 use matrices::Matrices;
 use modal::Response;
 pub use motion::Motion;
-pub use single::Single;
+pub use single::Sdof;
 
 /// A model with numbers for its names.
 ///
@@ -54,11 +54,11 @@ pub use single::Single;
 pub struct Numbers {
     model: Arc<Model>,
     constants: Vec<Result<Precise, Undefined>>,
-    position: OnceCell<Result<Vec<f64>, Lack>>,
-    matrices: OnceCell<Result<Matrices, Lack>>,
-    modes: OnceCell<Result<Modes, Lack>>,
-    drives: OnceCell<Result<Vec<Drive>, Lack>>,
-    response: OnceCell<Result<Arc<Response>, Lack>>,
+    position: OnceCell<Result<Vec<f64>, Unavailable>>,
+    matrices: OnceCell<Result<Matrices, Unavailable>>,
+    modes: OnceCell<Result<Modes, Unavailable>>,
+    drives: OnceCell<Result<Vec<Drive>, Unavailable>>,
+    response: OnceCell<Result<Arc<Response>, Unavailable>>,
 }
 
 impl Numbers {
@@ -83,19 +83,19 @@ impl Numbers {
         &self.model
     }
 
-    /// The oscillator about the position at rest.
+    /// The oscillator about the equilibrium.
     ///
     /// # Errors
     ///
-    /// [`Lack::SeveralCoordinates`], [`Lack::Unstable`], and those of [`Self::equilibrium`].
-    pub fn oscillator(&self) -> Result<Oscillator, Lack> {
+    /// [`Unavailable::SeveralCoordinates`], [`Unavailable::Unstable`], and those of [`Self::equilibrium`].
+    pub fn oscillator(&self) -> Result<Oscillator, Unavailable> {
         if self.model.degrees_of_freedom() != 1 {
-            return Err(Lack::SeveralCoordinates);
+            return Err(Unavailable::SeveralCoordinates);
         }
         let matrices = self.matrices()?;
         let only = |value: &Value| value.numbers()[0];
         if only(&matrices.stiffness) <= 0.0 {
-            return Err(Lack::Unstable);
+            return Err(Unavailable::Unstable);
         }
         Ok(Oscillator::new(
             only(&matrices.mass),
@@ -105,7 +105,7 @@ impl Numbers {
     }
 
     /// A formula at a position.
-    fn value(&self, formula: &Compiled, position: &[Precise]) -> Result<Value, Lack> {
+    fn value(&self, formula: &Compiled, position: &[Precise]) -> Result<Value, Unavailable> {
         let data = Data {
             constants: &self.constants,
             position,
@@ -113,8 +113,8 @@ impl Numbers {
         formula.value(&self.model.evaluation.slots, &data)
     }
 
-    /// A formula at the position at rest, which is not looked for where the formula does not depend on it.
-    fn value_at_rest(&self, formula: &Compiled) -> Result<Value, Lack> {
+    /// A formula at the equilibrium, which is not looked for where the formula does not depend on it.
+    fn value_at_rest(&self, formula: &Compiled) -> Result<Value, Unavailable> {
         let ready = formula.ready(&self.model.evaluation.slots)?;
         if ready.is_constant(self.constants.len()) {
             return self.value(formula, &[]);

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector};
 
 use super::driving::Drive;
-use super::{Lack, Motion, Numbers};
+use super::{Motion, Numbers, Unavailable};
 use crate::expr::{Field, Form, Shape, Value};
 use crate::numerics::sin_cos;
 use crate::vibration::State;
@@ -20,7 +20,7 @@ const SAME_FREQUENCY: f64 = 1e-9;
 const COUPLED: f64 = 1e-10;
 
 /// Motions of many periods are answered up to this number of the slowest one.
-const MOST_PERIODS: f64 = 1e6;
+const MAX_PERIODS: f64 = 1e6;
 
 /// The motion of one coordinate of several.
 #[derive(Clone, Debug)]
@@ -57,7 +57,7 @@ impl ModalMotion {
 }
 
 impl Response {
-    /// Displacements from the position at rest, and velocities.
+    /// Displacements from the equilibrium, and velocities.
     fn state(&self, time: f64) -> Option<(DVector<f64>, DVector<f64>)> {
         let size = self.position.len();
         let (mut x, mut v) = (DVector::zeros(size), DVector::zeros(size));
@@ -94,10 +94,14 @@ impl Numbers {
     ///
     /// # Errors
     ///
-    /// [`Lack::Unstable`] if one does not exist, and those of [`Self::modes`].
-    pub fn natural_angular_frequencies(&self) -> Result<Value, Lack> {
+    /// [`Unavailable::Unstable`] if one does not exist, and those of [`Self::modes`].
+    pub fn natural_angular_frequencies(&self) -> Result<Value, Unavailable> {
         let modes = self.modes()?;
-        let frequency = |mode| modes.natural_angular_frequency(mode).ok_or(Lack::Unstable);
+        let frequency = |mode| {
+            modes
+                .natural_angular_frequency(mode)
+                .ok_or(Unavailable::Unstable)
+        };
         let frequencies: Vec<_> = (0..modes.count())
             .map(frequency)
             .collect::<Result<_, _>>()?;
@@ -109,7 +113,7 @@ impl Numbers {
     /// # Errors
     ///
     /// Those of [`Self::modes`].
-    pub fn multiplicities(&self) -> Result<Value, Lack> {
+    pub fn multiplicities(&self) -> Result<Value, Unavailable> {
         let modes = self.modes()?;
         let clusters = modes.clusters(SAME_FREQUENCY);
         let counts = clusters
@@ -123,7 +127,7 @@ impl Numbers {
     /// # Errors
     ///
     /// Those of [`Self::modes`].
-    pub fn mode_shapes(&self) -> Result<Value, Lack> {
+    pub fn mode_shapes(&self) -> Result<Value, Unavailable> {
         let modes = self.modes()?;
         let size = modes.count();
         matrix(
@@ -137,7 +141,7 @@ impl Numbers {
     /// # Errors
     ///
     /// Those of [`Self::modes`].
-    pub fn modal_masses(&self) -> Result<Value, Lack> {
+    pub fn modal_masses(&self) -> Result<Value, Unavailable> {
         let modes = self.modes()?;
         let mass = |mode| {
             let shape = modes.mode_shape(mode);
@@ -154,16 +158,16 @@ impl Numbers {
     ///
     /// # Errors
     ///
-    /// [`Lack::CoupledDamping`], [`Lack::Unstable`], and those of [`Self::modes`].
-    pub fn modal_damping_ratios(&self) -> Result<Value, Lack> {
+    /// [`Unavailable::CoupledDamping`], [`Unavailable::Unstable`], and those of [`Self::modes`].
+    pub fn modal_damping_ratios(&self) -> Result<Value, Unavailable> {
         let modes = self.modes()?;
         let ratio = |(mode, damping): (usize, f64)| {
             let frequency = modes
                 .natural_angular_frequency(mode)
-                .ok_or(Lack::Unstable)?;
+                .ok_or(Unavailable::Unstable)?;
             match (damping == 0.0, frequency == 0.0) {
                 (true, _) => Ok(0.0),
-                (false, true) => Err(Lack::Singular),
+                (false, true) => Err(Unavailable::Singular),
                 (false, false) => Ok(damping / (2.0 * frequency)),
             }
         };
@@ -175,14 +179,14 @@ impl Numbers {
     ///
     /// # Errors
     ///
-    /// [`Lack::Unstable`], and those of [`Self::modes`].
-    pub fn modal_amplitudes(&self) -> Result<Value, Lack> {
+    /// [`Unavailable::Unstable`], and those of [`Self::modes`].
+    pub fn modal_amplitudes(&self) -> Result<Value, Unavailable> {
         let modes = self.modes()?;
         let states = self.modal_start(modes)?.into_iter().enumerate();
         let row = |(mode, state): (usize, State)| {
             let frequency = modes
                 .natural_angular_frequency(mode)
-                .ok_or(Lack::Unstable)?;
+                .ok_or(Unavailable::Unstable)?;
             // A rigid motion has a velocity in place of the factor of the sine.
             let sine = if frequency == 0.0 {
                 state.velocity
@@ -191,12 +195,12 @@ impl Numbers {
             };
             Ok([state.position, sine])
         };
-        let rows: Vec<[f64; 2]> = states.map(row).collect::<Result<_, Lack>>()?;
+        let rows: Vec<[f64; 2]> = states.map(row).collect::<Result<_, Unavailable>>()?;
         matrix(2, rows.into_flattened())
     }
 
     /// The motion of a coordinate among several.
-    pub(super) fn modal_motion(&self, coordinate: usize) -> Result<Motion, Lack> {
+    pub(super) fn modal_motion(&self, coordinate: usize) -> Result<Motion, Unavailable> {
         let response = self
             .response
             .get_or_init(|| self.evaluated_response().map(Arc::new));
@@ -206,16 +210,16 @@ impl Numbers {
         }))
     }
 
-    fn evaluated_response(&self) -> Result<Response, Lack> {
+    fn evaluated_response(&self) -> Result<Response, Unavailable> {
         let modes = self.modes()?;
         let slowest = (0..modes.count()).filter_map(|mode| modes.natural_angular_frequency(mode));
         let slowest = slowest
             .filter(|rate| *rate > 0.0)
             .fold(f64::INFINITY, f64::min);
         let horizon = if slowest.is_finite() {
-            MOST_PERIODS * TAU / slowest
+            MAX_PERIODS * TAU / slowest
         } else {
-            MOST_PERIODS
+            MAX_PERIODS
         };
         let (displacements, velocities) = self.displaced_start()?;
         let damping = self.damping()?;
@@ -255,12 +259,12 @@ impl Numbers {
             forced,
             damping: self.square(&matrices.damping),
             stiffness: self.square(&matrices.stiffness),
-            inverse_mass: mass.try_inverse().ok_or(Lack::Singular)?,
+            inverse_mass: mass.try_inverse().ok_or(Unavailable::Singular)?,
         })
     }
 
     /// The damping for the solver.
-    pub(super) fn damping(&self) -> Result<Damping, Lack> {
+    pub(super) fn damping(&self) -> Result<Damping, Unavailable> {
         let value = self.damping_matrix()?;
         Ok(if value.numbers().iter().all(|own| *own == 0.0) {
             Damping::none()
@@ -269,8 +273,8 @@ impl Numbers {
         })
     }
 
-    /// Displacements from the position at rest, and velocities, at the start.
-    fn displaced_start(&self) -> Result<(Vec<f64>, Vec<f64>), Lack> {
+    /// Displacements from the equilibrium, and velocities, at the start.
+    fn displaced_start(&self) -> Result<(Vec<f64>, Vec<f64>), Unavailable> {
         let start = self.start()?;
         let displaced = start.iter().zip(self.equilibrium()?);
         let displacements = displaced.map(|(own, rest)| own.position - rest).collect();
@@ -281,7 +285,7 @@ impl Numbers {
     }
 
     /// Modal positions and velocities at the start.
-    fn modal_start(&self, modes: &Modes) -> Result<Vec<State>, Lack> {
+    fn modal_start(&self, modes: &Modes) -> Result<Vec<State>, Unavailable> {
         let (positions, velocities) = self.displaced_start()?;
         let positions = modes.modal_coordinates(&positions)?;
         let velocities = modes.modal_coordinates(&velocities)?;
@@ -292,7 +296,7 @@ impl Numbers {
     }
 
     /// The diagonal of `Φᵀ C Φ`, if that is diagonal.
-    pub(super) fn modal_dampings(&self) -> Result<Vec<f64>, Lack> {
+    pub(super) fn modal_dampings(&self) -> Result<Vec<f64>, Unavailable> {
         let modes = self.modes()?;
         let size = modes.count();
         let damping =
@@ -303,7 +307,7 @@ impl Numbers {
             for column in 0..row {
                 let own = modal[(row, row)].abs().max(modal[(column, column)].abs());
                 if modal[(row, column)].abs() > COUPLED * own {
-                    return Err(Lack::CoupledDamping);
+                    return Err(Unavailable::CoupledDamping);
                 }
             }
         }
@@ -312,18 +316,18 @@ impl Numbers {
 }
 
 /// A list of numbers that are good to a few units in the last place.
-fn vector(numbers: Vec<f64>) -> Result<Value, Lack> {
+fn vector(numbers: Vec<f64>) -> Result<Value, Unavailable> {
     let shape = Shape::Vector(numbers.len());
     real(shape, numbers)
 }
 
 /// Rows of numbers that are good to a few units in the last place of the largest.
-fn matrix(columns: usize, numbers: Vec<f64>) -> Result<Value, Lack> {
+fn matrix(columns: usize, numbers: Vec<f64>) -> Result<Value, Unavailable> {
     let shape = Shape::Matrix(numbers.len() / columns.max(1), columns);
     real(shape, numbers)
 }
 
-fn real(shape: Shape, numbers: Vec<f64>) -> Result<Value, Lack> {
+fn real(shape: Shape, numbers: Vec<f64>) -> Result<Value, Unavailable> {
     let largest = numbers
         .iter()
         .fold(0.0, |largest: f64, own| largest.max(own.abs()));
@@ -332,5 +336,5 @@ fn real(shape: Shape, numbers: Vec<f64>) -> Result<Value, Lack> {
         field: Field::Real,
         shape,
     };
-    Value::new(form, numbers, bounds).ok_or(Lack::Singular)
+    Value::new(form, numbers, bounds).ok_or(Unavailable::Singular)
 }

@@ -2,7 +2,7 @@
 
 use super::friction::SlidingForces;
 use super::modal::ModalMotion;
-use super::{Lack, Numbers};
+use super::{Numbers, Unavailable};
 use crate::expr::Undefined;
 use crate::numerics::{Complex, sin_cos};
 use crate::vibration::{
@@ -197,9 +197,9 @@ impl Numbers {
     ///
     /// # Errors
     ///
-    /// [`Lack::Unstable`], [`Lack::NotHarmonic`], [`Lack::CoupledDamping`], and those of
+    /// [`Unavailable::Unstable`], [`Unavailable::NotHarmonic`], [`Unavailable::CoupledDamping`], and those of
     /// [`Self::equilibrium`].
-    pub fn motion(&self, coordinate: usize) -> Result<Motion, Lack> {
+    pub fn motion(&self, coordinate: usize) -> Result<Motion, Unavailable> {
         if self.model.degrees_of_freedom() > 1 {
             return self.modal_motion(coordinate);
         }
@@ -227,17 +227,17 @@ impl Numbers {
     ///
     /// # Errors
     ///
-    /// [`Lack::NoForce`], [`Lack::NotHarmonic`], [`Lack::Resonance`], and those of [`Self::equilibrium`].
-    pub fn steady_motion(&self, coordinate: usize) -> Result<Motion, Lack> {
+    /// [`Unavailable::NoForce`], [`Unavailable::NotHarmonic`], [`Unavailable::Resonance`], and those of [`Self::equilibrium`].
+    pub fn steady_motion(&self, coordinate: usize) -> Result<Motion, Unavailable> {
         let drives = self.drives()?;
         if drives.is_empty() {
-            return Err(Lack::NoForce);
+            return Err(Unavailable::NoForce);
         }
         let amplitude = |drive| Ok((drive, self.amplitudes(drive)?[coordinate]));
         let harmonics = drives
             .iter()
             .map(amplitude)
-            .collect::<Result<Vec<_>, Lack>>()?;
+            .collect::<Result<Vec<_>, Unavailable>>()?;
         let harmonics = harmonics
             .into_iter()
             .map(|(drive, own)| (drive.frequency, own));
@@ -251,11 +251,11 @@ impl Numbers {
     ///
     /// # Errors
     ///
-    /// [`Lack::Unstable`] where the mode is no vibration, and those of [`Self::modes`].
-    pub fn mode_motion(&self, mode: usize, coordinate: usize) -> Result<Motion, Lack> {
+    /// [`Unavailable::Unstable`] where the mode is no vibration, and those of [`Self::modes`].
+    pub fn mode_motion(&self, mode: usize, coordinate: usize) -> Result<Motion, Unavailable> {
         let modes = self.modes()?;
         let frequency = modes.natural_angular_frequency(mode);
-        let frequency = frequency.ok_or(Lack::Unstable)?;
+        let frequency = frequency.ok_or(Unavailable::Unstable)?;
         let amplitude = Complex::new(modes.mode_shape(mode)[coordinate], 0.0);
         Ok(Motion(Kind::Steady(SteadyMotion {
             offset: self.equilibrium()?[coordinate],
@@ -268,7 +268,7 @@ impl Numbers {
     /// # Errors
     ///
     /// Those of [`Self::motion`].
-    pub fn energy(&self) -> Result<Motion, Lack> {
+    pub fn energy(&self) -> Result<Motion, Unavailable> {
         let motions =
             (0..self.model.degrees_of_freedom()).map(|coordinate| self.motion(coordinate));
         let matrices = self.matrices()?;
@@ -281,7 +281,7 @@ impl Numbers {
     }
 
     /// The initial state.
-    pub(super) fn start(&self) -> Result<Vec<State>, Lack> {
+    pub(super) fn start(&self) -> Result<Vec<State>, Unavailable> {
         let value = self.value(&self.model.evaluation.start, &[])?;
         let states = value.numbers().chunks_exact(2);
         Ok(states

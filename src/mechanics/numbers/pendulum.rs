@@ -1,6 +1,6 @@
 //! The pendulum at any amplitude: `I θ'' + A sin θ = 0`.
 
-use super::{Lack, Motion, Numbers};
+use super::{Motion, Numbers, Unavailable};
 use crate::expr::{Precise, Value};
 use crate::numerics::Dd;
 use crate::vibration::Pendulum;
@@ -10,15 +10,15 @@ impl Numbers {
     ///
     /// # Errors
     ///
-    /// [`Lack::NotPendulum`], or a number that is missing.
-    pub fn exact_period(&self) -> Result<Value, Lack> {
+    /// [`Unavailable::NotPendulum`], or a number that is missing.
+    pub fn exact_period(&self) -> Result<Value, Unavailable> {
         let (pendulum, _) = self.pendulum()?;
         let start = self.start()?[0];
         let period = if start.velocity == 0.0 {
             pendulum.period(start.position)?
         } else {
             let motion = pendulum.motion(start.position, start.velocity)?;
-            motion.period().ok_or(Lack::NotOscillating)?
+            motion.period().ok_or(Unavailable::NotOscillating)?
         };
         Ok(self.with_relative_bound(period))
     }
@@ -27,8 +27,8 @@ impl Numbers {
     ///
     /// # Errors
     ///
-    /// [`Lack::NotPendulum`], or a number that is missing.
-    pub fn exact_motion(&self) -> Result<Motion, Lack> {
+    /// [`Unavailable::NotPendulum`], or a number that is missing.
+    pub fn exact_motion(&self) -> Result<Motion, Unavailable> {
         let (pendulum, square_rate) = self.pendulum()?;
         let start = self.start()?[0];
         let motion = pendulum.motion(start.position, start.velocity)?;
@@ -36,9 +36,9 @@ impl Numbers {
     }
 
     /// The pendulum that the model is, and the square of its natural angular frequency.
-    fn pendulum(&self) -> Result<(Pendulum, f64), Lack> {
+    fn pendulum(&self) -> Result<(Pendulum, f64), Unavailable> {
         if !self.model.evaluation.is_pendulum {
-            return Err(Lack::NotPendulum);
+            return Err(Unavailable::NotPendulum);
         }
         let quarter_turn = [Precise::of_dd(Dd::PI * 0.5, 0.0)];
         let moment = self

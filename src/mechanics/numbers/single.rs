@@ -2,13 +2,13 @@
 
 use std::f64::consts::TAU;
 
-use super::{Lack, Numbers};
+use super::{Numbers, Unavailable};
 use crate::expr::Value;
 use crate::vibration::DisplacementResonance;
 
 /// A number that belongs to a model of one coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Single {
+pub enum Sdof {
     /// m.
     Mass,
     /// c.
@@ -44,18 +44,18 @@ impl Numbers {
     ///
     /// # Errors
     ///
-    /// Those of [`Self::oscillator`], and [`Lack::NotOscillating`], [`Lack::Undamped`] or
-    /// [`Lack::NoResonance`] where the number does not exist.
-    pub fn single(&self, quantity: Single) -> Result<Value, Lack> {
+    /// Those of [`Self::oscillator`], and [`Unavailable::NotOscillating`], [`Unavailable::Undamped`] or
+    /// [`Unavailable::NoResonance`] where the number does not exist.
+    pub fn single(&self, quantity: Sdof) -> Result<Value, Unavailable> {
         if self.model.degrees_of_freedom() != 1 {
-            return Err(Lack::SeveralCoordinates);
+            return Err(Unavailable::SeveralCoordinates);
         }
         let matrices = self.matrices()?;
         match quantity {
-            Single::Mass => Ok(entry(&matrices.mass)),
-            Single::Damping => Ok(entry(&matrices.damping)),
-            Single::Stiffness => Ok(entry(&matrices.stiffness)),
-            Single::DecayRate if self.stiffness_matrix()?.numbers()[0] <= 0.0 => {
+            Sdof::Mass => Ok(entry(&matrices.mass)),
+            Sdof::Damping => Ok(entry(&matrices.damping)),
+            Sdof::Stiffness => Ok(entry(&matrices.stiffness)),
+            Sdof::DecayRate if self.stiffness_matrix()?.numbers()[0] <= 0.0 => {
                 let rate = matrices.damping.numbers()[0] / (2.0 * matrices.mass.numbers()[0]);
                 Ok(self.with_relative_bound(rate))
             }
@@ -63,29 +63,29 @@ impl Numbers {
         }
     }
 
-    fn of_oscillator(&self, quantity: Single) -> Result<f64, Lack> {
+    fn of_oscillator(&self, quantity: Sdof) -> Result<f64, Unavailable> {
         let oscillator = self.oscillator()?;
         let damped = || {
             oscillator
                 .damped_angular_frequency()
-                .ok_or(Lack::NotOscillating)
+                .ok_or(Unavailable::NotOscillating)
         };
         Ok(match quantity {
-            Single::Mass => oscillator.mass(),
-            Single::Damping => oscillator.damping(),
-            Single::Stiffness => oscillator.stiffness(),
-            Single::NaturalAngularFrequency => oscillator.natural_angular_frequency(),
-            Single::NaturalFrequency => oscillator.natural_angular_frequency() / TAU,
-            Single::Period => TAU / oscillator.natural_angular_frequency(),
-            Single::DecayRate => oscillator.decay_rate(),
-            Single::DampingRatio => oscillator.damping_ratio(),
-            Single::CriticalDamping => oscillator.critical_damping(),
-            Single::DampedAngularFrequency => damped()?,
-            Single::DampedPeriod => TAU / damped()?,
-            Single::LogarithmicDecrement => TAU * oscillator.decay_rate() / damped()?,
-            Single::QualityFactor => oscillator.quality_factor().ok_or(Lack::Undamped)?,
-            Single::ResonanceAngularFrequency => DisplacementResonance::of(&oscillator)
-                .ok_or(Lack::NoResonance)?
+            Sdof::Mass => oscillator.mass(),
+            Sdof::Damping => oscillator.damping(),
+            Sdof::Stiffness => oscillator.stiffness(),
+            Sdof::NaturalAngularFrequency => oscillator.natural_angular_frequency(),
+            Sdof::NaturalFrequency => oscillator.natural_angular_frequency() / TAU,
+            Sdof::Period => TAU / oscillator.natural_angular_frequency(),
+            Sdof::DecayRate => oscillator.decay_rate(),
+            Sdof::DampingRatio => oscillator.damping_ratio(),
+            Sdof::CriticalDamping => oscillator.critical_damping(),
+            Sdof::DampedAngularFrequency => damped()?,
+            Sdof::DampedPeriod => TAU / damped()?,
+            Sdof::LogarithmicDecrement => TAU * oscillator.decay_rate() / damped()?,
+            Sdof::QualityFactor => oscillator.quality_factor().ok_or(Unavailable::Undamped)?,
+            Sdof::ResonanceAngularFrequency => DisplacementResonance::of(&oscillator)
+                .ok_or(Unavailable::NoResonance)?
                 .angular_frequency(),
         })
     }

@@ -1,7 +1,7 @@
 //! The steady state under harmonic forces.
 
 use super::driving::Drive;
-use super::{Lack, Numbers};
+use super::{Numbers, Unavailable};
 use crate::expr::{Field, Form, Shape, Value};
 use crate::numerics::Complex;
 use crate::vibration::FrequencyResponse;
@@ -13,8 +13,8 @@ impl Numbers {
     ///
     /// # Errors
     ///
-    /// [`Lack::NoForce`], [`Lack::SeveralFrequencies`], [`Lack::NotHarmonic`], [`Lack::Resonance`].
-    pub fn complex_amplitude(&self, coordinate: usize) -> Result<Complex, Lack> {
+    /// [`Unavailable::NoForce`], [`Unavailable::SeveralFrequencies`], [`Unavailable::NotHarmonic`], [`Unavailable::Resonance`].
+    pub fn complex_amplitude(&self, coordinate: usize) -> Result<Complex, Unavailable> {
         Ok(self.amplitudes(self.only_drive()?)?[coordinate])
     }
 
@@ -23,7 +23,7 @@ impl Numbers {
     /// # Errors
     ///
     /// As for [`Self::complex_amplitude`].
-    pub fn complex_amplitude_value(&self, coordinate: usize) -> Result<Value, Lack> {
+    pub fn complex_amplitude_value(&self, coordinate: usize) -> Result<Value, Unavailable> {
         let amplitude = self.complex_amplitude(coordinate)?;
         let form = Form {
             field: Field::Complex,
@@ -31,25 +31,25 @@ impl Numbers {
         };
         let bound = 16.0 * f64::EPSILON * amplitude.abs();
         let value = Value::new(form, vec![amplitude.re, amplitude.im], vec![bound; 2]);
-        value.ok_or(Lack::Singular)
+        value.ok_or(Unavailable::Singular)
     }
 
     /// The solution of `(K − Ω² M + iΩ C) X = F`.
-    pub(super) fn amplitudes(&self, drive: &Drive) -> Result<Vec<Complex>, Lack> {
+    pub(super) fn amplitudes(&self, drive: &Drive) -> Result<Vec<Complex>, Unavailable> {
         let forces = drive.cosine.iter().zip(&drive.sine);
         let forces: Vec<_> = forces.map(|(a, b)| Complex::new(*a, -*b)).collect();
         if let ([force], Ok(oscillator)) = (forces.as_slice(), self.oscillator()) {
             let response = FrequencyResponse::at(&oscillator, drive.frequency);
             if response.is_unbounded() {
-                return Err(Lack::Resonance);
+                return Err(Unavailable::Resonance);
             }
             return Ok(vec![*force * response.receptance()]);
         }
         let response = HarmonicResponse::of(&self.system()?, &self.damping()?, drive.frequency);
         let amplitudes = response.and_then(|own| own.amplitudes(&forces));
         amplitudes.map_err(|error| match error {
-            ModesError::Resonance => Lack::Resonance,
-            other => Lack::Modes(other),
+            ModesError::Resonance => Unavailable::Resonance,
+            other => Unavailable::Modes(other),
         })
     }
 }

@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use super::factors::signed_terms;
 use super::lagrange::line_of;
-use super::{Deriver, Lack, Line, Reason, Side, Step, product};
+use super::{Deriver, Line, Reason, Side, Step, Unavailable, product};
 use crate::expr::{Expr, Function, Name, Normal, sum_of_signed_terms};
 use crate::mechanics::{Model, Quantity};
 use crate::source::Span;
@@ -76,11 +76,11 @@ struct Along {
 }
 
 impl Deriver<'_> {
-    pub(super) fn newton(&self) -> Result<Vec<Step>, Lack> {
+    pub(super) fn newton(&self) -> Result<Vec<Step>, Unavailable> {
         let model = self.model;
         let bodies = &model.definition.bodies;
         if bodies.is_empty() {
-            return Err(Lack::NoFormula);
+            return Err(Unavailable::NoFormula);
         }
         let mut steps = Vec::new();
         for body in bodies {
@@ -139,7 +139,7 @@ impl Deriver<'_> {
     }
 
     /// Each law times the displacement per displacement along a coordinate; forces of constraint that cancel are gone.
-    fn along(&self, coordinate: &Name) -> Result<Along, Lack> {
+    fn along(&self, coordinate: &Name) -> Result<Along, Unavailable> {
         let mut along = Along {
             inertia: Vec::new(),
             forces: Vec::new(),
@@ -204,7 +204,7 @@ impl Model {
         let Some(span) = bodies.first().map(|body| body.span) else {
             return Ok(());
         };
-        let symbolic = |lack: Lack| NewtonError::Symbolic {
+        let symbolic = |lack: Unavailable| NewtonError::Symbolic {
             reason: lack.to_string(),
             span,
         };
@@ -245,7 +245,7 @@ impl Model {
     }
 
     /// The left side of Lagrange's equation with the force of dry friction, F sign(q').
-    fn with_dry_friction(&self, at: usize) -> Result<Normal, Lack> {
+    fn with_dry_friction(&self, at: usize) -> Result<Normal, Unavailable> {
         let residual = self.residuals[at].clone();
         let name = &self.coordinates()[at];
         let own = self.definition.friction.iter().find(|(own, _)| own == name);

@@ -1,12 +1,12 @@
 //! The balance of energy.
 
 use super::factors::signed_terms;
-use super::{Deriver, Lack, Line, Reason, Side, Step, Term, product};
+use super::{Deriver, Line, Reason, Side, Step, Term, Unavailable, product};
 use crate::expr::{Expr, Name, Normal, Variable, sum_of_signed_terms};
 
 impl Deriver<'_> {
     /// For one coordinate the equation of motion by the rate of the energy; for several the balance alone.
-    pub(super) fn energy(&self) -> Result<Vec<Step>, Lack> {
+    pub(super) fn energy(&self) -> Result<Vec<Step>, Unavailable> {
         let model = self.model;
         let (kinetic, potential) = (model.kinetic(), model.potential());
         let energy = sum_of_signed_terms(
@@ -18,7 +18,7 @@ impl Deriver<'_> {
         );
         // Where a support is driven, it does work, and the rate of the energy is no balance of these terms.
         if energy.names().uses(&Name::new("t")) {
-            return Err(Lack::TimeVarying);
+            return Err(Unavailable::TimeVarying);
         }
         let normal = Normal::of(&energy)?;
         let written = self.collected_energy(&normal);
@@ -99,7 +99,7 @@ impl Deriver<'_> {
 
     /// The rate of the energy per velocity along a coordinate: the left side of Lagrange's equation without dampers and
     /// forces. That these times the velocities add up to the rate holds where time does not stand in the energies.
-    fn conservative(&self, at: usize) -> Result<Expr, Lack> {
+    fn conservative(&self, at: usize) -> Result<Expr, Unavailable> {
         let model = self.model;
         let velocity = Variable::of(&model.coordinates()[at], 1);
         let damping = self.normal(&model.definition.dissipation)?;
@@ -124,7 +124,7 @@ impl Deriver<'_> {
     }
 
     /// Force and power along each coordinate of what has no potential energy: dampers, forces, friction.
-    fn powers(&self) -> Result<Vec<(Expr, Expr)>, Lack> {
+    fn powers(&self) -> Result<Vec<(Expr, Expr)>, Unavailable> {
         let model = self.model;
         let dissipation = self.normal(&model.definition.dissipation)?;
         let mut powers = Vec::new();

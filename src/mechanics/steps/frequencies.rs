@@ -1,20 +1,20 @@
 //! Natural frequencies and the shapes that belong to them, in letters.
 
-use super::{Deriver, Lack, Line, Reason, Side, Step};
+use super::{Deriver, Line, Reason, Side, Step, Unavailable};
 use crate::expr::{Expr, Name, Normal};
 use crate::mechanics::Quantity;
 use crate::mechanics::characteristic::determinant;
 use crate::mechanics::linear::Matrix;
 
 /// More coordinates have no equation in letters that anybody follows.
-const MOST_COORDINATES: usize = 2;
+const MAX_COORDINATES: usize = 2;
 
 impl Deriver<'_> {
     /// The determinant of K − ω² M and its equation; dampers are ignored.
-    pub(super) fn characteristic(&self) -> Result<Vec<Step>, Lack> {
+    pub(super) fn characteristic(&self) -> Result<Vec<Step>, Unavailable> {
         let unknown = Name::new("omega");
         let entries = self.stiffness_less_inertia(&unknown)?;
-        let equation = determinant(&entries).ok_or(Lack::NoFormula)?;
+        let equation = determinant(&entries).ok_or(Unavailable::NoFormula)?;
         let row = |row: &Vec<Normal>| row.iter().map(|entry| self.collected(entry)).collect();
         let order = self.model.order().clone().moving([unknown]).descending();
         let zero = || Side::Formula(Expr::number(0));
@@ -23,7 +23,11 @@ impl Deriver<'_> {
             Line::exact([matrix, zero()]),
             Line::exact([Side::Formula(equation.to_expr(&order)), zero()]),
         ];
-        let has_dampers = !self.model.linear().ok_or(Lack::NoFormula)?.is_undamped();
+        let has_dampers = !self
+            .model
+            .linear()
+            .ok_or(Unavailable::NoFormula)?
+            .is_undamped();
         let shortest = self.model.equations(Quantity::CharacteristicEquation);
         if let (Ok(shortest), false) = (shortest, has_dampers) {
             lines.extend(shortest.into_iter().map(super::lagrange::line_of));
@@ -35,10 +39,10 @@ impl Deriver<'_> {
     }
 
     /// A row of (K − ω² M) u = 0 that joins the two coordinates, and the ratio that it gives.
-    pub(super) fn row(&self, mode: usize) -> Result<Vec<Step>, Lack> {
+    pub(super) fn row(&self, mode: usize) -> Result<Vec<Step>, Unavailable> {
         let names = self.model.coordinates();
         let [first, second] = names else {
-            return Err(Lack::SeveralCoordinates);
+            return Err(Unavailable::SeveralCoordinates);
         };
         let frequency = Name::new(format!("omega{}", mode + 1));
         let entries = self.stiffness_less_inertia(&frequency)?;
@@ -47,7 +51,7 @@ impl Deriver<'_> {
         let joined = joined
             .into_iter()
             .find(|(row, other)| !entries[*row][*other].is_zero());
-        let (row, _) = joined.ok_or(Lack::NoFormula)?;
+        let (row, _) = joined.ok_or(Unavailable::NoFormula)?;
         let order = self.model.order().clone().moving(names.to_vec());
         let mut sum = Normal::of(&Expr::number(0))?;
         for (entry, name) in entries[row].iter().zip(names) {
@@ -72,11 +76,11 @@ impl Deriver<'_> {
     }
 
     /// K − ω² M with this letter for ω.
-    fn stiffness_less_inertia(&self, frequency: &Name) -> Result<Matrix, Lack> {
-        if self.model.degrees_of_freedom() > MOST_COORDINATES {
-            return Err(Lack::SeveralCoordinates);
+    fn stiffness_less_inertia(&self, frequency: &Name) -> Result<Matrix, Unavailable> {
+        if self.model.degrees_of_freedom() > MAX_COORDINATES {
+            return Err(Unavailable::SeveralCoordinates);
         }
-        let linear = self.model.linear().ok_or(Lack::NoFormula)?;
+        let linear = self.model.linear().ok_or(Unavailable::NoFormula)?;
         let square = Normal::of(&Expr::name(frequency.clone()).squared())?.negated();
         let rows = linear.stiffness.iter().zip(&linear.mass);
         let row = |(stiffness, mass): (&Vec<Normal>, &Vec<Normal>)| {

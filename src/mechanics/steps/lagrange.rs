@@ -1,7 +1,7 @@
 //! Lagrange's equation term by term.
 
 use super::factors::signed_terms;
-use super::{Deriver, Lack, Line, Reason, Side, Step, Term, is_zero, product};
+use super::{Deriver, Line, Reason, Side, Step, Term, Unavailable, is_zero, product};
 use crate::expr::{
     Equation, Expr, Function, Name, Normal, Substitution, Variable, differentiate,
     sum_of_signed_terms,
@@ -23,7 +23,7 @@ struct Entry {
 }
 
 impl Deriver<'_> {
-    pub(super) fn lagrange(&self, at: usize) -> Result<Vec<Step>, Lack> {
+    pub(super) fn lagrange(&self, at: usize) -> Result<Vec<Step>, Unavailable> {
         let model = self.model;
         let name = &model.coordinates()[at];
         let definition = &model.definition;
@@ -125,7 +125,7 @@ impl Deriver<'_> {
         entries: &[Entry],
         force: Option<Expr>,
         steps: &mut Vec<Step>,
-    ) -> Result<(), Lack> {
+    ) -> Result<(), Unavailable> {
         let model = self.model;
         let quantity = crate::mechanics::Quantity::Equation;
         let linear = model.equations(quantity(at)).ok();
@@ -174,8 +174,8 @@ impl Deriver<'_> {
         Ok(())
     }
 
-    /// The linear part of a term about the position at rest; `None` where the term is linear.
-    fn linear_part(&self, term: &Expr, rest: &[Expr]) -> Result<Option<Expr>, Lack> {
+    /// The linear part of a term about the equilibrium; `None` where the term is linear.
+    fn linear_part(&self, term: &Expr, rest: &[Expr]) -> Result<Option<Expr>, Unavailable> {
         let names = self.model.coordinates();
         let mut at_rest = Substitution::new();
         for (name, value) in names.iter().zip(rest) {
@@ -183,7 +183,7 @@ impl Deriver<'_> {
         }
         let moving = names.iter().cloned().collect();
         let normal = Normal::of(term)?;
-        let still = |formula: &Normal| -> Result<Normal, Lack> {
+        let still = |formula: &Normal| -> Result<Normal, Unavailable> {
             let expr = formula.to_expr(self.model.order());
             let expr = crate::mechanics::equilibrium::at_rest(&Normal::of(&expr)?, &moving)?;
             Ok(Normal::of(
@@ -209,7 +209,7 @@ impl Deriver<'_> {
     }
 
     /// The generalized force along a coordinate, with dry friction.
-    pub(super) fn force(&self, at: usize) -> Result<Option<Expr>, Lack> {
+    pub(super) fn force(&self, at: usize) -> Result<Option<Expr>, Unavailable> {
         let definition = &self.model.definition;
         let name = &self.model.coordinates()[at];
         let written = definition.forces.iter().find(|(own, _)| own == name);
@@ -234,7 +234,7 @@ impl Deriver<'_> {
         energy: &Expr,
         by: &Variable,
         used: &mut Vec<Expr>,
-    ) -> Result<Option<Derivative>, Lack> {
+    ) -> Result<Option<Derivative>, Unavailable> {
         let (mut through_names, mut in_coordinates) = (Vec::new(), Vec::new());
         for (is_negative, term) in signed_terms(energy, false) {
             for (is_subtracted, outer, inner) in self.chain(&term, by)? {
@@ -269,7 +269,7 @@ impl Deriver<'_> {
     }
 
     /// The products of the chain rule: ∂τ/∂n and ∂n/∂q for each name n that moves, with the sign of the first.
-    fn chain(&self, term: &Expr, by: &Variable) -> Result<Vec<(bool, Expr, Expr)>, Lack> {
+    fn chain(&self, term: &Expr, by: &Variable) -> Result<Vec<(bool, Expr, Expr)>, Unavailable> {
         let mut factors = Vec::new();
         for inner in term.names().free {
             if !self.moving.contains(&inner.name) {

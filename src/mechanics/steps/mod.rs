@@ -20,7 +20,7 @@ pub use ways::Way;
 use std::collections::BTreeSet;
 
 use super::kinematics::Kinematics;
-use super::{Lack, Model};
+use super::{Model, Unavailable};
 use crate::expr::{Expr, Kind, Name, Normal, Operator, Order, SymbolicError, Variable};
 
 /// A step of a derivation: what it does, and its lines.
@@ -146,9 +146,9 @@ struct Deriver<'m> {
 }
 
 impl<'m> Deriver<'m> {
-    fn of(model: &'m Model) -> Result<Self, Lack> {
+    fn of(model: &'m Model) -> Result<Self, Unavailable> {
         let definition = &model.definition;
-        let kinematics = Kinematics::of(definition).map_err(|_| Lack::NoFormula)?;
+        let kinematics = Kinematics::of(definition).map_err(|_| Unavailable::NoFormula)?;
         let names = definition.kinematics.iter().map(|(name, _)| name);
         let all: Vec<Name> = names.chain(model.coordinates()).cloned().collect();
         Ok(Self {
@@ -160,14 +160,14 @@ impl<'m> Deriver<'m> {
     }
 
     /// A formula in coordinates alone.
-    fn resolved(&self, formula: &Expr) -> Result<Expr, Lack> {
+    fn resolved(&self, formula: &Expr) -> Result<Expr, Unavailable> {
         let key = super::Key::Kinematics;
         self.kinematics
             .apply(key, formula)
-            .map_err(|_| Lack::NoFormula)
+            .map_err(|_| Unavailable::NoFormula)
     }
 
-    fn normal(&self, formula: &Expr) -> Result<Normal, Lack> {
+    fn normal(&self, formula: &Expr) -> Result<Normal, Unavailable> {
         Ok(Normal::of(&self.resolved(formula)?)?)
     }
 
@@ -180,7 +180,7 @@ impl<'m> Deriver<'m> {
     fn relations<'e>(
         &self,
         formulas: impl IntoIterator<Item = &'e Expr>,
-    ) -> Result<Option<Step>, Lack> {
+    ) -> Result<Option<Step>, Unavailable> {
         let mut used = BTreeSet::new();
         for formula in formulas {
             used.extend(formula.names().free.into_iter().map(|own| own.name));
@@ -191,7 +191,9 @@ impl<'m> Deriver<'m> {
             Ok(Line::exact(sides.map(Side::Formula)))
         };
         let lines = kinematics.filter(|(name, _)| used.contains(name));
-        let lines = lines.map(relation).collect::<Result<Vec<_>, Lack>>()?;
+        let lines = lines
+            .map(relation)
+            .collect::<Result<Vec<_>, Unavailable>>()?;
         Ok((!lines.is_empty()).then_some(Step {
             reason: Reason::Kinematics,
             lines,
@@ -199,7 +201,7 @@ impl<'m> Deriver<'m> {
     }
 
     /// A displacement in the coordinates; a common sign stands before a bracket.
-    fn bracketed(&self, formula: &Expr) -> Result<Expr, Lack> {
+    fn bracketed(&self, formula: &Expr) -> Result<Expr, Unavailable> {
         let normal = self.normal(formula)?;
         Ok(if normal.has_negative_coefficients_alone() {
             -normal.negated().to_bracket(&self.order)
@@ -209,7 +211,7 @@ impl<'m> Deriver<'m> {
     }
 
     /// The displacement of a kinematic name or coordinate per displacement along a coordinate.
-    fn slope(&self, name: &Name, coordinate: &Name) -> Result<Expr, Lack> {
+    fn slope(&self, name: &Name, coordinate: &Name) -> Result<Expr, Unavailable> {
         let moved = self.resolved(&Expr::name(name.clone()))?;
         let slope = Normal::of(&moved)?.derivative(&Variable::of(coordinate, 0))?;
         Ok(slope.to_expr(&self.order))
@@ -236,9 +238,9 @@ impl Model {
     ///
     /// # Errors
     ///
-    /// [`Lack::NoFormula`] where an equation has no closed form, [`Lack::SeveralCoordinates`], and what stands in the
+    /// [`Unavailable::NoFormula`] where an equation has no closed form, [`Unavailable::SeveralCoordinates`], and what stands in the
     /// way of calculating with the formulas.
-    pub fn derivation(&self, way: Way) -> Result<Vec<Step>, Lack> {
+    pub fn derivation(&self, way: Way) -> Result<Vec<Step>, Unavailable> {
         let deriver = Deriver::of(self)?;
         match way {
             Way::Lagrange(at) => deriver.lagrange(at),
@@ -246,8 +248,10 @@ impl Model {
             Way::Newton => deriver.newton(),
             Way::Characteristic => deriver.characteristic(),
             Way::Row(mode) => deriver.row(mode),
-            Way::Static => Err(Lack::NothingStatic),
-            Way::TurningPoints if self.definition.friction.is_empty() => Err(Lack::NoFriction),
+            Way::Static => Err(Unavailable::NothingStatic),
+            Way::TurningPoints if self.definition.friction.is_empty() => {
+                Err(Unavailable::NoFriction)
+            }
             Way::TurningPoints => Ok(Vec::new()),
         }
     }

@@ -1,12 +1,12 @@
 //! The balance at rest: what weights and pre-stretches do to a system that is described from its equilibrium, and why
 //! they drop out of its motion.
 
-use super::{Deriver, Lack, Line, Reason, Side, Step, Term};
+use super::{Deriver, Line, Reason, Side, Step, Term, Unavailable};
 use crate::expr::{Expr, Name, Normal, Substitution, Variable};
 use crate::mechanics::Model;
 
 /// Letters that stand for formulas which contain others: no chain of them is as long.
-const LONGEST_CHAIN: usize = 20;
+const MAX_CHAIN_LENGTH: usize = 20;
 
 /// What letters of a model stand for, each as a formula.
 pub type Letters = [(Name, Expr)];
@@ -17,14 +17,14 @@ impl Model {
     ///
     /// # Errors
     ///
-    /// [`Lack::NotAtRest`] if forces are left at rest, [`Lack::NothingStatic`] if none are balanced,
-    /// [`Lack::AnotherMotion`] if the motion is not that of `reduced`, and what stands in the way of calculating with the
+    /// [`Unavailable::NotAtRest`] if forces are left at rest, [`Unavailable::NothingStatic`] if none are balanced,
+    /// [`Unavailable::AnotherMotion`] if the motion is not that of `reduced`, and what stands in the way of calculating with the
     /// formulas.
-    pub fn statics(&self, reduced: &Self, letters: &Letters) -> Result<Vec<Step>, Lack> {
+    pub fn statics(&self, reduced: &Self, letters: &Letters) -> Result<Vec<Step>, Unavailable> {
         let deriver = Deriver::of(self)?;
         let names = self.coordinates();
         if reduced.coordinates() != names {
-            return Err(Lack::AnotherMotion {
+            return Err(Unavailable::AnotherMotion {
                 coordinate: names[0].clone(),
                 difference: "the coordinates differ".to_owned(),
             });
@@ -41,7 +41,7 @@ impl Model {
             let balance = at_rest(&force.collected, names)?;
             if !balance.is_zero() {
                 if !opened(&balance, letters)?.is_zero() {
-                    return Err(Lack::NotAtRest {
+                    return Err(Unavailable::NotAtRest {
                         coordinate: name.clone(),
                     });
                 }
@@ -67,7 +67,7 @@ impl Model {
             motion.push(Line::exact(sides));
         }
         if rest.is_empty() {
-            return Err(Lack::NothingStatic);
+            return Err(Unavailable::NothingStatic);
         }
         let mut steps: Vec<Step> = deriver.relations(&used)?.into_iter().collect();
         steps.push(Step {
@@ -88,13 +88,18 @@ impl Model {
     }
 
     /// Along a coordinate nothing but the balance at rest tells the two models apart.
-    fn prove_motion(&self, at: usize, reduced: &Self, letters: &Letters) -> Result<(), Lack> {
+    fn prove_motion(
+        &self,
+        at: usize,
+        reduced: &Self,
+        letters: &Letters,
+    ) -> Result<(), Unavailable> {
         let difference = self.residuals[at].plus(&reduced.residuals[at].negated())?;
         let difference = opened(&difference, letters)?;
         if difference.is_zero() {
             return Ok(());
         }
-        Err(Lack::AnotherMotion {
+        Err(Unavailable::AnotherMotion {
             coordinate: self.coordinates()[at].clone(),
             difference: difference.to_expr(self.order()).to_string(),
         })
@@ -102,7 +107,7 @@ impl Model {
 }
 
 /// A force where all coordinates are zero.
-fn at_rest(force: &Normal, coordinates: &[Name]) -> Result<Normal, Lack> {
+fn at_rest(force: &Normal, coordinates: &[Name]) -> Result<Normal, Unavailable> {
     let zero = coordinates.iter().fold(Substitution::new(), |zero, name| {
         zero.with(name.clone(), Expr::number(0))
     });
@@ -111,14 +116,14 @@ fn at_rest(force: &Normal, coordinates: &[Name]) -> Result<Normal, Lack> {
 }
 
 /// A formula with what its letters stand for.
-fn opened(formula: &Normal, letters: &Letters) -> Result<Normal, Lack> {
+fn opened(formula: &Normal, letters: &Letters) -> Result<Normal, Unavailable> {
     let values = letters
         .iter()
         .fold(Substitution::new(), |values, (name, value)| {
             values.with(name.clone(), value.clone())
         });
     let mut formula = formula.clone();
-    for _ in 0..LONGEST_CHAIN {
+    for _ in 0..MAX_CHAIN_LENGTH {
         if letters.iter().all(|(name, _)| !formula.mentions(name)) {
             break;
         }

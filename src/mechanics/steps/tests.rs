@@ -167,7 +167,7 @@ fn a_driven_support_does_work_that_is_in_no_balance() {
         ..Definition::default()
     };
     let model = Model::derive(driven).unwrap();
-    assert_eq!(model.derivation(Way::Energy), Err(Lack::TimeVarying));
+    assert_eq!(model.derivation(Way::Energy), Err(Unavailable::TimeVarying));
     assert!(model.derivation(Way::Lagrange(0)).is_ok());
 }
 

@@ -6,7 +6,7 @@ use std::cell::RefCell;
 use proptest::prelude::*;
 use vibank::answer::Verdict;
 use vibank::bank::Catalogue;
-use vibank::grade::{LONGEST_RESPONSE, mark, mark_among};
+use vibank::grade::{MAX_RESPONSE_LENGTH, mark, mark_among};
 use vibank::instance::Instance;
 use vibank::solution::Solution;
 
@@ -82,7 +82,7 @@ fn functions_told_by_their_own_rates_are_answered() {
 fn what_repeats_without_end_is_answered() {
     let catalogue = catalogue();
     let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));
-    let most = LONGEST_RESPONSE;
+    let most = MAX_RESPONSE_LENGTH;
     for word in [
         "(",
         "[",
@@ -153,7 +153,7 @@ fn what_repeats_without_end_is_answered() {
 fn too_long_a_text_is_refused() {
     let catalogue = catalogue();
     let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));
-    for text in ["1+".repeat(LONGEST_RESPONSE), " 9".repeat(1 << 20)] {
+    for text in ["1+".repeat(MAX_RESPONSE_LENGTH), " 9".repeat(1 << 20)] {
         for verdict in verdicts(&solution, &text) {
             assert_eq!(verdict, Verdict::Unreadable);
         }

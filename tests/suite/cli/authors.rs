@@ -432,10 +432,10 @@ impl Running {
     #[track_caller]
     fn waits_for(&self, words: &str) {
         /// A busy machine may take its time; a program that hangs does not end the suite.
-        const LONGEST: Duration = Duration::from_mins(2);
+        const MAX_DURATION: Duration = Duration::from_mins(2);
         let mut all = String::new();
         while !all.contains(words) {
-            let line = self.said.recv_timeout(LONGEST);
+            let line = self.said.recv_timeout(MAX_DURATION);
             let line = line.unwrap_or_else(|_| panic!("`{words}` was not said, but:\n{all}"));
             assert!(!line.contains("panicked"), "{line}");
             all.push_str(&line);

@@ -8,7 +8,7 @@ use serde_json::json;
 use super::{BANK, Ran, blueprint, content, fed, folder, put, small, text_of, vibank};
 
 /// Nothing here may take longer, with a slow build on a busy machine.
-const LONGEST: Duration = Duration::from_mins(1);
+const MAX_DURATION: Duration = Duration::from_mins(1);
 
 #[track_caller]
 fn soon<T>(run: impl FnOnce() -> T) -> T {
@@ -19,7 +19,7 @@ fn soon<T>(run: impl FnOnce() -> T) -> T {
     let begin = Instant::now();
     let result = run();
     let taken = begin.elapsed();
-    assert!(taken < LONGEST, "it took {taken:?}");
+    assert!(taken < MAX_DURATION, "it took {taken:?}");
     result
 }
 

@@ -6,7 +6,7 @@ use vibank::answer::{Marking, Reason, Verdict};
 use vibank::bank::{Catalogue, embedded};
 use vibank::grade::Grade;
 use vibank::instance::Instance;
-use vibank::mechanics::Single;
+use vibank::mechanics::Sdof;
 use vibank::solution::{Nested, Number, Solution};
 
 static BANK: LazyLock<Catalogue> = LazyLock::new(|| Catalogue::load(embedded()).0);
@@ -171,13 +171,13 @@ fn nothing_is_credited_that_does_not_follow() {
 #[test]
 fn the_relations_of_one_degree_of_freedom_agree_with_each_other() {
     use vibank::expr::{Expr, Name, Precise, Program, Slots, Workspace};
-    let of = |formula: &str, known: &[(Single, f64)]| {
+    let of = |formula: &str, known: &[(Sdof, f64)]| {
         let expr = Expr::read(formula).expect("a formula");
         let names: Vec<Name> = expr.names().free.into_iter().map(|own| own.name).collect();
         let texts: Vec<&str> = names.iter().map(Name::as_str).collect();
         let program = Program::compile(&expr, &Slots(&texts)).expect("it compiles");
         let number = |name: &Name| {
-            let single = Single::of_letter(name.as_str()).expect("a letter of a number");
+            let single = Sdof::of_letter(name.as_str()).expect("a letter of a number");
             let found = known.iter().find(|(own, _)| *own == single);
             Precise::exact(found.expect("it is known").1)
         };
@@ -186,11 +186,11 @@ fn the_relations_of_one_degree_of_freedom_agree_with_each_other() {
         value.expect("a value").as_real().expect("a real value")
     };
     let mut known = vec![
-        (Single::Mass, 1.7),
-        (Single::Damping, 0.9),
-        (Single::Stiffness, 23.0),
+        (Sdof::Mass, 1.7),
+        (Sdof::Damping, 0.9),
+        (Sdof::Stiffness, 23.0),
     ];
-    let defined: Vec<(Single, f64)> = Single::ALL[3..]
+    let defined: Vec<(Sdof, f64)> = Sdof::ALL[3..]
         .iter()
         .map(|single| (*single, of(single.definition(), &known)))
         .collect();
@@ -208,20 +208,20 @@ fn the_relations_of_one_degree_of_freedom_agree_with_each_other() {
     let oscillator = vibank::vibration::Oscillator::new(1.7, 0.9, 23.0).expect("an oscillator");
     for (single, solved) in [
         (
-            Single::NaturalAngularFrequency,
+            Sdof::NaturalAngularFrequency,
             oscillator.natural_angular_frequency(),
         ),
-        (Single::DecayRate, oscillator.decay_rate()),
-        (Single::DampingRatio, oscillator.damping_ratio()),
-        (Single::CriticalDamping, oscillator.critical_damping()),
+        (Sdof::DecayRate, oscillator.decay_rate()),
+        (Sdof::DampingRatio, oscillator.damping_ratio()),
+        (Sdof::CriticalDamping, oscillator.critical_damping()),
         (
-            Single::DampedAngularFrequency,
+            Sdof::DampedAngularFrequency,
             oscillator
                 .damped_angular_frequency()
                 .expect("it oscillates"),
         ),
         (
-            Single::QualityFactor,
+            Sdof::QualityFactor,
             oscillator.quality_factor().expect("it is damped"),
         ),
     ] {

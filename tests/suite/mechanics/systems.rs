@@ -1,6 +1,6 @@
 //! Systems of the textbooks: what an author writes, and the equations that have to come out.
 
-/// A system and its equations of motion, linearized about the position at rest.
+/// A system and its equations of motion, linearized about the equilibrium.
 pub(super) struct System {
     pub(super) name: &'static str,
     /// Coordinates; one with a trailing `°` is an angle.

@@ -3,7 +3,9 @@
 use std::sync::Arc;
 
 use vibank::expr::{Expr, Name, Precise, Program, Slots, Value, Workspace};
-use vibank::mechanics::{Coordinate, Definition, Friction, Initial, Lack, Model, Nature, Numbers};
+use vibank::mechanics::{
+    Coordinate, Definition, Friction, Initial, Model, Nature, Numbers, Unavailable,
+};
 use vibank::numerics::Rational;
 
 use super::{named, read};
@@ -361,10 +363,10 @@ fn what_does_not_exist_says_why() {
         let quantity = numbers.model().quantity(&[Name::from(name)]).unwrap();
         numbers.value_of(quantity).unwrap_err()
     };
-    assert_eq!(lack("quality_factor"), Lack::Undamped);
-    assert_eq!(lack("complex_amplitude"), Lack::NoForce);
-    assert_eq!(lack("half_cycles"), Lack::NoFriction);
-    assert_eq!(lack("exact_period"), Lack::NotPendulum);
+    assert_eq!(lack("quality_factor"), Unavailable::Undamped);
+    assert_eq!(lack("complex_amplitude"), Unavailable::NoForce);
+    assert_eq!(lack("half_cycles"), Unavailable::NoFriction);
+    assert_eq!(lack("exact_period"), Unavailable::NotPendulum);
 }
 
 #[test]
@@ -391,7 +393,10 @@ fn damping_that_couples_the_modes() {
     };
     case.check();
     let numbers = case.numbers();
-    assert_eq!(numbers.modal_damping_ratios(), Err(Lack::CoupledDamping));
+    assert_eq!(
+        numbers.modal_damping_ratios(),
+        Err(Unavailable::CoupledDamping)
+    );
     let [first, second] = [0, 1].map(|coordinate| numbers.motion(coordinate).unwrap());
     let at = |order, time| {
         let value = |motion: &vibank::mechanics::Motion| motion.at(order, time).unwrap();

@@ -31,7 +31,7 @@ fn model() -> Arc<Model> {
     Arc::new(Model::derive(definition).unwrap())
 }
 
-/// Entries of M and K about the position at rest, by hyper-dual numbers and by symbolic derivatives.
+/// Entries of M and K about the equilibrium, by hyper-dual numbers and by symbolic derivatives.
 pub(super) fn entries(table: &mut Accuracy) {
     const TARGET: f64 = 4.0 * f64::EPSILON / 2.0;
     let model = model();

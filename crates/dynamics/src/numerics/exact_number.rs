@@ -1,6 +1,6 @@
 //! The exact sign of a sum of products of given numbers.
 //!
-//! Some answers are whole numbers that hang on a comparison: a block rests where `k |x| <= mu m g`.
+//! Some answers are integers that depend on a comparison: a block rests where `k |x| <= mu m g`.
 //! Rounded arithmetic cannot decide a tie, and ties are ordinary classroom data (`0.3` and `3 * 0.1`).
 //! [`ExactNumber`] keeps a number as it was written, and [`sign_of_sum`] compares without rounding.
 
@@ -35,7 +35,7 @@ pub struct ExactNumber {
 }
 
 /// A decimal of more digits than this is not read.
-const MOST_DIGITS: usize = 38;
+const MAX_DIGITS: usize = 38;
 
 /// The decimal exponents of the finite binary64, with room for the digits.
 const EXPONENTS: std::ops::RangeInclusive<i32> = -400..=400;
@@ -310,7 +310,7 @@ impl Product {
     }
 }
 
-/// The digits before and after the point as one whole number.
+/// The digits before and after the point as one integer.
 fn read_digits(whole: &str, fraction: &str) -> Option<i128> {
     let mut digits = whole.bytes().chain(fraction.bytes()).peekable();
     digits.peek()?;
@@ -318,7 +318,7 @@ fn read_digits(whole: &str, fraction: &str) -> Option<i128> {
         .skip_while(|byte| *byte == b'0')
         .enumerate()
         .try_fold(0_i128, |magnitude, (at, byte)| {
-            (byte.is_ascii_digit() && at < MOST_DIGITS)
+            (byte.is_ascii_digit() && at < MAX_DIGITS)
                 .then(|| 10 * magnitude + i128::from(byte - b'0'))
         })
 }

@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 /// Most pieces an interval is cut into.
-const MOST_PIECES: usize = 2000;
+const MAX_PIECES: usize = 2000;
 
 /// An integral and a bound on its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -74,9 +74,7 @@ pub fn integral(
         let worst = (0..pieces.len())
             .max_by(|&a, &b| pieces[a].error.total_cmp(&pieces[b].error))
             .unwrap_or(0);
-        let Some((left, right)) = pieces[worst]
-            .halves()
-            .filter(|_| pieces.len() < MOST_PIECES)
+        let Some((left, right)) = pieces[worst].halves().filter(|_| pieces.len() < MAX_PIECES)
         else {
             return Err(IntegralError::NotConverged { error: total.error });
         };

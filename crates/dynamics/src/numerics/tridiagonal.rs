@@ -182,7 +182,7 @@ impl Eigenpairs {
         // Two vectors have about u over the relative distance of their eigenvalues in common.
         let close = 4.0 / size as f64;
         /// The square of a step is an error that stays.
-        const LONGEST: f64 = 1e-8;
+        const MAX_STEP: f64 = 1e-8;
         for i in 0..self.values.len() {
             let value = self.values[i];
             let nearest = (0..i)
@@ -192,7 +192,7 @@ impl Eigenpairs {
                 let (before, from) = self.vectors.split_at_mut(i * size);
                 let (x, y) = (&mut from[..size], &mut before[j * size..(j + 1) * size]);
                 let step = dot(x, y) / 2.0;
-                if step.is_nan() || step.abs() > LONGEST {
+                if step.is_nan() || step.abs() > MAX_STEP {
                     return false;
                 }
                 for (x, y) in x.iter_mut().zip(y) {

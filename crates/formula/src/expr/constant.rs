@@ -4,7 +4,7 @@ use super::{Expr, Kind, Operator};
 use vibank_dynamics::numerics::Rational;
 
 /// Deepest formula that is looked at.
-const MOST_DEPTH: u32 = 20;
+const MAX_DEPTH: u32 = 20;
 
 /// The exact value of a formula of pure numbers alone, such as the exponent `1/3`; `None` for any other.
 ///
@@ -19,7 +19,7 @@ const MOST_DEPTH: u32 = 20;
 /// # Ok::<(), vibank_formula::expr::ReadError>(())
 /// ```
 pub fn fold(expr: &Expr) -> Option<Rational> {
-    if expr.depth() > MOST_DEPTH {
+    if expr.depth() > MAX_DEPTH {
         return None;
     }
     match expr.kind() {

@@ -41,7 +41,7 @@ pub struct Decimal {
 
 impl Decimal {
     /// How many significant digits are kept.
-    pub const MOST_DIGITS: u32 = 38;
+    pub const MAX_DIGITS: u32 = 38;
     /// 0.
     pub const ZERO: Self = Self {
         digits: 0,
@@ -75,11 +75,11 @@ impl Decimal {
             };
         let (exponent, scientific) = if digits == 0 {
             // A zero keeps as many decimals as a number can have digits, so that it prints within bounds.
-            (exponent.clamp(-(Self::MOST_DIGITS as i32), 0), false)
+            (exponent.clamp(-(Self::MAX_DIGITS as i32), 0), false)
         } else {
             (exponent, scientific)
         };
-        let fits = digits < 10_u128.pow(Self::MOST_DIGITS) && largest.abs() <= Self::LARGEST;
+        let fits = digits < 10_u128.pow(Self::MAX_DIGITS) && largest.abs() <= Self::LARGEST;
         let negative = negative && digits > 0;
         fits.then_some(Self {
             digits,

@@ -148,7 +148,7 @@ impl Dimension {
     }
 }
 
-/// Exponents times a power, unless a result is no whole number of parts or too large.
+/// Exponents times a power, unless a result is not a whole number of parts or too large.
 pub(super) fn raise<const N: usize>(exponents: [i32; N], power: Rational) -> Option<[i32; N]> {
     if power == Rational::ONE {
         return Some(exponents);

@@ -7,7 +7,7 @@ use super::scale::Scale;
 use super::table::{Found, Prefix, ROWS, Row, prefix};
 
 /// The most factors that a unit may have.
-pub(super) const MOST_FACTORS: usize = 8;
+pub(super) const MAX_FACTORS: usize = 8;
 
 /// One factor of a unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -54,7 +54,7 @@ impl Factor {
 /// A unit that is being put together.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Builder {
-    factors: [Factor; MOST_FACTORS],
+    factors: [Factor; MAX_FACTORS],
     length: usize,
 }
 
@@ -62,7 +62,7 @@ impl Builder {
     /// Nothing yet.
     pub(super) const fn new() -> Self {
         Self {
-            factors: [Factor::NONE; MOST_FACTORS],
+            factors: [Factor::NONE; MAX_FACTORS],
             length: 0,
         }
     }
@@ -70,7 +70,7 @@ impl Builder {
     /// With the factors of a finished unit.
     pub(super) fn of(known: &[Factor]) -> Self {
         let mut builder = Self::new();
-        builder.length = known.len().min(MOST_FACTORS);
+        builder.length = known.len().min(MAX_FACTORS);
         builder.factors[..builder.length].copy_from_slice(&known[..builder.length]);
         builder
     }
@@ -84,9 +84,7 @@ impl Builder {
         let place = self
             .factors
             .get_mut(self.length)
-            .ok_or(ErrorKind::TooManyFactors {
-                limit: MOST_FACTORS,
-            })?;
+            .ok_or(ErrorKind::TooManyFactors { limit: MAX_FACTORS })?;
         *place = factor;
         self.length += 1;
         Ok(())

@@ -7,21 +7,21 @@ use super::nearest::unknown;
 use super::table::{Found, PREFIXES, ROWS, bare_symbol, symbol, word};
 
 /// The most units that are written together.
-const MOST: usize = 4;
+const MAX_COUNT: usize = 4;
 
 /// The longest run of letters that may be several units.
-const LONGEST: usize = 12;
+const MAX_LENGTH: usize = 12;
 
 /// Several units in a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Joined {
-    units: [Found; MOST],
+    units: [Found; MAX_COUNT],
     length: usize,
 }
 
 impl Joined {
     const NONE: Self = Self {
-        units: [Found { row: 0, prefix: 0 }; MOST],
+        units: [Found { row: 0, prefix: 0 }; MAX_COUNT],
         length: 0,
     };
 
@@ -117,7 +117,7 @@ pub(super) fn units(name: &str, span: Range<usize>) -> Result<Joined, Error> {
         best: None,
         rival: None,
     };
-    if name.len() <= LONGEST {
+    if name.len() <= MAX_LENGTH {
         search.split(name, Joined::NONE);
     }
     match (search.best, search.rival) {

@@ -17,10 +17,10 @@ use super::joined;
 use super::product::Unit;
 use super::rational::Rational;
 use super::scanner::Scanner;
-use super::strict::{LONGEST, is_letter};
+use super::strict::{MAX_LENGTH, is_letter};
 
 /// The deepest nesting of parentheses.
-const DEEPEST: usize = 8;
+const MAX_DEPTH: usize = 8;
 
 /// Reads the unit after a number, which may be joined to it by a sign of multiplication.
 pub(super) fn after_number(text: &str) -> Result<Unit, Error> {
@@ -71,7 +71,7 @@ pub(super) fn front(text: &str) -> Result<(Unit, usize), Error> {
     let end = text
         .char_indices()
         .map(|(at, char)| at + char.len_utf8())
-        .take_while(|end| *end <= LONGEST)
+        .take_while(|end| *end <= MAX_LENGTH)
         .last();
     let mut reader = Reader {
         scanner: Scanner::new(&text[..end.unwrap_or(0)])?,
@@ -283,7 +283,7 @@ impl<'a> Reader<'a> {
 
     fn nested(&mut self, close: char) -> Result<(), Error> {
         self.depth += 1;
-        if self.depth > DEEPEST {
+        if self.depth > MAX_DEPTH {
             return Err(self.scanner.error(ErrorKind::Parenthesis));
         }
         self.product()?;

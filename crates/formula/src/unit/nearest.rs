@@ -36,7 +36,7 @@ pub(super) fn nearest(name: &str) -> Option<String> {
     }
     // Short names are near to everything: there only the case may differ.
     let bound = name.chars().count() / 4;
-    if bound == 0 || name.len() > LONGEST {
+    if bound == 0 || name.len() > MAX_LENGTH {
         return None;
     }
     let candidates = all().flat_map(|found| {
@@ -70,7 +70,7 @@ const FOREIGN: [(&str, &str); 13] = [
 ];
 
 /// The longest name that is compared.
-const LONGEST: usize = 24;
+const MAX_LENGTH: usize = 24;
 
 /// All units, first without prefixes.
 fn all() -> impl Iterator<Item = Found> {
@@ -106,10 +106,10 @@ fn spelled(found: Found) -> String {
 /// How many letters of `name` have to be put in, left out or changed to give `head` and `tail`, if at most `bound`.
 fn distance(name: &str, head: &str, tail: &str, bound: usize) -> Option<usize> {
     let length = head.len() + tail.len();
-    if length.abs_diff(name.len()) > bound || length > LONGEST {
+    if length.abs_diff(name.len()) > bound || length > MAX_LENGTH {
         return None;
     }
-    let mut row: [usize; LONGEST + 1] = std::array::from_fn(|i| i);
+    let mut row: [usize; MAX_LENGTH + 1] = std::array::from_fn(|i| i);
     for (i, x) in name.bytes().enumerate() {
         let mut diagonal = i;
         row[0] = i + 1;

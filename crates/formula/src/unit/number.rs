@@ -4,7 +4,7 @@ use super::decimal::Decimal;
 use super::error::{Error, ErrorKind};
 use super::notation::DecimalMark;
 use super::scanner::Scanner;
-use super::strict::LONGEST;
+use super::strict::MAX_LENGTH;
 
 /// The digits of a number while it is read.
 #[derive(Clone, Copy, Default)]
@@ -20,7 +20,7 @@ struct Digits {
 impl Digits {
     fn push(&mut self, digit: u8, after_point: bool) {
         let digit = u128::from(digit - b'0');
-        if self.kept < Decimal::MOST_DIGITS {
+        if self.kept < Decimal::MAX_DIGITS {
             self.significand = 10 * self.significand + digit;
             self.kept += u32::from(self.significand > 0);
             self.exponent -= i32::from(after_point);
@@ -28,7 +28,7 @@ impl Digits {
         }
         if self.dropped == 0
             && digit >= 5
-            && self.significand + 1 < 10_u128.pow(Decimal::MOST_DIGITS)
+            && self.significand + 1 < 10_u128.pow(Decimal::MAX_DIGITS)
         {
             self.significand += 1;
         }
@@ -48,7 +48,7 @@ pub(super) fn strict(text: &str) -> Result<(Decimal, usize), Error> {
     };
     let start = usize::from(matches!(bytes.first(), Some(b'-' | b'+')));
     let mut end = run(start);
-    if text.len() > LONGEST || end == start {
+    if text.len() > MAX_LENGTH || end == start {
         return Err(not_a_number(text));
     }
     let mut digits = Digits::default();
@@ -79,7 +79,7 @@ pub(super) fn strict(text: &str) -> Result<(Decimal, usize), Error> {
     if digits.dropped > 0 {
         return Err(Error::new(
             ErrorKind::TooManyDigits {
-                limit: Decimal::MOST_DIGITS,
+                limit: Decimal::MAX_DIGITS,
             },
             0..end,
         ));
@@ -111,8 +111,8 @@ fn not_a_number(text: &str) -> Error {
     if text.is_empty() {
         return Error::new(ErrorKind::NumberMissing, 0..0);
     }
-    if text.len() > LONGEST {
-        return Error::new(ErrorKind::TooLong { limit: LONGEST }, 0..text.len());
+    if text.len() > MAX_LENGTH {
+        return Error::new(ErrorKind::TooLong { limit: MAX_LENGTH }, 0..text.len());
     }
     let end = text.find(char::is_whitespace).unwrap_or(text.len());
     Error::new(

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::dimension::Dimension;
 use super::error::Error;
-use super::factor::{Builder, Factor, MOST_FACTORS};
+use super::factor::{Builder, Factor, MAX_FACTORS};
 use super::rational::Rational;
 use super::scale::Scale;
 use super::table::Turning;
@@ -36,7 +36,7 @@ use super::{lenient, strict};
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(into = "String", try_from = "String")]
 pub struct Unit {
-    factors: [Factor; MOST_FACTORS],
+    factors: [Factor; MAX_FACTORS],
     length: u8,
     angle: Angle,
     dimension: Dimension,
@@ -58,7 +58,7 @@ pub(super) enum Angle {
 impl Unit {
     /// The unit of pure numbers, `1`.
     pub const ONE: Self = Self {
-        factors: [Factor::NONE; MOST_FACTORS],
+        factors: [Factor::NONE; MAX_FACTORS],
         length: 0,
         angle: Angle::Bare,
         dimension: Dimension::PURE,

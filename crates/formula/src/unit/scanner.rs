@@ -2,7 +2,7 @@
 
 use super::error::{Error, ErrorKind};
 use super::rational::Rational;
-use super::strict::LONGEST;
+use super::strict::MAX_LENGTH;
 
 /// A text and a place in it.
 #[derive(Clone, Copy, Debug)]
@@ -14,9 +14,9 @@ pub(super) struct Scanner<'a> {
 impl<'a> Scanner<'a> {
     /// At the beginning of a text that is not too long.
     pub(super) fn new(text: &'a str) -> Result<Self, Error> {
-        if text.len() > LONGEST {
+        if text.len() > MAX_LENGTH {
             return Err(Error::new(
-                ErrorKind::TooLong { limit: LONGEST },
+                ErrorKind::TooLong { limit: MAX_LENGTH },
                 0..text.len(),
             ));
         }

@@ -17,7 +17,7 @@ use super::scanner::Scanner;
 use super::table::symbol;
 
 /// The longest text of a unit or a quantity.
-pub(super) const LONGEST: usize = 200;
+pub(super) const MAX_LENGTH: usize = 200;
 
 /// Reads a unit that makes up the whole text.
 pub(super) fn unit(text: &str) -> Result<Unit, Error> {

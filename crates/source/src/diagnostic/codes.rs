@@ -159,7 +159,7 @@ codes! {
     MODEL_KINETIC "model::kinetic" "A kinetic energy that gives no equation of motion."
         "The kinetic energy is of the second degree in the velocities, and the velocity of every coordinate occurs squared.\nWhat is prescribed may add terms of lower degree.\nAccelerations stand in no energy."
     MODEL_EQUILIBRIUM "model::equilibrium" "A model that rests nowhere, or not where it is said to."
-        "A model is linearized about a position at rest.\nA potential energy without lower bound is most often a slipped sign; a constant force needs something that balances it."
+        "A model is linearized about an equilibrium.\nA potential energy without lower bound is most often a slipped sign; a constant force needs something that balances it."
     MODEL_FORMULA "model::formula" "A formula of a model that cannot be differentiated."
         "Energies are differentiated by coordinates and velocities.\nRounding functions have no derivative, and formulas may not grow beyond all bounds."
     MODEL_QUANTITY "model::quantity" "A path that leads to no quantity of a model."

@@ -29,9 +29,9 @@ const LETTERS: &str = "A B C D E F G H I J K L M N O P Q R S T U V W X Y Z a b c
 /// What those write who cannot use C and D, as in Mathematica.
 const DOUBLED: &str = "AA BB CC DD";
 /// Constants that a response may use: a few more than are needed.
-const MOST_USED: usize = 16;
+const MAX_USED: usize = 16;
 /// Highest number behind such a letter.
-const MOST_NUMBERED: usize = 6;
+const MAX_NUMBERED: usize = 6;
 
 #[derive(Debug)]
 pub(super) struct General(Arc<Setup>);
@@ -101,7 +101,7 @@ pub(super) fn read(
             || own.is_some() && names.any(|names| names.uses(name))
     };
     let numbered = LETTERS.split_whitespace().flat_map(|letter| {
-        (0..=MOST_NUMBERED).map(move |number| match number {
+        (0..=MAX_NUMBERED).map(move |number| match number {
             0 => letter.to_owned(),
             number => format!("{letter}{number}"),
         })
@@ -485,9 +485,9 @@ impl Marker for Prepared {
         let Some(solution) = setup.solution(&typed) else {
             return Marking::unreadable(Why::Undifferentiable);
         };
-        if solution.used.len() > MOST_USED {
+        if solution.used.len() > MAX_USED {
             return Marking::unreadable(Why::TooManyConstants {
-                most: MOST_USED,
+                most: MAX_USED,
                 needed: 2 * setup.coordinates.len(),
             });
         }

@@ -12,16 +12,16 @@ use super::{Sheet, Spoilt};
 
 /// Bytes of all files in a workbook, unpacked: a workbook of 30,000 rows has a tenth of it. What is packed may be a
 /// thousand times as much.
-const MOST_UNPACKED: u64 = 128 << 20;
+const MAX_UNPACKED: u64 = 128 << 20;
 
 /// Columns that are read.
-const MOST_COLUMNS: usize = 1000;
+const MAX_COLUMNS: usize = 1000;
 
 /// Cells that are read, blank ones before the last of a row included.
-const MOST_CELLS: usize = 5_000_000;
+const MAX_CELLS: usize = 5_000_000;
 
 /// Bytes of text that are read: many cells may share one long text.
-const MOST_TEXT: usize = 64 << 20;
+const MAX_TEXT: usize = 64 << 20;
 
 /// The first visible sheet with something in it, or what is wrong.
 pub(super) fn sheet(bytes: &[u8]) -> Result<Sheet, String> {
@@ -57,7 +57,7 @@ fn check_size(bytes: &[u8]) -> Result<(), String> {
     if archive.index_for_name("xl/workbook.xml").is_none() {
         return Err("an archive, and no workbook of Excel (.xlsx)".to_owned());
     }
-    let mut left = MOST_UNPACKED;
+    let mut left = MAX_UNPACKED;
     for place in 0..archive.len() {
         let file = archive.by_index(place).map_err(|error| broken(&error))?;
         let name = file.name().map_err(|error| broken(&error))?.into_owned();
@@ -67,7 +67,7 @@ fn check_size(bytes: &[u8]) -> Result<(), String> {
         left = left.checked_sub(read).ok_or_else(|| {
             format!(
                 "a workbook of more than {} MiB, unpacked",
-                MOST_UNPACKED >> 20
+                MAX_UNPACKED >> 20
             )
         })?;
         if let Some(found) = misleading(&content) {
@@ -90,16 +90,16 @@ fn cells(book: &mut Xlsx<Cursor<&[u8]>>, name: &str) -> Result<Sheet, String> {
         if words.is_empty() {
             continue;
         }
-        if column >= MOST_COLUMNS {
-            return Err(format!("row {row} has a cell beyond column {MOST_COLUMNS}"));
+        if column >= MAX_COLUMNS {
+            return Err(format!("row {row} has a cell beyond column {MAX_COLUMNS}"));
         }
         let cells = rows.entry(row).or_default();
         count += (column + 1).saturating_sub(cells.len());
         text += words.len();
-        if count > MOST_CELLS || text > MOST_TEXT {
+        if count > MAX_CELLS || text > MAX_TEXT {
             return Err(format!(
-                "a table of more than {MOST_CELLS} cells or {} MiB of text",
-                MOST_TEXT >> 20
+                "a table of more than {MAX_CELLS} cells or {} MiB of text",
+                MAX_TEXT >> 20
             ));
         }
         if cells.len() <= column {

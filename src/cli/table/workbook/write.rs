@@ -5,7 +5,7 @@ use rust_xlsxwriter::{DocProperties, ExcelDateTime, Format, Workbook, XlsxError}
 use super::Cell;
 
 /// Letters that a cell of a workbook can hold.
-const LONGEST_CELL: usize = 32_767;
+const MAX_CELL_LENGTH: usize = 32_767;
 
 pub(super) fn book(name: &str, head: &[String], rows: &[Vec<Cell>]) -> Result<Vec<u8>, XlsxError> {
     let mut book = Workbook::new();
@@ -23,7 +23,7 @@ pub(super) fn book(name: &str, head: &[String], rows: &[Vec<Cell>]) -> Result<Ve
                 Cell::Text(text) if text.is_empty() => {}
                 // As text it is never a formula, whatever it begins with.
                 Cell::Text(text) => {
-                    let text: String = text.chars().take(LONGEST_CELL).collect();
+                    let text: String = text.chars().take(MAX_CELL_LENGTH).collect();
                     sheet.write_string(row, column, text)?;
                 }
                 Cell::Number(number) => {

@@ -4,7 +4,7 @@ use super::agm_dd;
 use crate::numerics::{Dd, atan2};
 
 /// The means of a complementary parameter of any binary64 agree after fewer steps than this.
-const MOST_STEPS: usize = 16;
+const MAX_STEPS: usize = 16;
 
 /// Jacobi's functions of one complementary parameter k'^2 in (0, 1], prepared for many arguments.
 ///
@@ -28,7 +28,7 @@ const MOST_STEPS: usize = 16;
 #[derive(Clone, Copy, Debug)]
 pub struct JacobiFunctions {
     /// The arithmetic and geometric means, from (1, k') on, and the reciprocals of the first.
-    means: [(f64, f64, f64); MOST_STEPS],
+    means: [(f64, f64, f64); MAX_STEPS],
     steps: usize,
     /// The limit of the means, agm(1, k').
     limit: Dd,
@@ -52,9 +52,9 @@ impl JacobiFunctions {
         // Means that differ by less than this agree to the last digit after one step more.
         const CLOSE: f64 = 1e-8;
         let modulus = complementary_parameter.sqrt();
-        let mut means = [(1.0, modulus.hi(), 1.0); MOST_STEPS];
+        let mut means = [(1.0, modulus.hi(), 1.0); MAX_STEPS];
         let mut steps = 0;
-        while steps + 1 < MOST_STEPS {
+        while steps + 1 < MAX_STEPS {
             let (a, b, _) = means[steps];
             steps += 1;
             if (a - b).abs() <= CLOSE * a {

@@ -156,7 +156,7 @@ impl Long {
         }
     }
 
-    /// The quotient by a small whole number.
+    /// The quotient by a small integer.
     #[must_use]
     fn over(self, divisor: u64) -> Self {
         let mut words = [0; WORDS + 1];

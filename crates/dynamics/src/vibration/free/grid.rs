@@ -10,11 +10,11 @@
 use super::critical::Critical;
 use super::oscillating::Oscillating;
 use super::overdamped::Overdamped;
-use super::{FreeResponse, LONGEST, LOWEST_EXPONENT, Motion};
+use super::{FreeResponse, LOWEST_EXPONENT, MAX_SCALED_TIME, Motion};
 use crate::numerics::{Dd, expm1};
 
 /// Longest block; shorter grids take blocks of about the square root of their length.
-const LONGEST_BLOCK: usize = 64;
+const MAX_BLOCK_LENGTH: usize = 64;
 
 /// The tabulated factors α, β, γ for one time within a block.
 #[derive(Clone, Copy, Default)]
@@ -99,7 +99,7 @@ struct Grid<'a> {
     step: f64,
     /// Samples in a block.
     block: usize,
-    rows: [Row; LONGEST_BLOCK],
+    rows: [Row; MAX_BLOCK_LENGTH],
     is_within_range: bool,
 }
 
@@ -111,9 +111,9 @@ impl<'a> Grid<'a> {
             response.units.time.apply(step),
         );
         let block = block_length(samples);
-        let mut rows = [Row::default(); LONGEST_BLOCK];
+        let mut rows = [Row::default(); MAX_BLOCK_LENGTH];
         let is_within_range = motion.exponent(step * block as f64).abs() < -LOWEST_EXPONENT
-            && start.abs() + step.abs() * (samples as f64) < LONGEST;
+            && start.abs() + step.abs() * (samples as f64) < MAX_SCALED_TIME;
         if is_within_range {
             for (j, row) in rows.iter_mut().enumerate().take(block.min(samples)) {
                 *row = motion.row(Dd::product(step, j as f64));
@@ -139,10 +139,10 @@ impl<'a> Grid<'a> {
     }
 }
 
-/// The power of two next to the square root of the number of samples, at most [`LONGEST_BLOCK`].
+/// The power of two next to the square root of the number of samples, at most [`MAX_BLOCK_LENGTH`].
 fn block_length(samples: usize) -> usize {
     let mut length = 4;
-    while length < LONGEST_BLOCK && length * length < samples {
+    while length < MAX_BLOCK_LENGTH && length * length < samples {
         length *= 2;
     }
     length

@@ -66,7 +66,7 @@ const LOWEST_EXPONENT: f64 = -600.0;
 /// How far exponents are lifted: by 1024 factors of two.
 const LIFT: i32 = 1024;
 /// Scaled times are kept below this, that phases stay finite.
-const LONGEST: f64 = 1e300;
+const MAX_SCALED_TIME: f64 = 1e300;
 
 impl FreeResponse {
     /// The motion of an oscillator from an initial state in m and m/s.
@@ -175,7 +175,9 @@ impl Units {
     }
 
     fn scaled_time(&self, time: f64) -> f64 {
-        self.time.apply(time).clamp(-LONGEST, LONGEST)
+        self.time
+            .apply(time)
+            .clamp(-MAX_SCALED_TIME, MAX_SCALED_TIME)
     }
 
     fn state(&self, scaled: State) -> State {

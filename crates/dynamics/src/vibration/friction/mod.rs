@@ -119,7 +119,7 @@ pub enum FrictionError {
     /// A mass that sticks less than it slides would rest and move at once.
     #[error("static friction is smaller than kinetic friction")]
     StaticBelowKinetic,
-    /// More half-cycles than whole numbers that binary64 tells apart.
+    /// More half-cycles than integers that binary64 distinguishes.
     #[error("the motion has more than 9e15 half-cycles")]
     TooManySlides,
     /// A length or a time leaves the range of numbers.

@@ -80,14 +80,14 @@ pub(super) enum Ending {
     Creeping,
 }
 
-/// The largest whole number below which binary64 has them all.
-const MOST_SLIDES: f64 = 9_007_199_254_740_991.0;
+/// The largest integer below which binary64 has them all.
+const MAX_SLIDES: f64 = 9_007_199_254_740_991.0;
 
 /// Up to here a count in `f64` is off by less than one half.
 const SURELY_NEAREST: f64 = 1e14;
 
 /// By how much a larger count may be off.
-const MOST_MISSING: f64 = 16.0;
+const MAX_MISSING: f64 = 16.0;
 
 impl FrictionMotion {
     #[inline]
@@ -191,14 +191,14 @@ impl FrictionMotion {
         }
         // Rounded numbers suffice to come within one of the number; the exact distance there tells which it is.
         let mut nearest = decay.steps_until(self.reach, hold).round().max(0.0);
-        if nearest >= MOST_SLIDES {
+        if nearest >= MAX_SLIDES {
             return Err(FrictionError::TooManySlides);
         }
         let mut last = decay.after(self.reach, nearest);
         if nearest > SURELY_NEAREST {
             let missing = ((last - hold) / (last - decay.next(last))).hi().round();
             // More is missing only where all digits of the distance have decayed, and then none can be gained.
-            if missing.abs() <= MOST_MISSING {
+            if missing.abs() <= MAX_MISSING {
                 nearest += missing;
                 last = decay.after(self.reach, nearest);
             }

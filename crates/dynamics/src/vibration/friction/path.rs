@@ -154,12 +154,12 @@ impl FrictionPath {
 
 /// A time in units of the scale, kept so short that the phases stay finite.
 fn scaled_time(time: Dd, rate_exponent: i32) -> Dd {
-    const LONGEST: f64 = 1e300;
+    const MAX_SCALED: f64 = 1e300;
     let scaled = time.scale(rate_exponent);
-    if scaled.hi().abs() < LONGEST {
+    if scaled.hi().abs() < MAX_SCALED {
         scaled
     } else {
-        Dd::from(LONGEST.copysign(time.hi()))
+        Dd::from(MAX_SCALED.copysign(time.hi()))
     }
 }
 

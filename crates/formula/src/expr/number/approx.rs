@@ -43,7 +43,7 @@ const SLACK: f64 = 1.0 + 1e-9;
 /// Products below this may have lost digits to underflow.
 const UNDERFLOW: f64 = 1e-280;
 /// Whole powers up to this are repeated products.
-const LONGEST_PRODUCT: u32 = 4;
+const MAX_PRODUCT_LENGTH: u32 = 4;
 /// The natural logarithm of 10, rounded down.
 const LN_10: f64 = 2.302_585_092_994_045;
 
@@ -395,7 +395,7 @@ impl<T: Real> Scalar for Approx<T> {
 
     fn power_whole(&self, exponent: i32) -> Result<Self, Undefined> {
         let times = exponent.unsigned_abs();
-        if times <= LONGEST_PRODUCT {
+        if times <= MAX_PRODUCT_LENGTH {
             let power = (1..times).fold(*self, |power, _| power.multiply(self));
             return match exponent {
                 0 => Ok(Self::exact(1.0)),

@@ -7,7 +7,7 @@ use crate::expr::{Function, Precise};
 use vibank_source::Span;
 
 /// Most steps of a program.
-const MOST_STEPS: usize = 200_000;
+const MAX_STEPS: usize = 200_000;
 
 /// The steps so far, and what they have computed.
 ///
@@ -95,7 +95,7 @@ impl Assembler {
 
     /// Adds a step; its index.
     pub(super) fn push(&mut self, step: Step, out: Register) -> Result<Target, CompileError> {
-        if self.code.len() >= MOST_STEPS {
+        if self.code.len() >= MAX_STEPS {
             return Err(CompileError::TooLarge);
         }
         self.code.push(Instruction { step, out });

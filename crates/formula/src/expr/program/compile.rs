@@ -15,10 +15,10 @@ use vibank_dynamics::numerics::{Dd, Rational};
 use vibank_source::Span;
 
 /// Most formulas inside one another, names put in included.
-const MOST_DEPTH: u32 = 400;
+const MAX_DEPTH: u32 = 400;
 
 /// Most steps for which there is room from the start.
-const MOST_ROOM: u32 = 64;
+const MAX_ROOM: u32 = 64;
 
 type Result<T> = std::result::Result<T, CompileError>;
 
@@ -54,7 +54,7 @@ struct Local {
 pub(super) fn compile(expr: &Expr, binder: &dyn Binder) -> Result<Program> {
     let mut compiler = Compiler {
         binder,
-        assembler: Assembler::with_room(expr.size().min(MOST_ROOM) as usize),
+        assembler: Assembler::with_room(expr.size().min(MAX_ROOM) as usize),
         locals: Vec::new(),
         local_names: Vec::new(),
         known: Table::default(),
@@ -100,7 +100,7 @@ impl Compiler<'_> {
             return Ok(known.clone());
         }
         self.depth += 1;
-        if self.depth > MOST_DEPTH {
+        if self.depth > MAX_DEPTH {
             return Err(CompileError::TooDeep);
         }
         let around = self.assembler.place(expr.span());

@@ -11,9 +11,9 @@ use crate::expr::{
 type Result<T> = std::result::Result<T, CompileError>;
 
 /// Most nodes of a formula with its names put in.
-const MOST_NODES: u32 = 50_000;
+const MAX_NODES: u32 = 50_000;
 /// Most formulas inside one another while names are put in.
-const MOST_DEPTH: u32 = 300;
+const MAX_DEPTH: u32 = 300;
 
 impl Compiler<'_> {
     /// The formula of `diff(inner, name, …)`.
@@ -92,12 +92,12 @@ struct Expansion<'a, 'b> {
 impl Expansion<'_, '_> {
     fn of(&mut self, expr: &Expr) -> Result<Expr> {
         self.compiler.expanding += 1;
-        if self.compiler.expanding > MOST_DEPTH {
+        if self.compiler.expanding > MAX_DEPTH {
             return Err(CompileError::TooDeep);
         }
         let result = self.node(expr)?;
         self.compiler.expanding -= 1;
-        if result.size() > MOST_NODES {
+        if result.size() > MAX_NODES {
             return Err(CompileError::Symbolic(SymbolicError::TooLarge));
         }
         Ok(result)

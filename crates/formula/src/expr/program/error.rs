@@ -42,10 +42,10 @@ pub enum CompileError {
     #[error(transparent)]
     Symbolic(#[from] SymbolicError),
     /// More steps than a program may have.
-    #[error("the formula grows too large when its names are put in")]
+    #[error("the formula grows too large when its names are substituted")]
     TooLarge,
     /// Names that are put in deeper than the bounds allow, or in a circle.
-    #[error("the formula grows too deep when its names are put in")]
+    #[error("the formula grows too deep when its names are substituted")]
     TooDeep,
 }
 

@@ -12,7 +12,7 @@ use vibank_dynamics::numerics::{Dd, Long};
 use vibank_source::Span;
 
 /// Most work of one run: what two integrals take that stand in each other, some tenths of a second.
-const MOST_WORK: u64 = 20_000_000;
+const MAX_WORK: u64 = 20_000_000;
 
 /// A result whose error may exceed this part of it is computed again with more digits.
 const WIDEST: f64 = 1e-13;
@@ -165,7 +165,7 @@ impl Program {
     ) -> Result<Outcome<'a, S>, Absence> {
         let mut machine = Machine::new(self, &inputs, room.of(self));
         let length = self.code.len() as u32;
-        let run = work::within(MOST_WORK, || {
+        let run = work::within(MAX_WORK, || {
             let run = machine.run(0, length);
             // The branches that are not taken cost nothing. What runs out in a search was found there.
             let steps = *run.as_ref().unwrap_or(&u64::from(length));

@@ -8,7 +8,7 @@ use vibank_dynamics::numerics::Dd;
 /// The finest rule has steps of two to minus this.
 const FINEST: u32 = 7;
 /// Most pieces into which an interval is cut.
-const MOST_PIECES: usize = 400;
+const MAX_PIECES: usize = 400;
 /// Beyond this place of the rule its nodes are the ends.
 const LAST_PLACE: f64 = 6.5;
 
@@ -35,7 +35,7 @@ pub(super) fn integral<S: Scalar>(curve: &mut impl Curve<S>) -> Result<S, Stop> 
             total = total.add(&rule.value.widened(rule.error));
             continue;
         }
-        if pieces > MOST_PIECES {
+        if pieces > MAX_PIECES {
             return Err(Stop::Here(Undefined::NoConvergence));
         }
         let middle = low.add(&high).multiply(&S::exact(0.5)).centre();

@@ -13,7 +13,7 @@ pub(super) trait Curve<S> {
 }
 
 /// Most steps of a search for a root: bisection alone settles the digits of double-double within these.
-const MOST_STEPS: usize = 250;
+const MAX_STEPS: usize = 250;
 
 /// Two places, and the values there.
 struct Bracket<S> {
@@ -42,7 +42,7 @@ pub(super) fn root<S: Scalar>(curve: &mut impl Curve<S>) -> Result<S, Stop> {
     let mut bracket = Bracket { x, f };
     let start = bracket.width();
     let mut third: Option<(S, S)> = None;
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let part = third
             .as_ref()
             .map_or(0.5, |third| bracket.interpolated(third));

@@ -1,7 +1,7 @@
 //! Functions and operators with their arguments.
 
 use super::ReadError;
-use super::parser::{MOST_PRIMES, Reader, WORDS};
+use super::parser::{MAX_PRIMES, Reader, WORDS};
 use super::slip::unknown_function;
 use super::token::{Token, TokenKind};
 use crate::expr::{Expr, Function, Kind, Name};
@@ -135,7 +135,7 @@ fn at(arguments: Vec<Argument>, span: Span) -> Result<Kind, ReadError> {
 
 /// `diff(f, x, …)`.
 fn diff(arguments: Vec<Argument>, span: Span) -> Result<Kind, ReadError> {
-    count("diff", &arguments, 2, 1 + usize::from(MOST_PRIMES), span)?;
+    count("diff", &arguments, 2, 1 + usize::from(MAX_PRIMES), span)?;
     let values = unnamed(arguments)?;
     let names = values[1..].iter().map(|value| name_of("diff", value));
     Ok(Kind::Diff(

@@ -11,15 +11,15 @@ use vibank_dynamics::numerics::Rational;
 use vibank_source::Span;
 
 /// Most bytes of a text.
-const MOST_BYTES: usize = 100_000;
+const MAX_BYTES: usize = 100_000;
 /// Most nodes of a formula.
-const MOST_NODES: u32 = 10_000;
+const MAX_NODES: u32 = 10_000;
 /// Largest depth of a formula, and most brackets inside one another.
-const MOST_DEPTH: u32 = 200;
+const MAX_DEPTH: u32 = 200;
 /// Most calls of [`Reader::expression`] inside one another; a level of the tree takes at most two.
-const MOST_CALLS: u32 = 2 * MOST_DEPTH;
+const MAX_CALLS: u32 = 2 * MAX_DEPTH;
 /// Highest order of a time derivative.
-pub(super) const MOST_PRIMES: u8 = 8;
+pub(super) const MAX_PRIMES: u8 = 8;
 
 /// Words that are neither names nor functions.
 pub(super) const WORDS: &[&str] = &[
@@ -59,10 +59,10 @@ pub(super) struct Reader<'a> {
 
 impl<'a> Reader<'a> {
     pub(super) fn new(text: &'a str) -> Result<Self, ReadError> {
-        if text.len() > MOST_BYTES {
+        if text.len() > MAX_BYTES {
             return Err(ReadError::TooLong {
                 bytes: text.len(),
-                most: MOST_BYTES,
+                most: MAX_BYTES,
             });
         }
         Ok(Self {
@@ -190,9 +190,9 @@ impl<'a> Reader<'a> {
         while self.next_is("'") {
             self.advance();
             order += 1;
-            if order > MOST_PRIMES {
+            if order > MAX_PRIMES {
                 return Err(ReadError::TooManyPrimes {
-                    most: MOST_PRIMES,
+                    most: MAX_PRIMES,
                     span: self.since(start),
                 });
             }
@@ -326,16 +326,16 @@ impl<'a> Reader<'a> {
     fn node(&mut self, kind: Kind, start: Span) -> Result<Expr, ReadError> {
         let span = self.since(start);
         self.nodes += 1;
-        if self.nodes > MOST_NODES {
+        if self.nodes > MAX_NODES {
             return Err(ReadError::TooLarge {
-                most: MOST_NODES,
+                most: MAX_NODES,
                 span,
             });
         }
         let expr = Expr::new(kind, span);
-        if expr.depth() > MOST_DEPTH {
+        if expr.depth() > MAX_DEPTH {
             return Err(ReadError::TooDeep {
-                most: MOST_DEPTH,
+                most: MAX_DEPTH,
                 span,
             });
         }
@@ -345,9 +345,9 @@ impl<'a> Reader<'a> {
     /// Notes one more level of calls; the caller takes it back.
     fn enter(&mut self) -> Result<(), ReadError> {
         self.calls += 1;
-        if self.calls > MOST_CALLS {
+        if self.calls > MAX_CALLS {
             return Err(ReadError::TooDeep {
-                most: MOST_DEPTH,
+                most: MAX_DEPTH,
                 span: self.peek().span,
             });
         }

@@ -26,7 +26,7 @@ pub enum SymbolicError {
         span: Span,
     },
     /// A bound name of an operator would catch a name of what is put in.
-    #[error("the bound name `{name}` also stands in what is put in")]
+    #[error("the bound name `{name}` also stands in what is substituted")]
     Captured {
         /// The bound name.
         name: Name,

@@ -294,11 +294,11 @@ fn of_symbol(symbol: Symbol) -> Piece {
     Piece::new(symbol.math, hold)
 }
 
-/// A whole number or a decimal that ends soon as it is; any other as a fraction.
+/// An integer or a decimal that ends soon as it is; any other as a fraction.
 fn number(value: vibank_dynamics::numerics::Rational) -> Piece {
-    const MOST_DIGITS: usize = 12;
+    const MAX_DIGITS: usize = 12;
     let magnitude = match text::decimal(value.abs()) {
-        Some(digits) if value.is_integer() || digits.len() <= MOST_DIGITS => {
+        Some(digits) if value.is_integer() || digits.len() <= MAX_DIGITS => {
             Piece::atom(Math::number(digits))
         }
         _ => {

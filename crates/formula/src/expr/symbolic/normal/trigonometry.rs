@@ -13,7 +13,7 @@ use vibank_dynamics::numerics::Rational;
 const LARGEST_MULTIPLE: i128 = 8;
 
 /// Sums are searched for terms that combine up to this number of terms.
-const MOST_TERMS_COMBINED: usize = 200;
+const MAX_TERMS_COMBINED: usize = 200;
 
 /// A function of one argument in normal form, with signs and constants taken out.
 pub(super) fn call(
@@ -294,7 +294,7 @@ impl Polynomial {
 
     /// cos a cos b ± sin a sin b and sin a cos b ± cos a sin b as one term, if there are such two.
     fn with_two_terms_joined(&self, work: &mut Work) -> Result<Option<Self>, SymbolicError> {
-        if self.0.len() > MOST_TERMS_COMBINED {
+        if self.0.len() > MAX_TERMS_COMBINED {
             return Ok(None);
         }
         for (monomial, coefficient) in &self.0 {

@@ -420,7 +420,7 @@ fn multiplied(factors: impl IntoIterator<Item = Expr>) -> Expr {
         .unwrap_or_else(|| Expr::number(1))
 }
 
-/// A fraction as it is written: `5/6` is a quotient of whole numbers.
+/// A fraction as it is written: `5/6` is a quotient of integers.
 fn fraction(value: Rational) -> Expr {
     let whole = |value: i128| {
         let number = Rational::new(value, 1).unwrap_or(Rational::ZERO);

@@ -9,7 +9,7 @@ use crate::vibration::{FrictionError, OscillatorError, PendulumError};
 /// Why a quantity of a model does not exist, or not for these data.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
-pub enum Lack {
+pub enum Unavailable {
     /// The quantity belongs to a single degree of freedom.
     #[error("the quantity belongs to a model of one coordinate")]
     SeveralCoordinates,
@@ -25,11 +25,11 @@ pub enum Lack {
     /// The quantity is no function of time.
     #[error("the quantity is not a function of time")]
     NoMotion,
-    /// No position at rest was found.
-    #[error("no position at rest was found")]
+    /// No equilibrium was found.
+    #[error("no equilibrium was found")]
     NoEquilibrium,
     /// The stated position is none at rest for these data.
-    #[error("the stated position is not at rest: a force along `{coordinate}` is left")]
+    #[error("the stated position is no equilibrium: a force along `{coordinate}` is left")]
     NotAtRest {
         /// The coordinate along which a force is left.
         coordinate: Name,
@@ -48,8 +48,8 @@ pub enum Lack {
         /// Its left side minus that of the model.
         difference: String,
     },
-    /// The position at rest is not stable, so that nothing vibrates about it.
-    #[error("the position at rest is not stable")]
+    /// The equilibrium is not stable, so that nothing vibrates about it.
+    #[error("the equilibrium is not stable")]
     Unstable,
     /// The motion does not oscillate.
     #[error("the free motion does not oscillate")]
