@@ -7,10 +7,11 @@
 //! ]
 //! ```
 
+use super::family::inside;
 use super::{Element, Key, Layer, Role, number, vector};
 use crate::figure::outline::Outline;
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Fill, Label, Path, Point, Spot, Weight, spots};
+use crate::figure::{Drawing, Fill, Path, Point, Spot, Weight};
 
 pub(super) struct Block;
 
@@ -51,12 +52,7 @@ impl Element for Block {
     }
 
     fn spots(&self, part: &Part<'_>) -> Vec<Spot> {
-        let label = part
-            .label
-            .as_ref()
-            .map_or_else(Label::default, Clone::clone);
-        self.outline(part).map_or(Vec::new(), |outline| {
-            spots::inside(&outline, &label, part.at)
-        })
+        self.outline(part)
+            .map_or(Vec::new(), |outline| inside(&outline, part))
     }
 }

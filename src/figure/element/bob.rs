@@ -5,54 +5,27 @@
 //! elements = [{ rod = ["O", "A"], label = "l" }, { pin = "O" }, { bob = "A", label = "m" }]
 //! ```
 
-use super::{Element, Key, Layer, Role, number};
-use crate::figure::outline::Outline;
+use super::Layer;
+use super::family::Round;
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Fill, Label, Path, Spot, Weight, spots};
+use crate::figure::{Drawing, Fill, Path, Point, Weight};
 
-pub(super) struct Bob;
+pub(crate) static BOB: Round = Round {
+    name: "bob",
+    body: "ball",
+    layer: Layer::Joint,
+    radius: 0.2,
+    has_axle: false,
+    draw: ball,
+    ..Round::USUAL
+};
 
-impl Element for Bob {
-    fn name(&self) -> &'static str {
-        "bob"
-    }
-
-    fn keys(&self) -> &'static [Key] {
-        const { &[number("radius")] }
-    }
-
-    fn layer(&self) -> Layer {
-        Layer::Joint
-    }
-
-    fn role(&self) -> Role {
-        Role::Body("ball")
-    }
-
-    fn outline(&self, part: &Part<'_>) -> Option<Outline> {
-        Some(Outline::round(
-            part.point(),
-            part.length("radius", 0.2),
-            false,
-        ))
-    }
-
-    fn draw(&self, part: &Part<'_>, drawing: &mut Drawing) {
-        let circle = Path::circle(part.point(), part.length("radius", 0.2));
-        drawing.shape(
-            circle,
-            Some(part.pen(Weight::Medium)),
-            part.fill(Fill::Shade),
-        );
-    }
-
-    fn spots(&self, part: &Part<'_>) -> Vec<Spot> {
-        let label = part
-            .label
-            .as_ref()
-            .map_or_else(Label::default, Clone::clone);
-        self.outline(part).map_or(Vec::new(), |outline| {
-            spots::inside(&outline, &label, part.at)
-        })
-    }
+/// A ball, as of a point mass.
+pub(crate) fn ball(part: &Part<'_>, centre: Point, radius: f64, drawing: &mut Drawing) {
+    let pen = part.pen(Weight::Medium);
+    drawing.shape(
+        Path::circle(centre, radius),
+        Some(pen),
+        part.fill(Fill::Shade),
+    );
 }

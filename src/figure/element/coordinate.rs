@@ -11,7 +11,7 @@
 //! ]
 //! ```
 
-use super::{Element, Holds, Key, Layer, Role, Takes, vector};
+use super::{Element, FROM, Key, Layer, Role, Takes, vector};
 use crate::figure::arrow::{Head, arrow};
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Path, Point, Spot, Weight, spots};
@@ -59,15 +59,7 @@ impl Element for Coordinate {
     }
 
     fn keys(&self) -> &'static [Key] {
-        const {
-            &[
-                vector("direction"),
-                Key {
-                    name: "from",
-                    holds: Holds::Point,
-                },
-            ]
-        }
+        const { &[vector("direction"), FROM] }
     }
 
     fn layer(&self) -> Layer {

@@ -11,57 +11,20 @@
 //! ]
 //! ```
 
-use super::{Element, Key, Layer, Role, number};
-use crate::figure::outline::Outline;
+use super::family::Round;
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Fill, Label, Path, Spot, Weight, spots};
+use crate::figure::{Bounds, Drawing, Fill, Path, Point, Weight};
 
-pub(super) struct Disk;
+pub(crate) static DISK: Round = Round {
+    name: "disk",
+    body: "disk",
+    draw,
+    ..Round::USUAL
+};
 
-impl Element for Disk {
-    fn name(&self) -> &'static str {
-        "disk"
-    }
-
-    fn keys(&self) -> &'static [Key] {
-        const { &[number("radius")] }
-    }
-
-    fn layer(&self) -> Layer {
-        Layer::Body
-    }
-
-    fn role(&self) -> Role {
-        Role::Body("disk")
-    }
-
-    fn outline(&self, part: &Part<'_>) -> Option<Outline> {
-        Some(Outline::round(
-            part.point(),
-            part.length("radius", 1.0),
-            true,
-        ))
-    }
-
-    fn draw(&self, part: &Part<'_>, drawing: &mut Drawing) {
-        let radius = part.length("radius", 1.0);
-        let circle = Path::circle(part.point(), radius);
-        drawing.shape(circle, Some(part.pen(Weight::Bold)), part.fill(Fill::Tint));
-        drawing.shape(Path::circle(part.point(), 0.05), None, Fill::Ink);
-        drawing.inside(crate::figure::Bounds::around(
-            part.point(),
-            1.4 * radius,
-            1.4 * radius,
-        ));
-    }
-
-    fn spots(&self, part: &Part<'_>) -> Vec<Spot> {
-        let label = part
-            .label
-            .as_ref()
-            .map_or_else(Label::default, Clone::clone);
-        self.outline(part).map_or(Vec::new(), |outline| {
-            spots::inside(&outline, &label, part.at)
-        })
-    }
+fn draw(part: &Part<'_>, centre: Point, radius: f64, drawing: &mut Drawing) {
+    let circle = Path::circle(centre, radius);
+    drawing.shape(circle, Some(part.pen(Weight::Bold)), part.fill(Fill::Tint));
+    drawing.shape(Path::circle(centre, 0.05), None, Fill::Ink);
+    drawing.inside(Bounds::around(centre, 1.4 * radius, 1.4 * radius));
 }

@@ -10,12 +10,22 @@
 //! ]
 //! ```
 
-use super::{Element, Holds, Key, Layer, Role, Takes, vector};
-use crate::figure::arrow::{Head, arrow};
+use super::family::Straight;
+use super::{FROM, Role, Takes, vector};
+use crate::figure::arrow::Head;
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Point, Spot, Weight, spots};
+use crate::figure::{Point, Weight};
 
-pub(super) struct Force;
+pub(crate) static FORCE: Straight = Straight {
+    name: "force",
+    takes: Takes::PointOrLabel,
+    keys: &[vector("direction"), FROM],
+    role: Role::Thing("force"),
+    weight: Weight::Bold,
+    head: Head::BOLD,
+    ends,
+    ..Straight::USUAL
+};
 
 /// Length of an arrow of direction 1.
 const LENGTH: f64 = 1.1;
@@ -25,44 +35,4 @@ fn ends(part: &Part<'_>) -> (Point, Point) {
     let out = part.ends[0].out.unwrap_or(Point::new(1.0, 0.0));
     let direction = part.vector("direction").unwrap_or(out);
     (from, from + direction * LENGTH)
-}
-
-impl Element for Force {
-    fn name(&self) -> &'static str {
-        "force"
-    }
-
-    fn takes(&self) -> Takes {
-        Takes::PointOrLabel
-    }
-
-    fn keys(&self) -> &'static [Key] {
-        const {
-            &[
-                vector("direction"),
-                Key {
-                    name: "from",
-                    holds: Holds::Point,
-                },
-            ]
-        }
-    }
-
-    fn layer(&self) -> Layer {
-        Layer::Mark
-    }
-
-    fn role(&self) -> Role {
-        Role::Thing("force")
-    }
-
-    fn draw(&self, part: &Part<'_>, drawing: &mut Drawing) {
-        let (from, to) = ends(part);
-        arrow(drawing, from, to, part.pen(Weight::Bold), Head::BOLD);
-    }
-
-    fn spots(&self, part: &Part<'_>) -> Vec<Spot> {
-        let (from, to) = ends(part);
-        spots::at_tip(from, to, part.at)
-    }
 }

@@ -20,6 +20,7 @@ mod cord;
 mod damper;
 mod dimension;
 mod disk;
+mod family;
 mod force;
 mod gravity;
 mod ground;
@@ -208,6 +209,12 @@ const fn flag(name: &'static str) -> Key {
     }
 }
 
+/// The point of an element whose first key may hold its label.
+const FROM: Key = Key {
+    name: "from",
+    holds: Holds::Point,
+};
+
 const fn vector(name: &'static str) -> Key {
     Key {
         name,
@@ -223,12 +230,12 @@ pub static KINDS: &[&dyn Element] = &[
     &tube::Tube,
     &block::Block,
     &cart::Cart,
-    &bead::Bead,
-    &bob::Bob,
-    &disk::Disk,
-    &ring::Ring,
-    &pulley::Pulley,
-    &rotor::Rotor,
+    &bead::BEAD,
+    &bob::BOB,
+    &disk::DISK,
+    &ring::RING,
+    &pulley::PULLEY,
+    &rotor::ROTOR,
     &spring::Spring,
     &torsion::Torsion,
     &damper::Damper,
@@ -240,20 +247,20 @@ pub static KINDS: &[&dyn Element] = &[
     &pin::Pin,
     &roller::Roller,
     &mass_centre::MassCentre,
-    &force::Force,
+    &force::FORCE,
     &moment::Moment,
-    &arrow::Arrow,
+    &arrow::ARROW,
     &coordinate::Coordinate,
-    &gravity::Gravity,
+    &gravity::GRAVITY,
     &axes::Axes,
     &dimension::Dimension,
     &angle::Angle,
-    &radius::Radius,
+    &radius::RADIUS,
     &turn::Turn,
-    &resistor::Resistor,
-    &coil::Coil,
-    &capacitor::Capacitor,
-    &source::Source,
+    &resistor::RESISTOR,
+    &coil::COIL,
+    &capacitor::CAPACITOR,
+    &source::SOURCE,
     &line::Line,
     &text::Text,
 ];

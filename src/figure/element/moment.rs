@@ -4,7 +4,7 @@
 //! elements = [{ disk = [1.2, 1.2], radius = 1.1 }, { moment = [1.2, 1.2], sense = "cw", label = "'M(t)'" }]
 //! ```
 
-use super::{Element, Holds, Key, Layer, Role, Takes, number};
+use super::{Element, FROM, Holds, Key, Layer, Role, Takes, number};
 use crate::figure::arrow::bent;
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Point, Spot, Weight, spots};
@@ -40,10 +40,7 @@ impl Element for Moment {
                     holds: Holds::Word(&["ccw", "cw"]),
                 },
                 number("radius"),
-                Key {
-                    name: "from",
-                    holds: Holds::Point,
-                },
+                FROM,
             ]
         }
     }
