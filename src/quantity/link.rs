@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use super::error::GraphError;
 use super::graph::{Entry, Graph, NodeId, Role};
 use crate::expr::{Binder, Binding, Form, Name, Path, Scope, Type, Variable};
-use crate::mechanics::Nature;
+use crate::mechanics::QuantityType;
 
 /// Sorts nodes so that each comes after those that it needs.
 pub(super) struct Order<'g> {
@@ -183,13 +183,13 @@ impl Binder for Linker<'_> {
         let Role::Offered(offered) = &node.role else {
             return None;
         };
-        match &offered.nature {
-            Nature::Formula(_) => offered
+        match &offered.quantity_type {
+            QuantityType::Formula(_) => offered
                 .model
                 .formula(offered.quantity)
                 .ok()
                 .map(Binding::Formula),
-            Nature::Motion(_) => Some(self.motion(id)),
+            QuantityType::Motion(_) => Some(self.motion(id)),
             _ => Some(self.input(id, node.kind.as_ref()?.form())),
         }
     }

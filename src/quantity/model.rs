@@ -7,7 +7,7 @@ use super::error::GraphError;
 use super::graph::{Graph, Node, NodeId, Role};
 use crate::expr::{CheckError, Expr, Kind, Name, Names, Path, Substitution, Type};
 use crate::mechanics::{
-    Definition, Model, Nature, Quantity, QuantityError, Step, Unavailable, Way,
+    Definition, Model, Quantity, QuantityError, QuantityType, Step, Unavailable, Way,
 };
 use crate::source::nearest;
 
@@ -25,7 +25,7 @@ pub(super) struct Offered {
     pub(super) system: NodeId,
     pub(super) model: Arc<Model>,
     pub(super) quantity: Quantity,
-    pub(super) nature: Nature,
+    pub(super) quantity_type: QuantityType,
 }
 
 impl System {
@@ -213,7 +213,7 @@ impl Graph {
     /// Whether a node is a number of a model, no formula or function of time.
     pub(super) fn is_offered_number(&self, id: NodeId) -> bool {
         let role = &self.node(id).role;
-        matches!(role, Role::Offered(offered) if matches!(offered.nature, Nature::Number(_)))
+        matches!(role, Role::Offered(offered) if matches!(offered.quantity_type, QuantityType::Number(_)))
     }
 
     /// Derives a system whose names are settled.
@@ -322,7 +322,7 @@ impl Graph {
         let id = self.offer(path).ok()?;
         match &self.node(id).role {
             Role::Offered(Offered {
-                nature: Nature::List(_),
+                quantity_type: QuantityType::List(_),
                 ..
             }) => Some(id),
             _ => None,
@@ -367,10 +367,10 @@ impl Graph {
             })
         };
         let quantity = model.quantity(rest(path)).map_err(fail)?;
-        let nature = model.nature(quantity);
-        let kind = match &nature {
-            Nature::Formula(kind) | Nature::Number(kind) => Some(kind.clone()),
-            Nature::Motion(dimension) => Some(Type::real(*dimension)),
+        let quantity_type = model.quantity_type(quantity);
+        let kind = match &quantity_type {
+            QuantityType::Formula(kind) | QuantityType::Number(kind) => Some(kind.clone()),
+            QuantityType::Motion(dimension) => Some(Type::real(*dimension)),
             _ => None,
         };
         let node = Node::new(
@@ -379,7 +379,7 @@ impl Graph {
                 system,
                 model,
                 quantity,
-                nature,
+                quantity_type,
             }),
             kind,
         );

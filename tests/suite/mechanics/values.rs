@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use vibank::expr::{Expr, Name, Precise, Program, Slots, Value, Workspace};
 use vibank::mechanics::{
-    Coordinate, Definition, Friction, Initial, Model, Nature, Numbers, Unavailable,
+    Coordinate, Definition, Friction, Initial, Model, Numbers, QuantityType, Unavailable,
 };
 use vibank::numerics::Rational;
 
@@ -102,7 +102,7 @@ impl Case {
         for (path, formula) in self.expected {
             let names: Vec<_> = path.split('.').map(Name::from).collect();
             let quantity = numbers.model().quantity(&names).unwrap();
-            if let Nature::Motion(_) = numbers.model().nature(quantity) {
+            if let QuantityType::Motion(_) = numbers.model().quantity_type(quantity) {
                 let motion = numbers.motion_of(quantity).unwrap();
                 let times = (0..40).map(|step| 0.173 * f64::from(step));
                 let pairs: Vec<_> = times

@@ -9,7 +9,7 @@ use crate::unit::Dimension;
 /// What a quantity is.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum Nature {
+pub enum QuantityType {
     /// A formula in coordinates and velocities, of this type.
     Formula(Type),
     /// An equation.
@@ -28,30 +28,30 @@ pub enum Nature {
 
 impl Model {
     /// What a quantity of this model is: its type, and whether it is a function of time.
-    pub fn nature(&self, quantity: Quantity) -> Nature {
+    pub fn quantity_type(&self, quantity: Quantity) -> QuantityType {
         let size = self.degrees_of_freedom();
         let along = |at: usize| self.definition.coordinates[at].dimension;
-        let number = |dimension| Nature::Number(Type::real(dimension));
+        let number = |dimension| QuantityType::Number(Type::real(dimension));
         let vector = |dimension: Dimension| {
             let form = Form::real(Shape::Vector(size));
-            Nature::Number(Type::uniform(form, dimension))
+            QuantityType::Number(Type::uniform(form, dimension))
         };
         match quantity {
             Quantity::Kinetic | Quantity::Potential => {
-                Nature::Formula(Type::real(Dimension::ENERGY))
+                QuantityType::Formula(Type::real(Dimension::ENERGY))
             }
-            Quantity::Dissipation => Nature::Formula(Type::real(Dimension::POWER)),
+            Quantity::Dissipation => QuantityType::Formula(Type::real(Dimension::POWER)),
             Quantity::Equation(_)
             | Quantity::FullEquation(_)
-            | Quantity::CharacteristicEquation => Nature::Equation,
-            Quantity::Equations => Nature::Equations,
+            | Quantity::CharacteristicEquation => QuantityType::Equation,
+            Quantity::Equations => QuantityType::Equations,
             Quantity::MassMatrix => self.square(2),
             Quantity::DampingMatrix => self.square(1),
             Quantity::StiffnessMatrix => self.square(0),
             Quantity::Equilibrium(at) | Quantity::StaticDeflection(at) => number(along(at)),
-            Quantity::Equilibria => Nature::List(along(0)),
+            Quantity::Equilibria => QuantityType::List(along(0)),
             Quantity::Stable | Quantity::Frictional(Frictional::Slides) => {
-                Nature::Number(Type::boolean())
+                QuantityType::Number(Type::boolean())
             }
             Quantity::Sdof(single) => number(self.dimension_of_single(single)),
             Quantity::NaturalAngularFrequencies => vector(Dimension::FREQUENCY),
@@ -59,11 +59,11 @@ impl Model {
             Quantity::ModeShapes => self.rows_of_coordinates(),
             Quantity::ModalMasses => vector(self.coefficient(0, 0, 2)),
             Quantity::ModalAmplitudes => self.amplitudes(),
-            Quantity::Motion(at) | Quantity::SteadyMotion(at) => Nature::Motion(along(at)),
-            Quantity::ExactMotion => Nature::Motion(along(0)),
-            Quantity::Energy => Nature::Motion(Dimension::ENERGY),
-            Quantity::GeneralMotion => Nature::GeneralMotion,
-            Quantity::ComplexAmplitude(at) => Nature::Number(Type::complex(along(at))),
+            Quantity::Motion(at) | Quantity::SteadyMotion(at) => QuantityType::Motion(along(at)),
+            Quantity::ExactMotion => QuantityType::Motion(along(0)),
+            Quantity::Energy => QuantityType::Motion(Dimension::ENERGY),
+            Quantity::GeneralMotion => QuantityType::GeneralMotion,
+            Quantity::ComplexAmplitude(at) => QuantityType::Number(Type::complex(along(at))),
             Quantity::ExactPeriod | Quantity::Frictional(Frictional::StopTime) => {
                 number(Dimension::TIME)
             }
@@ -83,7 +83,7 @@ impl Model {
         (0..order).fold(stiffness, |dimension, _| dimension * Dimension::TIME)
     }
 
-    fn square(&self, order: usize) -> Nature {
+    fn square(&self, order: usize) -> QuantityType {
         let size = self.degrees_of_freedom();
         let entries =
             (0..size * size).map(|at| Some(self.coefficient(at / size, at % size, order)));
@@ -91,14 +91,14 @@ impl Model {
     }
 
     /// Mass-normalized shapes: each component times the root of its mass is pure.
-    fn rows_of_coordinates(&self) -> Nature {
+    fn rows_of_coordinates(&self) -> QuantityType {
         let size = self.degrees_of_freedom();
         let component = |at: usize| self.coefficient(at, at, 2).sqrt().map(Dimension::inverse);
         let entries = (0..size * size).map(|at| component(at % size));
         typed(Shape::Matrix(size, size), entries.collect())
     }
 
-    fn amplitudes(&self) -> Nature {
+    fn amplitudes(&self) -> QuantityType {
         let size = self.degrees_of_freedom();
         let modal = Dimension::ENERGY.sqrt().map(|root| root * Dimension::TIME);
         typed(Shape::Matrix(size, 2), vec![modal; 2 * size])
@@ -122,11 +122,11 @@ impl Model {
     }
 }
 
-fn typed(shape: Shape, dimensions: Vec<Option<Dimension>>) -> Nature {
+fn typed(shape: Shape, dimensions: Vec<Option<Dimension>>) -> QuantityType {
     let form = Form {
         field: Field::Real,
         shape,
     };
     let pure = || Type::uniform(form, Dimension::PURE);
-    Nature::Number(Type::each(form, dimensions).unwrap_or_else(pure))
+    QuantityType::Number(Type::each(form, dimensions).unwrap_or_else(pure))
 }
