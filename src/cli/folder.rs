@@ -6,7 +6,7 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
+use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
@@ -359,13 +359,6 @@ fn open_own(path: &Path) -> io::Result<fs::File> {
         }
     }
     Ok(file)
-}
-
-/// All that a file of a run holds, if it is text; a file that is none counts as empty.
-pub(crate) fn text(mut file: &fs::File) -> String {
-    let mut text = String::new();
-    let read = file.read_to_string(&mut text);
-    read.map_or_else(|_| String::new(), |_| text)
 }
 
 #[cfg(test)]

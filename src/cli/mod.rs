@@ -46,6 +46,7 @@ mod form;
 pub mod fuzz;
 mod grade;
 mod index;
+mod journal_file;
 mod lines;
 mod list;
 mod mark;

@@ -265,7 +265,7 @@ impl Store<'_> {
         self.outputs.add_tables(&tables)?;
         let mut files = self.outputs.flush()?;
         files.extend(self.record.flush()?);
-        self.ledger.note(Mark { done, files })
+        self.ledger.note(&Mark { done, files })
     }
 
     /// Completes all files, the manifest last.
