@@ -217,14 +217,13 @@ fn numbers<'a>(value: &'a Value) -> Option<Cow<'a, [f64]>> {
 
 /// The binary64 next to a decimal such as `-12.50`, `.5` or `1e-4`.
 fn nearest(text: &str) -> Option<f64> {
+    // What is longer is no number of anybody; the reader would go through all of it.
     const MAX_LENGTH: usize = 400;
-    let is_decimal = text.len() <= MAX_LENGTH
-        && text
-            .bytes()
-            .all(|byte| byte.is_ascii_digit() || matches!(byte, b'+' | b'-' | b'.' | b'e' | b'E'));
-    text.parse::<f64>()
+    let value = text
+        .parse::<f64>()
         .ok()
-        .filter(|value| is_decimal && value.is_finite())
+        .filter(|_| text.len() <= MAX_LENGTH);
+    value.filter(|value| value.is_finite())
 }
 
 /// A decimal as it was written; one too long for that as the nearest binary64.

@@ -28,7 +28,7 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
             Some((best, _)) => limit.min(best - 1),
             None => limit,
         };
-        let Some(distance) = distance(&letters, candidate, limit) else {
+        let Some(distance) = edit_distance(&letters, candidate.chars(), limit) else {
             continue;
         };
         if distance < candidate.chars().count() || (distance <= 3 && is_begun(candidate)) {
@@ -41,14 +41,29 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
 /// Letters of a word that are compared.
 const MAX_LENGTH: usize = 64;
 
-/// Number of letters to insert, delete, replace or swap with their neighbour, where it is within a limit.
-fn distance(left: &[char], right: &str, limit: usize) -> Option<usize> {
+/// The number of letters to insert, delete, replace or swap with their neighbour to make one word of another, where it is
+/// at most `limit`; capitals of ASCII are like small letters, and only the first 64 letters count.
+///
+/// The distance of optimal string alignment, by rows, of which a limit needs few.
+///
+/// ```
+/// use vibank_source::edit_distance;
+/// let letters: Vec<char> = "omgea".chars().collect();
+/// assert_eq!(edit_distance(&letters, "omega".chars(), 2), Some(1));
+/// assert_eq!(edit_distance(&letters, "Omega_n".chars(), 2), None);
+/// ```
+pub fn edit_distance(
+    left: &[char],
+    right: impl IntoIterator<Item = char>,
+    limit: usize,
+) -> Option<usize> {
     let mut letters = ['\0'; MAX_LENGTH];
     let mut length = 0;
-    for (place, letter) in letters.iter_mut().zip(right.chars()) {
+    for (place, letter) in letters.iter_mut().zip(right) {
         *place = letter;
         length += 1;
     }
+    let left = &left[..left.len().min(MAX_LENGTH)];
     let right = &letters[..length];
     if left.len().abs_diff(length) > limit {
         return None;

@@ -7,7 +7,7 @@
 use std::cmp::Ordering;
 
 use super::natural::Natural;
-use super::{Dd, Rational};
+use super::{Dd, Rational, decimal};
 
 /// A number exactly as it was given: a decimal, a binary64 or a fraction.
 ///
@@ -33,9 +33,6 @@ pub struct ExactNumber {
     /// The value to about 105 bits.
     rounded: Dd,
 }
-
-/// A decimal of more digits than this is not read.
-const MAX_DIGITS: usize = 38;
 
 /// The decimal exponents of the finite binary64, with room for the digits.
 const EXPONENTS: std::ops::RangeInclusive<i32> = -400..=400;
@@ -94,22 +91,10 @@ impl ExactNumber {
     /// Reads a decimal such as `-12.50`, `3` or `1e-4`; `None` where it is none, where it has more than
     /// 38 digits, or where it lies far outside of the range of binary64.
     pub fn from_decimal(text: &str) -> Option<Self> {
-        let (mantissa, exponent) = match text.split_once(['e', 'E']) {
-            Some((mantissa, exponent)) => (mantissa, exponent.parse::<i32>().ok()?),
-            None => (text, 0),
-        };
-        let unsigned = mantissa.strip_prefix(['-', '+']).unwrap_or(mantissa);
-        let (whole, fraction) = unsigned.split_once('.').unwrap_or((unsigned, ""));
-        let magnitude = read_digits(whole, fraction)?;
-        if magnitude == 0 {
+        let (signed, ten) = decimal::read(text)?;
+        if signed == 0 {
             return Some(Self::ZERO);
         }
-        let ten = exponent.checked_sub(i32::try_from(fraction.len()).ok()?)?;
-        let signed = if mantissa.starts_with('-') {
-            -magnitude
-        } else {
-            magnitude
-        };
         EXPONENTS
             .contains(&ten)
             .then(|| Self::new(signed, 1, ten, ten))
@@ -308,19 +293,6 @@ impl Product {
         }
         product
     }
-}
-
-/// The digits before and after the point as one integer.
-fn read_digits(whole: &str, fraction: &str) -> Option<i128> {
-    let mut digits = whole.bytes().chain(fraction.bytes()).peekable();
-    digits.peek()?;
-    digits
-        .skip_while(|byte| *byte == b'0')
-        .enumerate()
-        .try_fold(0_i128, |magnitude, (at, byte)| {
-            (byte.is_ascii_digit() && at < MAX_DIGITS)
-                .then(|| 10 * magnitude + i128::from(byte - b'0'))
-        })
 }
 
 /// An integer as a double-double.

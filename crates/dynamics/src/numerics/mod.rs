@@ -21,6 +21,7 @@ pub(crate) mod bidiagonal;
 pub(crate) mod cholesky;
 mod complex;
 pub(crate) mod complex_lu;
+mod decimal;
 mod double;
 mod elementary;
 mod elliptic;

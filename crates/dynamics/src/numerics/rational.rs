@@ -3,6 +3,8 @@
 use std::cmp::Ordering;
 use std::fmt;
 
+use super::decimal;
+
 /// A fraction of 128-bit integers in lowest terms, with a positive denominator.
 ///
 /// Every operation is exact; one whose result does not fit returns `None`, so that a caller bounds
@@ -56,27 +58,7 @@ impl Rational {
 
     /// Reads a decimal such as `12.50`, `3`, `1e-4`; `None` where it is none or does not fit.
     pub fn from_decimal(text: &str) -> Option<Self> {
-        let (mantissa, exponent) = match text.find(['e', 'E']) {
-            Some(at) => (&text[..at], text[at + 1..].parse::<i32>().ok()?),
-            None => (text, 0),
-        };
-        let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-        let unsigned = whole.strip_prefix(['-', '+']).unwrap_or(whole);
-        let digits = || unsigned.bytes().chain(fraction.bytes());
-        if digits().next().is_none() || !digits().all(|byte| byte.is_ascii_digit()) {
-            return None;
-        }
-        let magnitude = digits().try_fold(0_i128, |magnitude, digit| {
-            magnitude
-                .checked_mul(10)?
-                .checked_add(i128::from(digit - b'0'))
-        })?;
-        let signed = if whole.starts_with('-') {
-            -magnitude
-        } else {
-            magnitude
-        };
-        let scale = exponent.checked_sub(i32::try_from(fraction.len()).ok()?)?;
+        let (signed, scale) = decimal::read(text)?;
         if signed == 0 {
             return Some(Self::ZERO);
         }

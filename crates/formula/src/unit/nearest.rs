@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use vibank_source::edit_distance;
+
 use super::error::{Error, ErrorKind};
 use super::table::{Found, PREFIXES, ROWS, prefix, word};
 
@@ -35,7 +37,8 @@ pub(super) fn nearest(name: &str) -> Option<String> {
         return Some(spelled(same));
     }
     // Short names are near to everything: there only the case may differ.
-    let bound = name.chars().count() / 4;
+    let letters: Vec<char> = name.chars().collect();
+    let bound = letters.len() / 4;
     if bound == 0 || name.len() > MAX_LENGTH {
         return None;
     }
@@ -47,7 +50,10 @@ pub(super) fn nearest(name: &str) -> Option<String> {
         words.chain([(found, symbol, row.symbols[0])])
     });
     candidates
-        .filter_map(|(found, head, tail)| Some((distance(name, head, tail, bound)?, found)))
+        .filter_map(|(found, head, tail)| {
+            let spelled = head.chars().chain(tail.chars());
+            Some((edit_distance(&letters, spelled, bound)?, found))
+        })
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, found)| spelled(found))
 }
@@ -103,28 +109,6 @@ fn spelled(found: Found) -> String {
     format!("{symbol}{}", ROWS[usize::from(found.row)].symbols[0])
 }
 
-/// How many letters of `name` have to be put in, left out or changed to give `head` and `tail`, if at most `bound`.
-fn distance(name: &str, head: &str, tail: &str, bound: usize) -> Option<usize> {
-    let length = head.len() + tail.len();
-    if length.abs_diff(name.len()) > bound || length > MAX_LENGTH {
-        return None;
-    }
-    let mut row: [usize; MAX_LENGTH + 1] = std::array::from_fn(|i| i);
-    for (i, x) in name.bytes().enumerate() {
-        let mut diagonal = i;
-        row[0] = i + 1;
-        for (j, y) in head.bytes().chain(tail.bytes()).enumerate() {
-            let changed = diagonal + usize::from(!x.eq_ignore_ascii_case(&y));
-            diagonal = row[j + 1];
-            row[j + 1] = changed.min(row[j] + 1).min(row[j + 1] + 1);
-        }
-        if row[..=length].iter().all(|&distance| distance > bound) {
-            return None;
-        }
-    }
-    Some(row[length]).filter(|&distance| distance <= bound)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -138,6 +122,7 @@ mod tests {
             ("radd", "rad"),
             ("kilogrm", "kg"),
             ("secnds", "s"),
+            ("secodn", "s"),
             ("inches", "mm"),
             ("tr", "rev"),
         ] {
