@@ -167,6 +167,7 @@ impl Compiler<'_> {
     }
 
     fn reserved(&mut self, constant: Constant) -> Result<Array> {
+        // More than a double-double leaves out of π and e: 2⁻¹⁰⁶ of them at most.
         const REST: f64 = 1e-31;
         match constant {
             Constant::Pi => self.precise(Precise::of_dd(Dd::PI, REST)),
@@ -268,12 +269,12 @@ impl Compiler<'_> {
 
     /// The derivative of a formula; that of a constant is zero in the shape of the constant.
     fn derived(&mut self, derivative: &Expr, of: &Expr) -> Result<Array> {
-        let value = self.array(derivative)?;
-        if !derivative.is_zero() {
-            return Ok(value);
+        if !vanishes(derivative) {
+            return self.array(derivative);
         }
+        let zero = self.array(&Expr::number(0))?.number()?;
         let shape = self.shape(of)?;
-        Ok(Array::new(shape, vec![value.number()?; shape.len()]))
+        Ok(Array::new(shape, vec![zero; shape.len()]))
     }
 
     /// The shape of a formula; no steps are kept.
@@ -537,6 +538,14 @@ impl Compiler<'_> {
 struct Mark {
     steps: super::assembler::Scope,
     nodes: usize,
+}
+
+/// Whether a derivative is zero, in every entry if it is an array.
+fn vanishes(derivative: &Expr) -> bool {
+    match derivative.kind() {
+        Kind::Array(entries) => entries.iter().all(vanishes),
+        _ => derivative.is_zero(),
+    }
 }
 
 /// The angle of which an expression is the squared sine.

@@ -285,6 +285,17 @@ impl Binder for Anything {
     }
 }
 
+#[test]
+fn a_constant_row_has_a_row_of_zeros_as_its_derivative() {
+    for text in ["[u, [2, 1]]'", "[[2, 1], u]'", "[u, u]'"] {
+        let expr = Expr::read(text).unwrap();
+        let program = Program::compile(&expr, &Anything).unwrap();
+        assert_eq!(program.form().shape, Shape::Matrix(2, 2), "{text}");
+        let value = program.evaluate(&data(), &mut Workspace::default());
+        assert_eq!(value.unwrap().numbers(), [0.0; 4], "{text}");
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(20_000))]
 

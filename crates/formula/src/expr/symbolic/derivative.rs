@@ -190,11 +190,20 @@ impl Rules<'_> {
     }
 
     fn of_array(&mut self, entries: &[Expr]) -> Result<Expr, SymbolicError> {
-        let entries: Vec<_> = entries
+        let mut rates = Vec::with_capacity(entries.len());
+        for entry in entries {
+            rates.push(self.derivative(entry)?);
+        }
+        // A row that is the name of a constant vector has the derivative 0, and still has to be a row.
+        let row = rates
             .iter()
-            .map(|entry| self.derivative(entry))
-            .collect::<Result<_, _>>()?;
-        Ok(Expr::array(entries))
+            .find(|rate| matches!(rate.kind(), Kind::Array(_)));
+        if let Some(zeros) = row.map(zeros_like) {
+            for rate in rates.iter_mut().filter(|rate| rate.is_zero()) {
+                *rate = zeros.clone();
+            }
+        }
+        Ok(Expr::array(rates))
     }
 
     /// The derivative of `f` with names bound: what moves outside of them, and the chain rule over them.
@@ -313,6 +322,14 @@ fn natural_logarithm(expr: &Expr) -> Expr {
     match expr.kind() {
         Kind::Constant(Constant::E) => Expr::number(1),
         _ => Expr::call(Function::Ln, [expr.clone()]),
+    }
+}
+
+/// Zeros in the shape of an array.
+fn zeros_like(expr: &Expr) -> Expr {
+    match expr.kind() {
+        Kind::Array(entries) => Expr::array(entries.iter().map(zeros_like).collect::<Vec<_>>()),
+        _ => Expr::number(0),
     }
 }
 
