@@ -16,6 +16,7 @@ use super::table::{Fault, Row, Table};
 
 /// The students of a class list, in its order.
 pub(crate) fn read(path: &Path, columns: &Columns) -> Result<Vec<Student>, Failure> {
+    // Far above any course: it bounds what a wrong file can cost.
     const MAX_STUDENTS: usize = 100_000;
     let shown = path.display();
     let fail = |what: String| Failure::new(format!("`{shown}`{what}"));

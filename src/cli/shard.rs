@@ -82,6 +82,7 @@ impl FromStr for Shard {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
+        // More parts than anybody has machines, so a larger number is a slip.
         const MAX_COUNT: usize = 1000;
         let parts = text.split_once('/');
         let numbers = parts.and_then(|(part, of)| Some((part.parse().ok()?, of.parse().ok()?)));

@@ -119,6 +119,7 @@ impl Serialize for RequestError {
 
 /// The beginning of a text that came from outside.
 pub(super) fn excerpt(text: &str) -> String {
+    // Enough to recognize what was given, and a message stays a line.
     const MAX_LENGTH: usize = 40;
     match text.char_indices().nth(MAX_LENGTH) {
         Some((end, _)) => format!("{}…", &text[..end]),

@@ -378,6 +378,7 @@ pub(super) fn by_method(solution: &Solution<'_>, place: usize, method: &Method) 
 
 /// Whether two values are the same but for rounding in the machine, or one of them is no number.
 fn same(a: &Value, b: &Value) -> bool {
+    // Far above what the formulas of an item lose in binary64, far below the last figure that anybody types.
     const ROUNDING: f64 = 1e-9;
     let size = b
         .numbers()

@@ -114,6 +114,7 @@ fn joins(elements: &[(&Item, &Part<'_>)]) -> Vec<String> {
 
 /// What lies at a point: a body, a bar or a ground.
 fn met(elements: &[(&Item, &Part<'_>)], point: Point, except: &str) -> Option<String> {
+    // 1.2 mm in print: ends that look joined may lie a line's width apart.
     const NEAR: f64 = 0.12;
     let is_near_line = |part: &Part<'_>| {
         let (a, b) = (part.ends[0].point, part.ends[part.ends.len() - 1].point);

@@ -192,6 +192,7 @@ impl Outline {
 
     /// Whether a label fits inside when its middle lies at a point.
     pub fn holds(&self, label: &Label, middle: Point) -> bool {
+        // 0.6 mm in print of paper between letters and the outline.
         const MARGIN: f64 = 0.06;
         let bounds =
             Bounds::around(middle, label.width(), label.ascent() + label.depth()).grown(MARGIN);

@@ -178,6 +178,7 @@ impl Path {
                     at = to;
                 }
                 Step::Curve(first, second, to) => {
+                    // Chords serve to keep labels clear, not to draw: a few are enough.
                     const PIECES: usize = 6;
                     let from = at;
                     for piece in 1..=PIECES {

@@ -271,7 +271,7 @@ fn apart(found: &Json, expected: &Json) -> Option<f64> {
 }
 
 #[test]
-fn the_committed_list_is_that_of_the_bank() {
+fn the_committed_list_is_fresh() {
     use std::fmt::Write as _;
     let (catalogue, _) = Catalogue::load(embedded());
     let mut rows = String::new();

@@ -174,6 +174,7 @@ impl Written<'_> {
 /// What needs a teacher's eye, on standard error.
 pub(super) fn told(analysis: &Analysis, lost: &[Lost], faults: &[String]) {
     let list = |title: &str, lines: &mut dyn Iterator<Item = String>, count: usize| {
+        // About what a screen shows at once; the tables have all of them.
         const MAX_COUNT: usize = 40;
         if count == 0 {
             return;

@@ -129,6 +129,7 @@ fn is_meant(item: &Listing, word: &str) -> bool {
 
 /// The first suitable instance for an exercise of a session.
 fn instance(template: &Template, seed: u64, number: u64) -> Result<Solution<'_>, Failure> {
+    // An item that is suitable at all is so within a few draws; the bound ends the search where it never is.
     const MAX_TRIES: u64 = 200;
     let stream = Streams::of(Seed::new(seed), template.id.as_str());
     let mut seeds = stream.named(&format!("exercise {number}"));

@@ -118,6 +118,7 @@ fn is_filled_in(out: &Folder, held: Option<&Held>) -> Result<bool, Failure> {
 }
 
 fn refusal(out: &Folder, precious: &[(String, &str)], is_other: bool) -> Failure {
+    // Enough to see what is at stake, with the help below still on the screen.
     const MAX_COUNT: usize = 20;
     let shown = out.root().display();
     let mut list: Vec<String> = precious

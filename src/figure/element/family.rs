@@ -184,9 +184,7 @@ impl Element for Branch {
 
     fn draw(&self, part: &Part<'_>, drawing: &mut Drawing) {
         let (a, b) = part.link();
-        // Leads remain on both sides of a symbol that would fill a short branch.
-        let share = (self.length / a.distance(b).max(1e-9)).min(0.8) / 2.0;
-        let (from, to) = (a.towards(b, 0.5 - share), a.towards(b, 0.5 + share));
+        let (from, to) = middle(a, b, self.length);
         let leads = Path::line(a, from).and(Path::line(to, b));
         drawing.stroke(leads, part.pen(Weight::Medium));
         (self.symbol)(part, from, to, drawing);
@@ -196,4 +194,10 @@ impl Element for Branch {
         let (a, b) = part.link();
         spots::beside(a, b, self.half_width, part.at)
     }
+}
+
+/// The ends of the symbol of a branch, of at most this length; on a short branch leads remain on both sides.
+pub(crate) fn middle(a: Point, b: Point, length: f64) -> (Point, Point) {
+    let share = (length / a.distance(b).max(1e-9)).min(0.8) / 2.0;
+    (a.towards(b, 0.5 - share), a.towards(b, 0.5 + share))
 }

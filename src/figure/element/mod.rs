@@ -258,7 +258,7 @@ pub static KINDS: &[&dyn Element] = &[
     &radius::RADIUS,
     &turn::Turn,
     &resistor::RESISTOR,
-    &coil::COIL,
+    &coil::Coil,
     &capacitor::CAPACITOR,
     &source::SOURCE,
     &line::Line,

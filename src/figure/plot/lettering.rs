@@ -288,6 +288,7 @@ fn between() -> impl Iterator<Item = (Point, f64)> + Clone {
 
 /// Points of runs, no nearer than labels need.
 fn spaced(runs: &[Vec<Point>]) -> Vec<Point> {
+    // Less than the height of a letter, so that no label fits in between.
     const SPACE: f64 = 0.12;
     let mut points: Vec<Point> = Vec::new();
     for point in runs.iter().flatten() {

@@ -145,6 +145,7 @@ impl Refined<'_, '_> {
 
     /// The last place that has a point on the way from a knot to where there is none.
     fn edge(&mut self, from: &Knot, outside: f64) -> Option<Knot> {
+        // A millionth of the way from knot to knot is finer than any printer prints.
         const HALVINGS: u32 = 20;
         let (mut inside, mut outside) = (from.variable, outside);
         for _ in 0..HALVINGS {
@@ -183,6 +184,7 @@ impl Refined<'_, '_> {
 
     /// A second place, so that what repeats itself is not missed.
     fn fits_beside(&self, from: &Knot, to: &Knot) -> bool {
+        // Far from simple fractions, at which a periodic curve may meet the cubic again.
         const SHARE: f64 = 0.229;
         let variable = from.variable + (to.variable - from.variable) * SHARE;
         let point = self.coarse.at(variable);

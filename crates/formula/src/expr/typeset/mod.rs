@@ -296,6 +296,7 @@ fn of_symbol(symbol: Symbol) -> Piece {
 
 /// An integer or a decimal that ends soon as it is; any other as a fraction.
 fn number(value: vibank_dynamics::numerics::Rational) -> Piece {
+    // A longer decimal reads worse than its fraction.
     const MAX_DIGITS: usize = 12;
     let magnitude = match text::decimal(value.abs()) {
         Some(digits) if value.is_integer() || digits.len() <= MAX_DIGITS => {
