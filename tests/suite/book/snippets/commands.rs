@@ -32,10 +32,16 @@ fn the_commands_of_the_book_run() {
             continue;
         }
         for (command, shown) in commands(&block) {
-            // The suite does not run itself.
-            if ["cargo test", ".ci/run"]
-                .iter()
-                .any(|own| command.contains(own))
+            // The suite neither builds nor runs itself, and leaves the repository alone.
+            if [
+                "cargo build",
+                "cargo check",
+                "cargo test",
+                ".ci/run",
+                "git add",
+            ]
+            .iter()
+            .any(|own| command.contains(own))
             {
                 continue;
             }

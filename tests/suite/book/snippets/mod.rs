@@ -132,8 +132,12 @@ fn first_toml(page: &str) -> String {
 fn run(place: &Path, line: &str) -> Result<String, String> {
     let program = Path::new(env!("CARGO_BIN_EXE_vibank"));
     let path = std::env::var("PATH").unwrap_or_default();
+    // However the program is started from a clone, here it is the one under test.
+    let own = line
+        .replace("cargo run --release -- ", "vibank ")
+        .replace("target/debug/vibank ", "vibank ");
     let output = Command::new("sh")
-        .args(["-c", &line.replace("cargo run --release -- ", "vibank ")])
+        .args(["-c", &own])
         .current_dir(place)
         .env(
             "PATH",
