@@ -39,7 +39,7 @@ impl Drawing {
     }
 
     /// The same with another element before its end.
-    pub(super) fn svg_around(&self, head: &Head<'_>, inner: &str) -> String {
+    pub(crate) fn svg_around(&self, head: &Head<'_>, inner: &str) -> String {
         let mut writer = Writer {
             out: String::with_capacity(4096),
             id: head.id,
@@ -54,7 +54,7 @@ impl Drawing {
     }
 
     /// Its marks and labels, without the element around them.
-    pub(super) fn content(&self, id: &str) -> String {
+    pub(crate) fn content(&self, id: &str) -> String {
         let mut writer = Writer {
             out: String::with_capacity(4096),
             id,

@@ -7,7 +7,7 @@ use crate::source::{Table, Text, nearest};
 use crate::unit::{Quantity, Unit};
 
 impl<'s> Reader<'s> {
-    pub(super) fn checks(&mut self, table: &Table<'s>, parts: &[Part]) -> Vec<Check> {
+    pub(crate) fn checks(&mut self, table: &Table<'s>, parts: &[Part]) -> Vec<Check> {
         table
             .tables("check")
             .into_iter()

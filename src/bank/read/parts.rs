@@ -20,7 +20,7 @@ use crate::source::{Data, Span, Table, Text};
 use crate::unit::Unit;
 
 impl<'s> Reader<'s> {
-    pub(super) fn parts(&mut self, table: &Table<'s>) -> Vec<Part> {
+    pub(crate) fn parts(&mut self, table: &Table<'s>) -> Vec<Part> {
         let mut parts: Vec<Part> = Vec::new();
         for question in table.tables("part") {
             if question.has("blank") {
@@ -345,7 +345,7 @@ impl<'s> Reader<'s> {
         })
     }
 
-    pub(super) fn replacements(&mut self, table: &Table<'s>) -> Vec<(NodeId, NodeId)> {
+    pub(crate) fn replacements(&mut self, table: &Table<'s>) -> Vec<(NodeId, NodeId)> {
         let mut replaced = Vec::new();
         for entry in table.entries() {
             let Some(text) = table.as_formula(&entry.key, &entry.value) else {

@@ -8,7 +8,7 @@ use crate::quantity::NodeId;
 use crate::source::{Table, Text};
 
 impl<'s> Reader<'s> {
-    pub(super) fn phasors(&mut self, table: &Table<'s>) -> Option<Phasors> {
+    pub(crate) fn phasors(&mut self, table: &Table<'s>) -> Option<Phasors> {
         let unit = table.text("unit");
         let unit = unit.and_then(|text| self.unit(&text));
         let items = table.required("phasors");

@@ -21,7 +21,7 @@ const DEPTH: usize = 8;
 const MAX_ERRORS: usize = 101;
 
 /// Reads a text.
-pub(super) fn read(text: &str) -> Reading {
+pub(crate) fn read(text: &str) -> Reading {
     if text.len() > LENGTH {
         return Reading {
             document: Document::default(),

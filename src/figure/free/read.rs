@@ -35,7 +35,7 @@ struct Stated {
 
 impl<'s> Reader<'_, 's> {
     /// The free-body diagrams.
-    pub(in crate::figure) fn free(&mut self, items: &[Item]) -> Free {
+    pub(crate) fn free(&mut self, items: &[Item]) -> Free {
         let table = self.table;
         let Some(outer) = table.table("free") else {
             return Free { bodies: Vec::new() };
@@ -495,7 +495,7 @@ impl<'s> Reader<'_, 's> {
     }
 
     /// Elements do not share an identity.
-    pub(in crate::figure) fn hold_identities(&mut self, items: &[Item], rows: &[Value]) {
+    pub(crate) fn hold_identities(&mut self, items: &[Item], rows: &[Value]) {
         for (place, item) in items.iter().enumerate() {
             let Some(id) = &item.id else { continue };
             if items[..place]

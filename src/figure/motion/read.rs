@@ -14,7 +14,7 @@ const MAX_COUNT: usize = 100;
 
 impl<'s> Reader<'_, 's> {
     /// How the figure moves; read last, so that what it takes from the item is no demand of the figure itself.
-    pub(in crate::figure) fn motion(&mut self) -> Option<Motion> {
+    pub(crate) fn motion(&mut self) -> Option<Motion> {
         let outer = self.table;
         let span = outer.value("motion")?.span;
         let table = outer.table("motion")?;
