@@ -16,7 +16,7 @@ struct Argument {
 
 impl Reader<'_> {
     /// A function or operator, whose name was just read, with its arguments.
-    pub(super) fn call(&mut self, callee: &Token<'_>) -> Result<Kind, ReadError> {
+    pub(crate) fn call(&mut self, callee: &Token<'_>) -> Result<Kind, ReadError> {
         let function = Function::of_name(callee.text);
         if function.is_none() && !matches!(callee.text, "at" | "diff" | "root" | "integral") {
             return Err(unknown_function(callee));

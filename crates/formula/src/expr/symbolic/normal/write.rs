@@ -107,12 +107,12 @@ enum Place {
 type Rank = (Reverse<Option<u8>>, usize, bool, Reverse<Monomial>);
 
 /// The sum, collected by what moves.
-pub(super) fn sum(sum: &Polynomial, order: &Order) -> Expr {
+pub(crate) fn sum(sum: &Polynomial, order: &Order) -> Expr {
     collected_sum(sum, &Writer::of(order))
 }
 
 /// A sum inside a function or denominator; it does not begin with a sign if it can be helped.
-pub(super) fn bracket(own: &Polynomial, order: &Order) -> Expr {
+pub(crate) fn bracket(own: &Polynomial, order: &Order) -> Expr {
     let writer = Writer::of(order);
     unsigned(own, collected_sum(own, &writer), &writer)
 }
