@@ -41,7 +41,7 @@ pub trait Subject {
 /// Most elements of a figure, and most names.
 const MAX_COUNT: usize = 300;
 
-pub(crate) struct Reader<'a, 's> {
+pub(crate) struct FigureReader<'a, 's> {
     pub(crate) table: &'a Table<'s>,
     pub(crate) item: &'a dyn Subject,
     pub(crate) names: Names,
@@ -53,7 +53,7 @@ pub(crate) struct Reader<'a, 's> {
 impl Figure {
     /// Reads the keys of a figure but its caption; what is wrong is reported, and left out.
     pub fn read(table: &Table<'_>, item: &dyn Subject) -> (Self, Vec<Finding>) {
-        let mut reader = Reader {
+        let mut reader = FigureReader {
             table,
             item,
             names: Names::default(),
@@ -65,7 +65,7 @@ impl Figure {
     }
 }
 
-impl<'s> Reader<'_, 's> {
+impl<'s> FigureReader<'_, 's> {
     fn figure(&mut self) -> Figure {
         let table = self.table;
         let alt = table.text("alt").map(|text| text.value);

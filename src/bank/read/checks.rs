@@ -1,12 +1,12 @@
 //! Known results.
 
-use super::{ItemError, Reader};
+use super::{ItemError, ItemReader};
 use crate::bank::template::{Check, Expected, Part};
 use crate::expr::{Name, Precise};
 use crate::source::{Table, Text, nearest};
 use crate::unit::{Quantity, Unit};
 
-impl<'s> Reader<'s> {
+impl<'s> ItemReader<'s> {
     pub(crate) fn checks(&mut self, table: &Table<'s>, parts: &[Part]) -> Vec<Check> {
         table
             .tables("check")

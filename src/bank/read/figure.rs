@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::Reader;
+use super::ItemReader;
 use crate::answer::Known;
 use crate::bank::template::QuantityInfo;
 use crate::document::Document;
@@ -96,7 +96,7 @@ impl Names<'_> {
     }
 }
 
-impl<'s> Reader<'s> {
+impl<'s> ItemReader<'s> {
     /// The figure and what is written under it.
     pub(crate) fn figure(&mut self, table: &Table<'s>) -> (Option<Figure>, Document) {
         let Some(table) = table.table("figure") else {

@@ -36,7 +36,7 @@ use crate::unit::{self, Unit};
 use crate::work;
 
 /// The state of reading one item.
-struct Reader<'s> {
+struct ItemReader<'s> {
     source: &'s Source,
     texts: &'s mut dyn Texts,
     findings: Vec<Finding>,
@@ -87,7 +87,7 @@ pub(crate) fn item(
         let findings = excesses.iter().map(|excess| Finding::of(excess, source));
         return (None, findings.collect());
     }
-    let mut reader = Reader::new(source, texts);
+    let mut reader = ItemReader::new(source, texts);
     let read = work::within(bounds::READING, || {
         Table::of(source, problems, "", item.tree).and_then(|table| reader.item(item, &table))
     });
@@ -112,7 +112,7 @@ pub(crate) fn item(
     )
 }
 
-impl<'s> Reader<'s> {
+impl<'s> ItemReader<'s> {
     fn new(source: &'s Source, texts: &'s mut dyn Texts) -> Self {
         Self {
             source,

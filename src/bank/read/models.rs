@@ -1,6 +1,6 @@
 //! The tables of models: energies, dissipation, forces, friction, initial state.
 
-use super::Reader;
+use super::ItemReader;
 use crate::answer::Role;
 use crate::diagnostic::Finding;
 use crate::expr::{Expr, Name};
@@ -28,7 +28,7 @@ pub(crate) struct Declared {
     span: Span,
 }
 
-impl<'s> Reader<'s> {
+impl<'s> ItemReader<'s> {
     /// All models of an item.
     pub(crate) fn models(&mut self, table: &Table<'s>) -> Vec<Declared> {
         let main = table.table("model");

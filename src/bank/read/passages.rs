@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{ItemError, Reader};
+use super::{ItemError, ItemReader};
 use crate::bank::passage::{Passage, Piece, Target};
 use crate::bank::template::{QuantityInfo, Units};
 use crate::document::{Document, Form, Placeholder};
@@ -12,7 +12,7 @@ use crate::quantity::NodeId;
 use crate::source::{Data, Table, Text, Value, nearest};
 use crate::unit::Unit;
 
-impl<'s> Reader<'s> {
+impl<'s> ItemReader<'s> {
     /// A text, or alternatives of `{ when, text }`.
     pub(crate) fn passage(
         &mut self,

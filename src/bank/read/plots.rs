@@ -1,6 +1,6 @@
 //! The tables of plots: variable, curves, marks; the mode shapes of a model.
 
-use super::{ItemError, Reader};
+use super::{ItemError, ItemReader};
 use crate::bank::plot::{Abscissa, Curve, Curves, Mark, ModeShapes, Ordinate, Plot, PlotKind};
 use crate::bank::template::Units;
 use crate::expr::{Constant, Expr, Kind, Name, Path, Shape, Type};
@@ -19,7 +19,7 @@ struct Variable {
     kind: Type,
 }
 
-impl<'s> Reader<'s> {
+impl<'s> ItemReader<'s> {
     /// The plots of the item. The names of all of them are known before the first text is read.
     pub(crate) fn plots(&mut self, table: &Table<'s>) -> Vec<Plot> {
         let Some(plots) = table.table("plots") else {
@@ -502,7 +502,7 @@ impl<'s> Reader<'s> {
     }
 }
 
-fn table_pair<'s>(reader: &mut Reader<'s>, value: &'s Value) -> Option<[&'s Value; 2]> {
+fn table_pair<'s>(reader: &mut ItemReader<'s>, value: &'s Value) -> Option<[&'s Value; 2]> {
     match &value.data {
         Data::List(items) if items.len() == 2 => Some([&items[0], &items[1]]),
         _ => {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{ItemError, Reader};
+use super::{ItemError, ItemReader};
 use crate::answer::{Known, Role};
 use crate::bank::parameter::{Field, Parameter, Texts};
 use crate::bank::template::{QuantityInfo, Units};
@@ -21,7 +21,7 @@ struct Declared {
     when: Option<Text>,
 }
 
-impl<'s> Reader<'s> {
+impl<'s> ItemReader<'s> {
     /// Parameters and symbols.
     pub(crate) fn data(&mut self, table: &Table<'s>) {
         if let Some(parameters) = table.table("parameters") {

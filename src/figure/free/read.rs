@@ -12,7 +12,7 @@ use crate::figure::Label;
 use crate::figure::element::{self, Role};
 use crate::figure::formula::Amount;
 use crate::figure::part::Style;
-use crate::figure::read::Reader;
+use crate::figure::read::FigureReader;
 use crate::figure::schematic::{Item, Place};
 use crate::source::{Data, Entry, Span, Table, Text, Value, nearest};
 
@@ -33,7 +33,7 @@ struct Stated {
     arrows: Vec<(Option<Text>, Option<Expr>, Written)>,
 }
 
-impl<'s> Reader<'_, 's> {
+impl<'s> FigureReader<'_, 's> {
     /// The free-body diagrams.
     pub(crate) fn free(&mut self, items: &[Item]) -> Free {
         let table = self.table;

@@ -44,7 +44,7 @@ pub(crate) fn after_number(text: &str) -> Result<Unit, Error> {
 pub(crate) fn unit(text: &str) -> Result<Unit, Error> {
     // The point at the end of a sentence.
     let text = text.trim_end().trim_end_matches('.');
-    let mut reader = Reader {
+    let mut reader = UnitReader {
         scanner: Scanner::new(text)?,
         builder: Builder::new(),
         depth: 0,
@@ -73,7 +73,7 @@ pub(crate) fn front(text: &str) -> Result<(Unit, usize), Error> {
         .map(|(at, char)| at + char.len_utf8())
         .take_while(|end| *end <= MAX_LENGTH)
         .last();
-    let mut reader = Reader {
+    let mut reader = UnitReader {
         scanner: Scanner::new(&text[..end.unwrap_or(0)])?,
         builder: Builder::new(),
         depth: 0,
@@ -88,7 +88,7 @@ pub(crate) fn front(text: &str) -> Result<(Unit, usize), Error> {
     Ok((unit.map_err(|kind| Error::new(kind, 0..end))?, end))
 }
 
-struct Reader<'a> {
+struct UnitReader<'a> {
     scanner: Scanner<'a>,
     builder: Builder,
     depth: usize,
@@ -103,7 +103,7 @@ enum Between {
     Slash,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> UnitReader<'a> {
     fn product(&mut self) -> Result<(), Error> {
         self.space();
         let mut divisor = None;

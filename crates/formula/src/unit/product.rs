@@ -431,7 +431,7 @@ mod tests {
 
     #[test]
     fn every_row_has_its_coherent_unit() {
-        for row in &crate::unit::table::ROWS {
+        for row in crate::unit::table::ROWS {
             let unit = Unit::parse(row.symbols[0]).unwrap();
             let coherent = unit.coherent();
             assert_eq!(

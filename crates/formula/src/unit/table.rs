@@ -87,7 +87,7 @@ const NOT: bool = false;
 ///
 /// BIPM, The International System of Units, 9th edition (2019), tables 2 to 5, 7 and 8.
 #[rustfmt::skip]
-pub(crate) static ROWS: [Row; 38] = [
+pub(crate) static ROWS: &[Row] = &[
     //   symbols                 print  words                                             kg  m  s   A  K mol cd     2   3   5  g  pi          prefixes joins coherent
     row(&["m"],                  "m",   &["metre", "metres", "meter", "meters", "mètre", "mètres", "metro", "metros"], [ 0,  1,  0,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
     row(&["s"],                  "s",   &["second", "seconds", "sec", "secs", "seconde", "secondes", "sek", "sekunde", "sekunden", "seg", "segundo", "segundos"], [ 0,  0,  1,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),

@@ -16,7 +16,7 @@ const MAX_BYTES: usize = 100_000;
 const MAX_NODES: u32 = 10_000;
 /// Largest depth of a formula, and most brackets inside one another.
 const MAX_DEPTH: u32 = 200;
-/// Most calls of [`Reader::expression`] inside one another; a level of the tree takes at most two.
+/// Most calls of [`Parser::expression`] inside one another; a level of the tree takes at most two.
 const MAX_CALLS: u32 = 2 * MAX_DEPTH;
 /// Highest order of a time derivative.
 pub(crate) const MAX_PRIMES: u8 = 8;
@@ -50,14 +50,14 @@ enum Infix {
 }
 
 /// A place in the words of a text.
-pub(crate) struct Reader<'a> {
+pub(crate) struct Parser<'a> {
     pub(crate) tokens: Vec<Token<'a>>,
     pub(crate) at: usize,
     nodes: u32,
     calls: u32,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> Parser<'a> {
     pub(crate) fn new(text: &'a str) -> Result<Self, ReadError> {
         if text.len() > MAX_BYTES {
             return Err(ReadError::TooLong {

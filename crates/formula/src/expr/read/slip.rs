@@ -1,12 +1,12 @@
 //! The errors for what does not fit; the usual slips have their own.
 
 use super::ReadError;
-use super::parser::Reader;
+use super::parser::Parser;
 use super::token::{Token, TokenKind};
 use crate::expr::Function;
 use vibank_source::nearest;
 
-impl Reader<'_> {
+impl Parser<'_> {
     /// The error for the word at hand, which follows an operand; the usual slips have their own.
     pub(crate) fn surprise(&self, expected: &'static str) -> ReadError {
         let token = self.peek();
