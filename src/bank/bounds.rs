@@ -6,7 +6,7 @@ use crate::diagnostic::{Code, Diagnose, Finding, Label};
 use crate::source::{Data, Source, Span, Value};
 
 /// Bytes of a file of a bank.
-pub(super) const LARGEST_FILE: usize = 1 << 18;
+pub(crate) const LARGEST_FILE: usize = 1 << 18;
 
 /// Entries of a table or array of an item.
 const MAX_ENTRIES: usize = 500;
@@ -21,11 +21,11 @@ pub(crate) const MAX_TITLE_LENGTH: usize = 300;
 const MAX_FINDINGS: usize = 100;
 
 /// Units of work that reading an item may take: about a second.
-pub(super) const READING: u64 = 100_000_000;
+pub(crate) const READING: u64 = 100_000_000;
 
 /// Something that is larger than its bound.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub(super) enum Excess {
+pub(crate) enum Excess {
     #[cfg_attr(
         not(feature = "render"),
         expect(dead_code, reason = "files belong to the command line")
@@ -51,7 +51,7 @@ pub(super) enum Excess {
 }
 
 /// What of a file's tree is larger than its bound.
-pub(super) fn excesses(tree: &Value) -> Vec<Excess> {
+pub(crate) fn excesses(tree: &Value) -> Vec<Excess> {
     let mut found = Vec::new();
     let mut open = vec![("", tree)];
     while let Some((key, value)) = open.pop() {
@@ -95,7 +95,7 @@ pub(super) fn excesses(tree: &Value) -> Vec<Excess> {
 }
 
 /// The first findings, and that there are others.
-pub(super) fn shortened(mut findings: Vec<Finding>, source: &Source) -> Vec<Finding> {
+pub(crate) fn shortened(mut findings: Vec<Finding>, source: &Source) -> Vec<Finding> {
     if findings.len() > MAX_FINDINGS {
         findings.truncate(MAX_FINDINGS);
         findings.push(Finding::of(&Excess::Findings, source));

@@ -20,22 +20,22 @@ pub struct Catalogue {
     pub bank: BankFile,
     /// Its chapters by number.
     pub chapters: Vec<Chapter>,
-    pub(super) entries: Vec<Entry>,
-    pub(super) by_id: BTreeMap<Arc<str>, usize>,
+    pub(crate) entries: Vec<Entry>,
+    pub(crate) by_id: BTreeMap<Arc<str>, usize>,
     /// Whether its items were taken out of their bank, so that nobody knows its topics.
-    pub(super) is_loose: bool,
+    pub(crate) is_loose: bool,
     /// What a list shows of items, where it was made out before.
     #[cfg(feature = "render")]
-    pub(super) listings: BTreeMap<ItemId, super::Listing>,
+    pub(crate) listings: BTreeMap<ItemId, super::Listing>,
 }
 
 /// The file of an item, and what came of reading it.
 #[derive(Debug)]
-pub(super) struct Entry {
-    pub(super) id: ItemId,
-    pub(super) file: File,
+pub(crate) struct Entry {
+    pub(crate) id: ItemId,
+    pub(crate) file: File,
     /// Made out when it is asked for: a digest of all items takes longer than reading one.
-    pub(super) revision: OnceLock<Revision>,
+    pub(crate) revision: OnceLock<Revision>,
     reading: OnceLock<Reading>,
 }
 
@@ -44,7 +44,7 @@ pub(super) struct Entry {
     not(feature = "render"),
     expect(dead_code, reason = "files belong to the command line")
 )]
-pub(super) enum File {
+pub(crate) enum File {
     /// At hand.
     Text(Source),
     /// In a file that is opened when its item is asked for.
@@ -55,15 +55,15 @@ pub(super) enum File {
 pub type Open = dyn Fn(&str) -> Result<String, Box<Finding>> + Send + Sync;
 
 #[derive(Debug, Default)]
-pub(super) struct Reading {
+pub(crate) struct Reading {
     /// None where something is wrong with it.
-    pub(super) template: Option<Template>,
-    pub(super) findings: Vec<Finding>,
+    pub(crate) template: Option<Template>,
+    pub(crate) findings: Vec<Finding>,
 }
 
 #[cfg(feature = "render")]
 impl Entry {
-    pub(super) fn new(id: ItemId, file: File) -> Self {
+    pub(crate) fn new(id: ItemId, file: File) -> Self {
         Self {
             id,
             file,
@@ -75,7 +75,7 @@ impl Entry {
 
 impl Entry {
     /// The revision of its text; one that cannot be read has that of no text.
-    pub(super) fn revision(&self) -> Revision {
+    pub(crate) fn revision(&self) -> Revision {
         *self.revision.get_or_init(|| {
             let source = self.file.source();
             Revision::of(source.as_ref().map_or("", |source| &source.text))
@@ -85,7 +85,7 @@ impl Entry {
 
 impl File {
     /// Its text; a file is opened each time.
-    pub(super) fn source(&self) -> Result<Source, Box<Finding>> {
+    pub(crate) fn source(&self) -> Result<Source, Box<Finding>> {
         match self {
             Self::Text(source) => Ok(source.clone()),
             Self::Unopened { path, open } => Ok(Source::new(Arc::clone(path), open(path)?)),
@@ -94,7 +94,7 @@ impl File {
 
     /// The file, for a finding that says nothing of its text.
     #[cfg(feature = "render")]
-    pub(super) fn named(&self) -> Source {
+    pub(crate) fn named(&self) -> Source {
         match self {
             Self::Text(source) => source.clone(),
             Self::Unopened { path, .. } => Source::new(Arc::clone(path), ""),
@@ -161,7 +161,7 @@ impl Catalogue {
 
     /// What is wrong with the files of these items.
     #[cfg(feature = "render")]
-    pub(super) fn item_findings(&self, wants: impl Fn(&ItemId) -> bool) -> Vec<Finding> {
+    pub(crate) fn item_findings(&self, wants: impl Fn(&ItemId) -> bool) -> Vec<Finding> {
         let wanted = self.entries.iter().filter(|entry| wants(&entry.id));
         let findings = wanted.flat_map(|entry| &self.reading(entry).findings);
         findings.cloned().collect()

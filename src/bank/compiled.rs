@@ -145,7 +145,7 @@ mod noting {
     use crate::source::{Data, Span, Value};
 
     /// Leaves out what only an author needs.
-    pub(super) fn strip(tree: &mut Value) {
+    pub(crate) fn strip(tree: &mut Value) {
         let Data::Table(entries) = &mut tree.data else {
             return;
         };
@@ -157,7 +157,7 @@ mod noting {
     }
 
     /// The numbers of the texts under these keys.
-    pub(super) fn texts_under(tree: &Value, keys: &[&str]) -> Vec<usize> {
+    pub(crate) fn texts_under(tree: &Value, keys: &[&str]) -> Vec<usize> {
         let mut found = Vec::new();
         let mut open = vec![(tree, false)];
         while let Some((value, is_under)) = open.pop() {
@@ -175,7 +175,7 @@ mod noting {
     }
 
     /// Puts numbers in place of the texts that were noted.
-    pub(super) fn number(tree: &mut Value, noted: Noting) -> (Vec<Document>, Vec<Math>) {
+    pub(crate) fn number(tree: &mut Value, noted: Noting) -> (Vec<Document>, Vec<Math>) {
         let mut kept = Kept {
             noted: noted.documents.into_iter().collect(),
             symbols_noted: noted.symbols.into_iter().collect(),

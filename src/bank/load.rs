@@ -172,7 +172,7 @@ impl Catalogue {
 }
 
 /// Reads the file of an item.
-pub(super) fn read(entry: &Entry, bank: Option<&BankFile>) -> Reading {
+pub(crate) fn read(entry: &Entry, bank: Option<&BankFile>) -> Reading {
     let source = match entry.file.source() {
         Ok(source) => source,
         Err(finding) => {
@@ -190,7 +190,7 @@ pub(super) fn read(entry: &Entry, bank: Option<&BankFile>) -> Reading {
 }
 
 /// Reads the text of an item, or of a question of a blueprint.
-pub(super) fn read_text(
+pub(crate) fn read_text(
     id: ItemId,
     revision: Revision,
     source: &Source,

@@ -67,7 +67,7 @@ impl Template {
 }
 
 /// The tree of an item, where the file has that or one question of a blueprint.
-pub(super) fn in_form(tree: Value) -> Value {
+pub(crate) fn in_form(tree: Value) -> Value {
     match only_question(&tree) {
         Some(question) => Value {
             data: Data::Table(item(question)),

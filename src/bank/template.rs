@@ -55,7 +55,7 @@ pub struct Template {
     /// Findings of `check` that are in order here.
     pub allowed: Vec<Allowed>,
     /// The standard wrong methods of each part, once they were asked for.
-    pub(super) methods: OnceLock<Vec<Vec<Method>>>,
+    pub(crate) methods: OnceLock<Vec<Vec<Method>>>,
 }
 
 /// A finding of `check` that is in order in an item, with the reason.

@@ -44,9 +44,9 @@ struct Worth {
 }
 
 /// A package with the items of the bank that it was made of.
-pub(super) struct ReadPackage<'c> {
+pub(crate) struct ReadPackage<'c> {
     id: String,
-    pub(super) practice: Practice,
+    pub(crate) practice: Practice,
     /// The item of each question, and what its parts are worth.
     questions: Vec<(&'c Template, Vec<Worth>)>,
     /// What chooses variants in the page, too.
@@ -54,7 +54,7 @@ pub(super) struct ReadPackage<'c> {
 }
 
 /// Reads a package, whose items have to be in the bank as they were.
-pub(super) fn read<'c>(path: &Path, catalogue: &'c Catalogue) -> Result<ReadPackage<'c>, Failure> {
+pub(crate) fn read<'c>(path: &Path, catalogue: &'c Catalogue) -> Result<ReadPackage<'c>, Failure> {
     let name = path.display();
     let described: Described = serde_json::from_str(&description(path)?).map_err(|error| {
         Failure::new(format!("{name}: `{DESCRIPTION}` cannot be read: {error}"))
@@ -96,7 +96,7 @@ pub(super) fn read<'c>(path: &Path, catalogue: &'c Catalogue) -> Result<ReadPack
 
 impl ReadPackage<'_> {
     /// A manifest of it, without sheets.
-    pub(super) fn manifest(&self, catalogue: &Catalogue) -> Manifest {
+    pub(crate) fn manifest(&self, catalogue: &Catalogue) -> Manifest {
         let practice = &self.practice;
         let text = |template: &Template| template.source.text.to_string();
         let items = self.questions.iter();
@@ -116,7 +116,7 @@ impl ReadPackage<'_> {
     }
 
     /// The question of an item with the data of a variant.
-    pub(super) fn question(
+    pub(crate) fn question(
         &self,
         item: &str,
         code: Variant,
@@ -158,7 +158,7 @@ impl ReadPackage<'_> {
     }
 
     /// The variant of a learner's question.
-    pub(super) fn variant(&self, place: usize, learner: &str) -> Result<Variant, Failure> {
+    pub(crate) fn variant(&self, place: usize, learner: &str) -> Result<Variant, Failure> {
         let key = self.practice.questions[place].key();
         let from = first_variant(&self.id, &key, learner);
         let request = serde_json::json!({ "do": "choose", "question": place, "from": from });
@@ -173,7 +173,7 @@ impl ReadPackage<'_> {
 }
 
 /// The item of a question in this bank.
-pub(super) fn current<'c>(
+pub(crate) fn current<'c>(
     catalogue: &'c Catalogue,
     question: &PracticeQuestion,
 ) -> Result<&'c Template, Failure> {

@@ -264,13 +264,13 @@ fn show(arguments: &Arguments, solution: &Solution<'_>, data: Data, parts: &[usi
 }
 
 /// A part and what it asks, `b) …`.
-pub(super) fn called(letter: &str, scene: &Scene<'_, '_>, part: &Part) -> String {
+pub(crate) fn called(letter: &str, scene: &Scene<'_, '_>, part: &Part) -> String {
     let ask = text(&scene.passage(&part.ask));
     format!("{letter}) {ask}").trim_end().to_owned()
 }
 
 /// The line for an answer: `ω_n = ____ rad/s (value, 3 figures)`.
-pub(super) fn answer_line(scene: &Scene<'_, '_>, place: usize) -> String {
+pub(crate) fn answer_line(scene: &Scene<'_, '_>, place: usize) -> String {
     let answer = &scene.solution().template().parts[place].answer;
     let blank = answer.blank();
     let said = Language::default().blank(&blank);

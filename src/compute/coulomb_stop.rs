@@ -10,7 +10,7 @@ use super::{Parameters, Reply, RequestError, Task};
 use crate::numerics::{Dd, ExactNumber};
 use crate::vibration::{DryFriction, FrictionMotion, FrictionOscillator};
 
-pub(super) struct CoulombStop;
+pub(crate) struct CoulombStop;
 
 impl Task for CoulombStop {
     fn name(&self) -> &'static str {

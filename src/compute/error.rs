@@ -85,7 +85,7 @@ pub enum RequestError {
 
 impl RequestError {
     /// The error for parameters that a model refuses.
-    pub(super) fn domain(error: impl std::error::Error) -> Self {
+    pub(crate) fn domain(error: impl std::error::Error) -> Self {
         Self::OutOfDomain {
             reason: error.to_string(),
         }
@@ -118,7 +118,7 @@ impl Serialize for RequestError {
 }
 
 /// The beginning of a text that came from outside.
-pub(super) fn excerpt(text: &str) -> String {
+pub(crate) fn excerpt(text: &str) -> String {
     // Enough to recognize what was given, and a message stays a line.
     const MAX_LENGTH: usize = 40;
     match text.char_indices().nth(MAX_LENGTH) {

@@ -5,7 +5,7 @@
 use super::{Parameters, Reply, RequestError, Task};
 use crate::vibration::{self, HarmonicForce};
 
-pub(super) struct ForcedResponse;
+pub(crate) struct ForcedResponse;
 
 impl Task for ForcedResponse {
     fn name(&self) -> &'static str {

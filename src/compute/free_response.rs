@@ -5,7 +5,7 @@
 use super::{Parameters, Reply, RequestError, Task};
 use crate::vibration::{self, Oscillator};
 
-pub(super) struct FreeResponse;
+pub(crate) struct FreeResponse;
 
 impl Task for FreeResponse {
     fn name(&self) -> &'static str {

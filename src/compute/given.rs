@@ -11,7 +11,7 @@ use serde::de::{
 
 /// A JSON value, texts borrowed where they hold no escapes.
 #[derive(Debug)]
-pub(super) enum Value<'a> {
+pub(crate) enum Value<'a> {
     /// `null`.
     Null,
     /// A number that binary64 holds as it is written, or next to it.
@@ -32,24 +32,24 @@ pub(super) enum Value<'a> {
 
 /// The members of an object as they came.
 #[derive(Debug, Default)]
-pub(super) struct Object<'a> {
+pub(crate) struct Object<'a> {
     members: Vec<(Cow<'a, str>, Value<'a>)>,
 }
 
 impl<'a> Object<'a> {
-    pub(super) fn get(&self, name: &str) -> Option<&Value<'a>> {
+    pub(crate) fn get(&self, name: &str) -> Option<&Value<'a>> {
         let mut members = self.members.iter().rev();
         members.find(|(key, _)| key == name).map(|(_, value)| value)
     }
 
-    pub(super) fn keys(&self) -> impl Iterator<Item = &str> {
+    pub(crate) fn keys(&self) -> impl Iterator<Item = &str> {
         self.members.iter().map(|(key, _)| key.as_ref())
     }
 }
 
 /// The members of a line that is a request; `Other` for JSON that is no object.
 #[derive(Debug)]
-pub(super) enum Line<'a> {
+pub(crate) enum Line<'a> {
     Request {
         /// What is given back with the reply.
         id: serde_json::Value,

@@ -5,7 +5,7 @@
 use super::{Parameters, Reply, RequestError, Task};
 use crate::vibration::LogarithmicDecrement;
 
-pub(super) struct LogDecrement;
+pub(crate) struct LogDecrement;
 
 impl Task for LogDecrement {
     fn name(&self) -> &'static str {

@@ -9,7 +9,7 @@ use super::{Parameters, Reply, RequestError, Task, network};
 use crate::vibration::modal::{Damping, ModalResponse as Motion};
 use crate::vibration::modes::{MAX_WITHOUT_PROOF, Modes, ModesError};
 
-pub(super) struct ModalResponse;
+pub(crate) struct ModalResponse;
 
 /// Most numbers that a reply may hold.
 const MAX_NUMBERS: usize = 2_000_000;

@@ -9,7 +9,7 @@ use super::{Parameters, Reply, RequestError, Task, network};
 use crate::numerics::Dd;
 use crate::vibration::modes as solver;
 
-pub(super) struct Modes;
+pub(crate) struct Modes;
 
 /// Up to this size modes take less than what can be seen, and keep all digits of close ones.
 const SMALL: usize = 16;

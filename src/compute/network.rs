@@ -8,7 +8,7 @@ use super::{Parameters, RequestError};
 use crate::vibration::modes::{Link, MAX_DEGREES_OF_FREEDOM, System};
 
 /// The system of `masses` and `springs`, or of `M` and `K`.
-pub(super) fn system(parameters: &Parameters) -> Result<System, RequestError> {
+pub(crate) fn system(parameters: &Parameters) -> Result<System, RequestError> {
     let system = if parameters.has("M") || parameters.has("K") {
         if parameters.has("masses") || parameters.has("springs") {
             let reason = "give either `masses` and `springs`, or `M` and `K`".to_owned();
@@ -22,10 +22,7 @@ pub(super) fn system(parameters: &Parameters) -> Result<System, RequestError> {
 }
 
 /// A list of `[i, j, coefficient]`; node 0 is the ground.
-pub(super) fn links(
-    parameters: &Parameters,
-    name: &'static str,
-) -> Result<Vec<Link>, RequestError> {
+fn links(parameters: &Parameters, name: &'static str) -> Result<Vec<Link>, RequestError> {
     const EXPECTED: &str = "a list of [i, j, coefficient], where node 0 is the ground";
     let wrong = || RequestError::NotANumber {
         name,
@@ -40,7 +37,7 @@ pub(super) fn links(
 }
 
 /// The list if it was given, or none.
-pub(super) fn optional_links(
+pub(crate) fn optional_links(
     parameters: &Parameters,
     name: &'static str,
 ) -> Result<Vec<Link>, RequestError> {
@@ -64,7 +61,7 @@ fn node(value: f64) -> Option<usize> {
 }
 
 /// A square matrix as a list of rows.
-pub(super) fn matrix(
+pub(crate) fn matrix(
     parameters: &Parameters,
     name: &'static str,
 ) -> Result<DMatrix<f64>, RequestError> {

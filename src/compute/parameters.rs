@@ -9,15 +9,15 @@ use crate::vibration::Oscillator;
 use crate::vibration::State;
 
 /// The longest list that is read.
-pub(super) const MAX_LIST_LENGTH: usize = 200_000;
+pub(crate) const MAX_LIST_LENGTH: usize = 200_000;
 
 /// The parameters of a request, with no key that the task does not know.
-pub(super) struct Parameters<'a> {
+pub(crate) struct Parameters<'a> {
     values: &'a Object<'a>,
 }
 
 /// A time or a list of them.
-pub(super) enum Times {
+pub(crate) enum Times {
     /// A single time: results are numbers.
     One(f64),
     /// A list: results are lists.
@@ -26,7 +26,7 @@ pub(super) enum Times {
 
 impl Times {
     /// All times in order.
-    pub(super) fn as_slice(&self) -> &[f64] {
+    pub(crate) fn as_slice(&self) -> &[f64] {
         match self {
             Self::One(time) => std::slice::from_ref(time),
             Self::Many(times) => times,
@@ -35,7 +35,7 @@ impl Times {
 }
 
 impl<'a> Parameters<'a> {
-    pub(super) fn of(
+    pub(crate) fn of(
         values: &'a Object<'a>,
         keys: &'static [&'static str],
     ) -> Result<Self, RequestError> {
@@ -44,13 +44,13 @@ impl<'a> Parameters<'a> {
     }
 
     /// Whether a parameter was given; `null` is as good as absent.
-    pub(super) fn has(&self, name: &str) -> bool {
+    pub(crate) fn has(&self, name: &str) -> bool {
         let value = self.values.get(name);
         value.is_some_and(|value| !matches!(value, Value::Null))
     }
 
     /// A number.
-    pub(super) fn number(&self, name: &'static str) -> Result<f64, RequestError> {
+    pub(crate) fn number(&self, name: &'static str) -> Result<f64, RequestError> {
         number(self.value(name)?).ok_or(RequestError::NotANumber {
             name,
             expected: A_NUMBER,
@@ -58,7 +58,7 @@ impl<'a> Parameters<'a> {
     }
 
     /// A number, if it was given.
-    pub(super) fn optional_number(&self, name: &'static str) -> Result<Option<f64>, RequestError> {
+    pub(crate) fn optional_number(&self, name: &'static str) -> Result<Option<f64>, RequestError> {
         if self.has(name) {
             self.number(name).map(Some)
         } else {
@@ -67,7 +67,7 @@ impl<'a> Parameters<'a> {
     }
 
     /// A number as it was written.
-    pub(super) fn exact(&self, name: &'static str) -> Result<ExactNumber, RequestError> {
+    pub(crate) fn exact(&self, name: &'static str) -> Result<ExactNumber, RequestError> {
         exact(self.value(name)?).ok_or(RequestError::NotANumber {
             name,
             expected: A_NUMBER,
@@ -75,7 +75,7 @@ impl<'a> Parameters<'a> {
     }
 
     /// An integer from one up.
-    pub(super) fn count(&self, name: &'static str) -> Result<u64, RequestError> {
+    pub(crate) fn count(&self, name: &'static str) -> Result<u64, RequestError> {
         const EXPECTED: &str = "an integer from 1 to 9007199254740992";
         let value = self.number(name)?;
         let is_count = value == value.trunc() && (1.0..=9_007_199_254_740_992.0).contains(&value);
@@ -90,7 +90,7 @@ impl<'a> Parameters<'a> {
     }
 
     /// An integer from zero up, if it was given.
-    pub(super) fn optional_index(&self, name: &'static str) -> Result<Option<usize>, RequestError> {
+    pub(crate) fn optional_index(&self, name: &'static str) -> Result<Option<usize>, RequestError> {
         let value = self.optional_number(name)?;
         let is_index = |value: f64| value == value.trunc() && (0.0..=1e9).contains(&value);
         match value {
@@ -103,7 +103,7 @@ impl<'a> Parameters<'a> {
     }
 
     /// A number or a list of numbers.
-    pub(super) fn times(&self, name: &'static str) -> Result<Times, RequestError> {
+    pub(crate) fn times(&self, name: &'static str) -> Result<Times, RequestError> {
         match self.value(name)? {
             Value::List(_) | Value::Numbers(_) | Value::Table { .. } => {
                 self.list(name).map(Times::Many)
@@ -113,7 +113,7 @@ impl<'a> Parameters<'a> {
     }
 
     /// A list of numbers.
-    pub(super) fn list(&self, name: &'static str) -> Result<Vec<f64>, RequestError> {
+    pub(crate) fn list(&self, name: &'static str) -> Result<Vec<f64>, RequestError> {
         const EXPECTED: &str = "a list of finite numbers, or of decimals in strings";
         let value = self.value(name)?;
         check_length(name, value)?;
@@ -125,7 +125,7 @@ impl<'a> Parameters<'a> {
     }
 
     /// A list of lists of numbers, of bounded length; an entry that is none is nothing.
-    pub(super) fn lists(
+    pub(crate) fn lists(
         &self,
         name: &'static str,
         expected: &'static str,
@@ -144,13 +144,13 @@ impl<'a> Parameters<'a> {
     }
 
     /// The oscillator of `m`, `c` and `k`.
-    pub(super) fn oscillator(&self) -> Result<Oscillator, RequestError> {
+    pub(crate) fn oscillator(&self) -> Result<Oscillator, RequestError> {
         Oscillator::new(self.number("m")?, self.number("c")?, self.number("k")?)
             .map_err(RequestError::domain)
     }
 
     /// The initial state of `x0` and `v0`.
-    pub(super) fn initial_state(&self) -> Result<State, RequestError> {
+    pub(crate) fn initial_state(&self) -> Result<State, RequestError> {
         Ok(State {
             position: self.number("x0")?,
             velocity: self.number("v0")?,
@@ -233,7 +233,7 @@ fn exact_decimal(text: &str) -> Option<ExactNumber> {
 }
 
 /// Refuses an object with a key that nobody reads.
-pub(super) fn refuse_unknown(
+pub(crate) fn refuse_unknown(
     object: &Object,
     known: &'static [&'static str],
 ) -> Result<(), RequestError> {

@@ -7,7 +7,7 @@ use super::{Parameters, Reply, RequestError, Task};
 use crate::vibration::Pendulum;
 use crate::vibration::State;
 
-pub(super) struct PendulumMotion;
+pub(crate) struct PendulumMotion;
 
 impl Task for PendulumMotion {
     fn name(&self) -> &'static str {

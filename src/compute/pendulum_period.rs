@@ -5,7 +5,7 @@
 use super::{Parameters, Reply, RequestError, Task};
 use crate::vibration::Pendulum;
 
-pub(super) struct PendulumPeriod;
+pub(crate) struct PendulumPeriod;
 
 impl Task for PendulumPeriod {
     fn name(&self) -> &'static str {

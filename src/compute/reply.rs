@@ -6,7 +6,7 @@ use crate::vibration::State;
 
 /// A result in the making, as JSON. Numbers that are not finite are found when it is finished.
 #[derive(Default)]
-pub(super) struct Reply {
+pub(crate) struct Reply {
     /// The members of the object so far.
     text: Vec<u8>,
     /// The first result that is no finite number.
@@ -18,14 +18,14 @@ const MAX_NUMBER_LENGTH: usize = 26;
 
 impl Reply {
     /// Adds a number.
-    pub(super) fn number(mut self, name: &'static str, value: f64) -> Self {
+    pub(crate) fn number(mut self, name: &'static str, value: f64) -> Self {
         self.key(name);
         self.value(name, value);
         self
     }
 
     /// Adds an integer, or `null` where there is none.
-    pub(super) fn count(mut self, name: &'static str, value: Option<u64>) -> Self {
+    pub(crate) fn count(mut self, name: &'static str, value: Option<u64>) -> Self {
         self.key(name);
         let text = value.map_or_else(|| "null".to_owned(), |value| value.to_string());
         self.text.extend_from_slice(text.as_bytes());
@@ -33,14 +33,14 @@ impl Reply {
     }
 
     /// Adds a number, or `null` where there is none or it leaves the range of numbers.
-    pub(super) fn optional(mut self, name: &'static str, value: Option<f64>) -> Self {
+    pub(crate) fn optional(mut self, name: &'static str, value: Option<f64>) -> Self {
         self.key(name);
         self.value_or_null(value);
         self
     }
 
     /// Adds a word, which needs no escapes.
-    pub(super) fn word(mut self, name: &'static str, word: &str) -> Self {
+    pub(crate) fn word(mut self, name: &'static str, word: &str) -> Self {
         self.key(name);
         self.text.push(b'"');
         self.text.extend_from_slice(word.as_bytes());
@@ -49,7 +49,7 @@ impl Reply {
     }
 
     /// Adds a list of numbers.
-    pub(super) fn list(
+    pub(crate) fn list(
         mut self,
         name: &'static str,
         values: impl IntoIterator<Item = f64>,
@@ -60,7 +60,7 @@ impl Reply {
     }
 
     /// Adds a list of numbers, `null` where there is none.
-    pub(super) fn optional_list(
+    pub(crate) fn optional_list(
         mut self,
         name: &'static str,
         values: impl IntoIterator<Item = Option<f64>>,
@@ -76,7 +76,7 @@ impl Reply {
     }
 
     /// Adds a list of vectors.
-    pub(super) fn vectors<'v>(
+    pub(crate) fn vectors<'v>(
         mut self,
         name: &'static str,
         vectors: impl IntoIterator<Item = &'v [f64]>,
@@ -93,7 +93,7 @@ impl Reply {
     }
 
     /// Adds position and velocity at each of the times.
-    pub(super) fn states(
+    pub(crate) fn states(
         self,
         [position, velocity]: [&'static str; 2],
         times: &Times,
@@ -114,7 +114,7 @@ impl Reply {
     }
 
     /// The members of the object, unless a number left its range.
-    pub(super) fn finish(self) -> Result<Vec<u8>, RequestError> {
+    pub(crate) fn finish(self) -> Result<Vec<u8>, RequestError> {
         match self.overflow {
             Some(name) => Err(RequestError::NotFinite { name }),
             None => Ok(self.text),

@@ -6,7 +6,7 @@
 use super::{Parameters, Reply, RequestError, Task};
 use crate::vibration::{DisplacementResonance, VelocityResonance};
 
-pub(super) struct ResonanceBandwidth;
+pub(crate) struct ResonanceBandwidth;
 
 impl Task for ResonanceBandwidth {
     fn name(&self) -> &'static str {

@@ -5,7 +5,7 @@
 use super::{Parameters, Reply, RequestError, Task};
 use crate::vibration::FrequencyResponse;
 
-pub(super) struct SteadyAmplitudePhase;
+pub(crate) struct SteadyAmplitudePhase;
 
 impl Task for SteadyAmplitudePhase {
     fn name(&self) -> &'static str {

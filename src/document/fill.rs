@@ -69,13 +69,13 @@ impl Fills for Vec<Filling> {
 
 impl Step {
     /// Its lines as one formula, for writers that have a notation for aligned lines.
-    pub(super) fn aligned(&self) -> Math {
+    pub(crate) fn aligned(&self) -> Math {
         Math::aligned(self.lines.iter().map(|line| line.to_vec()).collect())
     }
 }
 
 /// The fillings as formulas see them.
-pub(super) struct InMath<'a>(pub(super) &'a dyn Fills);
+pub(crate) struct InMath<'a>(pub(crate) &'a dyn Fills);
 
 impl Holes for InMath<'_> {
     fn filling(&self, hole: u32) -> Option<&Math> {

@@ -61,7 +61,7 @@ impl Document {
 
     /// Appends an HTML fragment with its formulas as they are wanted.
     pub fn write_html_with(&self, out: &mut String, fills: &dyn Fills, formulas: Formulas) {
-        let mut writer = Writer {
+        let mut writer = HtmlWriter {
             out,
             fills,
             formulas,
@@ -77,7 +77,7 @@ impl Document {
 
     /// As [`Self::write_html_line`], with its formulas as they are wanted.
     pub fn write_html_line_with(&self, out: &mut String, fills: &dyn Fills, formulas: Formulas) {
-        let mut writer = Writer {
+        let mut writer = HtmlWriter {
             out,
             fills,
             formulas,
@@ -89,13 +89,13 @@ impl Document {
     }
 }
 
-struct Writer<'a> {
+struct HtmlWriter<'a> {
     out: &'a mut String,
     fills: &'a dyn Fills,
     formulas: Formulas,
 }
 
-impl Writer<'_> {
+impl HtmlWriter<'_> {
     fn blocks(&mut self, blocks: &[Block]) {
         for block in blocks {
             self.block(block);

@@ -21,7 +21,7 @@ impl Document {
 
     /// Appends LaTeX, its blocks parted by empty lines.
     pub fn write_latex(&self, out: &mut String, fills: &dyn Fills) {
-        Writer { out, fills }.blocks(&self.blocks);
+        LatexWriter { out, fills }.blocks(&self.blocks);
     }
 }
 
@@ -117,12 +117,12 @@ fn sign(out: &mut String, char: char) {
     }
 }
 
-struct Writer<'a> {
+struct LatexWriter<'a> {
     out: &'a mut String,
     fills: &'a dyn Fills,
 }
 
-impl Writer<'_> {
+impl LatexWriter<'_> {
     fn blocks(&mut self, blocks: &[Block]) {
         for (number, block) in blocks.iter().enumerate() {
             // A formula on its own belongs to the paragraph before it.

@@ -14,7 +14,7 @@ impl Document {
 
     /// Appends Markdown, its blocks parted by empty lines.
     pub fn write_markdown(&self, out: &mut String, fills: &dyn Fills) {
-        Writer {
+        MarkdownWriter {
             out,
             fills,
             indent: String::new(),
@@ -24,7 +24,7 @@ impl Document {
     }
 }
 
-struct Writer<'a> {
+struct MarkdownWriter<'a> {
     out: &'a mut String,
     fills: &'a dyn Fills,
     /// What stands before each line of a quotation or list item.
@@ -32,7 +32,7 @@ struct Writer<'a> {
     in_cell: bool,
 }
 
-impl Writer<'_> {
+impl MarkdownWriter<'_> {
     fn blocks(&mut self, blocks: &[Block]) {
         for (number, block) in blocks.iter().enumerate() {
             if number > 0 {

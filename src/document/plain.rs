@@ -16,7 +16,7 @@ impl Document {
 
     /// Appends plain text, its blocks parted by empty lines.
     pub fn write_plain(&self, out: &mut String, fills: &dyn Fills) {
-        Writer {
+        PlainWriter {
             out,
             fills,
             indent: String::new(),
@@ -25,14 +25,14 @@ impl Document {
     }
 }
 
-struct Writer<'a> {
+struct PlainWriter<'a> {
     out: &'a mut String,
     fills: &'a dyn Fills,
     /// What stands before each line of a quotation or list item.
     indent: String,
 }
 
-impl Writer<'_> {
+impl PlainWriter<'_> {
     fn blocks(&mut self, blocks: &[Block], tight: bool) {
         for (number, block) in blocks.iter().enumerate() {
             if number > 0 {

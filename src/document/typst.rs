@@ -17,16 +17,16 @@ impl Document {
 
     /// Appends Typst markup, its blocks parted by empty lines.
     pub fn write_typst(&self, out: &mut String, fills: &dyn Fills) {
-        Writer { out, fills }.blocks(&self.blocks);
+        TypstWriter { out, fills }.blocks(&self.blocks);
     }
 }
 
-struct Writer<'a> {
+struct TypstWriter<'a> {
     out: &'a mut String,
     fills: &'a dyn Fills,
 }
 
-impl Writer<'_> {
+impl TypstWriter<'_> {
     fn blocks(&mut self, blocks: &[Block]) {
         for (number, block) in blocks.iter().enumerate() {
             if number > 0 {

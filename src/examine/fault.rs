@@ -6,7 +6,7 @@ use crate::source::Span;
 
 /// What is wrong with an item as a question.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub(super) enum Fault {
+pub(crate) enum Fault {
     #[error("mistake {number} of part `{part}` is right: `{typed}`, seed {seed}")]
     MistakeRight {
         part: String,
@@ -117,7 +117,7 @@ pub(super) enum Fault {
 
 impl Fault {
     /// The part that it is about.
-    pub(super) fn part(&self) -> Option<&str> {
+    pub(crate) fn part(&self) -> Option<&str> {
         match self {
             Self::MistakeRight { part, .. }
             | Self::MistakeUnmet { part, .. }
@@ -143,7 +143,7 @@ impl Fault {
     }
 
     /// The finding, at the part or the line of the file that it is about.
-    pub(super) fn finding(&self, template: &Template) -> Finding {
+    pub(crate) fn finding(&self, template: &Template) -> Finding {
         let place = match self {
             Self::Redrawn { constraint, .. } => definition(&template.source.text, constraint),
             Self::UnusedDatum { datum } => definition(&template.source.text, datum),

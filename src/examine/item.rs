@@ -12,7 +12,7 @@ use crate::solution::Solution;
 const MAX_QUESTIONS: usize = 8;
 
 /// All of it.
-pub(super) fn faults(template: &Template, solution: &Solution<'_>) -> Vec<Fault> {
+pub(crate) fn faults(template: &Template, solution: &Solution<'_>) -> Vec<Fault> {
     let mut faults = unused(template, solution);
     faults.extend(disclosed(template));
     let count = template.questions();

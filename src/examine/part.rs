@@ -38,7 +38,7 @@ pub struct PartExamined {
 
 /// What is tallied of a part.
 #[derive(Default)]
-pub(super) struct Tally {
+pub(crate) struct Tally {
     place: usize,
     draws: u64,
     mistakes: Vec<MistakeTally>,
@@ -69,7 +69,7 @@ struct MistakeTally {
 const RESULTS: [(&str, f64); 2] = [("the result doubled", 2.0), ("the result halved", 0.5)];
 
 impl Tally {
-    pub(super) fn of(place: usize, mistakes: usize) -> Self {
+    pub(crate) fn of(place: usize, mistakes: usize) -> Self {
         Self {
             place,
             mistakes: std::iter::repeat_with(MistakeTally::default)
@@ -80,7 +80,7 @@ impl Tally {
     }
 
     /// Takes in one draw; what is not fit to be handed out counts for what a stated tolerance contains alone.
-    pub(super) fn add(&mut self, solution: &Solution<'_>, seed: u64, is_fit: bool) {
+    pub(crate) fn add(&mut self, solution: &Solution<'_>, seed: u64, is_fit: bool) {
         let part = &solution.template().parts[self.place];
         let kind = part.answer.kind();
         if !solution.asks(self.place) || !(is_fit || part.answer.states_tolerance()) {
@@ -318,7 +318,7 @@ impl Tally {
     }
 
     /// What was found out.
-    pub(super) fn examined(&self, solution: &Solution<'_>) -> PartExamined {
+    pub(crate) fn examined(&self, solution: &Solution<'_>) -> PartExamined {
         PartExamined {
             part: solution.template().parts[self.place].id.clone(),
             methods: self.applied.len(),
@@ -333,7 +333,7 @@ impl Tally {
     }
 
     /// What is wrong.
-    pub(super) fn faults(self, solution: &Solution<'_>) -> Vec<Fault> {
+    pub(crate) fn faults(self, solution: &Solution<'_>) -> Vec<Fault> {
         let template = solution.template();
         let part = &template.parts[self.place];
         let mut faults = Vec::new();

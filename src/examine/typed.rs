@@ -11,7 +11,7 @@ use crate::solution::Solution;
 use crate::unit::{Decimal, Unit};
 
 /// A value in the unit of an answer, each number rounded to so many figures.
-pub(super) fn value(value: &Value, unit: Option<Unit>, figures: u32) -> Option<String> {
+pub(crate) fn value(value: &Value, unit: Option<Unit>, figures: u32) -> Option<String> {
     let behind = unit.map_or(String::new(), |unit| format!(" {unit}"));
     let own = unit.unwrap_or(Unit::ONE);
     let number = |si: f64| rounded(own.of_si(si), figures);
@@ -63,7 +63,7 @@ fn rounded(number: f64, figures: u32) -> Option<String> {
 }
 
 /// A named mistake for these data, in the ways in which it may be typed; the first that can be read is taken.
-pub(super) fn mistake(solution: &Solution<'_>, place: usize, number: usize) -> Vec<String> {
+pub(crate) fn mistake(solution: &Solution<'_>, place: usize, number: usize) -> Vec<String> {
     let template = solution.template();
     let part = &template.parts[place];
     let Some(mistaken) = solution.mistaken(place, number) else {
@@ -181,10 +181,10 @@ fn without_units(text: &str) -> String {
 }
 
 /// Figures of what has to be distinguished from the key by itself, not by its rounding.
-pub(super) const FINE: u32 = 7;
+pub(crate) const FINE: u32 = 7;
 
 /// A formula as it stands, and in data alone.
-pub(super) fn letters(graph: &Graph, expr: &Expr) -> Vec<String> {
+fn letters(graph: &Graph, expr: &Expr) -> Vec<String> {
     let in_data = inlined(graph, expr, &|_| false);
     let mut all = vec![
         without_units(&expr.to_string()),
@@ -237,7 +237,7 @@ const MAX_STEPS: usize = 20;
 
 /// A function of time with numbers in SI units for all that is no function, rounded; `method` may take its formula
 /// wrongly. None where nobody can type it.
-pub(super) fn function(
+pub(crate) fn function(
     evaluation: &Evaluation<'_>,
     key: NodeId,
     method: Option<&Method>,
@@ -347,7 +347,7 @@ fn number(si: f64, figures: u32) -> Option<Expr> {
 }
 
 /// What a wrong method gives for a part, as it is typed; none where it gives nothing.
-pub(super) fn by_method(solution: &Solution<'_>, place: usize, method: &Method) -> Option<String> {
+pub(crate) fn by_method(solution: &Solution<'_>, place: usize, method: &Method) -> Option<String> {
     let template = solution.template();
     let part = &template.parts[place];
     let key = *part.answer.keys().first()?;
@@ -391,7 +391,7 @@ fn same(a: &Value, b: &Value) -> bool {
 }
 
 /// What other parts that ask for numbers in the same unit ask for: an answer in the wrong place.
-pub(super) fn of_others(solution: &Solution<'_>, place: usize) -> Vec<(String, String)> {
+pub(crate) fn of_others(solution: &Solution<'_>, place: usize) -> Vec<(String, String)> {
     let template = solution.template();
     let answer = &template.parts[place].answer;
     let own = answer
@@ -423,7 +423,7 @@ pub(super) fn of_others(solution: &Solution<'_>, place: usize) -> Vec<(String, S
 }
 
 /// The key of a part with one term or factor wrong, in letters: all ways, each with what is wrong.
-pub(super) fn in_letters(solution: &Solution<'_>, place: usize) -> Vec<(String, String)> {
+pub(crate) fn in_letters(solution: &Solution<'_>, place: usize) -> Vec<(String, String)> {
     let part = &solution.template().parts[place];
     let Ok(marker) = solution.marker(place) else {
         return Vec::new();
@@ -476,7 +476,7 @@ pub(super) fn in_letters(solution: &Solution<'_>, place: usize) -> Vec<(String, 
 }
 
 /// Honest work on a part: every quantity on the way is rounded to the figures that are asked for, and the answer too.
-pub(super) fn honestly(
+pub(crate) fn honestly(
     solution: &Solution<'_>,
     place: usize,
     template: &Template,

@@ -7,7 +7,7 @@
 use crate::answer::{Band, Credit};
 
 /// One alternative of a blank.
-pub(super) struct Alternative {
+pub(crate) struct Alternative {
     /// What is typed or chosen, as it is written in the notation.
     answer: String,
     credit: Credit,
@@ -17,7 +17,7 @@ pub(super) struct Alternative {
 
 impl Alternative {
     /// A range of numbers.
-    pub(super) fn range(band: &Band, feedback: String) -> Self {
+    pub(crate) fn range(band: &Band, feedback: String) -> Self {
         let [value, half] = [band.value, band.half].map(number);
         Self {
             answer: if band.half > 0.0 {
@@ -31,7 +31,7 @@ impl Alternative {
     }
 
     /// An option, as HTML.
-    pub(super) fn option(text: &str, is_right: bool) -> Self {
+    pub(crate) fn option(text: &str, is_right: bool) -> Self {
         Self {
             answer: escaped(text),
             credit: if is_right { Credit::FULL } else { Credit::NONE },
@@ -41,12 +41,12 @@ impl Alternative {
 }
 
 /// A blank for a number.
-pub(super) fn numerical(weight: u64, alternatives: &[Alternative]) -> String {
+pub(crate) fn numerical(weight: u64, alternatives: &[Alternative]) -> String {
     blank(weight, "NUMERICAL", alternatives)
 }
 
 /// One of several options, as radio buttons below each other.
-pub(super) fn choice(weight: u64, alternatives: &[Alternative]) -> String {
+pub(crate) fn choice(weight: u64, alternatives: &[Alternative]) -> String {
     blank(weight, "MULTICHOICE_V", alternatives)
 }
 
@@ -72,13 +72,13 @@ impl Alternative {
 }
 
 /// Whole percents are all that the notation has.
-pub(super) fn percent(credit: Credit) -> f64 {
+pub(crate) fn percent(credit: Credit) -> f64 {
     (100.0 * credit.share().to_f64()).round()
 }
 
 /// A number as the platform reads it: the shortest digits that give it back, with a power of ten where it is very
 /// large or small.
-pub(super) fn number(value: f64) -> String {
+pub(crate) fn number(value: f64) -> String {
     let size = value.abs();
     if value == 0.0 || (1e-4..1e15).contains(&size) {
         value.to_string()

@@ -10,23 +10,23 @@ use crate::worksheet::{SheetQuestion, headings};
 
 /// A part of a question.
 #[derive(Clone, Debug)]
-pub(super) struct Asked<'t> {
+pub(crate) struct Asked<'t> {
     /// What it is called: `a`, or `c2` for a blank of a group.
-    pub(super) letter: String,
+    pub(crate) letter: String,
     /// The group whose blank it is.
-    pub(super) group: Option<&'t Group>,
+    pub(crate) group: Option<&'t Group>,
     /// Whether what its group has in common is shown before it.
-    pub(super) opens: bool,
+    pub(crate) opens: bool,
     /// Its place in the item.
-    pub(super) place: usize,
+    pub(crate) place: usize,
     /// The points that can be reached.
-    pub(super) points: Rational,
+    pub(crate) points: Rational,
     /// Whether a person marks it wherever it is asked.
-    pub(super) is_by_hand: bool,
+    is_by_hand: bool,
 }
 
 /// How a part is marked.
-pub(super) enum Held {
+pub(crate) enum Held {
     /// For each number that is asked its ranges, of which the first that fits counts.
     Numbers(Vec<Vec<Band>>),
     /// The options in the order of the sheet, one of which is right.
@@ -34,30 +34,30 @@ pub(super) enum Held {
 }
 
 /// An option.
-pub(super) struct Choosable {
+pub(crate) struct Choosable {
     /// Its place among the options of the item.
-    pub(super) place: usize,
-    pub(super) is_right: bool,
+    pub(crate) place: usize,
+    pub(crate) is_right: bool,
 }
 
 /// The parts of a question, sorted.
 #[derive(Default)]
-pub(super) struct Sorted<'t> {
+pub(crate) struct Sorted<'t> {
     /// Those that a platform marks.
-    pub(super) fit: Vec<(Asked<'t>, Held)>,
+    pub(crate) fit: Vec<(Asked<'t>, Held)>,
     /// Those that it cannot mark.
-    pub(super) unfit: Vec<Asked<'t>>,
+    pub(crate) unfit: Vec<Asked<'t>>,
 }
 
 impl<'t> Asked<'t> {
     /// The letter of its group.
-    pub(super) fn group_letter(&self) -> &str {
+    pub(crate) fn group_letter(&self) -> &str {
         self.letter
             .trim_end_matches(|sign: char| sign.is_ascii_digit())
     }
 
     /// The same as a question of its own.
-    pub(super) fn alone(&self) -> Self {
+    pub(crate) fn alone(&self) -> Self {
         Self {
             opens: true,
             ..self.clone()
@@ -65,7 +65,7 @@ impl<'t> Asked<'t> {
     }
 
     /// The group that is begun with it.
-    pub(super) fn opened(&self) -> Option<&'t Group> {
+    pub(crate) fn opened(&self) -> Option<&'t Group> {
         self.group.filter(|_| self.opens)
     }
 
@@ -77,7 +77,7 @@ impl<'t> Asked<'t> {
 
 impl Held {
     /// How many boxes it takes.
-    pub(super) fn boxes(&self) -> usize {
+    pub(crate) fn boxes(&self) -> usize {
         match self {
             Self::Numbers(values) => values.len(),
             Self::Choice(_) => 1,
@@ -87,7 +87,7 @@ impl Held {
 
 impl<'t> Sorted<'t> {
     /// Sorts the parts of a question; what does not fit is added to a list, each once.
-    pub(super) fn of(
+    pub(crate) fn of(
         scene: &Scene<'_, 't>,
         question: &SheetQuestion<'t>,
         unfit: &mut Vec<Unfit>,
@@ -130,7 +130,7 @@ impl<'t> Sorted<'t> {
     }
 
     /// Those that become essays: what a person marks anyway, and where it is wished all that do not fit.
-    pub(super) fn essays(&self, all: bool) -> Vec<Asked<'t>> {
+    pub(crate) fn essays(&self, all: bool) -> Vec<Asked<'t>> {
         let essays = self.unfit.iter();
         essays
             .filter(|asked| all || asked.is_by_hand)
@@ -139,7 +139,7 @@ impl<'t> Sorted<'t> {
     }
 
     /// The letters of the boxes, in order: where a part has several, its letter comes as often.
-    pub(super) fn letters(&self) -> String {
+    pub(crate) fn letters(&self) -> String {
         let letters = self
             .fit
             .iter()
@@ -148,7 +148,7 @@ impl<'t> Sorted<'t> {
     }
 
     /// The weight of each box of each part: integers in the ratio of the points.
-    pub(super) fn weights(&self) -> Vec<u64> {
+    pub(crate) fn weights(&self) -> Vec<u64> {
         let shares: Vec<(u64, u64)> = self
             .fit
             .iter()

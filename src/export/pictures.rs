@@ -6,16 +6,16 @@ use crate::scene::Shown;
 
 /// The figures of one question.
 #[derive(Default)]
-pub(super) struct Pictures {
+pub(crate) struct Pictures {
     /// Name and SVG of each.
-    pub(super) files: Vec<(String, String)>,
+    pub(crate) files: Vec<(String, String)>,
     /// What their names begin with, where those of all questions lie in one folder.
     prefix: String,
 }
 
 impl Pictures {
     /// Figures whose names begin alike.
-    pub(super) fn named(prefix: String) -> Self {
+    pub(crate) fn named(prefix: String) -> Self {
         Self {
             prefix,
             ..Self::default()
@@ -23,7 +23,7 @@ impl Pictures {
     }
 
     /// An element that shows a figure, which becomes a file; `folder` is where the platform has it.
-    pub(super) fn image(&mut self, folder: &str, svg: &str) -> String {
+    pub(crate) fn image(&mut self, folder: &str, svg: &str) -> String {
         let known = self.files.iter().position(|(_, known)| known == svg);
         let place = known.unwrap_or_else(|| {
             let name = format!("{}figure-{}.svg", self.prefix, self.files.len() + 1);
@@ -50,7 +50,7 @@ impl Pictures {
     }
 
     /// Texts as HTML, one after the other, their figures shown as files.
-    pub(super) fn html(&mut self, folder: &str, formulas: Formulas, shown: &[Shown<'_>]) -> String {
+    pub(crate) fn html(&mut self, folder: &str, formulas: Formulas, shown: &[Shown<'_>]) -> String {
         let mut out = String::new();
         for piece in shown {
             let fillings: Vec<Filling> = piece

@@ -10,7 +10,7 @@ const PREFIXES: [&str; 8] = ["", "G", "M", "k", "c", "m", "µ", "n"];
 /// The unit of a box and those that are converted to it: as it is typed, with how many of it are one of the first.
 ///
 /// Units by themselves come from the table of units; in a compound unit each factor takes its prefixes.
-pub(super) fn accepted(own: &Unit) -> Vec<(String, f64)> {
+pub(crate) fn accepted(own: &Unit) -> Vec<(String, f64)> {
     let text = own.text();
     let mut found = vec![(text.clone(), 1.0)];
     let mut seen = BTreeSet::from([text.clone()]);

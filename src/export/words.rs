@@ -14,8 +14,8 @@ use crate::scene::{Scene, Shown};
 use crate::worksheet::{Sheet, SheetQuestion};
 
 /// The texts of one question.
-pub(super) struct Words<'s, 'c> {
-    pub(super) scene: Scene<'s, 'c>,
+pub(crate) struct Words<'s, 'c> {
+    pub(crate) scene: Scene<'s, 'c>,
     /// The code of its variant.
     code: String,
     formulas: Formulas,
@@ -24,7 +24,7 @@ pub(super) struct Words<'s, 'c> {
 }
 
 impl<'s, 'c> Words<'s, 'c> {
-    pub(super) fn of(
+    pub(crate) fn of(
         sheet: &Sheet<'_>,
         question: &'s SheetQuestion<'c>,
         wish: &Wish,
@@ -40,19 +40,19 @@ impl<'s, 'c> Words<'s, 'c> {
     }
 
     /// Where a question comes from: item, code, and the letter of the part of each of its boxes.
-    pub(super) fn origin(&self, letters: &str) -> String {
+    pub(crate) fn origin(&self, letters: &str) -> String {
         let item = self.scene.solution().template().id.as_str();
         format!("{item} {} {letters}", self.code)
     }
 
     /// A name of the question with its data that standards for identifiers allow.
-    pub(super) fn identifier(&self) -> String {
+    pub(crate) fn identifier(&self) -> String {
         let item = self.scene.solution().template().id.as_str();
         format!("q.{}.{}", item.replace('/', "."), self.code)
     }
 
     /// Its title.
-    pub(super) fn title(&self) -> &'s str {
+    pub(crate) fn title(&self) -> &'s str {
         &self.scene.solution().template().about.title
     }
 
@@ -61,7 +61,7 @@ impl<'s, 'c> Words<'s, 'c> {
     }
 
     /// A formula within a line.
-    pub(super) fn math(&self, math: &Math) -> String {
+    pub(crate) fn math(&self, math: &Math) -> String {
         let mut out = String::new();
         self.formulas.write(&mut out, math, Display::Inline);
         out
@@ -77,7 +77,7 @@ impl<'s, 'c> Words<'s, 'c> {
     }
 
     /// The statement with its figure.
-    pub(super) fn statement(&self, pictures: &mut Pictures) -> String {
+    pub(crate) fn statement(&self, pictures: &mut Pictures) -> String {
         let template = self.scene.solution().template();
         let mut out = self.html(pictures, &self.scene.passage(&template.statement));
         if !template.statement.places_figure()
@@ -94,7 +94,7 @@ impl<'s, 'c> Words<'s, 'c> {
     }
 
     /// The letter of a part and its question; before the first one of a group, what its blanks have in common.
-    pub(super) fn ask(&self, asked: &Asked<'c>, pictures: &mut Pictures) -> String {
+    pub(crate) fn ask(&self, asked: &Asked<'c>, pictures: &mut Pictures) -> String {
         let mut out = String::new();
         if let Some(group) = asked.opened() {
             let words = self.html(pictures, &self.scene.passage(&group.text));
@@ -108,26 +108,26 @@ impl<'s, 'c> Words<'s, 'c> {
     }
 
     /// The symbol that is asked for and an equals sign, where there is one.
-    pub(super) fn lead(&self, place: usize) -> String {
+    pub(crate) fn lead(&self, place: usize) -> String {
         let lead = self.scene.lead(place);
         lead.map_or_else(String::new, |lead| format!("{} ", self.math(&lead)))
     }
 
     /// The unit that is printed behind a box.
-    pub(super) fn unit(&self, place: usize) -> String {
+    pub(crate) fn unit(&self, place: usize) -> String {
         let part = &self.scene.solution().template().parts[place];
         let unit = part.answer.unit();
         unit.map_or_else(String::new, |unit| format!(" {}", self.math(&unit.math())))
     }
 
     /// An option of a choice.
-    pub(super) fn option(&self, place: usize, option: usize) -> String {
+    pub(crate) fn option(&self, place: usize, option: usize) -> String {
         let part = &self.scene.solution().template().parts[place];
         self.line(&part.answer.options()[option].text)
     }
 
     /// What is said to a number that is a named mistake.
-    pub(super) fn feedback(&self, place: usize, band: &Band, pictures: &mut Pictures) -> String {
+    pub(crate) fn feedback(&self, place: usize, band: &Band, pictures: &mut Pictures) -> String {
         let part = &self.scene.solution().template().parts[place];
         let mistake = band.mistake.and_then(|number| part.mistakes.get(number));
         mistake.map_or_else(String::new, |mistake| {
@@ -136,7 +136,7 @@ impl<'s, 'c> Words<'s, 'c> {
     }
 
     /// The worked solution, with the key of each part.
-    pub(super) fn worked<'a>(
+    pub(crate) fn worked<'a>(
         &self,
         parts: impl Iterator<Item = &'a Asked<'c>>,
         pictures: &mut Pictures,
@@ -149,13 +149,13 @@ impl<'s, 'c> Words<'s, 'c> {
     }
 
     /// What comes before the solutions of the parts.
-    pub(super) fn principle(&self, pictures: &mut Pictures) -> String {
+    pub(crate) fn principle(&self, pictures: &mut Pictures) -> String {
         let template = self.scene.solution().template();
         self.html(pictures, &self.scene.passage(&template.solution))
     }
 
     /// The solutions of parts, with their keys.
-    pub(super) fn worked_parts<'a>(
+    pub(crate) fn worked_parts<'a>(
         &self,
         parts: impl Iterator<Item = &'a Asked<'c>>,
         pictures: &mut Pictures,
@@ -182,7 +182,7 @@ impl<'s, 'c> Words<'s, 'c> {
     }
 
     /// The first hints of all parts, then the second ones, and so on; those of a group once.
-    pub(super) fn hints(&self, parts: &[&Asked<'c>], pictures: &mut Pictures) -> Vec<String> {
+    pub(crate) fn hints(&self, parts: &[&Asked<'c>], pictures: &mut Pictures) -> Vec<String> {
         let template = self.scene.solution().template();
         let count = |asked: &&Asked<'_>| template.parts[asked.place].hints.len();
         let most = parts.iter().map(count).max().unwrap_or(0);

@@ -4,30 +4,30 @@ use super::{Drawing, Fill, Path, Pen, Point, Weight};
 
 /// The head of an arrow.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Head {
+pub(crate) struct Head {
     length: f64,
     half_width: f64,
 }
 
 impl Head {
     /// Of forces and moments.
-    pub(super) const BOLD: Self = Self {
+    pub(crate) const BOLD: Self = Self {
         length: 0.26,
         half_width: 0.085,
     };
     /// Of motion, coordinates and axes.
-    pub(super) const USUAL: Self = Self {
+    pub(crate) const USUAL: Self = Self {
         length: 0.21,
         half_width: 0.065,
     };
     /// Of dimensions.
-    pub(super) const SLIM: Self = Self {
+    pub(crate) const SLIM: Self = Self {
         length: 0.18,
         half_width: 0.045,
     };
 
     /// The head that goes with a pen.
-    pub(super) fn of(pen: Pen) -> Self {
+    fn of(pen: Pen) -> Self {
         if pen.weight > Weight::Medium {
             Self::BOLD
         } else {
@@ -36,7 +36,7 @@ impl Head {
     }
 
     /// Draws the head alone, its tip at a point.
-    pub(super) fn draw(self, drawing: &mut Drawing, tip: Point, direction: Point) {
+    fn draw(self, drawing: &mut Drawing, tip: Point, direction: Point) {
         let along = direction.unit();
         let (back, side) = (tip - along * self.length, along.left() * self.half_width);
         let notch = tip - along * (0.8 * self.length);
@@ -47,7 +47,7 @@ impl Head {
 }
 
 /// Draws an arrow from one point to another.
-pub(super) fn arrow(drawing: &mut Drawing, from: Point, to: Point, pen: Pen, head: Head) {
+pub(crate) fn arrow(drawing: &mut Drawing, from: Point, to: Point, pen: Pen, head: Head) {
     let along = (to - from).unit();
     let neck = to - along * (0.75 * head.length).min(from.distance(to));
     drawing.stroke(Path::line(from, neck), pen);
@@ -55,7 +55,7 @@ pub(super) fn arrow(drawing: &mut Drawing, from: Point, to: Point, pen: Pen, hea
 }
 
 /// Draws an arrow at both ends.
-pub(super) fn double(drawing: &mut Drawing, a: Point, b: Point, pen: Pen) {
+pub(crate) fn double(drawing: &mut Drawing, a: Point, b: Point, pen: Pen) {
     let head = Head::SLIM;
     let along = (b - a).unit() * (0.75 * head.length).min(a.distance(b) / 2.0);
     drawing.stroke(Path::line(a + along, b - along), pen);
@@ -64,7 +64,7 @@ pub(super) fn double(drawing: &mut Drawing, a: Point, b: Point, pen: Pen) {
 }
 
 /// Draws an arrow along a circle, from one angle to another, in radians.
-pub(super) fn bent(
+pub(crate) fn bent(
     drawing: &mut Drawing,
     centre: Point,
     radius: f64,

@@ -7,13 +7,13 @@ use super::{Path, Point};
 use crate::source::capital;
 
 /// A title of a few words, and a description.
-pub(super) struct Story {
-    pub(super) title: String,
-    pub(super) text: String,
+pub(crate) struct Story {
+    pub(crate) title: String,
+    pub(crate) text: String,
 }
 
 /// The words for the elements of a schematic.
-pub(super) fn story(items: &[Item], parts: &[Part<'_>]) -> Story {
+pub(crate) fn story(items: &[Item], parts: &[Part<'_>]) -> Story {
     let elements: Vec<(&Item, &Part<'_>)> = items.iter().zip(parts).collect();
     let mut sentences = Vec::new();
     let bodies: Vec<String> = elements

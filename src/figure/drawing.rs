@@ -23,11 +23,11 @@ const MARGIN: f64 = 0.08;
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Drawing {
-    pub(super) marks: Vec<Mark>,
-    pub(super) labels: Vec<Lettering>,
-    pub(super) obstacles: Vec<Obstacle>,
-    pub(super) areas: Vec<Area>,
-    pub(super) wishes: Vec<Wish>,
+    pub(crate) marks: Vec<Mark>,
+    pub(crate) labels: Vec<Lettering>,
+    pub(crate) obstacles: Vec<Obstacle>,
+    pub(crate) areas: Vec<Area>,
+    pub(crate) wishes: Vec<Wish>,
     owner: u32,
     clip: Option<Bounds>,
     /// The frame that it shares with others.
@@ -75,26 +75,26 @@ pub struct Anchor {
 
 /// A thick segment that labels keep clear of.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Obstacle {
-    pub(super) a: Point,
-    pub(super) b: Point,
-    pub(super) radius: f64,
-    pub(super) bounds: Bounds,
+pub(crate) struct Obstacle {
+    pub(crate) a: Point,
+    pub(crate) b: Point,
+    pub(crate) radius: f64,
+    pub(crate) bounds: Bounds,
 }
 
 /// The inside of a body, where labels of others are misleading.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Area {
-    pub(super) bounds: Bounds,
-    pub(super) owner: u32,
+pub(crate) struct Area {
+    pub(crate) bounds: Bounds,
+    pub(crate) owner: u32,
 }
 
 /// A label that goes to the first free one of some places.
 #[derive(Clone, Debug)]
-pub(super) struct Wish {
-    pub(super) label: Label,
-    pub(super) owner: u32,
-    pub(super) spots: Vec<Spot>,
+pub(crate) struct Wish {
+    pub(crate) label: Label,
+    pub(crate) owner: u32,
+    pub(crate) spots: Vec<Spot>,
 }
 
 /// A place for a label.
@@ -224,7 +224,7 @@ impl Drawing {
         });
     }
 
-    pub(super) fn letter(&mut self, label: Label, owner: u32, spot: Spot) -> Bounds {
+    pub(crate) fn letter(&mut self, label: Label, owner: u32, spot: Spot) -> Bounds {
         let bounds = spot.anchor.bounds(&label, spot.at);
         self.labels.push(Lettering {
             label,
@@ -247,12 +247,12 @@ impl Drawing {
     }
 
     /// Fixes its frame, which it shares with others.
-    pub(super) fn keep_frame(&mut self, frame: Bounds) {
+    pub(crate) fn keep_frame(&mut self, frame: Bounds) {
         self.shared = Some(frame);
     }
 
     /// Adds another drawing above this one.
-    pub(super) fn add(&mut self, other: Self) {
+    pub(crate) fn add(&mut self, other: Self) {
         self.marks.extend(other.marks);
         self.labels.extend(other.labels);
     }
@@ -280,7 +280,7 @@ impl Drawing {
 
 impl Lettering {
     /// The same elsewhere.
-    pub(super) fn shifted(&self, by: Point) -> Self {
+    pub(crate) fn shifted(&self, by: Point) -> Self {
         let Bounds { low, high } = self.bounds;
         Self {
             at: self.at + by,

@@ -17,7 +17,7 @@ use crate::unit::Dimension;
 
 /// A number of a figure.
 #[derive(Clone, Debug)]
-pub(super) enum Amount {
+pub(crate) enum Amount {
     /// Known.
     Fixed(f64),
     /// Computed from others.
@@ -26,7 +26,7 @@ pub(super) enum Amount {
 
 /// A pair of numbers.
 #[derive(Clone, Debug)]
-pub(super) enum Pair {
+pub(crate) enum Pair {
     /// Known.
     Fixed(Point),
     /// Computed from others.
@@ -37,7 +37,7 @@ pub(super) enum Pair {
 
 /// The names that the formulas of a figure may use.
 #[derive(Debug, Default)]
-pub(super) struct Names {
+pub(crate) struct Names {
     /// Name, slot, and the dimension of a number; a point has none.
     own: Vec<(Name, u32, Option<Dimension>)>,
     /// What the formulas take from the item, with their slots.
@@ -46,17 +46,17 @@ pub(super) struct Names {
 }
 
 /// The names of a figure before those of the item.
-pub(super) struct Local<'a> {
-    pub(super) names: &'a Names,
-    pub(super) item: &'a dyn Scope,
+pub(crate) struct Local<'a> {
+    pub(crate) names: &'a Names,
+    pub(crate) item: &'a dyn Scope,
 }
 
 /// Where the errors of a formula go.
-pub(super) type Report<'r> = dyn FnMut(&dyn Diagnose, &Text) + 'r;
+type Report<'r> = dyn FnMut(&dyn Diagnose, &Text) + 'r;
 
 impl Names {
     /// Adds a name of the figure; its first slot is returned.
-    pub(super) fn add(&mut self, name: &str, is_point: bool) -> u32 {
+    pub(crate) fn add(&mut self, name: &str, is_point: bool) -> u32 {
         let slot = self.slots.get();
         self.slots.set(slot + if is_point { 2 } else { 1 });
         let dimension = (!is_point).then_some(Dimension::PURE);
@@ -65,7 +65,7 @@ impl Names {
     }
 
     /// Adds a number that varies while the figure moves; its slot is returned.
-    pub(super) fn add_variable(&mut self, name: &Name, dimension: Dimension) -> u32 {
+    pub(crate) fn add_variable(&mut self, name: &Name, dimension: Dimension) -> u32 {
         let slot = self.slots.get();
         self.slots.set(slot + 1);
         self.own.push((name.clone(), slot, Some(dimension)));
@@ -73,7 +73,7 @@ impl Names {
     }
 
     /// The slot of a point.
-    pub(super) fn point(&self, name: &str) -> Option<u32> {
+    pub(crate) fn point(&self, name: &str) -> Option<u32> {
         self.own
             .iter()
             .rev()
@@ -82,7 +82,7 @@ impl Names {
     }
 
     /// The names of points.
-    pub(super) fn points(&self) -> impl Iterator<Item = &str> {
+    pub(crate) fn points(&self) -> impl Iterator<Item = &str> {
         self.own
             .iter()
             .filter(|(_, _, dimension)| dimension.is_none())
@@ -90,12 +90,12 @@ impl Names {
     }
 
     /// What was taken from the item, with the slots.
-    pub(super) fn taken(&self) -> Vec<(Name, u32)> {
+    pub(crate) fn taken(&self) -> Vec<(Name, u32)> {
         self.taken.borrow().clone()
     }
 
     /// How many slots there are.
-    pub(super) fn slots(&self) -> u32 {
+    pub(crate) fn slots(&self) -> u32 {
         self.slots.get()
     }
 
@@ -152,7 +152,7 @@ impl Binder for Local<'_> {
 
 impl Local<'_> {
     /// Reads a formula for one number.
-    pub(super) fn amount(&self, text: &Text, report: &mut Report<'_>) -> Option<Amount> {
+    pub(crate) fn amount(&self, text: &Text, report: &mut Report<'_>) -> Option<Amount> {
         let expr = read(text, report)?;
         if let Some(value) = fold(&expr) {
             return Some(Amount::Fixed(value.to_f64()));
@@ -166,7 +166,7 @@ impl Local<'_> {
     }
 
     /// A formula for a displacement or an angle: its number in SI units, and its dimension.
-    pub(super) fn measure(
+    pub(crate) fn measure(
         &self,
         expr: &Expr,
         text: &Text,
@@ -185,7 +185,7 @@ impl Local<'_> {
     }
 
     /// Reads a formula for a point.
-    pub(super) fn pair(&self, text: &Text, report: &mut Report<'_>) -> Option<Pair> {
+    pub(crate) fn pair(&self, text: &Text, report: &mut Report<'_>) -> Option<Pair> {
         let expr = read(text, report)?;
         if let Kind::Array(entries) = expr.kind()
             && let [x, y] = entries.as_slice()
@@ -254,13 +254,13 @@ fn read(text: &Text, report: &mut Report<'_>) -> Option<Expr> {
 
 /// The numbers in the slots while a figure is drawn. What has no value is not a number, and so is all that needs it.
 #[derive(Debug)]
-pub(super) struct Values {
+pub(crate) struct Values {
     slots: Vec<f64>,
     room: RefCell<Registers<Approx<f64>>>,
 }
 
 impl Values {
-    pub(super) fn new(slots: u32) -> Self {
+    pub(crate) fn new(slots: u32) -> Self {
         Self {
             slots: vec![f64::NAN; slots as usize],
             room: RefCell::default(),
@@ -268,14 +268,14 @@ impl Values {
     }
 
     /// Fills a slot.
-    pub(super) fn set(&mut self, slot: u32, number: f64) {
+    pub(crate) fn set(&mut self, slot: u32, number: f64) {
         if let Some(place) = self.slots.get_mut(slot as usize) {
             *place = number;
         }
     }
 
     /// A number.
-    pub(super) fn amount(&self, amount: &Amount) -> f64 {
+    pub(crate) fn amount(&self, amount: &Amount) -> f64 {
         match amount {
             Amount::Fixed(number) => *number,
             Amount::Computed(program) => self.run(program)[0],
@@ -283,7 +283,7 @@ impl Values {
     }
 
     /// A pair of numbers.
-    pub(super) fn pair(&self, pair: &Pair) -> Point {
+    pub(crate) fn pair(&self, pair: &Pair) -> Point {
         match pair {
             Pair::Fixed(point) => *point,
             Pair::Computed(program) => {
@@ -295,7 +295,7 @@ impl Values {
     }
 
     /// The point in two slots.
-    pub(super) fn point(&self, slot: u32) -> Point {
+    pub(crate) fn point(&self, slot: u32) -> Point {
         let at = |slot: u32| self.slots.get(slot as usize).copied().unwrap_or(f64::NAN);
         Point::new(at(slot), at(slot + 1))
     }

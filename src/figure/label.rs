@@ -11,7 +11,7 @@ use crate::math::{Accent, Class, Math, Style};
 pub const LETTER_SIZE: f64 = 0.37;
 
 /// Size of scripts as a share of that of their base.
-pub(super) const SCRIPT: f64 = 0.72;
+const SCRIPT: f64 = 0.72;
 
 /// Deepest formula that is set; what lies deeper is left out.
 const MAX_DEPTH: u32 = 40;
@@ -19,8 +19,8 @@ const MAX_DEPTH: u32 = 40;
 /// A formula or words, set as one line.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Label {
-    pub(super) runs: Vec<Run>,
-    pub(super) marks: Vec<Above>,
+    pub(crate) runs: Vec<Run>,
+    pub(crate) marks: Vec<Above>,
     width: f64,
     ascent: f64,
     descent: f64,
@@ -28,33 +28,33 @@ pub struct Label {
 
 /// Letters of one look at one height.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Run {
-    pub(super) text: String,
-    pub(super) look: Look,
+pub(crate) struct Run {
+    pub(crate) text: String,
+    pub(crate) look: Look,
     /// Space before it; negative where a superscript stands above a subscript.
-    pub(super) gap: f64,
+    pub(crate) gap: f64,
 }
 
 /// How letters are set.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Look {
-    pub(super) is_italic: bool,
-    pub(super) is_bold: bool,
-    pub(super) size: f64,
-    pub(super) rise: f64,
+pub(crate) struct Look {
+    pub(crate) is_italic: bool,
+    pub(crate) is_bold: bool,
+    pub(crate) size: f64,
+    pub(crate) rise: f64,
 }
 
 /// A mark above a letter: what it is, and where it is centred, from the start of the baseline.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Above {
-    pub(super) accent: Accent,
-    pub(super) x: f64,
-    pub(super) y: f64,
+pub(crate) struct Above {
+    accent: Accent,
+    pub(crate) x: f64,
+    pub(crate) y: f64,
 }
 
 impl Above {
     /// How many dots it has.
-    pub(super) fn dots(self) -> u8 {
+    pub(crate) fn dots(self) -> u8 {
         match self.accent {
             Accent::Dot => 1,
             Accent::DoubleDot => 2,
@@ -64,7 +64,7 @@ impl Above {
     }
 
     /// Corners of its line, from its centre, in figure units.
-    pub(super) fn line(self) -> &'static [(f64, f64)] {
+    pub(crate) fn line(self) -> &'static [(f64, f64)] {
         match self.accent {
             Accent::Dot | Accent::DoubleDot | Accent::TripleDot => &[],
             Accent::Hat => &[(-0.075, -0.035), (0.0, 0.035), (0.075, -0.035)],

@@ -7,13 +7,13 @@
 const ALLOWANCE: f64 = 1.06;
 
 /// Height of capitals and of most ascenders above the baseline, as a share of the size.
-pub(super) const ASCENT: f64 = 0.68;
+pub(crate) const ASCENT: f64 = 0.68;
 
 /// Height of small letters.
-pub(super) const X_HEIGHT: f64 = 0.45;
+pub(crate) const X_HEIGHT: f64 = 0.45;
 
 /// Depth of `g`, `y`, `μ` and parentheses below the baseline.
-pub(super) const DESCENT: f64 = 0.22;
+pub(crate) const DESCENT: f64 = 0.22;
 
 /// Printable ASCII from the space on, upright.
 const UPRIGHT: [u16; 95] = [
@@ -46,7 +46,7 @@ const GREEK_SMALL: [u16; 25] = [
 ];
 
 /// The width of a letter as a share of its size.
-pub(super) fn width(letter: char, is_italic: bool) -> f64 {
+pub(crate) fn width(letter: char, is_italic: bool) -> f64 {
     let code = letter as usize;
     let thousandths = match letter {
         ' '..='~' if is_italic => ITALIC[code - 0x20],
@@ -66,7 +66,7 @@ pub(super) fn width(letter: char, is_italic: bool) -> f64 {
 }
 
 /// Whether a letter rises above small ones.
-pub(super) fn is_tall(letter: char) -> bool {
+pub(crate) fn is_tall(letter: char) -> bool {
     !matches!(
         letter,
         'a' | 'c' | 'e' | 'g' | 'm'..='s' | 'u'..='z' | 'α' | 'γ' | 'ε' | 'η' | 'ι' | 'κ'
@@ -75,7 +75,7 @@ pub(super) fn is_tall(letter: char) -> bool {
 }
 
 /// Whether a letter goes below the baseline.
-pub(super) fn is_deep(letter: char) -> bool {
+pub(crate) fn is_deep(letter: char) -> bool {
     matches!(
         letter,
         'f' | 'g'

@@ -213,7 +213,7 @@ impl Outline {
 }
 
 /// A vector turned by an angle, counterclockwise.
-pub(super) fn turned(vector: Point, angle: f64) -> Point {
+pub(crate) fn turned(vector: Point, angle: f64) -> Point {
     if angle == 0.0 {
         return vector;
     }

@@ -12,7 +12,7 @@ pub struct Path {
 
 /// One step of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Step {
+pub(crate) enum Step {
     /// Begins anew at a point.
     Move(Point),
     /// Straight to a point.
@@ -135,7 +135,7 @@ impl Path {
     }
 
     /// The line with each point at another place, turned by an angle in radians on the way.
-    pub(super) fn mapped(&self, place: impl Fn(Point) -> Point, turn: f64) -> Self {
+    pub(crate) fn mapped(&self, place: impl Fn(Point) -> Point, turn: f64) -> Self {
         let steps = self.steps.iter().map(|step| match *step {
             Step::Move(to) => Step::Move(place(to)),
             Step::Line(to) => Step::Line(place(to)),
@@ -163,7 +163,7 @@ impl Path {
         self.steps.is_empty()
     }
 
-    pub(super) fn steps(&self) -> &[Step] {
+    pub(crate) fn steps(&self) -> &[Step] {
         &self.steps
     }
 

@@ -102,7 +102,7 @@ impl Weight {
 
 impl Dash {
     /// Lengths of dashes and gaps in tenths of a millimetre, as SVG takes them.
-    pub(super) fn pattern(self) -> Option<&'static str> {
+    pub(crate) fn pattern(self) -> Option<&'static str> {
         match self {
             Self::Solid => None,
             Self::Dashed => Some("14 9"),

@@ -41,11 +41,11 @@ pub trait Subject {
 /// Most elements of a figure, and most names.
 const MAX_COUNT: usize = 300;
 
-pub(super) struct Reader<'a, 's> {
-    pub(super) table: &'a Table<'s>,
-    pub(super) item: &'a dyn Subject,
-    pub(super) names: Names,
-    pub(super) findings: Vec<Finding>,
+pub(crate) struct FigureReader<'a, 's> {
+    pub(crate) table: &'a Table<'s>,
+    pub(crate) item: &'a dyn Subject,
+    pub(crate) names: Names,
+    pub(crate) findings: Vec<Finding>,
     /// Points whose bodies are referred to, with what is wanted and the text that does.
     wanted: Vec<(u32, bool, Text)>,
 }
@@ -53,7 +53,7 @@ pub(super) struct Reader<'a, 's> {
 impl Figure {
     /// Reads the keys of a figure but its caption; what is wrong is reported, and left out.
     pub fn read(table: &Table<'_>, item: &dyn Subject) -> (Self, Vec<Finding>) {
-        let mut reader = Reader {
+        let mut reader = FigureReader {
             table,
             item,
             names: Names::default(),
@@ -65,7 +65,7 @@ impl Figure {
     }
 }
 
-impl<'s> Reader<'_, 's> {
+impl<'s> FigureReader<'_, 's> {
     fn figure(&mut self) -> Figure {
         let table = self.table;
         let alt = table.text("alt").map(|text| text.value);
@@ -274,7 +274,7 @@ impl<'s> Reader<'_, 's> {
     }
 
     /// A point: by its name, a side of the body there, a pulley that is passed, or a formula.
-    pub(super) fn place(&mut self, table: &Table<'s>, key: &str, value: &'s Node) -> Option<Place> {
+    pub(crate) fn place(&mut self, table: &Table<'s>, key: &str, value: &'s Node) -> Option<Place> {
         let Data::Text(written) = &value.data else {
             return self.pair(table, key, value).map(Place::Free);
         };
@@ -308,7 +308,7 @@ impl<'s> Reader<'_, 's> {
         self.pair(table, key, value).map(Place::Free)
     }
 
-    pub(super) fn named(&mut self, name: &str, text: &Text) -> Option<u32> {
+    pub(crate) fn named(&mut self, name: &str, text: &Text) -> Option<u32> {
         let slot = self.names.point(name);
         if slot.is_none() {
             self.find(&FigureError::Point {
@@ -321,7 +321,7 @@ impl<'s> Reader<'_, 's> {
     }
 
     /// Two numbers, `[x, y]`, or a formula for both.
-    pub(super) fn pair(&mut self, table: &Table<'s>, key: &str, value: &'s Node) -> Option<Pair> {
+    pub(crate) fn pair(&mut self, table: &Table<'s>, key: &str, value: &'s Node) -> Option<Pair> {
         if let Data::List(items) = &value.data
             && let [x, y] = items.as_slice()
         {
@@ -346,7 +346,7 @@ impl<'s> Reader<'_, 's> {
         table.wrong(key, "a point, `[x, y]` or a formula", value)
     }
 
-    pub(super) fn amount(&mut self, text: &Text) -> Option<Amount> {
+    pub(crate) fn amount(&mut self, text: &Text) -> Option<Amount> {
         let (source, findings) = (self.table.source(), &mut self.findings);
         let local = formula::Local {
             names: &self.names,
@@ -358,7 +358,7 @@ impl<'s> Reader<'_, 's> {
     }
 
     /// A label: a formula in the symbols of the item, or words between single quotes.
-    pub(super) fn written(&mut self, text: &Text, is_symbol: bool) -> Option<Written> {
+    pub(crate) fn written(&mut self, text: &Text, is_symbol: bool) -> Option<Written> {
         let words = text
             .value
             .strip_prefix('\'')
@@ -395,7 +395,7 @@ impl<'s> Reader<'_, 's> {
         })
     }
 
-    pub(super) fn word(
+    pub(crate) fn word(
         &mut self,
         table: &Table<'s>,
         key: &'static str,
@@ -437,12 +437,12 @@ impl<'s> Reader<'_, 's> {
     }
 
     /// Notes an error whose places count in the file.
-    pub(super) fn find(&mut self, error: &FigureError) {
+    pub(crate) fn find(&mut self, error: &FigureError) {
         self.findings.push(Finding::of(error, self.table.source()));
     }
 
     /// Notes an error whose places count in a text.
-    pub(super) fn find_in(&mut self, error: &dyn Diagnose, text: &Text) {
+    pub(crate) fn find_in(&mut self, error: &dyn Diagnose, text: &Text) {
         self.findings
             .push(Finding::within(error, self.table.source(), text));
     }

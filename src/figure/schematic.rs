@@ -14,18 +14,18 @@ use crate::math::Math;
 /// A schematic of an item: its names and points, and its elements, compiled.
 #[derive(Debug)]
 pub struct Figure {
-    pub(super) alt: Option<String>,
-    pub(super) labels: Labels,
-    pub(super) locals: Vec<(u32, Local)>,
-    pub(super) taken: Vec<(Name, u32)>,
-    pub(super) slots: u32,
-    pub(super) items: Vec<Item>,
+    pub(crate) alt: Option<String>,
+    pub(crate) labels: Labels,
+    pub(crate) locals: Vec<(u32, Local)>,
+    pub(crate) taken: Vec<(Name, u32)>,
+    pub(crate) slots: u32,
+    pub(crate) items: Vec<Item>,
     /// The items in the order in which they cover each other.
-    pub(super) order: Vec<usize>,
+    pub(crate) order: Vec<usize>,
     /// The free-body diagrams.
-    pub(super) free: Free,
+    pub(crate) free: Free,
     /// How it moves, if it does.
-    pub(super) motion: Option<Motion>,
+    pub(crate) motion: Option<Motion>,
 }
 
 /// What a figure asks of the data for which it is drawn.
@@ -51,26 +51,26 @@ pub enum Labels {
 
 /// A name of a figure.
 #[derive(Debug)]
-pub(super) enum Local {
+pub(crate) enum Local {
     Number(Amount),
     Point(Pair),
 }
 
 /// An element as it is declared.
-pub(super) struct Item {
-    pub(super) kind: &'static dyn Element,
+pub(crate) struct Item {
+    pub(crate) kind: &'static dyn Element,
     /// By which a free-body diagram refers to it.
-    pub(super) id: Option<String>,
-    pub(super) ends: Vec<Place>,
-    pub(super) settings: Vec<(&'static str, Value)>,
-    pub(super) label: Option<Written>,
-    pub(super) at: Option<Side>,
-    pub(super) style: Style,
+    pub(crate) id: Option<String>,
+    pub(crate) ends: Vec<Place>,
+    pub(crate) settings: Vec<(&'static str, Value)>,
+    pub(crate) label: Option<Written>,
+    pub(crate) at: Option<Side>,
+    pub(crate) style: Style,
 }
 
 /// The place of an element.
 #[derive(Clone, Debug)]
-pub(super) enum Place {
+pub(crate) enum Place {
     Free(Pair),
     /// A point with a name, by its slot.
     Named(u32),
@@ -81,7 +81,7 @@ pub(super) enum Place {
 
 /// The value of a key.
 #[derive(Debug)]
-pub(super) enum Value {
+pub(crate) enum Value {
     Number(Amount),
     Vector(Pair),
     Point(Place),
@@ -90,11 +90,11 @@ pub(super) enum Value {
 
 /// A label as it is declared.
 #[derive(Debug)]
-pub(super) struct Written {
-    pub(super) label: Label,
-    pub(super) words: String,
+pub(crate) struct Written {
+    pub(crate) label: Label,
+    pub(crate) words: String,
     /// The name of the item that it is, if it is one.
-    pub(super) name: Option<Name>,
+    pub(crate) name: Option<Name>,
 }
 
 /// A figure that was drawn.
@@ -165,12 +165,12 @@ impl Figure {
         })
     }
 
-    pub(super) fn parts(&self, given: &dyn Given) -> Result<Vec<Part<'_>>, Undrawable> {
+    pub(crate) fn parts(&self, given: &dyn Given) -> Result<Vec<Part<'_>>, Undrawable> {
         self.parts_of(&self.items.iter().collect::<Vec<_>>(), given)
     }
 
     /// The parts of items that stand in this figure.
-    pub(super) fn parts_of<'f>(
+    pub(crate) fn parts_of<'f>(
         &'f self,
         items: &[&'f Item],
         given: &dyn Given,
@@ -193,7 +193,7 @@ impl Figure {
     }
 
     /// The numbers of all names.
-    pub(super) fn values(&self, given: &dyn Given) -> Values {
+    pub(crate) fn values(&self, given: &dyn Given) -> Values {
         let mut values = Values::new(self.slots);
         for (name, slot) in &self.taken {
             values.set(*slot, given.number(name).unwrap_or(f64::NAN));
@@ -265,14 +265,14 @@ impl Figure {
 
 impl Place {
     /// The point of the figure to which it belongs.
-    pub(super) fn slot(&self) -> Option<u32> {
+    pub(crate) fn slot(&self) -> Option<u32> {
         match self {
             Self::Free(_) => None,
             Self::Named(slot) | Self::Side(slot, _) | Self::Pass(slot, _) => Some(*slot),
         }
     }
 
-    pub(super) fn point(&self, values: &Values) -> Point {
+    pub(crate) fn point(&self, values: &Values) -> Point {
         match self {
             Self::Free(pair) => values.pair(pair),
             Self::Named(slot) | Self::Side(slot, _) | Self::Pass(slot, _) => values.point(*slot),
@@ -373,7 +373,7 @@ fn spread(items: &[&Item], parts: &mut [Part<'_>]) {
     }
 }
 
-pub(super) fn drawn(parts: &[Part<'_>], items: &[Item], order: &[usize]) -> Drawing {
+pub(crate) fn drawn(parts: &[Part<'_>], items: &[Item], order: &[usize]) -> Drawing {
     let mut drawing = Drawing::new();
     for place in order {
         let (item, part) = (&items[*place], &parts[*place]);

@@ -13,7 +13,7 @@ const FARTHER: [f64; 4] = [0.0, 0.14, 0.32, 0.55];
 const ALONG: [f64; 9] = [0.5, 0.42, 0.58, 0.34, 0.66, 0.25, 0.75, 0.12, 0.88];
 
 /// Beside a line that needs this much room on each side.
-pub(super) fn beside(a: Point, b: Point, clear: f64, at: Option<Side>) -> Vec<Spot> {
+pub(crate) fn beside(a: Point, b: Point, clear: f64, at: Option<Side>) -> Vec<Spot> {
     beside_at(a, b, clear, at, &FARTHER)
 }
 
@@ -43,7 +43,7 @@ fn beside_at(a: Point, b: Point, clear: f64, at: Option<Side>, farther: &[f64]) 
 }
 
 /// At the tip of an arrow, beyond it or at its side, then along it; anywhere near the arrow before farther off.
-pub(super) fn at_tip(from: Point, tip: Point, at: Option<Side>) -> Vec<Spot> {
+pub(crate) fn at_tip(from: Point, tip: Point, at: Option<Side>) -> Vec<Spot> {
     let along = (tip - from).unit();
     let mut normals = [along.left(), -along.left()];
     if normals[1].y > normals[0].y + 1e-9 || (normals[0].y.abs() < 1e-9 && normals[1].x > 0.0) {
@@ -71,14 +71,14 @@ pub(super) fn at_tip(from: Point, tip: Point, at: Option<Side>) -> Vec<Spot> {
 }
 
 /// Beside a point, in a direction, at growing distances.
-pub(super) fn off(point: Point, direction: Point, clear: f64) -> impl Iterator<Item = Spot> {
+pub(crate) fn off(point: Point, direction: Point, clear: f64) -> impl Iterator<Item = Spot> {
     FARTHER
         .into_iter()
         .map(move |more| Spot::beside(point, direction, clear + GAP + more))
 }
 
 /// Around a point that needs this much room: to the wanted side first.
-pub(super) fn around(point: Point, clear: f64, at: Option<Side>) -> Vec<Spot> {
+pub(crate) fn around(point: Point, clear: f64, at: Option<Side>) -> Vec<Spot> {
     let mut directions: Vec<Point> = at.map(Side::direction).into_iter().collect();
     directions.extend([
         Point::new(1.0, 0.0),
@@ -101,7 +101,7 @@ pub(super) fn around(point: Point, clear: f64, at: Option<Side>) -> Vec<Spot> {
 }
 
 /// Outside of a box, in the middle of its sides first.
-pub(super) fn outside(bounds: Bounds, at: Option<Side>) -> Vec<Spot> {
+pub(crate) fn outside(bounds: Bounds, at: Option<Side>) -> Vec<Spot> {
     let mut sides: Vec<Side> = at.into_iter().collect();
     sides.extend([Side::Right, Side::Above, Side::Left, Side::Below]);
     let half = Point::new(bounds.width() / 2.0, bounds.height() / 2.0);
@@ -121,7 +121,7 @@ pub(super) fn outside(bounds: Bounds, at: Option<Side>) -> Vec<Spot> {
 }
 
 /// Inside a body if the label fits, in the middle or at the wanted side; else outside.
-pub(super) fn inside(outline: &Outline, label: &Label, at: Option<Side>) -> Vec<Spot> {
+pub(crate) fn inside(outline: &Outline, label: &Label, at: Option<Side>) -> Vec<Spot> {
     let bounds = outline.bounds();
     let half = Point::new(bounds.width() / 2.0, bounds.height() / 2.0);
     let mut spots = Vec::new();

@@ -39,8 +39,8 @@ impl Drawing {
     }
 
     /// The same with another element before its end.
-    pub(super) fn svg_around(&self, head: &Head<'_>, inner: &str) -> String {
-        let mut writer = Writer {
+    pub(crate) fn svg_around(&self, head: &Head<'_>, inner: &str) -> String {
+        let mut writer = SvgWriter {
             out: String::with_capacity(4096),
             id: head.id,
         };
@@ -54,8 +54,8 @@ impl Drawing {
     }
 
     /// Its marks and labels, without the element around them.
-    pub(super) fn content(&self, id: &str) -> String {
-        let mut writer = Writer {
+    pub(crate) fn content(&self, id: &str) -> String {
+        let mut writer = SvgWriter {
             out: String::with_capacity(4096),
             id,
         };
@@ -94,12 +94,12 @@ impl View {
     }
 }
 
-struct Writer<'a> {
+struct SvgWriter<'a> {
     out: String,
     id: &'a str,
 }
 
-impl Writer<'_> {
+impl SvgWriter<'_> {
     fn head(&mut self, head: &Head<'_>, view: View) {
         self.text("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"");
         self.tenths(view.width);
@@ -427,7 +427,7 @@ mod tests {
     use crate::figure::{Dash, Weight};
 
     fn number(number: f64) -> String {
-        let mut writer = Writer {
+        let mut writer = SvgWriter {
             out: String::new(),
             id: "",
         };

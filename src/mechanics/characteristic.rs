@@ -63,7 +63,7 @@ impl Model {
 }
 
 /// By expansion along the first row; the matrices are small.
-pub(super) fn determinant(matrix: &Matrix) -> Option<Normal> {
+pub(crate) fn determinant(matrix: &Matrix) -> Option<Normal> {
     // The expansion of n rows has n! products: 720 of six.
     const LARGEST: usize = 6;
     match matrix.as_slice() {

@@ -11,7 +11,7 @@ use crate::unit::Dimension;
 const MAX_PASSES: usize = 16;
 
 /// All that is wrong with the dimensions of a definition.
-pub(super) fn check(definition: &Definition) -> Vec<ModelError> {
+pub(crate) fn check(definition: &Definition) -> Vec<ModelError> {
     let mut checker = Checker {
         definition,
         kinematics: BTreeMap::new(),

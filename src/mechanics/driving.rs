@@ -6,22 +6,22 @@ use crate::expr::{Name, SymbolicError};
 
 /// All harmonics that drive a model: which equation each acts on, and its numbers.
 #[derive(Clone, Debug)]
-pub(super) struct Driving {
-    pub(super) terms: Vec<Term>,
+pub(crate) struct Driving {
+    pub(crate) terms: Vec<Term>,
     /// Factor, angular frequency and phase of each term, one after the other.
-    pub(super) numbers: Compiled,
+    pub(crate) numbers: Compiled,
 }
 
 /// One harmonic on the right side of one equation.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Term {
-    pub(super) equation: usize,
-    pub(super) is_sine: bool,
+pub(crate) struct Term {
+    pub(crate) equation: usize,
+    pub(crate) is_sine: bool,
 }
 
 impl Driving {
     /// The terms of the balance that depend on time; nothing if one is no harmonic.
-    pub(super) fn of(balance: &Balance) -> Result<Option<Self>, SymbolicError> {
+    pub(crate) fn of(balance: &Balance) -> Result<Option<Self>, SymbolicError> {
         let (mut terms, mut numbers) = (Vec::new(), Vec::new());
         for (equation, driving) in balance.driving.iter().enumerate() {
             let Some((_, harmonics)) = driving.negated().harmonics(&Name::new("t"))? else {

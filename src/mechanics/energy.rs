@@ -3,7 +3,7 @@
 use crate::expr::{Expr, Kind, Normal, Operator, Order, sum_of_signed_terms};
 
 /// An energy as written where nothing had to be put in, else term by term in order.
-pub(super) fn written(energy: &Expr, written: &Expr, order: &Order) -> Expr {
+pub(crate) fn written(energy: &Expr, written: &Expr, order: &Order) -> Expr {
     if energy == written {
         return written.clone();
     }
@@ -16,7 +16,7 @@ pub(super) fn written(energy: &Expr, written: &Expr, order: &Order) -> Expr {
 }
 
 /// A term in order without multiplying out its brackets; whether it is subtracted, and the rest.
-pub(super) fn tidied(term: &Expr, order: &Order) -> (bool, Expr) {
+fn tidied(term: &Expr, order: &Order) -> (bool, Expr) {
     let normal = Normal::of(term);
     if let Ok(normal) = &normal
         && normal.terms() <= 1
@@ -56,7 +56,7 @@ pub(super) fn tidied(term: &Expr, order: &Order) -> (bool, Expr) {
 }
 
 /// The terms of a sum, with whether they are subtracted.
-pub(super) fn terms(expr: &Expr, is_negative: bool) -> Vec<(bool, Expr)> {
+pub(crate) fn terms(expr: &Expr, is_negative: bool) -> Vec<(bool, Expr)> {
     match expr.kind() {
         Kind::Binary(Operator::Add, a, b) => {
             [terms(a, is_negative), terms(b, is_negative)].concat()

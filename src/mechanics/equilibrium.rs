@@ -10,7 +10,7 @@ use crate::expr::{Expr, Kind, Name, Normal, Order, Substitution, SymbolicError, 
 
 /// What is known of the equilibrium before any number is.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Equilibrium {
+pub(crate) enum Equilibrium {
     /// The author states it; whether it is one is checked with numbers.
     Stated(Vec<Expr>),
     /// Solved from the conditions; for a linear system, or where all coordinates are zero.
@@ -23,7 +23,7 @@ pub(super) enum Equilibrium {
 
 impl Equilibrium {
     /// The position, if it has a formula.
-    pub(super) fn formula(&self) -> Option<&[Expr]> {
+    pub(crate) fn formula(&self) -> Option<&[Expr]> {
         match self {
             Self::Stated(position) | Self::Solved(position) => Some(position),
             Self::Sought | Self::Missing(_) => None,
@@ -33,18 +33,18 @@ impl Equilibrium {
 
 /// The residuals of the equations of motion taken apart: what holds the system at rest, and what drives it.
 #[derive(Clone, Debug)]
-pub(super) struct Balance {
+pub(crate) struct Balance {
     /// The generalized forces at rest, as functions of the position, negative as on the left side.
-    pub(super) restoring: Vec<Normal>,
+    pub(crate) restoring: Vec<Normal>,
     /// What depends on time alone, as on the left side.
-    pub(super) driving: Vec<Normal>,
+    pub(crate) driving: Vec<Normal>,
     /// Whether time stands beside a coordinate.
-    pub(super) is_autonomous: bool,
+    pub(crate) is_autonomous: bool,
 }
 
 impl Balance {
     /// Sets all velocities and accelerations to zero.
-    pub(super) fn of(residuals: &[Normal], coordinates: &[Name]) -> Result<Self, SymbolicError> {
+    pub(crate) fn of(residuals: &[Normal], coordinates: &[Name]) -> Result<Self, SymbolicError> {
         let time = BTreeSet::from([Name::new("t")]);
         let moving: BTreeSet<_> = crate::numerics::gather(coordinates.iter().cloned());
         let mut balance = Self {
@@ -62,7 +62,7 @@ impl Balance {
     }
 
     /// The position in which all restoring forces vanish.
-    pub(super) fn equilibrium(
+    pub(crate) fn equilibrium(
         &self,
         definition: &Definition,
         kinematics: &Kinematics,
@@ -148,7 +148,7 @@ fn stated(definition: &Definition, kinematics: &Kinematics) -> Result<Vec<Expr>,
 }
 
 /// The sum with all derivatives of these names set to zero.
-pub(super) fn at_rest(sum: &Normal, moving: &BTreeSet<Name>) -> Result<Normal, SymbolicError> {
+pub(crate) fn at_rest(sum: &Normal, moving: &BTreeSet<Name>) -> Result<Normal, SymbolicError> {
     let is_rate = |own: &Variable| own.order > 0 && moving.contains(&own.name);
     match sum.where_zero(&is_rate) {
         Some(at_rest) => Ok(at_rest),

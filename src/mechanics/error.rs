@@ -190,7 +190,7 @@ pub enum ModelError {
 }
 
 impl ModelError {
-    pub(super) fn symbolic(key: Key, whole: Span) -> impl Fn(SymbolicError) -> Self {
+    pub(crate) fn symbolic(key: Key, whole: Span) -> impl Fn(SymbolicError) -> Self {
         move |error| {
             let place = error.span().filter(|span| !span.is_none());
             Self::Symbolic {

@@ -17,38 +17,38 @@ use crate::expr::{
 
 /// What a model evaluates.
 #[derive(Clone, Debug)]
-pub(super) struct Evaluation {
-    pub(super) slots: Slots,
+pub(crate) struct Evaluation {
+    pub(crate) slots: Slots,
     /// The energies as they are written.
-    pub(super) written: Written,
+    pub(crate) written: Written,
     /// The forces at rest as functions of the position, and their derivatives where the position is sought.
-    pub(super) restoring: Compiled,
-    pub(super) slopes: Option<Compiled>,
+    pub(crate) restoring: Compiled,
+    pub(crate) slopes: Option<Compiled>,
     /// The equilibrium, where it has a formula.
-    pub(super) position: Option<Compiled>,
+    pub(crate) position: Option<Compiled>,
     /// Position and velocity at the start, by coordinate.
-    pub(super) start: Compiled,
+    pub(crate) start: Compiled,
     /// Kinetic and largest static friction of the only coordinate.
-    pub(super) sticking: Option<Compiled>,
+    pub(crate) sticking: Option<Compiled>,
     squares: OnceLock<Option<Compiled>>,
     /// Whether the equation is `I θ'' + A sin θ = 0`.
-    pub(super) is_pendulum: bool,
+    pub(crate) is_pendulum: bool,
     tangent: Option<Tangent>,
     driving: Option<Driving>,
 }
 
 /// What a model is evaluated from.
-pub(super) struct Given<'a> {
-    pub(super) energies: &'a Energies,
-    pub(super) residuals: &'a [Normal],
-    pub(super) balance: &'a Balance,
-    pub(super) equilibrium: &'a Equilibrium,
-    pub(super) friction: &'a [Option<Friction>],
-    pub(super) initial: &'a [Initial],
+pub(crate) struct Given<'a> {
+    pub(crate) energies: &'a Energies,
+    pub(crate) residuals: &'a [Normal],
+    pub(crate) balance: &'a Balance,
+    pub(crate) equilibrium: &'a Equilibrium,
+    pub(crate) friction: &'a [Option<Friction>],
+    pub(crate) initial: &'a [Initial],
 }
 
 impl Evaluation {
-    pub(super) fn of(given: &Given<'_>, linear: Option<&Linear>) -> Result<Self, SymbolicError> {
+    pub(crate) fn of(given: &Given<'_>, linear: Option<&Linear>) -> Result<Self, SymbolicError> {
         let names = &given.energies.coordinates;
         let slopes = match given.equilibrium {
             Equilibrium::Sought => {
@@ -78,36 +78,36 @@ impl Evaluation {
     }
 
     /// Factor and row of each square of V, one after the other, if it is a sum of squares.
-    pub(super) fn squares(&self, energies: &Energies) -> Option<&Compiled> {
+    pub(crate) fn squares(&self, energies: &Energies) -> Option<&Compiled> {
         let squares = self.squares.get_or_init(|| compiled_squares(energies));
         squares.as_ref()
     }
 
-    pub(super) fn tangent(&self) -> Result<&Tangent, Unavailable> {
+    pub(crate) fn tangent(&self) -> Result<&Tangent, Unavailable> {
         self.tangent.as_ref().ok_or(Unavailable::TimeVarying)
     }
 
-    pub(super) fn driving(&self) -> Result<&Driving, Unavailable> {
+    pub(crate) fn driving(&self) -> Result<&Driving, Unavailable> {
         self.driving.as_ref().ok_or(Unavailable::NotHarmonic)
     }
 }
 
 /// The matrices as formulas for evaluation: of the position, where that has no formula.
 #[derive(Clone, Debug)]
-pub(super) struct Tangent {
-    pub(super) mass: Compiled,
-    pub(super) damping: Compiled,
-    pub(super) stiffness: Compiled,
+pub(crate) struct Tangent {
+    pub(crate) mass: Compiled,
+    pub(crate) damping: Compiled,
+    pub(crate) stiffness: Compiled,
 }
 
 /// The energies and forces as they are written, for evaluation.
 #[derive(Clone, Debug)]
-pub(super) struct Written {
-    pub(super) kinetic: Compiled,
-    pub(super) potential: Compiled,
-    pub(super) dissipation: Compiled,
+pub(crate) struct Written {
+    pub(crate) kinetic: Compiled,
+    pub(crate) potential: Compiled,
+    pub(crate) dissipation: Compiled,
     /// One per coordinate, none where no force acts.
-    pub(super) forces: Vec<Option<Compiled>>,
+    pub(crate) forces: Vec<Option<Compiled>>,
 }
 
 impl Written {

@@ -7,7 +7,7 @@ use super::error::{Key, ModelError};
 use crate::expr::{Expr, Kind, Name, Substitution};
 
 /// Kinematic names and what stands for them in terms of coordinates and time.
-pub(super) struct Kinematics {
+pub(crate) struct Kinematics {
     substitution: Substitution,
     /// Coordinates and kinematic names.
     moving: BTreeSet<Name>,
@@ -15,7 +15,7 @@ pub(super) struct Kinematics {
 
 impl Kinematics {
     /// Puts the kinematic formulas into one another until only coordinates and time are left.
-    pub(super) fn of(definition: &Definition) -> Result<Self, ModelError> {
+    pub(crate) fn of(definition: &Definition) -> Result<Self, ModelError> {
         let moving = distinct_names(definition)?;
         let coordinates = definition.coordinates.iter().map(|own| own.name.clone());
         let mut resolved = Self {
@@ -46,7 +46,7 @@ impl Kinematics {
     }
 
     /// A formula in terms of coordinates, their derivatives and time.
-    pub(super) fn apply(&self, key: Key, formula: &Expr) -> Result<Expr, ModelError> {
+    pub(crate) fn apply(&self, key: Key, formula: &Expr) -> Result<Expr, ModelError> {
         self.check_primes(key, formula)?;
         let put_in = self.substitution.apply(formula);
         put_in.map_err(ModelError::symbolic(key, formula.span()))

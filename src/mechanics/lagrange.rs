@@ -9,20 +9,20 @@ use crate::expr::{Expr, Kind, Name, Normal, SymbolicError, Variable};
 
 /// Energies, dissipation and forces in terms of coordinates, velocities and time.
 #[derive(Clone, Debug)]
-pub(super) struct Energies {
-    pub(super) coordinates: Vec<Name>,
-    pub(super) kinetic: Expr,
-    pub(super) potential: Expr,
-    pub(super) dissipation: Expr,
+pub(crate) struct Energies {
+    pub(crate) coordinates: Vec<Name>,
+    pub(crate) kinetic: Expr,
+    pub(crate) potential: Expr,
+    pub(crate) dissipation: Expr,
     /// One per coordinate.
-    pub(super) forces: Vec<Expr>,
+    pub(crate) forces: Vec<Expr>,
 }
 
 /// The energies and the dissipation as sums of products.
-pub(super) struct Sums {
-    pub(super) kinetic: Normal,
-    pub(super) potential: Normal,
-    pub(super) dissipation: Normal,
+pub(crate) struct Sums {
+    kinetic: Normal,
+    pub(crate) potential: Normal,
+    dissipation: Normal,
 }
 
 impl Energies {
@@ -30,7 +30,7 @@ impl Energies {
     /// term by term and comes as a sum too.
     ///
     /// What is wrong is added to `errors`; without it the energies can be differentiated.
-    pub(super) fn of(
+    pub(crate) fn of(
         definition: &Definition,
         kinematics: &Kinematics,
         errors: &mut Vec<ModelError>,
@@ -118,7 +118,7 @@ impl Energies {
     }
 
     /// All as sums of products; the kinetic energy is known as one.
-    pub(super) fn sums(&self, kinetic: Normal) -> Result<Sums, SymbolicError> {
+    pub(crate) fn sums(&self, kinetic: Normal) -> Result<Sums, SymbolicError> {
         Ok(Sums {
             kinetic,
             potential: Normal::of(&self.potential)?,
@@ -127,7 +127,7 @@ impl Energies {
     }
 
     /// The left side of `d/dt ∂T/∂q' − ∂T/∂q + ∂V/∂q + ∂D/∂q' − Q = 0` for each coordinate.
-    pub(super) fn residuals(&self, sums: &Sums) -> Result<Vec<Normal>, SymbolicError> {
+    pub(crate) fn residuals(&self, sums: &Sums) -> Result<Vec<Normal>, SymbolicError> {
         let moving: BTreeSet<_> = crate::numerics::gather(self.coordinates.iter().cloned());
         let residual = |(name, force): (&Name, &Expr)| {
             let (position, velocity) = (Variable::of(name, 0), Variable::of(name, 1));
@@ -177,7 +177,7 @@ fn forces(definition: &Definition, kinematics: &Kinematics) -> Result<Vec<Expr>,
 }
 
 /// The place of a coordinate for which something is given.
-pub(super) fn position(
+pub(crate) fn position(
     definition: &Definition,
     name: &Name,
     key: Key,

@@ -7,21 +7,21 @@ use crate::expr::{Expr, Name, Normal, Order, Substitution, SymbolicError, Variab
 
 /// `M q'' + C q' + K q = f(t)` about an equilibrium, as formulas.
 #[derive(Clone, Debug)]
-pub(super) struct Linear {
-    pub(super) mass: Matrix,
-    pub(super) damping: Matrix,
-    pub(super) stiffness: Matrix,
+pub(crate) struct Linear {
+    pub(crate) mass: Matrix,
+    pub(crate) damping: Matrix,
+    pub(crate) stiffness: Matrix,
     /// What drives each equation: functions of time, and what the equilibrium leaves on the right.
-    pub(super) driving: Vec<Normal>,
+    pub(crate) driving: Vec<Normal>,
 }
 
 /// A square matrix by rows.
-pub(super) type Matrix = Vec<Vec<Normal>>;
+pub(crate) type Matrix = Vec<Vec<Normal>>;
 
 impl Linear {
     /// The coefficients of equations that are linear as they stand; nothing if one is not, or if a coefficient
     /// changes with time.
-    pub(super) fn exact(residuals: &[Normal], coordinates: &[Name]) -> Option<Self> {
+    pub(crate) fn exact(residuals: &[Normal], coordinates: &[Name]) -> Option<Self> {
         let mut linear = Self {
             mass: Vec::new(),
             damping: Vec::new(),
@@ -54,7 +54,7 @@ impl Linear {
     }
 
     /// The linear parts of the residuals about `position`; nothing where time stands beside a coordinate.
-    pub(super) fn about(
+    pub(crate) fn about(
         residuals: &[Normal],
         balance: &Balance,
         coordinates: &[Name],
@@ -88,7 +88,7 @@ impl Linear {
     }
 
     /// The derivatives of forces at rest by the coordinates, as functions of the position.
-    pub(super) fn slopes(
+    pub(crate) fn slopes(
         restoring: &[Normal],
         coordinates: &[Name],
     ) -> Result<Matrix, SymbolicError> {
@@ -96,7 +96,7 @@ impl Linear {
     }
 
     /// The sum of one row on the left.
-    pub(super) fn left(&self, row: usize, coordinates: &[Name]) -> Result<Normal, SymbolicError> {
+    pub(crate) fn left(&self, row: usize, coordinates: &[Name]) -> Result<Normal, SymbolicError> {
         let mut sum = Normal::of(&Expr::number(0))?;
         for (matrix, order) in [(&self.mass, 2), (&self.damping, 1), (&self.stiffness, 0)] {
             for (entry, name) in matrix[row].iter().zip(coordinates) {
@@ -108,7 +108,7 @@ impl Linear {
     }
 
     /// Whether no velocity stands in the equations.
-    pub(super) fn is_undamped(&self) -> bool {
+    pub(crate) fn is_undamped(&self) -> bool {
         self.damping.iter().flatten().all(Normal::is_zero)
     }
 }

@@ -40,11 +40,11 @@ pub const MAX_COORDINATES: usize = 16;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Model {
-    pub(super) definition: Definition,
-    pub(super) energies: Energies,
-    pub(super) equilibrium: Equilibrium,
-    pub(super) evaluation: Evaluation,
-    pub(super) residuals: Vec<Normal>,
+    pub(crate) definition: Definition,
+    pub(crate) energies: Energies,
+    pub(crate) equilibrium: Equilibrium,
+    pub(crate) evaluation: Evaluation,
+    pub(crate) residuals: Vec<Normal>,
     linear: Option<Linear>,
     /// Whether the equations are linear as they stand.
     is_linear: bool,
@@ -247,7 +247,7 @@ impl Model {
     }
 
     /// M, C and K of a model of one coordinate as formulas.
-    pub(super) fn coefficients(&self) -> Result<[Normal; 3], Unavailable> {
+    pub(crate) fn coefficients(&self) -> Result<[Normal; 3], Unavailable> {
         if self.degrees_of_freedom() > 1 {
             return Err(Unavailable::SeveralCoordinates);
         }
@@ -256,25 +256,25 @@ impl Model {
     }
 
     /// A formula in the order of the model.
-    pub(super) fn written(&self, formula: &Normal) -> Expr {
+    pub(crate) fn written(&self, formula: &Normal) -> Expr {
         formula.to_expr(&self.order)
     }
 
     /// The squares of which V is the sum, if it is one.
-    pub(super) fn squares(&self) -> Option<&Compiled> {
+    pub(crate) fn squares(&self) -> Option<&Compiled> {
         self.evaluation.squares(&self.energies)
     }
 
     /// Whether the equations are linear without an approximation.
-    pub(super) fn is_linear(&self) -> bool {
+    pub(crate) fn is_linear(&self) -> bool {
         self.is_linear
     }
 
-    pub(super) fn linear(&self) -> Option<&Linear> {
+    pub(crate) fn linear(&self) -> Option<&Linear> {
         self.linear.as_ref()
     }
 
-    pub(super) fn order(&self) -> &Order {
+    pub(crate) fn order(&self) -> &Order {
         &self.order
     }
 

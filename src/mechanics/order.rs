@@ -7,7 +7,7 @@ use crate::expr::{Expr, Kind, Name, Order};
 use crate::unit::Dimension;
 
 /// Coordinates move; constants come as textbooks print them: `m g l`, `k l²`, `m U Ω²`.
-pub(super) fn textbook(definition: &Definition) -> Order {
+pub(crate) fn textbook(definition: &Definition) -> Order {
     let coordinates = definition.coordinates.iter();
     let moving: Vec<_> = coordinates.map(|own| own.name.clone()).collect();
     let mut names = names_by_appearance(definition);

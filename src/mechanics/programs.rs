@@ -11,7 +11,7 @@ use crate::expr::{
 
 /// A formula and its program.
 #[derive(Clone, Debug)]
-pub(super) struct Compiled {
+pub(crate) struct Compiled {
     formula: Formula,
     program: OnceLock<Result<Ready, Unavailable>>,
 }
@@ -41,19 +41,19 @@ impl Formula {
 
 /// A program and the slots that it reads, ascending.
 #[derive(Clone, Debug)]
-pub(super) struct Ready {
-    pub(super) program: Program,
+pub(crate) struct Ready {
+    pub(crate) program: Program,
     slots: Vec<u32>,
 }
 
 impl Ready {
     /// Whether the program reads a slot.
-    pub(super) fn reads(&self, slot: u32) -> bool {
+    pub(crate) fn reads(&self, slot: u32) -> bool {
         self.slots.binary_search(&slot).is_ok()
     }
 
     /// Whether the program reads constants alone, of which there are as many as given.
-    pub(super) fn is_constant(&self, constants: usize) -> bool {
+    pub(crate) fn is_constant(&self, constants: usize) -> bool {
         self.slots
             .last()
             .is_none_or(|slot| (*slot as usize) < constants)
@@ -61,17 +61,17 @@ impl Ready {
 }
 
 impl Compiled {
-    pub(super) fn new(formula: Expr) -> Self {
+    pub(crate) fn new(formula: Expr) -> Self {
         Self::of(Formula::Written(formula))
     }
 
     /// Sums of products as a list.
-    pub(super) fn sums(sums: Vec<Normal>) -> Self {
+    pub(crate) fn sums(sums: Vec<Normal>) -> Self {
         Self::of(Formula::List(sums))
     }
 
     /// Sums of products by rows.
-    pub(super) fn matrix(matrix: &Matrix) -> Self {
+    pub(crate) fn matrix(matrix: &Matrix) -> Self {
         Self::of(Formula::Rows(matrix.clone()))
     }
 
@@ -83,11 +83,11 @@ impl Compiled {
     }
 
     /// A list of formulas that are evaluated together.
-    pub(super) fn list(formulas: impl IntoIterator<Item = Expr>) -> Self {
+    pub(crate) fn list(formulas: impl IntoIterator<Item = Expr>) -> Self {
         Self::new(Expr::array(formulas.into_iter().collect::<Vec<_>>()))
     }
 
-    pub(super) fn ready(&self, names: &Slots) -> Result<&Ready, Unavailable> {
+    pub(crate) fn ready(&self, names: &Slots) -> Result<&Ready, Unavailable> {
         let compile = || {
             let program = Program::compile(&self.formula.written(), names)?;
             let slots = program.slots();
@@ -100,7 +100,7 @@ impl Compiled {
     }
 
     /// Its value for these data.
-    pub(super) fn value(&self, names: &Slots, data: &Data<'_>) -> Result<Value, Unavailable> {
+    pub(crate) fn value(&self, names: &Slots, data: &Data<'_>) -> Result<Value, Unavailable> {
         let program = &self.ready(names)?.program;
         Ok(program.evaluate(data, &mut Workspace::default())?)
     }
@@ -108,9 +108,9 @@ impl Compiled {
 
 /// Which number each name is: constants first, then coordinates, velocities and time.
 #[derive(Clone, Debug)]
-pub(super) struct Slots {
-    pub(super) constants: Vec<Name>,
-    pub(super) coordinates: Vec<Name>,
+pub(crate) struct Slots {
+    pub(crate) constants: Vec<Name>,
+    pub(crate) coordinates: Vec<Name>,
 }
 
 impl Binder for Slots {
@@ -135,13 +135,13 @@ impl Binder for Slots {
 
 /// The numbers for one evaluation; coordinates, velocities and time that are not given are zero.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Data<'a> {
-    pub(super) constants: &'a [Result<Precise, Undefined>],
-    pub(super) position: &'a [Precise],
+pub(crate) struct Data<'a> {
+    pub(crate) constants: &'a [Result<Precise, Undefined>],
+    pub(crate) position: &'a [Precise],
 }
 
 impl Data<'_> {
-    pub(super) fn precise(&self, slot: u32) -> Result<Precise, Undefined> {
+    pub(crate) fn precise(&self, slot: u32) -> Result<Precise, Undefined> {
         let slot = slot as usize;
         match slot.checked_sub(self.constants.len()) {
             None => self.constants[slot],

@@ -10,14 +10,14 @@ use crate::numerics::Rational;
 
 /// A term `factor * base²` with a base linear in the coordinates.
 #[derive(Clone, Debug)]
-pub(super) struct Square {
-    pub(super) factor: Expr,
+pub(crate) struct Square {
+    pub(crate) factor: Expr,
     /// The derivatives of the base by the coordinates.
-    pub(super) row: Vec<Expr>,
+    pub(crate) row: Vec<Expr>,
 }
 
 /// The squares of an energy, up to terms that are linear in the coordinates; nothing if it has others.
-pub(super) fn squares(energy: &Expr, coordinates: &[Name]) -> Option<Vec<Square>> {
+pub(crate) fn squares(energy: &Expr, coordinates: &[Name]) -> Option<Vec<Square>> {
     let finder = Finder {
         coordinates,
         names: coordinates.iter().cloned().collect(),

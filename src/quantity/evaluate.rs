@@ -231,7 +231,7 @@ impl<'g> Evaluation<'g> {
     }
 
     /// The value of a node by another formula than its own.
-    pub(super) fn by(&self, id: NodeId, computation: &Computation) -> Result<Value, Absent> {
+    pub(crate) fn by(&self, id: NodeId, computation: &Computation) -> Result<Value, Absent> {
         if !computation.variables.is_empty() {
             return Err(self.none(id));
         }
@@ -239,7 +239,7 @@ impl<'g> Evaluation<'g> {
     }
 
     /// A node as the function that another formula than its own is.
-    pub(super) fn function_by(&self, id: NodeId, computation: &'g Computation) -> Function<'_, 'g> {
+    pub(crate) fn function_by(&self, id: NodeId, computation: &'g Computation) -> Function<'_, 'g> {
         Function {
             evaluation: self,
             node: id,
@@ -248,7 +248,7 @@ impl<'g> Evaluation<'g> {
     }
 
     /// A node that has no such value.
-    pub(super) fn none(&self, id: NodeId) -> Absent {
+    pub(crate) fn none(&self, id: NodeId) -> Absent {
         self.undefined(id, Undefined::NotReal)
     }
 

@@ -16,17 +16,17 @@ pub struct NodeId(u32);
 /// Everything of an item that has a value, and how it hangs together.
 #[derive(Debug, Default)]
 pub struct Graph {
-    pub(super) nodes: Vec<Node>,
-    pub(super) names: BTreeMap<Name, Entry>,
+    pub(crate) nodes: Vec<Node>,
+    pub(crate) names: BTreeMap<Name, Entry>,
     /// The models by their beginning in paths, `model` or `models.relative`.
-    pub(super) models: BTreeMap<Box<str>, NodeId>,
+    pub(crate) models: BTreeMap<Box<str>, NodeId>,
     /// The quantities of models that formulas ask for.
-    pub(super) paths: BTreeMap<Path, NodeId>,
+    pub(crate) paths: BTreeMap<Path, NodeId>,
 }
 
 /// What a name stands for.
 #[derive(Clone, Debug)]
-pub(super) enum Entry {
+pub(crate) enum Entry {
     /// A parameter or quantity.
     Node(NodeId),
     /// The time, a coordinate or a symbol: free in every formula.
@@ -35,25 +35,25 @@ pub(super) enum Entry {
 
 /// A parameter, quantity or formula.
 #[derive(Debug)]
-pub(super) struct Node {
+pub(crate) struct Node {
     /// Its name, or what it is for.
-    pub(super) label: Box<str>,
-    pub(super) role: Role,
+    pub(crate) label: Box<str>,
+    pub(crate) role: Role,
     /// The type, once it is known.
-    pub(super) kind: Option<Type>,
+    pub(crate) kind: Option<Type>,
     /// The condition without which it does not exist.
-    pub(super) when: Option<NodeId>,
+    pub(crate) when: Option<NodeId>,
     /// What it takes, once it is settled.
-    pub(super) uses: Option<Uses>,
+    pub(crate) uses: Option<Uses>,
     /// All names on which it depends, through others too, and its own.
-    pub(super) reach: OnceLock<BTreeSet<Name>>,
+    pub(crate) reach: OnceLock<BTreeSet<Name>>,
     /// Whether its translation cannot fail, and waits until its value is asked for.
-    pub(super) is_plain: bool,
-    pub(super) computation: OnceLock<Option<Computation>>,
+    pub(crate) is_plain: bool,
+    pub(crate) computation: OnceLock<Option<Computation>>,
 }
 
 #[derive(Debug)]
-pub(super) enum Role {
+pub(crate) enum Role {
     /// Given, at this place of the data.
     Parameter(u32),
     /// A named formula.
@@ -68,14 +68,14 @@ pub(super) enum Role {
 
 /// How the value of a node follows from others.
 #[derive(Debug)]
-pub(super) struct Computation {
-    pub(super) program: Program,
+pub(crate) struct Computation {
+    pub(crate) program: Program,
     /// What the slots of the program are, by first slot.
-    pub(super) inputs: Vec<(u32, NodeId)>,
+    pub(crate) inputs: Vec<(u32, NodeId)>,
     /// The free names on which it depends, with their slots.
-    pub(super) variables: Vec<(u32, Name)>,
+    pub(crate) variables: Vec<(u32, Name)>,
     /// The functions of time that are computed by models, by their number.
-    pub(super) motions: Vec<NodeId>,
+    pub(crate) motions: Vec<NodeId>,
 }
 
 impl Graph {
@@ -245,7 +245,7 @@ impl Graph {
     }
 
     /// Whether a node is a function of free names.
-    pub(super) fn is_function(&self, id: NodeId) -> bool {
+    pub(crate) fn is_function(&self, id: NodeId) -> bool {
         !self.slots_of_variables(id).is_empty()
     }
 
@@ -280,7 +280,7 @@ impl Graph {
             .collect()
     }
 
-    pub(super) fn node(&self, id: NodeId) -> &Node {
+    pub(crate) fn node(&self, id: NodeId) -> &Node {
         &self.nodes[id.index()]
     }
 
@@ -293,20 +293,20 @@ impl Graph {
         Ok(id)
     }
 
-    pub(super) fn push(&mut self, node: Node) -> NodeId {
+    pub(crate) fn push(&mut self, node: Node) -> NodeId {
         self.nodes.push(node);
         NodeId(self.nodes.len() as u32 - 1)
     }
 }
 
 impl NodeId {
-    pub(super) fn index(self) -> usize {
+    pub(crate) fn index(self) -> usize {
         self.0 as usize
     }
 }
 
 impl Node {
-    pub(super) fn new(label: Box<str>, role: Role, kind: Option<Type>) -> Self {
+    pub(crate) fn new(label: Box<str>, role: Role, kind: Option<Type>) -> Self {
         Self {
             label,
             role,
@@ -319,7 +319,7 @@ impl Node {
         }
     }
 
-    pub(super) fn expr(&self) -> Option<&Expr> {
+    pub(crate) fn expr(&self) -> Option<&Expr> {
         match &self.role {
             Role::Parameter(_) | Role::Model(_) | Role::Offered(_) => None,
             Role::Quantity(expr) | Role::Formula(expr) => Some(expr),

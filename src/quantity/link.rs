@@ -9,7 +9,7 @@ use crate::expr::{Binder, Binding, Form, Name, Path, Scope, Type, Variable};
 use crate::mechanics::QuantityType;
 
 /// Sorts nodes so that each comes after those that it needs.
-pub(super) struct Order<'g> {
+pub(crate) struct Order<'g> {
     graph: &'g Graph,
     /// The nodes that have their place, each with the length of the longest chain that ends with it.
     done: BTreeMap<NodeId, usize>,
@@ -22,7 +22,7 @@ pub(super) struct Order<'g> {
 const MAX_CHAIN_LENGTH: usize = 200;
 
 impl<'g> Order<'g> {
-    pub(super) fn of(graph: &'g Graph) -> Self {
+    pub(crate) fn of(graph: &'g Graph) -> Self {
         Self {
             graph,
             done: BTreeMap::new(),
@@ -33,11 +33,11 @@ impl<'g> Order<'g> {
     }
 
     /// The nodes in order, and what stood in the way.
-    pub(super) fn finish(self) -> (Vec<NodeId>, Vec<(NodeId, GraphError)>) {
+    pub(crate) fn finish(self) -> (Vec<NodeId>, Vec<(NodeId, GraphError)>) {
         (self.sorted, self.errors)
     }
 
-    pub(super) fn visit(&mut self, id: NodeId) {
+    pub(crate) fn visit(&mut self, id: NodeId) {
         self.chain(id);
     }
 
@@ -110,16 +110,16 @@ impl<'g> Order<'g> {
 }
 
 /// Gives the names of a formula their slots.
-pub(super) struct Linker<'g> {
+pub(crate) struct Linker<'g> {
     graph: &'g Graph,
     state: RefCell<Linked>,
 }
 
 #[derive(Default)]
-pub(super) struct Linked {
-    pub(super) inputs: Vec<(u32, NodeId)>,
-    pub(super) variables: Vec<(u32, Name)>,
-    pub(super) motions: Vec<NodeId>,
+pub(crate) struct Linked {
+    pub(crate) inputs: Vec<(u32, NodeId)>,
+    pub(crate) variables: Vec<(u32, Name)>,
+    pub(crate) motions: Vec<NodeId>,
     slots: u32,
 }
 
@@ -132,14 +132,14 @@ impl Linked {
 }
 
 impl<'g> Linker<'g> {
-    pub(super) fn of(graph: &'g Graph) -> Self {
+    pub(crate) fn of(graph: &'g Graph) -> Self {
         Self {
             graph,
             state: RefCell::default(),
         }
     }
 
-    pub(super) fn finish(self) -> Linked {
+    pub(crate) fn finish(self) -> Linked {
         self.state.into_inner()
     }
 

@@ -13,24 +13,24 @@ use crate::source::nearest;
 
 /// A system as it is written, and once its names are settled, as it was derived.
 #[derive(Debug)]
-pub(super) struct System {
-    pub(super) definition: Definition,
-    pub(super) model: Option<Arc<Model>>,
+pub(crate) struct System {
+    definition: Definition,
+    pub(crate) model: Option<Arc<Model>>,
 }
 
 /// A quantity that a model offers.
 #[derive(Debug)]
-pub(super) struct Offered {
+pub(crate) struct Offered {
     /// The node of the system.
-    pub(super) system: NodeId,
-    pub(super) model: Arc<Model>,
-    pub(super) quantity: Quantity,
-    pub(super) quantity_type: QuantityType,
+    pub(crate) system: NodeId,
+    pub(crate) model: Arc<Model>,
+    pub(crate) quantity: Quantity,
+    pub(crate) quantity_type: QuantityType,
 }
 
 impl System {
     /// The names that it takes from the item.
-    pub(super) fn needs(&self) -> BTreeSet<Name> {
+    pub(crate) fn needs(&self) -> BTreeSet<Name> {
         needs(&self.definition)
     }
 }
@@ -199,11 +199,11 @@ impl Graph {
     }
 
     /// The node of the system of a path.
-    pub(super) fn model_of(&self, path: &Path) -> Option<NodeId> {
+    pub(crate) fn model_of(&self, path: &Path) -> Option<NodeId> {
         self.models.get(beginning(path).as_str()).copied()
     }
 
-    pub(super) fn system(&self, id: NodeId) -> Option<&System> {
+    pub(crate) fn system(&self, id: NodeId) -> Option<&System> {
         match &self.node(id).role {
             Role::Model(system) => Some(system),
             _ => None,
@@ -211,13 +211,13 @@ impl Graph {
     }
 
     /// Whether a node is a number of a model, no formula or function of time.
-    pub(super) fn is_offered_number(&self, id: NodeId) -> bool {
+    pub(crate) fn is_offered_number(&self, id: NodeId) -> bool {
         let role = &self.node(id).role;
         matches!(role, Role::Offered(offered) if matches!(offered.quantity_type, QuantityType::Number(_)))
     }
 
     /// Derives a system whose names are settled.
-    pub(super) fn derive(&mut self, id: NodeId) -> Vec<GraphError> {
+    pub(crate) fn derive(&mut self, id: NodeId) -> Vec<GraphError> {
         let Some(system) = self.system(id) else {
             return Vec::new();
         };
@@ -315,7 +315,7 @@ impl Graph {
 
     /// The node of a formula that is a list of a model and nothing else. How long it is depends on the
     /// data, so it has no type, and stands in no other formula.
-    pub(super) fn list(&mut self, expr: &Expr) -> Option<NodeId> {
+    pub(crate) fn list(&mut self, expr: &Expr) -> Option<NodeId> {
         let Kind::Path(path) = expr.kind() else {
             return None;
         };
@@ -330,7 +330,7 @@ impl Graph {
     }
 
     /// Makes nodes for all quantities of models that a formula asks for.
-    pub(super) fn offer_all(&mut self, expr: &Expr, names: &Names) -> Vec<GraphError> {
+    pub(crate) fn offer_all(&mut self, expr: &Expr, names: &Names) -> Vec<GraphError> {
         let mut errors = Vec::new();
         for path in &names.paths {
             if let Err(error) = self.offer(path) {

@@ -9,7 +9,7 @@ use crate::expr::{CompileError, Expr, Kind, Name, Names, Path, Program, Shape, T
 
 /// What a settled node takes: names, and nodes that bring along theirs.
 #[derive(Debug)]
-pub(super) struct Uses {
+pub(crate) struct Uses {
     names: Vec<Name>,
     nodes: Vec<NodeId>,
 }
@@ -29,7 +29,7 @@ impl Graph {
     }
 
     /// Checks and compiles a node whose dependencies are settled.
-    pub(super) fn settle(&mut self, id: NodeId) -> Vec<GraphError> {
+    pub(crate) fn settle(&mut self, id: NodeId) -> Vec<GraphError> {
         if let Role::Model(_) = self.node(id).role {
             return self.derive(id);
         }
@@ -109,7 +109,7 @@ impl Graph {
     }
 
     /// Says what a node takes: these names, with the nodes that bear them, and nodes without a name.
-    pub(super) fn set_uses(&mut self, id: NodeId, names: Vec<Name>, mut nodes: Vec<NodeId>) {
+    pub(crate) fn set_uses(&mut self, id: NodeId, names: Vec<Name>, mut nodes: Vec<NodeId>) {
         nodes.extend(names.iter().filter_map(|name| self.find(name)));
         let node = &mut self.nodes[id.index()];
         node.uses = Some(Uses { names, nodes });
@@ -117,13 +117,13 @@ impl Graph {
     }
 
     /// The nodes that a node takes.
-    pub(super) fn needs(&self, id: NodeId) -> Vec<NodeId> {
+    pub(crate) fn needs(&self, id: NodeId) -> Vec<NodeId> {
         let uses = self.node(id).uses.as_ref();
         uses.map_or(Vec::new(), |uses| uses.nodes.clone())
     }
 
     /// All names on which a node depends, through others too, and its own.
-    pub(super) fn reach(&self, id: NodeId) -> &BTreeSet<Name> {
+    pub(crate) fn reach(&self, id: NodeId) -> &BTreeSet<Name> {
         self.node(id).reach.get_or_init(|| {
             let (mut open, mut seen) = (vec![id], BTreeSet::from([id]));
             let mut reach = BTreeSet::new();
@@ -141,7 +141,7 @@ impl Graph {
         })
     }
 
-    pub(super) fn link(&self, expr: &Expr) -> Result<Computation, CompileError> {
+    pub(crate) fn link(&self, expr: &Expr) -> Result<Computation, CompileError> {
         let linker = Linker::of(self);
         let program = Program::compile(expr, &linker)?;
         let Linked {
@@ -159,7 +159,7 @@ impl Graph {
     }
 
     /// How the value of a node is computed.
-    pub(super) fn computation(&self, id: NodeId) -> Option<&Computation> {
+    pub(crate) fn computation(&self, id: NodeId) -> Option<&Computation> {
         let node = self.node(id);
         if !node.is_plain {
             return node.computation.get()?.as_ref();

@@ -14,7 +14,7 @@ pub struct Trace {
 }
 
 impl Trace {
-    pub(super) fn of(graph: &Graph, is_computed: impl Fn(&NodeId) -> bool) -> Self {
+    pub(crate) fn of(graph: &Graph, is_computed: impl Fn(&NodeId) -> bool) -> Self {
         let mut trace = Self::default();
         for id in graph.ids() {
             let node = graph.node(id);

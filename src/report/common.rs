@@ -29,13 +29,13 @@ pub struct Mistake {
 
 /// Counts; of things that first occur when the list is full nothing is kept.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Counts(BTreeMap<String, u64>);
+pub(crate) struct Counts(BTreeMap<String, u64>);
 
 /// Different things that are counted.
 const MAX_COUNT: usize = 1000;
 
 impl Counts {
-    pub(super) fn add(&mut self, what: &str) {
+    pub(crate) fn add(&mut self, what: &str) {
         if let Some(count) = self.0.get_mut(what) {
             *count += 1;
         } else if self.0.len() < MAX_COUNT {
@@ -44,7 +44,7 @@ impl Counts {
     }
 
     /// The commonest that occurred at least so often, at most so many; ties in the order of their names.
-    pub(super) fn commonest(&self, least: u64, most: usize) -> Vec<Common> {
+    pub(crate) fn commonest(&self, least: u64, most: usize) -> Vec<Common> {
         let often = self.0.iter().filter(|(_, count)| **count >= least);
         let mut all: Vec<Common> = often
             .map(|(what, count)| Common {
@@ -60,7 +60,7 @@ impl Counts {
 
 impl Mistake {
     /// A mistake of a part: one that its item names, or a slip that marking names.
-    pub(super) fn of(common: Common, part: Option<&Part>) -> Self {
+    pub(crate) fn of(common: Common, part: Option<&Part>) -> Self {
         let number = common
             .what
             .strip_prefix("mistake-")

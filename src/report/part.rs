@@ -12,7 +12,7 @@ use crate::bank::Template;
 
 /// What is gathered of a part.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Tally {
+pub(crate) struct Tally {
     places: BTreeSet<(usize, String)>,
     verdicts: [u64; 5],
     follow_through: u64,
@@ -68,7 +68,7 @@ const TOLD: usize = 5;
 impl Tally {
     /// Adds a marked response; `rest` is the share of points of the other decided parts of the sheet, if there are any,
     /// and `is_settled` says whether all parts of it are decided.
-    pub(super) fn add(&mut self, seen: &Observation<'_>, rest: Option<f64>, is_settled: bool) {
+    pub(crate) fn add(&mut self, seen: &Observation<'_>, rest: Option<f64>, is_settled: bool) {
         self.places.insert((seen.question, seen.letter.to_owned()));
         self.verdicts[seen.verdict as usize] += 1;
         self.asked += 1;
@@ -97,16 +97,16 @@ impl Tally {
         }
     }
 
-    pub(super) fn variance(&self) -> Option<f64> {
+    pub(crate) fn variance(&self) -> Option<f64> {
         self.points.variance()
     }
 
     /// How many sheets that ask it are decided.
-    pub(super) fn settled(&self) -> u64 {
+    pub(crate) fn settled(&self) -> u64 {
         self.points.count()
     }
 
-    pub(super) fn summary(
+    pub(crate) fn summary(
         &self,
         item: &str,
         part: &str,
@@ -140,7 +140,7 @@ impl Tally {
     }
 
     /// Where it first stands on a sheet, for the order of the report.
-    pub(super) fn first_place(&self) -> Option<(usize, usize, &str)> {
+    pub(crate) fn first_place(&self) -> Option<(usize, usize, &str)> {
         let (question, letter) = self.places.first()?;
         Some((*question, letter.len(), letter))
     }

@@ -4,7 +4,7 @@
 
 /// Mean and spread of a number.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Moments {
+pub(crate) struct Moments {
     count: u64,
     mean: f64,
     squares: f64,
@@ -12,40 +12,40 @@ pub(super) struct Moments {
 
 /// Mean and spread of two numbers, and how they go together.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Pairs {
+pub(crate) struct Pairs {
     first: Moments,
     second: Moments,
     products: f64,
 }
 
 impl Moments {
-    pub(super) fn add(&mut self, value: f64) {
+    pub(crate) fn add(&mut self, value: f64) {
         self.count += 1;
         let before = value - self.mean;
         self.mean += before / self.count as f64;
         self.squares += before * (value - self.mean);
     }
 
-    pub(super) fn count(&self) -> u64 {
+    pub(crate) fn count(&self) -> u64 {
         self.count
     }
 
-    pub(super) fn mean(&self) -> Option<f64> {
+    pub(crate) fn mean(&self) -> Option<f64> {
         (self.count > 0).then_some(self.mean)
     }
 
     /// The variance of a sample, from two values on.
-    pub(super) fn variance(&self) -> Option<f64> {
+    pub(crate) fn variance(&self) -> Option<f64> {
         (self.count > 1).then(|| self.squares / (self.count - 1) as f64)
     }
 
-    pub(super) fn deviation(&self) -> Option<f64> {
+    pub(crate) fn deviation(&self) -> Option<f64> {
         self.variance().map(f64::sqrt)
     }
 }
 
 impl Pairs {
-    pub(super) fn add(&mut self, first: f64, second: f64) {
+    pub(crate) fn add(&mut self, first: f64, second: f64) {
         let before = first - self.first.mean;
         self.first.add(first);
         self.second.add(second);
@@ -53,7 +53,7 @@ impl Pairs {
     }
 
     /// Pearson's correlation, from three pairs on, where both numbers vary.
-    pub(super) fn correlation(&self) -> Option<f64> {
+    pub(crate) fn correlation(&self) -> Option<f64> {
         let spread = (self.first.squares * self.second.squares).sqrt();
         let is_known = self.first.count > 2 && spread > 0.0;
         is_known.then(|| (self.products / spread).clamp(-1.0, 1.0))
@@ -64,14 +64,14 @@ impl Pairs {
 /// where all marks are all or nothing it is the KR-20 of Kuder and Richardson.
 ///
 /// L. J. Cronbach, Psychometrika 16 (1951) 297.
-pub(super) fn alpha(parts: &[f64], whole: f64) -> Option<f64> {
+pub(crate) fn alpha(parts: &[f64], whole: f64) -> Option<f64> {
     let count = parts.len() as f64;
     let is_known = parts.len() > 1 && whole > 0.0;
     is_known.then(|| count / (count - 1.0) * (1.0 - parts.iter().sum::<f64>() / whole))
 }
 
 /// The value below which a share of sorted values lies, in between where it falls between two.
-pub(super) fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
+pub(crate) fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
     let last = sorted.len().checked_sub(1)?;
     let place = share * last as f64;
     let (low, rest) = (place.floor(), place - place.floor());

@@ -19,12 +19,12 @@ use crate::unit::Decimal;
 const MAX_DEPTH: usize = 20;
 
 /// A formula without the branches that the data rule out, its moving pieces written out.
-pub(super) fn concrete(solution: &Solution<'_>, expr: &Expr) -> Expr {
+pub(crate) fn concrete(solution: &Solution<'_>, expr: &Expr) -> Expr {
     Reader { solution }.concrete(expr, 0)
 }
 
 /// A quantity that moves with time, as a formula with numbers in SI units.
-pub(super) fn function(solution: &Solution<'_>, node: NodeId) -> Option<Math> {
+pub(crate) fn function(solution: &Solution<'_>, node: NodeId) -> Option<Math> {
     let template = solution.template();
     let expr = concrete(solution, template.graph.expr(node)?);
     let folded = Folded {

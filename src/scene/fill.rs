@@ -12,7 +12,7 @@ use crate::quantity::NodeId;
 use crate::unit::{Decimal, Quantity, Unit};
 
 impl Scene<'_, '_> {
-    pub(super) fn filling(&self, target: &Target, form: Form) -> Filling {
+    pub(crate) fn filling(&self, target: &Target, form: Form) -> Filling {
         match target {
             Target::Node(node) => self.node(*node, form),
             Target::Figure => self.shown(self.picture()),
@@ -108,7 +108,7 @@ impl Scene<'_, '_> {
     }
 
     /// The number with its unit; a function of time as its formula with numbers.
-    pub(super) fn value(&self, node: NodeId, info: &QuantityInfo) -> Math {
+    pub(crate) fn value(&self, node: NodeId, info: &QuantityInfo) -> Math {
         if let Some(place) = info.parameter {
             return self.solution.instance().values()[place].math(self.solution.mark());
         }
@@ -122,7 +122,7 @@ impl Scene<'_, '_> {
     }
 
     /// The value of a number in the unit of the part that asks for it, where that is another than its own.
-    pub(super) fn value_as_asked(&self, node: NodeId, info: &QuantityInfo) -> Option<Math> {
+    pub(crate) fn value_as_asked(&self, node: NodeId, info: &QuantityInfo) -> Option<Math> {
         let template = self.solution.template();
         let asks = |part: &&Part| match part.answer.keys()[..] {
             [key] if key == node => true,

@@ -12,14 +12,14 @@ const SHORTEST_RIGHT: usize = 4;
 const MAX_LEFT_LENGTH: usize = 12;
 
 /// A chain of sides as it is set.
-pub(super) struct Chain {
-    pub(super) sides: Vec<Math>,
+pub(crate) struct Chain {
+    pub(crate) sides: Vec<Math>,
     /// Whether the last one is an approximation.
-    pub(super) is_approximate: bool,
+    pub(crate) is_approximate: bool,
 }
 
 /// The lines, aligned at their relations where the left sides are short; long sums continue on the next line.
-pub(super) fn aligned(lines: &[Chain]) -> Vec<[Math; 2]> {
+pub(crate) fn aligned(lines: &[Chain]) -> Vec<[Math; 2]> {
     let is_short = |line: &Chain| {
         line.sides
             .first()

@@ -8,10 +8,10 @@ use crate::solution::Solution;
 use crate::unit::Decimal;
 
 /// Names as their symbols.
-pub(super) struct Symbols<'a, 't>(pub(super) &'a Solution<'t>);
+pub(crate) struct Symbols<'a, 't>(pub(crate) &'a Solution<'t>);
 
 /// Names as the numbers that they have, in SI units; what has no number keeps its symbol.
-pub(super) struct Numbers<'a, 't>(pub(super) &'a Solution<'t>);
+pub(crate) struct Numbers<'a, 't>(pub(crate) &'a Solution<'t>);
 
 impl Notation for Symbols<'_, '_> {
     fn name(&self, name: &Name) -> Symbol {
@@ -36,7 +36,7 @@ impl Notation for Numbers<'_, '_> {
 }
 
 /// Names as the values that they have, in the units in which they are printed.
-pub(super) struct Quantities<'a, 's, 't>(pub(super) &'a Scene<'s, 't>);
+pub(crate) struct Quantities<'a, 's, 't>(pub(crate) &'a Scene<'s, 't>);
 
 impl Notation for Quantities<'_, '_, '_> {
     fn name(&self, name: &Name) -> Symbol {
@@ -67,7 +67,7 @@ impl Numbers<'_, '_> {
     }
 
     /// The number of a name, as it is printed in SI units.
-    pub(super) fn decimal(&self, name: &Name) -> Option<Decimal> {
+    pub(crate) fn decimal(&self, name: &Name) -> Option<Decimal> {
         let (solution, template) = (self.0, self.0.template());
         let node = template.graph.find(name)?;
         let info = template.info(node)?;
@@ -90,7 +90,7 @@ impl Numbers<'_, '_> {
 }
 
 /// A number as a symbol: one that is negative is put in parentheses where it has to be.
-pub(super) fn symbol_of(number: Decimal, solution: &Solution<'_>) -> Symbol {
+pub(crate) fn symbol_of(number: Decimal, solution: &Solution<'_>) -> Symbol {
     let kind = if number.is_negative() {
         SymbolKind::Negative
     } else {

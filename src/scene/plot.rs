@@ -56,7 +56,7 @@ impl Scene<'_, '_> {
     }
 
     /// A plot as it stands in a text.
-    pub(super) fn drawn_plot(&self, name: &str) -> Filling {
+    pub(crate) fn drawn_plot(&self, name: &str) -> Filling {
         let id = self.plot_id(name);
         match self.plot(name) {
             Ok(picture) if !self.is_drawn => {

@@ -16,7 +16,7 @@ const MAX_WORKED_LENGTH: usize = 90;
 
 impl Scene<'_, '_> {
     /// The derivation that a path asks for.
-    pub(super) fn steps(&self, path: &Path) -> Filling {
+    pub(crate) fn steps(&self, path: &Path) -> Filling {
         let graph = &self.solution.template().graph;
         if let Some((_, Way::TurningPoints)) = graph.way(path) {
             return self.turning_points(path);
@@ -152,7 +152,7 @@ impl Scene<'_, '_> {
     }
 
     /// Formula, data substituted, value, and the value in the unit in which a part asks for it.
-    pub(super) fn worked(&self, node: NodeId, info: &QuantityInfo) -> Filling {
+    pub(crate) fn worked(&self, node: NodeId, info: &QuantityInfo) -> Filling {
         let graph = &self.solution.template().graph;
         let formula = graph.expr(node).and_then(|expr| {
             let expr = concrete::concrete(self.solution, expr);
@@ -178,7 +178,7 @@ impl Scene<'_, '_> {
 }
 
 /// Why a quantity cannot be worked out line by line; `None` where it can.
-pub(super) fn unworkable(template: &crate::bank::Template, node: NodeId) -> Option<&'static str> {
+pub(crate) fn unworkable(template: &crate::bank::Template, node: NodeId) -> Option<&'static str> {
     let Some(expr) = template.graph.expr(node) else {
         return Some("it is given");
     };

@@ -19,7 +19,7 @@ const LAST_LINES: usize = 2;
 const MAX_POINTS: usize = 500;
 
 impl Scene<'_, '_> {
-    pub(super) fn turning_points(&self, path: &Path) -> Filling {
+    pub(crate) fn turning_points(&self, path: &Path) -> Filling {
         let evaluation = self.solution.evaluation();
         let Some(turns) = evaluation.turning_points(path, MAX_POINTS) else {
             return Filling::Steps(Vec::new());

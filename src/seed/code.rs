@@ -42,7 +42,7 @@ pub enum CodeError {
 }
 
 /// The code of a number below 2⁴⁰.
-pub(super) fn write(number: u64) -> String {
+pub(crate) fn write(number: u64) -> String {
     let digits: [u8; LENGTH - 1] =
         std::array::from_fn(|i| (number >> (5 * (LENGTH - 2 - i)) & 31) as u8);
     let check = times_a(digits.iter().fold(0, |sum, digit| times_a(sum) ^ digit));
@@ -57,7 +57,7 @@ pub(super) fn write(number: u64) -> String {
 }
 
 /// The number in a code, which is read in any case and with any hyphens and spaces.
-pub(super) fn read(text: &str) -> Result<u64, CodeError> {
+pub(crate) fn read(text: &str) -> Result<u64, CodeError> {
     let (mut number, mut sum, mut found) = (0_u64, 0, 0_usize);
     for (at, char) in text
         .char_indices()

@@ -40,7 +40,7 @@ pub struct AnswerSurvey {
 
 impl AnswerSurvey {
     /// One for each part that asks for numbers, still empty.
-    pub(super) fn of_parts(template: &Template) -> Vec<Self> {
+    pub(crate) fn of_parts(template: &Template) -> Vec<Self> {
         let parts = template.parts.iter().enumerate();
         parts
             .filter(|(_, part)| matches!(part.answer.kind(), Kind::Numeric | Kind::Integer))
@@ -64,7 +64,7 @@ impl AnswerSurvey {
     }
 
     /// Takes in the key of one instance.
-    pub(super) fn add(&mut self, solution: &Solution<'_>) {
+    pub(crate) fn add(&mut self, solution: &Solution<'_>) {
         if !solution.asks(self.place) {
             return;
         }

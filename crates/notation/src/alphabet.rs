@@ -8,7 +8,7 @@ use super::Style;
 ///
 /// The Unicode Standard, *Mathematical Alphanumeric Symbols*, U+1D400 to U+1D7FF, and the letters
 /// that were encoded before it in U+2100 to U+214F.
-pub(super) fn styled(char: char, style: Style) -> Option<char> {
+pub(crate) fn styled(char: char, style: Style) -> Option<char> {
     // Bold italic capital Greek is upright in LaTeX, as the digits are.
     let (upper, lower, digit, greek_upper, greek_lower) = match style {
         Style::Bold => (0x1D400, 0x1D41A, 0x1D7CE, 0x1D6A8, 0x1D6C2),

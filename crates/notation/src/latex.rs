@@ -17,7 +17,7 @@ impl Math {
 
     /// Appends LaTeX source, without dollar signs.
     pub fn write_latex(&self, out: &mut String, holes: &dyn Holes) {
-        Writer {
+        LatexWriter {
             out,
             holes,
             after_word: false,
@@ -33,14 +33,14 @@ pub(crate) const FUNCTIONS: &[&str] = &[
     "sup", "tan", "tanh",
 ];
 
-struct Writer<'a> {
+struct LatexWriter<'a> {
     out: &'a mut String,
     holes: &'a dyn Holes,
     /// Whether a command made of letters has just ended.
     after_word: bool,
 }
 
-impl Writer<'_> {
+impl LatexWriter<'_> {
     fn math(&mut self, math: &Math) {
         match math {
             Math::Row(pieces) => pieces.iter().for_each(|piece| self.math(piece)),

@@ -60,7 +60,7 @@ impl Math {
         right.write_spoken(out, holes);
         escape_from(out, words);
         out.push_str("\">");
-        let mut writer = Writer {
+        let mut writer = MathmlWriter {
             out,
             holes,
             before: Atom::Edge,
@@ -85,7 +85,7 @@ impl Math {
         self.write_spoken(out, holes);
         escape_from(out, words);
         out.push_str("\">");
-        let mut writer = Writer {
+        let mut writer = MathmlWriter {
             out,
             holes,
             before: Atom::Edge,
@@ -121,7 +121,7 @@ fn escape_from(out: &mut String, start: usize) {
     }
 }
 
-struct Writer<'a> {
+struct MathmlWriter<'a> {
     out: &'a mut String,
     holes: &'a dyn Holes,
     /// The atom before the next one in this row.
@@ -129,7 +129,7 @@ struct Writer<'a> {
     in_script: bool,
 }
 
-impl Writer<'_> {
+impl MathmlWriter<'_> {
     /// The pieces of a tree, in the row that is open.
     fn math(&mut self, math: &Math) {
         match math {

@@ -14,7 +14,7 @@ impl Math {
     /// Appends a line of Unicode text.
     pub fn write_plain(&self, out: &mut String, holes: &dyn Holes) {
         let start = out.len();
-        let mut writer = Writer {
+        let mut writer = PlainWriter {
             out,
             holes,
             start,
@@ -27,7 +27,7 @@ impl Math {
     }
 }
 
-struct Writer<'a> {
+struct PlainWriter<'a> {
     out: &'a mut String,
     holes: &'a dyn Holes,
     /// Where this formula begins.
@@ -38,7 +38,7 @@ struct Writer<'a> {
     after_fraction: bool,
 }
 
-impl Writer<'_> {
+impl PlainWriter<'_> {
     fn math(&mut self, math: &Math) {
         match math {
             Math::Row(pieces) => pieces.iter().for_each(|piece| self.math(piece)),

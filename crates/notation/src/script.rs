@@ -3,17 +3,17 @@
 use super::{Holes, Math};
 
 /// The base of a script, its scripts, and whether it needs parentheses.
-pub(super) struct Bearer<'a> {
-    pub(super) base: &'a Math,
-    pub(super) sub: Option<&'a Math>,
-    pub(super) sup: Option<&'a Math>,
+pub(crate) struct Bearer<'a> {
+    pub(crate) base: &'a Math,
+    pub(crate) sub: Option<&'a Math>,
+    pub(crate) sup: Option<&'a Math>,
     /// A filled base of several pieces: the square of `2 kg` is `(2 kg)²`.
-    pub(super) needs_parentheses: bool,
+    pub(crate) needs_parentheses: bool,
 }
 
 impl<'a> Bearer<'a> {
     /// Looks through a hole: `ω_n` filled into `□²` bears both scripts on its letter.
-    pub(super) fn of(
+    pub(crate) fn of(
         base: &'a Math,
         sub: Option<&'a Math>,
         sup: Option<&'a Math>,

@@ -15,18 +15,18 @@ impl Math {
     /// Appends the words.
     pub fn write_spoken(&self, out: &mut String, holes: &dyn Holes) {
         let start = out.len();
-        Writer { out, holes, start }.math(self);
+        SpokenWriter { out, holes, start }.math(self);
     }
 }
 
-struct Writer<'a> {
+struct SpokenWriter<'a> {
     out: &'a mut String,
     holes: &'a dyn Holes,
     /// Where this formula begins.
     start: usize,
 }
 
-impl Writer<'_> {
+impl SpokenWriter<'_> {
     fn math(&mut self, math: &Math) {
         match math {
             Math::Row(pieces) => pieces.iter().for_each(|piece| self.math(piece)),

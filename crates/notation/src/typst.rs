@@ -51,7 +51,7 @@ impl Math {
     /// Appends Typst markup that sets the formula.
     pub fn write_typst(&self, out: &mut String, display: Display, holes: &dyn Holes) {
         let mut body = String::new();
-        Writer {
+        TypstWriter {
             out: &mut body,
             holes,
         }
@@ -88,12 +88,12 @@ pub fn quote(out: &mut String, text: &str) {
     out.push('"');
 }
 
-struct Writer<'a> {
+struct TypstWriter<'a> {
     out: &'a mut String,
     holes: &'a dyn Holes,
 }
 
-impl Writer<'_> {
+impl TypstWriter<'_> {
     fn math(&mut self, math: &Math) {
         match math {
             Math::Row(pieces) => pieces.iter().for_each(|piece| self.math(piece)),

@@ -1,13 +1,13 @@
 //! Known results.
 
-use super::{ItemError, Reader};
+use super::{ItemError, ItemReader};
 use crate::bank::template::{Check, Expected, Part};
 use crate::expr::{Name, Precise};
 use crate::source::{Table, Text, nearest};
 use crate::unit::{Quantity, Unit};
 
-impl<'s> Reader<'s> {
-    pub(super) fn checks(&mut self, table: &Table<'s>, parts: &[Part]) -> Vec<Check> {
+impl<'s> ItemReader<'s> {
+    pub(crate) fn checks(&mut self, table: &Table<'s>, parts: &[Part]) -> Vec<Check> {
         table
             .tables("check")
             .into_iter()

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::Reader;
+use super::ItemReader;
 use crate::answer::Known;
 use crate::bank::template::QuantityInfo;
 use crate::document::Document;
@@ -15,7 +15,7 @@ use crate::source::Table;
 use crate::unit::Dimension;
 
 /// The names of an item as its figure and its plots see them.
-pub(super) struct Names<'a> {
+pub(crate) struct Names<'a> {
     graph: &'a Graph,
     quantities: &'a BTreeMap<NodeId, QuantityInfo>,
     free: &'a [Known],
@@ -23,7 +23,7 @@ pub(super) struct Names<'a> {
 
 impl Names<'_> {
     /// The symbol of a quantity, or else of a free variable.
-    pub(super) fn symbol(&self, name: &Name) -> Math {
+    pub(crate) fn symbol(&self, name: &Name) -> Math {
         let quantity = self
             .graph
             .find(name)
@@ -96,9 +96,9 @@ impl Names<'_> {
     }
 }
 
-impl<'s> Reader<'s> {
+impl<'s> ItemReader<'s> {
     /// The figure and what is written under it.
-    pub(super) fn figure(&mut self, table: &Table<'s>) -> (Option<Figure>, Document) {
+    pub(crate) fn figure(&mut self, table: &Table<'s>) -> (Option<Figure>, Document) {
         let Some(table) = table.table("figure") else {
             return (None, Document::default());
         };
@@ -114,7 +114,7 @@ impl<'s> Reader<'s> {
         (Some(figure), caption)
     }
 
-    pub(super) fn names(&self) -> Names<'_> {
+    pub(crate) fn names(&self) -> Names<'_> {
         Names {
             graph: &self.graph,
             quantities: &self.quantities,

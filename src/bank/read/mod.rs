@@ -19,8 +19,8 @@ use std::sync::Arc;
 
 pub use error::ItemError;
 #[cfg(feature = "render")]
-pub(super) use texts::{Noting, Parsers};
-pub(super) use texts::{Stored, Texts};
+pub(crate) use texts::{Noting, Parsers};
+pub(crate) use texts::{Stored, Texts};
 
 use super::bounds;
 use super::rule::Rule;
@@ -36,7 +36,7 @@ use crate::unit::{self, Unit};
 use crate::work;
 
 /// The state of reading one item.
-struct Reader<'s> {
+struct ItemReader<'s> {
     source: &'s Source,
     texts: &'s mut dyn Texts,
     findings: Vec<Finding>,
@@ -65,18 +65,18 @@ struct Reader<'s> {
 }
 
 /// An item file, or what a compiled item has of it.
-pub(super) struct Item<'s> {
-    pub(super) id: ItemId,
-    pub(super) revision: Revision,
-    pub(super) source: &'s Source,
-    pub(super) tree: &'s Value,
+pub(crate) struct Item<'s> {
+    pub(crate) id: ItemId,
+    pub(crate) revision: Revision,
+    pub(crate) source: &'s Source,
+    pub(crate) tree: &'s Value,
     /// The vocabulary of topics, where it is to be kept to.
-    pub(super) topics: Option<&'s BTreeMap<String, String>>,
+    pub(crate) topics: Option<&'s BTreeMap<String, String>>,
 }
 
 /// Builds the template of an item; there is none where something is wrong with it.
 /// What was noted about the form of the file is added to the findings.
-pub(super) fn item(
+pub(crate) fn item(
     item: Item<'_>,
     problems: &Problems,
     texts: &mut dyn Texts,
@@ -87,7 +87,7 @@ pub(super) fn item(
         let findings = excesses.iter().map(|excess| Finding::of(excess, source));
         return (None, findings.collect());
     }
-    let mut reader = Reader::new(source, texts);
+    let mut reader = ItemReader::new(source, texts);
     let read = work::within(bounds::READING, || {
         Table::of(source, problems, "", item.tree).and_then(|table| reader.item(item, &table))
     });
@@ -112,7 +112,7 @@ pub(super) fn item(
     )
 }
 
-impl<'s> Reader<'s> {
+impl<'s> ItemReader<'s> {
     fn new(source: &'s Source, texts: &'s mut dyn Texts) -> Self {
         Self {
             source,

@@ -1,6 +1,6 @@
 //! The tables of models: energies, dissipation, forces, friction, initial state.
 
-use super::Reader;
+use super::ItemReader;
 use crate::answer::Role;
 use crate::diagnostic::Finding;
 use crate::expr::{Expr, Name};
@@ -23,14 +23,14 @@ const OF_THE_MOTION: [&str; 7] = [
 ];
 
 /// A model as declared, until all names are known.
-pub(super) struct Declared {
-    pub(super) node: NodeId,
-    pub(super) span: Span,
+pub(crate) struct Declared {
+    pub(crate) node: NodeId,
+    span: Span,
 }
 
-impl<'s> Reader<'s> {
+impl<'s> ItemReader<'s> {
     /// All models of an item.
-    pub(super) fn models(&mut self, table: &Table<'s>) -> Vec<Declared> {
+    pub(crate) fn models(&mut self, table: &Table<'s>) -> Vec<Declared> {
         let main = table.table("model");
         let mut declared = Vec::new();
         if let Some(model) = &main {
@@ -319,7 +319,7 @@ impl<'s> Reader<'s> {
     }
 
     /// Notes a finding about a model; its places count in the file.
-    pub(super) fn find_in_model(
+    pub(crate) fn find_in_model(
         &mut self,
         error: &impl crate::diagnostic::Diagnose,
         model: &Declared,

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::{Arc, OnceLock};
 
-use super::{ItemError, Reader};
+use super::{ItemError, ItemReader};
 use crate::answer::{self, Answer, Credit, Declare, Known, Naming, Role};
 use crate::bank::Domain;
 #[cfg(feature = "render")]
@@ -19,8 +19,8 @@ use crate::quantity::{Graph, NodeId};
 use crate::source::{Data, Span, Table, Text};
 use crate::unit::Unit;
 
-impl<'s> Reader<'s> {
-    pub(super) fn parts(&mut self, table: &Table<'s>) -> Vec<Part> {
+impl<'s> ItemReader<'s> {
+    pub(crate) fn parts(&mut self, table: &Table<'s>) -> Vec<Part> {
         let mut parts: Vec<Part> = Vec::new();
         for question in table.tables("part") {
             if question.has("blank") {
@@ -331,7 +331,7 @@ impl<'s> Reader<'s> {
         });
         let unit = table
             .text("unit")
-            .and_then(|text| Reader::unit(self, &text));
+            .and_then(|text| ItemReader::unit(self, &text));
         let when = table
             .text("when")
             .and_then(|text| self.condition("condition of a mistake", &text));
@@ -345,7 +345,7 @@ impl<'s> Reader<'s> {
         })
     }
 
-    pub(super) fn replacements(&mut self, table: &Table<'s>) -> Vec<(NodeId, NodeId)> {
+    pub(crate) fn replacements(&mut self, table: &Table<'s>) -> Vec<(NodeId, NodeId)> {
         let mut replaced = Vec::new();
         for entry in table.entries() {
             let Some(text) = table.as_formula(&entry.key, &entry.value) else {
@@ -367,7 +367,8 @@ impl<'s> Reader<'s> {
                 );
                 continue;
             };
-            replaced.extend(Reader::formula(self, "mistake", &text).map(|value| (quantity, value)));
+            replaced
+                .extend(ItemReader::formula(self, "mistake", &text).map(|value| (quantity, value)));
         }
         replaced
     }
@@ -389,9 +390,9 @@ fn is_name(key: &str) -> bool {
             .all(|byte| byte.is_ascii_alphanumeric() || byte == b'_')
 }
 
-impl Declare for Reader<'_> {
+impl Declare for ItemReader<'_> {
     fn formula(&mut self, label: &str, text: &Text) -> Option<NodeId> {
-        let expr = Reader::expr(self, text)?;
+        let expr = ItemReader::expr(self, text)?;
         let named = match expr.kind() {
             Kind::Name(name) => self.graph.find(name),
             _ => None,
@@ -402,7 +403,7 @@ impl Declare for Reader<'_> {
 
     fn condition(&mut self, label: &str, text: &Text) -> Option<NodeId> {
         let label = format!("{label} of {}", self.part);
-        Reader::condition(self, &label, text)
+        ItemReader::condition(self, &label, text)
     }
 
     fn expr(&mut self, label: &str, expr: Expr, text: &Text) -> Option<NodeId> {
@@ -476,7 +477,7 @@ impl Declare for Reader<'_> {
     }
 
     fn unit(&mut self, text: &Text) -> Option<Unit> {
-        Reader::unit(self, text)
+        ItemReader::unit(self, text)
     }
 
     fn text(&mut self, text: &Text) -> Document {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{ItemError, Reader};
+use super::{ItemError, ItemReader};
 use crate::bank::passage::{Passage, Piece, Target};
 use crate::bank::template::{QuantityInfo, Units};
 use crate::document::{Document, Form, Placeholder};
@@ -12,9 +12,9 @@ use crate::quantity::NodeId;
 use crate::source::{Data, Table, Text, Value, nearest};
 use crate::unit::Unit;
 
-impl<'s> Reader<'s> {
+impl<'s> ItemReader<'s> {
     /// A text, or alternatives of `{ when, text }`.
-    pub(super) fn passage(
+    pub(crate) fn passage(
         &mut self,
         table: &Table<'s>,
         key: &'static str,
@@ -36,7 +36,7 @@ impl<'s> Reader<'s> {
     }
 
     /// The passage of a key, empty if it is not there.
-    pub(super) fn optional_passage(&mut self, table: &Table<'s>, key: &'static str) -> Passage {
+    pub(crate) fn optional_passage(&mut self, table: &Table<'s>, key: &'static str) -> Passage {
         table
             .value(key)
             .map(|value| self.passage(table, key, value))
@@ -44,7 +44,7 @@ impl<'s> Reader<'s> {
     }
 
     /// A list of texts; each may be a list of alternatives.
-    pub(super) fn passages(&mut self, table: &Table<'s>, key: &'static str) -> Vec<Passage> {
+    pub(crate) fn passages(&mut self, table: &Table<'s>, key: &'static str) -> Vec<Passage> {
         let Some(value) = table.value(key) else {
             return Vec::new();
         };
@@ -56,14 +56,14 @@ impl<'s> Reader<'s> {
     }
 
     /// One text that is always shown.
-    pub(super) fn text(&mut self, text: &Text) -> Passage {
+    pub(crate) fn text(&mut self, text: &Text) -> Passage {
         Passage {
             pieces: vec![self.piece(None, text)],
         }
     }
 
     /// A text without placeholders.
-    pub(super) fn plain_text(&mut self, text: &Text) -> Document {
+    pub(crate) fn plain_text(&mut self, text: &Text) -> Document {
         self.document(text)
     }
 

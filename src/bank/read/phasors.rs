@@ -1,14 +1,14 @@
 //! The tables of phasor diagrams: pointers and the angles between them.
 
 use super::plots::coherent;
-use super::{ItemError, Reader};
+use super::{ItemError, ItemReader};
 use crate::bank::plot::{Phasor, Phasors, Turn};
 use crate::expr::{Form, Type};
 use crate::quantity::NodeId;
 use crate::source::{Table, Text};
 
-impl<'s> Reader<'s> {
-    pub(super) fn phasors(&mut self, table: &Table<'s>) -> Option<Phasors> {
+impl<'s> ItemReader<'s> {
+    pub(crate) fn phasors(&mut self, table: &Table<'s>) -> Option<Phasors> {
         let unit = table.text("unit");
         let unit = unit.and_then(|text| self.unit(&text));
         let items = table.required("phasors");

@@ -1,6 +1,6 @@
 //! The tables of plots: variable, curves, marks; the mode shapes of a model.
 
-use super::{ItemError, Reader};
+use super::{ItemError, ItemReader};
 use crate::bank::plot::{Abscissa, Curve, Curves, Mark, ModeShapes, Ordinate, Plot, PlotKind};
 use crate::bank::template::Units;
 use crate::expr::{Constant, Expr, Kind, Name, Path, Shape, Type};
@@ -19,9 +19,9 @@ struct Variable {
     kind: Type,
 }
 
-impl<'s> Reader<'s> {
+impl<'s> ItemReader<'s> {
     /// The plots of the item. The names of all of them are known before the first text is read.
-    pub(super) fn plots(&mut self, table: &Table<'s>) -> Vec<Plot> {
+    pub(crate) fn plots(&mut self, table: &Table<'s>) -> Vec<Plot> {
         let Some(plots) = table.table("plots") else {
             return Vec::new();
         };
@@ -87,7 +87,7 @@ impl<'s> Reader<'s> {
     }
 
     /// The items of an array that has few of them.
-    pub(super) fn few(
+    pub(crate) fn few(
         &mut self,
         table: &Table<'s>,
         key: &'static str,
@@ -198,7 +198,7 @@ impl<'s> Reader<'s> {
         is_real.then_some(())
     }
 
-    pub(super) fn dimension_of(&self, nodes: &[NodeId]) -> Option<Dimension> {
+    pub(crate) fn dimension_of(&self, nodes: &[NodeId]) -> Option<Dimension> {
         let dimension = |node: &NodeId| self.graph.kind(*node).and_then(Type::dimension);
         nodes.iter().find_map(dimension)
     }
@@ -228,7 +228,7 @@ impl<'s> Reader<'s> {
     }
 
     /// A finding unless a unit has this dimension; zero has every dimension.
-    pub(super) fn hold(&mut self, unit: &Unit, dimension: Option<Dimension>, text: &Text) {
+    pub(crate) fn hold(&mut self, unit: &Unit, dimension: Option<Dimension>, text: &Text) {
         if let Some(found) = dimension.filter(|found| *found != unit.dimension()) {
             let error = ItemError::PlotUnit {
                 unit: unit.to_string(),
@@ -287,7 +287,7 @@ impl<'s> Reader<'s> {
     }
 
     /// How a curve or phasor is drawn.
-    pub(super) fn style(&mut self, table: &Table<'s>) -> Style {
+    pub(crate) fn style(&mut self, table: &Table<'s>) -> Style {
         let Some(text) = table.text("style") else {
             return Style::Auto;
         };
@@ -492,7 +492,7 @@ impl<'s> Reader<'s> {
     }
 
     /// What stands at a curve, mark or axis.
-    pub(super) fn plot_label(&mut self, text: &Text) -> Math {
+    pub(crate) fn plot_label(&mut self, text: &Text) -> Math {
         let mut errors = Vec::new();
         let label = self.texts.label(text, &mut errors);
         for error in &errors {
@@ -502,7 +502,7 @@ impl<'s> Reader<'s> {
     }
 }
 
-fn table_pair<'s>(reader: &mut Reader<'s>, value: &'s Value) -> Option<[&'s Value; 2]> {
+fn table_pair<'s>(reader: &mut ItemReader<'s>, value: &'s Value) -> Option<[&'s Value; 2]> {
     match &value.data {
         Data::List(items) if items.len() == 2 => Some([&items[0], &items[1]]),
         _ => {
@@ -521,7 +521,7 @@ fn place(value: &Value) -> Text {
 }
 
 /// The coherent unit of a dimension.
-pub(super) fn coherent(dimension: Option<Dimension>) -> Unit {
+pub(crate) fn coherent(dimension: Option<Dimension>) -> Unit {
     dimension
         .and_then(|dimension| Unit::parse(&dimension.describe()).ok())
         .unwrap_or(Unit::ONE)

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{ItemError, Reader};
+use super::{ItemError, ItemReader};
 use crate::answer::{Known, Role};
 use crate::bank::parameter::{Field, Parameter, Texts};
 use crate::bank::template::{QuantityInfo, Units};
@@ -21,9 +21,9 @@ struct Declared {
     when: Option<Text>,
 }
 
-impl<'s> Reader<'s> {
+impl<'s> ItemReader<'s> {
     /// Parameters and symbols.
-    pub(super) fn data(&mut self, table: &Table<'s>) {
+    pub(crate) fn data(&mut self, table: &Table<'s>) {
         if let Some(parameters) = table.table("parameters") {
             parameters
                 .entries()
@@ -143,7 +143,7 @@ impl<'s> Reader<'s> {
     }
 
     /// A name that is free in all formulas, unless a quantity bears it too.
-    pub(super) fn know(
+    pub(crate) fn know(
         &mut self,
         name: Name,
         unit: Unit,
@@ -168,7 +168,7 @@ impl<'s> Reader<'s> {
     }
 
     /// The quantities: all names first, then the formulas in an order that their dependence allows.
-    pub(super) fn quantities(&mut self, table: &Table<'s>) {
+    pub(crate) fn quantities(&mut self, table: &Table<'s>) {
         let models = self.models(table);
         let quantities = table.table("quantities");
         let declared: Vec<Declared> = match &quantities {

@@ -6,10 +6,10 @@ use crate::math::Math;
 use crate::source::{Problem, Text};
 
 /// What is wrong with a text.
-pub(in crate::bank) type Errors = Vec<Box<dyn Diagnose>>;
+pub(crate) type Errors = Vec<Box<dyn Diagnose>>;
 
 /// Gives the texts and symbols of an item as trees.
-pub(in crate::bank) trait Texts {
+pub(crate) trait Texts {
     /// A text as a document: what could be read of it.
     fn document(&mut self, text: &Text, errors: &mut Errors) -> Document;
 
@@ -22,7 +22,7 @@ pub(in crate::bank) trait Texts {
 
 /// Reads texts as they are written.
 #[cfg(feature = "render")]
-pub(in crate::bank) struct Parsers;
+pub(crate) struct Parsers;
 
 #[cfg(feature = "render")]
 impl Texts for Parsers {
@@ -84,9 +84,9 @@ impl Parsers {
 /// Reads texts as they are written, and notes each with its place in the file.
 #[cfg(feature = "render")]
 #[derive(Default)]
-pub(in crate::bank) struct Noting {
-    pub(in crate::bank) documents: Vec<(crate::source::Span, Document)>,
-    pub(in crate::bank) symbols: Vec<(crate::source::Span, Math)>,
+pub(crate) struct Noting {
+    pub(crate) documents: Vec<(crate::source::Span, Document)>,
+    pub(crate) symbols: Vec<(crate::source::Span, Math)>,
 }
 
 #[cfg(feature = "render")]
@@ -111,9 +111,9 @@ impl Texts for Noting {
 }
 
 /// Takes texts from a compiled item, in whose tree each is the number of its document or symbol.
-pub(in crate::bank) struct Stored<'c> {
-    pub(in crate::bank) documents: &'c [Document],
-    pub(in crate::bank) symbols: &'c [Math],
+pub(crate) struct Stored<'c> {
+    pub(crate) documents: &'c [Document],
+    pub(crate) symbols: &'c [Math],
 }
 
 impl Texts for Stored<'_> {

@@ -243,7 +243,7 @@ pub(crate) enum HeadingError {
 
 impl Places {
     /// The columns that mean something to the program.
-    pub(super) fn columns(&self) -> impl Iterator<Item = usize> {
+    pub(crate) fn columns(&self) -> impl Iterator<Item = usize> {
         self.given.iter().flat_map(|(_, columns)| columns).copied()
     }
 

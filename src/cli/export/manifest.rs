@@ -9,7 +9,7 @@ use vibank::worksheet::{Blueprint, Manifest, Sheet, SheetQuestion, VariantEntry}
 use crate::cli::record;
 
 /// The questions of an export as they are written.
-pub(super) struct Record {
+pub(crate) struct Record {
     manifest: Manifest,
     /// By code: variants of different items may share one.
     variants: BTreeMap<String, VariantEntry>,
@@ -17,7 +17,7 @@ pub(super) struct Record {
 
 impl Record {
     /// Of questions that no blueprint names.
-    pub(super) fn new(catalogue: &Catalogue) -> Self {
+    pub(crate) fn new(catalogue: &Catalogue) -> Self {
         Self {
             manifest: record::without_sheets(catalogue),
             variants: BTreeMap::new(),
@@ -25,7 +25,7 @@ impl Record {
     }
 
     /// Of the questions of a blueprint.
-    pub(super) fn of(catalogue: &Catalogue, blueprint: &Blueprint, is_keyed: bool) -> Self {
+    pub(crate) fn of(catalogue: &Catalogue, blueprint: &Blueprint, is_keyed: bool) -> Self {
         let mut record = Self::new(catalogue);
         let manifest = &mut record.manifest;
         manifest.title.clone_from(&blueprint.title);
@@ -40,7 +40,7 @@ impl Record {
     }
 
     /// Adds a question under its number in the whole export.
-    pub(super) fn add(&mut self, sheet: &Sheet<'_>, question: &SheetQuestion<'_>, number: usize) {
+    pub(crate) fn add(&mut self, sheet: &Sheet<'_>, question: &SheetQuestion<'_>, number: usize) {
         let template = question.solution.template();
         self.manifest
             .items
@@ -61,7 +61,7 @@ impl Record {
     }
 
     /// The text of the manifest.
-    pub(super) fn finish(mut self) -> String {
+    pub(crate) fn finish(mut self) -> String {
         self.manifest.variants = self.variants.into_values().collect();
         record::written(self.manifest)
     }

@@ -37,7 +37,7 @@ const BETWEEN: &str = "; ";
 
 impl Task {
     /// Removes rows.
-    pub(super) fn tables(&mut self, folder: &Folder, inside: &str) -> Result<(), Failure> {
+    pub(crate) fn tables(&mut self, folder: &Folder, inside: &str) -> Result<(), Failure> {
         for name in TABLES {
             let name = format!("{inside}{name}");
             if !folder.has(&name) {
@@ -152,7 +152,7 @@ impl Task {
     }
 
     /// Removes pages about all that tell of the student.
-    pub(super) fn overviews(&mut self, folder: &Folder, inside: &str) -> Result<(), Failure> {
+    pub(crate) fn overviews(&mut self, folder: &Folder, inside: &str) -> Result<(), Failure> {
         // And what is left of a grading that was interrupted, or of which parts are not joined.
         let names = folder.names(inside.trim_end_matches('/')).into_iter();
         let marked = names.filter(|name| grade::is_journal(name) || grade::is_part(name));

@@ -11,7 +11,7 @@ use crate::cli::{Failure, files, form, record};
 
 impl Task {
     /// Removes the student's files, pages and entries.
-    pub(super) fn sheets(
+    pub(crate) fn sheets(
         &mut self,
         out: &Folder,
         manifests: Vec<(String, Manifest)>,

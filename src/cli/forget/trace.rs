@@ -8,12 +8,12 @@ use crate::cli::files;
 use crate::cli::folder::Folder;
 
 /// A student, as the manifests of a run know them.
-pub(super) struct Person {
+pub(crate) struct Person {
     /// The `id` in the class list; none where the run has pseudonyms.
-    pub(super) id: Option<String>,
+    pub(crate) id: Option<String>,
     names: BTreeSet<String>,
     /// The codes of their sheets that are nobody else's.
-    pub(super) codes: BTreeSet<String>,
+    pub(crate) codes: BTreeSet<String>,
 }
 
 /// The `id` of the student of a sheet.
@@ -23,7 +23,7 @@ fn id_of(entry: &VariantEntry) -> Option<&str> {
 
 impl Person {
     /// A student by `id` or by the code of a sheet.
-    pub(super) fn find(manifests: &[(String, Manifest)], wanted: &str) -> Option<Self> {
+    pub(crate) fn find(manifests: &[(String, Manifest)], wanted: &str) -> Option<Self> {
         let entries = || {
             manifests
                 .iter()
@@ -58,7 +58,7 @@ impl Person {
     }
 
     /// Whether a sheet is theirs.
-    pub(super) fn has(&self, entry: &VariantEntry) -> bool {
+    pub(crate) fn has(&self, entry: &VariantEntry) -> bool {
         match id_of(entry) {
             Some(id) => self.id.as_deref() == Some(id),
             None => self.codes.contains(&entry.code),
@@ -66,12 +66,12 @@ impl Person {
     }
 
     /// Whether a name is theirs.
-    pub(super) fn is_named(&self, name: &str) -> bool {
+    pub(crate) fn is_named(&self, name: &str) -> bool {
         self.names.contains(name.trim())
     }
 
     /// What of them a text contains.
-    pub(super) fn trace(&self, text: &str) -> Option<&'static str> {
+    pub(crate) fn trace(&self, text: &str) -> Option<&'static str> {
         if self.names.iter().any(|name| has_word(text, name)) {
             Some("the name")
         } else if self.id.iter().any(|id| has_word(text, id)) {
@@ -84,7 +84,7 @@ impl Person {
     }
 
     /// Files of a folder with something of them, and those that cannot be looked through.
-    pub(super) fn traces(&self, folder: &Folder, inside: &str, left: &mut BTreeSet<String>) {
+    pub(crate) fn traces(&self, folder: &Folder, inside: &str, left: &mut BTreeSet<String>) {
         for name in folder.names(inside) {
             let name = if inside.is_empty() {
                 name

@@ -17,7 +17,7 @@ use crate::cli::table::Dialect;
 
 /// What the report is made of.
 #[derive(Default)]
-pub(super) struct Analysis {
+pub(crate) struct Analysis {
     report: Report,
     verdicts: BTreeMap<Verdict, u64>,
     sheets: usize,
@@ -46,7 +46,7 @@ const COLUMNS: [&str; 16] = [
 ];
 
 impl Analysis {
-    pub(super) fn add(&mut self, sheet: &Outcome) {
+    pub(crate) fn add(&mut self, sheet: &Outcome) {
         self.sheets += 1;
         let reasons: Vec<Vec<&str>> = sheet
             .parts
@@ -75,27 +75,27 @@ impl Analysis {
         }
     }
 
-    pub(super) fn sheets(&self) -> usize {
+    pub(crate) fn sheets(&self) -> usize {
         self.sheets
     }
 
     /// How many parts wait for a person.
-    pub(super) fn open(&self) -> u64 {
+    pub(crate) fn open(&self) -> u64 {
         self.open
     }
 
-    pub(super) fn verdicts(&self) -> impl Iterator<Item = (Verdict, u64)> + '_ {
+    pub(crate) fn verdicts(&self) -> impl Iterator<Item = (Verdict, u64)> + '_ {
         self.verdicts
             .iter()
             .map(|(verdict, count)| (*verdict, *count))
     }
 
-    pub(super) fn count(&self, verdict: Verdict) -> u64 {
+    pub(crate) fn count(&self, verdict: Verdict) -> u64 {
         self.verdicts.get(&verdict).copied().unwrap_or(0)
     }
 
     /// Writes `report.html`, `report.json` and `report.csv`.
-    pub(super) fn write(
+    pub(crate) fn write(
         &self,
         out: &Folder,
         catalogue: &Catalogue,

@@ -11,43 +11,43 @@ use super::undecided::Alike;
 use crate::cli::Failure;
 
 /// A part as it was handed out and answered.
-pub(super) struct Answered<'a> {
-    pub(super) entry: &'a PartEntry,
+pub(crate) struct Answered<'a> {
+    pub(crate) entry: &'a PartEntry,
     /// Its place in the item.
-    pub(super) place: usize,
-    pub(super) max: Rational,
-    pub(super) is_by_hand: bool,
-    pub(super) given: &'a str,
+    pub(crate) place: usize,
+    pub(crate) max: Rational,
+    pub(crate) is_by_hand: bool,
+    pub(crate) given: &'a str,
     /// Whether `given` is what the file holds, which does not say what was answered.
     is_open: bool,
     /// What was decided about it.
-    pub(super) ruling: Ruling<'a>,
+    pub(crate) ruling: Ruling<'a>,
     /// The line of the file that says it.
-    pub(super) line: Option<usize>,
+    pub(crate) line: Option<usize>,
 }
 
 impl<'a> Answered<'a> {
     /// What is marked.
-    pub(super) fn response(&self) -> &'a str {
+    pub(crate) fn response(&self) -> &'a str {
         let read = self.ruling.settled.and_then(Decision::response);
         read.unwrap_or(if self.is_open { "" } else { self.given })
     }
 
     /// Whether a response was decided in place of what was handed in.
-    pub(super) fn is_read(&self) -> bool {
+    pub(crate) fn is_read(&self) -> bool {
         let settled = self.ruling.settled;
         settled.is_some_and(|decision| decision.response().is_some())
     }
 
     /// Whether nobody has said yet what was answered.
-    pub(super) fn is_undecided(&self) -> bool {
+    pub(crate) fn is_undecided(&self) -> bool {
         let is_settled =
             |decision: &Decision| decision.response().is_some() || decision.points().is_some();
         self.is_open && !self.ruling.settled.is_some_and(is_settled)
     }
 
     /// The same without anything that was decided.
-    pub(super) fn plain(&self) -> Self {
+    pub(crate) fn plain(&self) -> Self {
         Self {
             ruling: Ruling::default(),
             ..*self
@@ -57,7 +57,7 @@ impl<'a> Answered<'a> {
 
 impl Marker<'_> {
     /// The parts of a question as they were handed out and answered.
-    pub(super) fn answered<'q>(
+    pub(crate) fn answered<'q>(
         &'q self,
         code: &str,
         question: &'q QuestionEntry,

@@ -11,28 +11,28 @@ use super::tables::Column;
 use crate::cli::Failure;
 
 /// What a manifest holds.
-pub(super) struct Census<'c> {
+pub(crate) struct Census<'c> {
     /// The items that the sheets are marked with.
-    pub(super) items: Items<'c>,
+    pub(crate) items: Items<'c>,
     /// The sheets in their order: the code of each, and how many parts it has.
-    pub(super) sheets: Vec<(String, usize)>,
+    pub(crate) sheets: Vec<(String, usize)>,
     /// All parts, in the order of the sheets.
-    pub(super) columns: Vec<Column>,
+    pub(crate) columns: Vec<Column>,
     /// Whether a person marks some of them.
-    pub(super) has_hand: bool,
+    pub(crate) has_hand: bool,
     /// What decisions may name.
-    pub(super) handed_out: HandedOut,
+    pub(crate) handed_out: HandedOut,
     /// The items and texts of them that are on sheets.
-    pub(super) used: BTreeSet<(ItemId, Revision)>,
+    pub(crate) used: BTreeSet<(ItemId, Revision)>,
     /// The students by `id` and name.
-    pub(super) students: Vec<Student>,
+    pub(crate) students: Vec<Student>,
     /// Items whose text in the bank is another one than when the sheets were made.
-    pub(super) changed: Vec<String>,
+    pub(crate) changed: Vec<String>,
 }
 
 impl<'c> Census<'c> {
     /// Looks through all sheets; items that nobody has any more are refused.
-    pub(super) fn take(
+    pub(crate) fn take(
         sheets: &mut Sheets,
         catalogue: &'c Catalogue,
         accepts: bool,

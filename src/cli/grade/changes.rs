@@ -13,11 +13,11 @@ use crate::cli::table::Dialect;
 use crate::cli::{Failure, files};
 
 /// The marks of an earlier run, and those that have changed since.
-pub(super) struct Changes {
+pub(crate) struct Changes {
     earlier: BTreeMap<(String, usize, String), (Option<f64>, String)>,
     changed: Vec<[String; 8]>,
     /// The program and version that marked the earlier run.
-    pub(super) program: Option<String>,
+    pub(crate) program: Option<String>,
 }
 
 #[derive(Deserialize)]
@@ -44,7 +44,7 @@ const COLUMNS: [&str; 8] = [
 
 impl Changes {
     /// The marks in a `results.json`, or in that of a folder.
-    pub(super) fn since(path: &Path) -> Result<Self, Failure> {
+    pub(crate) fn since(path: &Path) -> Result<Self, Failure> {
         let path = &if path.is_dir() {
             path.join("results.json")
         } else {
@@ -80,7 +80,7 @@ impl Changes {
         })
     }
 
-    pub(super) fn add(&mut self, sheet: &Outcome) {
+    pub(crate) fn add(&mut self, sheet: &Outcome) {
         for part in &sheet.parts {
             let place = (sheet.code.clone(), part.question, part.letter.clone());
             let Some((points, verdict)) = self.earlier.remove(&place) else {
@@ -98,7 +98,7 @@ impl Changes {
     }
 
     /// Writes the changed marks; a line for each.
-    pub(super) fn finish(self, out: &Folder, dialect: Dialect) -> Result<Vec<String>, Failure> {
+    pub(crate) fn finish(self, out: &Folder, dialect: Dialect) -> Result<Vec<String>, Failure> {
         let mut table = dialect.head(&COLUMNS)?;
         for row in &self.changed {
             let mut row = row.clone();

@@ -17,13 +17,13 @@ use crate::cli::table::Dialect;
 
 /// A platform with a gradebook.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub(super) enum Platform {
+pub(crate) enum Platform {
     Moodle,
     Canvas,
 }
 
 /// The rows of a gradebook while sheets are marked.
-pub(super) struct Gradebook {
+pub(crate) struct Gradebook {
     platform: Platform,
     /// The column of the class list by which the platform knows students.
     column: String,
@@ -43,10 +43,10 @@ struct Row {
 }
 
 /// The file that is written.
-pub(super) const FILE: &str = "gradebook.csv";
+pub(crate) const FILE: &str = "gradebook.csv";
 
 impl Gradebook {
-    pub(super) fn new(platform: Platform, column: &str) -> Self {
+    pub(crate) fn new(platform: Platform, column: &str) -> Self {
         Self {
             platform,
             column: column.to_lowercase(),
@@ -56,7 +56,7 @@ impl Gradebook {
         }
     }
 
-    pub(super) fn add(&mut self, sheet: &Outcome) {
+    pub(crate) fn add(&mut self, sheet: &Outcome) {
         let id = sheet.column(&self.column);
         if id.is_empty() {
             self.unknown.push(sheet.code.clone());
@@ -87,7 +87,7 @@ impl Gradebook {
     }
 
     /// Writes the file, with a column for a title; what the platform cannot find is returned.
-    pub(super) fn finish(self, out: &Folder, title: &str) -> Result<Vec<String>, Failure> {
+    pub(crate) fn finish(self, out: &Folder, title: &str) -> Result<Vec<String>, Failure> {
         let dialect = Dialect::new(Csv::Plain, '.');
         let heading = self.heading();
         let mut table = match self.platform {

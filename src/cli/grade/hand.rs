@@ -11,7 +11,7 @@ use vibank::numerics::Rational;
 use super::outcome::sum;
 
 /// What is given at most for a part and each row of its rubric, on one sheet.
-pub(super) struct Sheet<'a> {
+pub(crate) struct Sheet<'a> {
     rubric: &'a [Criterion],
     shares: Vec<Rational>,
     max: Rational,
@@ -19,15 +19,15 @@ pub(super) struct Sheet<'a> {
 }
 
 /// What a person gave.
-pub(super) struct Hand {
-    pub(super) points: Rational,
+pub(crate) struct Hand {
+    pub(crate) points: Rational,
     /// By the rows of the rubric, where they were given so.
     rows: Option<Vec<Rational>>,
 }
 
 impl<'a> Sheet<'a> {
     /// A part with this rubric that is worth so many points.
-    pub(super) fn of(rubric: &'a [Criterion], max: Rational, decimal: char) -> Self {
+    pub(crate) fn of(rubric: &'a [Criterion], max: Rational, decimal: char) -> Self {
         let weights: Vec<Rational> = rubric.iter().map(|row| row.points).collect();
         Self {
             rubric,
@@ -42,7 +42,7 @@ impl<'a> Sheet<'a> {
     /// # Errors
     ///
     /// What is wrong with it, as a sentence that goes on behind its place.
-    pub(super) fn read(&self, text: &str) -> Result<Option<Hand>, String> {
+    pub(crate) fn read(&self, text: &str) -> Result<Option<Hand>, String> {
         let text = text.trim();
         if text.is_empty() {
             return Ok(None);
@@ -71,7 +71,7 @@ impl<'a> Sheet<'a> {
     }
 
     /// What a student is told: the rows of the rubric with the points that were given.
-    pub(super) fn told(&self, hand: &Hand, language: Language) -> Vec<Comment> {
+    pub(crate) fn told(&self, hand: &Hand, language: Language) -> Vec<Comment> {
         let row = |at: usize| {
             let given = hand.rows.as_ref().map(|rows| self.written(rows[at]));
             let most = self.written(self.shares[at]);

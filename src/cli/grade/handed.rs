@@ -20,12 +20,12 @@ use crate::cli::shard::Shard;
 use crate::cli::{Failure, files, package, responses};
 
 /// What is marked.
-pub(super) struct Handed {
-    pub(super) responses: Responses,
+pub(crate) struct Handed {
+    pub(crate) responses: Responses,
     /// What is wrong with single rows.
-    pub(super) faults: Vec<String>,
+    pub(crate) faults: Vec<String>,
     /// The names of the files that pages have saved, by the code of their sheets.
-    pub(super) names: BTreeMap<String, String>,
+    pub(crate) names: BTreeMap<String, String>,
     /// The attempts, where they are not the sheets of a manifest.
     attempts: Option<Attempts>,
 }
@@ -40,7 +40,7 @@ struct Attempts {
 const PACKED: &[u8] = b"PK";
 
 impl Handed {
-    pub(super) fn read(
+    pub(crate) fn read(
         arguments: &Arguments,
         catalogue: &Catalogue,
         decisions: &Decisions,
@@ -139,13 +139,13 @@ impl Handed {
     }
 
     /// Whether a teacher typed it, so that it holds the points for work on paper.
-    pub(super) fn is_typed(&self) -> bool {
+    pub(crate) fn is_typed(&self) -> bool {
         self.attempts.is_none() && self.names.is_empty()
     }
 
     /// The places of the sheets that a part of a run marks, of sheets with these codes and so many parts each: the parts of
     /// the run cost about the same.
-    pub(super) fn share(&self, shard: Shard, sheets: &[(String, usize)]) -> Range<usize> {
+    pub(crate) fn share(&self, shard: Shard, sheets: &[(String, usize)]) -> Range<usize> {
         /// What it costs to mark an answer, where a part that nobody answered costs one: on 1000 sheets of 50 parts an
         /// answer took 2.8 times as long as the rest of its part.
         const ANSWER: usize = 3;
@@ -156,7 +156,7 @@ impl Handed {
     }
 
     /// The sheets that are marked.
-    pub(super) fn sheets(&self, manifest: &Path) -> Result<Sheets, Failure> {
+    pub(crate) fn sheets(&self, manifest: &Path) -> Result<Sheets, Failure> {
         match &self.attempts {
             Some(attempts) => Ok(Sheets::of_attempts(
                 manifest,

@@ -239,7 +239,7 @@ pub(crate) fn solution<'i>(
 }
 
 /// The same of an item as it is marked now.
-pub(super) fn solution_of<'i>(
+pub(crate) fn solution_of<'i>(
     template: &'i Template,
     question: &QuestionEntry,
     decimal: char,

@@ -18,27 +18,27 @@ use super::part::Marked;
 use crate::cli::Failure;
 
 /// What all sheets of a run are marked with.
-pub(super) struct Marker<'a> {
-    pub(super) items: &'a Items<'a>,
+pub(crate) struct Marker<'a> {
+    pub(crate) items: &'a Items<'a>,
     /// Items whose keys were corrected.
-    pub(super) corrected: &'a Corrected,
-    pub(super) decimal: char,
+    pub(crate) corrected: &'a Corrected,
+    pub(crate) decimal: char,
     /// In which students are spoken to.
-    pub(super) language: Language,
-    pub(super) doubt: Doubt,
-    pub(super) other_form: Option<Credit>,
+    pub(crate) language: Language,
+    pub(crate) doubt: Doubt,
+    pub(crate) other_form: Option<Credit>,
     /// What becomes of the points of a sheet.
-    pub(super) marks: &'a Marks,
-    pub(super) responses: &'a Responses,
-    pub(super) decisions: &'a Decisions,
+    pub(crate) marks: &'a Marks,
+    pub(crate) responses: &'a Responses,
+    pub(crate) decisions: &'a Decisions,
     /// Whether responses to work on paper are the points that a person gave: in the report of a platform they are what
     /// students wrote.
-    pub(super) takes_points: bool,
+    pub(crate) takes_points: bool,
 }
 
 impl Marker<'_> {
     /// What came out for a sheet, and what its student is told.
-    pub(super) fn sheet(&self, variant: &VariantEntry) -> Result<(Outcome, Feedback), Failure> {
+    pub(crate) fn sheet(&self, variant: &VariantEntry) -> Result<(Outcome, Feedback), Failure> {
         let (mut parts, mut feedback, mut questions) = (Vec::new(), Vec::new(), Vec::new());
         let mut scored = Vec::new();
         for question in &variant.questions {

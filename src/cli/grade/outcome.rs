@@ -10,84 +10,84 @@ use vibank::worksheet::Total;
 
 /// A sheet that was marked.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(super) struct Outcome {
-    pub(super) code: String,
-    pub(super) student: BTreeMap<String, String>,
-    pub(super) parts: Vec<PartOutcome>,
-    pub(super) questions: Vec<QuestionOutcome>,
+pub(crate) struct Outcome {
+    pub(crate) code: String,
+    pub(crate) student: BTreeMap<String, String>,
+    pub(crate) parts: Vec<PartOutcome>,
+    pub(crate) questions: Vec<QuestionOutcome>,
     /// What the sheet came to.
-    pub(super) total: Standing,
+    pub(crate) total: Standing,
 }
 
 /// What a question came to.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(super) struct QuestionOutcome {
-    pub(super) number: usize,
-    pub(super) standing: Standing,
+pub(crate) struct QuestionOutcome {
+    pub(crate) number: usize,
+    pub(crate) standing: Standing,
 }
 
 /// Points, of which some may not be decided.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub(super) struct Standing {
+pub(crate) struct Standing {
     /// The least that they come to.
-    pub(super) points: Fraction,
+    pub(crate) points: Fraction,
     /// What more they come to at most, when all is decided.
-    pub(super) open: Fraction,
-    pub(super) max: Fraction,
+    pub(crate) open: Fraction,
+    pub(crate) max: Fraction,
 }
 
 /// A part that was marked.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(super) struct PartOutcome {
-    pub(super) question: usize,
-    pub(super) letter: String,
-    pub(super) item: String,
-    pub(super) id: String,
-    pub(super) response: String,
+pub(crate) struct PartOutcome {
+    pub(crate) question: usize,
+    pub(crate) letter: String,
+    pub(crate) item: String,
+    pub(crate) id: String,
+    pub(crate) response: String,
     /// LaTeX; empty if it was not read.
-    pub(super) reading: String,
-    pub(super) verdict: Verdict,
-    pub(super) credit: Fraction,
-    pub(super) points: Fraction,
-    pub(super) max: Fraction,
-    pub(super) reasons: Vec<String>,
-    pub(super) feedback: String,
+    pub(crate) reading: String,
+    pub(crate) verdict: Verdict,
+    pub(crate) credit: Fraction,
+    pub(crate) points: Fraction,
+    pub(crate) max: Fraction,
+    pub(crate) reasons: Vec<String>,
+    pub(crate) feedback: String,
     /// Whether a person marks it.
     #[serde(default)]
-    pub(super) by_hand: bool,
+    pub(crate) by_hand: bool,
     /// Another wrong answer, apart from its data.
-    pub(super) other: Option<String>,
+    pub(crate) other: Option<String>,
     /// How it stood without what was decided, where that is otherwise.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(super) before: Option<Standing>,
+    pub(crate) before: Option<Standing>,
     /// The numbers of the decisions that have changed it, from 0.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub(super) decisions: Vec<usize>,
+    pub(crate) decisions: Vec<usize>,
 }
 
 /// An exact fraction as two integers.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Fraction(pub(super) Rational);
+pub(crate) struct Fraction(pub(crate) Rational);
 
 impl Outcome {
     /// A column of the class list.
-    pub(super) fn column(&self, name: &str) -> &str {
+    pub(crate) fn column(&self, name: &str) -> &str {
         self.student.get(name).map_or("", String::as_str)
     }
 
     /// The points that are decided.
-    pub(super) fn points(&self) -> Rational {
+    pub(crate) fn points(&self) -> Rational {
         self.total.points.0
     }
 
     /// How many parts nobody has decided yet, and the points that hang on them.
-    pub(super) fn undecided(&self) -> (usize, Rational) {
+    pub(crate) fn undecided(&self) -> (usize, Rational) {
         let parts = self.parts.iter().filter(|part| part.is_undecided());
         (parts.count(), self.total.open.0)
     }
 
     /// The points of the parts that a person marks, or of all others, and those that are open there.
-    pub(super) fn points_of(&self, by_hand: bool) -> (Rational, Rational) {
+    pub(crate) fn points_of(&self, by_hand: bool) -> (Rational, Rational) {
         let parts = || self.parts.iter().filter(|part| part.by_hand == by_hand);
         let open = parts().filter(|part| part.is_undecided());
         (
@@ -97,12 +97,12 @@ impl Outcome {
     }
 
     /// The points that can be reached.
-    pub(super) fn max(&self) -> Rational {
+    pub(crate) fn max(&self) -> Rational {
         self.total.max.0
     }
 
     /// What a question came to, if the sheet has it.
-    pub(super) fn question(&self, number: usize) -> Option<&Standing> {
+    pub(crate) fn question(&self, number: usize) -> Option<&Standing> {
         let mut questions = self.questions.iter();
         let found = questions.find(|question| question.number == number)?;
         Some(&found.standing)
@@ -111,14 +111,14 @@ impl Outcome {
 
 impl PartOutcome {
     /// What could not be read is neither right nor wrong until somebody decides.
-    pub(super) fn is_undecided(&self) -> bool {
+    pub(crate) fn is_undecided(&self) -> bool {
         self.verdict == Verdict::Unreadable
     }
 }
 
 impl Standing {
     /// That of a part.
-    pub(super) fn of(part: &PartOutcome) -> Self {
+    pub(crate) fn of(part: &PartOutcome) -> Self {
         let open = if part.is_undecided() {
             part.max.0.checked_sub(part.points.0).unwrap_or(part.max.0)
         } else {
@@ -132,7 +132,7 @@ impl Standing {
     }
 
     /// That of a sheet.
-    pub(super) fn of_total(total: &Total) -> Self {
+    pub(crate) fn of_total(total: &Total) -> Self {
         Self {
             points: Fraction(total.points),
             open: Fraction(total.open),
@@ -141,7 +141,7 @@ impl Standing {
     }
 
     /// The same in numbers.
-    pub(super) fn total(&self) -> Total {
+    pub(crate) fn total(&self) -> Total {
         Total {
             points: self.points.0,
             open: self.open.0,
@@ -150,7 +150,7 @@ impl Standing {
     }
 
     /// The points of a part as they are shown: behind a question mark what is not decided.
-    pub(super) fn shown(&self) -> String {
+    pub(crate) fn shown(&self) -> String {
         if self.open.0.is_zero() {
             rounded(self.points.0)
         } else {
@@ -160,7 +160,7 @@ impl Standing {
 }
 
 /// A sum of points.
-pub(super) fn sum(points: impl Iterator<Item = Rational>) -> Rational {
+pub(crate) fn sum(points: impl Iterator<Item = Rational>) -> Rational {
     points.fold(Rational::ZERO, |sum, points| {
         sum.checked_add(points).unwrap_or(sum)
     })
@@ -182,7 +182,7 @@ impl<'de> Deserialize<'de> for Fraction {
 }
 
 /// Reads `5/3` or `1.5`.
-pub(super) fn fraction(text: &str) -> Option<Rational> {
+pub(crate) fn fraction(text: &str) -> Option<Rational> {
     match text.trim().split_once('/') {
         Some((above, below)) => {
             Rational::from_decimal(above.trim())?.checked_div(Rational::from_decimal(below.trim())?)

@@ -14,14 +14,14 @@ use super::marking::Marker;
 use super::outcome::{Fraction, PartOutcome};
 
 /// What came out for a part, and what its student is told.
-pub(super) struct Marked {
-    pub(super) outcome: PartOutcome,
-    pub(super) feedback: PartFeedback,
+pub(crate) struct Marked {
+    pub(crate) outcome: PartOutcome,
+    pub(crate) feedback: PartFeedback,
 }
 
 impl Marked {
     /// Changes what the part is worth.
-    pub(super) fn scale(&mut self, factor: Rational) {
+    pub(crate) fn scale(&mut self, factor: Rational) {
         let scaled = |points: Rational| points.checked_mul(factor).unwrap_or(points);
         let (outcome, feedback) = (&mut self.outcome, &mut self.feedback);
         feedback.points = scaled(feedback.points);
@@ -54,7 +54,7 @@ struct Given {
 
 impl Marker<'_> {
     /// What came out for a part, and what its student is told.
-    pub(super) fn part(
+    pub(crate) fn part(
         &self,
         solution: &Solution<'_>,
         number: usize,

@@ -20,13 +20,13 @@ const NAME: (&str, &str) = ("marked", "jsonl");
 
 /// The last line of a part.
 #[derive(Serialize, Deserialize)]
-pub(super) struct End {
+pub(crate) struct End {
     /// How many sheets stand before it.
-    pub(super) end: usize,
+    pub(crate) end: usize,
 }
 
 /// The name of the file of a part.
-pub(super) fn name(shard: Shard) -> String {
+pub(crate) fn name(shard: Shard) -> String {
     shard.named(NAME.0, NAME.1)
 }
 
@@ -36,7 +36,7 @@ pub(crate) fn is_part(name: &str) -> bool {
 }
 
 /// All parts of a run, read one after the other.
-pub(super) struct Parts {
+pub(crate) struct Parts {
     folder: Folder,
     of: usize,
     rest: VecDeque<Shard>,
@@ -52,7 +52,7 @@ struct Part {
 
 impl Parts {
     /// The parts in a folder, which are to be whole and of the same input; nothing where there are none.
-    pub(super) fn in_folder(folder: &Folder, input: &str) -> Result<Option<Self>, Failure> {
+    pub(crate) fn in_folder(folder: &Folder, input: &str) -> Result<Option<Self>, Failure> {
         let names = folder.names("");
         let found: Vec<Shard> = names
             .iter()
@@ -103,7 +103,7 @@ impl Parts {
     }
 
     /// What came out for these sheets, which are the next ones.
-    pub(super) fn take(&mut self, sheets: &[VariantEntry]) -> Result<Vec<Outcome>, Failure> {
+    pub(crate) fn take(&mut self, sheets: &[VariantEntry]) -> Result<Vec<Outcome>, Failure> {
         let outcome = |sheet: &VariantEntry| match self.next()? {
             Some(outcome) if outcome.code == sheet.code => Ok(outcome),
             found => {
@@ -118,7 +118,7 @@ impl Parts {
     }
 
     /// All sheets are taken: nothing may be left.
-    pub(super) fn finish(mut self) -> Result<(), Failure> {
+    pub(crate) fn finish(mut self) -> Result<(), Failure> {
         match self.next()? {
             None => Ok(()),
             Some(outcome) => {
@@ -128,7 +128,7 @@ impl Parts {
     }
 
     /// Removes the parts of a run that are joined.
-    pub(super) fn remove(folder: &Folder) {
+    pub(crate) fn remove(folder: &Folder) {
         for name in folder.names("").iter().filter(|name| is_part(name)) {
             let _ = folder.remove(name);
         }

@@ -15,21 +15,21 @@ use crate::cli::table::Dialect;
 const MAX_CHANGES: usize = 40;
 
 /// The marks that differ from those of an earlier run.
-pub(super) struct Earlier {
-    pub(super) rows: Vec<String>,
+pub(crate) struct Earlier {
+    pub(crate) rows: Vec<String>,
     /// The program that marked then.
     program: Option<String>,
 }
 
 impl Earlier {
     /// Writes the table of changes.
-    pub(super) fn of(changes: Changes, out: &Folder, dialect: Dialect) -> Result<Self, Failure> {
+    pub(crate) fn of(changes: Changes, out: &Folder, dialect: Dialect) -> Result<Self, Failure> {
         let program = changes.program.clone();
         let rows = changes.finish(out, dialect)?;
         Ok(Self { rows, program })
     }
 
-    pub(super) fn tell(&self) {
+    pub(crate) fn tell(&self) {
         let before = self.program.as_ref().map_or_else(String::new, |before| {
             format!(", which {before} marked; this is {PROGRAM}")
         });
@@ -45,7 +45,7 @@ impl Earlier {
 }
 
 /// What was decided, each with the marks that it has changed.
-pub(super) fn decided(decided: &[Decided]) {
+pub(crate) fn decided(decided: &[Decided]) {
     if decided.is_empty() {
         return;
     }
@@ -71,7 +71,7 @@ pub(super) fn decided(decided: &[Decided]) {
 }
 
 /// The students whom a gradebook cannot name.
-pub(super) fn gradebook_lacks(unknown: &[String], column: &str) {
+pub(crate) fn gradebook_lacks(unknown: &[String], column: &str) {
     if !unknown.is_empty() {
         eprintln!(
             "not in `{}`, since the class list has no `{column}` for them: {}",
@@ -82,7 +82,7 @@ pub(super) fn gradebook_lacks(unknown: &[String], column: &str) {
 }
 
 /// Items that the bank has in another form now.
-pub(super) fn items_moved_on(changed: &[String], accepts: bool, has_earlier: bool) {
+pub(crate) fn items_moved_on(changed: &[String], accepts: bool, has_earlier: bool) {
     if changed.is_empty() {
         return;
     }
@@ -102,21 +102,21 @@ pub(super) fn items_moved_on(changed: &[String], accepts: bool, has_earlier: boo
 }
 
 /// The files of a run.
-pub(super) struct Written<'a> {
-    pub(super) out: &'a Folder,
-    pub(super) analysis: &'a Analysis,
+pub(crate) struct Written<'a> {
+    pub(crate) out: &'a Folder,
+    pub(crate) analysis: &'a Analysis,
     /// The name of the table of marks.
-    pub(super) marks: &'static str,
-    pub(super) has_gradebook: bool,
-    pub(super) has_changes: bool,
-    pub(super) has_groups: bool,
-    pub(super) has_decisions: bool,
-    pub(super) makes_feedback: bool,
+    pub(crate) marks: &'static str,
+    pub(crate) has_gradebook: bool,
+    pub(crate) has_changes: bool,
+    pub(crate) has_groups: bool,
+    pub(crate) has_decisions: bool,
+    pub(crate) makes_feedback: bool,
 }
 
 impl Written<'_> {
     /// How many verdicts of each kind there are, and what is in which file.
-    pub(super) fn tell(&self) {
+    pub(crate) fn tell(&self) {
         let file = |name: &str, what: &str| {
             println!("  {:<28} {what}", self.out.root().join(name).display());
         };
@@ -172,7 +172,7 @@ impl Written<'_> {
 }
 
 /// What needs a teacher's eye, on standard error.
-pub(super) fn told(analysis: &Analysis, lost: &[Lost], faults: &[String]) {
+pub(crate) fn told(analysis: &Analysis, lost: &[Lost], faults: &[String]) {
     let list = |title: &str, lines: &mut dyn Iterator<Item = String>, count: usize| {
         // About what a screen shows at once; the tables have all of them.
         const MAX_COUNT: usize = 40;

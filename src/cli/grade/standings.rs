@@ -12,7 +12,7 @@ use crate::cli::folder::Folder;
 use crate::cli::table::Dialect;
 
 /// The marks of a run while sheets are marked.
-pub(super) struct Class {
+pub(crate) struct Class {
     marks: Marks,
     standings: Standings,
     /// The points that can be reached on a sheet, at most.
@@ -36,10 +36,10 @@ const COLUMNS: [&str; 11] = [
 ];
 
 /// The table of groups.
-pub(super) const FILE: &str = "groups.csv";
+pub(crate) const FILE: &str = "groups.csv";
 
 impl Class {
-    pub(super) fn new(marks: Marks) -> Self {
+    pub(crate) fn new(marks: Marks) -> Self {
         Self {
             marks,
             standings: Standings::default(),
@@ -48,7 +48,7 @@ impl Class {
         }
     }
 
-    pub(super) fn add(&mut self, sheet: &Outcome) {
+    pub(crate) fn add(&mut self, sheet: &Outcome) {
         let total = sheet.total.total();
         let worth = self.marks.worth(&total);
         let group = sheet.column("group");
@@ -67,7 +67,7 @@ impl Class {
     }
 
     /// What there is to say of the marks; nothing where they are points alone and of one group.
-    pub(super) fn marked(&self) -> Option<Marked> {
+    pub(crate) fn marked(&self) -> Option<Marked> {
         if !self.has_groups && self.marks == Marks::default() {
             return None;
         }
@@ -87,7 +87,7 @@ impl Class {
     }
 
     /// Writes the table of groups.
-    pub(super) fn write(marked: &Marked, out: &Folder, dialect: Dialect) -> Result<(), Failure> {
+    pub(crate) fn write(marked: &Marked, out: &Folder, dialect: Dialect) -> Result<(), Failure> {
         let mut table = dialect.head(&COLUMNS)?;
         let all = GroupSummary {
             group: "*".to_owned(),

@@ -12,7 +12,7 @@ use crate::cli::table::Dialect;
 use crate::cli::table::workbook::{self, Cell};
 
 /// A column of the marks: number of the question, letter of the part; the question as a whole has none.
-pub(super) type Column = (usize, String);
+pub(crate) type Column = (usize, String);
 
 /// The columns of the marks before those of the parts; the first four are never numbers.
 const MARKS: [&str; 8] = [
@@ -40,7 +40,7 @@ fn marks(has_hand: bool, has_worth: bool) -> impl Iterator<Item = &'static str> 
 }
 
 /// The tables, written as sheets are marked.
-pub(super) struct Tables {
+pub(crate) struct Tables {
     marks: Draft,
     details: Draft,
     results: Draft,
@@ -62,7 +62,7 @@ const DETAILS: [&str; 14] = [
 ];
 
 impl Tables {
-    pub(super) fn begin(
+    pub(crate) fn begin(
         out: &Folder,
         columns: Vec<Column>,
         has_hand: bool,
@@ -99,7 +99,7 @@ impl Tables {
         })
     }
 
-    pub(super) fn add(&mut self, sheet: &Outcome) -> Result<(), Failure> {
+    pub(crate) fn add(&mut self, sheet: &Outcome) -> Result<(), Failure> {
         self.mark(sheet)?;
         for part in &sheet.parts {
             self.detail(sheet, part)?;
@@ -250,7 +250,7 @@ impl Tables {
     }
 
     /// Moves the tables to their places; the files with the marks are named.
-    pub(super) fn finish(mut self, out: &Folder) -> Result<&'static str, Failure> {
+    pub(crate) fn finish(mut self, out: &Folder) -> Result<&'static str, Failure> {
         let files = match self.book {
             Some(_) => "marks.csv, marks.xlsx",
             None => "marks.csv",

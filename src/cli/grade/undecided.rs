@@ -18,15 +18,15 @@ const COLUMNS: [&str; 13] = [
 
 /// The same words to the same part of an item, whatever the data of the sheet are.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Alike {
-    pub(super) item: String,
-    pub(super) id: String,
+pub(crate) struct Alike {
+    pub(crate) item: String,
+    pub(crate) id: String,
     given: String,
 }
 
 impl Alike {
     /// Blanks do not count, nor does the apostrophe that keeps a spreadsheet from running a cell.
-    pub(super) fn new(item: &str, id: &str, given: &str) -> Self {
+    pub(crate) fn new(item: &str, id: &str, given: &str) -> Self {
         let given = match given.strip_prefix('\'') {
             Some(rest) if rest.starts_with(['=', '+', '-', '@']) => rest,
             _ => given,
@@ -38,21 +38,21 @@ impl Alike {
         }
     }
 
-    pub(super) fn of(part: &PartOutcome) -> Self {
+    pub(crate) fn of(part: &PartOutcome) -> Self {
         Self::new(&part.item, &part.id, &part.response)
     }
 }
 
 /// The answers that could not be read, in the order in which the first of them came.
 #[derive(Debug, Default)]
-pub(super) struct Undecided {
+pub(crate) struct Undecided {
     places: BTreeMap<Alike, usize>,
     groups: Vec<Lost>,
 }
 
 impl Undecided {
     /// Adds those of a sheet.
-    pub(super) fn add(&mut self, sheet: &Outcome) {
+    pub(crate) fn add(&mut self, sheet: &Outcome) {
         let lost = sheet.parts.iter();
         for part in lost.filter(|part| part.verdict == Verdict::Unreadable) {
             let new = self.groups.len();
@@ -83,7 +83,7 @@ impl Undecided {
     }
 
     /// Those that were given most often first.
-    pub(super) fn groups(mut self) -> Vec<Lost> {
+    pub(crate) fn groups(mut self) -> Vec<Lost> {
         self.groups
             .sort_by_key(|group| std::cmp::Reverse(group.sheets.len()));
         self.groups
@@ -91,7 +91,7 @@ impl Undecided {
 }
 
 /// Writes them to be settled, with a row for each decision.
-pub(super) fn write(groups: &[Lost], out: &Folder, dialect: Dialect) -> Result<(), Failure> {
+pub(crate) fn write(groups: &[Lost], out: &Folder, dialect: Dialect) -> Result<(), Failure> {
     let mut table = dialect.head(&COLUMNS)?;
     for group in groups {
         let joined = |word: fn(&LostSheet) -> &str| {

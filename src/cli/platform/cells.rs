@@ -1,7 +1,7 @@
 //! What a cell of a report holds: entities, the boxes of a question in one text, the parts of an essay.
 
 /// A text without the entities that some reports write; each is decoded once.
-pub(super) fn decoded(text: &str) -> String {
+pub(crate) fn decoded(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;
     while let Some(at) = rest.find('&') {
@@ -44,7 +44,7 @@ fn entity(name: &str) -> Option<char> {
 }
 
 /// HTML without its tags and signs of spacing, as two texts of one option are compared.
-pub(super) fn bare(html: &str) -> String {
+pub(crate) fn bare(html: &str) -> String {
     let mut text = String::with_capacity(html.len());
     let mut is_tag = false;
     for (at, char) in html.char_indices() {
@@ -71,7 +71,7 @@ const MAX_LABEL_LENGTH: usize = 40;
 ///
 /// `None` where the text does not begin like that. An answer in which the words of another box stand cannot be cut:
 /// `Some(Err(()))`.
-pub(super) fn boxes(text: &str, count: usize) -> Option<Result<Vec<String>, ()>> {
+pub(crate) fn boxes(text: &str, count: usize) -> Option<Result<Vec<String>, ()>> {
     let colon = text.find([':', '：'])?;
     let end = colon + text[colon..].chars().next()?.len_utf8();
     let label = &text[..end];
@@ -99,7 +99,7 @@ pub(super) fn boxes(text: &str, count: usize) -> Option<Result<Vec<String>, ()>>
 /// The answers to several parts in one text, each behind its letter: `c) k1 + k2`, a new line, `d) …`.
 ///
 /// `None` if letters are missing, in another order, or twice.
-pub(super) fn essay(text: &str, letters: &[&str]) -> Option<Vec<String>> {
+pub(crate) fn essay(text: &str, letters: &[&str]) -> Option<Vec<String>> {
     let mut answers: Vec<String> = Vec::new();
     for line in text.lines() {
         match labelled(line, letters) {

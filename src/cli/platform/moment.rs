@@ -1,7 +1,7 @@
 //! When an attempt was made, as a site writes dates: only the order of two of them matters.
 
 /// A date and time, largest unit first.
-pub(super) type Moment = [u32; 6];
+pub(crate) type Moment = [u32; 6];
 
 /// How months begin in English, German, French, Spanish, Italian, Portuguese and Dutch.
 const MONTHS: [&[&str]; 12] = [
@@ -20,7 +20,7 @@ const MONTHS: [&[&str]; 12] = [
 ];
 
 /// Reads `2026-11-02 17:20:09 UTC`, `Monday, 2 November 2026, 5:20 PM`, `2. November 2026 17:20`.
-pub(super) fn moment(text: &str) -> Option<Moment> {
+pub(crate) fn moment(text: &str) -> Option<Moment> {
     let text = text.to_lowercase();
     let words: Vec<&str> = text
         .split(|char: char| !char.is_alphanumeric())

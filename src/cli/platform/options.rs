@@ -6,7 +6,7 @@ use vibank::document::{Document, Filling, Formulas};
 use super::cells::bare;
 
 /// The place in the file of the option with these words, if there is one.
-pub(super) fn chosen(part: &Part, words: &str) -> Option<usize> {
+pub(crate) fn chosen(part: &Part, words: &str) -> Option<usize> {
     let options = part.answer.options();
     let only = |same: &dyn Fn(&Document) -> bool| {
         let mut found = (0..options.len()).filter(|at| same(&options[*at].text));

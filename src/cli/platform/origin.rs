@@ -4,25 +4,25 @@ use vibank::seed::Variant;
 
 /// What the last line of an exported question says: its item, its code, and the part of each box.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Origin {
+pub(crate) struct Origin {
     /// A word that ends in the identity of the item; platforms that drop line breaks glue the word before to it.
-    pub(super) item: String,
-    pub(super) code: Variant,
-    pub(super) boxes: Vec<Asked>,
+    pub(crate) item: String,
+    pub(crate) code: Variant,
+    pub(crate) boxes: Vec<Asked>,
 }
 
 /// What a box asks for.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Asked {
+pub(crate) struct Asked {
     /// The letter of the part.
-    pub(super) letter: String,
+    pub(crate) letter: String,
     /// The power of ten of the unit behind the box: -3 where millimetres are asked in place of metres.
-    pub(super) power: i32,
+    pub(crate) power: i32,
 }
 
 impl Origin {
     /// Reads the text of a question; none if it is not one of an export.
-    pub(super) fn read(text: &str) -> Option<Self> {
+    pub(crate) fn read(text: &str) -> Option<Self> {
         let words: Vec<&str> = text.split_whitespace().collect();
         let at = words.iter().rposition(|word| code(word).is_some())?;
         let boxes: Vec<Asked> = words[at + 1..]
@@ -64,17 +64,17 @@ fn code(word: &str) -> Option<Variant> {
 
 /// The identity of an interaction that a package reports: `ch3.item.part.XM2-9SB-THF.2`.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Interaction {
-    pub(super) item: String,
+pub(crate) struct Interaction {
+    pub(crate) item: String,
     /// The identity of the part in the item.
-    pub(super) part: String,
-    pub(super) code: Variant,
+    pub(crate) part: String,
+    pub(crate) code: Variant,
     /// Which try it was, from 1.
-    pub(super) attempt: u64,
+    pub(crate) attempt: u64,
 }
 
 impl Interaction {
-    pub(super) fn read(text: &str) -> Option<Self> {
+    pub(crate) fn read(text: &str) -> Option<Self> {
         let (rest, attempt) = text.trim().rsplit_once('.')?;
         let (rest, variant) = rest.rsplit_once('.')?;
         let (chapter, rest) = rest.split_once('.')?;

@@ -49,7 +49,7 @@ struct Given {
 
 impl Taken {
     /// The identity of the student.
-    pub(super) fn student(&self) -> &str {
+    pub(crate) fn student(&self) -> &str {
         let student = self.entry.student.as_ref();
         student
             .and_then(|student| student.get("id"))
@@ -57,7 +57,7 @@ impl Taken {
     }
 
     /// Whether it was made after another one: by the dates of the report, else by its lines.
-    pub(super) fn is_after(&self, other: &Self) -> bool {
+    pub(crate) fn is_after(&self, other: &Self) -> bool {
         match (self.moment, other.moment) {
             (Some(own), Some(other)) if own != other => own > other,
             _ => self.line > other.line,

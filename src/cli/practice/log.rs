@@ -11,11 +11,11 @@ use vibank::instance::Instance;
 use crate::cli::Failure;
 
 /// A log, or none.
-pub(super) struct Log(Option<File>);
+pub(crate) struct Log(Option<File>);
 
 impl Log {
     /// Opens the file to append to.
-    pub(super) fn open(path: Option<&Path>) -> Result<Self, Failure> {
+    pub(crate) fn open(path: Option<&Path>) -> Result<Self, Failure> {
         let open = |path: &Path| {
             let file = OpenOptions::new().append(true).create(true).open(path);
             file.map_err(|error| {
@@ -26,7 +26,7 @@ impl Log {
     }
 
     /// Notes an answer.
-    pub(super) fn note(
+    pub(crate) fn note(
         &mut self,
         instance: &Instance<'_>,
         part: &str,

@@ -13,7 +13,7 @@ use crate::cli::Failure;
 use crate::cli::screen::{Screen, Tone};
 
 /// A session and what came out so far.
-pub(super) struct Session {
+pub(crate) struct Session {
     screen: Screen,
     log: Log,
     right: usize,
@@ -25,7 +25,7 @@ pub(super) struct Session {
 
 /// Where to go on after a part or an exercise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum End {
+pub(crate) enum End {
     Part,
     Exercise,
     Session,
@@ -47,7 +47,7 @@ enum Typed {
 const HELP: &str = "? hint   ! answer and solution   > next part   >> next exercise   quit";
 
 impl Session {
-    pub(super) fn begin(screen: Screen, log: Log) -> Self {
+    pub(crate) fn begin(screen: Screen, log: Log) -> Self {
         Self {
             screen,
             log,
@@ -58,7 +58,7 @@ impl Session {
         }
     }
 
-    pub(super) fn welcome(&self, items: usize, seed: u64) {
+    pub(crate) fn welcome(&self, items: usize, seed: u64) {
         let plural = if items == 1 { "" } else { "s" };
         let words = format!(
             "{items} exercise{plural} to choose from (session {seed}). Type your answer, or:"
@@ -67,7 +67,7 @@ impl Session {
         self.screen.say(Tone::Faint, "  ", HELP);
     }
 
-    pub(super) fn finish(&self) {
+    pub(crate) fn finish(&self) {
         if self.asked > 0 {
             let words = format!(
                 "{} of {} parts right, {} of them at once.",
@@ -79,7 +79,7 @@ impl Session {
     }
 
     /// One exercise.
-    pub(super) fn exercise(&mut self, solution: &Solution<'_>) -> Result<End, Failure> {
+    pub(crate) fn exercise(&mut self, solution: &Solution<'_>) -> Result<End, Failure> {
         let template = solution.template();
         let scene = Scene::of(solution, Data::Both).in_words();
         self.is_principle_due = !template.solution.is_empty();

@@ -23,7 +23,7 @@ const BYTES_A_JOB: usize = 32_000;
 const VARIABLE: &str = "VIBANK_PRESS_SECONDS";
 
 /// A process of the press.
-pub(super) struct Printer {
+pub(crate) struct Printer {
     child: Child,
     /// Jobs for the thread that talks with the process; closed to end both.
     jobs: Option<Sender<Job>>,
@@ -37,7 +37,7 @@ impl Printer {
     /// # Errors
     ///
     /// Where it does not start, or does not greet in time.
-    pub(super) fn start(program: &Path) -> io::Result<(Self, Greeting)> {
+    pub(crate) fn start(program: &Path) -> io::Result<(Self, Greeting)> {
         let mut child = Command::new(program)
             // The threads are those that wait for it.
             .env("RAYON_NUM_THREADS", "1")
@@ -63,12 +63,12 @@ impl Printer {
     }
 
     /// Jobs that it has taken, where a long one counts as several.
-    pub(super) fn done(&self) -> usize {
+    pub(crate) fn done(&self) -> usize {
         self.done
     }
 
     /// The reply to a job; an error where the process is lost.
-    pub(super) fn print(&mut self, job: &Job) -> io::Result<Reply> {
+    pub(crate) fn print(&mut self, job: &Job) -> io::Result<Reply> {
         let (Job::Page { text, .. } | Job::Figure { svg: text }) = job;
         self.done += 1 + text.len() / BYTES_A_JOB;
         let limit = patience(text.len());

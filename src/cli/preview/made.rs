@@ -20,14 +20,14 @@ use crate::cli::sheet::{secret, students};
 use crate::cli::{Failure, files};
 
 /// A sheet, made.
-pub(super) struct Made {
-    pub(super) summary: Summary,
+pub(crate) struct Made {
+    pub(crate) summary: Summary,
     panes: [(Kind, String); 3],
 }
 
 /// What is shown above the panes.
 #[derive(Serialize)]
-pub(super) struct Summary {
+pub(crate) struct Summary {
     title: String,
     /// How many sheets the run has.
     count: usize,
@@ -59,14 +59,14 @@ struct Part {
 }
 
 /// Why there is none.
-pub(super) enum Trouble {
+pub(crate) enum Trouble {
     Findings(Vec<Finding>),
     Failure(Failure),
 }
 
 impl Made {
     /// The sheet at a place of the run that the blueprint would make.
-    pub(super) fn of(
+    pub(crate) fn of(
         path: &Path,
         (catalogue, findings): &(Catalogue, Vec<Finding>),
         place: usize,
@@ -104,14 +104,14 @@ impl Made {
     }
 
     /// The page of this name.
-    pub(super) fn pane(&self, name: &str) -> Option<&str> {
+    pub(crate) fn pane(&self, name: &str) -> Option<&str> {
         let mut panes = self.panes.iter();
         let (_, text) = panes.find(|(kind, _)| kind.name() == name)?;
         Some(text)
     }
 
     /// What a terminal says of it.
-    pub(super) fn line(&self) -> String {
+    pub(crate) fn line(&self) -> String {
         let Summary {
             questions,
             points,

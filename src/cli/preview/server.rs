@@ -24,21 +24,21 @@ const MAX_AT_ONCE: usize = 64;
 
 /// What is asked for: the last word of the address, and what stands behind the question mark.
 #[derive(Debug)]
-pub(super) struct Request {
-    pub(super) word: String,
+pub(crate) struct Request {
+    pub(crate) word: String,
     query: String,
 }
 
 /// What is sent.
-pub(super) struct Reply {
-    pub(super) kind: &'static str,
-    pub(super) policy: &'static str,
-    pub(super) body: Vec<u8>,
+pub(crate) struct Reply {
+    pub(crate) kind: &'static str,
+    pub(crate) policy: &'static str,
+    pub(crate) body: Vec<u8>,
 }
 
 impl Request {
     /// The number behind a name, `variant=3`.
-    pub(super) fn number(&self, name: &str) -> Option<u64> {
+    pub(crate) fn number(&self, name: &str) -> Option<u64> {
         let mut pairs = self
             .query
             .split('&')
@@ -49,7 +49,7 @@ impl Request {
 }
 
 /// A server that listens.
-pub(super) struct Server {
+pub(crate) struct Server {
     listener: TcpListener,
     word: String,
     port: u16,
@@ -57,7 +57,7 @@ pub(super) struct Server {
 
 impl Server {
     /// Listens on a port of this computer; on any that is free with port 0.
-    pub(super) fn listen(port: u16) -> Result<Self, Failure> {
+    pub(crate) fn listen(port: u16) -> Result<Self, Failure> {
         let refuse = |error: io::Error| {
             Failure::new(format!("cannot listen on port {port}: {error}"))
                 .help("give another one with `--port`, or none")
@@ -77,12 +77,12 @@ impl Server {
     }
 
     /// Where a browser finds the page.
-    pub(super) fn address(&self) -> String {
+    pub(crate) fn address(&self) -> String {
         format!("http://127.0.0.1:{}/{}/", self.port, self.word)
     }
 
     /// Answers requests for as long as the program runs.
-    pub(super) fn serve(self, answer: impl Fn(&Request) -> Option<Reply> + Send + Sync + 'static) {
+    pub(crate) fn serve(self, answer: impl Fn(&Request) -> Option<Reply> + Send + Sync + 'static) {
         let shared = Arc::new((self.word, self.port, answer));
         let busy = Arc::new(AtomicUsize::new(0));
         for stream in self.listener.incoming() {

@@ -31,7 +31,7 @@ impl FormatChoice {
     /// # Errors
     ///
     /// Where a part of a run does not say its formats: machines with and without a press would make different parts.
-    pub(super) fn of(blueprint: &Blueprint, shard: Shard) -> Result<Self, Failure> {
+    pub(crate) fn of(blueprint: &Blueprint, shard: Shard) -> Result<Self, Failure> {
         let mut made: Vec<String> = Vec::new();
         for format in &blueprint.formats {
             if !made.contains(&format.value) {
@@ -70,7 +70,7 @@ impl FormatChoice {
     }
 
     /// The same with fonts for the names of these students, which `folder` may hold.
-    pub(super) fn with_names(
+    pub(crate) fn with_names(
         mut self,
         students: &[Student],
         folder: Option<&Path>,
@@ -83,7 +83,7 @@ impl FormatChoice {
     }
 
     /// What there is to say of formats that are left out: a failure where they were named, else a line.
-    pub(super) fn remark(&self) -> Option<Result<String, Failure>> {
+    pub(crate) fn remark(&self) -> Option<Result<String, Failure>> {
         let missing = self.missing.as_ref()?;
         if !self.skipped.is_empty() {
             let names = self.skipped.join(" and ");
@@ -96,7 +96,7 @@ impl FormatChoice {
     }
 
     /// Endings of files that this run would renew if it had a press.
-    pub(super) fn kept(&self) -> &'static [&'static str] {
+    pub(crate) fn kept(&self) -> &'static [&'static str] {
         if self.missing.is_some() {
             &["pdf", "tex"]
         } else {

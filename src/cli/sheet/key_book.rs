@@ -15,7 +15,7 @@ const HEAD: [&str; 4] = ["code", "student", "name", "group"];
 type Row = ([String; HEAD.len()], Vec<(String, String)>);
 
 /// The line of a sheet.
-pub(super) fn line(sheet: &Sheet<'_>) -> String {
+pub(crate) fn line(sheet: &Sheet<'_>) -> String {
     let student = sheet.student.as_ref();
     let own = |of: fn(&vibank::worksheet::Student) -> &String| {
         student.map(of).cloned().unwrap_or_default()
@@ -46,7 +46,7 @@ pub(super) fn line(sheet: &Sheet<'_>) -> String {
 }
 
 /// The workbook of these lines.
-pub(super) fn bound(lines: &str) -> Result<Vec<u8>, Failure> {
+pub(crate) fn bound(lines: &str) -> Result<Vec<u8>, Failure> {
     let broken = |error: serde_json::Error| Failure::new(format!("a draft of the run: {error}"));
     let rows: Vec<Row> = lines
         .lines()

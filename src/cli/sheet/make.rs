@@ -27,46 +27,46 @@ use crate::cli::{Failure, progress};
 const CHUNK: usize = 64;
 
 /// What making a sheet needs to know.
-pub(super) struct Job<'a, 'c> {
-    pub(super) plan: &'a Plan<'c>,
-    pub(super) students: &'a [Student],
+pub(crate) struct Job<'a, 'c> {
+    pub(crate) plan: &'a Plan<'c>,
+    pub(crate) students: &'a [Student],
     /// How many sheets the whole run has.
-    pub(super) count: usize,
+    pub(crate) count: usize,
     /// Whether nothing that is written names a student.
-    pub(super) has_pseudonyms: bool,
+    pub(crate) has_pseudonyms: bool,
     /// What students have already, by identity.
-    pub(super) fixed: BTreeMap<String, Fixed>,
+    pub(crate) fixed: BTreeMap<String, Fixed>,
     /// What students had on an earlier sheet and do not get again, by identity.
-    pub(super) earlier: BTreeMap<String, Vec<QuestionEntry>>,
-    pub(super) formats: &'a [Format],
-    pub(super) known: Alike<'a>,
-    pub(super) out: &'a Folder,
-    pub(super) layouts: Option<&'a Path>,
+    pub(crate) earlier: BTreeMap<String, Vec<QuestionEntry>>,
+    pub(crate) formats: &'a [Format],
+    pub(crate) known: Alike<'a>,
+    pub(crate) out: &'a Folder,
+    pub(crate) layouts: Option<&'a Path>,
     /// Whether it is the whole run, so that it can be told how alike the variants are, and all can be printed.
-    pub(super) is_whole: bool,
+    pub(crate) is_whole: bool,
 }
 
 /// Where sheets are kept.
-pub(super) struct Store<'f> {
-    pub(super) ledger: Ledger,
-    pub(super) outputs: Outputs<'f>,
-    pub(super) record: Record,
+pub(crate) struct Store<'f> {
+    pub(crate) ledger: Ledger,
+    pub(crate) outputs: Outputs<'f>,
+    pub(crate) record: Record,
 }
 
 /// What a run made.
-pub(super) struct Made {
-    pub(super) sheets: usize,
-    pub(super) unchanged: usize,
-    pub(super) rejected: u64,
+pub(crate) struct Made {
+    pub(crate) sheets: usize,
+    pub(crate) unchanged: usize,
+    pub(crate) rejected: u64,
     /// The item whose data were not suitable most often, with how often.
-    pub(super) unsuitable: Option<(String, u64)>,
-    pub(super) fairness: Fairness,
+    pub(crate) unsuitable: Option<(String, u64)>,
+    pub(crate) fairness: Fairness,
     /// Files that could not be printed, and why.
-    pub(super) unprinted: Vec<String>,
+    pub(crate) unprinted: Vec<String>,
     /// All variants of the run, by place.
-    pub(super) variants: Vec<Variant>,
+    pub(crate) variants: Vec<Variant>,
     /// What to report of them, each with what it is.
-    pub(super) shown: Vec<(String, &'static str)>,
+    pub(crate) shown: Vec<(String, &'static str)>,
 }
 
 struct Page {
@@ -79,7 +79,7 @@ impl Job<'_, '_> {
     /// Makes the sheets of a share, from where an interrupted run has stopped.
     ///
     /// All variants are chosen first, which takes a small share of the time: who goes first is not who is written first.
-    pub(super) fn make(
+    pub(crate) fn make(
         &self,
         share: Range<usize>,
         mark: &Mark,
@@ -299,7 +299,7 @@ impl Store<'_> {
 }
 
 /// A run that cannot be made.
-pub(super) fn refuse(error: &SheetError) -> Failure {
+pub(crate) fn refuse(error: &SheetError) -> Failure {
     let way = match error {
         SheetError::Shared { .. } => {
             "widen its range in the item, fix another value with `set`, or ask another item"

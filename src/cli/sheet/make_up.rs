@@ -11,21 +11,21 @@ use crate::cli::grade::manifest;
 use crate::cli::{Failure, files};
 
 /// What variants of a make-up are named after, and its folder.
-pub(super) const SITTING: &str = "make-up";
+pub(crate) const SITTING: &str = "make-up";
 
 /// The students of a make-up, and what they had.
-pub(super) struct MakeUp {
+pub(crate) struct MakeUp {
     /// Those of the class list who are named.
-    pub(super) students: Vec<Student>,
+    pub(crate) students: Vec<Student>,
     /// The questions of their first sheets, by identity.
-    pub(super) earlier: BTreeMap<String, Vec<QuestionEntry>>,
+    pub(crate) earlier: BTreeMap<String, Vec<QuestionEntry>>,
     /// The digest of the manifest of the first run.
-    pub(super) digest: String,
+    pub(crate) digest: String,
 }
 
 impl MakeUp {
     /// The students that the command names, each with a sheet of the first run.
-    pub(super) fn of(arguments: &Arguments, students: Vec<Student>) -> Result<Self, Failure> {
+    pub(crate) fn of(arguments: &Arguments, students: Vec<Student>) -> Result<Self, Failure> {
         let path = first(arguments);
         if !path.is_file() {
             return Err(Failure::new(format!(
@@ -75,7 +75,7 @@ impl MakeUp {
 }
 
 /// The folder of a make-up, if it is not named.
-pub(super) fn folder(blueprint: &Path) -> PathBuf {
+pub(crate) fn folder(blueprint: &Path) -> PathBuf {
     let name = blueprint.file_stem().unwrap_or("sheet".as_ref());
     PathBuf::from(format!("{}-{SITTING}", name.to_string_lossy()))
 }

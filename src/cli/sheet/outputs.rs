@@ -47,7 +47,7 @@ pub(crate) struct Laid {
 }
 
 /// The digest of a file that could not be printed. No file has it, so that the next run tries again.
-pub(super) const UNPRINTED: &str = "";
+pub(crate) const UNPRINTED: &str = "";
 
 /// What one sheet gives in one format.
 pub(crate) enum Written {
@@ -71,7 +71,7 @@ pub(crate) struct Leaf {
 }
 
 /// The formats that are made, for pages that name these students; `layouts` is a folder of the user.
-pub(super) fn formats(
+pub(crate) fn formats(
     plan: &Plan<'_>,
     choice: &FormatChoice,
     students: &[Student],
@@ -103,7 +103,7 @@ pub(super) fn formats(
 
 impl Format {
     /// All that its pages depend on beside the sheet.
-    pub(super) fn description(&self) -> String {
+    pub(crate) fn description(&self) -> String {
         match self {
             Self::Json => "json".to_owned(),
             Self::Workbook(_) => XLSX.to_owned(),
@@ -123,7 +123,7 @@ impl Format {
     }
 
     /// Its pages, where they are for paper.
-    pub(super) fn printed(&self) -> Option<&Laid> {
+    pub(crate) fn printed(&self) -> Option<&Laid> {
         match self {
             Self::Pages(laid) if laid.pages.is_for_paper() => Some(laid),
             _ => None,
@@ -131,12 +131,12 @@ impl Format {
     }
 
     /// Whether each sheet is a file of its own.
-    pub(super) fn is_split(&self) -> bool {
+    pub(crate) fn is_split(&self) -> bool {
         matches!(self, Self::Pages(laid) if laid.is_split)
     }
 
     /// What a sheet gives, with files of this name where it has its own; with `is_kept` these are there already.
-    pub(super) fn write(
+    pub(crate) fn write(
         &self,
         sheet: &Sheet<'_>,
         stem: &str,
@@ -203,7 +203,7 @@ impl Laid {
         })
     }
 
-    pub(super) fn extension(&self) -> &'static str {
+    pub(crate) fn extension(&self) -> &'static str {
         self.pages.writer().extension()
     }
 
@@ -252,17 +252,17 @@ impl Laid {
     }
 
     /// How its pages are filled.
-    pub(super) fn pages(&self) -> &Pages {
+    pub(crate) fn pages(&self) -> &Pages {
         &self.pages
     }
 
     /// What stands after the last page of a file.
-    pub(super) fn end(&self) -> &str {
+    pub(crate) fn end(&self) -> &str {
         &self.end
     }
 
     /// The file of a finished text.
-    pub(super) fn bind(&self, text: String) -> Printed {
+    pub(crate) fn bind(&self, text: String) -> Printed {
         match &self.press {
             Some(press) if self.pages.writer().is_bound() => press.page(text, &self.fonts),
             _ => Ok(text.into_bytes()),
@@ -306,7 +306,7 @@ impl Laid {
 }
 
 /// Writes the page that tells a teacher how alike the variants are: as HTML, unless Markdown alone is made.
-pub(super) fn write_fairness(
+pub(crate) fn write_fairness(
     plan: &Plan<'_>,
     layouts: Option<&Path>,
     fairness: &Fairness,
@@ -331,12 +331,12 @@ pub(super) fn write_fairness(
 /// What the page with all keys is called.
 const TABLE: &str = "answers of all variants";
 
-pub(super) fn unfilled(error: output::OutputError) -> Failure {
+pub(crate) fn unfilled(error: output::OutputError) -> Failure {
     Failure::new(error.to_string())
 }
 
 /// The files of a run, while it lasts.
-pub(super) struct Outputs<'f> {
+pub(crate) struct Outputs<'f> {
     formats: Vec<Files<'f>>,
 }
 
@@ -360,7 +360,7 @@ struct Stream {
 
 impl<'f> Outputs<'f> {
     /// The files of a run that goes on at `mark`.
-    pub(super) fn open(
+    pub(crate) fn open(
         formats: &'f [Format],
         out: &Folder,
         shard: Shard,
@@ -401,7 +401,7 @@ impl<'f> Outputs<'f> {
 
     /// Keeps what a sheet gives, by format, and notes its files in `entry`; what could not be printed is added to
     /// `unprinted`.
-    pub(super) fn add(
+    pub(crate) fn add(
         &mut self,
         written: Vec<Written>,
         entry: &mut VariantEntry,
@@ -436,12 +436,12 @@ impl<'f> Outputs<'f> {
     }
 
     /// Empty tables of keys, one for each format.
-    pub(super) fn tables(&self) -> Vec<KeyTable> {
+    pub(crate) fn tables(&self) -> Vec<KeyTable> {
         self.formats.iter().map(|_| KeyTable::default()).collect()
     }
 
     /// Writes the tables of keys of some sheets.
-    pub(super) fn add_tables(&mut self, tables: &[KeyTable]) -> Result<(), Failure> {
+    pub(crate) fn add_tables(&mut self, tables: &[KeyTable]) -> Result<(), Failure> {
         for (files, collected) in self.formats.iter_mut().zip(tables) {
             if let Files::Pages {
                 laid,
@@ -457,7 +457,7 @@ impl<'f> Outputs<'f> {
     }
 
     /// Hands everything to the system; what a later run would go on with.
-    pub(super) fn flush(&mut self) -> Result<BTreeMap<String, Left>, Failure> {
+    pub(crate) fn flush(&mut self) -> Result<BTreeMap<String, Left>, Failure> {
         let mut left = BTreeMap::new();
         for stream in self.formats.iter_mut().flat_map(Files::streams) {
             left.insert(stream.name.clone(), stream.draft.flush()?);
@@ -466,7 +466,7 @@ impl<'f> Outputs<'f> {
     }
 
     /// Completes the files: each with what it is, and with its digest where it belongs to the whole run.
-    pub(super) fn finish(
+    pub(crate) fn finish(
         self,
         out: &Folder,
         unprinted: &mut Vec<String>,
@@ -512,10 +512,10 @@ impl<'f> Outputs<'f> {
 }
 
 /// A file that is complete, or a folder of them.
-pub(super) struct Finished {
-    pub(super) name: String,
-    pub(super) digest: Option<String>,
-    pub(super) what: &'static str,
+pub(crate) struct Finished {
+    pub(crate) name: String,
+    pub(crate) digest: Option<String>,
+    pub(crate) what: &'static str,
 }
 
 impl Files<'_> {

@@ -22,25 +22,25 @@ pub(crate) const FOLDER: &str = "print";
 const PIECE: usize = 64;
 
 /// What is printed of a run.
-pub(super) struct PrintJob<'a, 'c> {
-    pub(super) plan: &'a Plan<'c>,
-    pub(super) printing: &'a Printing,
+pub(crate) struct PrintJob<'a, 'c> {
+    pub(crate) plan: &'a Plan<'c>,
+    pub(crate) printing: &'a Printing,
     /// Those that are named; none where the run has pseudonyms.
-    pub(super) students: &'a [Student],
-    pub(super) variants: &'a [Variant],
-    pub(super) formats: &'a [Format],
-    pub(super) out: &'a Folder,
+    pub(crate) students: &'a [Student],
+    pub(crate) variants: &'a [Variant],
+    pub(crate) formats: &'a [Format],
+    pub(crate) out: &'a Folder,
 }
 
 /// The files that were made.
 #[derive(Default)]
-pub(super) struct Prints {
+pub(crate) struct Prints {
     /// With their digests.
-    pub(super) files: BTreeMap<String, String>,
+    pub(crate) files: BTreeMap<String, String>,
     /// What to report of them, each with what it is.
-    pub(super) shown: Vec<(String, &'static str)>,
+    pub(crate) shown: Vec<(String, &'static str)>,
     /// Those that could not be printed, and why.
-    pub(super) unprinted: Vec<String>,
+    pub(crate) unprinted: Vec<String>,
 }
 
 /// Something that is printed.
@@ -52,7 +52,7 @@ enum Leaf<'s> {
 
 impl PrintJob<'_, '_> {
     /// Makes the files of each format that is printed.
-    pub(super) fn make(&self) -> Result<Prints, Failure> {
+    pub(crate) fn make(&self) -> Result<Prints, Failure> {
         let codes: Vec<String> = self.variants.iter().map(ToString::to_string).collect();
         let roll = Roll {
             students: self.students,

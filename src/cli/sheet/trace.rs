@@ -7,7 +7,7 @@ use super::make::refuse;
 use crate::cli::Failure;
 
 /// Tells what showing the questions of the first variant computes.
-pub(super) fn first_sheet(plan: &Plan<'_>) -> Result<(), Failure> {
+pub(crate) fn first_sheet(plan: &Plan<'_>) -> Result<(), Failure> {
     let sheet = Sheet::draw(plan, plan.variant(0, 0), None).map_err(|error| refuse(&error))?;
     for question in &sheet.questions {
         let template = question.solution.template();

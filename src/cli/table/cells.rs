@@ -71,7 +71,7 @@ pub(crate) struct Broken<'t> {
 
 /// A place in a text table.
 #[derive(Clone)]
-pub(super) struct Cursor<'t> {
+pub(crate) struct Cursor<'t> {
     text: &'t str,
     at: usize,
     /// The line of `at`, from 1.
@@ -83,7 +83,7 @@ pub(super) struct Cursor<'t> {
 const MAX_LINES: usize = 100;
 
 impl<'t> Cursor<'t> {
-    pub(super) fn new(text: &'t str, delimiter: u8) -> Self {
+    pub(crate) fn new(text: &'t str, delimiter: u8) -> Self {
         Self {
             text,
             at: 0,
@@ -93,7 +93,7 @@ impl<'t> Cursor<'t> {
     }
 
     /// The byte that is read next.
-    pub(super) fn at(&self) -> usize {
+    pub(crate) fn at(&self) -> usize {
         self.at
     }
 
@@ -101,7 +101,7 @@ impl<'t> Cursor<'t> {
     ///
     /// `begins_row` says whether cells look like those of a row of their own: a quoted cell that has such a line in it
     /// was not closed.
-    pub(super) fn row(
+    pub(crate) fn row(
         &mut self,
         begins_row: &dyn Fn(&Row<'_>) -> bool,
     ) -> Option<Result<Row<'t>, Broken<'t>>> {

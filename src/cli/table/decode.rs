@@ -2,16 +2,16 @@
 
 /// A text, and whether its encoding had to be guessed.
 #[derive(Debug, PartialEq)]
-pub(super) struct Decoded {
-    pub(super) text: String,
-    pub(super) is_guessed: bool,
+pub(crate) struct Decoded {
+    pub(crate) text: String,
+    pub(crate) is_guessed: bool,
 }
 
 /// Bytes that are no text, with their line, from 1.
 #[derive(Debug, PartialEq)]
-pub(super) struct NoText {
-    pub(super) line: usize,
-    pub(super) found: &'static str,
+pub(crate) struct NoText {
+    pub(crate) line: usize,
+    pub(crate) found: &'static str,
 }
 
 /// What Windows-1252 has where ISO 8859-1 has control characters; five places are free.
@@ -51,7 +51,7 @@ const WINDOWS: [Option<char>; 32] = [
 ];
 
 /// Reads UTF-8, UTF-16 with or without a mark of byte order, and all else as Windows-1252.
-pub(super) fn decode(bytes: Vec<u8>) -> Result<Decoded, NoText> {
+pub(crate) fn decode(bytes: Vec<u8>) -> Result<Decoded, NoText> {
     let certain = |text| Decoded {
         text,
         is_guessed: false,

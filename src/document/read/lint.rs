@@ -8,14 +8,14 @@ use crate::source::Span;
 
 /// Looks through words for what was meant as math.
 #[derive(Default)]
-pub(super) struct Lint {
+pub(crate) struct Lint {
     /// Up to where a finding has been reported; its closing dollar sign is none of its own.
     reported: usize,
 }
 
 impl Lint {
     /// The first thing in the words at `range` of a text that was meant as math.
-    pub(super) fn stray_math(
+    pub(crate) fn stray_math(
         &mut self,
         text: &str,
         in_cell: bool,

@@ -9,12 +9,12 @@ use crate::math::holes::{LIMIT, LITERAL, is_private, mark};
 use crate::source::{Span, nearest};
 
 /// A text whose placeholders are single characters.
-pub(super) struct Masked {
-    pub(super) text: String,
-    pub(super) placeholders: Vec<Placeholder>,
+pub(crate) struct Masked {
+    pub(crate) text: String,
+    pub(crate) placeholders: Vec<Placeholder>,
     /// Ends of replaced pieces: in the masked text, and in the written one.
     ends: Vec<(usize, usize)>,
-    pub(super) errors: Vec<TextError>,
+    pub(crate) errors: Vec<TextError>,
 }
 
 /// Whether a byte is a character that stands for itself.
@@ -24,7 +24,7 @@ fn is_plain(byte: u8) -> bool {
 
 impl Masked {
     /// Masks the placeholders of a text.
-    pub(super) fn of(text: &str) -> Self {
+    pub(crate) fn of(text: &str) -> Self {
         let mut masked = Self {
             text: String::with_capacity(text.len()),
             placeholders: Vec::new(),
@@ -124,7 +124,7 @@ impl Masked {
     }
 
     /// The span in the written text of a range of the masked one.
-    pub(super) fn span(&self, range: std::ops::Range<usize>) -> Span {
+    pub(crate) fn span(&self, range: std::ops::Range<usize>) -> Span {
         Span::new(self.origin(range.start), self.origin(range.end))
     }
 }

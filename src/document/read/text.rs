@@ -21,7 +21,7 @@ const DEPTH: usize = 8;
 const MAX_ERRORS: usize = 101;
 
 /// Reads a text.
-pub(super) fn read(text: &str) -> Reading {
+pub(crate) fn read(text: &str) -> Reading {
     if text.len() > LENGTH {
         return Reading {
             document: Document::default(),
@@ -35,7 +35,7 @@ pub(super) fn read(text: &str) -> Reading {
     let mut masked = Masked::of(text);
     let source = std::mem::take(&mut masked.text);
     let options = Options::ENABLE_MATH | Options::ENABLE_TABLES;
-    let mut reader = Reader {
+    let mut reader = TextReader {
         events: Parser::new_ext(&source, options)
             .into_offset_iter()
             .peekable(),
@@ -56,7 +56,7 @@ pub(super) fn read(text: &str) -> Reading {
     }
 }
 
-struct Reader<'a> {
+struct TextReader<'a> {
     events: Peekable<OffsetIter<'a>>,
     /// The masked text.
     source: &'a str,
@@ -67,7 +67,7 @@ struct Reader<'a> {
     lint: Lint,
 }
 
-impl Reader<'_> {
+impl TextReader<'_> {
     fn span(&self, range: Range<usize>) -> Span {
         self.masked.span(range)
     }

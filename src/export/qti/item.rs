@@ -29,7 +29,7 @@ enum Marked<'h> {
 }
 
 /// The item with the parts that fit.
-pub(super) fn marked<'c>(
+pub(crate) fn marked<'c>(
     words: &Words<'_, 'c>,
     sorted: &Sorted<'c>,
     identifier: &str,
@@ -84,7 +84,7 @@ pub(super) fn marked<'c>(
 }
 
 /// The item with parts that a person marks.
-pub(super) fn essay<'c>(
+pub(crate) fn essay<'c>(
     words: &Words<'_, 'c>,
     parts: &[Asked<'c>],
     identifier: &str,

@@ -15,14 +15,14 @@ const HOLDERS: [&str; 12] = [
 ];
 
 /// A file while it is written. Names are given as in version 2; version 3 has them with hyphens.
-pub(super) struct Xml {
-    pub(super) out: String,
+pub(crate) struct Xml {
+    pub(crate) out: String,
     version: Version,
     open: Vec<String>,
 }
 
 impl Xml {
-    pub(super) fn new(version: Version) -> Self {
+    pub(crate) fn new(version: Version) -> Self {
         Self {
             out: String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"),
             version,
@@ -31,39 +31,39 @@ impl Xml {
     }
 
     /// Begins an element.
-    pub(super) fn open(&mut self, name: &str, attributes: &[(&str, &str)]) {
+    pub(crate) fn open(&mut self, name: &str, attributes: &[(&str, &str)]) {
         let name = self.begin(name, attributes);
         self.out.push('>');
         self.open.push(name);
     }
 
     /// Ends the element that was begun last.
-    pub(super) fn close(&mut self) {
+    pub(crate) fn close(&mut self) {
         if let Some(name) = self.open.pop() {
             self.out.push_str(&format!("</{name}>\n"));
         }
     }
 
     /// An element without content.
-    pub(super) fn empty(&mut self, name: &str, attributes: &[(&str, &str)]) {
+    pub(crate) fn empty(&mut self, name: &str, attributes: &[(&str, &str)]) {
         self.begin(name, attributes);
         self.out.push_str("/>\n");
     }
 
     /// An element with words.
-    pub(super) fn words(&mut self, name: &str, attributes: &[(&str, &str)], words: &str) {
+    pub(crate) fn words(&mut self, name: &str, attributes: &[(&str, &str)], words: &str) {
         self.open(name, attributes);
         escape(&mut self.out, words);
         self.close();
     }
 
     /// HTML, as the standard takes it.
-    pub(super) fn html(&mut self, html: &str) {
+    pub(crate) fn html(&mut self, html: &str) {
         markup(&mut self.out, html);
     }
 
     /// HTML in an element that version 3 puts around it.
-    pub(super) fn content(&mut self, html: &str) {
+    pub(crate) fn content(&mut self, html: &str) {
         if self.version == Version::V30 {
             self.open("contentBody", &[]);
             self.html(html);

@@ -13,7 +13,7 @@ use crate::figure::part::Part;
 use crate::figure::{Drawing, Path, Point, Spot, Weight, spots};
 use std::f64::consts::PI;
 
-pub(super) struct Angle;
+pub(crate) struct Angle;
 
 /// The vertex, the radius, and the angles of both rays.
 fn arc(part: &Part<'_>) -> (Point, f64, f64, f64) {

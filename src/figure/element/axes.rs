@@ -9,7 +9,7 @@ use crate::figure::arrow::{Head, arrow};
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Label, Point, Spot, Weight, spots};
 
-pub(super) struct Axes;
+pub(crate) struct Axes;
 
 impl Element for Axes {
     fn name(&self) -> &'static str {

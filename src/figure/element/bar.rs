@@ -10,7 +10,7 @@ use crate::figure::part::Part;
 use crate::figure::{Drawing, Fill, Path, Spot, Weight, spots};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-pub(super) struct Bar;
+pub(crate) struct Bar;
 
 /// Half of its breadth.
 const HALF: f64 = 0.11;

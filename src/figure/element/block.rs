@@ -13,7 +13,7 @@ use crate::figure::outline::Outline;
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Fill, Path, Point, Spot, Weight};
 
-pub(super) struct Block;
+pub(crate) struct Block;
 
 impl Element for Block {
     fn name(&self) -> &'static str {

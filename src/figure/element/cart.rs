@@ -13,7 +13,7 @@ use crate::figure::outline::Outline;
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Fill, Path, Point, Spot, Weight};
 
-pub(super) struct Cart;
+pub(crate) struct Cart;
 
 const HEIGHT: f64 = 1.0;
 const WHEEL: f64 = 0.2;

@@ -8,7 +8,7 @@ use super::{Element, Layer, Role, Takes};
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Fill, Path, Spot, Weight, spots};
 
-pub(super) struct Column;
+pub(crate) struct Column;
 
 /// Half of its breadth.
 const HALF: f64 = 0.14;

@@ -16,7 +16,7 @@ use crate::figure::arrow::{Head, arrow};
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Path, Point, Spot, Weight, spots};
 
-pub(super) struct Coordinate;
+pub(crate) struct Coordinate;
 
 /// Length of an arrow of direction 1.
 const LENGTH: f64 = 0.9;

@@ -17,7 +17,7 @@ use crate::figure::{Drawing, Path, Point, Spot, Weight, spots};
 use crate::numerics::asin;
 use std::f64::consts::TAU;
 
-pub(super) struct Cord;
+pub(crate) struct Cord;
 
 /// A point of the way, or a circle that it goes round.
 #[derive(Clone, Copy)]

@@ -14,7 +14,7 @@ use super::{Element, Layer, Role, Takes};
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Fill, Path, Spot, Weight, spots};
 
-pub(super) struct Damper;
+pub(crate) struct Damper;
 
 /// Half of the breadth of the cylinder.
 const HALF: f64 = 0.2;

@@ -10,7 +10,7 @@ use crate::figure::arrow::{Head, arrow, double};
 use crate::figure::part::Part;
 use crate::figure::{Anchor, Drawing, Path, Point, Spot, Weight, spots};
 
-pub(super) struct Dimension;
+pub(crate) struct Dimension;
 
 /// Shortest distance whose arrows point outward from within.
 const SHORTEST: f64 = 0.45;

@@ -15,10 +15,10 @@ use super::{Element, Key, Layer, Role, Takes, flag};
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Fill, Path, Point, Spot, Weight, spots};
 
-pub(super) struct Ground;
+pub(crate) struct Ground;
 
 /// How deep the hatching goes.
-pub(super) const DEPTH: f64 = 0.24;
+pub(crate) const DEPTH: f64 = 0.24;
 
 /// From one stroke of the hatching to the next.
 const PITCH: f64 = 0.2;
@@ -78,7 +78,7 @@ impl Element for Ground {
 }
 
 /// Slanted strokes from the surface, or from this depth below it.
-pub(super) fn hatch(part: &Part<'_>, a: Point, b: Point, top: f64, drawing: &mut Drawing) {
+pub(crate) fn hatch(part: &Part<'_>, a: Point, b: Point, top: f64, drawing: &mut Drawing) {
     let along = (b - a).unit();
     let out = -along.left();
     let length = a.distance(b).min(200.0);

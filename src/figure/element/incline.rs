@@ -14,7 +14,7 @@ use crate::figure::part::Part;
 use crate::figure::{Anchor, Drawing, Fill, Path, Point, Spot, Weight, spots};
 use crate::numerics::{cos, tan};
 
-pub(super) struct Incline;
+pub(crate) struct Incline;
 
 /// Radius of the arc at the angle.
 const ARC: f64 = 1.3;

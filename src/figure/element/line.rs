@@ -12,7 +12,7 @@ use super::{Element, Layer, Takes};
 use crate::figure::part::{Part, Style};
 use crate::figure::{Drawing, Path, Spot, Weight, spots};
 
-pub(super) struct Line;
+pub(crate) struct Line;
 
 impl Element for Line {
     fn name(&self) -> &'static str {

@@ -9,7 +9,7 @@ use crate::figure::part::Part;
 use crate::figure::{Drawing, Fill, Path, Spot, Weight, spots};
 use std::f64::consts::FRAC_PI_2;
 
-pub(super) struct MassCentre;
+pub(crate) struct MassCentre;
 
 const RADIUS: f64 = 0.12;
 

@@ -9,7 +9,7 @@ use crate::figure::arrow::bent;
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Point, Spot, Weight, spots};
 
-pub(super) struct Moment;
+pub(crate) struct Moment;
 
 /// Where the arrow begins and ends if it turns counterclockwise, in degrees.
 const SPAN: (f64, f64) = (-50.0, 130.0);

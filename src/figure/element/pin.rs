@@ -13,15 +13,15 @@ use crate::figure::outline::Side;
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Fill, Path, Point, Spot, Weight, spots};
 
-pub(super) struct Pin;
+pub(crate) struct Pin;
 
 const RADIUS: f64 = 0.08;
 
 /// Height of the bearing, from the hinge to the ground.
-pub(super) const BEARING: f64 = 0.42;
+pub(crate) const BEARING: f64 = 0.42;
 
 /// Draws a bearing that holds a point from a side, hatched; it stands `lift` above its ground.
-pub(super) fn bearing(part: &Part<'_>, point: Point, side: Side, lift: f64, drawing: &mut Drawing) {
+pub(crate) fn bearing(part: &Part<'_>, point: Point, side: Side, lift: f64, drawing: &mut Drawing) {
     let out = side.direction();
     let across = out.left();
     let foot = point + out * (BEARING - lift);

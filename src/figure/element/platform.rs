@@ -13,7 +13,7 @@ use crate::figure::outline::Outline;
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Fill, Path, Point, Spot, Weight, spots};
 
-pub(super) struct Platform;
+pub(crate) struct Platform;
 
 const THICKNESS: f64 = 0.22;
 

@@ -9,7 +9,7 @@ use super::{Element, Layer, Role, Takes};
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Path, Spot, Weight, spots};
 
-pub(super) struct Rod;
+pub(crate) struct Rod;
 
 impl Element for Rod {
     fn name(&self) -> &'static str {

@@ -10,7 +10,7 @@ use crate::figure::outline::Side;
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Fill, Path, Point, Spot, Weight, spots};
 
-pub(super) struct Roller;
+pub(crate) struct Roller;
 
 const WHEEL: f64 = 0.07;
 

@@ -16,7 +16,7 @@ use crate::figure::part::Part;
 use crate::figure::{Drawing, Fill, Path, Point, Spot, Weight, spots};
 use crate::numerics::sin_cos;
 
-pub(super) struct Spring;
+pub(crate) struct Spring;
 
 /// Half of the breadth of the coils.
 const RADIUS: f64 = 0.2;

@@ -8,7 +8,7 @@ use super::{Element, Layer};
 use crate::figure::part::Part;
 use crate::figure::{Anchor, Drawing, Point, Spot, spots};
 
-pub(super) struct Text;
+pub(crate) struct Text;
 
 impl Element for Text {
     fn name(&self) -> &'static str {

@@ -15,7 +15,7 @@ use super::{Element, Key, Layer, Role, number};
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Fill, Path, Point, Spot, Weight, spots};
 
-pub(super) struct Torsion;
+pub(crate) struct Torsion;
 
 /// Outer radius where none is given.
 const RADIUS: f64 = 0.62;

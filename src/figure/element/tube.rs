@@ -10,7 +10,7 @@ use crate::figure::part::Part;
 use crate::figure::{Bounds, Drawing, Fill, Path, Point, Spot, Weight, spots};
 use std::f64::consts::PI;
 
-pub(super) struct Tube;
+pub(crate) struct Tube;
 
 /// Half of the bore.
 const BORE: f64 = 0.25;

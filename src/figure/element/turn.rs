@@ -10,7 +10,7 @@ use crate::figure::arrow::bent;
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Point, Spot, Weight, spots};
 
-pub(super) struct Turn;
+pub(crate) struct Turn;
 
 fn span(part: &Part<'_>) -> (f64, f64) {
     let degrees = |key: &str, usual: f64| part.number(key).unwrap_or(usual).clamp(-720.0, 720.0);

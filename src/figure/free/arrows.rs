@@ -90,7 +90,7 @@ impl Moved {
 }
 
 impl Figure {
-    pub(super) fn resolved(&self, given: &dyn Given) -> Result<(Drawing, String), FreeError> {
+    pub(crate) fn resolved(&self, given: &dyn Given) -> Result<(Drawing, String), FreeError> {
         let written = self.free.bodies.iter().flat_map(Body::written);
         let items: Vec<&Item> = self
             .items

@@ -5,7 +5,7 @@ use crate::numerics::Rational;
 
 /// A product, factor by factor in the order of the author.
 #[derive(Clone, Debug)]
-pub(super) struct Product {
+pub(crate) struct Product {
     is_negative: bool,
     number: Rational,
     above: Vec<Expr>,
@@ -16,7 +16,7 @@ pub(super) struct Product {
 
 impl Product {
     /// The factors of a component; `None` for a component that vanishes.
-    pub(super) fn of(component: &Expr) -> Option<Self> {
+    pub(crate) fn of(component: &Expr) -> Option<Self> {
         let mut product = Self {
             is_negative: false,
             number: Rational::ONE,
@@ -77,17 +77,17 @@ impl Product {
     }
 
     /// Whether a sign stands before it.
-    pub(super) fn is_negative(&self) -> bool {
+    pub(crate) fn is_negative(&self) -> bool {
         self.is_negative
     }
 
     /// The velocity whose sign it has, if it is a force of dry friction.
-    pub(super) fn velocity(&self) -> Option<&Expr> {
+    pub(crate) fn velocity(&self) -> Option<&Expr> {
         self.velocity.as_ref()
     }
 
     /// Divides by another product; `None` if a factor of that one is no factor of this one.
-    pub(super) fn over(mut self, divisor: &Self) -> Option<Self> {
+    pub(crate) fn over(mut self, divisor: &Self) -> Option<Self> {
         for factor in &divisor.above {
             let place = self.above.iter().position(|own| own == factor)?;
             self.above.remove(place);
@@ -102,13 +102,13 @@ impl Product {
     }
 
     /// Shares it between several arrows.
-    pub(super) fn shared(mut self, arrows: u8) -> Self {
+    pub(crate) fn shared(mut self, arrows: u8) -> Self {
         self.count(Rational::from(i32::from(arrows)), true);
         self
     }
 
     /// The product without its sign.
-    pub(super) fn letter(&self) -> Expr {
+    pub(crate) fn letter(&self) -> Expr {
         let above = self
             .above
             .iter()

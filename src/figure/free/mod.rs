@@ -41,7 +41,7 @@ pub struct Move {
 
 /// The free-body diagrams of a figure.
 #[derive(Debug)]
-pub(super) struct Free {
+pub(crate) struct Free {
     bodies: Vec<Body>,
 }
 

@@ -12,7 +12,7 @@ use crate::figure::Label;
 use crate::figure::element::{self, Role};
 use crate::figure::formula::Amount;
 use crate::figure::part::Style;
-use crate::figure::read::Reader;
+use crate::figure::read::FigureReader;
 use crate::figure::schematic::{Item, Place};
 use crate::source::{Data, Entry, Span, Table, Text, Value, nearest};
 
@@ -33,9 +33,9 @@ struct Stated {
     arrows: Vec<(Option<Text>, Option<Expr>, Written)>,
 }
 
-impl<'s> Reader<'_, 's> {
+impl<'s> FigureReader<'_, 's> {
     /// The free-body diagrams.
-    pub(in crate::figure) fn free(&mut self, items: &[Item]) -> Free {
+    pub(crate) fn free(&mut self, items: &[Item]) -> Free {
         let table = self.table;
         let Some(outer) = table.table("free") else {
             return Free { bodies: Vec::new() };
@@ -495,7 +495,7 @@ impl<'s> Reader<'_, 's> {
     }
 
     /// Elements do not share an identity.
-    pub(in crate::figure) fn hold_identities(&mut self, items: &[Item], rows: &[Value]) {
+    pub(crate) fn hold_identities(&mut self, items: &[Item], rows: &[Value]) {
         for (place, item) in items.iter().enumerate() {
             let Some(id) = &item.id else { continue };
             if items[..place]

@@ -3,7 +3,7 @@
 use crate::figure::Point;
 
 /// A direction in words.
-pub(super) fn towards(direction: Point) -> &'static str {
+pub(crate) fn towards(direction: Point) -> &'static str {
     const WORDS: [&str; 8] = [
         "to the right",
         "up and to the right",
@@ -19,7 +19,7 @@ pub(super) fn towards(direction: Point) -> &'static str {
 }
 
 /// What acts on a body, in one sentence.
-pub(super) fn sentence(body: &str, forces: &[String]) -> String {
+pub(crate) fn sentence(body: &str, forces: &[String]) -> String {
     match forces {
         [] => format!("Nothing acts on {body}."),
         [one] => format!("On {body} acts {one}."),

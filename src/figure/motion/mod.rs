@@ -24,7 +24,7 @@ const TURN: f64 = 0.3;
 
 /// How a figure moves.
 #[derive(Debug)]
-pub(super) struct Motion {
+pub(crate) struct Motion {
     /// The slots of the coordinates, and that of time.
     coordinates: Vec<u32>,
     time: u32,

@@ -14,17 +14,17 @@ const BESIDE: f64 = 0.13;
 
 /// A turn about a point, and a shift.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Rigid {
+pub(crate) struct Rigid {
     /// The point of the figure that it moves.
-    pub(super) slot: Option<u32>,
-    pub(super) shift: Point,
-    pub(super) turn: f64,
+    pub(crate) slot: Option<u32>,
+    pub(crate) shift: Point,
+    pub(crate) turn: f64,
     /// Where the centre is at rest.
-    pub(super) about: Point,
+    pub(crate) about: Point,
 }
 
 /// What becomes of an element.
-pub(super) enum Pose<'f> {
+pub(crate) enum Pose<'f> {
     Still,
     /// It is drawn as at rest, and moved as a whole.
     Rigid(Rigid),
@@ -35,14 +35,14 @@ pub(super) enum Pose<'f> {
 }
 
 /// Where everything is at rest, and how its points have moved.
-pub(super) struct Poses<'a, 'f> {
-    pub(super) items: &'a [Item],
-    pub(super) rest: &'a [Part<'f>],
-    pub(super) moved: &'a [Rigid],
+pub(crate) struct Poses<'a, 'f> {
+    pub(crate) items: &'a [Item],
+    pub(crate) rest: &'a [Part<'f>],
+    pub(crate) moved: &'a [Rigid],
     /// Where the moving points are at rest.
-    pub(super) places: &'a [Point],
+    pub(crate) places: &'a [Point],
     /// Whether what measures moving points is left out.
-    pub(super) hides: bool,
+    pub(crate) hides: bool,
 }
 
 /// A straight body between two points, at rest and moved.
@@ -52,7 +52,7 @@ struct Beam {
 }
 
 impl Rigid {
-    pub(super) fn point(&self, rest: Point) -> Point {
+    pub(crate) fn point(&self, rest: Point) -> Point {
         if self.turn == 0.0 {
             return rest + self.shift;
         }
@@ -84,7 +84,7 @@ impl Rigid {
         }
     }
 
-    pub(super) fn mark(&self, mark: &mut Mark) {
+    pub(crate) fn mark(&self, mark: &mut Mark) {
         if self.turn != 0.0 || self.shift != Point::default() {
             mark.path = self.path(&mark.path);
         }
@@ -97,7 +97,7 @@ impl Rigid {
 
 impl<'f> Poses<'_, 'f> {
     /// What becomes of each element.
-    pub(super) fn all(&self) -> Vec<Pose<'f>> {
+    pub(crate) fn all(&self) -> Vec<Pose<'f>> {
         let beams = self.beams();
         let items = self.items.iter().zip(self.rest);
         items

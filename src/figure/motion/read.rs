@@ -5,16 +5,16 @@ use crate::diagnostic::Finding;
 use crate::expr::{Expr, Kind, Name, fold};
 use crate::figure::FigureError;
 use crate::figure::formula::{Amount, Local};
-use crate::figure::read::Reader;
+use crate::figure::read::FigureReader;
 use crate::source::{Data, Entry, Span, Table, Text, Value};
 use crate::unit::Dimension;
 
 /// Most points that move.
 const MAX_COUNT: usize = 100;
 
-impl<'s> Reader<'_, 's> {
+impl<'s> FigureReader<'_, 's> {
     /// How the figure moves; read last, so that what it takes from the item is no demand of the figure itself.
-    pub(in crate::figure) fn motion(&mut self) -> Option<Motion> {
+    pub(crate) fn motion(&mut self) -> Option<Motion> {
         let outer = self.table;
         let span = outer.value("motion")?.span;
         let table = outer.table("motion")?;

@@ -19,7 +19,7 @@ const MAX_TICK_COUNTS: [usize; 2] = [8, 6];
 
 impl Axis {
     /// Where a value stands, in the axis's own coordinate.
-    pub(super) fn coordinate(&self, value: f64) -> Option<f64> {
+    pub(crate) fn coordinate(&self, value: f64) -> Option<f64> {
         if self.is_logarithmic && value <= 0.0 {
             return None;
         }
@@ -32,7 +32,7 @@ impl Axis {
     }
 
     /// The value that stands at a coordinate.
-    pub(super) fn value(&self, coordinate: f64) -> f64 {
+    pub(crate) fn value(&self, coordinate: f64) -> f64 {
         if self.is_logarithmic {
             crate::numerics::pow(10.0, coordinate)
         } else {
@@ -41,7 +41,7 @@ impl Axis {
     }
 
     /// The coordinates of a range.
-    pub(super) fn coordinates(&self, name: char, range: [f64; 2]) -> Result<[f64; 2], PlotError> {
+    pub(crate) fn coordinates(&self, name: char, range: [f64; 2]) -> Result<[f64; 2], PlotError> {
         let [from, to] = range;
         let error = || PlotError::Range {
             axis: name,
@@ -117,7 +117,7 @@ impl Axis {
 }
 
 /// Draws both axes; the boxes of what stands at their ends are returned.
-pub(super) fn draw(
+pub(crate) fn draw(
     drawing: &mut Drawing,
     frame: &Frame,
     plot: &Plot<'_>,

@@ -10,7 +10,7 @@ use crate::math::Math;
 /// Radius of the dot of a mark.
 const DOT: f64 = 0.07;
 
-pub(super) fn draw(plot: &Plot<'_>) -> Result<Picture, PlotError> {
+pub(crate) fn draw(plot: &Plot<'_>) -> Result<Picture, PlotError> {
     let (lines, frame) = lines(plot)?;
     let mut drawing = Drawing::new();
     let (up, moved) = axis_label(plot);

@@ -13,14 +13,14 @@ const MILLIMETRES: f64 = 10.0;
 const FLAT: usize = 6;
 
 /// A line of a curve; a band has two.
-pub(super) struct Line {
+pub(crate) struct Line {
     /// The number of its curve.
-    pub(super) curve: usize,
-    pub(super) runs: Vec<Run>,
+    pub(crate) curve: usize,
+    pub(crate) runs: Vec<Run>,
 }
 
 /// The lines of all curves and the frame that shows them.
-pub(super) fn lines(plot: &Plot<'_>) -> Result<(Vec<Line>, Frame), PlotError> {
+pub(crate) fn lines(plot: &Plot<'_>) -> Result<(Vec<Line>, Frame), PlotError> {
     let functions = functions(plot);
     let variable = if is_plane(plot) {
         plot.range
@@ -94,7 +94,7 @@ fn frame(
 }
 
 /// The coordinates of a point.
-pub(super) fn place(plot: &Plot<'_>, at: [f64; 2]) -> Option<[f64; 2]> {
+pub(crate) fn place(plot: &Plot<'_>, at: [f64; 2]) -> Option<[f64; 2]> {
     Some([plot.x.coordinate(at[0])?, plot.y.coordinate(at[1])?])
 }
 
@@ -145,14 +145,14 @@ fn shown(plot: &Plot<'_>, value: f64) -> Option<f64> {
 
 impl Line {
     /// The line on paper.
-    pub(super) fn path(&self, frame: &Frame) -> Path {
+    pub(crate) fn path(&self, frame: &Frame) -> Path {
         self.runs
             .iter()
             .fold(Path::new(), |path, run| path.and(run_path(run, frame)))
     }
 
     /// Its points on paper, dense enough to stand for the line, run by run.
-    pub(super) fn flat(&self, frame: &Frame) -> Vec<Vec<Point>> {
+    pub(crate) fn flat(&self, frame: &Frame) -> Vec<Vec<Point>> {
         let flat = |run: &Run| {
             let mut points = vec![frame.place(run[0].at)];
             for pair in run.windows(2) {
@@ -188,7 +188,7 @@ fn append(path: Path, run: &[Knot], frame: &Frame) -> Path {
 }
 
 /// The area between two lines, where neither is interrupted.
-pub(super) fn area(low: &Line, high: &Line, frame: &Frame) -> Option<Path> {
+pub(crate) fn area(low: &Line, high: &Line, frame: &Frame) -> Option<Path> {
     let ([low], [high]) = (low.runs.as_slice(), high.runs.as_slice()) else {
         return None;
     };

@@ -14,7 +14,7 @@ const TURN: f64 = 0.02;
 const POINTS: usize = 4;
 
 /// `x(t) against t`.
-pub(super) fn title(plot: &Plot<'_>, up: &Math) -> String {
+pub(crate) fn title(plot: &Plot<'_>, up: &Math) -> String {
     let (up, across) = (name(up), name(&plot.x.label));
     match (up.is_empty(), across.is_empty()) {
         (false, false) => format!("{up} against {across}"),
@@ -25,7 +25,7 @@ pub(super) fn title(plot: &Plot<'_>, up: &Math) -> String {
 }
 
 /// Axes, curves and marks, one sentence each.
-pub(super) fn of(plot: &Plot<'_>, lines: &[Line], up: &Math) -> String {
+pub(crate) fn of(plot: &Plot<'_>, lines: &[Line], up: &Math) -> String {
     let mark = plot.decimal;
     let title = title(plot, up);
     let range = if lines.is_empty() {
@@ -171,7 +171,7 @@ fn turns(values: &[f64], least: f64) -> Vec<f64> {
 }
 
 /// A number with its unit to three figures.
-pub(super) fn number(value: f64, unit: Unit, mark: DecimalMark) -> String {
+pub(crate) fn number(value: f64, unit: Unit, mark: DecimalMark) -> String {
     let decimal = Decimal::rounded(value, 3).unwrap_or(Decimal::ZERO);
     let decimal = Decimal::shortest(decimal.to_f64()).unwrap_or(decimal);
     Quantity::new(decimal, unit).text(mark)

@@ -4,9 +4,9 @@ use super::PlotError;
 use crate::figure::{Bounds, Point};
 
 /// Width of the space between the axes, in figure units.
-pub(super) const WIDTH: f64 = 10.0;
+pub(crate) const WIDTH: f64 = 10.0;
 /// Its height.
-pub(super) const HEIGHT: f64 = 5.6;
+pub(crate) const HEIGHT: f64 = 5.6;
 
 /// Room above and below the curves, as a share of their extent.
 const ROOM: f64 = 0.06;
@@ -15,13 +15,13 @@ const REACH: f64 = 0.4;
 
 /// The part of the plane that is shown, in the coordinates of the axes: logarithms where they are logarithmic.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Frame {
-    pub(super) x: [f64; 2],
-    pub(super) y: [f64; 2],
+pub(crate) struct Frame {
+    pub(crate) x: [f64; 2],
+    pub(crate) y: [f64; 2],
 }
 
 impl Frame {
-    pub(super) fn new(x: [f64; 2], y: [f64; 2]) -> Result<Self, PlotError> {
+    pub(crate) fn new(x: [f64; 2], y: [f64; 2]) -> Result<Self, PlotError> {
         for (axis, [from, to]) in [('x', x), ('y', y)] {
             let is_sound = from < to && (to - from).is_finite() && is_fine(from, to);
             if !is_sound {
@@ -32,7 +32,7 @@ impl Frame {
     }
 
     /// Figure units for one unit of each axis.
-    pub(super) fn size(&self) -> [f64; 2] {
+    pub(crate) fn size(&self) -> [f64; 2] {
         [
             WIDTH / (self.x[1] - self.x[0]),
             HEIGHT / (self.y[1] - self.y[0]),
@@ -40,19 +40,19 @@ impl Frame {
     }
 
     /// Where a point lies on paper.
-    pub(super) fn place(&self, at: [f64; 2]) -> Point {
+    pub(crate) fn place(&self, at: [f64; 2]) -> Point {
         let [across, up] = self.size();
         Point::new((at[0] - self.x[0]) * across, (at[1] - self.y[0]) * up)
     }
 
     /// The direction on paper of a direction in the plane.
-    pub(super) fn along(&self, direction: [f64; 2]) -> Point {
+    pub(crate) fn along(&self, direction: [f64; 2]) -> Point {
         let [across, up] = self.size();
         Point::new(direction[0] * across, direction[1] * up)
     }
 
     /// The space between the axes.
-    pub(super) fn bounds() -> Bounds {
+    pub(crate) fn bounds() -> Bounds {
         Bounds::of(Point::default(), Point::new(WIDTH, HEIGHT))
     }
 }
@@ -63,7 +63,7 @@ fn is_fine(from: f64, to: f64) -> bool {
 }
 
 /// The range of an axis that shows values from `low` to `high`: with room, and zero where it is near.
-pub(super) fn roomy(low: f64, high: f64, is_logarithmic: bool) -> [f64; 2] {
+pub(crate) fn roomy(low: f64, high: f64, is_logarithmic: bool) -> [f64; 2] {
     let [mut low, mut high] = [low, high];
     let size = low.abs().max(high.abs());
     if high - low <= 1e-9 * size || high == low {

@@ -24,15 +24,15 @@ const LINE: f64 = 0.46;
 const ALONE: f64 = 0.3;
 
 /// The name of a curve.
-pub(super) struct Named {
-    pub(super) curve: usize,
-    pub(super) label: Math,
+pub(crate) struct Named {
+    pub(crate) curve: usize,
+    pub(crate) label: Math,
     /// Whether it stands at the right end.
-    pub(super) is_at_end: bool,
+    pub(crate) is_at_end: bool,
 }
 
 /// Finds places for labels.
-pub(super) struct Letterer {
+pub(crate) struct Letterer {
     /// The points of each line, by curve.
     lines: Vec<(usize, Vec<Vec<Point>>)>,
     /// What lines and dots take.
@@ -52,7 +52,7 @@ struct Candidate {
 }
 
 impl Letterer {
-    pub(super) fn of(frame: &Frame, lines: &[Line], plot: &Plot<'_>, boxes: Vec<Bounds>) -> Self {
+    pub(crate) fn of(frame: &Frame, lines: &[Line], plot: &Plot<'_>, boxes: Vec<Bounds>) -> Self {
         let lines: Vec<_> = lines
             .iter()
             .map(|line| (line.curve, line.flat(frame)))
@@ -79,7 +79,7 @@ impl Letterer {
     }
 
     /// Labels the marks.
-    pub(super) fn marks(&mut self, drawing: &mut Drawing, plot: &Plot<'_>, frame: &Frame) {
+    pub(crate) fn marks(&mut self, drawing: &mut Drawing, plot: &Plot<'_>, frame: &Frame) {
         for mark in &plot.marks {
             let Some((label, at)) = mark.label.as_ref().zip(place(plot, mark.at)) else {
                 continue;
@@ -102,7 +102,7 @@ impl Letterer {
     }
 
     /// Names the curves.
-    pub(super) fn curves(&mut self, drawing: &mut Drawing, names: &[Named]) {
+    pub(crate) fn curves(&mut self, drawing: &mut Drawing, names: &[Named]) {
         let mut ends = Vec::new();
         for named in names {
             let label = Label::of(&named.label);

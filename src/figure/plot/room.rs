@@ -7,7 +7,7 @@ const CELL: f64 = 0.05;
 
 /// The cells that lines pass, summed so that the number in any box is known at once.
 #[derive(Clone, Debug)]
-pub(super) struct Room {
+pub(crate) struct Room {
     bounds: Bounds,
     columns: usize,
     rows: usize,
@@ -18,7 +18,7 @@ pub(super) struct Room {
 
 impl Room {
     /// Free space.
-    pub(super) fn of(bounds: Bounds) -> Self {
+    pub(crate) fn of(bounds: Bounds) -> Self {
         let columns = (bounds.width() / CELL) as usize + 1;
         let rows = (bounds.height() / CELL) as usize + 1;
         Self {
@@ -31,7 +31,7 @@ impl Room {
     }
 
     /// Takes the cells along a segment.
-    pub(super) fn take(&mut self, a: Point, b: Point) {
+    pub(crate) fn take(&mut self, a: Point, b: Point) {
         let steps = (a.distance(b) / (0.7 * CELL)) as usize + 1;
         for step in 0..=steps.min(4000) {
             let point = a.towards(b, step as f64 / steps as f64);
@@ -43,7 +43,7 @@ impl Room {
     }
 
     /// Counts, after the last cell was taken.
-    pub(super) fn count(&mut self) {
+    pub(crate) fn count(&mut self) {
         let width = self.columns + 1;
         self.sums = vec![0; width * (self.rows + 1)];
         for row in 0..self.rows {
@@ -57,7 +57,7 @@ impl Room {
     }
 
     /// How many cells in a box are taken.
-    pub(super) fn taken(&self, bounds: Bounds) -> u32 {
+    pub(crate) fn taken(&self, bounds: Bounds) -> u32 {
         let (left, low) = self.cell(bounds.low);
         let (right, high) = self.cell(bounds.high);
         let width = self.columns + 1;

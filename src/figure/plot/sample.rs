@@ -6,21 +6,21 @@
 //! well are joined. Where the function has no value, or jumps, the curve is interrupted.
 
 /// A curve: the point at each value of its variable, where there is one.
-pub(super) type Function<'a> = dyn Fn(f64) -> Option<[f64; 2]> + 'a;
+pub(crate) type Function<'a> = dyn Fn(f64) -> Option<[f64; 2]> + 'a;
 
 /// A point of a curve with its direction, the derivative by the variable.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Knot {
-    pub(super) variable: f64,
-    pub(super) at: [f64; 2],
-    pub(super) direction: [f64; 2],
+pub(crate) struct Knot {
+    pub(crate) variable: f64,
+    pub(crate) at: [f64; 2],
+    pub(crate) direction: [f64; 2],
 }
 
 /// A piece of a curve without interruption; between neighbours it is the cubic that they determine.
-pub(super) type Run = Vec<Knot>;
+pub(crate) type Run = Vec<Knot>;
 
 /// A curve at evenly spaced places.
-pub(super) struct Coarse<'a> {
+pub(crate) struct Coarse<'a> {
     path: &'a Function<'a>,
     range: [f64; 2],
     places: Vec<Place>,
@@ -48,7 +48,7 @@ const JUMP: f64 = 1.0;
 
 impl<'a> Coarse<'a> {
     /// The curve over a range of its variable.
-    pub(super) fn of(path: &'a Function<'a>, range: [f64; 2]) -> Self {
+    pub(crate) fn of(path: &'a Function<'a>, range: [f64; 2]) -> Self {
         let mut coarse = Self {
             path,
             range,
@@ -63,12 +63,12 @@ impl<'a> Coarse<'a> {
     }
 
     /// The least and greatest coordinates so far; `None` if there is no point.
-    pub(super) fn extent(&self) -> Option<[[f64; 2]; 2]> {
+    pub(crate) fn extent(&self) -> Option<[[f64; 2]; 2]> {
         extent(self.places.iter().filter_map(|place| place.knot.as_ref()))
     }
 
     /// The curve to an error of at most `error` in print, where a unit of each axis measures `size`.
-    pub(super) fn refine(&self, size: [f64; 2], error: f64) -> Vec<Run> {
+    pub(crate) fn refine(&self, size: [f64; 2], error: f64) -> Vec<Run> {
         // Pieces and their joining have half of it each.
         let error = error / 2.0;
         let mut refined = Refined {
@@ -213,7 +213,7 @@ impl Refined<'_, '_> {
 }
 
 /// The least and greatest coordinates of points.
-pub(super) fn extent<'k>(knots: impl Iterator<Item = &'k Knot>) -> Option<[[f64; 2]; 2]> {
+pub(crate) fn extent<'k>(knots: impl Iterator<Item = &'k Knot>) -> Option<[[f64; 2]; 2]> {
     knots.fold(None, |extent, knot| {
         let [low, high] = extent.unwrap_or([knot.at, knot.at]);
         Some([
@@ -271,7 +271,7 @@ fn distance(from: &Knot, to: &Knot, share: f64, point: [f64; 2], size: [f64; 2])
 }
 
 /// Point and direction of the cubic between two knots, at a share of the way.
-pub(super) fn cubic(from: &Knot, to: &Knot, share: f64) -> ([f64; 2], [f64; 2]) {
+pub(crate) fn cubic(from: &Knot, to: &Knot, share: f64) -> ([f64; 2], [f64; 2]) {
     let length = to.variable - from.variable;
     let (s, r) = (share, 1.0 - share);
     let point = |axis: usize| {

@@ -6,16 +6,16 @@ use crate::unit::DecimalMark;
 
 /// A tick of an axis: where it stands, in the axis's own coordinate, and what is printed at it.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Tick {
-    pub(super) at: f64,
-    pub(super) label: Option<Math>,
+pub(crate) struct Tick {
+    pub(crate) at: f64,
+    pub(crate) label: Option<Math>,
 }
 
 /// Ticks and the power of ten that is taken out of their labels.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Ticks {
-    pub(super) ticks: Vec<Tick>,
-    pub(super) power: i32,
+pub(crate) struct Ticks {
+    pub(crate) ticks: Vec<Tick>,
+    pub(crate) power: i32,
 }
 
 /// No axis has more.
@@ -23,7 +23,7 @@ const MAX_COUNT: usize = 60;
 
 impl Ticks {
     /// Ticks at multiples of 1, 2 or 5 times a power of ten, about `count` of them.
-    pub(super) fn linear(range: [f64; 2], count: usize, mark: DecimalMark) -> Self {
+    pub(crate) fn linear(range: [f64; 2], count: usize, mark: DecimalMark) -> Self {
         Self::stepped(
             range,
             round_step((range[1] - range[0]) / count as f64),
@@ -32,7 +32,7 @@ impl Ticks {
     }
 
     /// Ticks at the multiples of `step`.
-    pub(super) fn stepped(range: [f64; 2], step: f64, mark: DecimalMark) -> Self {
+    pub(crate) fn stepped(range: [f64; 2], step: f64, mark: DecimalMark) -> Self {
         let largest = range[0].abs().max(range[1].abs());
         let power = common_power(largest);
         let unit = pow(10.0, f64::from(power));
@@ -50,7 +50,7 @@ impl Ticks {
     }
 
     /// Ticks at multiples of a share of π, `step`.
-    pub(super) fn of_pi(range: [f64; 2], step: f64) -> Self {
+    pub(crate) fn of_pi(range: [f64; 2], step: f64) -> Self {
         let pi = std::f64::consts::PI;
         let ticks = multiples(range, step).map(|at| Tick {
             at,
@@ -63,7 +63,7 @@ impl Ticks {
     }
 
     /// Ticks of a logarithmic axis, whose coordinate is the decimal logarithm: the powers of ten labelled.
-    pub(super) fn logarithmic(range: [f64; 2], mark: DecimalMark) -> Self {
+    pub(crate) fn logarithmic(range: [f64; 2], mark: DecimalMark) -> Self {
         let decades = range[1] - range[0];
         let mut ticks = Vec::new();
         let first = range[0].floor();
@@ -104,7 +104,7 @@ fn multiples(range: [f64; 2], step: f64) -> impl Iterator<Item = f64> {
 }
 
 /// The least of 1, 2, 5 times a power of ten that is not less than `least`.
-pub(super) fn round_step(least: f64) -> f64 {
+fn round_step(least: f64) -> f64 {
     if !(least.is_finite() && least > 0.0) {
         return 1.0;
     }
@@ -195,7 +195,7 @@ fn decimal(decade: f64, digit: i32, mark: DecimalMark) -> Math {
 }
 
 /// `10³`.
-pub(super) fn power_of_ten(power: i32) -> Math {
+pub(crate) fn power_of_ten(power: i32) -> Math {
     let digits = Math::number(power.abs().to_string());
     let exponent = if power < 0 {
         Math::row([Math::prefix("−"), digits])

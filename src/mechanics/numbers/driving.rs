@@ -5,16 +5,16 @@ use crate::numerics::sin_cos;
 
 /// Harmonic forces of one angular frequency, `a cos Ωt + b sin Ωt` on each coordinate.
 #[derive(Clone, Debug)]
-pub(super) struct Drive {
+pub(crate) struct Drive {
     /// Ω, not negative.
-    pub(super) frequency: f64,
-    pub(super) cosine: Vec<f64>,
-    pub(super) sine: Vec<f64>,
+    pub(crate) frequency: f64,
+    pub(crate) cosine: Vec<f64>,
+    pub(crate) sine: Vec<f64>,
 }
 
 impl Numbers {
     /// The forces, one entry per angular frequency.
-    pub(super) fn drives(&self) -> Result<&[Drive], Unavailable> {
+    pub(crate) fn drives(&self) -> Result<&[Drive], Unavailable> {
         let drives = self.drives.get_or_init(|| self.evaluated_drives());
         drives.as_deref().map_err(Clone::clone)
     }
@@ -30,7 +30,7 @@ impl Numbers {
     }
 
     /// The forces of the only angular frequency.
-    pub(super) fn only_drive(&self) -> Result<&Drive, Unavailable> {
+    pub(crate) fn only_drive(&self) -> Result<&Drive, Unavailable> {
         match self.drives()? {
             [] => Err(Unavailable::NoForce),
             [only] => Ok(only),

@@ -80,7 +80,7 @@ impl Numbers {
     }
 
     /// The motion with dry friction.
-    pub(super) fn friction_path(&self) -> Result<Motion, Unavailable> {
+    pub(crate) fn friction_path(&self) -> Result<Motion, Unavailable> {
         let path = Box::new(self.friction_motion()?.path());
         let matrices = self.matrices()?;
         let [mass, damping, stiffness] =
@@ -150,17 +150,17 @@ impl Numbers {
 
 /// What acts on a sliding mass.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct SlidingForces {
-    pub(super) mass: f64,
-    pub(super) damping: f64,
-    pub(super) stiffness: f64,
-    pub(super) friction: f64,
-    pub(super) constant: f64,
+pub(crate) struct SlidingForces {
+    mass: f64,
+    damping: f64,
+    stiffness: f64,
+    friction: f64,
+    constant: f64,
 }
 
 impl SlidingForces {
     /// The acceleration in a state; none at rest.
-    pub(super) fn acceleration(&self, state: crate::vibration::State) -> f64 {
+    pub(crate) fn acceleration(&self, state: crate::vibration::State) -> f64 {
         if state.velocity == 0.0 {
             return 0.0;
         }

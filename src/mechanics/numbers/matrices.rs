@@ -8,10 +8,10 @@ use crate::vibration::modes::{Modes, System};
 
 /// M, C and K as numbers.
 #[derive(Clone, Debug)]
-pub(super) struct Matrices {
-    pub(super) mass: Value,
-    pub(super) damping: Value,
-    pub(super) stiffness: Value,
+pub(crate) struct Matrices {
+    pub(crate) mass: Value,
+    pub(crate) damping: Value,
+    pub(crate) stiffness: Value,
 }
 
 /// Stiffnesses, and the rows of what they are squares of.
@@ -56,7 +56,7 @@ impl Numbers {
         modes.as_ref().map_err(Clone::clone)
     }
 
-    pub(super) fn matrices(&self) -> Result<&Matrices, Unavailable> {
+    pub(crate) fn matrices(&self) -> Result<&Matrices, Unavailable> {
         let matrices = self.matrices.get_or_init(|| self.evaluated_matrices());
         matrices.as_ref().map_err(Clone::clone)
     }
@@ -70,7 +70,7 @@ impl Numbers {
         })
     }
 
-    pub(super) fn system(&self) -> Result<System, Unavailable> {
+    pub(crate) fn system(&self) -> Result<System, Unavailable> {
         let matrices = self.matrices()?;
         let mass = self.square(&matrices.mass);
         if let Some((stiffnesses, rows)) = self.squares()? {
@@ -83,7 +83,7 @@ impl Numbers {
     }
 
     /// A matrix of the size of the model.
-    pub(super) fn square(&self, value: &Value) -> DMatrix<f64> {
+    pub(crate) fn square(&self, value: &Value) -> DMatrix<f64> {
         let size = self.model.degrees_of_freedom();
         DMatrix::from_row_slice(size, size, value.numbers())
     }

@@ -24,14 +24,14 @@ const MAX_PERIODS: f64 = 1e6;
 
 /// The motion of one coordinate of several.
 #[derive(Clone, Debug)]
-pub(super) struct ModalMotion {
+pub(crate) struct ModalMotion {
     response: Arc<Response>,
     coordinate: usize,
 }
 
 /// The motion of all coordinates from the initial state.
 #[derive(Debug)]
-pub(super) struct Response {
+pub(crate) struct Response {
     position: Vec<f64>,
     free: Option<ModalResponse>,
     /// The harmonic forces and the motion under each; the first one bears the initial state.
@@ -42,7 +42,7 @@ pub(super) struct Response {
 }
 
 impl ModalMotion {
-    pub(super) fn at(&self, order: u8, time: f64) -> Option<f64> {
+    pub(crate) fn at(&self, order: u8, time: f64) -> Option<f64> {
         let (displacements, velocities) = self.response.state(time)?;
         match order {
             0 => Some(self.response.position[self.coordinate] + displacements[self.coordinate]),
@@ -200,7 +200,7 @@ impl Numbers {
     }
 
     /// The motion of a coordinate among several.
-    pub(super) fn modal_motion(&self, coordinate: usize) -> Result<Motion, Unavailable> {
+    pub(crate) fn modal_motion(&self, coordinate: usize) -> Result<Motion, Unavailable> {
         let response = self
             .response
             .get_or_init(|| self.evaluated_response().map(Arc::new));
@@ -264,7 +264,7 @@ impl Numbers {
     }
 
     /// The damping for the solver.
-    pub(super) fn damping(&self) -> Result<Damping, Unavailable> {
+    pub(crate) fn damping(&self) -> Result<Damping, Unavailable> {
         let value = self.damping_matrix()?;
         Ok(if value.numbers().iter().all(|own| *own == 0.0) {
             Damping::none()
@@ -296,7 +296,7 @@ impl Numbers {
     }
 
     /// The diagonal of `Φᵀ C Φ`, if that is diagonal.
-    pub(super) fn modal_dampings(&self) -> Result<Vec<f64>, Unavailable> {
+    pub(crate) fn modal_dampings(&self) -> Result<Vec<f64>, Unavailable> {
         let modes = self.modes()?;
         let size = modes.count();
         let damping =

@@ -25,7 +25,7 @@ enum Kind {
 
 /// Superposed responses of an oscillator about a position.
 #[derive(Clone, Debug)]
-pub(super) struct OscillatorMotion {
+struct OscillatorMotion {
     offset: f64,
     oscillator: Oscillator,
     responses: Vec<(HarmonicForce, ForcedResponse)>,
@@ -49,15 +49,15 @@ struct EnergyOf {
 }
 
 impl Motion {
-    pub(super) fn of_modes(motion: ModalMotion) -> Self {
+    pub(crate) fn of_modes(motion: ModalMotion) -> Self {
         Self(Kind::Modal(motion))
     }
 
-    pub(super) fn of_friction(path: Box<FrictionPath>, forces: SlidingForces) -> Self {
+    pub(crate) fn of_friction(path: Box<FrictionPath>, forces: SlidingForces) -> Self {
         Self(Kind::Friction(path, forces))
     }
 
-    pub(super) fn of_pendulum(motion: Box<PendulumMotion>, square_rate: f64) -> Self {
+    pub(crate) fn of_pendulum(motion: Box<PendulumMotion>, square_rate: f64) -> Self {
         Self(Kind::Pendulum(motion, square_rate))
     }
 
@@ -281,7 +281,7 @@ impl Numbers {
     }
 
     /// The initial state.
-    pub(super) fn start(&self) -> Result<Vec<State>, Unavailable> {
+    pub(crate) fn start(&self) -> Result<Vec<State>, Unavailable> {
         let value = self.value(&self.model.evaluation.start, &[])?;
         let states = value.numbers().chunks_exact(2);
         Ok(states

@@ -91,7 +91,7 @@ impl Numbers {
     }
 
     /// A result whose relative error is that of the coefficients and a few roundings.
-    pub(super) fn with_relative_bound(&self, number: f64) -> Value {
+    pub(crate) fn with_relative_bound(&self, number: f64) -> Value {
         let relative = |value: &Value| {
             let pairs = value.numbers().iter().zip(value.bounds());
             let errors = pairs.filter(|(number, _)| **number != 0.0);

@@ -35,7 +35,7 @@ impl Numbers {
     }
 
     /// The solution of `(K − Ω² M + iΩ C) X = F`.
-    pub(super) fn amplitudes(&self, drive: &Drive) -> Result<Vec<Complex>, Unavailable> {
+    pub(crate) fn amplitudes(&self, drive: &Drive) -> Result<Vec<Complex>, Unavailable> {
         let forces = drive.cosine.iter().zip(&drive.sine);
         let forces: Vec<_> = forces.map(|(a, b)| Complex::new(*a, -*b)).collect();
         if let ([force], Ok(oscillator)) = (forces.as_slice(), self.oscillator()) {

@@ -76,7 +76,7 @@ struct Along {
 }
 
 impl Deriver<'_> {
-    pub(super) fn newton(&self) -> Result<Vec<Step>, Unavailable> {
+    pub(crate) fn newton(&self) -> Result<Vec<Step>, Unavailable> {
         let model = self.model;
         let bodies = &model.definition.bodies;
         if bodies.is_empty() {

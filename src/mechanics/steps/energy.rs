@@ -6,7 +6,7 @@ use crate::expr::{Expr, Name, Normal, Variable, sum_of_signed_terms};
 
 impl Deriver<'_> {
     /// For one coordinate the equation of motion by the rate of the energy; for several the balance alone.
-    pub(super) fn energy(&self) -> Result<Vec<Step>, Unavailable> {
+    pub(crate) fn energy(&self) -> Result<Vec<Step>, Unavailable> {
         let model = self.model;
         let (kinetic, potential) = (model.kinetic(), model.potential());
         let energy = sum_of_signed_terms(

@@ -5,7 +5,7 @@ use crate::mechanics::energy::terms;
 
 /// A product as one writes it: numbers and names, brackets as they are, functions last. Whether a sign stands in front,
 /// and the rest.
-pub(super) fn in_order(term: &Expr, order: &Order) -> (bool, Expr) {
+pub(crate) fn in_order(term: &Expr, order: &Order) -> (bool, Expr) {
     if let Ok(normal) = Normal::of(term)
         && normal.terms() <= 1
     {
@@ -23,7 +23,7 @@ pub(super) fn in_order(term: &Expr, order: &Order) -> (bool, Expr) {
 }
 
 /// The terms of a sum, each with whether it is subtracted; a sign at the first factor counts.
-pub(super) fn signed_terms(sum: &Expr, is_subtracted: bool) -> Vec<(bool, Expr)> {
+pub(crate) fn signed_terms(sum: &Expr, is_subtracted: bool) -> Vec<(bool, Expr)> {
     let terms = terms(sum, is_subtracted).into_iter();
     terms
         .map(|(is_subtracted, term)| {

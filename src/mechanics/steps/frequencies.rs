@@ -11,7 +11,7 @@ const MAX_COORDINATES: usize = 2;
 
 impl Deriver<'_> {
     /// The determinant of K − ω² M and its equation; dampers are ignored.
-    pub(super) fn characteristic(&self) -> Result<Vec<Step>, Unavailable> {
+    pub(crate) fn characteristic(&self) -> Result<Vec<Step>, Unavailable> {
         let unknown = Name::new("omega");
         let entries = self.stiffness_less_inertia(&unknown)?;
         let equation = determinant(&entries).ok_or(Unavailable::NoFormula)?;
@@ -39,7 +39,7 @@ impl Deriver<'_> {
     }
 
     /// A row of (K − ω² M) u = 0 that joins the two coordinates, and the ratio that it gives.
-    pub(super) fn row(&self, mode: usize) -> Result<Vec<Step>, Unavailable> {
+    pub(crate) fn row(&self, mode: usize) -> Result<Vec<Step>, Unavailable> {
         let names = self.model.coordinates();
         let [first, second] = names else {
             return Err(Unavailable::SeveralCoordinates);

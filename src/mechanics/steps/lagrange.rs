@@ -8,11 +8,11 @@ use crate::expr::{
 };
 
 /// A derivative through the kinematic names, and in the coordinates.
-pub(super) struct Derivative {
+pub(crate) struct Derivative {
     through_names: Expr,
     /// In the coordinates: term by term, or collected where that is shorter.
     shortest: Expr,
-    pub(super) collected: Normal,
+    pub(crate) collected: Normal,
 }
 
 /// A line for a term, the sign with which it stands in the equation, its name and what it is.
@@ -23,7 +23,7 @@ struct Entry {
 }
 
 impl Deriver<'_> {
-    pub(super) fn lagrange(&self, at: usize) -> Result<Vec<Step>, Unavailable> {
+    pub(crate) fn lagrange(&self, at: usize) -> Result<Vec<Step>, Unavailable> {
         let model = self.model;
         let name = &model.coordinates()[at];
         let definition = &model.definition;
@@ -209,7 +209,7 @@ impl Deriver<'_> {
     }
 
     /// The generalized force along a coordinate, with dry friction.
-    pub(super) fn force(&self, at: usize) -> Result<Option<Expr>, Unavailable> {
+    pub(crate) fn force(&self, at: usize) -> Result<Option<Expr>, Unavailable> {
         let definition = &self.model.definition;
         let name = &self.model.coordinates()[at];
         let written = definition.forces.iter().find(|(own, _)| own == name);
@@ -229,7 +229,7 @@ impl Deriver<'_> {
 
     /// The derivative of an energy by a coordinate or its velocity, term by term as the author wrote it; `None` where it
     /// vanishes. What contributes is noted in `used`.
-    pub(super) fn derivative(
+    pub(crate) fn derivative(
         &self,
         energy: &Expr,
         by: &Variable,
@@ -302,7 +302,7 @@ impl Deriver<'_> {
 }
 
 impl Derivative {
-    pub(super) fn sides(&self) -> Vec<Side> {
+    pub(crate) fn sides(&self) -> Vec<Side> {
         let sides = [&self.through_names, &self.shortest];
         let mut sides: Vec<Expr> = sides.into_iter().cloned().collect();
         sides.dedup();
@@ -316,6 +316,6 @@ fn signed(entries: &[Entry]) -> impl Iterator<Item = (bool, Expr)> {
         .flat_map(|own| signed_terms(&own.value, own.is_subtracted))
 }
 
-pub(super) fn line_of(equation: Equation) -> Line {
+pub(crate) fn line_of(equation: Equation) -> Line {
     Line::exact([equation.left, equation.right].map(Side::Formula))
 }

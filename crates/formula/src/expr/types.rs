@@ -221,7 +221,7 @@ impl Type {
 
     /// The same form and dimensions over another field.
     #[must_use]
-    pub(super) fn over(&self, field: Field) -> Self {
+    pub(crate) fn over(&self, field: Field) -> Self {
         Self {
             form: Form { field, ..self.form },
             dimensions: self.dimensions.clone(),
@@ -230,7 +230,7 @@ impl Type {
 
     /// The same field and shape with each dimension changed.
     #[must_use]
-    pub(super) fn map(&self, change: impl Fn(Dimension) -> Dimension) -> Self {
+    pub(crate) fn map(&self, change: impl Fn(Dimension) -> Dimension) -> Self {
         let each = |dimension: &AnyDimension| dimension.map(&change);
         let dimensions = match &self.dimensions {
             Dimensions::Uniform(dimension) => Dimensions::Uniform(each(dimension)),
@@ -244,7 +244,7 @@ impl Type {
 }
 
 /// Whether two dimensions may be the same.
-pub(super) fn agree(a: AnyDimension, b: AnyDimension) -> bool {
+pub(crate) fn agree(a: AnyDimension, b: AnyDimension) -> bool {
     match (a, b) {
         (Some(a), Some(b)) => a == b,
         _ => true,

@@ -54,7 +54,7 @@ impl Decimal {
     }
 
     /// How often `step` goes into this number, if it does so an integer number of times.
-    pub(super) fn whole_ratio(self, step: Self) -> Option<u64> {
+    pub(crate) fn whole_ratio(self, step: Self) -> Option<u64> {
         let exponent = self.exponent().min(step.exponent());
         let (digits, step_digits) = (
             digits_at(self.digits(), self.exponent(), exponent)?,

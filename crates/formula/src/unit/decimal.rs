@@ -61,7 +61,7 @@ impl Decimal {
     const LARGEST: i32 = 300;
 
     /// `±digits · 10^exponent`, if it is in range; without a sign for zero.
-    pub(super) fn of_parts(
+    pub(crate) fn of_parts(
         negative: bool,
         digits: u128,
         exponent: i32,
@@ -185,16 +185,16 @@ impl Decimal {
         self.scientific
     }
 
-    pub(super) const fn digits(&self) -> u128 {
+    pub(crate) const fn digits(&self) -> u128 {
         self.digits
     }
 
-    pub(super) const fn exponent(&self) -> i32 {
+    pub(crate) const fn exponent(&self) -> i32 {
         self.exponent as i32
     }
 
     /// The power of ten of the first digit; of the last one for zero.
-    pub(super) fn magnitude(&self) -> i32 {
+    pub(crate) fn magnitude(&self) -> i32 {
         self.exponent()
             + if self.digits == 0 {
                 0
@@ -247,7 +247,7 @@ impl Decimal {
     }
 
     /// The digits and the exponent without trailing zeros.
-    pub(super) fn trimmed(&self) -> (u128, i32) {
+    pub(crate) fn trimmed(&self) -> (u128, i32) {
         let (mut digits, mut exponent) = (self.digits, self.exponent());
         if digits == 0 {
             return (0, 0);
@@ -276,7 +276,7 @@ impl Decimal {
     }
 
     /// The product with a factor, rounded once.
-    pub(super) fn scaled(&self, scale: Scale) -> f64 {
+    pub(crate) fn scaled(&self, scale: Scale) -> f64 {
         let size = match scale.as_power_of_ten().map(|power| power + self.exponent()) {
             // Both are exact in binary64, so their quotient or product is rounded once.
             Some(power @ -22..=-1) if self.digits < 1 << 53 => {
@@ -290,7 +290,7 @@ impl Decimal {
         if self.negative { -size } else { size }
     }
 
-    pub(super) fn scaled_pair(&self, scale: Scale) -> (f64, f64) {
+    pub(crate) fn scaled_pair(&self, scale: Scale) -> (f64, f64) {
         let (high, low) = self.wide(scale).map_or((0.0, 0.0), Wide::to_pair);
         if self.negative {
             (-high, -low)

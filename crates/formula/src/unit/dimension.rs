@@ -10,10 +10,10 @@ use super::product::Unit;
 use super::rational::{Rational, gcd};
 
 /// Exponents are counted in this part of one, so that all fractions with a denominator up to 10 are exact.
-pub(super) const PARTS: i32 = 2520;
+pub(crate) const PARTS: i32 = 2520;
 
 /// The largest exponent that a power may give.
-pub(super) const LARGEST: i32 = 1000;
+const LARGEST: i32 = 1000;
 
 /// The dimension of a quantity: rational exponents of the seven base quantities.
 ///
@@ -149,7 +149,7 @@ impl Dimension {
 }
 
 /// Exponents times a power, unless a result is not a whole number of parts or too large.
-pub(super) fn raise<const N: usize>(exponents: [i32; N], power: Rational) -> Option<[i32; N]> {
+pub(crate) fn raise<const N: usize>(exponents: [i32; N], power: Rational) -> Option<[i32; N]> {
     if power == Rational::ONE {
         return Some(exponents);
     }

@@ -120,7 +120,7 @@ pub enum ErrorKind {
 }
 
 impl Error {
-    pub(super) fn new(kind: ErrorKind, span: Range<usize>) -> Self {
+    pub(crate) fn new(kind: ErrorKind, span: Range<usize>) -> Self {
         Self { kind, span }
     }
 

@@ -7,27 +7,27 @@ use super::scale::Scale;
 use super::table::{Found, Prefix, ROWS, Row, prefix};
 
 /// The most factors that a unit may have.
-pub(super) const MAX_FACTORS: usize = 8;
+pub(crate) const MAX_FACTORS: usize = 8;
 
 /// One factor of a unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) struct Factor {
-    pub(super) row: u8,
-    pub(super) prefix: i8,
+pub(crate) struct Factor {
+    pub(crate) row: u8,
+    pub(crate) prefix: i8,
     /// Whether it stands below the slash; then its power is negative.
-    pub(super) below: bool,
-    pub(super) power: Rational,
+    pub(crate) below: bool,
+    pub(crate) power: Rational,
 }
 
 impl Factor {
-    pub(super) const NONE: Self = Self {
+    pub(crate) const NONE: Self = Self {
         row: 0,
         prefix: 0,
         below: false,
         power: Rational::ZERO,
     };
 
-    pub(super) fn new(found: Found, power: Rational) -> Self {
+    pub(crate) fn new(found: Found, power: Rational) -> Self {
         Self {
             row: found.row,
             prefix: found.prefix,
@@ -36,15 +36,15 @@ impl Factor {
         }
     }
 
-    pub(super) fn row(self) -> &'static Row {
+    pub(crate) fn row(self) -> &'static Row {
         &ROWS[usize::from(self.row)]
     }
 
-    pub(super) fn prefix(self) -> Option<&'static Prefix> {
+    pub(crate) fn prefix(self) -> Option<&'static Prefix> {
         prefix(self.prefix)
     }
 
-    pub(super) fn scale(self) -> Option<Scale> {
+    pub(crate) fn scale(self) -> Option<Scale> {
         Scale::ten(i32::from(self.prefix))
             .times(self.row().scale)
             .pow(self.power)
@@ -53,14 +53,14 @@ impl Factor {
 
 /// A unit that is being put together.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Builder {
+pub(crate) struct Builder {
     factors: [Factor; MAX_FACTORS],
     length: usize,
 }
 
 impl Builder {
     /// Nothing yet.
-    pub(super) const fn new() -> Self {
+    pub(crate) const fn new() -> Self {
         Self {
             factors: [Factor::NONE; MAX_FACTORS],
             length: 0,
@@ -68,7 +68,7 @@ impl Builder {
     }
 
     /// With the factors of a finished unit.
-    pub(super) fn of(known: &[Factor]) -> Self {
+    pub(crate) fn of(known: &[Factor]) -> Self {
         let mut builder = Self::new();
         builder.length = known.len().min(MAX_FACTORS);
         builder.factors[..builder.length].copy_from_slice(&known[..builder.length]);
@@ -76,11 +76,11 @@ impl Builder {
     }
 
     /// How many factors there are.
-    pub(super) fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.length
     }
 
-    pub(super) fn push(&mut self, factor: Factor) -> Result<(), ErrorKind> {
+    pub(crate) fn push(&mut self, factor: Factor) -> Result<(), ErrorKind> {
         let place = self
             .factors
             .get_mut(self.length)
@@ -91,24 +91,24 @@ impl Builder {
     }
 
     /// Whether two factors are of one unit with one power.
-    pub(super) fn are_equal(&self, first: usize, second: usize) -> bool {
+    pub(crate) fn are_equal(&self, first: usize, second: usize) -> bool {
         let known = &self.factors[..self.length];
         known.get(first).is_some() && known.get(first) == known.get(second)
     }
 
     /// Whether the last factor is a sign such as `°`, behind which no power stands.
-    pub(super) fn ends_with_sign(&self) -> bool {
+    pub(crate) fn ends_with_sign(&self) -> bool {
         let last = self.factors[..self.length].last();
         last.is_some_and(|last| ["°", "′", "″", "%"].contains(&last.row().print))
     }
 
     /// The factors from the place `start` on.
-    pub(super) fn since(&mut self, start: usize) -> &mut [Factor] {
+    pub(crate) fn since(&mut self, start: usize) -> &mut [Factor] {
         &mut self.factors[start..self.length]
     }
 
     /// Raises the factors from `start` on to a power.
-    pub(super) fn raise(&mut self, start: usize, power: Rational) -> Result<(), ErrorKind> {
+    pub(crate) fn raise(&mut self, start: usize, power: Rational) -> Result<(), ErrorKind> {
         for factor in self.since(start) {
             factor.power = factor
                 .power
@@ -119,7 +119,7 @@ impl Builder {
     }
 
     /// Moves the factors from `start` on to the other side of the slash.
-    pub(super) fn divide(&mut self, start: usize) {
+    pub(crate) fn divide(&mut self, start: usize) {
         for factor in self.since(start) {
             factor.power = factor.power.negated();
             factor.below = !factor.below;
@@ -127,7 +127,7 @@ impl Builder {
     }
 
     /// The finished unit, unless an exponent is too large or too odd.
-    pub(super) fn finish(self) -> Result<Unit, ErrorKind> {
+    pub(crate) fn finish(self) -> Result<Unit, ErrorKind> {
         Unit::of_factors(&self.factors[..self.length]).ok_or(ErrorKind::NotAnExponent)
     }
 }

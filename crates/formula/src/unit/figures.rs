@@ -9,7 +9,7 @@ use super::number::strict;
 /// The decimal nearest to a number with this many significant figures (1 to 30), ties to even.
 ///
 /// Exact: the digits are those of the number's full decimal expansion. Zero has no figures and is 0.
-pub(super) fn rounded(value: f64, figures: u32) -> Option<Decimal> {
+pub(crate) fn rounded(value: f64, figures: u32) -> Option<Decimal> {
     if value == 0.0 {
         return Some(Decimal::ZERO);
     }
@@ -21,7 +21,7 @@ pub(super) fn rounded(value: f64, figures: u32) -> Option<Decimal> {
 }
 
 /// The shortest decimal that reads back to the same number.
-pub(super) fn shortest(value: f64) -> Option<Decimal> {
+pub(crate) fn shortest(value: f64) -> Option<Decimal> {
     let decimal = of_exponential(&format!("{value:e}"))?;
     let plain = (-5..16).contains(&decimal.magnitude());
     Decimal::of_parts(value < 0.0, decimal.digits(), decimal.exponent(), !plain)
@@ -36,7 +36,7 @@ fn of_exponential(text: &str) -> Option<Decimal> {
 }
 
 /// What is printed of the size of a decimal: the digits, and the power of ten if there is one.
-pub(super) fn size(decimal: &Decimal, mark: DecimalMark) -> (String, Option<i32>) {
+pub(crate) fn size(decimal: &Decimal, mark: DecimalMark) -> (String, Option<i32>) {
     let mut digits = decimal.digits().to_string();
     if decimal.is_scientific() {
         if digits.len() > 1 {
@@ -56,7 +56,7 @@ pub(super) fn size(decimal: &Decimal, mark: DecimalMark) -> (String, Option<i32>
 }
 
 /// Writes a decimal as files have it.
-pub(super) fn write(f: &mut fmt::Formatter<'_>, decimal: &Decimal) -> fmt::Result {
+pub(crate) fn write(f: &mut fmt::Formatter<'_>, decimal: &Decimal) -> fmt::Result {
     let (digits, power) = size(decimal, DecimalMark::Point);
     let power = power.map(|power| format!("e{power}")).unwrap_or_default();
     f.pad(&format!(

@@ -14,7 +14,7 @@ const MAX_LENGTH: usize = 12;
 
 /// Several units in a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Joined {
+pub(crate) struct Joined {
     units: [Found; MAX_COUNT],
     length: usize,
 }
@@ -38,7 +38,7 @@ impl Joined {
         Some(self)
     }
 
-    pub(super) fn iter(&self) -> impl Iterator<Item = Found> {
+    pub(crate) fn iter(&self) -> impl Iterator<Item = Found> {
         self.units.into_iter().take(self.length)
     }
 
@@ -86,7 +86,7 @@ const AMBIGUOUS: [(&str, &str, &str); 2] = [("grad", "deg", "gon"), ("kmh", "km/
 const CAPITALS: [(&str, &str); 2] = [("Grad", "deg"), ("KG", "kg")];
 
 /// What a run of letters means: a symbol, a word, or several symbols.
-pub(super) fn units(name: &str, span: Range<usize>) -> Result<Joined, Error> {
+pub(crate) fn units(name: &str, span: Range<usize>) -> Result<Joined, Error> {
     if let Some((found, one, other)) = AMBIGUOUS.into_iter().find(|(found, ..)| *found == name) {
         let kind = ErrorKind::AmbiguousUnit {
             found: found.to_owned(),

@@ -23,7 +23,7 @@ use super::strict::{MAX_LENGTH, is_letter};
 const MAX_DEPTH: usize = 8;
 
 /// Reads the unit after a number, which may be joined to it by a sign of multiplication.
-pub(super) fn after_number(text: &str) -> Result<Unit, Error> {
+pub(crate) fn after_number(text: &str) -> Result<Unit, Error> {
     let unspaced = text.trim_start();
     if unspaced.trim_end() == "1" {
         let at = text.len() - unspaced.len();
@@ -41,10 +41,10 @@ pub(super) fn after_number(text: &str) -> Result<Unit, Error> {
 }
 
 /// Reads a unit that makes up the whole text; nothing is `1`.
-pub(super) fn unit(text: &str) -> Result<Unit, Error> {
+pub(crate) fn unit(text: &str) -> Result<Unit, Error> {
     // The point at the end of a sentence.
     let text = text.trim_end().trim_end_matches('.');
-    let mut reader = Reader {
+    let mut reader = UnitReader {
         scanner: Scanner::new(text)?,
         builder: Builder::new(),
         depth: 0,
@@ -67,13 +67,13 @@ pub(super) fn unit(text: &str) -> Result<Unit, Error> {
 }
 
 /// Reads the unit with which a text begins, as far as it goes, and where it ends.
-pub(super) fn front(text: &str) -> Result<(Unit, usize), Error> {
+pub(crate) fn front(text: &str) -> Result<(Unit, usize), Error> {
     let end = text
         .char_indices()
         .map(|(at, char)| at + char.len_utf8())
         .take_while(|end| *end <= MAX_LENGTH)
         .last();
-    let mut reader = Reader {
+    let mut reader = UnitReader {
         scanner: Scanner::new(&text[..end.unwrap_or(0)])?,
         builder: Builder::new(),
         depth: 0,
@@ -88,7 +88,7 @@ pub(super) fn front(text: &str) -> Result<(Unit, usize), Error> {
     Ok((unit.map_err(|kind| Error::new(kind, 0..end))?, end))
 }
 
-struct Reader<'a> {
+struct UnitReader<'a> {
     scanner: Scanner<'a>,
     builder: Builder,
     depth: usize,
@@ -103,7 +103,7 @@ enum Between {
     Slash,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> UnitReader<'a> {
     fn product(&mut self) -> Result<(), Error> {
         self.space();
         let mut divisor = None;

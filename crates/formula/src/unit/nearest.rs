@@ -8,7 +8,7 @@ use super::error::{Error, ErrorKind};
 use super::table::{Found, PREFIXES, ROWS, prefix, word};
 
 /// The error about a name that is no unit.
-pub(super) fn unknown(name: &str, span: Range<usize>) -> Error {
+pub(crate) fn unknown(name: &str, span: Range<usize>) -> Error {
     Error::new(
         ErrorKind::UnknownUnit {
             found: name.to_owned(),
@@ -18,7 +18,7 @@ pub(super) fn unknown(name: &str, span: Range<usize>) -> Error {
 }
 
 /// The symbol of the unit whose symbol or word is nearest, if one is near.
-pub(super) fn nearest(name: &str) -> Option<String> {
+pub(crate) fn nearest(name: &str) -> Option<String> {
     if let Some(found) = word(name) {
         return Some(spelled(found));
     }

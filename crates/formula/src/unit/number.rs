@@ -38,7 +38,7 @@ impl Digits {
 }
 
 /// Reads the decimal at the beginning of a text, as files have it; returns its length too.
-pub(super) fn strict(text: &str) -> Result<(Decimal, usize), Error> {
+pub(crate) fn strict(text: &str) -> Result<(Decimal, usize), Error> {
     let bytes = text.as_bytes();
     let is_digit = |at: usize| bytes.get(at).is_some_and(u8::is_ascii_digit);
     let run = |from: usize| {
@@ -124,14 +124,14 @@ fn not_a_number(text: &str) -> Error {
 }
 
 /// The beginning of a text, for a message.
-pub(super) fn excerpt(text: &str) -> String {
+pub(crate) fn excerpt(text: &str) -> String {
     text.chars().take(40).collect()
 }
 
 /// Reads the decimal at the beginning of a text as people type it: `2,52`, `−1.6`, `.5`, `1 200`, `3×10^-4`, `10⁻³`.
 ///
 /// Digits beyond the 38th are rounded away.
-pub(super) fn lenient(text: &str, mark: DecimalMark) -> Result<(Decimal, usize), Error> {
+pub(crate) fn lenient(text: &str, mark: DecimalMark) -> Result<(Decimal, usize), Error> {
     let mut scanner = Scanner::new(text)?;
     let negative = ['-', '−', '–'].into_iter().any(|sign| scanner.takes(sign));
     if !negative {

@@ -45,7 +45,7 @@ pub struct Unit {
 
 /// How a unit counts angles, after [`Unit::conversion`]'s rule.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub(super) enum Angle {
+pub(crate) enum Angle {
     /// Not at all: it is taken to count as its partner does.
     #[default]
     Bare,
@@ -140,7 +140,7 @@ impl Unit {
         lenient::front(text)
     }
 
-    pub(super) fn of_factors(factors: &[Factor]) -> Option<Self> {
+    pub(crate) fn of_factors(factors: &[Factor]) -> Option<Self> {
         let mut unit = Self {
             length: factors.len() as u8,
             ..Self::ONE
@@ -171,26 +171,26 @@ impl Unit {
         Some(unit)
     }
 
-    pub(super) fn factors(&self) -> &[Factor] {
+    pub(crate) fn factors(&self) -> &[Factor] {
         &self.factors[..usize::from(self.length)]
     }
 
     /// The factors above the slash.
-    pub(super) fn above(&self) -> impl Iterator<Item = &Factor> {
+    pub(crate) fn above(&self) -> impl Iterator<Item = &Factor> {
         self.factors().iter().filter(|factor| !factor.below)
     }
 
     /// The factors below the slash; their powers are negative.
-    pub(super) fn below(&self) -> impl Iterator<Item = &Factor> {
+    pub(crate) fn below(&self) -> impl Iterator<Item = &Factor> {
         self.factors().iter().filter(|factor| factor.below)
     }
 
-    pub(super) fn angle(&self) -> Angle {
+    pub(crate) fn angle(&self) -> Angle {
         self.angle
     }
 
     /// The exact factor to the SI value that a quantity declared in this unit holds.
-    pub(super) fn scale(&self) -> Scale {
+    pub(crate) fn scale(&self) -> Scale {
         self.scale
     }
 
@@ -431,7 +431,7 @@ mod tests {
 
     #[test]
     fn every_row_has_its_coherent_unit() {
-        for row in &crate::unit::table::ROWS {
+        for row in crate::unit::table::ROWS {
             let unit = Unit::parse(row.symbols[0]).unwrap();
             let coherent = unit.coherent();
             assert_eq!(

@@ -103,7 +103,7 @@ impl Quantity {
     }
 
     /// This quantity, if its SI value is a finite number, and zero only if it is.
-    pub(super) fn checked(self, text: &str) -> Result<Self, Error> {
+    pub(crate) fn checked(self, text: &str) -> Result<Self, Error> {
         let is_moderate =
             || self.unit.scale().most_bits() + 4 * i64::from(self.value.magnitude().abs()) < 1000;
         let is_in_range = |si: f64| si.is_finite() && (si != 0.0 || self.value.is_zero());
@@ -168,7 +168,7 @@ impl Quantity {
 }
 
 /// Reads a number as files have it.
-pub(super) fn strict_number(scanner: &mut Scanner<'_>) -> Result<Decimal, Error> {
+pub(crate) fn strict_number(scanner: &mut Scanner<'_>) -> Result<Decimal, Error> {
     let offset = scanner.at();
     let (value, length) = number::strict(scanner.rest()).map_err(|error| error.shifted(offset))?;
     scanner.takes_text(&scanner.rest()[..length]);

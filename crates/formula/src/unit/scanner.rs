@@ -6,14 +6,14 @@ use super::strict::MAX_LENGTH;
 
 /// A text and a place in it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Scanner<'a> {
+pub(crate) struct Scanner<'a> {
     text: &'a str,
     at: usize,
 }
 
 impl<'a> Scanner<'a> {
     /// At the beginning of a text that is not too long.
-    pub(super) fn new(text: &'a str) -> Result<Self, Error> {
+    pub(crate) fn new(text: &'a str) -> Result<Self, Error> {
         if text.len() > MAX_LENGTH {
             return Err(Error::new(
                 ErrorKind::TooLong { limit: MAX_LENGTH },
@@ -23,37 +23,37 @@ impl<'a> Scanner<'a> {
         Ok(Self { text, at: 0 })
     }
 
-    pub(super) fn at(&self) -> usize {
+    pub(crate) fn at(&self) -> usize {
         self.at
     }
 
     /// Whether the text ends with a word here, but for spaces.
-    pub(super) fn is_behind(&self, word: &str) -> bool {
+    pub(crate) fn is_behind(&self, word: &str) -> bool {
         self.text[..self.at].trim_end().ends_with(word)
     }
 
     /// What has not been read yet.
-    pub(super) fn rest(&self) -> &'a str {
+    pub(crate) fn rest(&self) -> &'a str {
         &self.text[self.at..]
     }
 
-    pub(super) fn is_at_end(&self) -> bool {
+    pub(crate) fn is_at_end(&self) -> bool {
         self.at == self.text.len()
     }
 
-    pub(super) fn peek(&self) -> Option<char> {
+    pub(crate) fn peek(&self) -> Option<char> {
         self.rest().chars().next()
     }
 
     /// Moves past the next character; whether there was one.
-    pub(super) fn skip(&mut self) -> bool {
+    pub(crate) fn skip(&mut self) -> bool {
         let next = self.peek();
         self.at += next.map_or(0, char::len_utf8);
         next.is_some()
     }
 
     /// Moves past a character, if it is the next one.
-    pub(super) fn takes(&mut self, char: char) -> bool {
+    pub(crate) fn takes(&mut self, char: char) -> bool {
         let next = self.rest().starts_with(char);
         if next {
             self.at += char.len_utf8();
@@ -62,7 +62,7 @@ impl<'a> Scanner<'a> {
     }
 
     /// Moves past a text, if it is what comes next.
-    pub(super) fn takes_text(&mut self, text: &str) -> bool {
+    pub(crate) fn takes_text(&mut self, text: &str) -> bool {
         let next = self.rest().starts_with(text);
         if next {
             self.at += text.len();
@@ -71,7 +71,7 @@ impl<'a> Scanner<'a> {
     }
 
     /// Moves past a `1` that stands for no unit.
-    pub(super) fn takes_one(&mut self) -> bool {
+    pub(crate) fn takes_one(&mut self) -> bool {
         let mut rest = self.rest().chars();
         let one = rest.next() == Some('1')
             && rest
@@ -84,12 +84,12 @@ impl<'a> Scanner<'a> {
     }
 
     /// Moves past white space.
-    pub(super) fn space(&mut self) {
+    pub(crate) fn space(&mut self) {
         self.at = self.text.len() - self.rest().trim_start().len();
     }
 
     /// Moves past the characters of a kind, and returns them.
-    pub(super) fn run(&mut self, kind: impl Fn(char) -> bool) -> &'a str {
+    pub(crate) fn run(&mut self, kind: impl Fn(char) -> bool) -> &'a str {
         let rest = self.rest();
         let run = &rest[..rest.find(|char| !kind(char)).unwrap_or(rest.len())];
         self.at += run.len();
@@ -97,13 +97,13 @@ impl<'a> Scanner<'a> {
     }
 
     /// An error about the next character.
-    pub(super) fn error(&self, kind: ErrorKind) -> Error {
+    pub(crate) fn error(&self, kind: ErrorKind) -> Error {
         let length = self.peek().map_or(0, char::len_utf8);
         Error::new(kind, self.at..self.at + length)
     }
 
     /// An exponent, `2`, `-2`, `(-1/2)`; for people also `1/2` in braces, `0.5` and a Unicode minus.
-    pub(super) fn exponent(&mut self, lenient: bool) -> Option<Rational> {
+    pub(crate) fn exponent(&mut self, lenient: bool) -> Option<Rational> {
         if self.takes('(') {
             return self.fraction(')', lenient);
         }
@@ -114,7 +114,7 @@ impl<'a> Scanner<'a> {
     }
 
     /// An exponent without parentheses, as people type it.
-    pub(super) fn plain_exponent(&mut self) -> Option<Rational> {
+    pub(crate) fn plain_exponent(&mut self) -> Option<Rational> {
         self.number(true)
     }
 
@@ -157,7 +157,7 @@ impl<'a> Scanner<'a> {
     }
 
     /// An exponent in raised digits, `²`, `⁻¹`.
-    pub(super) fn superscript(&mut self) -> Option<Rational> {
+    pub(crate) fn superscript(&mut self) -> Option<Rational> {
         let mut ahead = *self;
         let negative = ahead.takes('⁻');
         let raised = ahead.run(|char| SUPERSCRIPTS.contains(&char));
@@ -179,4 +179,4 @@ impl<'a> Scanner<'a> {
 }
 
 /// The raised digits, in order.
-pub(super) const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+pub(crate) const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];

@@ -17,10 +17,10 @@ use super::scanner::Scanner;
 use super::table::symbol;
 
 /// The longest text of a unit or a quantity.
-pub(super) const MAX_LENGTH: usize = 200;
+pub(crate) const MAX_LENGTH: usize = 200;
 
 /// Reads a unit that makes up the whole text.
-pub(super) fn unit(text: &str) -> Result<Unit, Error> {
+pub(crate) fn unit(text: &str) -> Result<Unit, Error> {
     let mut scanner = Scanner::new(text)?;
     scanner.space();
     if scanner.is_at_end() {
@@ -30,7 +30,7 @@ pub(super) fn unit(text: &str) -> Result<Unit, Error> {
 }
 
 /// Reads the rest of a text as a unit.
-pub(super) fn rest(mut scanner: Scanner<'_>) -> Result<Unit, Error> {
+pub(crate) fn rest(mut scanner: Scanner<'_>) -> Result<Unit, Error> {
     let mut builder = Builder::new();
     if !scanner.takes_one() {
         product(&mut scanner, &mut builder)?;
@@ -110,7 +110,7 @@ fn exponent(scanner: &mut Scanner<'_>) -> Result<Rational, Error> {
 }
 
 /// Whether a character may stand in the symbol of a unit.
-pub(super) fn is_letter(char: char) -> bool {
+pub(crate) fn is_letter(char: char) -> bool {
     char.is_alphabetic() || matches!(char, '%' | '°')
 }
 

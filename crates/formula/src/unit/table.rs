@@ -8,47 +8,47 @@ use super::scale::Scale;
 
 /// What a unit says about angles: whether it counts radians, full cycles, or neither.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Turning {
+pub(crate) enum Turning {
     None,
     Radians,
     Cycles,
 }
 
 /// One unit.
-pub(super) struct Row {
+pub(crate) struct Row {
     /// As read; the first is written to files.
-    pub(super) symbols: &'static [&'static str],
+    pub(crate) symbols: &'static [&'static str],
     /// As printed for people.
-    pub(super) print: &'static str,
+    pub(crate) print: &'static str,
     /// Singular, plural, and other words that are read in responses.
-    pub(super) words: &'static [&'static str],
-    pub(super) dimension: Dimension,
-    pub(super) scale: Scale,
-    pub(super) turning: Turning,
+    pub(crate) words: &'static [&'static str],
+    pub(crate) dimension: Dimension,
+    pub(crate) scale: Scale,
+    pub(crate) turning: Turning,
     /// Whether it takes SI prefixes.
-    pub(super) prefixes: bool,
+    pub(crate) prefixes: bool,
     /// Whether it may be written without a space beside others in responses, `Nm`.
-    pub(super) joins: bool,
+    pub(crate) joins: bool,
     /// The unit without a factor that it is a multiple of; nothing if it is one itself.
-    pub(super) coherent: &'static str,
+    pub(crate) coherent: &'static str,
 }
 
 /// One prefix.
-pub(super) struct Prefix {
+pub(crate) struct Prefix {
     /// As read; the first is written to files.
-    pub(super) symbols: &'static [&'static str],
+    pub(crate) symbols: &'static [&'static str],
     /// As printed for people.
-    pub(super) print: &'static str,
-    pub(super) word: &'static str,
+    pub(crate) print: &'static str,
+    pub(crate) word: &'static str,
     /// The power of ten.
-    pub(super) power: i8,
+    pub(crate) power: i8,
 }
 
 /// A place in [`ROWS`] and the power of ten of a prefix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Found {
-    pub(super) row: u8,
-    pub(super) prefix: i8,
+pub(crate) struct Found {
+    pub(crate) row: u8,
+    pub(crate) prefix: i8,
 }
 
 #[expect(clippy::too_many_arguments, reason = "a row of the table below")]
@@ -87,7 +87,7 @@ const NOT: bool = false;
 ///
 /// BIPM, The International System of Units, 9th edition (2019), tables 2 to 5, 7 and 8.
 #[rustfmt::skip]
-pub(super) static ROWS: [Row; 38] = [
+pub(crate) static ROWS: &[Row] = &[
     //   symbols                 print  words                                             kg  m  s   A  K mol cd     2   3   5  g  pi          prefixes joins coherent
     row(&["m"],                  "m",   &["metre", "metres", "meter", "meters", "mètre", "mètres", "metro", "metros"], [ 0,  1,  0,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
     row(&["s"],                  "s",   &["second", "seconds", "sec", "secs", "seconde", "secondes", "sek", "sekunde", "sekunden", "seg", "segundo", "segundos"], [ 0,  0,  1,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
@@ -132,7 +132,7 @@ pub(super) static ROWS: [Row; 38] = [
 ];
 
 /// The prefixes.
-pub(super) static PREFIXES: [Prefix; 14] = [
+pub(crate) static PREFIXES: [Prefix; 14] = [
     Prefix {
         symbols: &["k"],
         print: "k",
@@ -235,7 +235,7 @@ static BY_FIRST_BYTE: [u64; 256] = {
 };
 
 /// The unit of a symbol as it may stand in a file, with or without a prefix.
-pub(super) fn symbol(text: &str) -> Option<Found> {
+pub(crate) fn symbol(text: &str) -> Option<Found> {
     if let Some(row) = bare_symbol(text) {
         return Some(Found { row, prefix: 0 });
     }
@@ -257,7 +257,7 @@ pub(super) fn symbol(text: &str) -> Option<Found> {
 }
 
 /// The row of a symbol without a prefix.
-pub(super) fn bare_symbol(text: &str) -> Option<u8> {
+pub(crate) fn bare_symbol(text: &str) -> Option<u8> {
     let mut rows = BY_FIRST_BYTE[usize::from(*text.as_bytes().first()?)];
     while rows != 0 {
         let row = rows.trailing_zeros();
@@ -270,7 +270,7 @@ pub(super) fn bare_symbol(text: &str) -> Option<u8> {
 }
 
 /// The unit of a word, `kilonewtons`, in any case.
-pub(super) fn word(text: &str) -> Option<Found> {
+pub(crate) fn word(text: &str) -> Option<Found> {
     let whole = |text: &str, prefixed: bool| {
         let named = |row: &Row| {
             (row.prefixes || !prefixed)
@@ -304,6 +304,6 @@ pub(super) fn word(text: &str) -> Option<Found> {
 }
 
 /// The prefix of a power of ten that is not zero.
-pub(super) fn prefix(power: i8) -> Option<&'static Prefix> {
+pub(crate) fn prefix(power: i8) -> Option<&'static Prefix> {
     PREFIXES.iter().find(|prefix| prefix.power == power)
 }

@@ -147,7 +147,7 @@ impl Quantity {
 }
 
 /// Whether a unit stands right after its number, as the signs of degree, minute and second do.
-pub(super) fn touches(unit: &Unit) -> bool {
+pub(crate) fn touches(unit: &Unit) -> bool {
     unit.factors()
         .first()
         .is_some_and(|factor| !factor.below && ["°", "′", "″"].contains(&factor.row().print))

@@ -8,7 +8,7 @@ use crate::{GREEK, SIGNS, Sign, greek_name};
 use vibank_source::{Span, nearest};
 
 /// The longest formula that is read, in bytes.
-pub(super) const LENGTH: usize = 8192;
+const LENGTH: usize = 8192;
 /// How many braces, environments and delimiters may stand in each other.
 const DEPTH: usize = 24;
 /// How many commands may take each other as arguments without braces, as in `\sqrt\sqrt2`.
@@ -160,15 +160,15 @@ pub fn faults(latex: &str) -> Vec<LatexError> {
 }
 
 /// A formula that holds nothing unknown and is balanced.
-pub(super) struct Checked {
+pub(crate) struct Checked {
     /// As the parser takes it.
-    pub(super) source: String,
-    pub(super) errors: Vec<LatexError>,
+    pub(crate) source: String,
+    pub(crate) errors: Vec<LatexError>,
 }
 
 impl Checked {
     /// Looks over a formula.
-    pub(super) fn of(source: &str) -> Self {
+    pub(crate) fn of(source: &str) -> Self {
         if source.len() > LENGTH {
             let error = LatexError::TooLong {
                 length: source.len(),

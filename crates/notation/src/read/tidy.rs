@@ -7,7 +7,7 @@ use crate::{Atom, Class, Empty, Math, Style};
 
 /// The row of these pieces. `before` is what stands before the first, `style` the font whose
 /// letters form words.
-pub(super) fn tidy(pieces: Vec<Math>, before: Atom, style: Option<Style>) -> Math {
+pub(crate) fn tidy(pieces: Vec<Math>, before: Atom, style: Option<Style>) -> Math {
     let mut row = Vec::with_capacity(pieces.len());
     for piece in pieces {
         match piece {

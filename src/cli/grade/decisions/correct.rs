@@ -9,10 +9,10 @@ use crate::cli::Failure;
 use crate::cli::grade::items::Items;
 
 /// Items with corrected keys, by identity and text.
-pub(in crate::cli::grade) type Corrected = BTreeMap<(ItemId, Revision), Template>;
+pub(crate) type Corrected = BTreeMap<(ItemId, Revision), Template>;
 
 /// The items that were handed out with keys that were corrected.
-pub(in crate::cli::grade) fn corrected(
+pub(crate) fn corrected(
     decisions: &Decisions,
     items: &Items<'_>,
     used: &BTreeSet<(ItemId, Revision)>,

@@ -16,7 +16,7 @@ const NAME: &str = "decisions.toml";
 
 impl Decisions {
     /// The file of decisions about a run: the one that is named, else the one beside its manifest, if there is one.
-    pub(in crate::cli::grade) fn file(named: Option<&Path>, manifest: &Path) -> Option<PathBuf> {
+    pub(crate) fn file(named: Option<&Path>, manifest: &Path) -> Option<PathBuf> {
         let beside = manifest.with_file_name(NAME);
         named
             .map(Path::to_owned)
@@ -24,7 +24,7 @@ impl Decisions {
     }
 
     /// Reads a file of decisions, as far as it says nothing of what was handed out.
-    pub(in crate::cli::grade) fn read_file(path: &Path) -> Result<worksheet::Decisions, Failure> {
+    pub(crate) fn read_file(path: &Path) -> Result<worksheet::Decisions, Failure> {
         let name = path.display().to_string();
         let source = Source::new(name, files::read(path)?);
         worksheet::Decisions::read(&source).map_err(|findings| refuse(&findings))
@@ -33,7 +33,7 @@ impl Decisions {
     /// Adds the decisions of a file, each about a part that was handed out.
     ///
     /// What is decided for a second time is reported, by file and line.
-    pub(in crate::cli::grade) fn add(
+    pub(crate) fn add(
         &mut self,
         file: &worksheet::Decisions,
         handed_out: &HandedOut,
@@ -113,7 +113,7 @@ impl Decisions {
 }
 
 /// Prints findings; the failure that follows counts them.
-pub(super) fn refuse(findings: &[Finding]) -> Failure {
+fn refuse(findings: &[Finding]) -> Failure {
     bank::print(findings);
     let count = findings.len();
     Failure::new(format!(

@@ -11,7 +11,7 @@ use crate::cli::table::Dialect;
 
 /// The marks that decisions have changed, by the numbers of these.
 #[derive(Debug, Default)]
-pub(in crate::cli::grade) struct Log {
+pub(crate) struct Log {
     changed: Vec<Vec<DecidedMark>>,
 }
 
@@ -34,7 +34,7 @@ const COLUMNS: [&str; 13] = [
 
 impl Log {
     /// Notes the marks of a sheet that are others without the decisions.
-    pub(in crate::cli::grade) fn add(&mut self, sheet: &Outcome) {
+    pub(crate) fn add(&mut self, sheet: &Outcome) {
         for part in &sheet.parts {
             let Some(before) = &part.before else {
                 continue;
@@ -60,7 +60,7 @@ impl Log {
     }
 
     /// Each decision with the marks that it has changed.
-    pub(in crate::cli::grade) fn decided(self, decisions: &Decisions) -> Vec<Decided> {
+    pub(crate) fn decided(self, decisions: &Decisions) -> Vec<Decided> {
         let mut changed = self.changed.into_iter();
         let decided = |decision: &Decision| Decided {
             place: decision.place.clone(),
@@ -75,11 +75,7 @@ impl Log {
 }
 
 /// Writes `decisions.csv`: a row for each mark that a decision has changed, or for the decision alone.
-pub(in crate::cli::grade) fn write(
-    decided: &[Decided],
-    out: &Folder,
-    dialect: Dialect,
-) -> Result<(), Failure> {
+pub(crate) fn write(decided: &[Decided], out: &Folder, dialect: Dialect) -> Result<(), Failure> {
     let mut table = dialect.head(&COLUMNS)?;
     for own in decided {
         let head = [&own.place, &own.subject, &own.words, &own.who, &own.why];

@@ -21,16 +21,16 @@ use vibank::worksheet::{Marks, Subject, Void};
 use super::undecided::Alike;
 use crate::cli::Failure;
 
-pub(super) use self::correct::Corrected;
-pub(super) use self::correct::corrected;
-pub(super) use self::log::{Log, write};
+pub(crate) use self::correct::Corrected;
+pub(crate) use self::correct::corrected;
+pub(crate) use self::log::{Log, write};
 
 /// The code that stands for all sheets.
-pub(super) const ALL: &str = "*";
+pub(crate) const ALL: &str = "*";
 
 /// Something that was decided.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Decision {
+pub(crate) struct Decision {
     /// The file and line that say it.
     place: String,
     /// What it is about, in words.
@@ -41,9 +41,9 @@ pub(super) struct Decision {
     who: String,
     /// Why; may be empty.
     why: String,
-    pub(super) effect: Effect,
+    effect: Effect,
     /// What the student is told.
-    pub(super) feedback: Option<String>,
+    pub(crate) feedback: Option<String>,
     /// What it would be about, if nothing of the kind was handed out.
     unknown: String,
     /// The part, as it is named where it has too many points.
@@ -55,7 +55,7 @@ pub(super) struct Decision {
 
 /// What was decided.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Effect {
+enum Effect {
     /// What is marked in place of what was handed in, or the points.
     Settle {
         response: Option<String>,
@@ -71,7 +71,7 @@ pub(super) enum Effect {
 
 /// All that was decided about a run.
 #[derive(Debug, Default)]
-pub(super) struct Decisions {
+pub(crate) struct Decisions {
     all: Vec<Decision>,
     /// Those that settle a part of one sheet.
     places: BTreeMap<Place, usize>,
@@ -86,7 +86,7 @@ pub(super) struct Decisions {
     /// The lines of decisions for all sheets by the number of a question alone.
     by_number: Vec<(usize, String)>,
     /// Rules for marks in place of those of the blueprint.
-    pub(super) marks: Option<Marks>,
+    pub(crate) marks: Option<Marks>,
 }
 
 /// The code of the sheet for which a decision holds, all without one, and its number.
@@ -94,37 +94,37 @@ type Rule = (Option<String>, usize);
 
 /// What was decided about one part of one sheet, by the numbers of the decisions.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Ruling<'a> {
+pub(crate) struct Ruling<'a> {
     /// What settles it.
-    pub(super) settled: Option<&'a Decision>,
+    pub(crate) settled: Option<&'a Decision>,
     /// What is worth something beside the key.
-    pub(super) accepted: Vec<Accepted<'a>>,
+    pub(crate) accepted: Vec<Accepted<'a>>,
     /// That it does not count as it was answered.
-    pub(super) void: Option<(&'a Decision, Void)>,
+    pub(crate) void: Option<(&'a Decision, Void)>,
     /// The numbers of those that hold whatever was answered, from 0.
-    pub(super) numbers: Vec<usize>,
+    pub(crate) numbers: Vec<usize>,
 }
 
 /// Answers that are worth something beside the key.
 #[derive(Clone, Debug)]
-pub(super) struct Accepted<'a> {
+pub(crate) struct Accepted<'a> {
     /// The number of the decision, from 0.
-    pub(super) number: usize,
-    pub(super) decision: &'a Decision,
-    pub(super) texts: &'a [String],
-    pub(super) credit: Credit,
+    pub(crate) number: usize,
+    pub(crate) decision: &'a Decision,
+    pub(crate) texts: &'a [String],
+    pub(crate) credit: Credit,
 }
 
 impl Ruling<'_> {
     /// Whether nothing was decided.
-    pub(super) fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.numbers.is_empty() && self.accepted.is_empty()
     }
 }
 
 impl Decision {
     /// What is marked in place of what was handed in.
-    pub(super) fn response(&self) -> Option<&str> {
+    pub(crate) fn response(&self) -> Option<&str> {
         match &self.effect {
             Effect::Settle { response, .. } => response.as_deref(),
             _ => None,
@@ -132,7 +132,7 @@ impl Decision {
     }
 
     /// The points, where they are settled.
-    pub(super) fn points(&self) -> Option<Rational> {
+    pub(crate) fn points(&self) -> Option<Rational> {
         match &self.effect {
             Effect::Settle { points, .. } => *points,
             _ => None,
@@ -164,18 +164,18 @@ impl Decision {
 
 impl Decisions {
     /// Reads a table of overrides; what is wrong with single rows is reported, and the rest counts.
-    pub(super) fn read_table(&mut self, path: &Path) -> Result<Vec<String>, Failure> {
+    pub(crate) fn read_table(&mut self, path: &Path) -> Result<Vec<String>, Failure> {
         table::read(self, path)
     }
 
     /// Whether nothing was decided.
-    pub(super) fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.all.is_empty()
     }
 
     /// What holds for a part: what settles it for its own sheet, else for all with these words, else for all; and what
     /// holds beside that.
-    pub(super) fn ruling(&self, place: &Place, alike: &Alike) -> Ruling<'_> {
+    pub(crate) fn ruling(&self, place: &Place, alike: &Alike) -> Ruling<'_> {
         if self.all.is_empty() {
             return Ruling::default();
         }
@@ -229,7 +229,7 @@ impl Decisions {
     }
 
     /// Refuses a decision for all sheets by the number of a question that is another one on others.
-    pub(super) fn check(&self, asked: &BTreeMap<usize, BTreeSet<String>>) -> Result<(), Failure> {
+    pub(crate) fn check(&self, asked: &BTreeMap<usize, BTreeSet<String>>) -> Result<(), Failure> {
         for (number, place) in &self.by_number {
             let items = asked.get(number).filter(|items| items.len() > 1);
             let Some(items) = items else { continue };
@@ -250,7 +250,7 @@ impl Decisions {
     }
 
     /// Notes that a part was handed out, with so many points at most.
-    pub(super) fn claim(&mut self, place: &Place, alike: &Alike, most: Rational) {
+    pub(crate) fn claim(&mut self, place: &Place, alike: &Alike, most: Rational) {
         if self.all.is_empty() {
             return;
         }
@@ -278,7 +278,7 @@ impl Decisions {
 
     /// What looks like a slip, by file and line: a decision about a part that was not handed out, or more points than it
     /// has.
-    pub(super) fn doubts(&self) -> Vec<String> {
+    pub(crate) fn doubts(&self) -> Vec<String> {
         let doubts = self.all.iter().filter_map(|decision| {
             let doubt = decision.doubt()?;
             Some(format!("{}: {doubt}", decision.place))

@@ -30,7 +30,7 @@ struct Settled<'a> {
 }
 
 /// Reads a table into decisions; what is wrong with single rows is reported, and the rest counts.
-pub(super) fn read(decisions: &mut Decisions, path: &Path) -> Result<Vec<String>, Failure> {
+pub(crate) fn read(decisions: &mut Decisions, path: &Path) -> Result<Vec<String>, Failure> {
     let table = Table::read(path)?;
     let names: Vec<String> = table
         .headings
@@ -148,7 +148,7 @@ impl Decisions {
 }
 
 /// Keeps a decision; one that replaces another is diagnosed.
-pub(super) fn settle<K: Ord>(
+pub(crate) fn settle<K: Ord>(
     all: &mut Vec<Decision>,
     decisions: &mut BTreeMap<K, usize>,
     key: K,

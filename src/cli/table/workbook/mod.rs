@@ -19,13 +19,13 @@ pub(crate) const IS_BUILT_IN: bool = cfg!(feature = "xlsx");
 
 /// The first sheet of a workbook that has something in it.
 #[derive(Debug, Default)]
-pub(super) struct Sheet {
+pub(crate) struct Sheet {
     /// Rows that are not blank, each with its number, from 1.
-    pub(super) rows: Vec<(usize, Vec<String>)>,
+    pub(crate) rows: Vec<(usize, Vec<String>)>,
     /// What the reader should look at.
-    pub(super) doubt: Option<String>,
+    pub(crate) doubt: Option<String>,
     /// Cells that do not hold what was typed, by row and column.
-    pub(super) spoilt: BTreeMap<(usize, usize), Spoilt>,
+    pub(crate) spoilt: BTreeMap<(usize, usize), Spoilt>,
 }
 
 /// What a spreadsheet has made of what was typed.
@@ -64,7 +64,7 @@ impl Cell {
 
 /// Reads the bytes of a workbook.
 #[cfg(feature = "xlsx")]
-pub(super) fn read(shown: &str, bytes: &[u8]) -> Result<Sheet, Failure> {
+pub(crate) fn read(shown: &str, bytes: &[u8]) -> Result<Sheet, Failure> {
     read::sheet(bytes).map_err(|what| {
         Failure::new(format!("`{shown}`: {what}"))
             .help("save the table as CSV (UTF-8), and give that")
@@ -73,7 +73,7 @@ pub(super) fn read(shown: &str, bytes: &[u8]) -> Result<Sheet, Failure> {
 
 /// Reads the bytes of a workbook.
 #[cfg(not(feature = "xlsx"))]
-pub(super) fn read(shown: &str, _: &[u8]) -> Result<Sheet, Failure> {
+pub(crate) fn read(shown: &str, _: &[u8]) -> Result<Sheet, Failure> {
     Err(Failure::new(format!(
         "`{shown}` is a workbook or an archive, and this program was built without the feature `xlsx`"
     ))

@@ -13,7 +13,7 @@ const DIGITS: usize = 7;
 
 /// What would mislead the reader of a workbook in one of its files.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub(super) enum Misleading {
+pub(crate) enum Misleading {
     #[error("which is not well-formed XML: {0}")]
     Broken(String),
     #[error("in an encoding other than UTF-8")]
@@ -25,7 +25,7 @@ pub(super) enum Misleading {
 }
 
 /// The first of what would mislead the reader, in a file of the archive.
-pub(super) fn misleading(file: &[u8]) -> Option<Misleading> {
+pub(crate) fn misleading(file: &[u8]) -> Option<Misleading> {
     if !is_utf8(file.trim_ascii_start()) {
         return Some(Misleading::Encoding);
     }

@@ -24,7 +24,7 @@ const MAX_CELLS: usize = 5_000_000;
 const MAX_TEXT: usize = 64 << 20;
 
 /// The first visible sheet with something in it, or what is wrong.
-pub(super) fn sheet(bytes: &[u8]) -> Result<Sheet, String> {
+pub(crate) fn sheet(bytes: &[u8]) -> Result<Sheet, String> {
     check_size(bytes)?;
     let broken = |error: XlsxError| format!("a workbook that cannot be read: {error}");
     let mut book = Xlsx::new(Cursor::new(bytes)).map_err(broken)?;

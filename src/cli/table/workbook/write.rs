@@ -7,7 +7,7 @@ use super::Cell;
 /// Letters that a cell of a workbook can hold.
 const MAX_CELL_LENGTH: usize = 32_767;
 
-pub(super) fn book(name: &str, head: &[String], rows: &[Vec<Cell>]) -> Result<Vec<u8>, XlsxError> {
+pub(crate) fn book(name: &str, head: &[String], rows: &[Vec<Cell>]) -> Result<Vec<u8>, XlsxError> {
     let mut book = Workbook::new();
     // Workbooks bear the time of their making; with one for all, the same run gives the same bytes.
     let epoch = ExcelDateTime::from_ymd(2000, 1, 1)?;

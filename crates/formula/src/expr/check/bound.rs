@@ -6,7 +6,7 @@ use crate::unit::Dimension;
 use vibank_source::Span;
 
 impl Checker<'_> {
-    pub(super) fn at(&mut self, inner: &Expr, values: &[(Name, Expr)]) -> Option<Type> {
+    pub(crate) fn at(&mut self, inner: &Expr, values: &[(Name, Expr)]) -> Option<Type> {
         let mut bound = Vec::with_capacity(values.len());
         let mut fits = true;
         for (name, value) in values {
@@ -57,7 +57,7 @@ impl Checker<'_> {
         found
     }
 
-    pub(super) fn derivative(&mut self, inner: &Expr, names: &[Name], span: Span) -> Option<Type> {
+    pub(crate) fn derivative(&mut self, inner: &Expr, names: &[Name], span: Span) -> Option<Type> {
         let found = self.numbers(inner);
         let mut divisor = Some(Dimension::PURE);
         let mut is_known = true;
@@ -78,7 +78,7 @@ impl Checker<'_> {
     }
 
     /// A search over an interval: the types of the variable and of the body.
-    pub(super) fn search(
+    pub(crate) fn search(
         &mut self,
         inner: &Expr,
         name: &Name,

@@ -7,7 +7,7 @@ use vibank_dynamics::numerics::Rational;
 use vibank_source::Span;
 
 impl Checker<'_> {
-    pub(super) fn call(
+    pub(crate) fn call(
         &mut self,
         function: Function,
         arguments: &[Expr],

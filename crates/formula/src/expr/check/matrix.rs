@@ -7,7 +7,7 @@ use vibank_source::Span;
 
 impl Checker<'_> {
     /// `[a, b]`, or rows of a matrix.
-    pub(super) fn array(&mut self, parts: &[Expr]) -> Option<Type> {
+    pub(crate) fn array(&mut self, parts: &[Expr]) -> Option<Type> {
         let found: Vec<Option<Type>> = parts.iter().map(|part| self.numbers(part)).collect();
         let found: Vec<Type> = found.into_iter().collect::<Option<_>>()?;
         let first = found.first()?.shape();
@@ -44,7 +44,7 @@ impl Checker<'_> {
     }
 
     /// `u[1]`, `M[1, 2]`, or the row `M[1]`.
-    pub(super) fn index(&mut self, inner: &Expr, indices: &[Expr], span: Span) -> Option<Type> {
+    pub(crate) fn index(&mut self, inner: &Expr, indices: &[Expr], span: Span) -> Option<Type> {
         let found = self.numbers(inner);
         let indices: Vec<Option<usize>> = indices.iter().map(|index| self.whole(index)).collect();
         let (found, indices) = (found?, indices.into_iter().collect::<Option<Vec<usize>>>()?);
@@ -110,7 +110,7 @@ impl Checker<'_> {
     }
 
     /// A product in which one factor may be a number, or two conformable matrices.
-    pub(super) fn product(&mut self, a: &Expr, b: &Expr) -> Option<Type> {
+    pub(crate) fn product(&mut self, a: &Expr, b: &Expr) -> Option<Type> {
         let (left, right) = (self.numbers(a), self.numbers(b));
         let (left, right) = (left?, right?);
         let field = left.field().max(right.field());
@@ -162,7 +162,7 @@ impl Checker<'_> {
     }
 
     /// The dimension of a sum of terms.
-    pub(super) fn sum(
+    pub(crate) fn sum(
         &mut self,
         joint: Joint,
         terms: Vec<AnyDimension>,
@@ -185,7 +185,7 @@ impl Checker<'_> {
         Some(Some(first))
     }
 
-    pub(super) fn transpose(&mut self, matrix: &Expr) -> Option<Type> {
+    pub(crate) fn transpose(&mut self, matrix: &Expr) -> Option<Type> {
         let found = self.numbers(matrix)?;
         let (rows, columns) = found.shape().rows_and_columns();
         let entries =
@@ -201,7 +201,7 @@ impl Checker<'_> {
     }
 
     /// The dimension of a determinant: entries have to be in dimensions of rows times dimensions of columns.
-    pub(super) fn determinant(&mut self, matrix: &Expr) -> Option<Type> {
+    pub(crate) fn determinant(&mut self, matrix: &Expr) -> Option<Type> {
         let found = self.numbers(matrix)?;
         let Shape::Matrix(rows, columns) = found.shape() else {
             let (found, span) = (found.form(), matrix.span());

@@ -8,7 +8,7 @@ use vibank_source::Span;
 
 impl Checker<'_> {
     /// Real numbers of one dimension.
-    pub(super) fn same_reals(&mut self, joint: Joint, operands: &[&Expr]) -> Option<AnyDimension> {
+    pub(crate) fn same_reals(&mut self, joint: Joint, operands: &[&Expr]) -> Option<AnyDimension> {
         let found: Vec<Option<Type>> = operands.iter().map(|operand| self.real(operand)).collect();
         let mut common: Option<(Dimension, Span)> = None;
         let mut agree = true;
@@ -35,7 +35,7 @@ impl Checker<'_> {
     }
 
     /// Two values of one shape and of one dimension entry by entry.
-    pub(super) fn joined(
+    pub(crate) fn joined(
         &mut self,
         joint: Joint,
         operator: &'static str,
@@ -89,7 +89,7 @@ impl Checker<'_> {
         )
     }
 
-    pub(super) fn arithmetic(
+    pub(crate) fn arithmetic(
         &mut self,
         operator: Operator,
         a: &Expr,

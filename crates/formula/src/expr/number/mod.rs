@@ -1,7 +1,7 @@
 //! The numbers of evaluation: values with error bounds, over binary64 and double-double numbers.
 
 mod approx;
-pub(super) mod complex;
+pub(crate) mod complex;
 mod hyper_dual;
 mod precise;
 mod real;

@@ -4,37 +4,37 @@
 use crate::expr::{Doubt, Function, Relation, Scalar, Undefined};
 
 #[inline]
-pub(super) fn add<S: Scalar>(a: &S, b: &S) -> Result<S, Undefined> {
+pub(crate) fn add<S: Scalar>(a: &S, b: &S) -> Result<S, Undefined> {
     finite(a.add(b), [a, b])
 }
 
 #[inline]
-pub(super) fn subtract<S: Scalar>(a: &S, b: &S) -> Result<S, Undefined> {
+pub(crate) fn subtract<S: Scalar>(a: &S, b: &S) -> Result<S, Undefined> {
     finite(a.subtract(b), [a, b])
 }
 
 #[inline]
-pub(super) fn multiply<S: Scalar>(a: &S, b: &S) -> Result<S, Undefined> {
+pub(crate) fn multiply<S: Scalar>(a: &S, b: &S) -> Result<S, Undefined> {
     finite(a.multiply(b), [a, b])
 }
 
 #[inline]
-pub(super) fn divide<S: Scalar>(a: &S, b: &S) -> Result<S, Undefined> {
+pub(crate) fn divide<S: Scalar>(a: &S, b: &S) -> Result<S, Undefined> {
     finite(a.divide(b)?, [a, b])
 }
 
 #[inline]
-pub(super) fn power<S: Scalar>(a: &S, b: &S, doubt: &mut Doubt) -> Result<S, Undefined> {
+pub(crate) fn power<S: Scalar>(a: &S, b: &S, doubt: &mut Doubt) -> Result<S, Undefined> {
     finite(a.power(b, doubt)?, [a, b])
 }
 
 #[inline]
-pub(super) fn power_whole<S: Scalar>(a: &S, exponent: i32) -> Result<S, Undefined> {
+pub(crate) fn power_whole<S: Scalar>(a: &S, exponent: i32) -> Result<S, Undefined> {
     finite(a.power_whole(exponent)?, [a, a])
 }
 
 #[inline]
-pub(super) fn unary<S: Scalar>(
+pub(crate) fn unary<S: Scalar>(
     function: Function,
     a: &S,
     doubt: &mut Doubt,
@@ -43,7 +43,7 @@ pub(super) fn unary<S: Scalar>(
 }
 
 #[inline]
-pub(super) fn binary<S: Scalar>(
+pub(crate) fn binary<S: Scalar>(
     function: Function,
     a: &S,
     b: &S,
@@ -53,12 +53,12 @@ pub(super) fn binary<S: Scalar>(
 }
 
 #[inline]
-pub(super) fn compare<S: Scalar>(relation: Relation, a: &S, b: &S, doubt: &mut Doubt) -> S {
+pub(crate) fn compare<S: Scalar>(relation: Relation, a: &S, b: &S, doubt: &mut Doubt) -> S {
     truth(relation.holds(a.compare(b, doubt)))
 }
 
 #[inline]
-pub(super) fn truth<S: Scalar>(holds: bool) -> S {
+pub(crate) fn truth<S: Scalar>(holds: bool) -> S {
     S::exact(f64::from(u8::from(holds)))
 }
 
@@ -84,7 +84,7 @@ fn finite<S: Scalar>(value: S, operands: [&S; 2]) -> Result<S, Undefined> {
 impl Relation {
     /// Whether it holds between two numbers of this order.
     #[inline]
-    pub(super) fn holds(self, order: std::cmp::Ordering) -> bool {
+    fn holds(self, order: std::cmp::Ordering) -> bool {
         match self {
             Self::Less => order.is_lt(),
             Self::LessOrEqual => order.is_le(),

@@ -12,16 +12,16 @@ const LARGEST_DETERMINANT: usize = 10;
 
 /// The entries of a value, by rows; cheap to clone.
 #[derive(Clone, Debug)]
-pub(super) struct Array {
-    pub(super) shape: Shape,
-    pub(super) entries: Rc<[Entry]>,
-    pub(super) is_boolean: bool,
+pub(crate) struct Array {
+    pub(crate) shape: Shape,
+    pub(crate) entries: Rc<[Entry]>,
+    pub(crate) is_boolean: bool,
 }
 
 type Result<T> = std::result::Result<T, CompileError>;
 
 impl Array {
-    pub(super) fn new(shape: Shape, entries: Vec<Entry>) -> Self {
+    pub(crate) fn new(shape: Shape, entries: Vec<Entry>) -> Self {
         Self {
             shape,
             entries: entries.into(),
@@ -29,7 +29,7 @@ impl Array {
         }
     }
 
-    pub(super) fn scalar(entry: Entry) -> Self {
+    pub(crate) fn scalar(entry: Entry) -> Self {
         Self {
             shape: Shape::Scalar,
             entries: Rc::new([entry]),
@@ -37,18 +37,18 @@ impl Array {
         }
     }
 
-    pub(super) fn boolean(register: u32) -> Self {
+    pub(crate) fn boolean(register: u32) -> Self {
         Self {
             is_boolean: true,
             ..Self::scalar(Entry::real(register))
         }
     }
 
-    pub(super) fn is_complex(&self) -> bool {
+    pub(crate) fn is_complex(&self) -> bool {
         self.entries.iter().any(|entry| entry.is_complex())
     }
 
-    pub(super) fn form(&self) -> Form {
+    pub(crate) fn form(&self) -> Form {
         let field = match (self.is_boolean, self.is_complex()) {
             (true, _) => Field::Boolean,
             (false, true) => Field::Complex,
@@ -61,7 +61,7 @@ impl Array {
     }
 
     /// The entry of a number.
-    pub(super) fn number(&self) -> Result<Entry> {
+    pub(crate) fn number(&self) -> Result<Entry> {
         match (self.shape, self.is_boolean) {
             (Shape::Scalar, false) => Ok(self.entries[0]),
             _ => Err(CompileError::Form { found: self.form() }),
@@ -69,7 +69,7 @@ impl Array {
     }
 
     /// The register of a real number.
-    pub(super) fn real(&self) -> Result<u32> {
+    pub(crate) fn real(&self) -> Result<u32> {
         match self.number()? {
             Entry {
                 real,
@@ -80,7 +80,7 @@ impl Array {
     }
 
     /// The register of a condition.
-    pub(super) fn condition(&self) -> Result<u32> {
+    pub(crate) fn condition(&self) -> Result<u32> {
         if !self.is_boolean {
             return Err(CompileError::Form { found: self.form() });
         }
@@ -94,7 +94,7 @@ impl Array {
         Ok(())
     }
 
-    pub(super) fn map(
+    pub(crate) fn map(
         &self,
         to: &mut Assembler,
         change: impl Fn(Entry, &mut Assembler) -> Result<Entry>,
@@ -104,7 +104,7 @@ impl Array {
         Ok(Self::new(self.shape, entries.collect::<Result<_>>()?))
     }
 
-    pub(super) fn arithmetic(
+    pub(crate) fn arithmetic(
         &self,
         operator: Operator,
         other: &Self,
@@ -170,7 +170,7 @@ impl Array {
         Ok(Self::new(shape, entries))
     }
 
-    pub(super) fn transpose(&self) -> Self {
+    pub(crate) fn transpose(&self) -> Self {
         let (rows, columns) = self.shape.rows_and_columns();
         let at = |column: usize, row: usize| self.entries[row * columns + column];
         let entries = (0..columns).flat_map(|column| (0..rows).map(move |row| at(column, row)));
@@ -178,7 +178,7 @@ impl Array {
     }
 
     /// The bilinear product Σ u v, without conjugation.
-    pub(super) fn dot(&self, other: &Self, to: &mut Assembler) -> Result<Self> {
+    pub(crate) fn dot(&self, other: &Self, to: &mut Assembler) -> Result<Self> {
         match (self.shape, other.shape) {
             (Shape::Vector(a), Shape::Vector(b)) if a == b => {
                 let (left, right) = (self.entries.iter().copied(), other.entries.iter().copied());
@@ -191,7 +191,7 @@ impl Array {
     }
 
     /// √ Σ |u|².
-    pub(super) fn norm(&self, to: &mut Assembler) -> Result<Self> {
+    pub(crate) fn norm(&self, to: &mut Assembler) -> Result<Self> {
         let Shape::Vector(_) = self.shape else {
             return Err(CompileError::Form { found: self.form() });
         };
@@ -207,7 +207,7 @@ impl Array {
     }
 
     /// The determinant by minors of the upper rows, each computed once; nothing is divided.
-    pub(super) fn determinant(&self, to: &mut Assembler) -> Result<Self> {
+    pub(crate) fn determinant(&self, to: &mut Assembler) -> Result<Self> {
         let (order, columns) = self.shape.rows_and_columns();
         if order != columns || order > LARGEST_DETERMINANT || self.is_boolean {
             return Err(CompileError::Form { found: self.form() });
@@ -242,7 +242,7 @@ impl Array {
     }
 
     /// A component, or a row of a matrix; indices count from 1.
-    pub(super) fn component(&self, indices: &[usize]) -> Result<Self> {
+    pub(crate) fn component(&self, indices: &[usize]) -> Result<Self> {
         let out_of_range = || CompileError::Form { found: self.form() };
         let within = |index: usize, length: usize| {
             index
@@ -268,7 +268,7 @@ impl Array {
     }
 
     /// A vector of numbers, or a matrix of rows.
-    pub(super) fn of_parts(parts: &[Self]) -> Result<Self> {
+    pub(crate) fn of_parts(parts: &[Self]) -> Result<Self> {
         let first = parts.first().ok_or(CompileError::TooLarge)?;
         let shape = match first.shape {
             Shape::Scalar => Shape::Vector(parts.len()),

@@ -14,11 +14,11 @@ const MAX_STEPS: usize = 200_000;
 /// A computation that was already made is not made again, where it is certain to have been run: what was computed
 /// between [`Assembler::open`] and [`Assembler::close`] is forgotten.
 #[derive(Default)]
-pub(super) struct Assembler {
-    pub(super) code: Vec<Instruction>,
-    pub(super) spans: Vec<Span>,
-    pub(super) constants: Vec<Precise>,
-    pub(super) registers: u32,
+pub(crate) struct Assembler {
+    pub(crate) code: Vec<Instruction>,
+    pub(crate) spans: Vec<Span>,
+    pub(crate) constants: Vec<Precise>,
+    pub(crate) registers: u32,
     /// The indices of the constants, by their bits.
     indices: Table<[u64; 3], u32>,
     known: Table<Step, Register>,
@@ -29,11 +29,11 @@ pub(super) struct Assembler {
 }
 
 /// A place in the list of known computations.
-pub(super) struct Scope(usize);
+pub(crate) struct Scope(usize);
 
 impl Assembler {
     /// Room for about so many steps; more are taken as they come.
-    pub(super) fn with_room(steps: usize) -> Self {
+    pub(crate) fn with_room(steps: usize) -> Self {
         Self {
             code: Vec::with_capacity(steps),
             spans: Vec::with_capacity(steps),
@@ -44,7 +44,7 @@ impl Assembler {
     }
 
     /// Says where the steps that follow were written; what is derived keeps the place around it.
-    pub(super) fn place(&mut self, span: Span) -> Span {
+    pub(crate) fn place(&mut self, span: Span) -> Span {
         let before = self.span;
         if !span.is_none() {
             self.span = span;
@@ -52,28 +52,28 @@ impl Assembler {
         before
     }
 
-    pub(super) fn return_to(&mut self, span: Span) {
+    pub(crate) fn return_to(&mut self, span: Span) {
         self.span = span;
     }
 
     /// Steps from here on may not be run.
-    pub(super) fn open(&mut self) -> Scope {
+    pub(crate) fn open(&mut self) -> Scope {
         Scope(self.learned.len())
     }
 
-    pub(super) fn close(&mut self, scope: Scope) {
+    pub(crate) fn close(&mut self, scope: Scope) {
         for step in self.learned.drain(scope.0..) {
             self.known.remove(&step);
         }
     }
 
-    pub(super) fn register(&mut self) -> Register {
+    pub(crate) fn register(&mut self) -> Register {
         self.registers += 1;
         self.registers - 1
     }
 
     /// The register of a computation.
-    pub(super) fn compute(&mut self, step: Step) -> Result<Register, CompileError> {
+    pub(crate) fn compute(&mut self, step: Step) -> Result<Register, CompileError> {
         if let Some(&known) = self.known.get(&step) {
             return Ok(known);
         }
@@ -88,13 +88,13 @@ impl Assembler {
     }
 
     /// The two registers of a complex computation.
-    pub(super) fn compute_pair(&mut self, step: Step) -> Result<Entry, CompileError> {
+    pub(crate) fn compute_pair(&mut self, step: Step) -> Result<Entry, CompileError> {
         let out = self.compute(step)?;
         Ok(Entry::complex(out, out + 1))
     }
 
     /// Adds a step; its index.
-    pub(super) fn push(&mut self, step: Step, out: Register) -> Result<Target, CompileError> {
+    pub(crate) fn push(&mut self, step: Step, out: Register) -> Result<Target, CompileError> {
         if self.code.len() >= MAX_STEPS {
             return Err(CompileError::TooLarge);
         }
@@ -104,12 +104,12 @@ impl Assembler {
     }
 
     /// The index of the next step.
-    pub(super) fn here(&self) -> Target {
+    fn here(&self) -> Target {
         self.code.len() as Target
     }
 
     /// Lets the jump or search at `at` go on at the next step.
-    pub(super) fn land(&mut self, at: Target) {
+    pub(crate) fn land(&mut self, at: Target) {
         let here = self.here();
         match &mut self.code[at as usize].step {
             Step::Jump(target) | Step::JumpIf(_, target) | Step::JumpUnless(_, target) => {
@@ -121,13 +121,13 @@ impl Assembler {
     }
 
     /// Says what the body of the search at `at` computes.
-    pub(super) fn set_value(&mut self, at: Target, value: Register) {
+    pub(crate) fn set_value(&mut self, at: Target, value: Register) {
         if let Step::Root(search) | Step::Integral(search) = &mut self.code[at as usize].step {
             search.value = value;
         }
     }
 
-    pub(super) fn constant(&mut self, value: Precise) -> Result<Register, CompileError> {
+    pub(crate) fn constant(&mut self, value: Precise) -> Result<Register, CompileError> {
         let bits = [value.high(), value.low(), value.rest()].map(f64::to_bits);
         let next = self.constants.len() as u32;
         let index = *self.indices.entry(bits).or_insert(next);
@@ -137,11 +137,11 @@ impl Assembler {
         self.compute(Step::Constant(index))
     }
 
-    pub(super) fn exact(&mut self, value: f64) -> Result<Register, CompileError> {
+    pub(crate) fn exact(&mut self, value: f64) -> Result<Register, CompileError> {
         self.constant(Precise::exact(value))
     }
 
-    pub(super) fn unary(
+    pub(crate) fn unary(
         &mut self,
         function: Function,
         a: Register,
@@ -150,7 +150,7 @@ impl Assembler {
     }
 
     /// An entry as a pair of registers.
-    pub(super) fn pair(&mut self, entry: Entry) -> Result<RegisterPair, CompileError> {
+    pub(crate) fn pair(&mut self, entry: Entry) -> Result<RegisterPair, CompileError> {
         Ok(match entry.imaginary {
             Some(imaginary) => [entry.real, imaginary],
             None => [entry.real, self.exact(0.0)?],

@@ -23,13 +23,13 @@ const MAX_ROOM: u32 = 64;
 type Result<T> = std::result::Result<T, CompileError>;
 
 /// The state of a translation.
-pub(super) struct Compiler<'a> {
-    pub(super) binder: &'a dyn Binder,
+pub(crate) struct Compiler<'a> {
+    pub(crate) binder: &'a dyn Binder,
     assembler: Assembler,
     /// The names bound by the operators around the place, with their values, innermost last.
     locals: Vec<Local>,
     /// The names alone, as binders are told them.
-    pub(super) local_names: Vec<Name>,
+    pub(crate) local_names: Vec<Name>,
     /// What nodes to which several ways lead have become, by node and innermost local.
     known: Table<(usize, usize), Array>,
     learned: Vec<(usize, usize)>,
@@ -37,11 +37,11 @@ pub(super) struct Compiler<'a> {
     scopes: usize,
     depth: u32,
     /// Formulas inside one another while names are put in, across the derivatives among them.
-    pub(super) expanding: u32,
+    pub(crate) expanding: u32,
     /// Keeps the nodes alive that `known` speaks of.
     kept: Vec<Expr>,
     /// Names made up for what derivatives hold constant or leave to the binder.
-    pub(super) aliases: HashMap<Name, Binding>,
+    pub(crate) aliases: HashMap<Name, Binding>,
 }
 
 struct Local {
@@ -51,7 +51,7 @@ struct Local {
 }
 
 /// Translates a formula.
-pub(super) fn compile(expr: &Expr, binder: &dyn Binder) -> Result<Program> {
+pub(crate) fn compile(expr: &Expr, binder: &dyn Binder) -> Result<Program> {
     let mut compiler = Compiler {
         binder,
         assembler: Assembler::with_room(expr.size().min(MAX_ROOM) as usize),

@@ -17,7 +17,7 @@ const MAX_DEPTH: u32 = 300;
 
 impl Compiler<'_> {
     /// The formula of `diff(inner, name, …)`.
-    pub(super) fn derivative(&mut self, inner: &Expr, names: &[Name]) -> Result<Expr> {
+    pub(crate) fn derivative(&mut self, inner: &Expr, names: &[Name]) -> Result<Expr> {
         let mut result = inner.clone();
         for name in names {
             let full = self.expanded(&result, name)?;
@@ -32,7 +32,7 @@ impl Compiler<'_> {
     }
 
     /// The formula of a primed formula, `(x1 - x2)'`.
-    pub(super) fn time_derivative(&mut self, primed: &Expr) -> Result<Expr> {
+    pub(crate) fn time_derivative(&mut self, primed: &Expr) -> Result<Expr> {
         let Kind::Prime(inner, order) = primed.kind() else {
             return Ok(primed.clone());
         };
@@ -41,7 +41,7 @@ impl Compiler<'_> {
     }
 
     /// What a name stands for where time runs.
-    pub(super) fn time_binding(&self, name: &Name) -> Option<Binding> {
+    pub(crate) fn time_binding(&self, name: &Name) -> Option<Binding> {
         let alias = self.aliases.get(name).cloned();
         alias.or_else(|| self.binding(&Variable::from(name), &Name::from("t")))
     }

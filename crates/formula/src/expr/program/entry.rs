@@ -7,33 +7,33 @@ use crate::expr::Function;
 
 /// The register of a real number, or the two of a complex one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Entry {
-    pub(super) real: Register,
-    pub(super) imaginary: Option<Register>,
+pub(crate) struct Entry {
+    pub(crate) real: Register,
+    pub(crate) imaginary: Option<Register>,
 }
 
 type Result<T> = std::result::Result<T, CompileError>;
 
 impl Entry {
-    pub(super) fn real(real: Register) -> Self {
+    pub(crate) fn real(real: Register) -> Self {
         Self {
             real,
             imaginary: None,
         }
     }
 
-    pub(super) fn complex(real: Register, imaginary: Register) -> Self {
+    pub(crate) fn complex(real: Register, imaginary: Register) -> Self {
         Self {
             real,
             imaginary: Some(imaginary),
         }
     }
 
-    pub(super) fn is_complex(self) -> bool {
+    pub(crate) fn is_complex(self) -> bool {
         self.imaginary.is_some()
     }
 
-    pub(super) fn add(self, other: Self, to: &mut Assembler) -> Result<Self> {
+    pub(crate) fn add(self, other: Self, to: &mut Assembler) -> Result<Self> {
         let real = to.compute(Step::Add(self.real, other.real))?;
         let imaginary = match (self.imaginary, other.imaginary) {
             (Some(a), Some(b)) => Some(to.compute(Step::Add(a, b))?),
@@ -42,7 +42,7 @@ impl Entry {
         Ok(Self { real, imaginary })
     }
 
-    pub(super) fn subtract(self, other: Self, to: &mut Assembler) -> Result<Self> {
+    pub(crate) fn subtract(self, other: Self, to: &mut Assembler) -> Result<Self> {
         let real = to.compute(Step::Subtract(self.real, other.real))?;
         let imaginary = match (self.imaginary, other.imaginary) {
             (Some(a), Some(b)) => Some(to.compute(Step::Subtract(a, b))?),
@@ -52,11 +52,11 @@ impl Entry {
         Ok(Self { real, imaginary })
     }
 
-    pub(super) fn negate(self, to: &mut Assembler) -> Result<Self> {
+    pub(crate) fn negate(self, to: &mut Assembler) -> Result<Self> {
         self.each(to, |to, part| to.compute(Step::Negate(part)))
     }
 
-    pub(super) fn multiply(self, other: Self, to: &mut Assembler) -> Result<Self> {
+    pub(crate) fn multiply(self, other: Self, to: &mut Assembler) -> Result<Self> {
         match (self.imaginary, other.imaginary) {
             (Some(_), Some(_)) => {
                 let (a, b) = (to.pair(self)?, to.pair(other)?);
@@ -67,7 +67,7 @@ impl Entry {
         }
     }
 
-    pub(super) fn divide(self, other: Self, to: &mut Assembler) -> Result<Self> {
+    pub(crate) fn divide(self, other: Self, to: &mut Assembler) -> Result<Self> {
         if other.is_complex() {
             let (a, b) = (to.pair(self)?, to.pair(other)?);
             return to.compute_pair(Step::ComplexDivide(a, b));
@@ -75,7 +75,7 @@ impl Entry {
         self.each(to, |to, part| to.compute(Step::Divide(part, other.real)))
     }
 
-    pub(super) fn power_whole(self, exponent: i32, to: &mut Assembler) -> Result<Self> {
+    pub(crate) fn power_whole(self, exponent: i32, to: &mut Assembler) -> Result<Self> {
         match (exponent, self.imaginary) {
             (0, _) => Ok(Self::real(to.exact(1.0)?)),
             (1, _) => Ok(self),
@@ -89,7 +89,7 @@ impl Entry {
         }
     }
 
-    pub(super) fn power(self, exponent: Self, to: &mut Assembler) -> Result<Self> {
+    pub(crate) fn power(self, exponent: Self, to: &mut Assembler) -> Result<Self> {
         if self.is_complex() || exponent.is_complex() {
             let (a, b) = (to.pair(self)?, to.pair(exponent)?);
             return to.compute_pair(Step::ComplexPower(a, b));
@@ -100,7 +100,7 @@ impl Entry {
     }
 
     /// A function that real and complex numbers have.
-    pub(super) fn function(self, function: Function, to: &mut Assembler) -> Result<Self> {
+    pub(crate) fn function(self, function: Function, to: &mut Assembler) -> Result<Self> {
         match (function, self.imaginary) {
             (Function::Abs, Some(imaginary)) => {
                 let step = Step::Binary(Function::Hypot, self.real, imaginary);
@@ -114,7 +114,7 @@ impl Entry {
     }
 
     /// `re`, `im`, `arg`, `conj`.
-    pub(super) fn part(self, function: Function, to: &mut Assembler) -> Result<Self> {
+    pub(crate) fn part(self, function: Function, to: &mut Assembler) -> Result<Self> {
         let [real, imaginary] = to.pair(self)?;
         Ok(match function {
             Function::Re => Self::real(real),

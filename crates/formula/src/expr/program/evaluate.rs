@@ -89,12 +89,12 @@ impl<S> Default for Registers<S> {
 
 impl<S: Scalar> Registers<S> {
     /// What is in them.
-    pub(super) fn all(&self) -> &[S] {
+    pub(crate) fn all(&self) -> &[S] {
         &self.0
     }
 
     /// Those of a program.
-    pub(super) fn of(&mut self, program: &Program) -> &mut [S] {
+    pub(crate) fn of(&mut self, program: &Program) -> &mut [S] {
         let size = program.registers as usize;
         if self.0.len() < size {
             self.0.resize(size, S::exact(0.0));
@@ -143,7 +143,7 @@ impl<'a, S> Outcome<'a, S> {
 
 impl<'a, S> Outcome<'a, S> {
     /// One number.
-    pub(super) fn of_one(number: &'a S, is_open: bool) -> Self {
+    pub(crate) fn of_one(number: &'a S, is_open: bool) -> Self {
         Self {
             registers: std::slice::from_ref(number),
             results: &[0],
@@ -178,7 +178,7 @@ impl Program {
     }
 
     /// What a run has left in its registers.
-    pub(super) fn outcome<'a, S>(
+    pub(crate) fn outcome<'a, S>(
         &'a self,
         room: &'a Registers<S>,
         is_open: bool,
@@ -285,7 +285,7 @@ impl Program {
     }
 
     /// The number that a run in binary64 gave, or where that is not good enough, one in double-double.
-    pub(super) fn real<'w>(
+    pub(crate) fn real<'w>(
         &self,
         accuracy: f64,
         double: Result<Outcome<'_, Approx<f64>>, Absence>,

@@ -7,11 +7,11 @@ use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
 /// A table whose keys are made of small numbers.
-pub(super) type Table<K, V> = HashMap<K, V, BuildHasherDefault<Mixing>>;
+pub(crate) type Table<K, V> = HashMap<K, V, BuildHasherDefault<Mixing>>;
 
 /// Each number is mixed in by a turn, an exclusive or and a product.
 #[derive(Default)]
-pub(super) struct Mixing(u64);
+pub(crate) struct Mixing(u64);
 
 impl Mixing {
     fn mix(&mut self, number: u64) {

@@ -3,21 +3,21 @@
 use crate::expr::{Function, Relation};
 
 /// A place for one number.
-pub(super) type Register = u32;
+pub(crate) type Register = u32;
 
 /// Real and imaginary part.
-pub(super) type RegisterPair = [Register; 2];
+pub(crate) type RegisterPair = [Register; 2];
 
 /// One step of a program; what it computes goes to the register `out`, a complex result to `out` and `out + 1`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) struct Instruction {
-    pub(super) step: Step,
-    pub(super) out: Register,
+pub(crate) struct Instruction {
+    pub(crate) step: Step,
+    pub(crate) out: Register,
 }
 
 /// What a step does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Step {
+pub(crate) enum Step {
     /// An input.
     Input(u32),
     /// A number of the formula.
@@ -53,24 +53,24 @@ pub(super) enum Step {
 }
 
 /// The index of an instruction.
-pub(super) type Target = u32;
+pub(crate) type Target = u32;
 
 /// A body that is evaluated for many values of one register.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) struct Search {
+pub(crate) struct Search {
     /// The ends of the interval.
-    pub(super) ends: RegisterPair,
+    pub(crate) ends: RegisterPair,
     /// The bound name.
-    pub(super) variable: Register,
+    pub(crate) variable: Register,
     /// What the body computes.
-    pub(super) value: Register,
+    pub(crate) value: Register,
     /// The end of the body.
-    pub(super) end: Target,
+    pub(crate) end: Target,
 }
 
 impl Step {
     /// The registers that it reads; not those that the body of a search reads.
-    pub(super) fn reads(&self) -> impl Iterator<Item = Register> {
+    pub(crate) fn reads(&self) -> impl Iterator<Item = Register> {
         let (count, registers) = match *self {
             Self::Input(_) | Self::Constant(_) | Self::Jump(_) => (0, [0; 4]),
             Self::Copy(a)
@@ -99,7 +99,7 @@ impl Step {
     }
 
     /// How many registers it writes, from `out` on, if it is no jump.
-    pub(super) fn width(&self) -> u32 {
+    pub(crate) fn width(&self) -> u32 {
         match self {
             Self::ComplexMultiply(..)
             | Self::ComplexDivide(..)
@@ -111,7 +111,7 @@ impl Step {
     }
 
     /// Whether it only says where to go on.
-    pub(super) fn is_jump(&self) -> bool {
+    pub(crate) fn is_jump(&self) -> bool {
         matches!(
             self,
             Self::Jump(_) | Self::JumpUnless(..) | Self::JumpIf(..)

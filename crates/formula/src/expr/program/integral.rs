@@ -21,7 +21,7 @@ const LAST_PLACE: f64 = 6.5;
 /// # References
 ///
 /// H. Takahasi, M. Mori, Publ. RIMS Kyoto Univ. 9 (1974) 721.
-pub(super) fn integral<S: Scalar>(curve: &mut impl Curve<S>) -> Result<S, Stop> {
+pub(crate) fn integral<S: Scalar>(curve: &mut impl Curve<S>) -> Result<S, Stop> {
     let [low, high] = curve.ends();
     let mut total = S::exact(0.0);
     let mut scale = 0.0_f64;

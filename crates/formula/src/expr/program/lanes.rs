@@ -7,7 +7,7 @@ use super::{Inputs, Program};
 use crate::expr::{Doubt, Scalar, Undefined};
 
 /// What steps have computed at all places.
-pub(super) struct Lanes<'a, S> {
+pub(crate) struct Lanes<'a, S> {
     /// What is the same at all places.
     registers: &'a [S],
     /// By register, its column; none where it is the same at all places.
@@ -33,7 +33,7 @@ impl<'a, S> Operand<'a, S> {
 
 impl<'a, S: Scalar> Lanes<'a, S> {
     /// Takes these steps with each of these inputs; `None` where one has no value, or computes what is no real number.
-    pub(super) fn run(
+    pub(crate) fn run(
         program: &Program,
         steps: &[u32],
         registers: &'a [S],
@@ -54,7 +54,7 @@ impl<'a, S: Scalar> Lanes<'a, S> {
     }
 
     /// What a register holds at a place, and whether more digits could change a decision there.
-    pub(super) fn at(&self, register: Register, place: usize) -> (&S, bool) {
+    pub(crate) fn at(&self, register: Register, place: usize) -> (&S, bool) {
         let number = self.get(register).at(place);
         (number, self.doubts[place].is_open)
     }

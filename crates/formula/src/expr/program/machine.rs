@@ -19,7 +19,7 @@ const LONG_STEP: u64 = 400;
 const STEPS_OF_A_PLACE: u64 = 4;
 
 /// Units of work of a step.
-pub(super) fn weight<S: Scalar>() -> u64 {
+pub(crate) fn weight<S: Scalar>() -> u64 {
     match S::ROUNDOFF {
         roundoff if roundoff < 1e-40 => LONG_STEP,
         roundoff if roundoff < 1e-20 => WIDE_STEP,
@@ -31,15 +31,15 @@ pub(super) fn weight<S: Scalar>() -> u64 {
 ///
 /// The inputs are behind a pointer, so that the interpreter is compiled once for each kind of number and not once more
 /// for each source of inputs: the grader of the page would carry nine of them.
-pub(super) struct Machine<'a, S> {
+pub(crate) struct Machine<'a, S> {
     program: &'a Program,
     inputs: &'a dyn Inputs<S>,
     registers: &'a mut [S],
-    pub(super) doubt: Doubt,
+    pub(crate) doubt: Doubt,
 }
 
 impl<'a, S: Scalar> Machine<'a, S> {
-    pub(super) fn new(
+    pub(crate) fn new(
         program: &'a Program,
         inputs: &'a dyn Inputs<S>,
         registers: &'a mut [S],
@@ -53,7 +53,7 @@ impl<'a, S: Scalar> Machine<'a, S> {
     }
 
     /// Runs the steps from `at` up to `end`; how many were taken, without those within searches.
-    pub(super) fn run(&mut self, at: u32, end: u32) -> Result<u64, Absence> {
+    pub(crate) fn run(&mut self, at: u32, end: u32) -> Result<u64, Absence> {
         let code = &self.program.code;
         let mut at = at as usize;
         let mut steps = 0;
@@ -70,7 +70,7 @@ impl<'a, S: Scalar> Machine<'a, S> {
     }
 
     /// Takes the step at a place; where to go on.
-    pub(super) fn take(&mut self, at: u32) -> Result<u32, Absence> {
+    pub(crate) fn take(&mut self, at: u32) -> Result<u32, Absence> {
         let Instruction { step, out } = self.program.code[at as usize];
         match self.step(&step, out, at as usize) {
             Ok(target) => Ok(target.unwrap_or(at + 1)),
@@ -79,7 +79,7 @@ impl<'a, S: Scalar> Machine<'a, S> {
     }
 
     /// Takes steps of a run anew that go on at their next ones.
-    pub(super) fn repeat(&mut self, steps: &[u32]) -> Result<(), Absence> {
+    pub(crate) fn repeat(&mut self, steps: &[u32]) -> Result<(), Absence> {
         steps.iter().try_for_each(|at| self.take(*at).map(drop))
     }
 
@@ -210,11 +210,11 @@ impl<'a, S: Scalar> Machine<'a, S> {
 }
 
 /// The body of a search as a function of the bound name.
-pub(super) struct Body<'b, 'a, S> {
+struct Body<'b, 'a, S> {
     machine: &'b mut Machine<'a, S>,
     search: Search,
     start: u32,
-    pub(super) ends: [S; 2],
+    ends: [S; 2],
 }
 
 impl<S: Scalar> search::Curve<S> for Body<'_, '_, S> {
@@ -234,7 +234,7 @@ impl<S: Scalar> search::Curve<S> for Body<'_, '_, S> {
 }
 
 /// Why a run stops.
-pub(super) enum Stop {
+pub(crate) enum Stop {
     /// The step at hand has no value.
     Here(Undefined),
     /// A step of the body of a search has none.

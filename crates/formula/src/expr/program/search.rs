@@ -4,7 +4,7 @@ use super::machine::Stop;
 use crate::expr::{Doubt, Function, Scalar, Undefined};
 
 /// A function of one number over an interval.
-pub(super) trait Curve<S> {
+pub(crate) trait Curve<S> {
     /// The ends of the interval.
     fn ends(&self) -> [S; 2];
 
@@ -28,7 +28,7 @@ struct Bracket<S> {
 /// # References
 ///
 /// T. R. Chandrupatla, Advances in Engineering Software 28 (1997) 145.
-pub(super) fn root<S: Scalar>(curve: &mut impl Curve<S>) -> Result<S, Stop> {
+pub(crate) fn root<S: Scalar>(curve: &mut impl Curve<S>) -> Result<S, Stop> {
     let x = curve.ends();
     let f = [curve.value(&x[0])?, curve.value(&x[1])?];
     for (x, f) in x.iter().zip(&f) {

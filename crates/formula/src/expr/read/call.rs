@@ -1,7 +1,7 @@
 //! Functions and operators with their arguments.
 
 use super::ReadError;
-use super::parser::{MAX_PRIMES, Reader, WORDS};
+use super::parser::{MAX_PRIMES, Parser, WORDS};
 use super::slip::unknown_function;
 use super::token::{Token, TokenKind};
 use crate::expr::{Expr, Function, Kind, Name};
@@ -14,9 +14,9 @@ struct Argument {
     span: Span,
 }
 
-impl Reader<'_> {
+impl Parser<'_> {
     /// A function or operator, whose name was just read, with its arguments.
-    pub(super) fn call(&mut self, callee: &Token<'_>) -> Result<Kind, ReadError> {
+    pub(crate) fn call(&mut self, callee: &Token<'_>) -> Result<Kind, ReadError> {
         let function = Function::of_name(callee.text);
         if function.is_none() && !matches!(callee.text, "at" | "diff" | "root" | "integral") {
             return Err(unknown_function(callee));

@@ -10,7 +10,7 @@ mod token;
 
 pub use error::ReadError;
 
-use self::parser::{Reader, Strength};
+use self::parser::{Parser, Strength};
 use super::{Equation, Expr, Interval};
 
 impl Expr {
@@ -31,7 +31,7 @@ impl Expr {
     ///
     /// The first place at which the text departs from the grammar, or the bound that it passes.
     pub fn read(text: &str) -> Result<Self, ReadError> {
-        let mut reader = Reader::new(text)?;
+        let mut reader = Parser::new(text)?;
         let formula = reader.formula()?;
         reader.end()?;
         Ok(formula)
@@ -45,7 +45,7 @@ impl Equation {
     ///
     /// As [`Expr::read`].
     pub fn read(text: &str) -> Result<Self, ReadError> {
-        let mut reader = Reader::new(text)?;
+        let mut reader = Parser::new(text)?;
         let left = reader.expression(Strength::Sum)?;
         reader.expect("=", "`=` and the other side of the equation")?;
         let right = reader.expression(Strength::Sum)?;
@@ -61,7 +61,7 @@ impl Interval {
     ///
     /// As [`Expr::read`].
     pub fn read(text: &str) -> Result<Self, ReadError> {
-        let mut reader = Reader::new(text)?;
+        let mut reader = Parser::new(text)?;
         let open_from = reader.bracket("[", "(", "`[` or `(`, the beginning of an interval")?;
         let from = reader.expression(Strength::Sum)?;
         reader.expect(",", "`,` and the upper end")?;

@@ -16,20 +16,20 @@ const MAX_BYTES: usize = 100_000;
 const MAX_NODES: u32 = 10_000;
 /// Largest depth of a formula, and most brackets inside one another.
 const MAX_DEPTH: u32 = 200;
-/// Most calls of [`Reader::expression`] inside one another; a level of the tree takes at most two.
+/// Most calls of [`Parser::expression`] inside one another; a level of the tree takes at most two.
 const MAX_CALLS: u32 = 2 * MAX_DEPTH;
 /// Highest order of a time derivative.
-pub(super) const MAX_PRIMES: u8 = 8;
+pub(crate) const MAX_PRIMES: u8 = 8;
 
 /// Words that are neither names nor functions.
-pub(super) const WORDS: &[&str] = &[
+pub(crate) const WORDS: &[&str] = &[
     "if", "then", "else", "and", "or", "not", "at", "diff", "root", "integral", "pi", "e", "i",
     "inf", "model", "models",
 ];
 
 /// Binding strength: what stands further down binds more tightly.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Strength {
+pub(crate) enum Strength {
     Condition,
     Conjunction,
     Negation,
@@ -50,15 +50,15 @@ enum Infix {
 }
 
 /// A place in the words of a text.
-pub(super) struct Reader<'a> {
-    pub(super) tokens: Vec<Token<'a>>,
-    pub(super) at: usize,
+pub(crate) struct Parser<'a> {
+    pub(crate) tokens: Vec<Token<'a>>,
+    pub(crate) at: usize,
     nodes: u32,
     calls: u32,
 }
 
-impl<'a> Reader<'a> {
-    pub(super) fn new(text: &'a str) -> Result<Self, ReadError> {
+impl<'a> Parser<'a> {
+    pub(crate) fn new(text: &'a str) -> Result<Self, ReadError> {
         if text.len() > MAX_BYTES {
             return Err(ReadError::TooLong {
                 bytes: text.len(),
@@ -74,7 +74,7 @@ impl<'a> Reader<'a> {
     }
 
     /// `if … then … else …`, or a condition.
-    pub(super) fn formula(&mut self) -> Result<Expr, ReadError> {
+    pub(crate) fn formula(&mut self) -> Result<Expr, ReadError> {
         if !self.next_is("if") {
             return self.expression(Strength::Condition);
         }
@@ -90,7 +90,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Operands joined by operators that bind at least as tightly as `least`.
-    pub(super) fn expression(&mut self, least: Strength) -> Result<Expr, ReadError> {
+    pub(crate) fn expression(&mut self, least: Strength) -> Result<Expr, ReadError> {
         self.enter()?;
         let start = self.peek().span;
         let mut left = self.prefix(least)?;
@@ -308,7 +308,7 @@ impl<'a> Reader<'a> {
     }
 
     /// One of two brackets; whether it is the second.
-    pub(super) fn bracket(
+    pub(crate) fn bracket(
         &mut self,
         closed: &str,
         open: &str,
@@ -354,16 +354,16 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    pub(super) fn peek(&self) -> &Token<'a> {
+    pub(crate) fn peek(&self) -> &Token<'a> {
         &self.tokens[self.at]
     }
 
-    pub(super) fn next_is(&self, text: &str) -> bool {
+    pub(crate) fn next_is(&self, text: &str) -> bool {
         self.peek().is(text)
     }
 
     /// Takes the word at hand; the end is never passed.
-    pub(super) fn advance(&mut self) -> Token<'a> {
+    pub(crate) fn advance(&mut self) -> Token<'a> {
         let token = *self.peek();
         if token.kind != TokenKind::End {
             self.at += 1;
@@ -372,7 +372,7 @@ impl<'a> Reader<'a> {
     }
 
     /// From `start` to the last word read.
-    pub(super) fn since(&self, start: Span) -> Span {
+    pub(crate) fn since(&self, start: Span) -> Span {
         let last = self.tokens[self.at.saturating_sub(1)].span;
         if last.end <= start.start {
             start
@@ -381,7 +381,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    pub(super) fn expect(&mut self, text: &str, expected: &'static str) -> Result<(), ReadError> {
+    pub(crate) fn expect(&mut self, text: &str, expected: &'static str) -> Result<(), ReadError> {
         if !self.next_is(text) {
             return Err(self.surprise(expected));
         }
@@ -389,7 +389,7 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    pub(super) fn end(&self) -> Result<(), ReadError> {
+    pub(crate) fn end(&self) -> Result<(), ReadError> {
         match self.peek().kind {
             TokenKind::End => Ok(()),
             _ => Err(self.surprise("an operator or the end")),

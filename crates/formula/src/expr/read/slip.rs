@@ -1,14 +1,14 @@
 //! The errors for what does not fit; the usual slips have their own.
 
 use super::ReadError;
-use super::parser::Reader;
+use super::parser::Parser;
 use super::token::{Token, TokenKind};
 use crate::expr::Function;
 use vibank_source::nearest;
 
-impl Reader<'_> {
+impl Parser<'_> {
     /// The error for the word at hand, which follows an operand; the usual slips have their own.
-    pub(super) fn surprise(&self, expected: &'static str) -> ReadError {
+    pub(crate) fn surprise(&self, expected: &'static str) -> ReadError {
         let token = self.peek();
         let Some(previous) = self.at.checked_sub(1).map(|at| &self.tokens[at]) else {
             return unexpected(token, expected);
@@ -64,7 +64,7 @@ fn ends_operand(token: &Token<'_>) -> bool {
         || token.kind == TokenKind::Unit
 }
 
-pub(super) fn unexpected(token: &Token<'_>, expected: &'static str) -> ReadError {
+pub(crate) fn unexpected(token: &Token<'_>, expected: &'static str) -> ReadError {
     ReadError::Unexpected {
         expected,
         found: token.to_string(),
@@ -72,7 +72,7 @@ pub(super) fn unexpected(token: &Token<'_>, expected: &'static str) -> ReadError
     }
 }
 
-pub(super) fn unknown_function(callee: &Token<'_>) -> ReadError {
+pub(crate) fn unknown_function(callee: &Token<'_>) -> ReadError {
     let known = Function::all()
         .map(Function::name)
         .chain(["at", "diff", "root", "integral"]);

@@ -7,16 +7,16 @@ use vibank_source::Span;
 
 /// A word of a formula, with the letters it was written with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Token<'a> {
-    pub(super) kind: TokenKind,
+pub(crate) struct Token<'a> {
+    pub(crate) kind: TokenKind,
     /// The letters; of a unit, those between the brackets.
-    pub(super) text: &'a str,
-    pub(super) span: Span,
+    pub(crate) text: &'a str,
+    pub(crate) span: Span,
 }
 
 /// What a word is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum TokenKind {
+pub(crate) enum TokenKind {
     /// `0.5`, `1e-3`.
     Number,
     /// `[m/s]` right after a number.
@@ -30,7 +30,7 @@ pub(super) enum TokenKind {
 }
 
 /// Splits a text into words, the end last.
-pub(super) fn tokens(text: &str) -> Result<Vec<Token<'_>>, ReadError> {
+pub(crate) fn tokens(text: &str) -> Result<Vec<Token<'_>>, ReadError> {
     let mut tokens = Vec::with_capacity(text.len() / 2 + 2);
     let mut at = 0;
     while let Some(character) = text[at..].chars().next() {
@@ -123,7 +123,7 @@ fn sign_length(text: &str, at: usize, character: char) -> Result<usize, ReadErro
 
 impl Token<'_> {
     /// Whether it is this operator, bracket or word of the language.
-    pub(super) fn is(&self, text: &str) -> bool {
+    pub(crate) fn is(&self, text: &str) -> bool {
         matches!(self.kind, TokenKind::Sign | TokenKind::Word) && self.text == text
     }
 }

@@ -6,7 +6,7 @@ use crate::expr::{Constant, Expr, Function, Kind, Relation};
 use vibank_dynamics::numerics::Rational;
 
 /// f(u)' = f'(u) u'.
-pub(super) fn of_one_argument(
+pub(crate) fn of_one_argument(
     call: &Expr,
     function: Function,
     u: &Expr,
@@ -48,7 +48,7 @@ pub(super) fn of_one_argument(
     })
 }
 
-pub(super) fn of_two_arguments(
+pub(crate) fn of_two_arguments(
     call: &Expr,
     function: Function,
     [u, v]: [&Expr; 2],
@@ -79,7 +79,7 @@ pub(super) fn of_two_arguments(
     })
 }
 
-pub(super) fn of_many_arguments(
+pub(crate) fn of_many_arguments(
     call: &Expr,
     function: Function,
     arguments: &[Expr],
@@ -138,14 +138,14 @@ fn is_complex(expr: &Expr) -> bool {
 }
 
 /// `if condition then first else second`, or the one value if both are equal.
-pub(super) fn choice(condition: Expr, first: Expr, second: Expr) -> Expr {
+pub(crate) fn choice(condition: Expr, first: Expr, second: Expr) -> Expr {
     if first == second {
         return first;
     }
     Expr::derived(Kind::If(condition, first, second))
 }
 
-pub(super) fn compare(left: &Expr, relation: Relation, right: &Expr) -> Expr {
+pub(crate) fn compare(left: &Expr, relation: Relation, right: &Expr) -> Expr {
     Expr::derived(Kind::Compare(
         vec![left.clone(), right.clone()],
         vec![relation],

@@ -291,13 +291,13 @@ impl Rules<'_> {
 }
 
 /// The formula that `diff(f, x, …)` stands for.
-pub(super) fn resolve_diff(inner: &Expr, names: &[Name]) -> Result<Expr, SymbolicError> {
+pub(crate) fn resolve_diff(inner: &Expr, names: &[Name]) -> Result<Expr, SymbolicError> {
     names
         .iter()
         .try_fold(inner.clone(), |expr, name| differentiate(&expr, name))
 }
 
-pub(super) fn not_differentiable(what: &'static str, expr: &Expr) -> SymbolicError {
+pub(crate) fn not_differentiable(what: &'static str, expr: &Expr) -> SymbolicError {
     SymbolicError::NotDifferentiable {
         what,
         span: expr.span(),

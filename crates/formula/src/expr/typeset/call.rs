@@ -8,7 +8,7 @@ use vibank_notation::Class;
 const LARGEST_EXPONENT: u32 = 16;
 
 impl Setter<'_> {
-    pub(super) fn call(&self, function: Function, arguments: &[Expr]) -> Piece {
+    pub(crate) fn call(&self, function: Function, arguments: &[Expr]) -> Piece {
         let one = arguments.first();
         match (function, one) {
             (Function::Sqrt, Some(u)) => Piece::atom(Math::root(self.math(u))),
@@ -52,7 +52,7 @@ impl Setter<'_> {
     }
 
     /// A named function before its arguments; one that is a single symbol stands bare.
-    pub(super) fn applied(&self, name: &str, arguments: &[Expr]) -> Piece {
+    pub(crate) fn applied(&self, name: &str, arguments: &[Expr]) -> Piece {
         let function = function_name(name);
         self.named(function, arguments)
     }
@@ -71,7 +71,7 @@ impl Setter<'_> {
     }
 
     /// A function that is followed by another factor has its argument in parentheses.
-    pub(super) fn call_before_factor(&self, expr: &Expr) -> Math {
+    pub(crate) fn call_before_factor(&self, expr: &Expr) -> Math {
         match expr.kind() {
             Kind::Call(function, arguments) if is_bare(*function, arguments) => {
                 let name = function_name(written_name(*function));
@@ -94,7 +94,7 @@ impl Setter<'_> {
     }
 
     /// sin²x for sin(x)^2.
-    pub(super) fn power_of_call(&self, base: &Expr, exponent: &Expr) -> Option<Piece> {
+    pub(crate) fn power_of_call(&self, base: &Expr, exponent: &Expr) -> Option<Piece> {
         let Kind::Call(function, arguments) = base.kind() else {
             return None;
         };
@@ -104,7 +104,7 @@ impl Setter<'_> {
     }
 
     /// f with a bar and the values of its names below it.
-    pub(super) fn at(&self, inner: &Expr, values: &[(Name, Expr)]) -> Piece {
+    pub(crate) fn at(&self, inner: &Expr, values: &[(Name, Expr)]) -> Piece {
         let equations = values.iter().map(|(name, value)| {
             let name = self.math(&Expr::name(name.clone()));
             Math::row([name, Math::relation("="), self.math(value)])
@@ -114,7 +114,7 @@ impl Setter<'_> {
     }
 
     /// ∂²f/∂x∂y.
-    pub(super) fn partial_derivative(&self, inner: &Expr, names: &[Name]) -> Piece {
+    pub(crate) fn partial_derivative(&self, inner: &Expr, names: &[Name]) -> Piece {
         let partial = || Math::operator("∂", Class::Ordinary);
         let above = match names.len() {
             1 => partial(),
@@ -139,7 +139,7 @@ impl Setter<'_> {
         Piece::new(math, Hold::Fraction)
     }
 
-    pub(super) fn integral(&self, inner: &Expr, name: &Name, from: &Expr, to: &Expr) -> Piece {
+    pub(crate) fn integral(&self, inner: &Expr, name: &Name, from: &Expr, to: &Expr) -> Piece {
         let sign = Math::operator("∫", Class::Large)
             .with_sub(self.math(from))
             .with_sup(self.math(to));

@@ -4,7 +4,7 @@ use super::{Hold, Math, Piece, Setter, SymbolKind};
 use crate::expr::{Expr, Kind, Operator};
 
 /// One factor of a product as it is set.
-pub(super) struct Factor {
+struct Factor {
     math: Math,
     /// Whether it begins with a digit, which must not touch what stands before it.
     begins_with_number: bool,
@@ -14,7 +14,7 @@ pub(super) struct Factor {
 
 impl Setter<'_> {
     /// A product or quotient, with all factors of a chain side by side.
-    pub(super) fn product(&self, expr: &Expr) -> Piece {
+    pub(crate) fn product(&self, expr: &Expr) -> Piece {
         let mut factors = Vec::new();
         flatten(expr, &mut factors);
         let is_negative = factors.first_mut().is_some_and(take_sign);

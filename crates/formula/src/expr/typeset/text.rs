@@ -178,7 +178,7 @@ fn number(out: &mut Formatter<'_>, value: Rational) -> fmt::Result {
 }
 
 /// A fraction as a decimal, if it ends.
-pub(super) fn decimal(value: Rational) -> Option<String> {
+pub(crate) fn decimal(value: Rational) -> Option<String> {
     if value.is_integer() {
         return Some(value.to_string());
     }

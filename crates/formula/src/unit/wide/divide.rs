@@ -8,7 +8,7 @@ impl Wide {
     /// # References
     ///
     /// D. Knuth, The Art of Computer Programming 2, section 4.3.1, algorithm D.
-    pub(in crate::unit) fn over(self, other: Self) -> Self {
+    pub(crate) fn over(self, other: Self) -> Self {
         let exponent = self.exponent.saturating_sub(other.exponent);
         let cut = self.cut | other.cut;
         if other.mantissa == [0, 0, 0, 1 << 63] {

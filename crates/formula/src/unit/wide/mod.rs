@@ -11,7 +11,7 @@ mod round;
 
 /// A positive number `mantissa · 2^exponent`, with the highest bit of the mantissa set.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::unit) struct Wide {
+pub(crate) struct Wide {
     /// Lowest first.
     mantissa: [u64; 4],
     exponent: i32,
@@ -20,9 +20,9 @@ pub(in crate::unit) struct Wide {
 }
 
 impl Wide {
-    pub(in crate::unit) const ONE: Self = Self::small(1);
+    pub(crate) const ONE: Self = Self::small(1);
     /// π, its first 256 bits.
-    pub(in crate::unit) const PI: Self = Self {
+    pub(crate) const PI: Self = Self {
         mantissa: [
             0x020B_BEA6_3B13_9B22,
             0x2902_4E08_8A67_CC74,
@@ -34,13 +34,13 @@ impl Wide {
     };
 
     /// The power of a small integer; short results are exact.
-    pub(in crate::unit) fn power(base: u64, power: u32) -> Self {
+    pub(crate) fn power(base: u64, power: u32) -> Self {
         base.checked_pow(power)
             .map_or_else(|| Self::small(base).pow(power), Self::small)
     }
 
     /// This number times a power of two.
-    pub(in crate::unit) fn doubled(self, times: i32) -> Self {
+    pub(crate) fn doubled(self, times: i32) -> Self {
         Self {
             exponent: self.exponent.saturating_add(times),
             ..self
@@ -57,7 +57,7 @@ impl Wide {
     }
 
     /// A positive integer.
-    pub(in crate::unit) fn integer(value: u128) -> Option<Self> {
+    pub(crate) fn integer(value: u128) -> Option<Self> {
         if value == 0 {
             return None;
         }
@@ -71,7 +71,7 @@ impl Wide {
     }
 
     /// The size of a finite number that is not zero.
-    pub(in crate::unit) fn of_f64(value: f64) -> Option<Self> {
+    pub(crate) fn of_f64(value: f64) -> Option<Self> {
         let bits = value.to_bits();
         let (field, fraction) = ((bits >> 52 & 0x7FF) as i32, bits & ((1 << 52) - 1));
         let significand = if field == 0 {
@@ -87,7 +87,7 @@ impl Wide {
         Some(wide)
     }
 
-    pub(in crate::unit) fn times(self, other: Self) -> Self {
+    pub(crate) fn times(self, other: Self) -> Self {
         let mut product = [0_u64; 8];
         for (i, &a) in self.mantissa.iter().enumerate().filter(|&(_, &a)| a != 0) {
             let mut carry = 0;
@@ -121,7 +121,7 @@ impl Wide {
         }
     }
 
-    pub(in crate::unit) fn pow(self, power: u32) -> Self {
+    pub(crate) fn pow(self, power: u32) -> Self {
         let (mut result, mut square, mut power) = (Self::ONE, self, power);
         while power > 0 {
             if power & 1 == 1 {

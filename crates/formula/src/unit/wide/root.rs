@@ -4,7 +4,7 @@ use super::{Wide, shift_up};
 
 impl Wide {
     /// The root of a degree of which all prime factors are small.
-    pub(in crate::unit) fn root(self, degree: u32) -> Self {
+    pub(crate) fn root(self, degree: u32) -> Self {
         let (mut result, mut degree) = (self, degree);
         for prime in [2, 3, 5, 7] {
             while degree % prime == 0 {

@@ -4,12 +4,12 @@ use super::{Wide, shift_up};
 
 impl Wide {
     /// The exponent of the highest bit.
-    pub(super) fn top(self) -> i32 {
+    pub(crate) fn top(self) -> i32 {
         self.exponent.saturating_add(255)
     }
 
     /// The nearest binary64, ties to even; infinite or zero where there is none.
-    pub(in crate::unit) fn to_f64(self) -> f64 {
+    pub(crate) fn to_f64(self) -> f64 {
         let top = self.top();
         match top {
             1024.. => f64::INFINITY,
@@ -32,7 +32,7 @@ impl Wide {
     }
 
     /// The nearest binary64 and the nearest to what it leaves: together 106 bits or more.
-    pub(in crate::unit) fn to_pair(self) -> (f64, f64) {
+    pub(crate) fn to_pair(self) -> (f64, f64) {
         let high = self.to_f64();
         let top = self.top();
         if !(-1022..=1023).contains(&top) || high.is_infinite() {

@@ -8,7 +8,7 @@ use super::term::{Atom, Polynomial};
 
 /// A sum inside of an atom, shared by all its copies.
 #[derive(Clone, Debug)]
-pub(super) struct Inner(Arc<Nested>);
+pub(crate) struct Inner(Arc<Nested>);
 
 #[derive(Debug)]
 struct Nested {
@@ -18,12 +18,12 @@ struct Nested {
 }
 
 impl Inner {
-    pub(super) fn depth(&self) -> u32 {
+    fn depth(&self) -> u32 {
         self.0.depth
     }
 
     /// The same for all copies, and for no other sum while one of them lives.
-    pub(super) fn address(&self) -> *const Polynomial {
+    pub(crate) fn address(&self) -> *const Polynomial {
         &raw const self.0.sum
     }
 }
@@ -69,7 +69,7 @@ impl Ord for Inner {
 
 impl Atom {
     /// How many atoms stand in each other, this one included.
-    pub(super) fn depth(&self) -> u32 {
+    pub(crate) fn depth(&self) -> u32 {
         let inner = match self {
             Self::Constant(_) | Self::Variable(_) | Self::Opaque(_) => 0,
             Self::Call(_, arguments) => arguments.iter().map(Inner::depth).max().unwrap_or(0),

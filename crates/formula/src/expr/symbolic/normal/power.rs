@@ -14,7 +14,7 @@ const LARGEST_DIVISOR: i128 = 1_000;
 
 impl Polynomial {
     /// The power with an exact exponent.
-    pub(super) fn power(&self, exponent: Rational, work: &mut Work) -> Result<Self, SymbolicError> {
+    pub(crate) fn power(&self, exponent: Rational, work: &mut Work) -> Result<Self, SymbolicError> {
         if exponent.is_zero() {
             return Ok(Self::one());
         }
@@ -83,14 +83,14 @@ impl Polynomial {
     }
 
     /// The positive number that divides all coefficients and leaves integers without common divisor.
-    pub(super) fn content(&self) -> Result<Rational, SymbolicError> {
+    fn content(&self) -> Result<Rational, SymbolicError> {
         let mut coefficients = self.0.values();
         let first = coefficients.next().copied().unwrap_or(Rational::ONE).abs();
         coefficients.try_fold(first, |common, own| fits(common_divisor(common, own.abs())))
     }
 
     /// The product of atoms that stands in all terms, with negative exponents taken along.
-    pub(super) fn common_monomial(&self) -> Monomial {
+    fn common_monomial(&self) -> Monomial {
         let mut monomials = self.0.keys();
         let first = monomials.next().cloned().unwrap_or_default();
         monomials.fold(first, |common, own| common.common(own))
@@ -98,7 +98,7 @@ impl Polynomial {
 
     /// Number, monomial and rest whose product it is; the rest has whole coefficients without common
     /// divisor, no common atom, and a positive leading term.
-    pub(super) fn primitive(&self) -> Result<(Rational, Monomial, Self), SymbolicError> {
+    pub(crate) fn primitive(&self) -> Result<(Rational, Monomial, Self), SymbolicError> {
         let mut content = self.content()?;
         if self
             .leading()
@@ -122,7 +122,7 @@ fn is_positive(atom: &Atom) -> bool {
 }
 
 /// The greatest fraction that goes into both an integer number of times.
-pub(super) fn common_divisor(a: Rational, b: Rational) -> Option<Rational> {
+pub(crate) fn common_divisor(a: Rational, b: Rational) -> Option<Rational> {
     let gcd = |mut a: i128, mut b: i128| {
         while b != 0 {
             (a, b) = (b, a % b);

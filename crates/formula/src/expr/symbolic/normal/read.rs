@@ -11,7 +11,7 @@ use crate::expr::{Constant, Expr, Function, Kind, Operator};
 use vibank_dynamics::numerics::Rational;
 
 /// Reads a formula.
-pub(super) fn polynomial(expr: &Expr, work: &mut Work) -> Result<Polynomial, SymbolicError> {
+pub(crate) fn polynomial(expr: &Expr, work: &mut Work) -> Result<Polynomial, SymbolicError> {
     work.spend(1)?;
     Ok(match expr.kind() {
         Kind::Number(value) => Polynomial::number(*value),
@@ -109,7 +109,7 @@ fn is_scalar(function: Function) -> bool {
 
 impl Polynomial {
     /// Each sum that stands in denominators is divided out of the terms over it where that is exact.
-    pub(super) fn cancelled(self, work: &mut Work) -> Result<Self, SymbolicError> {
+    pub(crate) fn cancelled(self, work: &mut Work) -> Result<Self, SymbolicError> {
         let mut sum = self;
         for base in sum.denominators() {
             sum = sum.cancelled_by(&base, work)?;
@@ -165,7 +165,7 @@ impl Polynomial {
 
     /// The form in which equal functions are the same: denominators cleared, angles taken apart, sin²
     /// replaced. Only whether it is zero has a meaning for the original.
-    pub(super) fn canonical(&self, work: &mut Work) -> Result<Self, SymbolicError> {
+    pub(crate) fn canonical(&self, work: &mut Work) -> Result<Self, SymbolicError> {
         let mut sum = self.with_angles_apart(work)?;
         // Clearing one denominator can bring up another that stood within it.
         for _ in 0..16 {

@@ -12,7 +12,7 @@ use vibank_dynamics::numerics::Rational;
 
 /// What the normal form does not look into further.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Atom {
+pub(crate) enum Atom {
     /// `pi`, `e`, `i`.
     Constant(Constant),
     /// A name or a time derivative of it.
@@ -30,13 +30,13 @@ pub(super) enum Atom {
 
 /// A formula that is kept as it stands.
 #[derive(Clone, Debug)]
-pub(super) struct Opaque {
-    pub(super) expr: Expr,
+pub(crate) struct Opaque {
+    pub(crate) expr: Expr,
     text: String,
 }
 
 impl Opaque {
-    pub(super) fn of(expr: &Expr) -> Self {
+    pub(crate) fn of(expr: &Expr) -> Self {
         Self {
             expr: expr.clone(),
             text: expr.to_string(),
@@ -68,14 +68,14 @@ impl Ord for Opaque {
 ///
 /// The order is lexicographic in the exponents and so is kept by multiplication, as division needs it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Monomial(pub(super) Vec<(Atom, Rational)>);
+pub(crate) struct Monomial(pub(crate) Vec<(Atom, Rational)>);
 
 impl Monomial {
-    pub(super) fn of(atom: Atom, exponent: Rational) -> Self {
+    pub(crate) fn of(atom: Atom, exponent: Rational) -> Self {
         Self(vec![(atom, exponent)])
     }
 
-    pub(super) fn is_one(&self) -> bool {
+    pub(crate) fn is_one(&self) -> bool {
         self.0.is_empty()
     }
 
@@ -86,14 +86,14 @@ impl Monomial {
     }
 
     /// The exponent of an atom, 0 where it does not stand.
-    pub(super) fn exponent(&self, atom: &Atom) -> Rational {
+    pub(crate) fn exponent(&self, atom: &Atom) -> Rational {
         self.0
             .binary_search_by(|(own, _)| own.cmp(atom))
             .map_or(Rational::ZERO, |at| self.0[at].1)
     }
 
     /// The product, before any power is multiplied out.
-    pub(super) fn times(&self, other: &Self) -> Result<Self, SymbolicError> {
+    pub(crate) fn times(&self, other: &Self) -> Result<Self, SymbolicError> {
         let mut product = Vec::with_capacity(self.0.len() + other.0.len());
         let (mut left, mut right) = (self.0.iter().peekable(), other.0.iter().peekable());
         while let (Some(a), Some(b)) = (left.peek(), right.peek()) {
@@ -116,7 +116,7 @@ impl Monomial {
     }
 
     /// The power with a whole exponent.
-    pub(super) fn power(&self, exponent: Rational) -> Result<Self, SymbolicError> {
+    pub(crate) fn power(&self, exponent: Rational) -> Result<Self, SymbolicError> {
         let scale = |own: &Rational| fits(own.checked_mul(exponent));
         let factors = self
             .0
@@ -127,19 +127,19 @@ impl Monomial {
     }
 
     /// The reciprocal.
-    pub(super) fn inverse(&self) -> Self {
+    pub(crate) fn inverse(&self) -> Self {
         let factors = self.0.iter();
         Self(factors.map(|(atom, own)| (atom.clone(), -*own)).collect())
     }
 
     /// The same without one atom.
-    pub(super) fn without(&self, atom: &Atom) -> Self {
+    pub(crate) fn without(&self, atom: &Atom) -> Self {
         let factors = self.0.iter();
         Self(factors.filter(|(own, _)| own != atom).cloned().collect())
     }
 
     /// What both have in common: each atom with the smaller exponent.
-    pub(super) fn common(&self, other: &Self) -> Self {
+    pub(crate) fn common(&self, other: &Self) -> Self {
         let mut factors = Vec::new();
         for (atom, own) in &self.0 {
             let least = (*own).min(other.exponent(atom));
@@ -184,22 +184,22 @@ impl Ord for Monomial {
 
 /// A sum of monomials with exact coefficients, none of them zero.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Polynomial(pub(super) BTreeMap<Monomial, Rational>);
+pub(crate) struct Polynomial(pub(crate) BTreeMap<Monomial, Rational>);
 
 impl Polynomial {
-    pub(super) fn number(value: Rational) -> Self {
+    pub(crate) fn number(value: Rational) -> Self {
         Self::term(Monomial::default(), value)
     }
 
-    pub(super) fn one() -> Self {
+    pub(crate) fn one() -> Self {
         Self::number(Rational::ONE)
     }
 
-    pub(super) fn atom(atom: Atom) -> Self {
+    pub(crate) fn atom(atom: Atom) -> Self {
         Self::term(Monomial::of(atom, Rational::ONE), Rational::ONE)
     }
 
-    pub(super) fn term(monomial: Monomial, coefficient: Rational) -> Self {
+    pub(crate) fn term(monomial: Monomial, coefficient: Rational) -> Self {
         let mut sum = Self::default();
         if !coefficient.is_zero() {
             sum.0.insert(monomial, coefficient);
@@ -207,12 +207,12 @@ impl Polynomial {
         sum
     }
 
-    pub(super) fn is_zero(&self) -> bool {
+    pub(crate) fn is_zero(&self) -> bool {
         self.0.is_empty()
     }
 
     /// Its value if it is a number.
-    pub(super) fn as_number(&self) -> Option<Rational> {
+    pub(crate) fn as_number(&self) -> Option<Rational> {
         match self.0.len() {
             0 => Some(Rational::ZERO),
             _ => self
@@ -223,20 +223,20 @@ impl Polynomial {
     }
 
     /// Its only term, if it has one.
-    pub(super) fn as_term(&self) -> Option<(&Monomial, Rational)> {
+    pub(crate) fn as_term(&self) -> Option<(&Monomial, Rational)> {
         let mut terms = self.0.iter();
         let (monomial, coefficient) = terms.next()?;
         terms.next().is_none().then_some((monomial, *coefficient))
     }
 
     /// Its greatest term in the order of monomials.
-    pub(super) fn leading(&self) -> Option<(&Monomial, Rational)> {
+    pub(crate) fn leading(&self) -> Option<(&Monomial, Rational)> {
         let (monomial, coefficient) = self.0.last_key_value()?;
         Some((monomial, *coefficient))
     }
 
     /// Adds one term.
-    pub(super) fn insert(
+    pub(crate) fn insert(
         &mut self,
         monomial: Monomial,
         coefficient: Rational,
@@ -258,7 +258,7 @@ impl Polynomial {
         Ok(())
     }
 
-    pub(super) fn plus(mut self, other: Self) -> Result<Self, SymbolicError> {
+    pub(crate) fn plus(mut self, other: Self) -> Result<Self, SymbolicError> {
         if self.is_zero() {
             return Ok(other);
         }
@@ -268,14 +268,14 @@ impl Polynomial {
         Ok(self)
     }
 
-    pub(super) fn negated(mut self) -> Self {
+    pub(crate) fn negated(mut self) -> Self {
         for own in self.0.values_mut() {
             *own = -*own;
         }
         self
     }
 
-    pub(super) fn scaled(mut self, factor: Rational) -> Result<Self, SymbolicError> {
+    pub(crate) fn scaled(mut self, factor: Rational) -> Result<Self, SymbolicError> {
         if factor.is_zero() {
             return Ok(Self::default());
         }
@@ -285,7 +285,7 @@ impl Polynomial {
         Ok(self)
     }
 
-    pub(super) fn times(&self, other: &Self, work: &mut Work) -> Result<Self, SymbolicError> {
+    pub(crate) fn times(&self, other: &Self, work: &mut Work) -> Result<Self, SymbolicError> {
         let mut product = Self::default();
         for (left, a) in &self.0 {
             for (right, b) in &other.0 {
@@ -299,7 +299,7 @@ impl Polynomial {
     }
 
     /// The power with a whole exponent that is not negative.
-    pub(super) fn raised(&self, exponent: u32, work: &mut Work) -> Result<Self, SymbolicError> {
+    pub(crate) fn raised(&self, exponent: u32, work: &mut Work) -> Result<Self, SymbolicError> {
         let mut power = Self::one();
         for _ in 0..exponent {
             power = power.times(self, work)?;
@@ -308,7 +308,7 @@ impl Polynomial {
     }
 
     /// The exact quotient, or nothing where the division leaves a rest.
-    pub(super) fn divided_by(
+    pub(crate) fn divided_by(
         &self,
         divisor: &Self,
         work: &mut Work,
@@ -333,12 +333,12 @@ impl Polynomial {
 }
 
 /// The number, or the error for one that does not fit.
-pub(super) fn fits(value: Option<Rational>) -> Result<Rational, SymbolicError> {
+pub(crate) fn fits(value: Option<Rational>) -> Result<Rational, SymbolicError> {
     value.ok_or(SymbolicError::TooLarge)
 }
 
 /// Adds a term whose product may hold powers that can be multiplied out by now.
-pub(super) fn settle(
+pub(crate) fn settle(
     mut monomial: Monomial,
     mut coefficient: Rational,
     sum: &mut Polynomial,

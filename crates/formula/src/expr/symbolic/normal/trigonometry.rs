@@ -16,7 +16,7 @@ const LARGEST_MULTIPLE: i128 = 8;
 const MAX_TERMS_COMBINED: usize = 200;
 
 /// A function of one argument in normal form, with signs and constants taken out.
-pub(super) fn call(
+pub(crate) fn call(
     function: Function,
     argument: Polynomial,
     work: &mut Work,
@@ -177,7 +177,7 @@ impl Polynomial {
     }
 
     /// Sines and cosines of sums and of multiples written in those of single angles.
-    pub(super) fn with_angles_apart(&self, work: &mut Work) -> Result<Self, SymbolicError> {
+    pub(crate) fn with_angles_apart(&self, work: &mut Work) -> Result<Self, SymbolicError> {
         let mut units = BTreeMap::new();
         self.collect_angles(&mut units);
         self.with_angles_in(&units, work)
@@ -220,7 +220,7 @@ impl Polynomial {
     }
 
     /// sin² replaced by 1 − cos² everywhere.
-    pub(super) fn with_sines_reduced(&self, work: &mut Work) -> Result<Self, SymbolicError> {
+    pub(crate) fn with_sines_reduced(&self, work: &mut Work) -> Result<Self, SymbolicError> {
         let mut sum = self.clone();
         for angle in self.squared_angles() {
             sum = sum.with_square_replaced([Function::Sin, Function::Cos], &angle, work)?;
@@ -273,7 +273,7 @@ impl Polynomial {
 
     /// The shortest form by sin² + cos² = 1, and products of two angles as one of their sum or difference
     /// where that joins two terms.
-    pub(super) fn with_angles_combined(self, work: &mut Work) -> Result<Self, SymbolicError> {
+    pub(crate) fn with_angles_combined(self, work: &mut Work) -> Result<Self, SymbolicError> {
         let mut sum = self;
         for angle in sum.squared_angles() {
             for pair in [

@@ -63,13 +63,13 @@ impl Order {
 ///
 /// A sum within a function is looked at several times (for its sign, for its place), and so would be written a number
 /// of times that doubles with each function around it.
-struct Writer<'o> {
+struct NormalWriter<'o> {
     order: &'o Order,
     /// By where they stand in memory: what is written outlives the writer.
     written: RefCell<BTreeMap<*const Polynomial, Expr>>,
 }
 
-impl<'o> Writer<'o> {
+impl<'o> NormalWriter<'o> {
     fn of(order: &'o Order) -> Self {
         Self {
             order,
@@ -107,17 +107,17 @@ enum Place {
 type Rank = (Reverse<Option<u8>>, usize, bool, Reverse<Monomial>);
 
 /// The sum, collected by what moves.
-pub(super) fn sum(sum: &Polynomial, order: &Order) -> Expr {
-    collected_sum(sum, &Writer::of(order))
+pub(crate) fn sum(sum: &Polynomial, order: &Order) -> Expr {
+    collected_sum(sum, &NormalWriter::of(order))
 }
 
 /// A sum inside a function or denominator; it does not begin with a sign if it can be helped.
-pub(super) fn bracket(own: &Polynomial, order: &Order) -> Expr {
-    let writer = Writer::of(order);
+pub(crate) fn bracket(own: &Polynomial, order: &Order) -> Expr {
+    let writer = NormalWriter::of(order);
     unsigned(own, collected_sum(own, &writer), &writer)
 }
 
-fn collected_sum(sum: &Polynomial, writer: &Writer<'_>) -> Expr {
+fn collected_sum(sum: &Polynomial, writer: &NormalWriter<'_>) -> Expr {
     let order = writer.order;
     let moving = order.moving_names();
     let mut groups: BTreeMap<Monomial, Polynomial> = BTreeMap::new();
@@ -197,7 +197,7 @@ fn rank(part: &Monomial, order: &Order) -> Rank {
 }
 
 /// A group of terms with the same moving part, as one product.
-fn collected(group: &Polynomial, part: &Monomial, writer: &Writer<'_>) -> (bool, Expr) {
+fn collected(group: &Polynomial, part: &Monomial, writer: &NormalWriter<'_>) -> (bool, Expr) {
     let order = writer.order;
     if let Some((monomial, coefficient)) = group.as_term() {
         let all = monomial.times(part).unwrap_or_else(|_| monomial.clone());
@@ -274,7 +274,7 @@ fn leaves_single_names(group: &Polynomial, common: &Monomial) -> bool {
 }
 
 /// Each term with its sign, positive ones first.
-fn separate_terms(sum: &Polynomial, writer: &Writer<'_>) -> Vec<(bool, Expr)> {
+fn separate_terms(sum: &Polynomial, writer: &NormalWriter<'_>) -> Vec<(bool, Expr)> {
     sorted_terms(sum, writer.order)
         .into_iter()
         .map(|(monomial, coefficient)| {
@@ -334,7 +334,7 @@ fn product(
     number: Rational,
     monomial: &Monomial,
     bracket: Option<Bracket>,
-    writer: &Writer<'_>,
+    writer: &NormalWriter<'_>,
 ) -> Expr {
     let order = writer.order;
     let (mut above, mut below) = (Vec::new(), Vec::new());
@@ -437,7 +437,7 @@ fn fraction(value: Rational) -> Expr {
 }
 
 /// A power of an atom with a positive exponent.
-fn power(atom: &Atom, exponent: Rational, writer: &Writer<'_>) -> Expr {
+fn power(atom: &Atom, exponent: Rational, writer: &NormalWriter<'_>) -> Expr {
     let base = atom_expr(atom, writer);
     if exponent == Rational::ONE {
         return base;
@@ -448,7 +448,7 @@ fn power(atom: &Atom, exponent: Rational, writer: &Writer<'_>) -> Expr {
     binary(Operator::Power, base, fraction(exponent))
 }
 
-fn atom_expr(atom: &Atom, writer: &Writer<'_>) -> Expr {
+fn atom_expr(atom: &Atom, writer: &NormalWriter<'_>) -> Expr {
     let bracket = |own: &Inner| unsigned(own, writer.inner(own), writer);
     match atom {
         Atom::Constant(constant) => Expr::constant(*constant),
@@ -472,7 +472,7 @@ fn atom_expr(atom: &Atom, writer: &Writer<'_>) -> Expr {
 }
 
 /// A sum that was written, with a positive term first if it has one.
-fn unsigned(own: &Polynomial, written: Expr, writer: &Writer<'_>) -> Expr {
+fn unsigned(own: &Polynomial, written: Expr, writer: &NormalWriter<'_>) -> Expr {
     if !begins_with_sign(&written) {
         return written;
     }
