@@ -7,9 +7,8 @@ use rayon::prelude::*;
 use serde_json::{Value as Json, json};
 use vibank::bank::{Catalogue, Compiled, ItemId, Revision, Template};
 use vibank::document::Document;
-use vibank::grade::rounded;
 use vibank::numerics::Rational;
-use vibank::output::{self, FormQuestion, FormSheet};
+use vibank::output::{self, FormQuestion, FormSheet, Run};
 use vibank::seed::Variant;
 use vibank::source::nearest;
 use vibank::wasm::Grader;
@@ -165,6 +164,7 @@ struct Reader {
 
 struct Writer<'m> {
     manifest: &'m Manifest,
+    run: Run,
     grader: Grader,
     readers: BTreeMap<Asked, Reader>,
 }
@@ -208,6 +208,7 @@ impl<'m> Writer<'m> {
         let grader = grader.map_err(|error| Failure::new(error.to_string()))?;
         Ok(Self {
             manifest,
+            run: Run::plain(&manifest.title, &manifest.language, manifest.decimal),
             grader,
             readers,
         })
@@ -255,16 +256,10 @@ impl<'m> Writer<'m> {
             })
         });
         let points = Rational::from_decimal(&question.points.to_string()).unwrap_or(Rational::ZERO);
-        let noun = if points == Rational::ONE {
-            "point"
-        } else {
-            "points"
-        };
-        let points = rounded(points).replace('.', &self.manifest.decimal.to_string());
         Ok(FormQuestion {
             number: question.number,
             title: self.title(number),
-            points: format!("{points} {noun}"),
+            points: self.run.points(points),
             statement: reply["statement"].as_str().unwrap_or_default().to_owned(),
             parts: parts.collect::<Result<_, _>>()?,
         })

@@ -171,7 +171,7 @@ impl<'s, 'c> Words<'s, 'c> {
             }
             let _ = write!(out, "<p><strong>{})</strong> ", asked.letter);
             if let Ok(Some(key)) = self.scene.key(asked.place) {
-                out.push_str(&self.math(key));
+                out.push_str(&self.math(&key));
             }
             out.push_str("</p>");
             let part = &template.parts[asked.place];

@@ -135,7 +135,7 @@ pub fn remarks(
     language: Language,
 ) -> Vec<Comment> {
     let mistakes = &solution.template().parts[place].mistakes;
-    let scene = Scene::of(solution, Data::Both);
+    let scene = Scene::of(solution, Data::Both).spoken(language);
     let mut comments = Vec::new();
     for remark in &marking.remarks {
         if let Remark::Mistake(number) = remark {

@@ -6,8 +6,13 @@
 mod en;
 mod fr;
 
+use std::borrow::Cow;
+
 use crate::answer::{Blank, Remark, Verdict};
-use crate::document::Document;
+use crate::document::{Document, Inline};
+use crate::expr::Notation;
+use crate::math::Math;
+use crate::mechanics::Reason;
 
 /// A language in which responses are spoken about.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -53,6 +58,28 @@ pub enum ByHand {
         given: Option<String>,
         /// Points that could be given.
         most: String,
+    },
+}
+
+/// Words among the formulas and figures of an item that the item does not have itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Phrase<'a> {
+    /// Before the turning points of a motion with dry friction.
+    TurningPoints,
+    /// Between the first and the last lines of a long list.
+    AndSoOnUntil,
+    /// In place of a value that there is not.
+    Nonexistent,
+    /// The title of a figure that moves.
+    Moving,
+    /// The title of the figure of a mode, by its number from 1.
+    Mode(usize),
+    /// What the figure of a mode shows.
+    ModeShown {
+        /// The number of the mode, from 1.
+        number: usize,
+        /// Its components.
+        shape: &'a str,
     },
 }
 
@@ -114,6 +141,53 @@ impl Language {
         match self {
             Self::English => en::blank(blank),
             Self::French => fr::blank(blank),
+        }
+    }
+
+    /// What a step of a derivation does, before its lines.
+    ///
+    /// ```
+    /// use vibank::document::Inline;
+    /// use vibank::expr::PlainNotation;
+    /// use vibank::mechanics::Reason;
+    /// use vibank::message::Language;
+    ///
+    /// let said = Language::French.step(&Reason::Balance, &PlainNotation);
+    /// assert_eq!(said, [Inline::Text("Bilan d’énergie :".to_owned())]);
+    /// ```
+    pub fn step(self, reason: &Reason, symbols: &dyn Notation) -> Vec<Inline> {
+        match self {
+            Self::English => en::derivation::step(reason, symbols),
+            Self::French => fr::derivation::step(reason, symbols),
+        }
+    }
+
+    /// A formula with the words in it, of ranges, of functions by pieces and the like, in this language.
+    ///
+    /// ```
+    /// use vibank::math::Math;
+    /// use vibank::message::Language;
+    ///
+    /// let range = Math::row([Math::number("9,05"), Math::text(" to "), Math::number("9,15")]);
+    /// assert_eq!(Language::French.formula(&range).plain(), "9,05 à 9,15");
+    /// assert_eq!(Language::English.formula(&range).plain(), "9,05 to 9,15");
+    /// ```
+    pub fn formula(self, math: &Math) -> Cow<'_, Math> {
+        match self {
+            Self::English => Cow::Borrowed(math),
+            Self::French => {
+                let mut math = math.clone();
+                math.reword(&fr::derivation::word);
+                Cow::Owned(math)
+            }
+        }
+    }
+
+    /// Words among formulas and with figures.
+    pub fn phrase(self, phrase: &Phrase<'_>) -> String {
+        match self {
+            Self::English => en::derivation::phrase(phrase),
+            Self::French => fr::derivation::phrase(phrase),
         }
     }
 

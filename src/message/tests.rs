@@ -5,8 +5,10 @@ use crate::answer::{
     At, Close, Coefficient, Decades, Example, Fault, Linearity, Misfit, Negated, Note, Scaling,
     Shape, Slip, Term, TermKind, Terms, Trouble, TwoPi, Unreadable, Why,
 };
+use crate::document::Block;
 use crate::expr::{CheckError, Name};
 use crate::math::symbol;
+use crate::mechanics::Reason;
 use crate::quantity::Absent;
 use crate::source::Span;
 use crate::unit::{Dimension, ErrorKind, Quantity, Unit};
@@ -507,6 +509,55 @@ fn what_a_person_did_is_said_in_each_language() {
         let said = Language::ALL.iter().map(|language| language.by_hand(&what));
         let said: std::collections::BTreeSet<String> = said.collect();
         assert_eq!(said.len(), Language::ALL.len(), "{what:?}");
+    }
+}
+
+#[test]
+fn derivations_are_worded_in_each_language() {
+    let name = || Name::new("x");
+    let reasons = [
+        Reason::Kinematics,
+        Reason::Terms(name()),
+        Reason::Lagrange(name()),
+        Reason::Linearized,
+        Reason::Energy,
+        Reason::Power,
+        Reason::Balance,
+        Reason::Divided(name()),
+        Reason::Body(name()),
+        Reason::Elimination(name(), vec![name(), name(), name()]),
+        Reason::Characteristic,
+        Reason::Row(0),
+        Reason::Row(1),
+        Reason::AtRest,
+        Reason::Letters,
+        Reason::InMotion,
+    ];
+    let mut said = std::collections::BTreeSet::new();
+    for reason in &reasons {
+        for language in Language::ALL {
+            let words = language.step(reason, &crate::expr::PlainNotation);
+            let text = Document::of(vec![Block::Paragraph(words)], Vec::new());
+            let text = text.plain(&Vec::new());
+            assert!(text.trim_end().ends_with(':'), "{text}");
+            assert!(said.insert(text.clone()), "{reason:?}: {text}");
+        }
+    }
+    let shown = Phrase::ModeShown {
+        number: 2,
+        shape: "x 1",
+    };
+    for phrase in [
+        Phrase::TurningPoints,
+        Phrase::AndSoOnUntil,
+        Phrase::Nonexistent,
+        Phrase::Moving,
+        shown,
+    ] {
+        for language in Language::ALL {
+            let text = language.phrase(&phrase);
+            assert!(said.insert(text.clone()), "{phrase:?}: {text}");
+        }
     }
 }
 

@@ -9,6 +9,7 @@ use tera::{Context, Tera};
 use super::layouts::{self, OutputError, base64, base93};
 use crate::bank::Compiled;
 use crate::document::Filling;
+use crate::message::Language;
 use crate::worksheet::Practice;
 
 /// The grader, built from these sources and deflated by `src/wasm/build.sh`.
@@ -102,10 +103,8 @@ pub(super) fn unspaced(text: &str, comment: &str) -> String {
 
 /// The words of the page in a language, else in English.
 pub(super) fn texts(language: &str) -> &'static str {
-    match layouts::text(&format!("page/texts.{language}.json")) {
-        "" => layouts::text("page/texts.en.json"),
-        texts => texts,
-    }
+    let spoken = Language::of(language).unwrap_or_default();
+    layouts::text(&format!("page/texts.{}.json", spoken.code()))
 }
 
 /// JSON as it may stand in a `script` element.

@@ -242,7 +242,7 @@ impl Run {
     }
 
     /// Points in words, `2.5 points`.
-    pub(super) fn points(&self, points: Rational) -> String {
+    pub fn points(&self, points: Rational) -> String {
         let is_one = points == Rational::ONE;
         self.words.points(&self.number(points), is_one)
     }
@@ -491,7 +491,7 @@ impl Pages {
             ..KeyRow::default()
         };
         for question in &sheet.questions {
-            let scene = Scene::of(&question.solution, self.run.data);
+            let scene = Scene::of(&question.solution, self.run.data).spoken(self.run.spoken());
             let parts = &question.solution.template().parts;
             let is_by_hand = |place: usize| parts[place].answer.kind().is_by_hand();
             let headings = headings(question.solution.template(), &question.parts);
@@ -501,7 +501,7 @@ impl Pages {
                 row.parts
                     .push(format!("{}{}", question.number, heading.letter));
                 let (cell, width) = match scene.key(*place) {
-                    Ok(Some(key)) => (self.writer.math(key), key.plain().chars().count()),
+                    Ok(Some(key)) => (self.writer.math(&key), key.plain().chars().count()),
                     Ok(None) => phrase(&words.in_the_solution),
                     Err(_) if is_by_hand(*place) => phrase(&words.by_hand),
                     Err(_) => (self.writer.words("–"), 1),

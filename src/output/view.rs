@@ -289,7 +289,9 @@ impl<'p> View<'p> {
     fn question(&self, sheet: &Sheet<'_>, question: &SheetQuestion<'_>) -> QuestionView {
         let template = question.solution.template();
         let scope = format!("s-{}-{}", sheet.variant, question.number);
-        let scene = Scene::of(&question.solution, self.run.data).within(scope);
+        let scene = Scene::of(&question.solution, self.run.data)
+            .within(scope)
+            .spoken(self.run.spoken());
         let texts = |passage| self.texts(&scene, passage);
         let mut view = QuestionView {
             number: question.number,
@@ -409,7 +411,7 @@ impl<'p> View<'p> {
             }
             Kind::Key | Kind::Solutions => match scene.key(place) {
                 Ok(Some(key)) => {
-                    view.key = self.writer.math(key);
+                    view.key = self.writer.math(&key);
                     view.accepted = self.accepted(solution, place);
                 }
                 Ok(None) if self.kind == Kind::Solutions => {}
@@ -439,9 +441,11 @@ impl<'p> View<'p> {
     /// The range that is accepted, on a key.
     fn accepted(&self, solution: &Solution<'_>, place: usize) -> String {
         let key = solution.key(place).ok().filter(|_| self.kind == Kind::Key);
-        key.and_then(|key| key.accepted.as_ref())
-            .map(|range| format!("{} {}", self.run.words.accepted, self.writer.math(range)))
-            .unwrap_or_default()
+        let range = key.and_then(|key| key.accepted.as_ref());
+        range.map_or_else(String::new, |range| {
+            let range = self.run.spoken().formula(range);
+            format!("{} {}", self.run.words.accepted, self.writer.math(&range))
+        })
     }
 
     /// The symbol of the quantity that is asked, and an equals sign.

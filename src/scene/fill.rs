@@ -8,11 +8,31 @@ use crate::document::{Filling, Form};
 use crate::expr::{Equation, Expr, Field, Kind, Path, Shape, Value};
 use crate::figure::Picture;
 use crate::math::Math;
+use crate::message::Language;
 use crate::quantity::NodeId;
 use crate::unit::{Decimal, Quantity, Unit};
 
 impl Scene<'_, '_> {
     pub(crate) fn filling(&self, target: &Target, form: Form) -> Filling {
+        let mut filling = self.unworded(target, form);
+        if self.language == Language::English {
+            return filling;
+        }
+        let formulas: Vec<&mut Math> = match &mut filling {
+            Filling::Math(math) => vec![math],
+            Filling::Steps(steps) => {
+                let lines = steps.iter_mut().flat_map(|step| &mut step.lines);
+                lines.flatten().collect()
+            }
+            Filling::Figure(_) => Vec::new(),
+        };
+        for math in formulas {
+            *math = self.language.formula(math).into_owned();
+        }
+        filling
+    }
+
+    fn unworded(&self, target: &Target, form: Form) -> Filling {
         match target {
             Target::Node(node) => self.node(*node, form),
             Target::Figure => self.shown(self.picture()),
@@ -117,7 +137,7 @@ impl Scene<'_, '_> {
         }
         match self.solution.evaluation().value(node) {
             Ok(value) => self.printed(value, info, true),
-            Err(_) => Math::text("does not exist"),
+            Err(_) => self.nonexistent(),
         }
     }
 
@@ -147,7 +167,7 @@ impl Scene<'_, '_> {
         }
         match self.solution.evaluation().value(node) {
             Ok(value) => self.printed(value, info, false),
-            Err(_) => Math::text("does not exist"),
+            Err(_) => self.nonexistent(),
         }
     }
 

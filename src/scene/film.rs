@@ -8,6 +8,7 @@ use crate::expr::Expr;
 use crate::figure::{Film, Head, State};
 use crate::math::Math;
 use crate::mechanics::{Motion, Numbers, Unavailable};
+use crate::message::Phrase;
 use crate::unit::{Decimal, Dimension, Unit};
 
 /// Pictures of the shortest period that is in a motion: enough for it to look continuous in slow motion.
@@ -102,7 +103,7 @@ impl Scene<'_, '_> {
         let states = states?;
         let head = Head {
             id,
-            title: "The system in motion",
+            title: &self.language.phrase(&Phrase::Moving),
             description: "",
         };
         let film = figure.film(self, &states, &head).ok()??;

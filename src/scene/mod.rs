@@ -20,12 +20,15 @@ pub use film::{Moving, Run};
 pub use plot::Undrawn;
 pub use proof::{underived, undrawn, unfree};
 
+use std::borrow::Cow;
+
 use sha2::{Digest, Sha256};
 
 use crate::answer::Kind;
 use crate::bank::{Passage, Piece};
 use crate::document::{Document, Filling};
 use crate::math::Math;
+use crate::message::{Language, Phrase};
 use crate::quantity::Absent;
 use crate::solution::Solution;
 
@@ -51,6 +54,7 @@ crate::source::named!(Data, "`both`, `numbers` or `symbols`", {
 pub struct Scene<'s, 't> {
     solution: &'s Solution<'t>,
     data: Data,
+    language: Language,
     is_drawn: bool,
     /// Begins the identities in its figures and plots.
     scope: Option<String>,
@@ -73,6 +77,7 @@ impl<'s, 't> Scene<'s, 't> {
         Self {
             solution,
             data,
+            language: Language::default(),
             is_drawn: true,
             scope: None,
         }
@@ -88,6 +93,12 @@ impl<'s, 't> Scene<'s, 't> {
         }
     }
 
+    /// The same with what the item does not say itself, such as the steps of derivations, in a language; else in English.
+    #[must_use]
+    pub fn spoken(self, language: Language) -> Self {
+        Self { language, ..self }
+    }
+
     /// The same with figures and plots described in words, for terminals.
     #[must_use]
     pub fn in_words(self) -> Self {
@@ -95,6 +106,10 @@ impl<'s, 't> Scene<'s, 't> {
             is_drawn: false,
             ..self
         }
+    }
+
+    fn nonexistent(&self) -> Math {
+        Math::text(&self.language.phrase(&Phrase::Nonexistent))
     }
 
     /// The solution that it shows.
@@ -159,11 +174,11 @@ impl<'s, 't> Scene<'s, 't> {
     /// # Errors
     ///
     /// As [`Solution::key`].
-    pub fn key(&self, place: usize) -> Result<Option<&'s Math>, Absent> {
+    pub fn key(&self, place: usize) -> Result<Option<Cow<'s, Math>>, Absent> {
         let general = &self.solution.key(place)?.math;
         let own = self.solution.written(place, || self.concrete(place));
         let is_too_long = own.is_some_and(|own| own.plain().chars().count() > MAX_KEY_LENGTH);
-        Ok((!is_too_long).then(|| own.unwrap_or(general)))
+        Ok((!is_too_long).then(|| self.language.formula(own.unwrap_or(general))))
     }
 
     /// The key of a part for which its general form is not what one looks for.

@@ -4,19 +4,22 @@ use super::Scene;
 use super::notation::Symbols;
 use crate::expr::Expr;
 use crate::figure::Picture;
-use crate::unit::Decimal;
+use crate::message::Phrase;
+use crate::unit::{Decimal, Quantity, Unit};
 
 impl Scene<'_, '_> {
     /// The figure with both extremes of a mode, numbered from 0; `None` where the item has no such mode for these data.
     pub fn mode_picture(&self, number: usize) -> Option<Picture> {
         let figure = self.solution.template().figure.as_ref()?;
         let (shape, words) = self.mode(number)?;
-        let name = format!("Mode {}", number + 1);
-        let alt = format!(
-            "The figure with both extremes of mode {}: {words}.",
-            number + 1
-        );
-        let id = format!("{}-mode-{}", self.scope(), number + 1);
+        let number = number + 1;
+        let name = self.language.phrase(&Phrase::Mode(number));
+        let shown = Phrase::ModeShown {
+            number,
+            shape: &words,
+        };
+        let alt = self.language.phrase(&shown);
+        let id = format!("{}-mode-{number}", self.scope());
         let picture = figure.extremes(self, &shape, (&id, &name, &alt));
         picture.ok().flatten()
     }
@@ -34,6 +37,7 @@ impl Scene<'_, '_> {
             let share = if largest > 0.0 { part / largest } else { 0.0 };
             let share = Decimal::rounded(share, 3).unwrap_or(Decimal::ZERO);
             let symbol = Expr::name(name.clone()).typeset(&Symbols(self.solution));
+            let share = Quantity::new(share, Unit::ONE).text(self.solution.mark());
             format!("{} {share}", symbol.spoken())
         });
         let words = words.collect::<Vec<_>>().join(", ");

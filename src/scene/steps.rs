@@ -5,10 +5,10 @@ use super::concrete;
 use super::lines::{Chain, aligned};
 use super::notation::{Quantities, Symbols};
 use crate::bank::QuantityInfo;
-use crate::document::{Filling, Inline, Step as Shown};
+use crate::document::{Filling, Step as Shown};
 use crate::expr::{Expr, Kind, Name, Notation, Path};
 use crate::math::{Class, Math, TableKind};
-use crate::mechanics::{Line, Reason, Side, Step, Term, Way};
+use crate::mechanics::{Line, Side, Step, Term, Way};
 use crate::quantity::{Graph, NodeId};
 
 /// Characters of a formula with its helpers opened beyond which nobody follows the numbers in it.
@@ -30,7 +30,7 @@ impl Scene<'_, '_> {
         // What differs in its order alone is printed once.
         lines.dedup_by(|line, before| line.sides == before.sides);
         Shown {
-            words: self.words(&step.reason),
+            words: self.language.step(&step.reason, &Symbols(self.solution)),
             lines: aligned(&lines),
         }
     }
@@ -104,50 +104,6 @@ impl Scene<'_, '_> {
                 rate(Math::row(sum).in_parentheses())
             }
             Term::Power => Math::letter('P'),
-        }
-    }
-
-    fn words(&self, reason: &Reason) -> Vec<Inline> {
-        let symbol = |name: &Name| Inline::Math(Symbols(self.solution).name(name).math);
-        let text = |words: &str| Inline::Text(words.to_owned());
-        match reason {
-            Reason::Kinematics => vec![text("Displacements:")],
-            Reason::Terms(name) => vec![text("Terms for "), symbol(name), text(":")],
-            Reason::Lagrange(_) => vec![text("Lagrange’s equation:")],
-            Reason::Linearized => vec![text("For small displacements from equilibrium:")],
-            Reason::Energy => vec![text("By energy:")],
-            Reason::Power => vec![text("Power of the forces without potential energy:")],
-            Reason::Balance => vec![text("Balance of energy:")],
-            Reason::Divided(name) => vec![
-                text("Divided by "),
-                Inline::Math(Symbols(self.solution).name(name).math.derivative(1)),
-                text(", which is not always zero:"),
-            ],
-            Reason::Body(name) => {
-                let words = name.as_str().replace('_', " ");
-                vec![text(&format!("Newton’s law, {words}:"))]
-            }
-            Reason::AtRest => vec![text("At rest, with all displacements zero:")],
-            Reason::Letters => vec![text("So the static displacements are:")],
-            Reason::InMotion => vec![text("In motion, with the balance at rest:")],
-            Reason::Characteristic => {
-                vec![text(
-                    "A motion with one angular frequency and without dampers:",
-                )]
-            }
-            Reason::Row(row) => {
-                let ordinal = if *row == 0 { "First" } else { "Second" };
-                vec![text(&format!("{ordinal} row:"))]
-            }
-            Reason::Elimination(name, unknowns) => {
-                let mut words = vec![text("Along "), symbol(name)];
-                for (number, unknown) in unknowns.iter().enumerate() {
-                    words.push(text(if number == 0 { ", without " } else { ", " }));
-                    words.push(symbol(unknown));
-                }
-                words.push(text(":"));
-                words
-            }
         }
     }
 

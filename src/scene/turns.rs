@@ -7,6 +7,7 @@ use super::notation::Symbols;
 use crate::document::{Filling, Inline, Step as Shown};
 use crate::expr::{Notation, Path};
 use crate::math::Math;
+use crate::message::Phrase;
 use crate::unit::{Decimal, Dimension, Quantity, Unit};
 
 /// Lines beyond which a list teaches nothing more; of a longer one its beginning and its end are shown.
@@ -57,15 +58,15 @@ impl Scene<'_, '_> {
             set(0..count)
         } else {
             let mut lines = set(0..FIRST_LINES);
-            lines.push([Math::row([]), Math::text("and so on, until")]);
+            lines.push([
+                Math::row([]),
+                Math::text(&self.language.phrase(&Phrase::AndSoOnUntil)),
+            ]);
             lines.extend(set(count - LAST_LINES..count));
             lines
         };
         Filling::Steps(vec![Shown {
-            words: vec![Inline::Text(
-                "Turning points, and the pull of all other forces there against the largest friction:"
-                    .to_owned(),
-            )],
+            words: vec![Inline::Text(self.language.phrase(&Phrase::TurningPoints))],
             lines,
         }])
     }

@@ -178,7 +178,7 @@ impl Grader {
     }
 
     fn scene<'s, 't>(&self, solution: &'s Solution<'t>) -> Scene<'s, 't> {
-        Scene::of(solution, self.practice.data)
+        Scene::of(solution, self.practice.data).spoken(self.language())
     }
 
     /// The first variant from a number on that is fit to be asked.

@@ -432,7 +432,10 @@ impl Asked<'_> {
         let moves = self.template().figure.as_ref();
         Ok(Reply::Solved {
             moves: moves.is_some_and(|figure| figure.moves()),
-            key: key.map_or_else(String::new, |key| key.math.mathml(Display::Inline)),
+            key: key.map_or_else(String::new, |key| {
+                let math = self.grader.language().formula(&key.math);
+                math.mathml(Display::Inline)
+            }),
             right,
             html: part
                 .worked()

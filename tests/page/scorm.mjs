@@ -100,6 +100,10 @@ await step("a first sitting: unreadable, wrong, partly right and right answers o
       points.all += worth;
     }
   }
+  const records = await known(frame);
+  const kept = (name) => (([key, id]) => records[key]?.parts[id]?.credit ?? 0)(name.split(" "));
+  const others = Object.entries(points.credits).filter(([name, credit]) => Math.abs(kept(name) - credit) > 1e-9);
+  assert.deepEqual(others.map(([name, credit]) => [name, credit, records[name.split(" ")[0]]?.parts[name.split(" ")[1]]]), [], "each part has the credit of its best answer");
   points.share = points.got / points.all;
   assert.ok(points.share > 0.3 && points.share < 0.99, `${points.share}`);
   const stood = await frame.evaluate(() => globalThis.page.course.result());

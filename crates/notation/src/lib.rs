@@ -235,6 +235,24 @@ impl Math {
         }
     }
 
+    /// Puts the words within a formula in another way; those for which `say` has none stay.
+    ///
+    /// ```
+    /// use vibank_notation::Math;
+    ///
+    /// let mut range = Math::Row(vec![Math::number("1"), Math::text(" to "), Math::number("2")]);
+    /// range.reword(&|word| (word == " to ").then_some(" à "));
+    /// assert_eq!(range.plain(), "1 à 2");
+    /// ```
+    pub fn reword(&mut self, say: &dyn Fn(&str) -> Option<&'static str>) {
+        self.for_each_child(&mut |child| child.reword(say));
+        if let Self::Text(text) = self
+            && let Some(said) = say(text)
+        {
+            said.clone_into(text);
+        }
+    }
+
     /// Visits the trees right below this one.
     fn for_each_child(&mut self, visit: &mut dyn FnMut(&mut Math)) {
         match self {

@@ -2,7 +2,8 @@
 //!
 //! While the run lasts, each row is a line of JSON in the draft, so that an interrupted run goes on behind it.
 
-use vibank::scene::Scene;
+use vibank::message::Language;
+use vibank::scene::{Data, Scene};
 use vibank::worksheet::{Sheet, headings};
 
 use crate::cli::Failure;
@@ -15,7 +16,7 @@ const HEAD: [&str; 4] = ["code", "student", "name", "group"];
 type Row = ([String; HEAD.len()], Vec<(String, String)>);
 
 /// The line of a sheet.
-pub(crate) fn line(sheet: &Sheet<'_>) -> String {
+pub(crate) fn line(sheet: &Sheet<'_>, language: Language) -> String {
     let student = sheet.student.as_ref();
     let own = |of: fn(&vibank::worksheet::Student) -> &String| {
         student.map(of).cloned().unwrap_or_default()
@@ -28,7 +29,7 @@ pub(crate) fn line(sheet: &Sheet<'_>) -> String {
     ];
     let mut keys = Vec::new();
     for question in &sheet.questions {
-        let scene = Scene::of(&question.solution, vibank::scene::Data::Both);
+        let scene = Scene::of(&question.solution, Data::Both).spoken(language);
         let part = |place: &usize| &question.solution.template().parts[*place];
         let headings = headings(question.solution.template(), &question.parts);
         for (heading, place) in headings.iter().zip(&question.parts) {

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+use vibank::message::Language;
 use vibank::output::{self, KeyRow, KeyTable, Kind, Pages, Run};
 use vibank::worksheet::{Fairness, FileStamp, Plan, Sheet, Student, VariantEntry};
 
@@ -21,10 +22,10 @@ use crate::cli::table::workbook::{self, XLSX};
 pub(crate) enum Format {
     /// By page layouts.
     Pages(Box<Laid>),
-    /// One line of JSON for each sheet.
-    Json,
+    /// One line of JSON for each sheet, with answer lines and keys in the language of the sheets.
+    Json(Language),
     /// A workbook with the answers of all sheets, one in a row; nothing where the table of keys is not made.
-    Workbook(bool),
+    Workbook(Option<Language>),
 }
 
 /// A format with page layouts.
@@ -84,13 +85,16 @@ pub(crate) fn formats(
                 .help("give the folder that holds your layouts as `FORMAT/worksheet.EXT`"),
         );
     }
+    let language = Language::of(&plan.blueprint.language.value).unwrap_or_default();
     let format = |name: &String| {
         if name == "json" {
-            return Ok(Format::Json);
+            return Ok(Format::Json(language));
         }
         if name == XLSX {
             return if workbook::IS_BUILT_IN {
-                Ok(Format::Workbook(plan.blueprint.keys.table))
+                Ok(Format::Workbook(
+                    plan.blueprint.keys.table.then_some(language),
+                ))
             } else {
                 Err(workbook::missing())
             };
@@ -105,7 +109,7 @@ impl Format {
     /// All that its pages depend on beside the sheet.
     pub(crate) fn description(&self) -> String {
         match self {
-            Self::Json => "json".to_owned(),
+            Self::Json(_) => "json".to_owned(),
             Self::Workbook(_) => XLSX.to_owned(),
             Self::Pages(laid) => {
                 let begins = laid.kinds.iter().map(|(_, begin)| begin.as_str());
@@ -144,9 +148,14 @@ impl Format {
         out: &Folder,
     ) -> Result<Written, Failure> {
         let laid = match self {
-            Self::Json => return Ok(Written::Line(format!("{}\n", output::json(sheet)))),
-            Self::Workbook(true) => return Ok(Written::Line(key_book::line(sheet))),
-            Self::Workbook(false) => return Ok(Written::Nothing),
+            Self::Json(language) => {
+                let line = format!("{}\n", output::json(sheet, *language));
+                return Ok(Written::Line(line));
+            }
+            Self::Workbook(Some(language)) => {
+                return Ok(Written::Line(key_book::line(sheet, *language)));
+            }
+            Self::Workbook(None) => return Ok(Written::Nothing),
             Self::Pages(laid) => laid,
         };
         let row = laid.table.as_ref().map(|_| laid.pages.key_row(sheet));
@@ -368,14 +377,14 @@ impl<'f> Outputs<'f> {
     ) -> Result<Self, Failure> {
         let open = |format: &'f Format| {
             let laid = match format {
-                Format::Json => {
+                Format::Json(_) => {
                     let name = shard.named("sheets", "jsonl");
                     return Ok(Files::Json(Stream::open(out, name, "", mark)?));
                 }
-                Format::Workbook(is_made) => {
+                Format::Workbook(language) => {
                     let name = shard.named("key-table", XLSX);
                     let open = || Stream::open(out, name, "", mark);
-                    return Ok(Files::Workbook(is_made.then(open).transpose()?));
+                    return Ok(Files::Workbook(language.map(|_| open()).transpose()?));
                 }
                 Format::Pages(laid) => laid,
             };

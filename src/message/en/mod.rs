@@ -1,6 +1,7 @@
 //! English.
 
 mod blank;
+pub(in crate::message) mod derivation;
 mod unreadable;
 
 pub(super) use self::blank::blank;

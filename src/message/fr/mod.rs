@@ -1,6 +1,7 @@
 //! French.
 
 mod blank;
+pub(in crate::message) mod derivation;
 mod unreadable;
 
 pub(super) use self::blank::blank;

@@ -51,6 +51,93 @@ solution = "!"
 rubric = [{ points = 1, text = "!" }]
 "#;
 
+/// An item whose solution is derived from its model, and whose figure shows its modes.
+const DERIVED: &str = r#"
+[item]
+title = "Uuu"
+source = "by hand"
+
+[parameters]
+m = { value = "2 kg", range = "1 .. 5 kg", step = "0.5 kg" }
+k = { value = "800 N/m", range = "200 .. 900 N/m", step = "50 N/m" }
+
+[model]
+coordinates = { x = { name = "!", unit = "m" }, y = { name = "!", unit = "m" } }
+kinetic = "1/2*m*x'^2 + 1/2*m*y'^2"
+potential = "1/2*k*x^2 + 1/2*k*(y - x)^2 + 1/2*k*y^2"
+
+[model.bodies.bloc_1]
+mass = "m"
+moves = "x"
+forces = { ressort_1 = "-k*x", ressort = "k*(y - x)" }
+
+[model.bodies.bloc_2]
+mass = "m"
+moves = "y"
+forces = { ressort = "-k*(y - x)", ressort_2 = "-k*y" }
+
+[quantities]
+K = { formula = "[[2*k, -k], [-k, 2*k]]", unit = "N/m", verify = "model.K" }
+
+[statement]
+text = "<< m.given >>, << k.given >>."
+
+[figure]
+points = { A = [3, 0.9], B = [6.6, 0.9] }
+elements = [
+  { block = "A", size = [1.4, 1.8], label = "m", id = "bloc_1" },
+  { block = "B", size = [1.4, 1.8], label = "m", id = "bloc_2" },
+  { spring = ["A.right", "B.left"], label = "k", id = "ressort" },
+]
+
+[figure.motion]
+A = ["x", 0]
+B = ["y", 0]
+
+[solution]
+text = "<< model.newton >> << model.lagrange.x >> << model.characteristic >> << model.row.1 >>"
+
+[[part]]
+key = "K"
+kind = "matrix"
+ask = "?"
+solution = "<< figure.mode.2 >>"
+"#;
+
+/// An item with dry friction, whose turning points are listed.
+const FRICTION: &str = r#"
+[item]
+title = "Iii"
+source = "by hand"
+
+[parameters]
+m = { value = "6 kg", range = "3 .. 8 kg", step = "0.5 kg" }
+k = { value = "128 N/m", range = "80 .. 200 N/m", step = "4 N/m" }
+mu = "0.05"
+g = "9.81 m/s^2"
+
+[model]
+coordinates = { x = { name = "!", unit = "m" } }
+kinetic = "1/2*m*x'^2"
+potential = "1/2*k*x^2"
+friction = { x = "mu*m*g" }
+initial = { x = "1[m]" }
+
+[quantities]
+omega = { formula = "sqrt(k/m)", unit = "rad/s", verify = "model.natural_angular_frequency" }
+
+[statement]
+text = "<< m.given >>, << k.given >>, << mu.given >>."
+
+[solution]
+text = "<< model.energy >> << model.turning_points >>"
+
+[[part]]
+key = "omega"
+ask = "?"
+solution = "<< omega.worked >>"
+"#;
+
 fn desk() -> (Desk, String) {
     let desk = Desk::new("french");
     let bank = desk.folder.join("bank");
@@ -65,7 +152,9 @@ fn desk() -> (Desk, String) {
         "_chapter.toml",
         "title = \"Ooo\"\nnumber = 1\n",
     );
-    put(&bank.join("ooo"), "ooo.toml", ITEM);
+    for (name, item) in [("ooo", ITEM), ("uuu", DERIVED), ("iii", FRICTION)] {
+        put(&bank.join("ooo"), &format!("{name}.toml"), item);
+    }
     let blueprint = "title = \"Ooo\"\nlanguage = \"fr\"\nseed = 1\nvariants = 2\nduration = \"90 min\"\nhints = true\nformats = [\"html\", \"md\"]\n[[question]]\nitem = \"ooo/ooo\"\n[[question]]\nitem = \"ooo/ooo\"\n";
     put(&desk.folder, "t.toml", blueprint);
     let bank = text_of(&bank);
@@ -94,6 +183,8 @@ fn english() -> BTreeSet<String> {
         "value formula figures choose person marked right wrong asked typed read this that answer answers unit does not \
          fit measures letters number missing teacher could been taken with from the and your",
     ));
+    // Of formulas: of ranges, of functions by pieces.
+    all.extend(split("otherwise range value"));
     // Of LaTeX.
     all.remove("text");
     for word in french.into_iter().flat_map(words) {
@@ -164,6 +255,8 @@ fn sheets_keys_and_feedback_are_french_throughout() {
             is_french(&out.join(format!("{name}.{ending}")));
         }
     }
+    let keys = seen(&content(out.join("keys.html")));
+    assert!(keys.contains(" à ") && !keys.contains(" to "), "{keys}");
     let sheets = seen(&content(out.join("sheets.html")));
     for words in [
         "(valeur, 3 chiffres significatifs)",
@@ -203,6 +296,91 @@ fn sheets_keys_and_feedback_are_french_throughout() {
         count += 1;
     }
     assert_eq!(count, 2);
+}
+
+#[test]
+fn derivations_are_french_throughout() {
+    let (desk, bank) = desk();
+    let blueprint = "title = \"Ooo\"\nlanguage = \"fr\"\nseed = 1\nvariants = 1\nformats = [\"html\", \"md\", \"tex\"]\n[[question]]\nitem = \"ooo/uuu\"\n[[question]]\nitem = \"ooo/iii\"\n";
+    let plan = put(&desk.folder, "derived.toml", blueprint);
+    let out = desk.folder.join("derived");
+    let folder = text_of(&out);
+    vibank(&["sheet", &plan, "--bank", &bank, "--out", &folder]).ends(0);
+    for ending in ["html", "md"] {
+        is_french(&out.join(format!("solutions.{ending}")));
+    }
+    let html = content(out.join("solutions.html"));
+    let shown = seen(&html);
+    for words in [
+        "Deuxième loi de Newton, bloc 1 :",
+        "Équation de Lagrange :",
+        "Bilan d’énergie :",
+        "Mouvement à une seule pulsation",
+        " ligne :",
+        "Points de rebroussement",
+        "et ainsi de suite, jusqu’à",
+    ] {
+        assert!(shown.contains(words), "`{words}` is not in {shown}");
+    }
+    // Numbers in them have a comma, also in what is said of a figure.
+    assert!(!has_decimal_point(&shown), "{shown}");
+    assert!(html.contains("deux positions extrêmes du mode 2 : x 1,00"));
+    let latex = content(out.join("solutions.tex"));
+    assert!(latex.contains("Équation de Lagrange"));
+}
+
+/// Whether a digit, a point and a digit follow each other anywhere.
+fn has_decimal_point(text: &str) -> bool {
+    let signs: Vec<char> = text.chars().collect();
+    signs
+        .windows(3)
+        .any(|own| own[1] == '.' && own[0].is_ascii_digit() && own[2].is_ascii_digit())
+}
+
+#[test]
+fn forms_are_french_throughout() {
+    let (desk, bank) = desk();
+    let out = desk.folder.join("out");
+    let plan = text_of(&desk.folder.join("t.toml"));
+    vibank(&["sheet", &plan, "--bank", &bank, "--out", &text_of(&out)]).ends(0);
+    let manifest = text_of(&out.join("manifest.json"));
+    vibank(&["form", &manifest, "--bank", &bank]).ends(0);
+    let pages = std::fs::read_dir(out.join("form")).expect("pages were written");
+    let mut count = 0;
+    for page in pages {
+        let path = page.expect("a file").path();
+        is_french(&path);
+        let text = content(&path);
+        assert!(text.contains("<html lang=\"fr\""));
+        // What the page asks for, and the words of its program.
+        for words in [
+            "(valeur, 3 chiffres significatifs)",
+            "(formule en fonction de",
+            "Enregistrer les réponses",
+        ] {
+            assert!(
+                text.contains(words),
+                "`{words}` is not in {}",
+                path.display()
+            );
+        }
+        assert!(!text.contains("Save the answers"));
+        count += 1;
+    }
+    assert_eq!(count, 2);
+}
+
+#[test]
+fn a_region_speaks_the_language_of_its_tag() {
+    let (desk, bank) = desk();
+    let blueprint = content(desk.folder.join("t.toml")).replace("\"fr\"", "\"fr-CA\"");
+    let plan = put(&desk.folder, "ca.toml", blueprint);
+    let page = desk.folder.join("ca.html");
+    vibank(&["page", &plan, "--bank", &bank, "--out", &text_of(&page)]).ends(0);
+    let text = content(&page);
+    assert!(text.contains("<html lang=\"fr-CA\""));
+    assert!(text.contains("Voir le corrigé"));
+    is_french(&page);
 }
 
 #[test]
