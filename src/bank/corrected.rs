@@ -16,7 +16,7 @@ pub enum CorrectionError {
     /// The options that are right are listed by their ids.
     #[error("the right options of part `{part}` are among {options}")]
     Options {
-        /// The part.
+        /// Identifier of the part whose key is corrected.
         part: String,
         /// The ids of its options.
         options: String,
@@ -24,7 +24,7 @@ pub enum CorrectionError {
     /// The item cannot be read with this key.
     #[error("part `{part}` cannot have this key: {reason}")]
     Key {
-        /// The part.
+        /// Identifier of the part that cannot be corrected.
         part: String,
         /// What is wrong first.
         reason: String,

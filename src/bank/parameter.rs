@@ -42,7 +42,7 @@ pub enum Domain {
     Positive,
     /// Zero or above.
     NonNegative,
-    /// Any.
+    /// No restriction beyond the range.
     Any,
 }
 

@@ -71,7 +71,7 @@ pub struct Ordinate {
     pub is_logarithmic: bool,
 }
 
-/// A curve.
+/// A curve of a plot, as the item declares it.
 #[derive(Clone, Debug)]
 pub struct Curve {
     /// Its value, or the two edges of a band, as a function of the variable.

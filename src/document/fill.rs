@@ -43,7 +43,7 @@ pub enum Filling {
 }
 
 impl Filling {
-    /// Words.
+    /// Upright words, as a formula in the line.
     pub fn words(words: impl Into<String>) -> Self {
         Self::Math(Math::Text(words.into()))
     }

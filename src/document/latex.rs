@@ -12,7 +12,7 @@ use super::{Alignment, Block, Document, Fill, Fills, Inline, Step};
 use crate::math::{Display, Math, Sign, greek_name, is_invisible};
 
 impl Document {
-    /// As LaTeX.
+    /// Writes the text in LaTeX, its holes filled.
     pub fn latex(&self, fills: &dyn Fills) -> String {
         let mut out = String::new();
         self.write_latex(&mut out, fills);

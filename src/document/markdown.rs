@@ -5,7 +5,7 @@ use super::{Alignment, Block, Document, Fill, Fills, Inline, Step};
 use crate::math::Math;
 
 impl Document {
-    /// As Markdown.
+    /// Writes the text in Markdown, with formulas between dollar signs, its holes filled.
     pub fn markdown(&self, fills: &dyn Fills) -> String {
         let mut out = String::new();
         self.write_markdown(&mut out, fills);

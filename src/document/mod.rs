@@ -51,7 +51,7 @@ pub enum Block {
     /// Running text.
     #[serde(rename = "p")]
     Paragraph(Vec<Inline>),
-    /// A heading.
+    /// A title of a section within the text.
     #[serde(rename = "h")]
     Heading {
         /// From 1, the highest, to 6.
@@ -61,7 +61,7 @@ pub enum Block {
         #[serde(rename = "c")]
         content: Vec<Inline>,
     },
-    /// A list.
+    /// Items with bullets, or numbered from a start.
     #[serde(rename = "l")]
     List {
         /// The first number, if the items are numbered.
@@ -70,11 +70,11 @@ pub enum Block {
         /// Whether the items stand close together.
         #[serde(rename = "t")]
         tight: bool,
-        /// The items.
+        /// The blocks of each item.
         #[serde(rename = "i")]
         items: Vec<Vec<Block>>,
     },
-    /// A table.
+    /// A head, rows of cells, and how each column is aligned.
     #[serde(rename = "t")]
     Table {
         /// How the columns are aligned.
@@ -117,10 +117,10 @@ pub enum Inline {
     /// Strongly emphasized.
     #[serde(rename = "s")]
     Strong(Vec<Inline>),
-    /// Code, as it is.
+    /// Text in a fixed-width face, written as it stands.
     #[serde(rename = "c")]
     Code(String),
-    /// A link.
+    /// Text that leads to an address.
     #[serde(rename = "l")]
     Link {
         /// Where it leads: `http`, `https` or relative.
@@ -147,11 +147,11 @@ pub enum Alignment {
     /// As the page has it.
     #[default]
     None,
-    /// Left.
+    /// Flush left.
     Left,
     /// Centred.
     Centre,
-    /// Right.
+    /// Flush right.
     Right,
 }
 

@@ -51,7 +51,7 @@ impl<'s, 'c> Words<'s, 'c> {
         format!("q.{}.{}", item.replace('/', "."), self.code)
     }
 
-    /// Its title.
+    /// Title of the item, without markup.
     pub(crate) fn title(&self) -> &'s str {
         &self.scene.solution().template().about.title
     }

@@ -39,7 +39,7 @@ impl Point {
         atan2(self.y, self.x)
     }
 
-    /// Its length.
+    /// Euclidean norm.
     pub fn length(self) -> f64 {
         hypot(self.x, self.y)
     }

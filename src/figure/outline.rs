@@ -7,7 +7,7 @@ use super::{Bounds, Label, Point};
 pub struct Outline {
     /// Its middle.
     pub centre: Point,
-    /// Its form.
+    /// A circle or a turned rectangle.
     pub form: Form,
     /// Whether links to its point go to its middle, as to the axle of a disk.
     pub has_axle: bool,
@@ -25,7 +25,7 @@ pub enum Form {
     },
     /// A circle.
     Round {
-        /// Its radius.
+        /// Distance of the circle from the middle.
         radius: f64,
     },
 }
@@ -37,9 +37,9 @@ pub enum Side {
     Above,
     /// Down.
     Below,
-    /// To the left.
+    /// Toward smaller x.
     Left,
-    /// To the right.
+    /// Toward larger x.
     Right,
 }
 

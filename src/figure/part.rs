@@ -28,7 +28,7 @@ pub struct Part<'f> {
 /// A point of an element.
 #[derive(Clone, Copy, Debug)]
 pub struct End {
-    /// Where.
+    /// Position in the figure, y upward.
     pub point: Point,
     /// The body that is placed there.
     pub body: Option<Outline>,
@@ -41,7 +41,7 @@ pub struct End {
 /// The value of a key.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Setting {
-    /// A number.
+    /// The value of a formula, as a bare number.
     Number(f64),
     /// A direction or size.
     Vector(Point),
@@ -57,9 +57,9 @@ pub enum Style {
     /// As the element has it.
     #[default]
     Solid,
-    /// Dashed.
+    /// Strokes with gaps.
     Dashed,
-    /// Dotted.
+    /// Points with gaps.
     Dotted,
     /// Grey.
     Faint,

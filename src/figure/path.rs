@@ -66,7 +66,7 @@ impl Path {
         ])
     }
 
-    /// A circle.
+    /// A closed circle, run counterclockwise from its rightmost point.
     pub fn circle(centre: Point, radius: f64) -> Self {
         Self::new()
             .move_to(centre + Point::new(radius, 0.0))

@@ -40,12 +40,12 @@ pub trait Given {
 /// What labels show of a quantity.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Labels {
-    /// Its symbol.
+    /// The letter, `k`.
     #[default]
     Symbol,
-    /// Its value.
+    /// The number with its unit, `200 N/m`.
     Value,
-    /// Both.
+    /// Letter and number, `k = 200 N/m`.
     Both,
 }
 

@@ -98,7 +98,7 @@ pub struct Body {
 }
 
 impl Coordinate {
-    /// A length.
+    /// A coordinate that is a displacement, in metres.
     pub fn length(name: impl Into<Name>) -> Self {
         Self::new(name, Dimension::LENGTH)
     }
@@ -113,7 +113,7 @@ impl Coordinate {
         }
     }
 
-    /// An angle.
+    /// A coordinate that is a rotation, in radians.
     pub fn angle(name: impl Into<Name>) -> Self {
         Self {
             is_angle: true,

@@ -10,23 +10,23 @@ use crate::unit::Dimension;
 /// A key of a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Key {
-    /// `coordinates`.
+    /// The key `coordinates`: names and dimensions of what moves.
     Coordinates,
-    /// `kinematics`.
+    /// The key `kinematics`: positions as formulas in the coordinates.
     Kinematics,
-    /// `kinetic`.
+    /// The key `kinetic`: T in coordinates and velocities.
     Kinetic,
-    /// `potential`.
+    /// The key `potential`: V in the coordinates.
     Potential,
-    /// `dissipation`.
+    /// The key `dissipation`: Rayleigh's D in the velocities.
     Dissipation,
-    /// `forces`.
+    /// The key `forces`: generalized forces along the coordinates.
     Forces,
-    /// `friction`.
+    /// The key `friction`: dry friction along a coordinate.
     Friction,
-    /// `initial`.
+    /// The key `initial`: displacements and velocities at t = 0.
     Initial,
-    /// `equilibrium`.
+    /// The key `equilibrium`: where it is sought, or what it is.
     Equilibrium,
 }
 

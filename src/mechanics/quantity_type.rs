@@ -6,13 +6,13 @@ use super::quantity::Quantity;
 use crate::expr::{Field, Form, Shape, Type};
 use crate::unit::Dimension;
 
-/// What a quantity is.
+/// Kind, shape and dimension of what a model offers under a name.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum QuantityType {
     /// A formula in coordinates and velocities, of this type.
     Formula(Type),
-    /// An equation.
+    /// An equation of motion, or that of the natural frequencies.
     Equation,
     /// One equation per coordinate.
     Equations,

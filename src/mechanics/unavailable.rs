@@ -43,7 +43,7 @@ pub enum Unavailable {
     /// A model with weights and pre-stretches moves in another way than the one without.
     #[error("along `{coordinate}` it moves otherwise than `[model]`: `{difference}` is left")]
     AnotherMotion {
-        /// The coordinate.
+        /// Name of the coordinate whose equation differs.
         coordinate: Name,
         /// Its left side minus that of the model.
         difference: String,

@@ -55,7 +55,7 @@ pub struct MarksSummary {
 pub struct GroupSummary {
     /// Its name; empty for those without, and for all.
     pub group: String,
-    /// How many sheets.
+    /// Number of sheets that were marked.
     pub sheets: u64,
     /// On how many of them something is not decided.
     pub undecided: u64,
@@ -80,7 +80,7 @@ pub struct GroupSummary {
 /// How often a grade was given.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct GradeCount {
-    /// The grade.
+    /// Name of the grade in the scheme.
     pub grade: String,
     /// How often.
     pub count: u64,

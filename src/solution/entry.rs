@@ -64,7 +64,7 @@ pub enum Number {
         /// Its imaginary part.
         im: f64,
     },
-    /// An interval.
+    /// All numbers between two ends, either of which may be missing.
     Interval {
         /// Its lower end, if it has one.
         from: Option<f64>,

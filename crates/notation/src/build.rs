@@ -66,7 +66,7 @@ impl Math {
         Self::operator(sign, Class::Prefix)
     }
 
-    /// A relation, `=`, `≤`.
+    /// A sign between two sides, `=`, `≤`, with the space of a relation.
     pub fn relation(sign: impl Into<String>) -> Self {
         Self::operator(sign, Class::Relation)
     }

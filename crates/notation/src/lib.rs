@@ -129,7 +129,7 @@ pub enum Math {
     /// Horizontal space in eighteenths of an em; negative is allowed.
     #[serde(rename = "s")]
     Space(i16),
-    /// A fraction.
+    /// A numerator over a denominator.
     #[serde(rename = "q")]
     Fraction {
         /// Above the bar.
@@ -356,9 +356,9 @@ pub enum Accent {
     DoubleDot,
     /// Third time derivative.
     TripleDot,
-    /// `\hat`.
+    /// `\hat`: a circumflex over the base.
     Hat,
-    /// `\tilde`.
+    /// `\tilde`: a swung dash over the base.
     Tilde,
     /// `\bar`, `\overline`: grows with its base.
     Bar,

@@ -108,7 +108,7 @@ impl<'s> Table<'s> {
         self.value(key).is_some()
     }
 
-    /// A text.
+    /// The text under a key; nothing where it is missing, and a problem is noted where it is something else.
     pub fn text(&self, key: &'static str) -> Option<Text> {
         self.value(key).and_then(|value| self.as_text(key, value))
     }
@@ -159,7 +159,7 @@ impl<'s> Table<'s> {
         }
     }
 
-    /// A number.
+    /// The finite number under a key; nothing where it is missing, and a problem is noted where it is something else.
     pub fn number(&self, key: &'static str) -> Option<f64> {
         self.as_number(key, self.value(key)?)
     }
@@ -207,7 +207,7 @@ impl<'s> Table<'s> {
         None
     }
 
-    /// A table.
+    /// The table under a key; nothing where it is missing, and a problem is noted where it is something else.
     pub fn table(&self, key: &'static str) -> Option<Table<'s>> {
         let value = self.value(key)?;
         Table::of(self.source, self.problems, &self.inner(key), value)

@@ -25,7 +25,7 @@ pub enum Data {
     /// `true` or `false`.
     #[serde(rename = "b")]
     Boolean(bool),
-    /// A text.
+    /// A string of TOML or JSON.
     #[serde(rename = "s")]
     Text(String),
     /// An array.

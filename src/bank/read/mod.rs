@@ -56,7 +56,7 @@ struct ItemReader<'s> {
     asked: Vec<NodeId>,
     /// The names that they and the part that is being read write in their keys.
     introduced: BTreeSet<String>,
-    /// The constraints.
+    /// What each draw has to meet, in the order of the file.
     constraints: Vec<NodeId>,
     /// The part that is being read.
     part: String,

@@ -24,7 +24,7 @@ const MAX_LINE_LENGTH: u64 = 4 << 20;
 /// Longest foot of a manifest: the items that were used.
 const MAX_FOOT_LENGTH: u64 = 64 << 20;
 
-/// A manifest.
+/// Reads the manifest that a run of `sheet` wrote.
 pub(crate) fn manifest(path: &Path) -> Result<Manifest, Failure> {
     read(path, &files::read(path)?)
 }

@@ -78,7 +78,7 @@ impl Session {
         }
     }
 
-    /// One exercise.
+    /// Asks an exercise part by part, marks what is typed, and shows the solution.
     pub(crate) fn exercise(&mut self, solution: &Solution<'_>) -> Result<End, Failure> {
         let template = solution.template();
         let scene = Scene::of(solution, Data::Both).in_words();

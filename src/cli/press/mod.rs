@@ -38,7 +38,7 @@ pub(crate) enum Missing {
     Nowhere,
     /// One was found that cannot be used.
     Unusable {
-        /// Where.
+        /// Path of the program that was started.
         program: PathBuf,
         /// What is wrong with it.
         why: String,

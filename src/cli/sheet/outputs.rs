@@ -56,9 +56,9 @@ pub(crate) enum Written {
     Pages(Vec<Leaf>, Option<KeyRow>),
     /// Its files are there already; the row of the table.
     Kept(Option<KeyRow>),
-    /// A line.
+    /// A line of JSON.
     Line(String),
-    /// Nothing.
+    /// The workbook has no table of keys.
     Nothing,
 }
 

@@ -81,7 +81,7 @@ pub enum TextError {
         /// The bytes of the text that the message points at.
         span: Span,
     },
-    /// An image.
+    /// A Markdown image: figures are declared in `[figure]`.
     #[error("an image in a text")]
     Image {
         /// The bytes of the text that the message points at.

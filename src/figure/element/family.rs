@@ -159,7 +159,7 @@ pub(crate) struct Branch {
     pub(crate) link: &'static str,
     /// The greatest length of the symbol.
     pub(crate) length: f64,
-    /// Half of its width.
+    /// How far it reaches to either side of the way.
     pub(crate) half_width: f64,
     /// Draws the symbol between two points.
     pub(crate) symbol: fn(&Part<'_>, Point, Point, &mut Drawing),

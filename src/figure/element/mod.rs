@@ -94,7 +94,7 @@ pub trait Element: Sync {
         None
     }
 
-    /// Draws it.
+    /// Draws its shapes with their pens, in units of 10 mm.
     fn draw(&self, part: &Part<'_>, drawing: &mut Drawing);
 
     /// Where its label may stand, best first.
@@ -109,7 +109,7 @@ pub trait Element: Sync {
 /// What the first key of an element holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Takes {
-    /// One point.
+    /// A single point of the figure.
     Point,
     /// Two points.
     Two,
@@ -155,7 +155,7 @@ pub enum Holds {
     Number,
     /// Two numbers.
     Vector,
-    /// A point.
+    /// A point of the figure, by name or as a pair of coordinates.
     Point,
     /// `true` or `false`.
     Flag,

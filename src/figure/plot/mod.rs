@@ -43,7 +43,7 @@ pub struct Plot<'a> {
     pub decimal: DecimalMark,
 }
 
-/// An axis.
+/// What one axis shows, and from where to where.
 #[derive(Clone, Debug)]
 pub struct Axis {
     /// What it counts; may be empty.
@@ -70,7 +70,7 @@ pub enum Spacing {
     ShareOfPi(f64),
 }
 
-/// A curve.
+/// A function that is drawn over a range of its variable.
 pub struct Curve<'a> {
     /// What belongs to each value of the variable.
     pub course: Course<'a>,

@@ -26,7 +26,7 @@ impl Expr {
         Self::derived(Kind::Number(value.into()))
     }
 
-    /// A name.
+    /// A variable or parameter, by its name.
     pub fn name(name: impl Into<Name>) -> Self {
         Self::derived(Kind::Name(name.into()))
     }

@@ -75,9 +75,9 @@ pub enum Kind {
 /// A reserved constant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Constant {
-    /// `pi`.
+    /// π = 3.14159….
     Pi,
-    /// `e`.
+    /// e = 2.71828….
     E,
     /// `i`, the imaginary unit.
     ImaginaryUnit,

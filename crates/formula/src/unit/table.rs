@@ -33,7 +33,7 @@ pub(crate) struct Row {
     pub(crate) coherent: &'static str,
 }
 
-/// One prefix.
+/// A power of ten that a unit may bear, such as kilo.
 pub(crate) struct Prefix {
     /// As read; the first is written to files.
     pub(crate) symbols: &'static [&'static str],

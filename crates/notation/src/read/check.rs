@@ -142,7 +142,7 @@ const TAKES_ARGUMENT: &[&str] = &[
     "nolimits",
 ];
 
-/// What is open.
+/// A brace, environment or delimiter that has begun and not yet ended.
 #[derive(Clone, Copy, PartialEq)]
 enum Open<'a> {
     Brace,

@@ -73,7 +73,7 @@ pub enum LatexError {
         /// The bytes of the text that the message points at.
         span: Span,
     },
-    /// `$…$` in `\text{…}`.
+    /// A formula between dollar signs within words of a formula.
     #[error("a dollar sign in `\\text` does not begin a formula")]
     MathInText {
         /// The bytes of the text that the message points at.

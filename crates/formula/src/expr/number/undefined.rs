@@ -14,7 +14,7 @@ pub enum Undefined {
     /// The square root of a negative number, in real numbers.
     #[error("square root of a negative number")]
     RootOfNegative,
-    /// The logarithm of zero.
+    /// `ln(0)`, `log2(0)` or `log10(0)`.
     #[error("logarithm of zero")]
     LogarithmOfZero,
     /// The logarithm of a negative number, in real numbers.

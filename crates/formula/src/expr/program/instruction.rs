@@ -18,7 +18,7 @@ pub(crate) struct Instruction {
 /// What a step does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Step {
-    /// An input.
+    /// Loads the value of a name, by its slot.
     Input(u32),
     /// A number of the formula.
     Constant(u32),
