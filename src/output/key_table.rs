@@ -1,18 +1,34 @@
-//! The answers of all variants on one page: a line a part, a column a variant.
+//! The answers of all variants, item by item: a line a part, a column a variant.
+//!
+//! What all variants share stands first and once. The rest is grouped by the item that asks it, so that whoever marks a
+//! question finds all variants of it on one page, however many there are.
 
 use serde::Serialize;
 
-/// The answers of all variants.
+/// The answers of some variants.
 #[derive(Clone, Debug, Default)]
 pub struct KeyTable {
-    blocks: Vec<Block>,
+    items: Vec<ItemKeys>,
+    /// How many variants were added.
+    count: usize,
 }
 
-/// The answers of one variant, part by part.
+/// The answers of one variant, question by question.
 #[derive(Clone, Debug, Default)]
 pub struct KeyRow {
     /// Code of the variant.
     pub(super) code: String,
+    /// Its questions.
+    pub(super) questions: Vec<QuestionKeys>,
+}
+
+/// The answers to one question of a variant.
+#[derive(Clone, Debug, Default)]
+pub(super) struct QuestionKeys {
+    /// Its place on the sheet.
+    pub(super) number: usize,
+    /// The item that asks it.
+    pub(super) item: String,
     /// Numbers of the parts.
     pub(super) parts: Vec<String>,
     /// The answers, written.
@@ -21,13 +37,20 @@ pub struct KeyRow {
     pub(super) widths: Vec<usize>,
 }
 
-/// Variants that ask the same parts.
+/// The answers of all variants that have an item at the same place.
 #[derive(Clone, Debug)]
-struct Block {
-    variants: Vec<KeyRow>,
+struct ItemKeys {
+    variants: Vec<Column>,
 }
 
-/// As many variants as fit side by side.
+/// The answers of a variant to a question.
+#[derive(Clone, Debug)]
+struct Column {
+    code: String,
+    keys: QuestionKeys,
+}
+
+/// As many variants as fit side by side; or all of them, with what they share.
 #[derive(Serialize)]
 pub(super) struct Panel<'a> {
     codes: Vec<&'a str>,
@@ -63,27 +86,88 @@ const CELL_WIDTH: usize = 26;
 const PANEL_LENGTH: usize = 6;
 
 impl KeyTable {
-    /// Adds a variant; those with the same parts stand side by side.
+    /// Adds a variant.
     pub fn add(&mut self, row: KeyRow) {
-        let fits = |block: &&mut Block| block.variants[0].parts == row.parts;
-        match self.blocks.iter_mut().find(fits) {
-            Some(block) => block.variants.push(row),
-            None => self.blocks.push(Block {
-                variants: vec![row],
-            }),
+        self.count += 1;
+        for keys in row.questions {
+            let column = Column {
+                code: row.code.clone(),
+                keys,
+            };
+            match self.items.iter_mut().find(|item| item.asks(&column.keys)) {
+                Some(item) => item.variants.push(column),
+                None => self.items.push(ItemKeys {
+                    variants: vec![column],
+                }),
+            }
         }
     }
 
-    pub(super) fn panels(&self) -> Vec<Panel<'_>> {
-        self.blocks.iter().flat_map(Block::panels).collect()
+    /// What all variants share, under the heading `all`, then the answers item by item.
+    pub(super) fn panels<'a>(&'a self, all: &'a str) -> Vec<Panel<'a>> {
+        let mut items: Vec<&ItemKeys> = self.items.iter().collect();
+        // What only some variants are asked comes up late, and stands at its place on the sheet all the same.
+        items.sort_by_key(|item| item.number());
+        let is_shared = |item: &ItemKeys, part: usize| {
+            self.count > 1 && item.variants.len() == self.count && item.is_same(part)
+        };
+        let shared = items.iter().flat_map(|item| {
+            let parts = item.parts().filter(|part| is_shared(item, *part));
+            parts.map(|part| Line::of(&item.variants[..1], part, Some(all)))
+        });
+        let shared: Vec<Line<'a>> = shared.collect();
+        let mut panels = Vec::new();
+        if !shared.is_empty() {
+            panels.push(Panel {
+                codes: vec![all],
+                lines: shared,
+            });
+        }
+        for item in items {
+            let own: Vec<usize> = item
+                .parts()
+                .filter(|part| !is_shared(item, *part))
+                .collect();
+            if !own.is_empty() {
+                panels.extend(item.panels(&own));
+            }
+        }
+        panels
     }
 }
 
-impl Block {
-    fn panels(&self) -> Vec<Panel<'_>> {
-        let differing = self.differing();
-        let width = |variant: &KeyRow| {
-            let cells = differing.iter().map(|part| variant.widths[*part]);
+impl ItemKeys {
+    /// Whether it is where these answers belong.
+    fn asks(&self, keys: &QuestionKeys) -> bool {
+        let own = &self.variants[0].keys;
+        (own.number, &own.item, &own.parts) == (keys.number, &keys.item, &keys.parts)
+    }
+
+    fn number(&self) -> usize {
+        self.variants[0].keys.number
+    }
+
+    fn parts(&self) -> std::ops::Range<usize> {
+        0..self.variants[0].keys.parts.len()
+    }
+
+    /// Whether all its variants have the same answer to a part.
+    fn is_same(&self, part: usize) -> bool {
+        let first = &self.variants[0].keys.cells[part];
+        self.variants
+            .iter()
+            .all(|own| own.keys.cells[part] == *first)
+    }
+
+    /// Panels with these of its parts.
+    fn panels(&self, parts: &[usize]) -> Vec<Panel<'_>> {
+        let differing: Vec<usize> = parts
+            .iter()
+            .copied()
+            .filter(|part| !self.is_same(*part))
+            .collect();
+        let width = |variant: &Column| {
+            let cells = differing.iter().map(|part| variant.keys.widths[*part]);
             let cells = cells.filter(|width| *width <= CELL_WIDTH);
             cells.max().unwrap_or(0).max(variant.code.len() + 2) + 3
         };
@@ -96,43 +180,37 @@ impl Block {
                 used <= PANEL_WIDTH
             });
             let (panel, later) = rest.split_at(fitting.count().max(1));
-            panels.push(Panel::of(panel));
+            panels.push(Panel {
+                codes: panel.iter().map(|own| own.code.as_str()).collect(),
+                lines: parts
+                    .iter()
+                    .map(|part| Line::of(panel, *part, None))
+                    .collect(),
+            });
             rest = later;
         }
         panels
     }
-
-    /// The parts whose answers differ; the others take a line of their own, however wide.
-    fn differing(&self) -> Vec<usize> {
-        let differs = |part: &usize| {
-            let first = &self.variants[0].cells[*part];
-            self.variants.iter().any(|row| row.cells[*part] != *first)
-        };
-        (0..self.variants[0].parts.len()).filter(differs).collect()
-    }
 }
 
-impl<'a> Panel<'a> {
-    fn of(variants: &'a [KeyRow]) -> Self {
-        let line = |(place, part): (usize, &'a String)| {
-            let first = &variants[0].cells[place];
-            let is_same =
-                variants.len() > 1 && variants.iter().all(|row| row.cells[place] == *first);
-            let is_wide = variants.iter().any(|row| row.widths[place] > CELL_WIDTH);
-            let cell = |row: &'a KeyRow| Cell {
-                code: &row.code,
-                text: &row.cells[place],
-            };
-            Line {
-                part,
-                same: if is_same { first } else { "" },
-                wide: variants.len() > 1 && is_wide,
-                cells: variants.iter().map(cell).collect(),
-            }
+impl<'a> Line<'a> {
+    /// The answers of variants to a part; with `heading` the one that all have.
+    fn of(variants: &'a [Column], part: usize, heading: Option<&'a str>) -> Self {
+        let first = &variants[0].keys;
+        let is_equal = |own: &Column| own.keys.cells[part] == first.cells[part];
+        let is_same = variants.len() > 1 && variants.iter().all(is_equal);
+        let is_wide = variants
+            .iter()
+            .any(|own| own.keys.widths[part] > CELL_WIDTH);
+        let cell = |own: &'a Column| Cell {
+            code: heading.unwrap_or(&own.code),
+            text: &own.keys.cells[part],
         };
-        Panel {
-            codes: variants.iter().map(|row| row.code.as_str()).collect(),
-            lines: variants[0].parts.iter().enumerate().map(line).collect(),
+        Line {
+            part: &first.parts[part],
+            same: if is_same { &first.cells[part] } else { "" },
+            wide: variants.len() > 1 && is_wide,
+            cells: variants.iter().map(cell).collect(),
         }
     }
 }
@@ -141,13 +219,31 @@ impl<'a> Panel<'a> {
 mod tests {
     use super::*;
 
-    fn row(code: &str, cells: &[&str]) -> KeyRow {
-        KeyRow {
-            code: code.to_owned(),
-            parts: (1..=cells.len()).map(|part| format!("{part}a")).collect(),
+    fn question(number: usize, item: &str, cells: &[&str]) -> QuestionKeys {
+        let part = |place: usize| format!("{number}{}", char::from(b'a' + place as u8));
+        QuestionKeys {
+            number,
+            item: item.to_owned(),
+            parts: (0..cells.len()).map(part).collect(),
             cells: cells.iter().map(|cell| (*cell).to_owned()).collect(),
             widths: cells.iter().map(|cell| cell.len()).collect(),
         }
+    }
+
+    fn row(code: &str, questions: Vec<QuestionKeys>) -> KeyRow {
+        KeyRow {
+            code: code.to_owned(),
+            questions,
+        }
+    }
+
+    /// The parts of a panel with their answers, those of several variants with a bar between them.
+    fn lines(panel: &Panel<'_>) -> Vec<String> {
+        let line = |line: &Line<'_>| {
+            let cells: Vec<&str> = line.cells.iter().map(|cell| cell.text).collect();
+            format!("{} {}", line.part, cells.join("|"))
+        };
+        panel.lines.iter().map(line).collect()
     }
 
     /// A wide answer does not push variants apart: it takes a line of its own.
@@ -156,25 +252,79 @@ mod tests {
         let equation = "m x'' + c x' + k x = 0 ".repeat(8);
         let mut table = KeyTable::default();
         for (code, answer) in [("A", "1 m"), ("B", "2 m"), ("C", "3 m")] {
-            table.add(row(code, &[&equation, answer]));
+            table.add(row(code, vec![question(1, "e1", &[&equation, answer])]));
         }
-        let panels = table.panels();
-        assert_eq!(panels.len(), 1);
-        assert_eq!(panels[0].codes, ["A", "B", "C"]);
-        assert_eq!(panels[0].lines[0].same, equation);
-        assert_eq!(panels[0].lines[1].same, "");
-        let texts = panels[0].lines[1].cells.iter().map(|cell| cell.text);
-        assert_eq!(texts.collect::<Vec<_>>(), ["1 m", "2 m", "3 m"]);
+        let panels = table.panels("All");
+        assert_eq!(panels.len(), 2);
+        assert_eq!(panels[0].codes, ["All"]);
+        assert_eq!(lines(&panels[0]), [format!("1a {equation}")]);
+        assert_eq!(panels[1].codes, ["A", "B", "C"]);
+        assert_eq!(lines(&panels[1]), ["1b 1 m|2 m|3 m"]);
 
-        table.add(row("D", &["another", "4 m"]));
-        let panels = table.panels();
+        table.add(row("D", vec![question(1, "e1", &["another", "4 m"])]));
+        let panels = table.panels("All");
         assert_eq!(panels.len(), 1);
         assert!(panels[0].lines[0].wide && !panels[0].lines[1].wide);
-        table.add(row("E", &["of fewer parts"]));
-        assert_eq!(table.panels().len(), 2);
         for code in ["F", "G", "H", "I"] {
-            table.add(row(code, &["another", "5 m"]));
+            table.add(row(code, vec![question(1, "e1", &["another", "5 m"])]));
         }
-        assert_eq!(table.panels().len(), 3);
+        assert_eq!(table.panels("All").len(), 2);
+    }
+
+    #[test]
+    fn what_all_share_comes_first_and_the_rest_item_by_item() {
+        let mut table = KeyTable::default();
+        // Of the second question some have one item, some another.
+        table.add(row(
+            "A",
+            vec![
+                question(1, "e1", &["yes", "1 m"]),
+                question(2, "e2", &["no"]),
+                question(3, "e4", &["7 s"]),
+            ],
+        ));
+        table.add(row(
+            "B",
+            vec![
+                question(1, "e1", &["yes", "2 m"]),
+                question(2, "e3", &["no"]),
+                question(3, "e4", &["8 s"]),
+            ],
+        ));
+        table.add(row(
+            "C",
+            vec![
+                question(1, "e1", &["yes", "3 m"]),
+                question(2, "e3", &["no"]),
+                question(3, "e4", &["9 s"]),
+            ],
+        ));
+        let panels = table.panels("All");
+        let found: Vec<_> = panels
+            .iter()
+            .map(|panel| (panel.codes.join(" "), lines(panel)))
+            .collect();
+        let panel = |codes: &str, line: &str| (codes.to_owned(), vec![line.to_owned()]);
+        assert_eq!(
+            found,
+            [
+                panel("All", "1a yes"),
+                panel("A B C", "1b 1 m|2 m|3 m"),
+                panel("A", "2a no"),
+                panel("B C", "2a no|no"),
+                panel("A B C", "3a 7 s|8 s|9 s"),
+            ]
+        );
+        assert_eq!(panels[3].lines[0].same, "no");
+    }
+
+    /// Of one variant nothing is shared.
+    #[test]
+    fn a_single_variant_has_its_code() {
+        let mut table = KeyTable::default();
+        table.add(row("A", vec![question(1, "e1", &["yes", "1 m"])]));
+        let panels = table.panels("All");
+        assert_eq!(panels[0].codes, ["A"]);
+        assert_eq!(lines(&panels[0]), ["1a yes", "1b 1 m"]);
     }
 }

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::Writer;
 use super::fairness::FairnessView;
-use super::key_table::{KeyRow, KeyTable, Panel};
+use super::key_table::{KeyRow, KeyTable, Panel, QuestionKeys};
 use super::layouts::{Layouts, OutputError, font};
 use super::view::{SheetView, View};
 use super::words::Words;
@@ -430,7 +430,7 @@ impl Pages {
         self.layouts.fill("among", &Content { page, duplex })
     }
 
-    /// The page with the answers of all variants.
+    /// The page with the answers of some variants: what they share first, then item by item.
     ///
     /// # Errors
     ///
@@ -441,13 +441,10 @@ impl Pages {
             run: &'a Run,
             panels: Vec<Panel<'a>>,
         }
-        self.layouts.fill(
-            "keytable",
-            &Content {
-                run: &self.run,
-                panels: table.panels(),
-            },
-        )
+        let all = self.placed(&self.run.words.all_sheets);
+        let panels = table.panels(&all);
+        let run = &self.run;
+        self.layouts.fill("keytable", &Content { run, panels })
     }
 
     /// The page that tells a teacher how alike the variants are.
@@ -486,31 +483,35 @@ impl Pages {
 
     /// The answers of a sheet, for the table of all variants.
     pub fn key_row(&self, sheet: &Sheet<'_>) -> KeyRow {
-        let mut row = KeyRow {
-            code: sheet.variant.to_string(),
-            ..KeyRow::default()
-        };
+        let code = sheet.variant.to_string();
+        let words = self.run.words;
+        let phrase = |text: &str| (self.writer.words(text), text.chars().count());
+        let mut questions = Vec::new();
         for question in &sheet.questions {
             let scene = Scene::of(&question.solution, self.run.data).spoken(self.run.spoken());
-            let parts = &question.solution.template().parts;
-            let is_by_hand = |place: usize| parts[place].answer.kind().is_by_hand();
-            let headings = headings(question.solution.template(), &question.parts);
-            let words = self.run.words;
-            let phrase = |text: &str| (self.writer.words(text), text.chars().count());
+            let template = question.solution.template();
+            let is_by_hand = |place: usize| template.parts[place].answer.kind().is_by_hand();
+            let mut keys = QuestionKeys {
+                number: question.number,
+                item: template.id.to_string(),
+                ..QuestionKeys::default()
+            };
+            let headings = headings(template, &question.parts);
             for (heading, place) in headings.iter().zip(&question.parts) {
-                row.parts
-                    .push(format!("{}{}", question.number, heading.letter));
                 let (cell, width) = match scene.key(*place) {
                     Ok(Some(key)) => (self.writer.math(&key), key.plain().chars().count()),
                     Ok(None) => phrase(&words.in_the_solution),
                     Err(_) if is_by_hand(*place) => phrase(&words.by_hand),
                     Err(_) => (self.writer.words("–"), 1),
                 };
-                row.cells.push(cell);
-                row.widths.push(width);
+                let part = format!("{}{}", question.number, heading.letter);
+                keys.parts.push(part);
+                keys.cells.push(cell);
+                keys.widths.push(width);
             }
+            questions.push(keys);
         }
-        row
+        KeyRow { code, questions }
     }
 }
 

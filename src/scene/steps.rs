@@ -509,7 +509,7 @@ mod tests {
 
     #[test]
     fn a_value_is_worked_out_in_the_unit_that_a_part_asks_for() {
-        let (catalogue, _) = Catalogue::load(embedded());
+        let (catalogue, _) = Catalogue::open(embedded());
         let template = catalogue.find("ch2/e7-lc-circuit").expect("an item");
         let solution = Solution::of(Instance::of_source(template));
         let scene = Scene::of(&solution, Data::Both);
@@ -526,7 +526,7 @@ mod tests {
     /// The balance at rest vanishes and the motion is left, with what the letters are said to stand for.
     #[test]
     fn balances_at_rest_are_read_back_and_vanish() {
-        let (catalogue, _) = Catalogue::load(embedded());
+        let (catalogue, _) = Catalogue::open(embedded());
         let (mut balances, mut motions) = (0, 0);
         for template in catalogue.items() {
             let path = Path::new(["models", "full", "static"].map(Name::new).to_vec());
@@ -570,7 +570,7 @@ mod tests {
 
     #[test]
     fn printed_lines_are_read_back_and_follow_from_each_other() {
-        let (catalogue, _) = Catalogue::load(embedded());
+        let (catalogue, _) = Catalogue::open(embedded());
         let (mut followed, mut marked) = (0, 0);
         for template in catalogue.items() {
             let Some(model) = template.graph.derived("model") else {

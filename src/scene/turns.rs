@@ -103,7 +103,7 @@ mod tests {
     /// The closed forms of the items know nothing of the list.
     #[test]
     fn lists_end_where_the_closed_forms_of_the_items_say() {
-        let (catalogue, _) = Catalogue::load(embedded());
+        let (catalogue, _) = Catalogue::open(embedded());
         let mut lists = 0;
         for template in catalogue.items() {
             let graph = &template.graph;
@@ -140,7 +140,7 @@ mod tests {
 
     #[test]
     fn a_long_list_shows_its_beginning_and_its_end() {
-        let (catalogue, _) = Catalogue::load(embedded());
+        let (catalogue, _) = Catalogue::open(embedded());
         let template = catalogue.find("ch3/t7-mu-from-decay").expect("an item");
         let solution = Solution::of(Instance::of_source(template));
         let scene = Scene::of(&solution, Data::Both);
@@ -153,7 +153,7 @@ mod tests {
 
     #[test]
     fn a_list_shows_place_pull_and_friction() {
-        let (catalogue, _) = Catalogue::load(embedded());
+        let (catalogue, _) = Catalogue::open(embedded());
         let template = catalogue
             .items()
             .find(|own| own.id.as_str().starts_with("ch3/p1-"));

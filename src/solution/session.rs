@@ -137,7 +137,7 @@ mod tests {
 
     #[test]
     fn a_solution_is_kept_by_item_seed_and_data_and_their_number_is_bounded() {
-        let (catalogue, _) = Catalogue::load(embedded());
+        let (catalogue, _) = Catalogue::open(embedded());
         let mut session = Session::new(&catalogue);
         let template = session
             .find("ch2/e8-springs-parallel-series")
@@ -161,7 +161,7 @@ mod tests {
 
     #[test]
     fn the_nearest_item_is_named_once_in_a_row() {
-        let (catalogue, _) = Catalogue::load(embedded());
+        let (catalogue, _) = Catalogue::open(embedded());
         let mut session = Session::new(&catalogue);
         let mut words = |id| {
             let refusal = session.find(id).err();

@@ -3,9 +3,10 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
+use crate::BANK;
 use serde_json::{Value as Json, json};
 use vibank::answer::{KeyValue, Verdict};
-use vibank::bank::{Catalogue, Listing, Template, embedded};
+use vibank::bank::{Catalogue, Listing, Template};
 use vibank::grade;
 use vibank::instance::Instance;
 use vibank::output::{self, Kind, Pages, Run};
@@ -15,14 +16,21 @@ use vibank::source::Source;
 use vibank::suitability;
 use vibank::worksheet::{Blueprint, Plan, Sheet};
 
-/// Draws of each item.
-const SEEDS: u64 = 200;
+/// Draws of each item; `.ci/run` sets `VIBANK_DRAWS` to more.
+fn draws() -> u64 {
+    let draws = std::env::var("VIBANK_DRAWS");
+    draws
+        .ok()
+        .and_then(|draws| draws.parse().ok())
+        .unwrap_or(50)
+}
+
 /// Draws of each item whose keys are computed by their second routes; `vibank check` takes many more.
 const PROVED: u64 = 20;
 
 /// What `faults` finds in each item, on all cores, in the order of the bank.
 fn over_all(faults: impl Fn(&Template) -> Vec<String> + Sync) -> Vec<String> {
-    let (catalogue, _) = Catalogue::load(embedded());
+    let catalogue = &*BANK;
     let items: Vec<_> = catalogue.items().collect();
     let next = AtomicUsize::new(0);
     let work = || {
@@ -61,7 +69,7 @@ fn none(faults: &[String]) {
 fn draws_keep_to_the_constraints_and_have_all_their_keys() {
     none(&over_all(|item| {
         let mut faults = Vec::new();
-        for seed in 0..SEEDS {
+        for seed in 0..draws() {
             let instance = match Instance::draw(item, Seed::new(seed)) {
                 Ok(instance) => instance,
                 Err(error) => return vec![error.to_string()],
@@ -91,7 +99,7 @@ fn draws_keep_to_the_constraints_and_have_all_their_keys() {
 fn a_key_as_it_is_printed_is_right() {
     none(&over_all(|item| {
         let mut faults = Vec::new();
-        for seed in 0..SEEDS {
+        for seed in 0..draws() {
             let Ok(instance) = Instance::draw(item, Seed::new(seed)) else {
                 continue;
             };
@@ -134,7 +142,7 @@ fn one_draw_of_each_item_is_written_as_it_was() {
     settings.set_snapshot_path("../snapshots/items");
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    let (catalogue, _) = Catalogue::load(embedded());
+    let catalogue = &*BANK;
     let writer = output::writer("md").expect("the format is there");
     for item in catalogue.items() {
         let text = format!(
@@ -142,7 +150,7 @@ fn one_draw_of_each_item_is_written_as_it_was() {
             item.id
         );
         let blueprint = Blueprint::read(&Source::new("test.toml", text)).expect("it is sound");
-        let plan = Plan::of(&blueprint, &catalogue, None).expect("the item is there");
+        let plan = Plan::of(&blueprint, catalogue, None).expect("the item is there");
         let sheet = Sheet::draw(&plan, plan.variant(0, 0), None).expect("it can be drawn");
         let pages = Pages::new(writer, Run::of(&blueprint, writer), &[]).expect("it is sound");
         let page = pages.page(Kind::Solutions, &sheet).expect("it is sound");
@@ -173,14 +181,14 @@ fn known_results_and_second_routes_hold() {
 /// The values of the catalogue, computed with fifty digits.
 #[test]
 fn the_values_of_the_catalogue_are_solved_to_the_last_digits() {
-    let (catalogue, _) = Catalogue::load(embedded());
+    let catalogue = &*BANK;
     let mut faults = Vec::new();
     for line in include_str!("../fixtures/reference.jsonl").lines() {
         let case: Json = serde_json::from_str(line).expect("each line is JSON");
         let id = case["id"].as_str().expect("each case has an item");
         if catalogue.find(id).is_some() {
             faults.extend(
-                solved(&catalogue, &case)
+                solved(catalogue, &case)
                     .into_iter()
                     .map(|fault| format!("{id}: {fault}")),
             );
@@ -273,7 +281,7 @@ fn apart(found: &Json, expected: &Json) -> Option<f64> {
 #[test]
 fn the_committed_list_is_fresh() {
     use std::fmt::Write as _;
-    let (catalogue, _) = Catalogue::load(embedded());
+    let catalogue = &*BANK;
     let mut rows = String::new();
     for item in catalogue.items() {
         let listing = Listing::of(item);

@@ -2,7 +2,8 @@
 
 use std::fmt::Write as _;
 
-use vibank::bank::{Catalogue, Compiled, Template, embedded};
+use crate::BANK;
+use vibank::bank::{Compiled, Template};
 use vibank::grade;
 use vibank::instance::Instance;
 use vibank::scene::{Data, Scene};
@@ -47,7 +48,7 @@ fn shown(template: &Template, seed: Seed) -> String {
 
 #[test]
 fn a_compiled_item_shows_and_marks_as_its_file_does() {
-    let (catalogue, _) = Catalogue::load(embedded());
+    let catalogue = &*BANK;
     for template in catalogue.items() {
         let json = serde_json::to_string(&Compiled::of(template)).expect("it is plain data");
         let compiled: Compiled = serde_json::from_str(&json).expect("it was written so");

@@ -2,7 +2,8 @@
 
 use std::io::{Cursor, Read};
 
-use vibank::bank::{Catalogue, Compiled, Template, embedded};
+use crate::BANK;
+use vibank::bank::{Catalogue, Compiled, Template};
 use vibank::course::{Package, first_variant};
 use vibank::output::{Scorm, scorm};
 use vibank::source::Source;
@@ -99,7 +100,7 @@ fn a_package_whose_state_may_not_fit_is_refused_with_the_numbers() {
 
 #[test]
 fn texts_that_are_never_shown_are_not_in_an_item() {
-    let (catalogue, _) = Catalogue::load(embedded());
+    let catalogue = &*BANK;
     let mut emptied = 0;
     for item in catalogue.items() {
         let silent = Compiled::of(item).silenced(&["solution", "feedback"]);
@@ -166,10 +167,10 @@ fn rules_are_read_and_wrong_ones_have_their_places() {
             findings[0]
         );
     }
-    let (catalogue, _) = Catalogue::load(embedded());
+    let catalogue = &*BANK;
     let blueprint = read("").unwrap();
-    let plan = Plan::of(&blueprint, &catalogue, None).unwrap();
-    let (practice, _) = Practice::of_plan(&plan, &catalogue);
+    let plan = Plan::of(&blueprint, catalogue, None).unwrap();
+    let (practice, _) = Practice::of_plan(&plan, catalogue);
     let points: f64 = practice.questions[0]
         .weights
         .iter()

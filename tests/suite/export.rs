@@ -1,7 +1,7 @@
 //! Exports for course platforms: read back by a reader of the notation that knows nothing of the writer, and compared with
 //! the grader.
 
-use vibank::bank::{Catalogue, embedded};
+use crate::BANK;
 use vibank::export::{Canvas, Export, Moodle, Qti, Version, Wish};
 use vibank::seed::{Seed, Streams};
 use vibank::source::Source;
@@ -169,7 +169,7 @@ fn anywhere(blank: &Blank, stream: &str) -> Vec<f64> {
 
 /// Calls for each question of the whole bank in some variants.
 fn each_question(variants: u64, mut call: impl FnMut(&Sheet<'_>, &SheetQuestion<'_>)) {
-    let (catalogue, _) = Catalogue::load(embedded());
+    let catalogue = &*BANK;
     let ids: Vec<String> = catalogue
         .items()
         .map(|item| item.id.as_str().to_owned())
@@ -178,7 +178,7 @@ fn each_question(variants: u64, mut call: impl FnMut(&Sheet<'_>, &SheetQuestion<
         let text = format!("title = 'T'\nseed = 5\nvariants = 1\n[[question]]\nitem = '{id}'\n");
         let source = Source::new(id, text);
         let blueprint = Blueprint::read(&source).expect("a blueprint");
-        let plan = Plan::of(&blueprint, &catalogue, None).expect("a plan");
+        let plan = Plan::of(&blueprint, catalogue, None).expect("a plan");
         for index in 0..variants {
             let sheet = Sheet::draw(&plan, plan.variant(index, 0), None).expect("it can be drawn");
             call(&sheet, &sheet.questions[0]);

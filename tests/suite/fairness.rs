@@ -1,7 +1,8 @@
 //! Honest work on the bank is right, wrong methods are not: the counts behind both.
 
+use crate::BANK;
 use vibank::answer::Kind;
-use vibank::bank::{Catalogue, Template, embedded};
+use vibank::bank::Template;
 use vibank::diagnostic::{Code, Finding};
 use vibank::examine::Examination;
 
@@ -48,7 +49,7 @@ fn count(template: &Template) -> Counts {
 
 #[test]
 fn honest_work_is_right_and_wrong_methods_are_not() {
-    let (catalogue, _) = Catalogue::load(embedded());
+    let catalogue = &*BANK;
     let items: Vec<&Template> = catalogue.items().collect();
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let all = std::thread::scope(|scope| {

@@ -2,7 +2,8 @@
 
 use std::fmt::Write as _;
 
-use vibank::bank::{Catalogue, Template, embedded};
+use crate::BANK;
+use vibank::bank::{Catalogue, Template};
 use vibank::figure::{Bounds, Drawing, Fill, LETTER_SIZE, Picture};
 use vibank::instance::Instance;
 use vibank::scene::{Data, Scene};
@@ -136,7 +137,7 @@ fn outside(drawing: &Drawing) -> Vec<String> {
 
 #[test]
 fn every_item_is_drawn_legibly_for_many_data() {
-    let (catalogue, _) = Catalogue::load(embedded());
+    let catalogue = &*BANK;
     let mut all = Vec::new();
     for template in catalogue.items() {
         all.extend(faults(template, Instance::of_source(template)));
@@ -158,7 +159,7 @@ fn letters_are_readable_in_print() {
 
 #[test]
 fn the_same_data_give_the_same_bytes_and_others_other_identities() {
-    let (catalogue, _) = Catalogue::load(embedded());
+    let catalogue = &*BANK;
     let template = catalogue
         .find("ch2/p5-stepped-disk-two-springs")
         .expect("it is there");
@@ -292,7 +293,7 @@ fn every_element_is_listed() {
 /// A filled area is not needed to know what is a body: outlines are there in black and white.
 #[test]
 fn areas_have_outlines() {
-    let (catalogue, _) = Catalogue::load(embedded());
+    let catalogue = &*BANK;
     for template in catalogue.items() {
         let figure = template.figure.as_ref().expect("every item has one");
         let solution = Solution::of(Instance::of_source(template));

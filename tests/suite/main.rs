@@ -50,6 +50,11 @@ mod text;
 #[cfg(feature = "render")]
 mod trace;
 
+/// The bank of the program: an item is read once, whichever test asks it first.
+#[cfg(feature = "render")]
+static BANK: std::sync::LazyLock<vibank::bank::Catalogue> =
+    std::sync::LazyLock::new(|| vibank::bank::Catalogue::open(vibank::bank::embedded()).0);
+
 /// The small bank of the tests, without a finding.
 #[cfg(feature = "render")]
 fn small_bank() -> vibank::bank::Catalogue {

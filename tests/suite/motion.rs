@@ -1,6 +1,7 @@
 //! Figures that move: what the bank's do, what is read, what is refused.
 
-use vibank::bank::{Catalogue, Template, embedded};
+use crate::BANK;
+use vibank::bank::{Catalogue, Template};
 use vibank::diagnostic::Severity;
 use vibank::figure::{Head, State};
 use vibank::instance::Instance;
@@ -64,8 +65,8 @@ fn state(count: usize, moved: Option<usize>) -> State {
 
 #[test]
 fn at_rest_a_figure_that_moves_is_as_it_stands() {
-    let (catalogue, _) = Catalogue::load(embedded());
-    for item in moving(&catalogue) {
+    let catalogue = &*BANK;
+    for item in moving(catalogue) {
         let solution = Solution::of(Instance::of_source(item));
         let scene = Scene::of(&solution, Data::Both);
         let figure = item.figure.as_ref().expect("it moves");
@@ -88,7 +89,7 @@ fn at_rest_a_figure_that_moves_is_as_it_stands() {
 
 #[test]
 fn each_model_with_a_figure_moves_it() {
-    let (catalogue, _) = Catalogue::load(embedded());
+    let catalogue = &*BANK;
     let later = |item: &&Template| !item.id.as_str().starts_with("ch1/");
     let modelled =
         |item: &&Template| item.graph.derived("model").is_some() && item.figure.is_some();
@@ -102,8 +103,8 @@ fn each_model_with_a_figure_moves_it() {
 
 #[test]
 fn modes_are_drawn_on_the_system() {
-    let (catalogue, _) = Catalogue::load(embedded());
-    let several = moving(&catalogue).filter(|item| coordinates(item) > 1);
+    let catalogue = &*BANK;
+    let several = moving(catalogue).filter(|item| coordinates(item) > 1);
     for item in several {
         let solution = Solution::of(Instance::of_source(item));
         let scene = Scene::of(&solution, Data::Both);
@@ -140,8 +141,8 @@ fn modes_are_drawn_on_the_system() {
 
 #[test]
 fn each_figure_that_moves_has_a_motion() {
-    let (catalogue, _) = Catalogue::load(embedded());
-    for item in moving(&catalogue) {
+    let catalogue = &*BANK;
+    for item in moving(catalogue) {
         let solution = Solution::of(Instance::of_source(item));
         let scene = Scene::of(&solution, Data::Both);
         let runs = scene.runs();
@@ -173,7 +174,7 @@ fn each_figure_that_moves_has_a_motion() {
 
 #[test]
 fn what_moves_follows_the_solver() {
-    let (catalogue, _) = Catalogue::load(embedded());
+    let catalogue = &*BANK;
     let scene = |id: &str, check: &dyn Fn(&Scene<'_, '_>)| {
         let item = catalogue.find(id).expect("it is there");
         let solution = Solution::of(Instance::of_source(item));

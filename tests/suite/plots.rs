@@ -2,7 +2,8 @@
 
 use std::fmt::Write as _;
 
-use vibank::bank::{Catalogue, Template, embedded};
+use crate::BANK;
+use vibank::bank::{Catalogue, Template};
 use vibank::figure::plot::Picture;
 use vibank::figure::{Bounds, Head};
 use vibank::instance::Instance;
@@ -22,8 +23,8 @@ fn items(catalogue: &Catalogue) -> impl Iterator<Item = &Template> {
 
 /// Calls `visit` with each plot of the bank for the data of its source and for several draws.
 fn for_each_plot(mut visit: impl FnMut(&str, Result<Picture, String>)) {
-    let (catalogue, _) = Catalogue::load(embedded());
-    for item in items(&catalogue) {
+    let catalogue = &*BANK;
+    for item in items(catalogue) {
         for seed in 0..SEEDS {
             let instance = match seed {
                 0 => Ok(Instance::of_source(item)),
@@ -58,7 +59,7 @@ fn every_plot_is_drawn_with_all_it_has_in_its_frame() {
 
 #[test]
 fn a_plot_is_computed_where_it_is_shown_and_nowhere_else() {
-    let (catalogue, _) = Catalogue::load(embedded());
+    let catalogue = &*BANK;
     let template = catalogue
         .find("ch3/e4-underdamped-response")
         .expect("the item is there");
@@ -182,7 +183,7 @@ fn the_gallery_is_fresh() {
     let book = std::path::Path::new("book/src");
     let mut files: Vec<(std::path::PathBuf, String)> = Vec::new();
     let mut page = include_str!("../fixtures/plots.md").to_owned();
-    let (catalogue, _) = Catalogue::load(embedded());
+    let catalogue = &*BANK;
     for (item, plot, about) in GALLERY {
         let template = catalogue.find(item).expect("the item is there");
         let solution = Solution::of(Instance::of_source(template));

@@ -6,7 +6,8 @@
 use std::fs;
 use std::path::Path;
 
-use vibank::bank::{Catalogue, Compiled, embedded};
+use crate::BANK;
+use vibank::bank::Compiled;
 use vibank::document::Document;
 use vibank::scene::Data;
 use vibank::solution::Session;
@@ -37,8 +38,8 @@ fn keeps(name: &str, reply: impl FnMut(&str) -> String) {
 
 #[test]
 fn the_replies_of_solve_are_kept() {
-    let (bank, _) = Catalogue::load(embedded());
-    let mut session = Session::new(&bank);
+    let bank = &*BANK;
+    let mut session = Session::new(bank);
     keeps("solve", |line| {
         vibank::solution::request::answer(&mut session, line)
     });
@@ -46,8 +47,8 @@ fn the_replies_of_solve_are_kept() {
 
 #[test]
 fn the_replies_of_mark_are_kept() {
-    let (bank, _) = Catalogue::load(embedded());
-    let mut session = Session::new(&bank);
+    let bank = &*BANK;
+    let mut session = Session::new(bank);
     keeps("mark", |line| {
         vibank::grade::request::answer(&mut session, line)
     });

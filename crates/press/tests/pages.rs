@@ -57,7 +57,7 @@ fn count(bytes: &[u8], mark: &str) -> usize {
 /// One page of each chapter, each of its kinds: tagged, with embedded fonts, the same bytes again.
 #[test]
 fn sheets_are_tagged_pdf_of_the_same_bytes() {
-    let (catalogue, _) = Catalogue::load(embedded());
+    let (catalogue, _) = Catalogue::open(embedded());
     let blueprint = blueprint(&[
         "ch3/e4-underdamped-response",
         "ch5/e5-coupled-pendulums-modes",
@@ -147,7 +147,7 @@ fn class() -> Vec<Student> {
 
 #[test]
 fn a_file_for_the_printer_is_accessible_and_each_sheet_has_an_even_number_of_pages() {
-    let (catalogue, _) = Catalogue::load(embedded());
+    let (catalogue, _) = Catalogue::open(embedded());
     let blueprint = blueprint(&[
         "ch3/e4-underdamped-response",
         "ch2/p3-parallel-springs-damper",
@@ -218,7 +218,7 @@ fn a_file_for_the_printer_is_accessible_and_each_sheet_has_an_even_number_of_pag
 
 /// Every text and key of a chapter: nothing in them is an error of Typst.
 fn the_chapter_prints(chapter: &str) {
-    let (catalogue, _) = Catalogue::load(embedded());
+    let (catalogue, _) = Catalogue::open(embedded());
     let items: Vec<&str> = catalogue
         .items()
         .map(|template| template.id.as_str())

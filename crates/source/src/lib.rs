@@ -40,7 +40,7 @@ mod value;
 
 pub use case::{capital, lower};
 pub use json::{Fields, FromJson, Misfit, variant};
-pub use nearest::{edit_distance, nearest};
+pub use nearest::{EditDistance, nearest};
 pub use problem::Problem;
 pub use span::Span;
 pub use table::{Problems, Table};

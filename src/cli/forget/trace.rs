@@ -100,9 +100,7 @@ impl Person {
                 continue;
             }
             let is_packed = [".pdf", ".xlsx"].iter().any(|end| name.ends_with(end));
-            let is_whole = ["key-table.", "marks."]
-                .iter()
-                .any(|own| name.contains(own));
+            let is_whole = ["key-table", "marks."].iter().any(|own| name.contains(own));
             let bytes = files::read_bytes(&path).unwrap_or_default();
             let found = self.trace(&String::from_utf8_lossy(&bytes));
             let shown = path.display();

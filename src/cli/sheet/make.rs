@@ -285,9 +285,7 @@ impl Store<'_> {
             .into_iter()
             .chain(fairness)
         {
-            if let Some(digest) = finished.digest {
-                digests.insert(finished.name.clone(), digest);
-            }
+            digests.extend(finished.digests);
             made.shown.push((finished.name, finished.what));
         }
         made.shown.extend(prints.shown);

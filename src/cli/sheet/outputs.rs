@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+use rayon::prelude::*;
 use vibank::message::Language;
 use vibank::output::{self, KeyRow, KeyTable, Kind, Pages, Run};
 use vibank::worksheet::{Fairness, FileStamp, Plan, Sheet, Student, VariantEntry};
@@ -330,15 +331,15 @@ pub(crate) fn write_fairness(
     let begin = laid.pages.begin("fairness").map_err(unfilled)?;
     let whole = format!("{begin}{page}{}", laid.end);
     let file = format!("fairness.{name}");
-    Ok(Finished {
-        digest: Some(out.write(&file, whole.as_bytes())?),
-        name: file,
-        what,
-    })
+    let digest = out.write(&file, whole.as_bytes())?;
+    Ok(Finished::one(file, digest, what))
 }
 
 /// What the page with all keys is called.
 const TABLE: &str = "answers of all variants";
+
+/// Ends a piece of a table of keys in the draft of its text, where no other control sign stands.
+const PIECE_END: &str = "\u{c}";
 
 pub(crate) fn unfilled(error: output::OutputError) -> Failure {
     Failure::new(error.to_string())
@@ -395,7 +396,9 @@ impl<'f> Outputs<'f> {
             };
             let table = laid.table.as_ref().map(|begin| {
                 let name = shard.named("key-table", laid.extension());
-                Stream::open(out, name, begin, mark)
+                // What a press prints is bound in pieces, each with its own beginning.
+                let is_bound = laid.pages.writer().is_bound();
+                Stream::open(out, name, if is_bound { "" } else { begin }, mark)
             });
             Ok(Files::Pages {
                 laid,
@@ -449,7 +452,7 @@ impl<'f> Outputs<'f> {
         self.formats.iter().map(|_| KeyTable::default()).collect()
     }
 
-    /// Writes the tables of keys of some sheets.
+    /// Writes the tables of keys of some sheets, which are a piece of those that a press prints.
     pub(crate) fn add_tables(&mut self, tables: &[KeyTable]) -> Result<(), Failure> {
         for (files, collected) in self.formats.iter_mut().zip(tables) {
             if let Files::Pages {
@@ -460,6 +463,9 @@ impl<'f> Outputs<'f> {
             {
                 let page = laid.pages.key_table(collected).map_err(unfilled)?;
                 stream.draft.write(page.as_bytes())?;
+                if laid.pages.writer().is_bound() {
+                    stream.draft.write(PIECE_END.as_bytes())?;
+                }
             }
         }
         Ok(())
@@ -503,14 +509,15 @@ impl<'f> Outputs<'f> {
                     Some(stream) => stream.finish(&laid.end, what)?,
                     None => Finished {
                         name: format!("{}/*.{}", kind.folder(), laid.extension()),
-                        digest: None,
+                        digests: Vec::new(),
                         what,
                     },
                 });
             }
             if let Some(table) = table {
+                let begin = laid.table.as_deref().unwrap_or_default();
                 finished.push(if laid.pages.writer().is_bound() {
-                    table.bind(laid, out, unprinted)?
+                    table.bind(laid, begin, out, unprinted)?
                 } else {
                     table.finish(&laid.end, TABLE)?
                 });
@@ -520,10 +527,12 @@ impl<'f> Outputs<'f> {
     }
 }
 
-/// A file that is complete, or a folder of them.
+/// A file that is complete, or several.
 pub(crate) struct Finished {
+    /// What to report of it: its name, or a pattern of several.
     pub(crate) name: String,
-    pub(crate) digest: Option<String>,
+    /// Files of the whole run, with their digests.
+    pub(crate) digests: Vec<(String, String)>,
     pub(crate) what: &'static str,
 }
 
@@ -558,47 +567,70 @@ impl Stream {
 
     fn finish(mut self, end: &str, what: &'static str) -> Result<Finished, Failure> {
         self.draft.write(end.as_bytes())?;
-        Ok(Finished {
-            digest: Some(self.draft.finish()?),
-            name: self.name,
-            what,
-        })
+        Ok(Finished::one(self.name, self.draft.finish()?, what))
     }
-}
 
-impl Stream {
     /// The table of keys as a workbook.
     fn book(self, out: &Folder) -> Result<Finished, Failure> {
         let lines = self.draft.take()?;
         let digest = out.write(&self.name, &key_book::bound(&lines)?)?;
-        Ok(Finished {
-            name: self.name,
-            digest: Some(digest),
-            what: TABLE,
-        })
+        Ok(Finished::one(self.name, digest, TABLE))
     }
 
-    /// The table of keys of a format whose finished text is not yet the file.
+    /// The tables of keys of a format whose finished text is not yet the file: a file for each piece, since what a
+    /// press holds grows with what it prints at once.
     fn bind(
-        mut self,
+        self,
         laid: &Laid,
+        begin: &str,
         out: &Folder,
         unprinted: &mut Vec<String>,
     ) -> Result<Finished, Failure> {
-        self.draft.write(laid.end.as_bytes())?;
         let text = self.draft.take()?;
-        let digest = match laid.bind(text) {
-            Ok(bytes) => out.write(&self.name, &bytes)?,
-            Err(why) => {
-                unprinted.push(format!("`{}` could not be printed: {why}", self.name));
-                UNPRINTED.to_owned()
+        let pieces = text.strip_suffix(PIECE_END).unwrap_or(&text);
+        let pieces: Vec<&str> = pieces.split(PIECE_END).collect();
+        let (stem, extension) = self.name.rsplit_once('.').unwrap_or((&self.name, ""));
+        let digits = pieces.len().to_string().len();
+        let named = |at: usize| match pieces.len() {
+            1 => self.name.clone(),
+            _ => format!("{stem}-{:0digits$}.{extension}", at + 1),
+        };
+        let print = |(at, piece): (usize, &&str)| {
+            let name = named(at);
+            match laid.bind(format!("{begin}{piece}{}", laid.end)) {
+                Ok(bytes) => Ok((out.write(&name, &bytes)?, name, None)),
+                Err(why) => {
+                    let line = format!("`{name}` could not be printed: {why}");
+                    Ok((UNPRINTED.to_owned(), name, Some(line)))
+                }
             }
         };
+        let printed = pieces.par_iter().enumerate().map(print);
+        let printed: Vec<_> = printed.collect::<Result<_, Failure>>()?;
+        let mut digests = Vec::new();
+        for (digest, name, line) in printed {
+            digests.push((name, digest));
+            unprinted.extend(line);
+        }
+        let name = match pieces.len() {
+            1 => self.name,
+            _ => format!("{stem}-*.{extension}"),
+        };
         Ok(Finished {
-            name: self.name,
-            digest: Some(digest),
+            name,
+            digests,
             what: TABLE,
         })
+    }
+}
+
+impl Finished {
+    fn one(name: String, digest: String, what: &'static str) -> Self {
+        Self {
+            digests: vec![(name.clone(), digest)],
+            name,
+            what,
+        }
     }
 }
 

@@ -1,14 +1,14 @@
 //! What an answer line says is what is marked there.
 
+use crate::BANK;
 use vibank::answer::{Asked, Verdict};
-use vibank::bank::{Catalogue, embedded};
 use vibank::grade;
 use vibank::instance::Instance;
 use vibank::message::Language;
 use vibank::solution::Solution;
 
 fn said(item: &str, part: &str) -> String {
-    let (catalogue, _) = Catalogue::load(embedded());
+    let catalogue = &*BANK;
     let template = catalogue.find(item).expect("the item");
     let blank = template.part(part).expect("the part").answer.blank();
     let said = Language::English.blank(&blank).plain(&Vec::new());
@@ -45,7 +45,7 @@ fn each_form_is_said() {
 
 #[test]
 fn each_letter_that_is_offered_can_be_typed() {
-    let (catalogue, _) = Catalogue::load(embedded());
+    let catalogue = &*BANK;
     let (mut refused, mut count) = (Vec::new(), 0);
     for template in catalogue.items() {
         let solution = Solution::of(Instance::of_source(template));
@@ -84,7 +84,7 @@ fn each_letter_that_is_offered_can_be_typed() {
 
 #[test]
 fn a_letter_that_is_barred_is_handed_back() {
-    let (catalogue, _) = Catalogue::load(embedded());
+    let catalogue = &*BANK;
     let template = catalogue
         .find("ch3/e4-underdamped-response")
         .expect("the item");

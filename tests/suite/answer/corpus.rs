@@ -3,8 +3,8 @@
 
 use std::collections::BTreeMap;
 
+use crate::BANK;
 use vibank::answer::{Marking, Reason};
-use vibank::bank::{Catalogue, embedded};
 use vibank::instance::Instance;
 use vibank::solution::Solution;
 
@@ -134,7 +134,7 @@ fn numbers_are_read_as_they_are_meant() {
 
 #[test]
 fn equations_of_motion_are_told_apart() {
-    let (bank, _) = Catalogue::load(embedded());
+    let bank = &*BANK;
     let (mut faults, mut count) = (Vec::new(), 0);
     for line in lines(EQUATIONS) {
         count += 1;

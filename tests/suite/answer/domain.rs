@@ -1,16 +1,12 @@
 //! Where formulas and functions are compared: what is right inside the domain of an item is right, and no slip is.
 
-use std::sync::LazyLock;
-
+use crate::BANK;
 use vibank::answer::{KeyValue, Reason, Verdict};
-use vibank::bank::{Catalogue, embedded};
 use vibank::expr::{Expr, Kind, Name, Operator, Precise, Program, Slots, Substitution, Workspace};
 use vibank::grade;
 use vibank::instance::Instance;
 use vibank::seed::Seed;
 use vibank::solution::Solution;
-
-static BANK: LazyLock<Catalogue> = LazyLock::new(|| Catalogue::load(embedded()).0);
 
 /// The verdict on a response to a part of an item with these data.
 fn verdict(item: &str, part: &str, set: &[(&str, &str)], response: &str) -> Verdict {

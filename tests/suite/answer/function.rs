@@ -1,6 +1,7 @@
 //! Motions as functions of time.
 
 use super::check;
+use crate::BANK;
 
 const ITEM: &str = r#"
 [parameters]
@@ -299,7 +300,7 @@ fn a_general_solution_has_to_meet_any_initial_state() {
 
 #[test]
 fn the_functions_of_the_bank_are_asked_with_data() {
-    let (catalogue, _) = vibank::bank::Catalogue::load(vibank::bank::embedded());
+    let catalogue = &*BANK;
     for (item, part, response, verdict) in [
         (
             "ch2/e3-amplitude-phase",

@@ -1,9 +1,9 @@
 //! Items of the bank as they stand in the book, in HTML with MathML.
 
 use std::fmt::Write as _;
-use std::sync::LazyLock;
 
-use vibank::bank::{Catalogue, Template, embedded};
+use crate::BANK;
+use vibank::bank::Template;
 use vibank::document::read_math;
 use vibank::instance::Instance;
 use vibank::math::Display;
@@ -11,8 +11,6 @@ use vibank::scene::{Data, Scene, Shown};
 use vibank::seed::Seed;
 use vibank::solution::Solution;
 use vibank::worksheet::headings;
-
-static BANK: LazyLock<Catalogue> = LazyLock::new(|| Catalogue::load(embedded()).0);
 
 /// A displayed formula.
 pub(super) fn math(latex: &str) -> String {

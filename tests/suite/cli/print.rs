@@ -363,3 +363,38 @@ fn many_sheets_are_printed_in_pieces() {
     .ends(3)
     .complains("could not be printed");
 }
+
+#[test]
+fn the_table_of_keys_is_printed_in_pieces() {
+    let text = "title = 'T'\nseed = 5\nsolutions = false\nstudents = 'class.csv'\nformats = ['pdf']\nkeys = ['table']\n\
+        [[question]]\nitem = 'free/damped-block'\n";
+    let made = |name: &str, students: usize, says: &str| {
+        let desk = Desk::with_class(name, students);
+        let plan = put(&desk.folder, "t.toml", text);
+        let out = text_of(&desk.out);
+        let run = ["sheet", &plan, "--out", &out, "--bank", super::BANK];
+        with_press("echoes", &run).ends(0).says(says);
+        desk
+    };
+    let desk = made("print-keys", 70, "key-table-*.pdf");
+    let table = |name: &str| content(desk.out.join(name));
+    let pieces = ["key-table-1.pdf", "key-table-2.pdf"].map(table);
+    let codes = codes(&desk);
+    for (piece, own) in pieces.iter().zip(codes.chunks(64)) {
+        let (shared, rest) = piece.split_once(&own[0]).expect("it has the first sheet");
+        assert!(
+            shared.contains("All sheets"),
+            "what they share stands first"
+        );
+        for code in &codes[1..] {
+            assert!(!shared.contains(code), "{code}");
+            let is_own = own[1..].contains(code);
+            assert_eq!(rest.contains(code), is_own, "{code}");
+        }
+    }
+    let manifest = content(desk.out.join("manifest.json"));
+    assert!(manifest.contains("\"key-table-2.pdf\":\""));
+    // What fits in one piece is one file.
+    let small = made("print-keys-few", 2, "key-table.pdf");
+    assert!(small.out.join("key-table.pdf").is_file());
+}

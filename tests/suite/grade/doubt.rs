@@ -1,7 +1,7 @@
 //! What becomes of responses with two readings, against the table in the book.
 
+use crate::BANK;
 use vibank::answer::{Doubt, Remark, Verdict};
-use vibank::bank::{Catalogue, embedded};
 use vibank::grade;
 use vibank::instance::Instance;
 use vibank::solution::Solution;
@@ -11,7 +11,7 @@ const PAGE: &str = include_str!("../../../book/src/teachers/grading.md");
 
 #[test]
 fn doubts_are_settled_as_the_book_says() {
-    let (bank, _) = Catalogue::load(embedded());
+    let bank = &*BANK;
     let (_, table) = PAGE.split_once("<!-- doubts -->").expect("the table");
     let rows = table.lines().skip_while(|line| !line.starts_with('|'));
     let rows = rows.take_while(|line| line.starts_with('|'));
@@ -55,7 +55,7 @@ fn doubts_are_settled_as_the_book_says() {
 
 #[test]
 fn a_decimal_comma_that_is_set_is_no_doubt() {
-    let (bank, _) = Catalogue::load(embedded());
+    let bank = &*BANK;
     let template = bank
         .find("ch2/p2-centre-pinned-bar-cable")
         .expect("an item");

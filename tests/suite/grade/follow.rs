@@ -1,16 +1,13 @@
 //! Follow-through on items of the bank: own earlier answers go on, and nothing is given away.
 
-use std::sync::LazyLock;
-
+use crate::BANK;
 use vibank::answer::{Marking, Reason, Verdict};
-use vibank::bank::{Catalogue, embedded};
+use vibank::bank::Catalogue;
 use vibank::grade::{Grade, remarks};
 use vibank::instance::Instance;
 use vibank::solution::Solution;
 
 /// The bank, loaded once.
-static BANK: LazyLock<Catalogue> = LazyLock::new(|| Catalogue::load(embedded()).0);
-
 /// Marks responses to parts of an item with the data of its source; the marking of the last one.
 fn last(item: &str, responses: &[(&str, &str)]) -> Marking {
     marked(&BANK, item, responses)

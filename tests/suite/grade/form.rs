@@ -1,9 +1,7 @@
 //! Values in place of formulas, formulas in place of values, and statements in both forms.
 
-use std::sync::OnceLock;
-
+use crate::BANK;
 use vibank::answer::{Credit, Verdict};
-use vibank::bank::{Catalogue, embedded};
 use vibank::grade::{Grade, Sheet};
 use vibank::instance::Instance;
 use vibank::solution::Solution;
@@ -12,12 +10,6 @@ use vibank::worksheet::{Practice, PracticeQuestion};
 
 const ITEM: &str = "ch2/p3-parallel-springs-damper";
 
-/// The bank, read once.
-fn bank() -> &'static Catalogue {
-    static BANK: OnceLock<Catalogue> = OnceLock::new();
-    BANK.get_or_init(|| Catalogue::load(embedded()).0)
-}
-
 /// The marking of a response to one part on a sheet that asks for these.
 fn marked(
     part: &str,
@@ -25,7 +17,7 @@ fn marked(
     asked: &[&str],
     share: Option<&str>,
 ) -> (Verdict, f64, String) {
-    let template = bank().find(ITEM).expect("the item");
+    let template = BANK.find(ITEM).expect("the item");
     let set = [("m", "2 kg"), ("k1", "30 N/m"), ("k2", "20 N/m")];
     let instance = Instance::of(template, None, &set).expect("the data");
     let solution = Solution::of(instance);
@@ -136,7 +128,7 @@ fn alternatives_have_no_better_one() {
 
 /// The credit of a value for `omega_n` on a page that asks for these parts.
 fn credit_on_page(asked: &[&str], share: Option<f64>) -> f64 {
-    let catalogue = bank();
+    let catalogue = &*BANK;
     let item = catalogue.find(ITEM).expect("the item");
     let (mut practice, items) = Practice::of_items(catalogue, &[item], "Practice");
     practice.other_form = share;

@@ -1,15 +1,11 @@
 //! Follow-through along the relations between what was asked, where the author's formula goes back to the data.
 
-use std::sync::LazyLock;
-
+use crate::BANK;
 use vibank::answer::{Marking, Reason, Verdict};
-use vibank::bank::{Catalogue, embedded};
 use vibank::grade::Grade;
 use vibank::instance::Instance;
 use vibank::mechanics::Sdof;
 use vibank::solution::{Nested, Number, Solution};
-
-static BANK: LazyLock<Catalogue> = LazyLock::new(|| Catalogue::load(embedded()).0);
 
 /// The marking of the last of these responses.
 fn last(item: &str, set: &[(&str, &str)], responses: &[(&str, &str)]) -> Marking {

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use vibank_source::edit_distance;
+use vibank_source::EditDistance;
 
 use super::error::{Error, ErrorKind};
 use super::table::{Found, PREFIXES, ROWS, prefix, word};
@@ -37,8 +37,7 @@ pub(crate) fn nearest(name: &str) -> Option<String> {
         return Some(spelled(same));
     }
     // Short names are near to everything: there only the case may differ.
-    let letters: Vec<char> = name.chars().collect();
-    let bound = letters.len() / 4;
+    let bound = name.chars().count() / 4;
     if bound == 0 || name.len() > MAX_LENGTH {
         return None;
     }
@@ -49,10 +48,11 @@ pub(crate) fn nearest(name: &str) -> Option<String> {
         let words = row.words.iter().map(move |&name| (found, word, name));
         words.chain([(found, symbol, row.symbols[0])])
     });
+    let distance = EditDistance::from_word(name);
     candidates
         .filter_map(|(found, head, tail)| {
             let spelled = head.chars().chain(tail.chars());
-            Some((edit_distance(&letters, spelled, bound)?, found))
+            Some((distance.word(spelled, bound)?, found))
         })
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, found)| spelled(found))
