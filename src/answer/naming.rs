@@ -31,6 +31,7 @@ pub(crate) struct Naming {
     /// Letters that the item does not know and that say something else by the custom of the field.
     customary: Vec<&'static str>,
     is_matrix: bool,
+    is_shape: bool,
     /// Symbols that are no names, `V(π)`, `x₃/x`, `cos θ`: as they can be typed, with the names that stand for them.
     printed: Vec<(Label, Name)>,
 }
@@ -61,6 +62,7 @@ impl Naming {
         let mut naming = Self {
             customary: customary(kind, &asked, dimension, unit),
             is_matrix: kind == Kind::Matrix && !asked.is_empty(),
+            is_shape: kind == Kind::ModeShape,
             is_of_time: [Dimension::TIME, Dimension::TIME.inverse()]
                 .map(Some)
                 .contains(&dimension),
@@ -154,11 +156,22 @@ impl Naming {
             Ok(expr::Kind::Name(name)) => self.others.contains(name),
             // `K^2`
             Ok(_) if self.is_matrix => true,
+            // `u^{(2)}` is the shape of that mode.
+            Ok(expr::Kind::Prime(of, mode)) if self.is_shape => {
+                self.is_asked(of) && !self.is_of_mode(u32::from(*mode))
+            }
             // `omega'`
             Ok(expr::Kind::Prime(of, _)) if self.is_asked(of) => true,
             // `T_n`, `K11`
             _ => self.customary.contains(&parted(bare).0) || self.is_made_of_asked(bare),
         }
+    }
+
+    /// Whether what is asked has this number in its name, or none.
+    fn is_of_mode(&self, mode: u32) -> bool {
+        let mut indices = self.asked.iter().map(|name| parted(name.as_str()).1);
+        let numbered = indices.clone().any(|index| !index.is_empty());
+        !numbered || indices.any(|index| index.parse() == Ok(mode))
     }
 
     fn is_asked(&self, expr: &expr::Expr) -> bool {

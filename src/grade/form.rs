@@ -20,8 +20,9 @@ pub(super) fn otherwise(
         return None;
     }
     let is_open = first.verdict == Verdict::Unreadable && !is_doubtful(first);
-    solution.template().parts[place].answer.other_form()?;
-    let folded = Folded::of(response).ok()?;
+    let part = &solution.template().parts[place];
+    part.answer.other_form()?;
+    let folded = part.naming.named(Folded::of(response).ok()?).ok()?;
     let text = folded.text().trim();
     let sides = response::statement(text);
     // A key in the other form is prepared only where it may decide.
@@ -30,8 +31,7 @@ pub(super) fn otherwise(
     }
     let other = solution.other_marker(place)?;
     let own = solution.marker(place).ok()?;
-    let naming = &solution.template().parts[place].naming;
-    if let Some(marking) = statement(own, other, naming, sides) {
+    if let Some(marking) = statement(own, other, &part.naming, sides) {
         return Some(marking);
     }
     if !is_open {
@@ -60,7 +60,8 @@ pub(super) fn standing(
     if !is_open || is_doubtful(marking) || is_of_another(marking) {
         return None;
     }
-    let folded = Folded::of(response).ok()?;
+    let naming = &solution.template().parts[place].naming;
+    let folded = naming.named(Folded::of(response).ok()?).ok()?;
     let other = solution.other_marker(place)?.mark(folded.text().trim());
     other.reading.is_some().then_some(other)
 }

@@ -307,6 +307,7 @@ fn reasons() -> Vec<Why> {
         Why::AngleInUnit(Unit::radian()),
         Why::OtherQuantity,
         Why::LabelsInOtherOrder,
+        Why::LabelTwice,
         Why::EmptyPlace,
         Why::TwoSigns(text()),
         Why::NoValue(text()),

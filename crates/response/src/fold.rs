@@ -70,6 +70,7 @@ impl<'t> Folded<'t> {
             has_cells: has_cells(typed),
             has_barred_numbers: has_barred_numbers(typed),
             open: Vec::new(),
+            overs: Vec::new(),
         };
         while folder.at < typed.len() {
             folder.piece();
@@ -240,6 +241,8 @@ struct Folder<'t> {
     has_barred_numbers: bool,
     /// The environments of LaTeX that are open.
     open: Vec<Environment>,
+    /// Where `\over` parts a group, and where that group closes.
+    overs: Vec<(usize, usize)>,
 }
 
 impl Folder<'_> {
@@ -289,6 +292,9 @@ impl Folder<'_> {
         }
         if self.blanked.contains(&self.at) || char == '$' {
             return self.write(" ", width);
+        }
+        if "{}\\".contains(char) && self.fraction(char) {
+            return;
         }
         if char == '\\' {
             return self.command();

@@ -39,7 +39,10 @@ impl Label {
                     label.push_str(&digit.to_string());
                 }
                 // A star is raised or stands on the line.
-                '*' => label.truncate(label.trim_end_matches('^').len()),
+                '*' => {
+                    label.truncate(label.trim_end_matches('^').len());
+                    label.push('*');
+                }
                 _ if char.is_whitespace() || "_{}()[]".contains(char) => {}
                 _ => {
                     let mut letter = Letters::default();
@@ -58,6 +61,13 @@ impl Label {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_star_tells_symbols_apart() {
+        let of = |text: &str| Label::of_text(Folded::of(text).unwrap().text());
+        assert_ne!(of("ζ₁^∗"), of("ζ₁"));
+        assert_ne!(of("a_1^*"), of("a_1"));
+    }
 
     #[test]
     fn a_symbol_is_one_in_all_its_spellings() {

@@ -64,11 +64,11 @@ pub(super) fn in_order(text: &str, labels: &[Option<Span>]) -> Result<(), TypedE
 /// Whether what stands before an equals sign is made of what is asked, and is another value: `K⁻¹`, `2K`, `det K`.
 /// Any other power may number a mode.
 fn is_computed(label: &str) -> bool {
-    const FUNCTIONS: [&str; 3] = ["inv", "det", "\\det"];
+    const FUNCTIONS: [&str; 5] = ["inv", "det", "\\det", "sqrt", "\\sqrt"];
     let label = label.trim_start();
     let is_called = |name: &&str| {
         let rest = label.strip_prefix(*name);
-        rest.is_some_and(|rest| rest.starts_with([' ', '(', '\\']))
+        rest.is_some_and(|rest| rest.starts_with([' ', '(', '{', '\\']))
     };
     let factor =
         label.trim_start_matches(|char: char| char.is_ascii_digit() || "./*".contains(char));
@@ -78,8 +78,20 @@ fn is_computed(label: &str) -> bool {
     let is_scaled = label.starts_with(|char: char| char.is_ascii_digit())
         && factor.starts_with(char::is_alphabetic)
         && !is_ordinal;
+    // `u_1^2` is a square where the index numbers the mode; `u^2`, `u^{(2)}` and `u_1^{(2)}` are modes.
+    let is_square = label
+        .split_once(['^', '²', '³'])
+        .is_some_and(|(base, power)| {
+            let is_digit = |char: char| char.is_ascii_digit();
+            base.ends_with(|last| is_digit(last) || ('₀'..='₉').contains(&last) || last == '}')
+                && power
+                    .trim_end_matches([' ', '=', ':', '≈'])
+                    .chars()
+                    .all(is_digit)
+        });
     label.starts_with('-')
         || is_scaled
+        || is_square
         || ["^-", "^{-", "≠"].iter().any(|sign| label.contains(sign))
         || FUNCTIONS.iter().any(is_called)
 }

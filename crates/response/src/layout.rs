@@ -9,8 +9,32 @@ use vibank_source::Span;
 
 /// The text of a list with brackets and separators as they are read.
 pub(super) fn laid_out(text: &str) -> String {
-    let plain = rows_by_line(&without_latex(text)).replace(" and ", " ;   ");
+    let text = angled(text).map_or(Cow::Borrowed(text), Cow::Owned);
+    let plain = rows_by_line(&without_latex(&text)).replace(" and ", " ;   ");
     without_brackets_of_unit(plain)
+}
+
+/// `<<a|b>,<c|d>>` and `<a, b>` of Maple in square brackets: bars part the entries of a row, commas rows and the entries
+/// of a column. Columns that bars part, `<<a,c>|<b,d>>`, are not read.
+fn angled(text: &str) -> Option<String> {
+    let start = text.find(['=', ':']).map_or(0, |label| label + 1);
+    let list = text[start..].trim();
+    let is_angled = list.starts_with('<') && list.ends_with('>') && !list.contains(['≤', '≥']);
+    let has_columns = list.split('>').any(|behind| {
+        let next = behind.trim_start().strip_prefix('|');
+        next.is_some_and(|next| next.trim_start().starts_with('<'))
+    });
+    if !is_angled || has_columns {
+        return None;
+    }
+    let sign = |char: char| match char {
+        '<' => '[',
+        '>' => ']',
+        '|' => ',',
+        char => char,
+    };
+    let plain: String = text[start..].chars().map(sign).collect();
+    Some(format!("{}{plain}", &text[..start]))
 }
 
 /// `[1 2; 3 4] [N/m]` without the brackets around its unit, which are no list beside another.

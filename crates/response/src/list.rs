@@ -148,6 +148,12 @@ impl Reader<'_> {
         }
         let (label, piece) = self.labelled(piece);
         in_order(self.text, &[label])?;
+        // Shapes of a free scale are not added: which scale each of them has is open.
+        if !self.is_up_to_factor
+            && let Some(terms) = self.terms(piece, depth)
+        {
+            return self.sum(&terms, depth);
+        }
         let wrapped = || {
             let groups = groups(self.text, piece);
             groups.first().copied().filter(|group| *group == piece)
@@ -176,6 +182,66 @@ impl Reader<'_> {
         }
         let unit = frame.unit.or(unit);
         Ok(Listed { rows, unit })
+    }
+
+    /// The terms of a sum of lists, each with its sign; `None` where a piece is no such sum.
+    fn terms(&self, piece: Span, depth: u32) -> Option<Vec<Span>> {
+        let start = piece.range().start;
+        let pieces = cut_where(self.text, piece, |at, char| {
+            let before = self.text[start..at].trim_end();
+            // Another sign belongs to the number behind it.
+            let ends = |last: char| last.is_alphanumeric() || ")]}".contains(last);
+            matches!(char, '+' | '-') && before.ends_with(ends)
+        });
+        if pieces.len() == 1 {
+            return None;
+        }
+        let with_sign = |piece: &Span| match piece.range().start {
+            own if own == start => *piece,
+            own => Span::new(own - 1, piece.range().end),
+        };
+        let terms: Vec<Span> = pieces.iter().map(with_sign).collect();
+        let is_list = |term: &Span| self.list_in(*term, depth).is_some();
+        terms.iter().all(is_list).then_some(terms)
+    }
+
+    /// The sum of lists of one size, entry by entry.
+    fn sum(&self, terms: &[Span], depth: u32) -> Result<Listed, TypedError> {
+        let mut sum: Option<Listed> = None;
+        for term in terms {
+            let refuse = |trouble| TypedError {
+                trouble,
+                span: *term,
+            };
+            let own = match self.text[term.range()].strip_prefix('+') {
+                Some(_) => Span::new(term.range().start + 1, term.range().end),
+                None => *term,
+            };
+            let listed = self.framed(own, depth)?;
+            let Some(all) = &mut sum else {
+                sum = Some(listed);
+                continue;
+            };
+            let sizes = |list: &Listed| list.rows.iter().map(Vec::len).collect::<Vec<_>>();
+            if sizes(all) != sizes(&listed) {
+                return Err(refuse(Trouble::Ragged));
+            }
+            if all.unit != listed.unit {
+                return Err(refuse(Trouble::UnitOfEntry));
+            }
+            let entries = all.rows.iter_mut().flatten();
+            for (entry, own) in entries.zip(listed.rows.into_iter().flatten()) {
+                *entry = entry.clone() + own;
+                if entry.depth() > MAX_DEPTH {
+                    return Err(refuse(Trouble::TooDeep));
+                }
+            }
+        }
+        let nothing = terms.first().copied().unwrap_or(Span::NONE);
+        sum.ok_or(TypedError {
+            trouble: Trouble::LeftOver,
+            span: nothing,
+        })
     }
 
     /// A list without brackets, behind which a unit may stand.

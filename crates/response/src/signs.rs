@@ -94,6 +94,8 @@ pub(super) const DECIMAL: char = '⎖';
 pub(super) const RUNS: &[(&str, &str)] = &[
     ("=/=", "≠"),
     ("=\\=", "≠"),
+    // A matrix of Maple behind its name.
+    ("=<<", "=<<"),
     ("<=", "≤"),
     ("< =", "≤"),
     ("> =", "≥"),

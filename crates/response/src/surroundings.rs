@@ -15,10 +15,12 @@ pub(super) fn answer_in(typed: &str) -> Range<usize> {
         let text = &typed[own.clone()];
         let inner = lead(text)
             .or_else(|| definition(text))
+            .or_else(|| number_of_item(text))
             .map(|length| own.start + length..own.end)
             .or_else(|| trail(text).map(|length| own.start..own.end - length))
             .or_else(|| quotes(text).map(|(open, close)| own.start + open..own.end - close))
-            .or_else(|| program(text).map(|(open, close)| own.start + open..own.end - close));
+            .or_else(|| program(text).map(|(open, close)| own.start + open..own.end - close))
+            .or_else(|| bracketed(text).then(|| own.start + 1..own.end - 1));
         match inner {
             Some(inner) => range = inner,
             None => return range,
@@ -65,7 +67,7 @@ fn trimmed(typed: &str, range: &Range<usize>) -> Range<usize> {
 /// The length of words before an answer, with the colon or the space behind them.
 fn lead(text: &str) -> Option<usize> {
     let first = text.chars().next()?;
-    if first.is_ascii_digit() || "-+.([{$<".contains(first) {
+    if first.is_ascii_digit() || "-+.([{$<".contains(first) && !text.starts_with("->") {
         return None;
     }
     LEADS.iter().find_map(|lead| {
@@ -75,16 +77,53 @@ fn lead(text: &str) -> Option<usize> {
                 .get(..lead.len())
                 .is_some_and(|head| head.eq_ignore_ascii_case(lead));
         let behind = text.get(lead.len()..).filter(|_| is_it)?;
-        // The French set a space before a colon.
+        // The French set a space before a colon; `Hence, x = 3` has a comma.
         let behind = match behind.trim_start_matches(' ').strip_prefix(':') {
             Some(behind) => behind,
-            None => behind.starts_with(' ').then_some(behind)?,
+            None => {
+                let behind = behind.strip_prefix(',').unwrap_or(behind);
+                behind.starts_with(' ').then_some(behind)?
+            }
         };
         // `=> 3` is at least three where nothing else relates.
         let relates = || behind.contains(['=', '<', '>', '≤', '≥', '≈']);
         let is_lead = !behind.trim().is_empty() && (*lead != "=>" || relates());
         is_lead.then(|| text.len() - behind.len())
     })
+}
+
+/// The length of a number before an answer, as the parts of a sheet have: `1) 5 m`.
+fn number_of_item(text: &str) -> Option<usize> {
+    let (number, behind) = text.split_once(')')?;
+    let is_number = number.len() == 1 && number.starts_with(|digit: char| digit.is_ascii_digit());
+    // The brackets of `1) 5 m 2) 6 m` are of several answers.
+    let open = behind.matches('(').count();
+    let is_one = open == behind.matches(')').count();
+    // Equations are handed back with a remark of their own.
+    let is_apart = behind.starts_with(' ') && !behind.trim().is_empty() && !behind.contains('=');
+    (is_number && is_one && is_apart).then(|| text.len() - behind.len())
+}
+
+/// Whether brackets stand around a whole statement, `(x = 3 m)`.
+fn bracketed(text: &str) -> bool {
+    let inner = text
+        .strip_prefix('(')
+        .and_then(|text| text.strip_suffix(')'));
+    let Some(inner) =
+        inner.filter(|inner| !inner.contains([',', ';', '<', '>', '≤', '≥', '!', '|']))
+    else {
+        return false;
+    };
+    let mut depth = 0_i32;
+    let is_whole = inner.chars().all(|char| {
+        depth += match char {
+            '(' => 1,
+            ')' => -1,
+            _ => 0,
+        };
+        depth >= 0
+    });
+    is_whole && inner.contains('=')
 }
 
 /// The length of a name that a function gets in a program, with what says of which argument it is one:
@@ -131,6 +170,16 @@ fn trail(text: &str) -> Option<usize> {
         let is_apart = before.ends_with([' ', ')', ']']) || words.starts_with(',');
         return is_apart.then_some(words.len());
     }
+    // A row of LaTeX that none follows.
+    if text.ends_with("\\\\") {
+        return Some(2);
+    }
+    // A comment of a program.
+    if let Some((before, comment)) = text.rsplit_once(" # ")
+        && comment.starts_with(char::is_alphabetic)
+    {
+        return Some(text.len() - before.len());
+    }
     if let Some((before, aside)) = text
         .strip_suffix(')')
         .and_then(|text| text.rsplit_once(" ("))
@@ -149,7 +198,7 @@ fn trail(text: &str) -> Option<usize> {
     }
     if let Some(before) = text.strip_suffix(';') {
         let ends = |last: char| last.is_alphanumeric() || ")]}°%²³'".contains(last);
-        return before.ends_with(ends).then_some(1);
+        return before.trim_end().ends_with(ends).then_some(1);
     }
     let before = text.strip_suffix(',')?;
     before.ends_with(char::is_alphanumeric).then_some(1)
@@ -177,7 +226,21 @@ mod tests {
             ("⇒ x = 3", "x = 3"),
             ("=> x = 3", "x = 3"),
             ("=> 3", "=> 3"),
-            ("so, approx. 5", "so, approx. 5"),
+            ("so, approx. 5", "5"),
+            ("Hence, x = 3", "x = 3"),
+            ("I got 5 m", "5 m"),
+            ("Final answer: k/m", "k/m"),
+            ("Lösung: k/m", "k/m"),
+            ("-> 5 m", "5 m"),
+            ("1) 5 m", "5 m"),
+            ("1) 5 m 2) 6 m", "1) 5 m 2) 6 m"),
+            ("(x = 3 m)", "x = 3 m"),
+            ("(x) = (3)", "(x) = (3)"),
+            ("(x = 3, y = 2)", "(x = 3, y = 2)"),
+            ("k/m ✓", "k/m"),
+            ("k/m # checked", "k/m"),
+            (r"k/m\\", "k/m"),
+            ("5 m ;", "5 m"),
             ("so approx. 5 m (approx.)", "5 m"),
             ("\"5 m\"", "5 m"),
             ("“about 5 m”", "5 m"),

@@ -13,8 +13,8 @@ pub(super) fn normalized(response: &str) -> String {
         .iter()
         .find_map(|word| response.strip_prefix(word)?.strip_prefix(' '))
         .unwrap_or(response);
-    let onwards = onwards(response);
-    let response = onwards.as_deref().unwrap_or(response);
+    let called = called(response).or_else(|| onwards(response));
+    let response = called.as_deref().unwrap_or(response);
     let mut text = format!(" {response} ");
     for (from, to) in [
         ("||", " ∪ "),
@@ -44,7 +44,28 @@ pub(super) fn normalized(response: &str) -> String {
     text.trim().to_owned()
 }
 
-/// `0.2 or more`, `from 0.2 on`.
+/// `Interval(0.2, oo)` of SymPy, `Interval[{0.2, 1}]` of Mathematica, `RealRange(0.2, 1)` of Maple: closed intervals; and
+/// `Interval.open(0, 1)`, `Interval.Lopen(0, 1)`, `Interval.Ropen(0, 1)`.
+fn called(text: &str) -> Option<String> {
+    const CALLS: [(&str, &str, &str, [char; 2]); 6] = [
+        ("Interval.open(", ")", "(", ['(', ')']),
+        ("Interval.Lopen(", ")", "(", ['(', ']']),
+        ("Interval.Ropen(", ")", "(", ['[', ')']),
+        ("Interval(", ")", "(", ['[', ']']),
+        ("RealRange(", ")", "(", ['[', ']']),
+        ("Interval[{", "}]", "[", ['[', ']']),
+    ];
+    let (lead, call) = match text.find("Interval").or_else(|| text.find("RealRange")) {
+        Some(at) => text.split_at(at),
+        None => return None,
+    };
+    CALLS.iter().find_map(|(open, close, bracket, [from, to])| {
+        let inner = call.strip_prefix(open)?.strip_suffix(close)?;
+        (!inner.contains(bracket)).then(|| format!("{lead}{from}{inner}{to}"))
+    })
+}
+
+/// `0.2 or more`, `from 0.2 on`, `from 0.2 to infinity`.
 fn onwards(text: &str) -> Option<String> {
     const BEHIND: [(&str, char); 8] = [
         (" or more", '≥'),
@@ -58,7 +79,14 @@ fn onwards(text: &str) -> Option<String> {
     ];
     let from = |text: &str| {
         let bound = text.strip_prefix("from ")?;
-        let ends = [" on", " onwards", " upwards"];
+        let ends = [
+            " on",
+            " onwards",
+            " upwards",
+            " to ∞",
+            " to infinity",
+            " to inf",
+        ];
         ends.iter()
             .find_map(|end| bound.strip_suffix(end))
             .map(|bound| format!("≥ {bound}"))

@@ -6,7 +6,7 @@ use super::target::{Typed, pair};
 use super::words::angles;
 use crate::answer::{Credit, Example, Marking, Remark, Slip, Unreadable, Why};
 use crate::numerics::Rational;
-use crate::response::{Part, Style, Trouble, Values};
+use crate::response::{Label, Part, Style, Trouble, Values};
 use crate::unit::{DecimalMark, Quantity, Unit};
 
 /// The most numbers of a list.
@@ -73,9 +73,17 @@ pub(super) fn list(
         .chain(labels.first().cloned())
         .any(|name| is_of_frequency(values.text(&name)));
     let mut items: Vec<(Option<u32>, Number)> = Vec::new();
+    let mut named = Vec::new();
     for piece in &pieces {
         let first = &values.statement(piece).sides[0];
         let label = values.index(first).filter(|_| values.is_name(first));
+        if label.is_some() {
+            let name = Label::of_text(values.text(first));
+            if named.contains(&name) {
+                return Err(Unreadable::at(values.text(first).trim(), Why::LabelTwice));
+            }
+            named.push(name);
+        }
         let both = both_signs(&values, piece)?;
         items.extend(both.into_iter().map(|item| (label, item)));
     }

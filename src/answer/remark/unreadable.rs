@@ -132,6 +132,8 @@ pub enum Why {
     OtherQuantity,
     /// Symbols whose order is not that of their values.
     LabelsInOtherOrder,
+    /// Two values of a list have the same symbol.
+    LabelTwice,
     /// Nothing between two signs that part values.
     EmptyPlace,
     /// More numbers than this.

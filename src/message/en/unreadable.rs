@@ -115,6 +115,9 @@ fn why(why: &Why) -> String {
         Why::LabelsInOtherOrder => {
             "the lower one of these has the first symbol: give the values without symbols, or exchange them.".to_owned()
         }
+        Why::LabelTwice => {
+            "two values have this symbol: give the values without symbols, or each its own.".to_owned()
+        }
         Why::EmptyPlace => "a value is missing here.".to_owned(),
         Why::MostNumbers(most) => format!("a list has at most {most} numbers."),
         Why::TightComma => "a comma between digits may be a decimal sign: separate the numbers by semicolons, as in `5; 8.7`.".to_owned(),

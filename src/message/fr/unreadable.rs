@@ -111,6 +111,10 @@ fn why(why: &Why) -> String {
         Why::LabelsInOtherOrder => {
             "la plus petite de ces valeurs porte le premier symbole : donnez les valeurs sans symboles, ou échangez-les.".to_owned()
         }
+        Why::LabelTwice => {
+            "deux valeurs portent ce symbole : donnez les valeurs sans symboles, ou à chacune le sien."
+                .to_owned()
+        }
         Why::EmptyPlace => "il manque une valeur ici.".to_owned(),
         Why::MostNumbers(most) => format!("une liste contient au plus {most} nombres."),
         Why::TightComma => "une virgule entre des chiffres peut être décimale : séparez les nombres par des points-virgules, comme dans `5 ; 8,7`.".to_owned(),

@@ -66,8 +66,17 @@ fn answers_to_parts_of_the_bank_are_marked_as_they_were_meant() {
         let place = place.expect("a part of the item");
         let instance = Instance::of(template, None, &set).expect("an instance");
         let response = response.replace('⏎', "\n");
-        let marking = grade::mark(&Solution::of(instance), place, &response);
+        let solution = Solution::of(instance);
+        let marking = grade::mark(&solution, place, &response);
         count += 1;
+        // What is right by its own kind is right on a sheet, too.
+        let graded = grade::Grade::mark(&solution, [(place, response.as_str())]);
+        let on_sheet = graded.part(place).map(|marking| marking.verdict.name());
+        if verdict == "right" && on_sheet != Some(verdict) {
+            faults.push(format!(
+                "{item} {part} `{response}` on a sheet: {on_sheet:?}"
+            ));
+        }
         if marking.verdict.name() != verdict {
             faults.push(format!(
                 "{item} {part} `{response}`: {marking:?}, not {verdict}"

@@ -49,6 +49,28 @@ impl Folder<'_> {
         true
     }
 
+    /// `{a \over b}`, the fraction of plain TeX, as `{(a)/(b)}`; whether one of its signs stands here.
+    pub(super) fn fraction(&mut self, sign: char) -> bool {
+        const OVER: &str = "\\over";
+        match sign {
+            '{' => {
+                let parts = parts_of_group(&self.typed[self.at + 1..], OVER);
+                let Some((over, close)) = parts else {
+                    return false;
+                };
+                let start = self.at + 1;
+                self.overs.push((start + over, start + close));
+                self.write("{(", 1);
+            }
+            '}' if self.overs.iter().any(|(_, close)| *close == self.at) => self.write(")}", 1),
+            '\\' if self.overs.iter().any(|(over, _)| *over == self.at) => {
+                self.write(")/(", OVER.len());
+            }
+            _ => return false,
+        }
+        true
+    }
+
     /// The end of a row. One that goes on with a sign is the same statement.
     fn row(&mut self) {
         let next = self.rest()[2..].trim_start_matches([' ', '&', '\n']);
@@ -167,6 +189,29 @@ fn is_unlettered(text: &str) -> bool {
         || text.starts_with(|char: char| {
             char.is_ascii_digit() || "+.".contains(char) || is_minus(char)
         })
+}
+
+/// Where a command parts the group that stands open before a text, and where that closes; `None` where it stands not
+/// there, or more than once.
+fn parts_of_group(inner: &str, command: &str) -> Option<(usize, usize)> {
+    let (mut depth, mut parts) = (0_usize, None);
+    for (at, char) in inner.char_indices() {
+        match char {
+            '{' => depth += 1,
+            '}' if depth == 0 => return Some((parts?, at)),
+            '}' => depth -= 1,
+            '\\' if depth == 0 => {
+                let behind = inner[at..].strip_prefix(command);
+                let is_command =
+                    behind.is_some_and(|behind| !behind.starts_with(char::is_alphabetic));
+                if is_command && parts.replace(at).is_some() {
+                    return None;
+                }
+            }
+            _ => {}
+        }
+    }
+    None
 }
 
 /// The places of the braces around the next `count` arguments.

@@ -23,7 +23,8 @@ impl Folder<'_> {
             .find(|sign| rest.starts_with(sign))?;
         let behind = &rest[points.len()..];
         let goes_on = behind.starts_with(|char| is_digit(char) || ".,;".contains(char));
-        (!goes_on).then_some((points.len(), ""))
+        // The period of a sentence may follow.
+        (!goes_on || behind.trim_end() == ".").then_some((points.len(), ""))
     }
 
     /// The length of a sign that only programs write: the one behind the argument of `x[t_]`, that before the constant
