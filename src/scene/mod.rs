@@ -109,7 +109,7 @@ impl<'s, 't> Scene<'s, 't> {
     }
 
     fn nonexistent(&self) -> Math {
-        Math::text(&self.language.phrase(&Phrase::Nonexistent))
+        Math::text(self.language.phrase(&Phrase::Nonexistent))
     }
 
     /// The solution that it shows.

@@ -189,6 +189,7 @@ mod tests {
     use crate::bank::{Catalogue, Template, embedded};
     use crate::expr::{Normal, Substitution};
     use crate::instance::Instance;
+    use crate::mechanics::Reason;
     use crate::response::{Folded, Lexicon, Manner, formula};
     use crate::scene::Data;
     use crate::seed::Seed;

@@ -60,7 +60,7 @@ impl Scene<'_, '_> {
             let mut lines = set(0..FIRST_LINES);
             lines.push([
                 Math::row([]),
-                Math::text(&self.language.phrase(&Phrase::AndSoOnUntil)),
+                Math::text(self.language.phrase(&Phrase::AndSoOnUntil)),
             ]);
             lines.extend(set(count - LAST_LINES..count));
             lines
