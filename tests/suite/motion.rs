@@ -134,7 +134,7 @@ fn modes_are_drawn_on_the_system() {
     let alt = |mode| scene.mode_picture(mode).expect("it has three").alt;
     assert_eq!(
         alt(2),
-        "The figure with both extremes of mode 3: x sub 1 0.707, x sub 2 -1.00, x sub 3 0.707."
+        "The figure with both extremes of mode 3: x sub 1 0.707, x sub 2 −1.00, x sub 3 0.707."
     );
     assert!(scene.mode_picture(3).is_none());
 }
