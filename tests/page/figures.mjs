@@ -40,7 +40,9 @@ for (const file of files) {
         const { left, right, top, bottom, height } = text.getBoundingClientRect();
         const { fontStyle, fontSize, fontFamily } = getComputedStyle(text.querySelector("tspan") ?? text);
         canvas.font = `${fontStyle} ${fontSize} ${fontFamily}`;
-        const line = canvas.measureText(text.textContent);
+        // An index is small and low, however tall its digit: what rises is the letter before it.
+        const letter = text.querySelector("tspan + tspan") ? text.querySelector("tspan") : text;
+        const line = canvas.measureText(letter.textContent);
         const share = height / (line.fontBoundingBoxAscent + line.fontBoundingBoxDescent);
         const above = share * (line.fontBoundingBoxAscent - line.actualBoundingBoxAscent);
         // Indices hang below the line.
