@@ -473,7 +473,6 @@ impl<'p> View<'p> {
         };
         let option = |(position, at): (usize, usize)| {
             let option = &options[at];
-            debug_assert!(is_line(&option.text) || !option.text.is_empty());
             OptionView {
                 letter: letter(position),
                 text: self.writer.line(&option.text),

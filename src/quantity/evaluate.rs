@@ -6,12 +6,13 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 use crate::expr::{
-    Absence, Approx, Inputs, Name, Path, Precise, Program, Scalar, Undefined, Value, Workspace,
+    Absence, Approx, Name, Path, Precise, Program, Scalar, Undefined, Value, Workspace,
 };
 use crate::mechanics::{Model, Motion, Numbers, TurningPoints, Unavailable};
 use crate::numerics::Dd;
 use crate::work;
 
+use super::given::Given;
 use super::graph::{Computation, Graph, Node, NodeId, Role};
 use super::model::Offered;
 use super::trace::Trace;
@@ -336,7 +337,7 @@ impl<'g> Evaluation<'g> {
     }
 
     /// The numbers of a node with twice the digits.
-    fn precise(&self, id: NodeId) -> Result<&Wide, Absent> {
+    pub(crate) fn precise(&self, id: NodeId) -> Result<&Wide, Absent> {
         let cells = self.wide.get_or_init(|| {
             std::iter::repeat_with(OnceCell::new)
                 .take(self.values.len())
@@ -426,7 +427,7 @@ impl<'g> Evaluation<'g> {
     }
 
     /// The motion that a node of a model is.
-    fn motion(&self, id: NodeId) -> Result<Rc<Motion>, Absent> {
+    pub(crate) fn motion(&self, id: NodeId) -> Result<Rc<Motion>, Absent> {
         if let Some(motion) = self.motions.borrow().get(&id) {
             return motion.clone();
         }
@@ -523,100 +524,5 @@ impl Function<'_, '_> {
             variables,
             |program, inputs, room| program.evaluate_within(accuracy, inputs, room),
         )
-    }
-}
-
-/// What the slots of a program hold.
-struct Given<'a, 'g> {
-    evaluation: &'a Evaluation<'g>,
-    computation: &'a Computation,
-    variables: &'a [Precise],
-}
-
-/// What stands in a slot.
-enum Slot {
-    Node(NodeId, usize),
-    Variable(usize),
-}
-
-impl Given<'_, '_> {
-    fn slot(&self, slot: u32) -> Result<Slot, Undefined> {
-        let variables = &self.computation.variables;
-        if let Some(position) = variables.iter().position(|(own, _)| *own == slot) {
-            return Ok(Slot::Variable(position));
-        }
-        let inputs = &self.computation.inputs;
-        let after = inputs.partition_point(|(first, _)| *first <= slot);
-        let (first, node) = inputs
-            .get(after.wrapping_sub(1))
-            .ok_or(Undefined::Missing { slot })?;
-        Ok(Slot::Node(*node, (slot - first) as usize))
-    }
-}
-
-impl Given<'_, '_> {
-    /// A derivative of a motion of a model at a time.
-    fn moved(&self, index: u32, order: u8, time: f64) -> Result<f64, Undefined> {
-        let missing = Undefined::Missing { slot: index };
-        let id = *self
-            .computation
-            .motions
-            .get(index as usize)
-            .ok_or(missing)?;
-        self.evaluation
-            .motion(id)
-            .map_err(|_| missing)?
-            .at(order, time)
-    }
-}
-
-/// Bound on the relative error of a motion of a model.
-const MOTION_ERROR: f64 = 1e-14;
-
-impl Inputs<Approx<f64>> for Given<'_, '_> {
-    fn motion(&self, index: u32, order: u8, time: &Approx<f64>) -> Result<Approx<f64>, Undefined> {
-        let value = self.moved(index, order, time.value)?;
-        Ok(Approx::new(value, MOTION_ERROR * value.abs()))
-    }
-
-    fn input(&self, slot: u32) -> Result<Approx<f64>, Undefined> {
-        match self.slot(slot)? {
-            Slot::Variable(position) => self
-                .variables
-                .get(position)
-                .map(Scalar::of)
-                .ok_or(Undefined::Missing { slot }),
-            Slot::Node(node, entry) => {
-                let value = self
-                    .evaluation
-                    .value(node)
-                    .map_err(|_| Undefined::Missing { slot })?;
-                Ok(Approx::new(value.numbers()[entry], value.bounds()[entry]))
-            }
-        }
-    }
-}
-
-impl Inputs<Approx<Dd>> for Given<'_, '_> {
-    fn motion(&self, index: u32, order: u8, time: &Approx<Dd>) -> Result<Approx<Dd>, Undefined> {
-        let value = self.moved(index, order, time.value.hi())?;
-        Ok(Approx::new(Dd::from(value), MOTION_ERROR * value.abs()))
-    }
-
-    fn input(&self, slot: u32) -> Result<Approx<Dd>, Undefined> {
-        match self.slot(slot)? {
-            Slot::Variable(position) => self
-                .variables
-                .get(position)
-                .map(Scalar::of)
-                .ok_or(Undefined::Missing { slot }),
-            Slot::Node(node, entry) => {
-                let numbers = self
-                    .evaluation
-                    .precise(node)
-                    .map_err(|_| Undefined::Missing { slot })?;
-                Ok(numbers[entry])
-            }
-        }
     }
 }

@@ -10,6 +10,7 @@
 
 mod error;
 mod evaluate;
+mod given;
 mod graph;
 mod link;
 mod method;

@@ -4,7 +4,13 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
+#[cfg(feature = "render")]
+use super::candidate::Asked;
+#[cfg(feature = "render")]
+use crate::bank::Template;
 use crate::bank::{ItemId, Revision};
+#[cfg(feature = "render")]
+use crate::unit::Unit;
 
 /// How alike the variants of a run are.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -36,7 +42,7 @@ pub struct Alike {
 impl Fairness {
     /// Pairs of neighbours that are listed.
     #[cfg(feature = "render")]
-    pub(super) const MAX_LISTED: usize = 500;
+    pub(crate) const MAX_LISTED: usize = 500;
 }
 
 /// How alike the variants of one question are.
@@ -91,6 +97,41 @@ impl Fairness {
 }
 
 impl QuestionFairness {
+    /// Counts a variant.
+    #[cfg(feature = "render")]
+    pub(crate) fn add(&mut self, item: &Template, asked: &Asked, is_new: bool) {
+        self.repeats += u64::from(!is_new);
+        self.unusual += u64::from(asked.is_unusual);
+        let count = asked.parts.len();
+        let entry = self.items.entry(item.id.clone());
+        let counted = entry.or_insert_with(|| ItemFairness {
+            title: item.about.title.clone(),
+            revision: item.revision,
+            level: item.about.level,
+            minutes: item.minutes(),
+            variants: 0,
+            parts: [count; 2],
+            answers: BTreeMap::new(),
+        });
+        counted.variants += 1;
+        counted.parts = [counted.parts[0].min(count), counted.parts[1].max(count)];
+        for (part, size) in &asked.parts {
+            let part = &item.parts[*part];
+            let Some(size) = size else { continue };
+            let unit = part.answer.unit().unwrap_or(Unit::ONE);
+            let size = unit.of_si(*size);
+            let range = counted
+                .answers
+                .entry(part.id.clone())
+                .or_insert_with(|| Range {
+                    unit: unit.to_string(),
+                    least: size,
+                    most: size,
+                });
+            (range.least, range.most) = (range.least.min(size), range.most.max(size));
+        }
+    }
+
     /// Whether its items have one level and ask for as many steps.
     pub fn is_alike(&self) -> bool {
         let mut all = self.items.values().map(|item| (item.level, item.parts));

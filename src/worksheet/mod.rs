@@ -8,7 +8,11 @@
 #[cfg(feature = "render")]
 mod blueprint;
 #[cfg(feature = "render")]
+mod candidate;
+#[cfg(feature = "render")]
 mod decisions;
+#[cfg(feature = "render")]
+mod draw;
 mod fairness;
 mod manifest;
 mod marks;
@@ -35,9 +39,13 @@ pub use blueprint::{
     Paper, Question,
 };
 #[cfg(feature = "render")]
+pub use candidate::{Candidate, Fixed};
+#[cfg(feature = "render")]
 pub use decisions::{
     Corrected, Decision, DecisionError, Decisions, Effect, HandedOut, Subject, Void,
 };
+#[cfg(feature = "render")]
+pub use draw::SheetError;
 pub use fairness::{Alike, Fairness, ItemFairness, QuestionFairness, Range};
 pub use manifest::{
     BankStamp, Csv, EntryError, FORMAT, FileStamp, Manifest, PartEntry, QuestionEntry, VariantEntry,
@@ -56,4 +64,4 @@ pub use printing::{FileNames, Order, Printing, Section, TypeSizeError, Whose, fi
 pub use rules::{Feedback, Rules, Worked};
 pub use sheet::{Heading, Sheet, SheetQuestion, Student, headings, letter};
 #[cfg(feature = "render")]
-pub use variants::{Candidate, Chooser, Fixed, SheetError};
+pub use variants::Chooser;

@@ -199,7 +199,7 @@ impl Practice {
                 let asked: Vec<usize> = (0..item.parts.len())
                     .filter(|place| question.asks(&item.parts[*place]))
                     .collect();
-                let points = super::variants::points_of(planned, item, &asked);
+                let points = super::draw::points_of(planned, item, &asked);
                 question.weights = Weighed::of(item, &asked, &points);
                 let question = question.clone();
                 let (_, earlier) = practice.questions.split_last().expect("one was added");

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use super::draw::asked;
 use super::plan::Planned;
 use super::sheet::SheetQuestion;
-use super::variants::asked;
 use crate::answer::KeyValue;
 use crate::bank::Template;
 use crate::instance::Instance;

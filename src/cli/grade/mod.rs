@@ -10,6 +10,7 @@ mod hand;
 mod handed;
 mod items;
 mod journal;
+mod layout;
 mod manifest;
 mod marking;
 mod outcome;
@@ -25,10 +26,10 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use rayon::prelude::*;
-use vibank::grade::{Feedback, Place, Responses, RowError};
+use vibank::grade::{Place, Responses, RowError};
 use vibank::message::Language;
-use vibank::output::{self, Decided, Lost, Marked, Pages, Run};
-use vibank::worksheet::{Marks, Student, VariantEntry};
+use vibank::output::{Decided, Lost, Marked};
+use vibank::worksheet::{Marks, VariantEntry};
 
 pub(crate) use self::items::Items as RunItems;
 pub(crate) use self::journal::is_journal;
@@ -43,6 +44,7 @@ use self::gradebook::Gradebook;
 use self::handed::Handed;
 use self::items::Items;
 use self::journal::Journal;
+use self::layout::Layout;
 use self::manifest::Sheets;
 use self::marking::Marker;
 use self::outcome::Outcome;
@@ -52,10 +54,8 @@ use self::standings::Class;
 use self::tables::Tables;
 use self::undecided::{Alike, Undecided};
 use super::bank::BankArgument;
-use super::faces::Faces;
 use super::folder::Folder;
 use super::platform::Which;
-use super::press::{Missing, Press, Printed};
 use super::saved::{self, Saved};
 use super::shard::Shard;
 use super::table::Dialect;
@@ -189,8 +189,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
         journal,
         parts: parts.transpose()?.flatten(),
         share,
-        pages: layout(&sheets, "html", &[])?,
-        feedback: layout(&sheets, &arguments.feedback, &census.students)?,
+        pages: Layout::of(&sheets, "html", &[])?,
+        feedback: Layout::of(&sheets, &arguments.feedback, &census.students)?,
         tables: shard.is_whole().then(tables).transpose()?,
         class: Class::new(marks.clone()),
         log: Log::default(),
@@ -277,79 +277,6 @@ fn anonymous(variant: &VariantEntry) -> VariantEntry {
         student.retain(|column, _| column == "group");
     }
     variant
-}
-
-/// What fills the pages, with what stands before and after each.
-struct Layout {
-    pages: Pages,
-    press: Option<Press>,
-    /// Why nothing can be printed, where the format needs it.
-    missing: Option<Missing>,
-    /// Files of fonts for names.
-    fonts: Vec<String>,
-    begin: String,
-    end: String,
-}
-
-/// How pages are written in a format, for these students.
-fn layout(sheets: &Sheets, format: &str, students: &[Student]) -> Result<Layout, Failure> {
-    let fail = |error: output::OutputError| Failure::new(error.to_string());
-    let writer = output::writer(format).ok_or_else(|| Failure::unknown_format(format, &[]))?;
-    let head = &sheets.head;
-    let faces = if writer.is_bound() {
-        Faces::of(students, None)?
-    } else {
-        Faces::default()
-    };
-    if let Some(line) = faces.remark() {
-        eprintln!("warning: {line}");
-    }
-    let run = Run::plain(&head.title, &head.language, head.decimal).with_names(faces.names);
-    let pages = Pages::new(writer, run, &[]).map_err(fail)?;
-    let (press, missing) = match writer.is_bound().then(Press::find) {
-        Some(Ok(press)) => (Some(press), None),
-        Some(Err(missing)) => (None, Some(missing)),
-        None => (None, None),
-    };
-    Ok(Layout {
-        begin: pages.begin(pages.feedback_subtitle()).map_err(fail)?,
-        end: pages.end().map_err(fail)?,
-        fonts: faces.paths,
-        press,
-        missing,
-        pages,
-    })
-}
-
-impl Layout {
-    /// The file with the feedback on a sheet, or why it could not be printed.
-    fn file(&self, feedback: &Feedback) -> Result<Printed, Failure> {
-        let page = self.pages.feedback(feedback);
-        let page = page.map_err(|error| Failure::new(error.to_string()))?;
-        let text = format!("{}{page}{}", self.begin, self.end);
-        Ok(match &self.press {
-            Some(press) => press.page(text, &self.fonts),
-            None => Ok(text.into_bytes()),
-        })
-    }
-}
-
-impl Layout {
-    /// How a run ends of which these pages could not be printed, which is reported.
-    fn ending(&self, unprinted: &[String]) -> super::Outcome {
-        for line in unprinted {
-            eprintln!("error: {line}");
-        }
-        if let Some(missing) = &self.missing {
-            let failure = missing.failure("feedback pages as PDF");
-            eprintln!("{}", failure.to_string().trim_end());
-        }
-        if unprinted.is_empty() && self.missing.is_none() {
-            super::Outcome::Done
-        } else {
-            super::Outcome::Unprinted
-        }
-    }
 }
 
 /// One run.

@@ -15,9 +15,10 @@ use vibank::worksheet::{
     Student, VariantEntry, file_stem,
 };
 
+use super::format::{Format, Written};
 use super::known::Alike;
 use super::ledger::{Ledger, Mark};
-use super::outputs::{Finished, Format, Outputs, Written, write_fairness};
+use super::outputs::{Finished, Outputs, write_fairness};
 use super::print::{PrintJob, Prints};
 use crate::cli::folder::Folder;
 use crate::cli::record::{self, Record};

@@ -1,6 +1,7 @@
 //! `vibank sheet BLUEPRINT`
 
 mod choice;
+mod format;
 mod guard;
 mod key_book;
 mod known;
@@ -182,7 +183,7 @@ impl Run<'_, '_> {
             Some(_) => &[],
             None => self.students,
         };
-        let formats = outputs::formats(self.plan, self.choice, named, layouts, self.is_split)?;
+        let formats = format::formats(self.plan, self.choice, named, layouts, self.is_split)?;
         let stamp = Stamp::of(self.plan, self.students, catalogue, &formats).for_run(
             self.is_split,
             shard,

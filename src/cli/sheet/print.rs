@@ -10,8 +10,8 @@ use vibank::output::{Kind, List, Roll};
 use vibank::seed::Variant;
 use vibank::worksheet::{Order, Plan, Printing, Section, Sheet, Student};
 
+use super::format::{Format, Laid, UNPRINTED, unfilled};
 use super::make::refuse;
-use super::outputs::{Format, Laid, UNPRINTED, unfilled};
 use crate::cli::Failure;
 use crate::cli::folder::Folder;
 
@@ -89,8 +89,8 @@ impl PrintJob<'_, '_> {
             leaves.extend(self.printing.separators.then_some(Leaf::Separator(section)));
             leaves.extend(section.places.iter().map(|place| Leaf::Sheet(*place)));
         }
-        let begin = laid.pages().begin("").map_err(unfilled)?;
-        if !laid.pages().writer().is_bound() {
+        let begin = laid.pages.begin("").map_err(unfilled)?;
+        if !laid.pages.writer().is_bound() {
             return self.one_file(laid, &begin, &leaves, roll, prints);
         }
         let pieces: Vec<&[Leaf<'_>]> = leaves.chunks(PIECE).collect();
@@ -102,7 +102,7 @@ impl PrintJob<'_, '_> {
         let print = |(at, piece): (usize, &&[Leaf<'_>])| {
             let texts = piece.iter().map(|leaf| self.leaf(laid, *leaf, roll));
             let texts = texts.collect::<Result<Vec<_>, _>>()?;
-            let text = format!("{begin}{}{}", texts.concat(), laid.end());
+            let text = format!("{begin}{}{}", texts.concat(), laid.end);
             let name = name(at);
             Ok::<_, Failure>(match laid.bind(text) {
                 Ok(bytes) => {
@@ -150,7 +150,7 @@ impl PrintJob<'_, '_> {
                 draft.write(text.as_bytes())?;
             }
         }
-        draft.write(laid.end().as_bytes())?;
+        draft.write(laid.end.as_bytes())?;
         prints.files.insert(name.clone(), draft.finish()?);
         prints.shown.push((name, "all sheets, for the printer"));
         Ok(())
@@ -158,7 +158,7 @@ impl PrintJob<'_, '_> {
 
     /// A sheet, or the page before some, as it stands among others.
     fn leaf(&self, laid: &Laid, leaf: Leaf<'_>, roll: Roll<'_>) -> Result<String, Failure> {
-        let pages = laid.pages();
+        let pages = &laid.pages;
         let text = match leaf {
             Leaf::Separator(section) => pages.separator(section, roll),
             Leaf::Sheet(place) => {
@@ -182,12 +182,12 @@ impl PrintJob<'_, '_> {
             };
             let sections = order.sections(self.students, count);
             let begin = laid
-                .pages()
-                .begin(laid.pages().list_title(list))
+                .pages
+                .begin(laid.pages.list_title(list))
                 .map_err(unfilled)?;
-            let page = laid.pages().list(list, &sections, roll).map_err(unfilled)?;
+            let page = laid.pages.list(list, &sections, roll).map_err(unfilled)?;
             let name = format!("{FOLDER}/{}.{}", list.name(), laid.extension());
-            let digest = match laid.bind(format!("{begin}{page}{}", laid.end())) {
+            let digest = match laid.bind(format!("{begin}{page}{}", laid.end)) {
                 Ok(bytes) => self.out.write(&name, &bytes)?,
                 Err(why) => {
                     prints

@@ -4,7 +4,7 @@ use sha2::{Digest, Sha256};
 use vibank::bank::Catalogue;
 use vibank::worksheet::{Plan, Student};
 
-use super::outputs::Format;
+use super::format::Format;
 use crate::cli::files;
 use crate::cli::shard::Shard;
 

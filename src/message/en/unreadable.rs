@@ -1,7 +1,7 @@
 //! Why a response could not be read.
 
-use super::capital;
 use crate::answer::{At, Example, Trouble, Unreadable, Why};
+use crate::source::capital;
 use crate::unit::DecimalMark;
 
 /// What is said where a response could not be read.

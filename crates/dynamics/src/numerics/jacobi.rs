@@ -38,7 +38,7 @@ const MAX_SWEEPS: usize = 60;
 impl ScaledColumns {
     /// A matrix of `scales.len()` columns with `rows` entries each, given one column after the other.
     pub(crate) fn new(rows: usize, entries: Vec<f64>, scales: Vec<f64>) -> Self {
-        debug_assert_eq!(entries.len(), rows * scales.len());
+        assert_eq!(entries.len(), rows * scales.len());
         Self {
             rows,
             entries,
