@@ -395,10 +395,13 @@ impl Folder<'_> {
     /// `x1..`, the dots of a derivative behind its letter; one dot alone is such where two are.
     fn dots(&self) -> Option<(usize, &'static str)> {
         let rest = self.rest();
+        if !rest.starts_with('.') {
+            return None;
+        }
         let is_of_name = |char: char| char.is_alphanumeric() || "_}".contains(char);
         let before = &self.typed[..self.at];
         let name = &before[before.trim_end_matches(is_of_name).len()..];
-        if !rest.starts_with('.') || !name.starts_with(|first: char| first.is_alphabetic()) {
+        if !name.starts_with(|first: char| first.is_alphabetic()) {
             return None;
         }
         let next = |length: usize| rest[length..].chars().next().unwrap_or(' ');

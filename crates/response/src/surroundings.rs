@@ -130,13 +130,12 @@ fn bracketed(text: &str) -> bool {
 /// `x = lambda t:`, `f = @(t)`.
 fn definition(text: &str) -> Option<usize> {
     const HEADS: &[&str] = &["lambda t:", "@(t)", "t ->", "t →", "t ↦"];
-    let (name, behind) = text.split_once(['=', ':'])?;
+    let is_of_name = |char: char| char.is_alphanumeric() || "_()".contains(char);
+    let start = text.trim_start();
+    let behind = start.trim_start_matches(is_of_name);
+    let is_name = behind.len() < start.len();
+    let behind = behind.trim_start().strip_prefix(['=', ':'])?;
     let behind = behind.strip_prefix('=').unwrap_or(behind);
-    let name = name.trim();
-    let is_name = !name.is_empty()
-        && name
-            .chars()
-            .all(|char| char.is_alphanumeric() || "_()".contains(char));
     let value = behind.trim_start();
     let body = HEADS.iter().find_map(|head| value.strip_prefix(head))?;
     (is_name && !body.trim().is_empty()).then(|| text.len() - body.len())

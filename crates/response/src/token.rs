@@ -221,12 +221,15 @@ impl Lexer<'_> {
             .find(|module| self.rest().starts_with(**module) && is_word(module.len()));
         self.at += found.map_or(0, |module| module.len());
         // What programs call so is the natural one; alone, people mean the other as well.
-        let is_program = found.is_some()
-            || [".*", "./", ".^"]
-                .iter()
-                .any(|sign| self.text.contains(sign));
-        let natural = if is_program { "log(" } else { "Log[" };
-        let is_natural = self.rest().starts_with(natural);
+        let is_program = || {
+            let mut signs = [".*", "./", ".^"].iter();
+            found.is_some() || signs.any(|sign| self.text.contains(sign))
+        };
+        let is_natural = if self.rest().starts_with("log(") {
+            is_program()
+        } else {
+            self.rest().starts_with("Log[") && !is_program()
+        };
         if is_natural {
             self.take("log".len(), Item::Function(Function::Ln));
         }

@@ -76,9 +76,9 @@ impl Folder<'_> {
         let next = self.rest()[2..].trim_start_matches([' ', '&', '\n']);
         // Lines of statements outside of all environments.
         let is_line = self.open.is_empty()
-            && !self.typed.contains(['&', '['])
+            && next.contains('=')
             && self.text.contains('=')
-            && next.contains('=');
+            && !(self.typed.contains('&') || self.typed.contains('['));
         match self.open.last() {
             None if is_line => self.write("\n", 2),
             Some(Environment::Display) if next.starts_with(['=', '+', '-']) => self.write(" ", 2),
