@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::pages::{Kind, Run};
-use super::{Writer, is_line};
+use super::Writer;
 use crate::answer::{Choosing, Criterion, KeyValue};
 use crate::bank::{Group, Passage, Space, share_in_group};
 use crate::document::{Document, Filling};

@@ -117,7 +117,7 @@ impl FrictionMotion {
             motion.launch(velocity);
             motion.end_from_throw(given, position, velocity)?;
         }
-        if motion.reach.is_finite() {
+        if motion.is_within_range() {
             Ok(motion)
         } else {
             Err(FrictionError::OutOfRange)
@@ -212,6 +212,27 @@ impl FrictionMotion {
         self.ending = Ending::Rest(nearest as u64 + u64::from(!rests));
         self.last_reach = if rests { last } else { decay.next(last) };
         Ok(())
+    }
+
+    /// Whether the path and the time of all its slides are within the range of numbers, by bounds that cost less.
+    fn is_within_range(&self) -> bool {
+        let span = 2.0 * (self.reach.hi().abs() + self.offset.hi().abs());
+        match self.ending {
+            // A slide is no longer than the first, and takes half a period at most.
+            Ending::Rest(half_cycles) => {
+                let slides = half_cycles as f64 + 2.0;
+                let scale = &self.system.scale;
+                let is_ended_in_time = || {
+                    let time = scale.half_period() * slides;
+                    time.scale(-scale.rate_exponent).hi().is_finite()
+                };
+                (span * slides).is_finite() && (!scale.oscillates() || is_ended_in_time())
+            }
+            Ending::Endless if self.system.decay.is_viscous() => {
+                self.system.decay.endless_path(self.reach).hi().is_finite()
+            }
+            Ending::Endless | Ending::Creeping => span.is_finite(),
+        }
     }
 
     /// Without kinetic friction a turning point outside the reach of static friction, if any, is followed by others.

@@ -48,7 +48,7 @@ impl Checker<'_> {
         let found = self.numbers(inner);
         let indices: Vec<Option<usize>> = indices.iter().map(|index| self.whole(index)).collect();
         let (found, indices) = (found?, indices.into_iter().collect::<Option<Vec<usize>>>()?);
-        let (rows, columns) = found.shape().rows_and_columns();
+        let (_, columns) = found.shape().rows_and_columns();
         let (shape, range) = match (found.shape(), indices.as_slice()) {
             (Shape::Vector(_), [row]) => (Shape::Scalar, self.range(&found, [*row, 1], 1, span)?),
             (Shape::Matrix(..), [row]) => (
