@@ -99,7 +99,8 @@ impl Pendulum {
     ///
     /// # Errors
     ///
-    /// [`PendulumError::Start`] if one is not finite, or the velocity exceeds 1e100 times the natural angular frequency.
+    /// [`PendulumError::Start`] if one is not finite, if the velocity exceeds 1e100 times the natural angular frequency,
+    /// or if twice that frequency is beyond the range of numbers.
     pub fn motion(
         &self,
         angle: f64,
@@ -107,7 +108,9 @@ impl Pendulum {
     ) -> Result<PendulumMotion, PendulumError> {
         const FASTEST: f64 = 1e100;
         let kappa = self.reduced_velocity(angular_velocity);
-        if !angle.is_finite() || !kappa.is_finite() || kappa.hi().abs() > FASTEST {
+        let double_rate = (self.rate() * 2.0).hi();
+        let is_moderate = kappa.is_finite() && kappa.hi().abs() <= FASTEST;
+        if !(angle.is_finite() && is_moderate && double_rate.is_finite()) {
             return Err(PendulumError::Start {
                 angle,
                 angular_velocity,
@@ -125,7 +128,7 @@ impl Pendulum {
             course: self.course(start, lack),
             turns,
             direction,
-            double_rate: (self.rate() * 2.0).hi(),
+            double_rate,
         })
     }
 
