@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use super::pages::{Kind, Run};
 use super::Writer;
+use super::pages::{Kind, Run};
 use crate::answer::{Choosing, Criterion, KeyValue};
 use crate::bank::{Group, Passage, Space, share_in_group};
 use crate::document::{Document, Filling};

@@ -27,20 +27,41 @@ const SHORT: f64 = 64.0;
 /// Largest matrix that is squared in double-double arithmetic.
 const MAX_EXACT: usize = 128;
 
-/// More squarings than lead from any norm to one.
-const MAX_SQUARINGS: i32 = 1100;
+/// Squarings after which six digits are left, since each doubles the rounding of the first power: `2^-53` in `f64`.
+const MAX_SQUARINGS: i32 = 33;
+
+/// The same where they are done in double-double arithmetic, which rounds at `2^-104`.
+const MAX_EXACT_SQUARINGS: i32 = 84;
+
+/// Why the motion up to a horizon cannot be prepared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum PropagatorError {
+    /// A power leaves the range of numbers.
+    OutOfRange,
+    /// The fastest rate makes so many turns until the horizon that hardly a digit would be left.
+    TooLong,
+}
 
 impl Propagator {
-    /// Prepared for times from zero to the horizon; none if a power leaves the range of numbers.
-    pub(crate) fn of(generator: &DMatrix<Dd>, horizon: f64) -> Option<Self> {
+    /// Prepared for times from zero to the horizon.
+    pub(crate) fn of(generator: &DMatrix<Dd>, horizon: f64) -> Result<Self, PropagatorError> {
         let rounded = generator.map(Dd::hi);
         let size = one_norm(&rounded) * horizon;
         if !size.is_finite() {
-            return None;
+            return Err(PropagatorError::OutOfRange);
         }
-        let squarings = (binary_exponent(size) + 1).clamp(0, MAX_SQUARINGS);
+        let squarings = (binary_exponent(size) + 1).max(0);
+        let is_large = rounded.nrows() > MAX_EXACT;
+        let most = if is_large {
+            MAX_SQUARINGS
+        } else {
+            MAX_EXACT_SQUARINGS
+        };
+        if squarings > most {
+            return Err(PropagatorError::TooLong);
+        }
         let base = scale_by_power_of_two(horizon, -squarings);
-        let powers = if size <= SHORT || rounded.nrows() > MAX_EXACT {
+        let powers = if size <= SHORT || is_large {
             squares(pade(&(&rounded * base)), squarings)
         } else {
             exact_powers(generator, base, squarings)
@@ -48,7 +69,10 @@ impl Propagator {
         let is_finite = powers
             .iter()
             .all(|power| power.iter().all(|x| x.is_finite()));
-        is_finite.then_some(Self {
+        if !is_finite {
+            return Err(PropagatorError::OutOfRange);
+        }
+        Ok(Self {
             generator: rounded,
             base,
             powers,
@@ -239,8 +263,16 @@ mod tests {
     #[test]
     fn growth_beyond_all_numbers_has_no_propagator() {
         let matrix = DMatrix::from_element(1, 1, Dd::ONE);
-        assert!(Propagator::of(&matrix, 1e4).is_none());
-        assert!(Propagator::of(&matrix, f64::INFINITY).is_none());
-        assert!(Propagator::of(&matrix, 0.0).is_some());
+        let refused = |horizon| Propagator::of(&matrix, horizon).err();
+        assert_eq!(refused(1e4), Some(PropagatorError::OutOfRange));
+        assert_eq!(refused(f64::INFINITY), Some(PropagatorError::OutOfRange));
+        assert_eq!(refused(0.0), None);
+    }
+
+    #[test]
+    fn turns_beyond_all_digits_have_no_propagator() {
+        let refused = |horizon| Propagator::of(&rotation(1.0, 0.0), horizon).err();
+        assert_eq!(refused(1e24), None);
+        assert_eq!(refused(1e26), Some(PropagatorError::TooLong));
     }
 }

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::viscous::{generator, weights};
-use super::{Damping, Initial, check_time, check_vectors, uncoupled};
+use super::{Damping, Initial, check_time, check_vectors, propagator, uncoupled};
 use crate::numerics::Dd;
 use crate::numerics::exponential::Propagator;
 use crate::vibration::modes::{Modes, ModesError, Refined};
@@ -243,7 +243,7 @@ impl Coupled {
         }
         matrix[(2 * size, 2 * size + 1)] = Dd::from(-forces.angular_frequency);
         matrix[(2 * size + 1, 2 * size)] = Dd::from(forces.angular_frequency);
-        let propagator = Propagator::of(&matrix, horizon).ok_or(ModesError::OutOfRange)?;
+        let propagator = propagator(&matrix, horizon)?;
         let mut start = DVector::zeros(2 * size + 2);
         for mode in 0..size {
             let state = initial.modal_state(mode);

@@ -22,6 +22,7 @@ use nalgebra::DMatrix;
 use super::modes::{Modes, ModesError, Refined, momenta};
 use super::state::State;
 use crate::numerics::Dd;
+use crate::numerics::exponential::{Propagator, PropagatorError};
 use classical::Classical;
 use viscous::Viscous;
 
@@ -272,4 +273,12 @@ fn uncoupled(damping: &DMatrix<Dd>) -> Option<Vec<Dd>> {
     };
     let all = (0..size).all(|s| (0..s).all(|r| is_negligible(r, s)));
     all.then_some(diagonal)
+}
+
+/// What moves the states of coupled modes on, up to a horizon in s.
+fn propagator(generator: &DMatrix<Dd>, horizon: f64) -> Result<Propagator, ModesError> {
+    Propagator::of(generator, horizon).map_err(|error| match error {
+        PropagatorError::OutOfRange => ModesError::OutOfRange,
+        PropagatorError::TooLong => ModesError::TooLong { horizon },
+    })
 }

@@ -5,7 +5,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::Initial;
+use super::{Initial, propagator};
 use crate::numerics::Dd;
 use crate::numerics::exponential::Propagator;
 use crate::vibration::modes::{ModesError, Refined};
@@ -32,7 +32,7 @@ impl Viscous {
     ) -> Result<Self, ModesError> {
         let weights = weights(initial.modes);
         let generator = generator(initial.modes, &weights, damping);
-        let propagator = Propagator::of(&generator, horizon).ok_or(ModesError::OutOfRange)?;
+        let propagator = propagator(&generator, horizon)?;
         let size = weights.len();
         let mut start = DVector::zeros(2 * size);
         for mode in 0..size {

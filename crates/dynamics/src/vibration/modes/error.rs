@@ -106,6 +106,12 @@ pub enum ModesError {
     /// Frequencies, shapes or displacements outside the range of binary64.
     #[error("the result is outside the range of numbers")]
     OutOfRange,
+    /// A time so long that damping which couples the modes leaves hardly a digit of the motion.
+    #[error("over {horizon} s the fastest of the coupled modes leaves no digits of the motion")]
+    TooLong {
+        /// The end of the motion, in s.
+        horizon: f64,
+    },
     /// A time before the start, or beyond the horizon for which the motion was prepared.
     #[error("the time {time} s is not between 0 and the horizon {horizon} s")]
     Time {
