@@ -7,7 +7,7 @@ use crate::unit::Unit;
 /// What a response was read as; numbers are in SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Answered {
-    /// A number.
+    /// A real number, with the unit that came with it.
     Number {
         /// Its value.
         si: f64,
@@ -20,7 +20,7 @@ pub enum Answered {
     Complex(Vec<Complex>),
     /// A formula in the symbols of the item.
     Formula(Expr),
-    /// Equations.
+    /// The equations of a part that asks for them, such as those of motion.
     Equations(Vec<Equation>),
     /// The entries of a matrix in numbers, by rows.
     Matrix(Vec<f64>),

@@ -34,31 +34,31 @@ pub enum Asked {
         /// Whether the order counts.
         is_ordered: bool,
     },
-    /// An integer.
+    /// A count: digits without a unit or a decimal sign.
     Integer,
-    /// A formula.
+    /// A formula in the letters of the item.
     Formula,
     /// A function, with letters or with numbers.
     Function {
-        /// Of what.
+        /// The variable, as it is typeset.
         variable: Math,
     },
     /// A general solution with free constants.
     GeneralSolution,
-    /// Equations.
+    /// One or more equations, such as those of motion.
     Equation {
         /// Whether there are several.
         are_several: bool,
     },
-    /// A matrix.
+    /// A matrix, row by row.
     Matrix(Entries),
     /// An interval, or several.
     Interval(Entries),
-    /// Shapes of modes.
+    /// The components of one or more mode shapes.
     ModeShape {
         /// How the components are written.
         entries: Entries,
-        /// In which scale.
+        /// The scale in which they are asked.
         scale: ShapeScale,
         /// Whether there are several.
         are_several: bool,
@@ -72,18 +72,18 @@ pub enum Asked {
 /// How entries, bounds or components are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Entries {
-    /// As numbers.
+    /// Numbers, with or without a unit.
     Numbers,
-    /// As formulas.
+    /// Formulas in the letters of the item.
     Formulas,
-    /// As either.
+    /// Numbers or formulas, as the student likes.
     Either,
 }
 
 /// The scale in which a shape is asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ShapeScale {
-    /// Any.
+    /// Every multiple of the shape is right.
     Any,
     /// Unit modal mass.
     Mass,

@@ -96,7 +96,7 @@ pub enum Role {
     Symbol,
     /// A coordinate of a model, which moves with time.
     Coordinate,
-    /// A quantity.
+    /// A quantity that the item computes from its data.
     Quantity {
         /// Its place in the graph of quantities.
         node: NodeId,

@@ -25,7 +25,7 @@ pub enum Kind {
     Function,
     /// Equations, such as those of motion.
     Equation,
-    /// Mode shapes.
+    /// The components of one or more modes of a system.
     ModeShape,
     /// One or several of listed options.
     Choice,

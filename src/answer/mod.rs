@@ -68,7 +68,7 @@ use crate::unit::Unit;
 
 /// What a part asks for, whatever the data.
 pub trait Answer: Send + Sync {
-    /// Its kind.
+    /// The kind as the item file names it.
     fn kind(&self) -> Kind;
 
     /// The minutes that it takes, if the item does not say.
@@ -317,7 +317,7 @@ impl Choosing {
 pub struct Choosable {
     /// Its identity.
     pub id: String,
-    /// Its text.
+    /// What is printed beside its letter.
     pub text: Document,
 }
 

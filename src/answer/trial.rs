@@ -8,14 +8,14 @@ use crate::unit::{Decimal, Unit};
 pub struct Trial {
     /// What it has to come to.
     pub nature: Nature,
-    /// The response.
+    /// What is typed.
     pub response: String,
 }
 
 /// What a made-up response has to come to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Nature {
-    /// Right.
+    /// It is marked right.
     Right,
     /// Right, but only just.
     Borderline,

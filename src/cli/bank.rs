@@ -15,7 +15,7 @@ use super::index::{Index, Stamp};
 use super::report::Reporter;
 use super::{Failure, Outcome, files};
 
-/// Which bank.
+/// The options that select the bank a command works on.
 #[derive(clap::Args)]
 pub(crate) struct BankArgument {
     /// A folder with a bank of your own, in place of the one that comes with the program.

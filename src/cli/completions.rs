@@ -10,7 +10,7 @@ use super::{Failure, Outcome};
 /// Example: vibank completions bash > vibank.bash
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
-    /// The shell.
+    /// The shell whose completions are printed.
     #[arg(required_unless_present = "man")]
     shell: Option<Shell>,
     /// Print the manual page instead.

@@ -16,10 +16,10 @@ use super::{Failure, Outcome, lines, solve};
 /// Example: vibank mark ch4/p3-base-excited-relative omega_n "1.095 rad/s" --earlier "k_eq=k1*k2/(k1 + k2)"
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
-    /// The item.
+    /// The id of the item, such as ch2/e8-springs-parallel-series.
     #[arg(required_unless_present = "jsonl")]
     item: Option<String>,
-    /// The part.
+    /// The id of the part, such as k_par.
     #[arg(required_unless_present = "jsonl")]
     part: Option<String>,
     /// What was answered.

@@ -13,7 +13,7 @@ use super::{Failure, Outcome, lines};
 /// Example: vibank solve ch4/p1-rolling-disk-hub-moment --set m=2kg --set "r=12.5 cm" --json
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
-    /// The item.
+    /// The id of the item, such as ch2/e8-springs-parallel-series.
     #[arg(required_unless_present = "jsonl")]
     item: Option<String>,
     /// A value for a parameter, such as m=2kg; a bare number is in SI units.

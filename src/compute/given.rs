@@ -12,7 +12,7 @@ use serde::de::{
 /// A JSON value, texts borrowed where they hold no escapes.
 #[derive(Debug)]
 pub(crate) enum Value<'a> {
-    /// `null`.
+    /// `null`, which is as good as absent.
     Null,
     /// A number that binary64 holds as it is written, or next to it.
     Number(f64),

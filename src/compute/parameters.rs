@@ -49,7 +49,7 @@ impl<'a> Parameters<'a> {
         value.is_some_and(|value| !matches!(value, Value::Null))
     }
 
-    /// A number.
+    /// A number that has to be given.
     pub(crate) fn number(&self, name: &'static str) -> Result<f64, RequestError> {
         number(self.value(name)?).ok_or(RequestError::NotANumber {
             name,

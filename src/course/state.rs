@@ -7,7 +7,7 @@ use super::Package;
 pub struct Room {
     /// The standard, in words.
     pub standard: &'static str,
-    /// Characters.
+    /// The most characters that a platform has to keep of it.
     pub characters: usize,
 }
 

@@ -33,13 +33,13 @@ pub enum Form {
     Value,
     /// As the sheet shows data: symbol, number or both.
     Given,
-    /// The symbol.
+    /// The typeset symbol alone.
     Symbol,
     /// The words.
     Name,
     /// The number without its unit.
     Number,
-    /// The unit.
+    /// The unit alone, typeset.
     Unit,
     /// The closed form in symbols.
     Formula,

@@ -174,6 +174,7 @@ fn share(solution: &Solution<'_>, place: usize, sheet: &Sheet<'_>) -> Option<Cre
     };
     let own = key(place)?;
     let is_alike = |(value, dimension): (f64, _)| {
+        // Both values are computed from the same data, and neither was rounded by a person.
         const SAME: f64 = 1e-12;
         dimension == own.1 && (value - own.0).abs() <= SAME * own.0.abs()
     };

@@ -28,7 +28,7 @@ pub struct Request {
     /// Draws what is not set.
     #[serde(default)]
     pub seed: Option<u64>,
-    /// The part.
+    /// The part of the item that is answered, by its id.
     pub part: String,
     /// What was answered.
     pub response: String,

@@ -17,10 +17,10 @@ use crate::mechanics::Reason;
 /// A language in which responses are spoken about.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Language {
-    /// English.
+    /// English, in which the bank is written.
     #[default]
     English,
-    /// French.
+    /// French, for remarks and for the words around the questions.
     French,
 }
 
@@ -47,7 +47,7 @@ pub enum ByHand {
     LeftOut,
     /// What a wrong choice costs: points as they are printed, and whether it is one.
     Charged {
-        /// The points.
+        /// What is subtracted, as it is printed.
         points: String,
         /// Whether it is a single one.
         is_one: bool,

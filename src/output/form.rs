@@ -15,7 +15,7 @@ use crate::worksheet::Practice;
 /// A sheet that is answered on a page.
 #[derive(Clone, Debug, Serialize)]
 pub struct FormSheet {
-    /// Its code.
+    /// The code of the variant, which is printed on the sheet as well.
     pub code: String,
     /// Whose it is; may be empty.
     pub name: String,
@@ -23,16 +23,16 @@ pub struct FormSheet {
     pub sheet: String,
     /// Title of the sheet.
     pub title: String,
-    /// Its questions.
+    /// In the order of the sheet.
     pub questions: Vec<FormQuestion>,
 }
 
 /// A question of such a sheet.
 #[derive(Clone, Debug, Serialize)]
 pub struct FormQuestion {
-    /// Its number.
+    /// Its place on the sheet, from 1.
     pub number: usize,
-    /// Its title.
+    /// The heading of the item.
     pub title: String,
     /// What it is worth, in words.
     pub points: String,

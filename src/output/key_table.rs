@@ -18,7 +18,7 @@ pub struct KeyTable {
 pub struct KeyRow {
     /// Code of the variant.
     pub(super) code: String,
-    /// Its questions.
+    /// In the order of the sheet.
     pub(super) questions: Vec<QuestionKeys>,
 }
 

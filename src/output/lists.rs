@@ -27,7 +27,7 @@ impl List {
         }
     }
 
-    /// What it is.
+    /// What the program calls it when it lists the files that it wrote.
     pub fn description(self) -> &'static str {
         match self {
             Self::Attendance => "attendance list",

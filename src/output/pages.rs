@@ -89,7 +89,7 @@ pub struct Pages {
 /// A page, written.
 #[derive(Clone, Debug, Default)]
 pub struct Page {
-    /// Its text.
+    /// What is written to the file, in the notation of the format.
     pub text: String,
     /// The figures that its notation cannot hold: the name of each, and its SVG.
     pub pictures: BTreeMap<String, String>,

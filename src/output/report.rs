@@ -57,7 +57,7 @@ pub struct DecidedMark {
     pub points_before: String,
     /// What could be reached without it.
     pub max_before: String,
-    /// Its points.
+    /// What was given for it, with the decision.
     pub points: String,
     /// What can be reached.
     pub max: String,
@@ -275,7 +275,7 @@ struct DecidedView<'a> {
 }
 
 impl DecidedMark {
-    /// `0 of 2 → 2 of 2`.
+    /// The change in one phrase, such as `0 of 2 → 2 of 2`.
     pub fn words(&self) -> String {
         let Self {
             points_before,

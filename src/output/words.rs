@@ -78,7 +78,7 @@ impl Words {
         serde_json::from_str(layouts::text(&path)).expect("the files of words are tested")
     }
 
-    /// `5 questions`.
+    /// A count of questions in words: `1 question`, `5 questions`.
     pub(super) fn questions(&self, count: usize) -> String {
         let phrase = if count == 1 {
             &self.one_question
@@ -88,7 +88,7 @@ impl Words {
         phrase.replace("{count}", &count.to_string())
     }
 
-    /// `24 sheets`.
+    /// A count of sheets in words: `1 sheet`, `24 sheets`.
     pub(super) fn sheets(&self, count: usize) -> String {
         let phrase = if count == 1 {
             &self.one_sheet

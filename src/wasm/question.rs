@@ -71,7 +71,7 @@ pub(super) fn options(solution: &Solution<'_>, place: usize) -> Vec<ShownOption>
 /// What a tap puts into an answer.
 #[derive(Serialize)]
 pub(super) struct Insertion {
-    /// As it is typed.
+    /// The characters that are inserted.
     typed: String,
     /// As it is shown.
     symbol: String,

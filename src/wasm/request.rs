@@ -17,7 +17,7 @@ use crate::solution::Solution;
 use crate::source::{Fields, FromJson, Misfit, named};
 use crate::worksheet::{Heading, headings};
 
-/// One request.
+/// What a page asks of the grader; a question is its place on the page, a code that of a variant.
 pub(super) enum Request {
     /// A variant that is fit to be asked.
     Choose { question: usize, from: u64 },
@@ -38,7 +38,7 @@ pub(super) enum Request {
         response: String,
         earlier: Map<String, Json>,
     },
-    /// One hint.
+    /// The hint of this number, from 0.
     Hint {
         question: usize,
         code: String,

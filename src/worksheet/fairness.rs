@@ -78,7 +78,7 @@ pub struct ItemFairness {
 /// The range of the sizes of an answer.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Range {
-    /// The unit of both.
+    /// The unit in which both ends are given; empty for a bare number.
     pub unit: String,
     /// The smallest.
     pub least: f64,

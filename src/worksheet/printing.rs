@@ -22,7 +22,7 @@ pub enum Order {
 /// After what the files of sheets are named.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FileNames {
-    /// The code.
+    /// The code of the variant.
     #[default]
     Code,
     /// The place in the class list, the `id` and the name.

@@ -20,7 +20,7 @@ pub enum Trouble {
     },
     /// A name of the item that the answer may not use, and the letters that it may, where they are few.
     NotAllowed(Vec<String>),
-    /// A unit.
+    /// A unit where a formula without units is due.
     Unit,
     /// A sign that is not understood.
     Sign,

@@ -6,7 +6,7 @@
 /// What a spelling becomes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Plain {
-    /// This text.
+    /// The spelling that everything behind this table reads.
     Text(&'static str),
     /// Nothing: it has no width, or only sets the size of what follows.
     Nothing,

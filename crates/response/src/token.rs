@@ -33,7 +33,7 @@ pub(super) enum Item {
     Degree,
     /// An operator, bracket or other sign.
     Sign(char),
-    /// A unit.
+    /// A unit, with its prefix and power.
     Unit(Box<Unit>),
     /// A word that joins values.
     Word(&'static str),

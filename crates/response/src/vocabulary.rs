@@ -35,7 +35,7 @@ pub(super) const INITIAL: u8 = 100;
 pub(super) enum Sense {
     /// A name, or a time derivative of it.
     Leaf(Expr),
-    /// A function.
+    /// A function of the formula language, such as `sin`.
     Function(Function),
     /// `pow`, `cbrt`: powers that are written as functions.
     Power(Powered),

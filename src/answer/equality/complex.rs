@@ -11,8 +11,11 @@ use crate::answer::meaning::{Meaning, ORDERS};
 use crate::expr::{Approx, Expr, Name, Precise, Program, Registers};
 
 /// Points that are turned.
+// Two of them have to differ, so that one point at which digits are lost decides nothing.
 const POINTS: usize = 4;
 /// Angles in radians by which data are turned, in turn.
+// Less than a degree or so, that no branch cut is crossed on the way; unequal and of both signs, that the angles of a
+// product do not cancel.
 const ANGLES: [f64; 5] = [0.011, -0.007, 0.017, -0.019, 0.005];
 /// Values that differ by more than this part are different: a branch leaves more, rounding less.
 const DIFFERENT: f64 = 1e-6;

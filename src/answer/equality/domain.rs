@@ -79,6 +79,8 @@ impl Condition {
     pub(super) fn holds(&self, point: &[Precise], room: &mut Registers<Approx<f64>>) -> bool {
         match (self.value(point, room), self.solved) {
             (Some(value), Some(slot)) => {
+                // Some thousand units in the last place: more than the formula of a constraint loses,
+                // and far less than two drawn values differ by.
                 const ROUNDING: f64 = 1e-12;
                 let own = point[slot].high();
                 (value - own).abs() <= ROUNDING * value.abs()

@@ -4,8 +4,10 @@ use crate::expr::{Approx, Field, Precise, Program, Registers, Scalar};
 use crate::numerics::Dd;
 
 /// Values that differ by more than this part are different, whatever their decimals.
+// π as a pocket calculator shows it, 3.141592654, is off by 1.3e-10 of it.
 pub(super) const DIFFERENT: f64 = 1e-9;
 /// Bounds below this part of a value leave no doubt in binary64.
+// A thousandth of `DIFFERENT`; with wider bounds double-double decides.
 const SURE: f64 = 1e-12;
 
 /// How two functions compare at a point.

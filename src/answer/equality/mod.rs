@@ -39,12 +39,15 @@ use crate::expr::{CompileError, Expr, Field, Kind, Name, Precise, Program};
 use crate::quantity::Evaluation;
 
 /// Points at which formulas are compared.
+// At a random point two different analytic formulas agree with probability zero; the others guard against points at
+// which a formula has no value or no digits left.
 const POINTS: usize = 8;
 /// Points that are drawn, so that some may be passed over.
 const DRAWN: usize = 12;
 /// Points that have to decide.
 const MIN_COUNT: usize = 4;
 /// Draws until as many points have a key.
+// Twenty for each point that is drawn.
 const MAX_DRAWS: usize = 240;
 /// Half the width of the draws, in decades: what holds for the data holds for data ten times as large or small, as long
 /// as the constraints of the item do.

@@ -38,9 +38,9 @@ use crate::unit::Unit;
 pub(super) struct Formula {
     key: NodeId,
     setup: Arc<Setup>,
-    /// Whether it moves with time.
+    /// Whether it changes with time: it uses `t` or a coordinate.
     moves: bool,
-    /// Its value.
+    /// The numeric answer by which a response is marked that gives the value of the formula; none where the formula moves.
     value: Option<Box<dyn Answer>>,
 }
 

@@ -34,6 +34,7 @@ impl Extent {
     }
 
     pub(super) fn ends(self, evaluation: &Evaluation<'_>) -> Result<[f64; 2], Absent> {
+        // Three periods show amplitude, phase and decay of the slowest mode.
         const PERIODS: f64 = 3.0;
         match self {
             Self::Stated([from, to]) => Ok([evaluation.real(from)?, evaluation.real(to)?]),

@@ -7,7 +7,7 @@ use crate::numerics::Rational;
 
 /// What an inequality bounds.
 pub(super) enum Subject {
-    /// The variable.
+    /// The bare variable, as in `x < 2`.
     Variable,
     /// Its distance from a place, times a slope.
     Distance { centre: f64, slope: f64 },

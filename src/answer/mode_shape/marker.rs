@@ -258,6 +258,7 @@ impl Marker for Prepared {
 
 /// The component that is shown as one where any scale will do: the first, or the largest if the first is small.
 fn simple_scale(vector: &[f64]) -> f64 {
+    // A component near a node has few figures, and dividing by it would pass its rounding on to all others.
     const SMALL: f64 = 0.05;
     let largest = |a: f64, b: &f64| if b.abs() > a.abs() { *b } else { a };
     let largest = vector.iter().fold(0.0, largest);

@@ -142,6 +142,8 @@ impl Numbers {
 
     /// What is said of an angle that nobody means: so many turns that what is left of it tells nothing.
     pub(super) fn absurd(&self, typed: Typed) -> Option<Why> {
+        // A whole turn in degrees that is read as radians, 360 rad, is 57 turns: such a slip is marked, not
+        // refused.
         const MAX_TURNS: u32 = 100;
         let period = self.modulo?;
         let turn = Quantity::new(Decimal::rounded(self.unit.of_si(period), 4)?, self.unit);

@@ -234,6 +234,7 @@ fn counted(value: &str) -> Option<&str> {
 
 /// Whether two numbers differ by no more than their rounding.
 fn are_equal(one: &Number, other: &Number) -> bool {
+    // Two values that were each rounded to three figures differ by no more than one percent.
     const SHARE: f64 = 0.01;
     let last_place = |number: &Number| match &number.arithmetic {
         Some(_) => 0.0,
@@ -254,6 +255,7 @@ fn are_equal(one: &Number, other: &Number) -> bool {
 
 /// As much of a text as a message can quote.
 pub(super) fn short(text: &str) -> String {
+    // With its quotation a message still fits on a line or two.
     const MAX_COUNT: usize = 40;
     let start: String = text.trim().chars().take(MAX_COUNT).collect();
     if start.len() < text.trim().len() {

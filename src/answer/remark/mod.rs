@@ -97,12 +97,12 @@ pub enum Note {
     TakenAs {
         /// The one that counts.
         taken: String,
-        /// The other.
+        /// The reading that was set aside.
         other: String,
     },
     /// A number of significant figures is asked.
     Figures {
-        /// How many.
+        /// The number of significant figures that the part asks for.
         asked: u32,
         /// The number, and how many it has; none of arithmetic.
         typed: Option<(String, u32)>,

@@ -9,9 +9,9 @@ use crate::unit::{Quantity, Unit};
 pub enum Slip {
     /// A factor 2π.
     TwoPi(TwoPi),
-    /// A power of ten.
+    /// A factor 2π too many or too few, and where it slipped.
     PowerOfTen(Decades),
-    /// A sign.
+    /// The value of the key with the opposite sign.
     Sign(Negated),
     /// Degrees in place of radians, or the other way round; the unit that was typed or asked.
     AngleUnit(Unit),
@@ -101,7 +101,7 @@ pub enum Slip {
 /// Where a factor 2π slipped.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TwoPi {
-    /// In a formula.
+    /// A formula that is 2π times the key, or its 2πth part.
     Formula,
     /// In a formula for a frequency or a period.
     Frequency,
@@ -111,7 +111,7 @@ pub enum TwoPi {
     Cycles {
         /// As it was typed.
         typed: Box<Unit>,
-        /// As it is asked.
+        /// That of the key.
         asked: Box<Unit>,
     },
     /// In the argument of a sine or cosine.
@@ -121,7 +121,7 @@ pub enum TwoPi {
 /// What a power of ten comes from.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Decades {
-    /// A prefix.
+    /// A factor of ten to an integer power, as a forgotten or mistaken prefix leaves it.
     Prefix,
     /// A percentage without its sign.
     Percent,
@@ -136,7 +136,7 @@ pub enum Negated {
     Whole,
     /// A number whose magnitude fits.
     Number,
-    /// An angle.
+    /// An angle that was measured in the opposite direction.
     Angle,
     /// The imaginary part.
     Imaginary,
@@ -173,12 +173,12 @@ pub enum Shape {
     OfMode {
         /// Which it is, from 1.
         found: usize,
-        /// Which is asked.
+        /// The mode that the part asks for at this place, from 1.
         asked: usize,
     },
     /// Only signs of its components are wrong.
     Reversed,
-    /// It is wrong.
+    /// Neither of these: the number of the mode, from 1.
     Wrong(usize),
 }
 

@@ -27,13 +27,13 @@ pub struct Term {
 pub enum TermKind {
     /// It excites the motion.
     Exciting,
-    /// Inertia.
+    /// A mass or moment of inertia times an acceleration.
     Inertia,
     /// Dry friction.
     Friction,
-    /// Damping.
+    /// Viscous damping, a coefficient times a velocity.
     Damping,
-    /// Stiffness.
+    /// A coefficient times a displacement.
     Stiffness,
     /// None of these.
     Other,
@@ -42,13 +42,13 @@ pub enum TermKind {
 /// What is wrong with a term.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Fault {
-    /// It is missing.
+    /// The key has it, the response does not.
     Missing,
     /// It should not be there.
     Surplus,
-    /// Its sign.
+    /// It has the opposite sign.
     Sign,
-    /// Its coefficient.
+    /// Its coefficient is another one than in the key.
     Coefficient(Coefficient),
 }
 

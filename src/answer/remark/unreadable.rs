@@ -10,7 +10,7 @@ use crate::unit::{Quantity, Unit};
 pub struct Unreadable {
     /// Where, if it is a place.
     pub at: Option<At>,
-    /// Why.
+    /// What stands in the way.
     pub why: Box<Why>,
     /// What is shown for imitation.
     pub example: Option<Example>,
@@ -73,7 +73,7 @@ pub enum Why {
     RangeOrDifference(String),
     /// An angle in degrees beside one without a unit.
     MixedDegrees,
-    /// Two units.
+    /// Two units behind one number.
     TwoUnits,
     /// `1,250`: how it reads with a decimal sign and without.
     CommaOfThree {
@@ -94,9 +94,9 @@ pub enum Why {
     Inequality,
     /// A unit beside the name, and the value.
     UnitBesideName {
-        /// The value.
+        /// The number, as it was typed.
         value: String,
-        /// The unit.
+        /// The unit, which belongs behind the number.
         unit: String,
     },
     /// Two sides that are not equal.
@@ -252,7 +252,7 @@ pub enum Why {
     ShapesOf {
         /// How many were typed.
         found: usize,
-        /// In how many rows.
+        /// The rows that were typed, of which each should be a shape.
         rows: usize,
         /// How many shapes are asked.
         shapes: usize,

@@ -30,7 +30,7 @@ const VARIANTS: usize = 10;
 /// Example: vibank export moodle examples/midterm.toml --out midterm.xml
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
-    /// The platform.
+    /// The course platform that imports the questions.
     platform: Platform,
     /// A blueprint whose questions are exported; else the items that pass the filter.
     blueprint: Option<PathBuf>,
@@ -67,7 +67,7 @@ enum Platform {
     Qti,
 }
 
-/// A version of QTI.
+/// The version of the QTI standard that a package follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 enum QtiVersion {
     /// As Canvas reads it.

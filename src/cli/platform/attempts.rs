@@ -7,9 +7,9 @@ use super::sheets::Taken;
 /// Which of several attempts of a student counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub(crate) enum Which {
-    /// The first one.
+    /// The earliest by its time, or by its place in the file where times are absent.
     First,
-    /// The last one.
+    /// The latest, likewise.
     Last,
     /// The one with the most points, the later one of equals.
     Best,

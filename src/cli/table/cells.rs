@@ -56,7 +56,7 @@ pub(crate) enum Fault {
     Wide {
         /// Line in the file, from 1.
         line: usize,
-        /// The delimiter.
+        /// The character between two cells: comma, semicolon or tab.
         delimiter: char,
     },
 }

@@ -229,6 +229,7 @@ impl Search<'_> {
 
 /// A number as a fraction times a power of π.
 fn factor(number: f64) -> Option<Expr> {
+    // Textbooks have small denominators, such as the 12 of a rod about its centre.
     const MAX_BELOW: i128 = 24;
     const PI_POWERS: [i32; 5] = [0, 1, -1, 2, -2];
     PI_POWERS.into_iter().find_map(|power| {

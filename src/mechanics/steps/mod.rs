@@ -28,7 +28,7 @@ use crate::expr::{Expr, Kind, Name, Normal, Operator, Order, SymbolicError, Vari
 pub struct Step {
     /// What it does.
     pub reason: Reason,
-    /// Its lines.
+    /// The equations that it writes, in order.
     pub lines: Vec<Line>,
 }
 

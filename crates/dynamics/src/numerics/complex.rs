@@ -30,7 +30,7 @@ pub struct Complex {
 impl Complex {
     /// Zero.
     pub const ZERO: Self = Self { re: 0.0, im: 0.0 };
-    /// One.
+    /// 1 + 0i, the neutral element of products.
     pub const ONE: Self = Self { re: 1.0, im: 0.0 };
     /// The imaginary unit.
     pub const I: Self = Self { re: 0.0, im: 1.0 };
@@ -54,7 +54,7 @@ impl Complex {
         hypot(self.re, self.im)
     }
 
-    /// Argument in [-π, π].
+    /// Argument in [-π, π], the angle from the positive real axis in rad.
     #[inline]
     pub fn argument(self) -> f64 {
         atan2(self.im, self.re)

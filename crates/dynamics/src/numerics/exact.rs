@@ -77,6 +77,7 @@ fn fused_error(a: f64, b: f64, product: f64) -> f64 {
 /// a part that overflows leaves no number as the error.
 #[inline]
 fn is_exact(product: f64, error: f64) -> bool {
+    // 2^-106 of it, the last bit of an exact product, is just above the smallest number of binary64.
     const SMALLEST: f64 = 1e-290;
     product.abs() - error.abs() > SMALLEST
 }

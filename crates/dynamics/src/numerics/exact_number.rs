@@ -304,6 +304,7 @@ fn dd_of(value: i128) -> Dd {
 
 /// `value * 10^exponent`, in steps by powers of ten that are exact.
 fn scale_by_ten(mut value: Dd, exponent: i32) -> Dd {
+    // 10^22 is the largest power of ten that binary64 holds exactly, as 5^22 is less than 2^53.
     const STEP: u32 = 22;
     const EXACT_POWER: f64 = 1e22;
     let mut left = exponent.unsigned_abs();

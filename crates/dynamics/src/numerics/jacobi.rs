@@ -141,6 +141,7 @@ impl ScaledColumns {
 
     /// Moves powers of two from columns that have grown to their scales.
     fn balance(&mut self, squares: &mut [f64]) {
+        // 2^20: columns are scaled again seldom, and long before a square leaves the exponent range.
         const LARGEST: f64 = 1_048_576.0;
         for (j, square) in squares.iter_mut().enumerate() {
             if *square > LARGEST {

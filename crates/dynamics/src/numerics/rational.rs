@@ -29,7 +29,7 @@ impl Rational {
         numerator: 0,
         denominator: 1,
     };
-    /// One.
+    /// 1/1, the neutral element of products.
     pub const ONE: Self = Self {
         numerator: 1,
         denominator: 1,

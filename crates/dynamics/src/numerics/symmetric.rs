@@ -17,6 +17,7 @@ pub(crate) struct Symmetric {
     pub(crate) vectors: DMatrix<f64>,
 }
 
+// More sweeps than any matrix needs: convergence is quadratic from about the fifth on.
 const MAX_SWEEPS: usize = 60;
 
 impl Symmetric {

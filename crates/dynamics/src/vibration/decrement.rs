@@ -78,7 +78,7 @@ impl LogarithmicDecrement {
         self.decrement.hi()
     }
 
-    /// Damping ratio ζ = δ/√(4π² + δ²).
+    /// Damping ratio ζ = δ/√(4π² + δ²) of the underdamped oscillator with this decrement.
     pub fn damping_ratio(&self) -> f64 {
         (self.decrement / self.hypotenuse()).hi()
     }
@@ -117,6 +117,7 @@ impl LogarithmicDecrement {
 
 /// ln(a/b) for numbers of the same sign, also where the quotient leaves the exponent range.
 fn ln_of_ratio(a: f64, b: f64) -> Dd {
+    // A quotient of 2^-900 still has its low part, 2^-106 of it, above the smallest normal number, 2^-1022.
     const FAR: i32 = 900;
     let shift = binary_exponent(a) - binary_exponent(b);
     if shift.abs() < FAR && binary_exponent(b).abs() < FAR {

@@ -231,7 +231,7 @@ impl Oscillator {
 /// An oscillator in units of mass and time that are powers of two, so that no product leaves the exponent range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Scaled {
-    /// Mass, in [1, 2).
+    /// Mass in the scaled unit, in [1, 2).
     pub(crate) mass: f64,
     /// Damping coefficient.
     pub(crate) damping: f64,
@@ -302,6 +302,7 @@ impl Scaled {
     /// Beyond a damping ratio of 1e30 the second term is below the last digit of the first, whose square may overflow.
     #[inline]
     pub(crate) fn discriminant(&self) -> Dd {
+        // Where fewer than three digits cancel, low parts that are rounded to binary64 leave 29 of 32 digits.
         const CANCELLED: f64 = 1e-3;
         let square = if self.damping < LARGE_DAMPING {
             Dd::product(self.damping, self.damping)

@@ -77,7 +77,7 @@ pub enum Kind {
 pub enum Constant {
     /// π = 3.14159….
     Pi,
-    /// e = 2.71828….
+    /// Euler's number, e = 2.71828….
     E,
     /// `i`, the imaginary unit.
     ImaginaryUnit,

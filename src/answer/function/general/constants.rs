@@ -19,6 +19,7 @@ enum Role {
 impl Prepared {
     /// The number of initial states, of positions and velocities, that the constants can vary independently.
     pub(super) fn rank(&self, solution: &Solution) -> Option<usize> {
+        // About the cube root of the unit roundoff, the best step of a central difference.
         const STEP: f64 = 1e-5;
         let (mut draws, mut room) = (Draws::new(), Workspace::default());
         let constants: Vec<f64> = self
@@ -118,6 +119,7 @@ impl Prepared {
 
     /// How positions depend on the constant at a place; none if in no such way.
     fn role(&self, solution: &Solution, constants: &[f64], place: usize) -> Option<Role> {
+        // No simple part of a turn: five states at this distance tell proportion from a sine.
         const STEP: f64 = 0.7;
         let states = (-2..=2).map(|step| {
             let mut moved = constants.to_vec();

@@ -40,7 +40,7 @@ pub struct Dd {
 impl Dd {
     /// Zero.
     pub const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
-    /// One.
+    /// Unity, exactly.
     pub const ONE: Self = Self { hi: 1.0, lo: 0.0 };
     /// Not a number.
     pub const NAN: Self = Self {
@@ -145,7 +145,7 @@ impl Dd {
         }
     }
 
-    /// Square.
+    /// The square, rounded to double-double.
     #[inline]
     #[must_use]
     pub fn square(self) -> Self {
@@ -162,6 +162,8 @@ impl Dd {
     /// Square root; NaN below zero.
     #[must_use]
     pub fn sqrt(self) -> Self {
+        // The error of the square of the root, down to 2^-106 of it, has to stay above the smallest number of
+        // binary64.
         const TINY: f64 = 1e-280;
         if self.hi > 0.0 && self.hi < TINY {
             return self.scale(256).sqrt().scale(-128);

@@ -243,6 +243,7 @@ impl FrictionMotion {
 
     /// Whether viscous damping is too weak to move the turning points against a tie.
     fn ties_as_undamped(&self, steps: f64) -> bool {
+        // Turning points that move by less are the same in double-double, which has 31 digits.
         const WEAK: f64 = 1e-30;
         steps == 0.0 && matches!(self.opening, Opening::Released)
             || self.system.decay.theta() * (steps + 1.0) * (steps + 1.0) < WEAK

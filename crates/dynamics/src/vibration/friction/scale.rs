@@ -92,6 +92,7 @@ const LARGE_DAMPING: f64 = 1e30;
 
 /// Whether a difference of numbers of this size has a sign that rounding cannot have changed.
 pub(super) fn is_decided(difference: Dd, size: f64) -> bool {
+    // Five digits above 2^-106: what the products and sums of a difference lose together is less.
     const RESOLUTION: f64 = 1e-27;
     difference.hi().abs() > RESOLUTION * size.abs()
 }
