@@ -108,6 +108,9 @@ impl Naming {
         if self.printed.is_empty() {
             return Ok(response);
         }
+        if let Some(end) = self.behind_value(&response)? {
+            return Ok(response.up_to(end));
+        }
         let Some(end) = response.text().find(['=', '≈', ':']) else {
             return Ok(response);
         };
@@ -119,6 +122,24 @@ impl Naming {
             }
             Some(_) => Err(Unreadable::at(label.trim(), Why::OtherQuantity)),
             None => Ok(response),
+        }
+    }
+
+    /// Where the value ends that stands before such a symbol, `-3 J = V(π)`.
+    fn behind_value(&self, response: &Folded<'_>) -> Result<Option<usize>, Unreadable> {
+        let text = response.text();
+        let Some((value, name)) = text.rsplit_once(['=', '≈']) else {
+            return Ok(None);
+        };
+        let typed = Label::of_text(name);
+        let printed = self.printed.iter().find(|(printed, _)| *printed == typed);
+        let is_value = value
+            .trim_start()
+            .starts_with(|first: char| first.is_ascii_digit() || "+-.√(".contains(first));
+        match printed.filter(|_| is_value) {
+            Some((_, own)) if self.asked.contains(own) => Ok(Some(value.len())),
+            Some(_) => Err(Unreadable::at(name.trim(), Why::OtherQuantity)),
+            None => Ok(None),
         }
     }
 

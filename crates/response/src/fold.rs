@@ -9,9 +9,9 @@ use std::borrow::Cow;
 use self::alphabets::unstyled;
 use self::latex::Environment;
 use self::programs::holds_list;
-use super::signs::{Plain, RUNS, TURNS, begins_run, of_char};
-use super::surroundings::answer_in;
-use super::words::{EQUATIONS, LISTS, NUMBERS, ROOTS, VERBS, WORDS};
+use super::signs::{Plain, RUNS, TURNS, begins_run, is_minus, of_char};
+use super::surroundings::{answer_in, enumeration};
+use super::words::{EQUATIONS, LISTS, NUMBERS, PERCENT, ROOTS, VERBS, WORDS};
 use vibank_source::Span;
 
 /// A response in plain signs: letters of mathematical alphabets as ordinary ones, one minus, one sign for "at most",
@@ -72,6 +72,7 @@ impl<'t> Folded<'t> {
             open: Vec::new(),
             overs: Vec::new(),
         };
+        folder.enumerate();
         while folder.at < typed.len() {
             folder.piece();
         }
@@ -104,6 +105,20 @@ impl<'t> Folded<'t> {
             text: Cow::Owned(text),
             pieces,
         }
+    }
+
+    /// The same up to a place.
+    #[must_use]
+    pub fn up_to(mut self, end: usize) -> Self {
+        let last = self.place(end..end).range().start;
+        self.pieces.retain(|(at, _)| (*at as usize) < end);
+        if self.pieces.is_empty() {
+            self.pieces.push((0, 0));
+        }
+        // Without a piece behind it the last one would go on to the end of what was typed.
+        self.pieces.push((end as u32, last as u32));
+        self.text = Cow::Owned(self.text[..end].to_owned());
+        self
     }
 
     /// In plain signs.
@@ -183,11 +198,12 @@ fn is_plain(typed: &str) -> bool {
             .any(|(at, _)| is_called(&typed[..at]))
         && !typed.split(' ').any(begins_words)
         && answer_in(typed).len() == typed.len()
+        && enumeration(typed).is_empty()
 }
 
 /// Whether what stands before a bracket is a call of which the fold knows.
 fn is_called(before: &str) -> bool {
-    [ROOTS, NUMBERS, LISTS, EQUATIONS, &["eye", "identity"]]
+    [ROOTS, NUMBERS, LISTS, EQUATIONS]
         .iter()
         .any(|names| names.iter().any(|name| before.ends_with(name)))
 }
@@ -233,7 +249,7 @@ struct Folder<'t> {
     blanked: Vec<usize>,
     /// Commas that stand for an equals sign.
     equals: Vec<usize>,
-    /// Commas that end the rows of a matrix.
+    /// What ends the rows of a matrix, or one of several answers.
     row_ends: Vec<usize>,
     /// Whether tabs part cells.
     has_cells: bool,
@@ -248,6 +264,18 @@ struct Folder<'t> {
 impl Folder<'_> {
     fn rest(&self) -> &str {
         &self.typed[self.at..]
+    }
+
+    /// Has the labels of several answers part them.
+    fn enumerate(&mut self) {
+        for label in enumeration(&self.typed[self.answer.clone()]) {
+            let label = self.answer.start + label.start..self.answer.start + label.end;
+            let before = self.typed[self.answer.start..label.start].trim_end_matches(' ');
+            let is_parted = before.is_empty() || before.ends_with([',', ';', '\n']);
+            let sign = (!is_parted).then_some(label.end - 1);
+            self.row_ends.extend(sign);
+            self.blanked.extend(label.filter(|at| Some(*at) != sign));
+        }
     }
 
     /// Writes a text for the next `length` bytes.
@@ -373,8 +401,9 @@ impl Folder<'_> {
         let rest = self.rest();
         let of_words = |rest: &str| {
             let found = WORDS.iter().find(|(words, _)| {
-                rest.strip_prefix(words)
-                    .is_some_and(|rest| rest.starts_with(' '))
+                rest.strip_prefix(words).is_some_and(|rest| {
+                    rest.starts_with(' ') || *words == PERCENT && rest.is_empty()
+                })
             });
             found.map(|(words, plain)| (words.len(), *plain))
         };
@@ -389,7 +418,9 @@ impl Folder<'_> {
             .iter()
             .find_map(|verb| compares(verb))
             .or_else(|| of_words(rest))
-            .filter(|(_, plain)| !before.is_empty() || matches!(*plain, "<" | ">" | "≤" | "≥"))
+            .filter(|(_, plain)| {
+                !before.is_empty() || matches!(*plain, "<" | ">" | "≤" | "≥" | "-")
+            })
     }
 
     /// `x1..`, the dots of a derivative behind its letter; one dot alone is such where two are.
@@ -474,11 +505,6 @@ impl Folder<'_> {
             && next
                 .is_some_and(|next| next.is_ascii_digit() || ".+√".contains(next) || is_minus(next))
     }
-}
-
-/// Whether a sign is one of those that stand for a minus.
-fn is_minus(char: char) -> bool {
-    char == '-' || of_char(char) == Some(Plain::Text("-"))
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! What stands around a list: a symbol before it, a factor or divisor, a sign of transposition, a unit.
 
 use super::behind::{gathered, with_unit};
-use super::list::Reader;
+use super::list::{Reader, Wanted};
 use super::{Trouble, TypedError};
 use vibank_formula::expr::{Expr, Kind, Operator};
 use vibank_formula::unit::Unit;
@@ -22,7 +22,7 @@ impl Reader<'_> {
     pub(super) fn frame(&self, piece: Span, list: Span) -> Result<Frame, TypedError> {
         let (start, end, list) = (piece.range().start, piece.range().end, list.range());
         let before = self.text[..list.start].trim_end();
-        let plain = before.strip_suffix("diag").unwrap_or(before);
+        let plain = without_diagonal(before);
         let is_diagonal = plain.len() < before.len();
         let plain = self.without_free_factor(plain, start);
         let after = self.text[list.end..end].trim_start();
@@ -46,7 +46,10 @@ impl Reader<'_> {
 
     /// What stands before a list, without a letter that is no name where a factor is free.
     fn without_free_factor<'t>(&self, before: &'t str, start: usize) -> &'t str {
-        let Some(own) = before.get(start..).filter(|_| self.is_up_to_factor) else {
+        let Some(own) = before
+            .get(start..)
+            .filter(|_| self.wanted == Wanted::Direction)
+        else {
             return before;
         };
         let own = without_times(own).trim_end();
@@ -162,25 +165,58 @@ pub(super) fn without_transpositions(text: &str) -> String {
     plain
 }
 
+/// Signs of transposition behind a list or its name.
+const TRANSPOSED: &[&str] = &[
+    "^{\\mathrm{T}}",
+    "^\\mathrm{T}",
+    "^\\mathsf{T}",
+    "^{\\top}",
+    "^\\top",
+    "^\\intercal",
+    "^{T}",
+    "^T",
+    "^t",
+    "ᵀ",
+    ".transpose()",
+    ".T",
+];
+
 /// What follows a sign of transposition, `^T` or `'`.
 fn without_transposition(text: &str) -> &str {
-    const SIGNS: &[&str] = &[
-        "^{\\mathrm{T}}",
-        "^\\mathrm{T}",
-        "^\\mathsf{T}",
-        "^{\\top}",
-        "^\\top",
-        "^\\intercal",
-        "^{T}",
-        "^T",
-        "^t",
-        "ᵀ",
-        ".transpose()",
-        ".T",
-        "'",
-    ];
-    let rest = SIGNS.iter().find_map(|sign| text.strip_prefix(sign));
+    let mut signs = TRANSPOSED.iter().chain(&["'"]);
+    let rest = signs.find_map(|sign| text.strip_prefix(sign));
     rest.map_or(text, str::trim_start)
+}
+
+/// Whether what stands before an equals sign names the transpose of what is asked, `K^T =`.
+pub(super) fn is_transposed_name(label: &str) -> bool {
+    let name = label.trim_end_matches(['=', ':', '≈', ' ']);
+    TRANSPOSED.iter().any(|sign| name.ends_with(sign))
+}
+
+/// What stands before the name of the function that makes a diagonal matrix of a list.
+fn without_diagonal(before: &str) -> &str {
+    const NAMES: [&str; 5] = [
+        "\\operatorname{diag}",
+        "\\mathrm{diag}",
+        "\\text{diag}",
+        "DiagonalMatrix",
+        "diag",
+    ];
+    match NAMES.iter().find_map(|name| before.strip_suffix(name)) {
+        Some(rest) => without_module(rest.strip_suffix('\\').unwrap_or(rest)),
+        None => before,
+    }
+}
+
+/// What stands before the name of a module of Python.
+pub(super) fn without_module(before: &str) -> &str {
+    const MODULES: [&str; 6] = ["np.", "numpy.", "sp.", "sympy.", "Matrix.", "la."];
+    let mut rest = before;
+    while let Some(own) = MODULES.iter().find_map(|module| rest.strip_suffix(module)) {
+        rest = own;
+    }
+    rest
 }
 
 /// The brackets that stand in no other in a part of a text, each with what it holds.

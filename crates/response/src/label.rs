@@ -43,6 +43,8 @@ impl Label {
                     label.truncate(label.trim_end_matches('^').len());
                     label.push('*');
                 }
+                // `V(0°)`
+                '°' if label.ends_with('0') => {}
                 _ if char.is_whitespace() || "_{}()[]".contains(char) => {}
                 _ => {
                     let mut letter = Letters::default();

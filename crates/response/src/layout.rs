@@ -15,17 +15,20 @@ pub(super) fn laid_out(text: &str) -> String {
 }
 
 /// `<<a|b>,<c|d>>` and `<a, b>` of Maple in square brackets: bars part the entries of a row, commas rows and the entries
-/// of a column. Columns that bars part, `<<a,c>|<b,d>>`, are not read.
+/// of a column. Columns that bars part, `<<a,c>|<b,d>>`, are the rows of the transpose.
 fn angled(text: &str) -> Option<String> {
     let start = text.find(['=', ':']).map_or(0, |label| label + 1);
     let list = text[start..].trim();
     let is_angled = list.starts_with('<') && list.ends_with('>') && !list.contains(['≤', '≥']);
+    if !is_angled {
+        return None;
+    }
     let has_columns = list.split('>').any(|behind| {
         let next = behind.trim_start().strip_prefix('|');
         next.is_some_and(|next| next.trim_start().starts_with('<'))
     });
-    if !is_angled || has_columns {
-        return None;
+    if has_columns {
+        return Some(format!("{}{}", &text[..start], by_columns(&text[start..])));
     }
     let sign = |char: char| match char {
         '<' => '[',
@@ -35,6 +38,31 @@ fn angled(text: &str) -> Option<String> {
     };
     let plain: String = text[start..].chars().map(sign).collect();
     Some(format!("{}{plain}", &text[..start]))
+}
+
+/// `<<a,c>|<b,d>>` as `[ a,c ; b,d ]'`; all places stay.
+fn by_columns(text: &str) -> String {
+    let mut depth = 0_usize;
+    let sign = |char: char| match char {
+        '<' => {
+            depth += 1;
+            if depth == 1 { '[' } else { ' ' }
+        }
+        '>' => {
+            depth = depth.saturating_sub(1);
+            if depth == 0 { '\'' } else { ' ' }
+        }
+        '|' if depth == 1 => ';',
+        char => char,
+    };
+    let mut plain: String = text.chars().map(sign).collect();
+    // The bracket takes the place where the last column ends, before the sign of transposition.
+    if let Some(last) = plain.rfind('\'')
+        && plain[..last].ends_with(' ')
+    {
+        plain.replace_range(last - 1..last, "]");
+    }
+    plain
 }
 
 /// `[1 2; 3 4] [N/m]` without the brackets around its unit, which are no list beside another.

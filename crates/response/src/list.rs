@@ -1,7 +1,7 @@
 //! Lists, vectors and matrices as people type them: `(1, 0.618)`, `[1; -2]`, `[[3m, 0], [0, m]]`.
 
 use super::behind::with_unit;
-use super::frame::{balanced, groups};
+use super::frame::{balanced, groups, is_transposed_name};
 use super::labels::{columns, in_order};
 use super::layout::{has_signed_gap, laid_out, spaced};
 use super::parser::Parser;
@@ -17,6 +17,17 @@ const MAX_ENTRIES: usize = 400;
 const MAX_NESTED: u32 = 4;
 /// What parts rows and entries; `&` as in LaTeX.
 const SEPARATORS: &[char] = &[',', ';', '&'];
+
+/// What a list is to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wanted {
+    /// A matrix; with its rows where it has as many columns: then multiples of the identity are read.
+    Matrix(Option<usize>),
+    /// A vector.
+    Vector,
+    /// A vector up to a factor, which may be a letter that is no name.
+    Direction,
+}
 
 /// A list of formulas by rows.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,13 +47,12 @@ impl Listed {
 }
 
 /// Reads a list of the form that is asked. A comma parts entries, but is a decimal sign where only so the list has that
-/// form; entries may also be parted by spaces. A list of another form is as it was typed. Where a factor is free, a letter
-/// that is no name may be one.
+/// form; entries may also be parted by spaces. A list of another form is as it was typed.
 pub fn list_of_form(
     text: &str,
     lexicon: &Lexicon,
     units: &[Unit],
-    is_up_to_factor: bool,
+    wanted: Wanted,
     fits: impl Fn(&Listed) -> bool,
 ) -> Result<Listed, TypedError> {
     let bars = ["\\begin{vmatrix}", "\\begin{Vmatrix}"];
@@ -71,7 +81,7 @@ pub fn list_of_form(
             comma_is_decimal,
             ..Manner::default()
         };
-        let listed = list(text, lexicon, manner, units, is_up_to_factor);
+        let listed = list(text, lexicon, manner, units, wanted);
         let is_final = match &listed {
             Ok(listed) => fits(listed),
             Err(error) => matches!(error.trouble, Trouble::UnitOrLetter | Trouble::Order),
@@ -91,7 +101,7 @@ pub(super) fn list(
     lexicon: &Lexicon,
     manner: Manner,
     units: &[Unit],
-    is_up_to_factor: bool,
+    wanted: Wanted,
 ) -> Result<Listed, TypedError> {
     if text.len() > MAX_LENGTH {
         return Err(TypedError::new(Trouble::TooLong, MAX_LENGTH, text.len()));
@@ -102,7 +112,7 @@ pub(super) fn list(
         lexicon,
         manner,
         units,
-        is_up_to_factor,
+        wanted,
     };
     let end = text.trim_end_matches(|char: char| char.is_whitespace() || ";,.".contains(char));
     let whole = Span::new(0, end.len());
@@ -122,9 +132,8 @@ pub(super) struct Reader<'a> {
     pub(super) lexicon: &'a Lexicon,
     pub(super) manner: Manner,
     /// Those of what is asked.
-    units: &'a [Unit],
-    /// Whether a letter that is no name may be a factor.
-    pub(super) is_up_to_factor: bool,
+    pub(super) units: &'a [Unit],
+    pub(super) wanted: Wanted,
 }
 
 impl Reader<'_> {
@@ -148,8 +157,18 @@ impl Reader<'_> {
         }
         let (label, piece) = self.labelled(piece);
         in_order(self.text, &[label])?;
+        let mut listed = self.unlabelled(piece, depth)?;
+        let is_matrix = matches!(self.wanted, Wanted::Matrix(_));
+        if is_matrix && label.is_some_and(|label| is_transposed_name(&self.text[label.range()])) {
+            listed.rows = transposed(&listed.rows);
+        }
+        Ok(listed)
+    }
+
+    /// A list, or a sum of such, without a symbol before it.
+    fn unlabelled(&self, piece: Span, depth: u32) -> Result<Listed, TypedError> {
         // Shapes of a free scale are not added: which scale each of them has is open.
-        if !self.is_up_to_factor
+        if self.wanted != Wanted::Direction
             && let Some(terms) = self.terms(piece, depth)
         {
             return self.sum(&terms, depth);
@@ -159,7 +178,10 @@ impl Reader<'_> {
             groups.first().copied().filter(|group| *group == piece)
         };
         let Some(list) = self.list_in(piece, depth).or_else(wrapped) else {
-            return self.bare(piece, depth);
+            return match self.identity_in(piece) {
+                Some((identity, size)) => self.multiple_of_identity(piece, identity, size),
+                None => self.bare(piece, depth),
+            };
         };
         let Listed { mut rows, unit } = self.body(inside(list), depth)?;
         let frame = self.frame(piece, list)?;
@@ -184,6 +206,34 @@ impl Reader<'_> {
         Ok(Listed { rows, unit })
     }
 
+    /// The multiple of the identity that a piece is: a one in place of the identity shows what multiplies it.
+    fn multiple_of_identity(
+        &self,
+        piece: Span,
+        identity: Span,
+        size: usize,
+    ) -> Result<Listed, TypedError> {
+        const ONE: &str = "(1)";
+        let (start, end) = (identity.range().start, identity.range().end);
+        let before = &self.text[..start];
+        let text = format!("{before}{ONE}{}", &self.text[end..piece.range().end]);
+        let reader = Reader {
+            text: &text,
+            ..*self
+        };
+        let whole = Span::new(piece.range().start, text.len());
+        let frame = reader.frame(whole, Span::new(start, start + ONE.len()));
+        let frame = frame.map_err(|error| TypedError {
+            span: piece,
+            ..error
+        })?;
+        let factor = frame.factor.unwrap_or_else(|| Expr::number(1));
+        Ok(Listed {
+            rows: diagonal(&vec![factor; size]),
+            unit: frame.unit,
+        })
+    }
+
     /// The terms of a sum of lists, each with its sign; `None` where a piece is no such sum.
     fn terms(&self, piece: Span, depth: u32) -> Option<Vec<Span>> {
         let start = piece.range().start;
@@ -201,7 +251,8 @@ impl Reader<'_> {
             own => Span::new(own - 1, piece.range().end),
         };
         let terms: Vec<Span> = pieces.iter().map(with_sign).collect();
-        let is_list = |term: &Span| self.list_in(*term, depth).is_some();
+        let is_list =
+            |term: &Span| self.list_in(*term, depth).is_some() || self.identity_in(*term).is_some();
         terms.iter().all(is_list).then_some(terms)
     }
 
@@ -293,7 +344,9 @@ impl Reader<'_> {
             .iter()
             .any(|piece| self.list_in(*piece, depth).is_some())
             || pieces.len() > 1 && pieces.iter().all(is_boxed);
-        if let (true, [one]) = (has_rows, &pieces[..]) {
+        if let [one] = &pieces[..]
+            && (has_rows || self.identity_in(*one).is_some())
+        {
             return self.framed(*one, depth + 1);
         }
         let (mut rows, mut unit) = (Vec::new(), None);

@@ -87,6 +87,11 @@ pub(super) fn of_char(char: char) -> Option<Plain> {
     }))
 }
 
+/// Whether a sign is one of those that stand for a minus.
+pub(super) fn is_minus(char: char) -> bool {
+    char == '-' || of_char(char) == Some(Text("-"))
+}
+
 /// The sign that is a decimal sign and nothing else.
 pub(super) const DECIMAL: char = '⎖';
 

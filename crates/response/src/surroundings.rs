@@ -3,8 +3,9 @@
 use std::ops::Range;
 
 use super::list::cut;
-use super::signs::QUOTES;
+use super::signs::{QUOTES, is_minus};
 use super::words::{ASIDES, LEADS, TRAILS, WITHDRAWALS};
+use vibank_formula::unit::Unit;
 use vibank_source::Span;
 
 /// Where the answer stands in what was typed.
@@ -92,16 +93,88 @@ fn lead(text: &str) -> Option<usize> {
     })
 }
 
-/// The length of a number before an answer, as the parts of a sheet have: `1) 5 m`.
+/// The length of a number or letter before an answer, as the parts of a sheet have: `1) 5 m`, `(a) x = 5 m`.
 fn number_of_item(text: &str) -> Option<usize> {
-    let (number, behind) = text.split_once(')')?;
-    let is_number = number.len() == 1 && number.starts_with(|digit: char| digit.is_ascii_digit());
-    // The brackets of `1) 5 m 2) 6 m` are of several answers.
-    let open = behind.matches('(').count();
-    let is_one = open == behind.matches(')').count();
-    // Equations are handed back with a remark of their own.
-    let is_apart = behind.starts_with(' ') && !behind.trim().is_empty() && !behind.contains('=');
-    (is_number && is_one && is_apart).then(|| text.len() - behind.len())
+    let open = usize::from(text.starts_with('('));
+    let label = text[open..].chars().next()?;
+    let behind = &text[open + label.len_utf8()..];
+    let closed = behind.strip_prefix(')').filter(|behind| {
+        // The brackets of `1) 5 m 2) 6 m` are of several answers.
+        behind.matches('(').count() == behind.matches(')').count()
+    });
+    let is_letter = ('a'..='h').contains(&label);
+    // Of a choice, `a) static`, letters are answers.
+    let is_value = |behind: &str| {
+        let unsigned = behind.trim_start().trim_start_matches(is_minus);
+        behind.contains('=') || unsigned.starts_with(|next: char| next.is_ascii_digit())
+    };
+    let (is_label, behind) = match closed {
+        // `(2) x` may be a product, and `(1) x` is the same either way.
+        Some(behind) => (
+            is_letter && is_value(behind) || label == '1' || open == 0 && label.is_ascii_digit(),
+            behind,
+        ),
+        // `1. m` is a metre.
+        None => {
+            let behind = behind.strip_prefix('.').filter(|_| open == 0)?;
+            let begins = behind
+                .trim_start()
+                .starts_with(|next: char| next.is_alphabetic() || next == '\\');
+            (label == '1' && begins && behind.contains('='), behind)
+        }
+    };
+    let is_apart = behind.starts_with(' ') && !behind.trim_start().starts_with('=');
+    (is_label && is_apart).then(|| text.len() - behind.len())
+}
+
+/// The labels of several answers, `1) … 2) …`, `(a) … (b) …`, `1. x = … 2. y = …`; none where that is not how the text
+/// goes.
+pub(super) fn enumeration(text: &str) -> Vec<Range<usize>> {
+    const STYLES: [(&str, char, &str); 5] = [
+        ("", '1', ")"),
+        ("(", '1', ")"),
+        ("", 'a', ")"),
+        ("(", 'a', ")"),
+        ("", '1', "."),
+    ];
+    let begin = text.len() - text.trim_start().len();
+    if !text[begin..].starts_with(['1', 'a', '(']) {
+        return Vec::new();
+    }
+    let labels = |(open, first, close): (&str, char, &str)| {
+        let (mut found, mut at) = (Vec::new(), begin);
+        for label in first..=(char::from(first as u8 + 5)) {
+            let label = format!("{open}{label}{close} ");
+            let place = match found.is_empty() {
+                true => text[at..].starts_with(&label).then_some(at),
+                false => text[at..]
+                    .find(&format!(" {label}"))
+                    .map(|place| at + place + 1),
+            };
+            let Some(place) = place else { break };
+            at = place + label.len() - 1;
+            found.push(place..at);
+        }
+        found
+    };
+    let are_apart = |labels: &Vec<Range<usize>>, close: &str| {
+        let ends = labels[1..]
+            .iter()
+            .map(|label| label.start)
+            .chain([text.len()]);
+        let mut pieces = labels
+            .iter()
+            .zip(ends)
+            .map(|(label, end)| text[label.end..end].trim());
+        pieces.all(|piece| {
+            // `(1) + (2) x` and `1. m + 2. m` are sums.
+            let ends = piece.ends_with(|last: char| !"+-*/=<>(^,".contains(last) || last == ',');
+            !piece.is_empty() && ends && (close == ")" || piece.contains('='))
+        })
+    };
+    let mut all = STYLES.into_iter().map(|style| (labels(style), style.2));
+    let found = all.find(|(labels, close)| labels.len() > 1 && are_apart(labels, close));
+    found.map_or_else(Vec::new, |(labels, _)| labels)
 }
 
 /// Whether brackets stand around a whole statement, `(x = 3 m)`.
@@ -173,11 +246,8 @@ fn trail(text: &str) -> Option<usize> {
     if text.ends_with("\\\\") {
         return Some(2);
     }
-    // A comment of a program.
-    if let Some((before, comment)) = text.rsplit_once(" # ")
-        && comment.starts_with(char::is_alphabetic)
-    {
-        return Some(text.len() - before.len());
+    if let Some(length) = comment(text) {
+        return Some(length);
     }
     if let Some((before, aside)) = text
         .strip_suffix(')')
@@ -203,6 +273,16 @@ fn trail(text: &str) -> Option<usize> {
     before.ends_with(char::is_alphanumeric).then_some(1)
 }
 
+/// The length of a comment of a program, `# checked`, `// by Newton`. One that is a unit or says where it is measured is
+/// more than that, and `k1 // k2` are springs in parallel.
+fn comment(text: &str) -> Option<usize> {
+    let (before, comment) = text.split_once(" # ").or_else(|| text.split_once(" // "))?;
+    let word = comment.split([' ', ',', ':']).next().unwrap_or(comment);
+    let is_word = word.chars().count() > 2 && word.chars().all(char::is_alphabetic);
+    let is_unit = Unit::read(word).is_ok();
+    (is_word && !is_unit && !before.trim().is_empty()).then(|| text.len() - before.len())
+}
+
 /// The lengths of the marks around an answer.
 fn quotes(text: &str) -> Option<(usize, usize)> {
     QUOTES.iter().find_map(|(open, close)| {
@@ -214,7 +294,7 @@ fn quotes(text: &str) -> Option<(usize, usize)> {
 
 #[cfg(test)]
 mod tests {
-    use super::{answer_in, withdrawn};
+    use super::{answer_in, enumeration, withdrawn};
 
     #[test]
     fn what_is_said_around_an_answer_is_no_part_of_it() {
@@ -233,6 +313,17 @@ mod tests {
             ("-> 5 m", "5 m"),
             ("1) 5 m", "5 m"),
             ("1) 5 m 2) 6 m", "1) 5 m 2) 6 m"),
+            ("a) -5 m", "-5 m"),
+            ("(b) x = 5 m", "x = 5 m"),
+            ("2) x = 5 m", "x = 5 m"),
+            ("1. x'' = 0", "x'' = 0"),
+            ("1. m", "1. m"),
+            ("(2) x = 5", "(2) x = 5"),
+            ("(b) x + c", "(b) x + c"),
+            ("a) static", "a) static"),
+            ("k/m // by Newton", "k/m"),
+            ("0.2 // mm", "0.2 // mm"),
+            ("k1 // k2", "k1 // k2"),
             ("(x = 3 m)", "x = 3 m"),
             ("(x) = (3)", "(x) = (3)"),
             ("(x = 3, y = 2)", "(x = 3, y = 2)"),
@@ -289,5 +380,22 @@ mod tests {
             assert_eq!(withdrawn(typed, false), mark, "{typed}");
         }
         assert_eq!(withdrawn("the sign is wrong", true), None);
+    }
+
+    #[test]
+    fn several_answers_bear_labels() {
+        for (typed, labels) in [
+            ("1) 5 m 2) 6 m", &["1)", "2)"][..]),
+            ("(a) x = 5 m, (b) y = 6 m", &["(a)", "(b)"]),
+            ("1. z = 0, 2. x = l", &["1.", "2."]),
+            ("1. m + 2. k", &[]),
+            ("(1) + (2) x", &[]),
+            ("1) 5 m", &[]),
+            ("(a) (b)", &[]),
+        ] {
+            let found = enumeration(typed);
+            let found: Vec<&str> = found.into_iter().map(|label| &typed[label]).collect();
+            assert_eq!(found, labels, "{typed}");
+        }
     }
 }

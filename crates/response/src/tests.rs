@@ -289,7 +289,7 @@ fn lists_are_read_by_rows() {
         ("[[1], [2]]", "[[1], [2]]", ""),
     ] {
         let units = [vibank_formula::unit::Unit::parse("kg").unwrap()];
-        let listed = list::list(&folded(text), &lexicon(), manner, &units, false).unwrap();
+        let listed = list::list(&folded(text), &lexicon(), manner, &units, Wanted::Vector).unwrap();
         let rows: Vec<String> = listed
             .rows
             .iter()
@@ -326,7 +326,13 @@ fn lists_that_are_not_clear_are_refused() {
         ("(1, 2) + 1", Trouble::LeftOver),
         ("(1, )", Trouble::Missing),
     ] {
-        let found = list::list(&folded(text), &lexicon(), Manner::default(), &units, false);
+        let found = list::list(
+            &folded(text),
+            &lexicon(),
+            Manner::default(),
+            &units,
+            Wanted::Vector,
+        );
         assert_eq!(found.unwrap_err().trouble, trouble, "{text}");
     }
 }
@@ -335,14 +341,14 @@ proptest! {
     #[test]
     fn any_text_is_read_or_refused(text in any::<String>()) {
         let _ = formula(&text, &lexicon(), MANNER).map_err(|error| error.at(&text));
-        let _ = list::list(&folded(&text), &lexicon(), MANNER, &[], false).map_err(|error| error.at(&text));
+        let _ = list::list(&folded(&text), &lexicon(), MANNER, &[], Wanted::Vector).map_err(|error| error.at(&text));
         let _ = chain(&text, 0, text.len(), &lexicon(), MANNER).map_err(|error| error.at(&text));
     }
 
     #[test]
     fn any_text_of_formula_signs_is_read_or_refused(text in "[mgkxθω_{}()\\[\\]|/^*+\\-'²√ 0-9.,;=<edt\\\\]{0,60}|(\\\\frac|\\\\sqrt|\\\\dot|\\\\omega|_|\\{|\\}|x|2|sin| ){0,30}") {
         let _ = formula(&text, &lexicon(), MANNER).map_err(|error| error.at(&text));
-        let _ = list::list(&folded(&text), &lexicon(), MANNER, &[], false).map_err(|error| error.at(&text));
+        let _ = list::list(&folded(&text), &lexicon(), MANNER, &[], Wanted::Vector).map_err(|error| error.at(&text));
         let _ = chain(&text, 0, text.len(), &lexicon(), MANNER).map_err(|error| error.at(&text));
     }
 }

@@ -179,6 +179,8 @@ impl Lexer<'_> {
             | '≤' | '≥' | '≠' | '&' => Item::Sign(char),
             '*' | '-' => Item::Sign(char),
             '≈' => Item::Sign('='),
+            // `θ ∈ {0, π}`
+            '∈' if self.manner.values.is_some() => Item::Sign('='),
             '√' => Item::Root,
             '°' => Item::Degree,
             '∞' => Item::Leaf(Expr::constant(Constant::Infinity)),

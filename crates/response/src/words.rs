@@ -1,5 +1,8 @@
 //! The tables of words that join, measure or count, other languages beside English.
 
+/// The one of them that may stand last.
+pub(super) const PERCENT: &str = "per cent";
+
 /// Words that stand for others or for signs, between spaces; the longer ones before those with which they begin.
 pub(super) const WORDS: &[(&str, &str)] = &[
     ("greater than or equal to", "≥"),
@@ -51,7 +54,8 @@ pub(super) const WORDS: &[(&str, &str)] = &[
     ("kleiner als", "<"),
     ("mindestens", "≥"),
     ("höchstens", "≤"),
-    ("per cent", "%"),
+    (PERCENT, "%"),
+    ("minus", "-"),
     ("is", "="),
     ("equals", "="),
     ("est", "="),
@@ -183,6 +187,8 @@ pub(super) const LEADS: &[&str] = &[
     "ergibt",
     "man erhält",
     "eom",
+    "the equation of motion is",
+    "the equation is",
     "equation of motion",
     "equation",
     "équation du mouvement",

@@ -3,7 +3,7 @@
 use super::around::{MANNER, Piece, condition, pieces};
 use super::marker::{Prepared, Response};
 use super::slip::without_waves;
-use super::units::{contains_letter, measured, without_rates};
+use super::units::{contains_letter, measured, without_rates, without_words};
 use crate::answer::{Answered, Reading, Unreadable, Why};
 use crate::expr::{Expr, Function, Kind};
 use crate::math::Math;
@@ -148,6 +148,8 @@ impl Prepared<'_> {
     /// Whether letters are names or units is told by the dimension, not by what is right.
     fn function(&self, text: &str) -> Result<Response, Unreadable> {
         let setup = &self.setup;
+        let plain = without_words(text);
+        let text = plain.as_deref().unwrap_or(text);
         let has_seconds = setup.lexicon.reads("s").is_none();
         let bare = has_seconds.then(|| without_rates(text, setup.variable.as_str()));
         let text = bare.as_ref().and_then(Option::as_deref).unwrap_or(text);

@@ -75,6 +75,55 @@ pub(super) fn without_rates(text: &str, variable: &str) -> Option<String> {
     (bare != text).then_some(bare)
 }
 
+/// A function without the word before its unit, `… in mm`, and without the unit of its phases, `cos(4 t - 0.9 rad)`.
+/// Nothing where there is neither.
+pub(super) fn without_words(text: &str) -> Option<String> {
+    const WORD: &str = " in ";
+    const RADIANS: &str = "rad";
+    let mut bare = text.to_owned();
+    if let Some((before, unit)) = text.rsplit_once(WORD)
+        && Unit::read(unit.trim()).is_ok()
+    {
+        bare.replace_range(
+            before.len()..before.len() + WORD.len(),
+            &" ".repeat(WORD.len()),
+        );
+    }
+    let mut at = 0;
+    while let Some(end) = number_from(text, at) {
+        at = end;
+        let behind = text[end..].trim_start();
+        let start = text.len() - behind.len();
+        let is_last = |rest: &str| rest.trim_start().starts_with(')');
+        if behind.strip_prefix(RADIANS).is_some_and(is_last) && is_in_wave(&text[..start]) {
+            bare.replace_range(start..start + RADIANS.len(), &" ".repeat(RADIANS.len()));
+        }
+    }
+    (bare != text).then_some(bare)
+}
+
+/// Whether the bracket that stands open behind a text is that of a sine or cosine.
+fn is_in_wave(before: &str) -> bool {
+    let mut closed = 0_usize;
+    let open = before.char_indices().rev().find(|(_, char)| match char {
+        ')' => {
+            closed += 1;
+            false
+        }
+        '(' if closed > 0 => {
+            closed -= 1;
+            false
+        }
+        char => *char == '(',
+    });
+    open.is_some_and(|(at, _)| {
+        let name = before[..at].trim_end();
+        ["cos", "sin", "Cos", "Sin"]
+            .iter()
+            .any(|wave| name.ends_with(wave))
+    })
+}
+
 /// The place of a letter that stands alone.
 fn letter_in(text: &str, letter: &str) -> Option<usize> {
     let is_apart = |char: Option<char>| !char.is_some_and(char::is_alphanumeric);

@@ -13,7 +13,9 @@ pub(super) fn normalized(response: &str) -> String {
         .iter()
         .find_map(|word| response.strip_prefix(word)?.strip_prefix(' '))
         .unwrap_or(response);
-    let called = called(response).or_else(|| onwards(response));
+    let called = called(response)
+        .or_else(|| onwards(response))
+        .or_else(|| ranges(response));
     let response = called.as_deref().unwrap_or(response);
     let mut text = format!(" {response} ");
     for (from, to) in [
@@ -44,28 +46,60 @@ pub(super) fn normalized(response: &str) -> String {
     text.trim().to_owned()
 }
 
-/// `Interval(0.2, oo)` of SymPy, `Interval[{0.2, 1}]` of Mathematica, `RealRange(0.2, 1)` of Maple: closed intervals; and
-/// `Interval.open(0, 1)`, `Interval.Lopen(0, 1)`, `Interval.Ropen(0, 1)`.
+/// `Interval(0.2, oo)` of SymPy, `Interval[{0.2, 1}]` of Mathematica, `RealRange(0.2, 1)` of Maple: closed intervals, those
+/// of Maple with `Open(…)` around an end that is not; `Interval.open(0, 1)`, `Interval.Lopen(0, 1)`,
+/// `Interval.Ropen(0, 1)`, and a `Union(…)` of such.
 fn called(text: &str) -> Option<String> {
-    const CALLS: [(&str, &str, &str, [char; 2]); 6] = [
-        ("Interval.open(", ")", "(", ['(', ')']),
-        ("Interval.Lopen(", ")", "(", ['(', ']']),
-        ("Interval.Ropen(", ")", "(", ['[', ')']),
-        ("Interval(", ")", "(", ['[', ']']),
-        ("RealRange(", ")", "(", ['[', ']']),
-        ("Interval[{", "}]", "[", ['[', ']']),
+    const CALLS: [(&str, [&str; 2]); 7] = [
+        ("Interval.open(", ["(", ")"]),
+        ("Interval.Lopen(", ["(", "]"]),
+        ("Interval.Ropen(", ["[", ")"]),
+        ("Interval(", ["[", "]"]),
+        ("RealRange(", ["[", "]"]),
+        ("Interval[{", ["[", "]"]),
+        ("Interval[", ["[", "]"]),
     ];
-    let (lead, call) = match text.find("Interval").or_else(|| text.find("RealRange")) {
-        Some(at) => text.split_at(at),
-        None => return None,
-    };
-    CALLS.iter().find_map(|(open, close, bracket, [from, to])| {
-        let inner = call.strip_prefix(open)?.strip_suffix(close)?;
-        (!inner.contains(bracket)).then(|| format!("{lead}{from}{inner}{to}"))
+    if !text.contains("Interval") && !text.contains("RealRange") {
+        return None;
+    }
+    let inner = text
+        .strip_prefix("Union(")
+        .and_then(|text| text.strip_suffix(')'));
+    let mut plain = inner.unwrap_or(text).to_owned();
+    for (open, [from, to]) in CALLS {
+        while let Some(at) = plain.find(open) {
+            let start = at + open.len();
+            let length = closing(&plain[start..])?;
+            let (inner, end) = (&plain[start..start + length], start + length);
+            let end = end + if open.ends_with("[{") { 2 } else { 1 };
+            let (low, high) = inner.split_once(',')?;
+            let opened = |end: &str| {
+                let end = end.trim().strip_prefix("Open(")?.strip_suffix(')')?;
+                Some(end.to_owned())
+            };
+            let (from, low) = opened(low).map_or((from, low.to_owned()), |low| ("(", low));
+            let (to, high) = opened(high).map_or((to, high.to_owned()), |high| (")", high));
+            let interval = format!("{from}{low},{high}{to}");
+            plain.replace_range(at..end.min(plain.len()), &interval);
+        }
+    }
+    Some(plain)
+}
+
+/// How far it is to where the bracket closes that stands open before a text.
+fn closing(inner: &str) -> Option<usize> {
+    let mut depth = 1_usize;
+    inner.char_indices().find_map(|(at, char)| {
+        match char {
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth -= 1,
+            _ => {}
+        }
+        (depth == 0).then_some(at)
     })
 }
 
-/// `0.2 or more`, `from 0.2 on`, `from 0.2 to infinity`.
+/// `0.2 or more`, `from 0.2 on`.
 fn onwards(text: &str) -> Option<String> {
     const BEHIND: [(&str, char); 8] = [
         (" or more", '≥'),
@@ -78,18 +112,11 @@ fn onwards(text: &str) -> Option<String> {
         (" or below", '≤'),
     ];
     let from = |text: &str| {
-        let bound = text.strip_prefix("from ")?;
-        let ends = [
-            " on",
-            " onwards",
-            " upwards",
-            " to ∞",
-            " to infinity",
-            " to inf",
-        ];
+        let (lead, bound) = text.split_once("from ")?;
+        let ends = [" on", " onwards", " upwards"];
         ends.iter()
             .find_map(|end| bound.strip_suffix(end))
-            .map(|bound| format!("≥ {bound}"))
+            .map(|bound| format!("{lead}≥ {bound}"))
     };
     let behind = || {
         BEHIND.iter().find_map(|(words, sign)| {
@@ -97,8 +124,69 @@ fn onwards(text: &str) -> Option<String> {
             Some(format!("{sign} {bound}"))
         })
     };
-    let has_more = |text: &str| text.contains(['<', '>', '≤', '≥', '=', '∈', '[', ']']);
-    from(text).or_else(behind).filter(|_| !has_more(text))
+    from(text).or_else(behind).filter(|_| !is_in_signs(text))
+}
+
+/// Ranges in words, joined by `or`, as intervals in brackets.
+fn ranges(text: &str) -> Option<String> {
+    if is_in_signs(text) {
+        return None;
+    }
+    let text = text.replace(" and from ", " or from ").replace('∪', " or ");
+    let ranges: Option<Vec<String>> = text.split(" or ").map(|text| range(text.trim())).collect();
+    Some(ranges?.join(" ∪ "))
+}
+
+/// `from 0.2 to 0.5 m`, `x between 0.2 and 0.5`, `0.2 … 0.5`, `0.2-0.5` and `±0.2`: nothing is said of the ends, which
+/// belong to it.
+fn range(text: &str) -> Option<String> {
+    const WORDS: [(&str, &str); 2] = [("from ", " to "), ("between ", " and ")];
+    const SIGNS: [&str; 4] = [" to ", "…", "...", ".."];
+    let in_words = WORDS.iter().find_map(|(word, join)| {
+        let (lead, ends) = text.split_once(word)?;
+        let (low, high) = ends.split_once(join)?;
+        Some((lead, low.to_owned(), high))
+    });
+    let in_signs = || {
+        let (lead, ends) = text.rsplit_once(['=', ':']).unwrap_or(("", text));
+        let ends = ends.trim();
+        if let Some(both) = ends.strip_prefix('±') {
+            return Some((lead, format!("-{both}"), both));
+        }
+        let is_value = |end: &str| {
+            let unsigned = end.trim().trim_start_matches(['-', '+']);
+            unsigned.starts_with(|first: char| first.is_ascii_digit() || first == '.')
+        };
+        let joined = SIGNS.iter().find_map(|sign| ends.split_once(sign));
+        let (low, high) = joined.or_else(|| dashed(ends))?;
+        (is_value(low) && is_value(high)).then(|| (lead, low.to_owned(), high))
+    };
+    let (lead, low, high) = in_words.or_else(in_signs)?;
+    let lead = lead.trim().trim_end_matches(['=', ':']).trim();
+    let lead = if lead.is_empty() {
+        String::new()
+    } else {
+        format!("{lead} ∈ ")
+    };
+    Some(format!("{lead}[{}; {}]", low.trim(), high.trim()))
+}
+
+/// The values around a dash, `0.2 m-0.5 m`, which is no sign of an exponent.
+fn dashed(text: &str) -> Option<(&str, &str)> {
+    let joins = |(at, _): &(usize, &str)| {
+        let before = text[..*at].trim_end();
+        let is_exponent = before.strip_suffix(['e', 'E']).is_some_and(|before| {
+            before.ends_with(|last: char| last.is_ascii_digit() || last == '.')
+        });
+        before.ends_with(char::is_alphanumeric) && !is_exponent
+    };
+    let (at, dash) = text.match_indices('-').find(joins)?;
+    Some((&text[..at], &text[at + dash.len()..]))
+}
+
+/// Whether signs say what the values are.
+fn is_in_signs(text: &str) -> bool {
+    text.contains(['<', '>', '≤', '≥', '[', ']', '∈'])
 }
 
 /// Words before a condition.

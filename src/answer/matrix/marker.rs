@@ -12,7 +12,7 @@ use crate::answer::{
 };
 use crate::expr::{Expr, Value};
 use crate::math::Math;
-use crate::response::{self, Listed, Manner};
+use crate::response::{self, Listed, Manner, Wanted};
 use crate::unit::{Decimal, Unit};
 
 /// A prepared key.
@@ -256,7 +256,8 @@ impl Marker for Prepared {
             listed.rows.len() == setup.rows
                 && listed.rows.iter().all(|row| row.len() == setup.columns)
         };
-        let listed = response::list_of_form(response, &setup.lexicon, &setup.units, false, fits);
+        let wanted = Wanted::Matrix(Some(setup.rows).filter(|rows| *rows == setup.columns));
+        let listed = response::list_of_form(response, &setup.lexicon, &setup.units, wanted, fits);
         let listed = match listed {
             Ok(listed) if fits(&listed) => listed,
             Ok(Listed { rows, .. }) => {

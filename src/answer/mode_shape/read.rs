@@ -10,7 +10,7 @@ use crate::answer::matrix::Written;
 use crate::answer::{Answered, Reading, Unreadable, Why};
 use crate::expr::{Expr, Workspace};
 use crate::math::Math;
-use crate::response::{self, Listed};
+use crate::response::{self, Listed, Wanted};
 use crate::unit::Unit;
 
 /// How a response was read, and its vectors in SI units.
@@ -30,14 +30,12 @@ impl Prepared {
             .flatten();
         let response = &related.unwrap_or_else(|| components(response));
         let fits = |listed: &Listed| !arrangements(&listed.rows, width, count).is_empty();
-        let is_up_to_factor = setup.scale == Scale::Any;
-        let listed = response::list_of_form(
-            response,
-            &setup.lexicon,
-            &setup.units,
-            is_up_to_factor,
-            fits,
-        );
+        let wanted = if setup.scale == Scale::Any {
+            Wanted::Direction
+        } else {
+            Wanted::Vector
+        };
+        let listed = response::list_of_form(response, &setup.lexicon, &setup.units, wanted, fits);
         let listed = listed.map_err(|error| Unreadable::typed(&error, response))?;
         let has_names = !listed.is_numeric();
         let Listed { rows, unit } = listed;
@@ -155,7 +153,7 @@ fn misfit(rows: &[Vec<Expr>], width: usize, count: usize) -> Why {
     }
 }
 
-/// A ratio of components, `1 : -0.5` or `<1, -0.5>`, as a list; all places stay.
+/// A ratio of components, `1 : -0.5`, as a list; all places stay.
 fn components(response: &str) -> String {
     let mut text = response.to_owned();
     let digit = |char: char| char.is_ascii_digit();
@@ -167,9 +165,5 @@ fn components(response: &str) -> String {
     if has_decimals && !text.contains(';') && !text.match_indices(':').any(is_label) {
         text = text.replace(':', ";");
     }
-    let inner = text
-        .trim()
-        .strip_prefix('<')
-        .and_then(|text| text.strip_suffix('>'));
-    inner.map_or(text.clone(), |inner| format!("({inner})"))
+    text
 }

@@ -1,7 +1,8 @@
 //! Commands of LaTeX in what is folded: environments, faces, wrappers, units.
 
-use super::{Folder, is_minus};
-use crate::signs::{CASES, COMMANDS, DISPLAYS, FACES, UNITS, WRAPPERS, escaped};
+use super::Folder;
+use crate::letters::greek_word;
+use crate::signs::{CASES, COMMANDS, DISPLAYS, FACES, UNITS, WRAPPERS, escaped, is_minus};
 use crate::words::JOINING;
 
 /// How the rows of an environment are read.
@@ -107,6 +108,31 @@ impl Folder<'_> {
         is_statement
     }
 
+    /// Whether the wide space of this length parts two equations: `z = 0 \\quad x^2 + y^2 = 1`.
+    fn parts_statements(&self, length: usize) -> bool {
+        let before = self.text.trim_end();
+        let own = before.rsplit([';', '\n']).next().unwrap_or(before);
+        let behind = self.rest()[length..].trim_start();
+        let next = behind.split("\\quad").next().unwrap_or(behind);
+        let command = next.strip_prefix('\\').map(|rest| {
+            let end = rest.find(|char: char| !char.is_ascii_alphabetic());
+            &rest[..end.unwrap_or(rest.len())]
+        });
+        let begins = match command {
+            Some(name) => {
+                greek_word(name).is_some() || matches!(name, "dot" | "ddot" | "sqrt" | "frac")
+            }
+            None => next.starts_with(char::is_alphabetic),
+        };
+        let is_whole =
+            before.ends_with(|last: char| last.is_alphanumeric() || ")]}'".contains(last));
+        self.open.iter().all(|open| *open == Environment::Display)
+            && is_whole
+            && own.contains('=')
+            && begins
+            && next.contains('=')
+    }
+
     pub(super) fn command(&mut self) {
         let typed = self.typed;
         let behind = &typed[self.at + 1..];
@@ -161,6 +187,9 @@ impl Folder<'_> {
         }
         if matches!(name, "begin" | "end") && self.environment(name) {
             return;
+        }
+        if matches!(name, "quad" | "qquad") && self.parts_statements(length) {
+            return self.write(";", length);
         }
         if let Some((_, unit)) = UNITS.iter().find(|(own, _)| *own == name) {
             return self.write(unit, length);

@@ -1,7 +1,8 @@
 //! What programs write, in what is folded: powers of ten, rules, calls, letters and constants of their own.
 
-use super::{Folder, is_minus};
+use super::Folder;
 use crate::letters::greek_word;
+use crate::signs::is_minus;
 use crate::words::EQUATIONS;
 
 impl Folder<'_> {
@@ -81,15 +82,11 @@ impl Folder<'_> {
         true
     }
 
-    /// `Matrix(2, 2, [a, b, c, d])`, `eye(2)`: a matrix by its size; whether one stands here.
+    /// `Matrix(2, 2, [a, b, c, d])`: a matrix by its size; whether one stands here.
     pub(super) fn matrix(&mut self) -> bool {
         if self.typed[..self.at].ends_with(|before: char| before.is_alphanumeric() || before == '_')
         {
             return false;
-        }
-        if let Some((length, plain)) = identity(self.rest()) {
-            self.write(plain, length);
-            return true;
         }
         let typed = self.typed;
         let rest = &typed[self.at..];
@@ -144,28 +141,6 @@ impl Folder<'_> {
 
 /// Calls that make a matrix of its size and its entries.
 const SIZED: [&str; 4] = ["Matrix", "sp.Matrix", "sympy.Matrix", "matrix"];
-
-/// The identity matrix of two or three rows that programs call, with what stands for it.
-fn identity(text: &str) -> Option<(usize, &'static str)> {
-    const NAMES: [&str; 6] = [
-        "np.eye",
-        "numpy.eye",
-        "sp.eye",
-        "eye",
-        "np.identity",
-        "identity",
-    ];
-    let behind = NAMES.iter().find_map(|name| text.strip_prefix(*name))?;
-    let (call, plain) = [
-        ("(2)", "[1, 0; 0, 1]"),
-        ("[2]", "[1, 0; 0, 1]"),
-        ("(3)", "[1, 0, 0; 0, 1, 0; 0, 0, 1]"),
-        ("[3]", "[1, 0, 0; 0, 1, 0; 0, 0, 1]"),
-    ]
-    .into_iter()
-    .find(|(call, _)| behind.starts_with(call))?;
-    Some((text.len() - behind.len() + call.len(), plain))
-}
 
 /// Where a bracket closes that stands open before a text, and where signs part what it holds.
 pub(super) fn arguments_of_call(inner: &str) -> (Option<usize>, Vec<usize>) {

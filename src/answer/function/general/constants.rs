@@ -17,8 +17,9 @@ enum Role {
 }
 
 impl Prepared {
-    /// The number of initial states, of positions and velocities, that the constants can vary independently.
-    pub(super) fn rank(&self, solution: &Solution) -> Option<usize> {
+    /// The number of initial states, of positions and velocities, that the constants can vary independently: those of
+    /// the real and of the imaginary part together.
+    pub(super) fn rank<'s>(&self, solutions: &'s [Solution]) -> Option<usize> {
         // About the cube root of the unit roundoff, the best step of a central difference.
         const STEP: f64 = 1e-5;
         let (mut draws, mut room) = (Draws::new(), Workspace::default());
@@ -34,17 +35,26 @@ impl Prepared {
             .map_or(1.0, |(frequency, _)| frequency.max(f64::MIN_POSITIVE));
         let mut state = |constants: &[f64]| -> Option<Vec<f64>> {
             let point = self.point(constants, 0.0);
-            let positions = solution.positions.iter().map(|program| (program, 1.0));
-            let velocities = solution.velocities.iter().map(|program| (program, rate));
-            positions
-                .chain(velocities)
+            let of_each = |solution: &'s Solution| {
+                let Solution {
+                    positions,
+                    velocities,
+                    ..
+                } = solution;
+                let positions = positions.iter().map(|program| (program, 1.0));
+                positions.chain(velocities.iter().map(|program| (program, rate)))
+            };
+            solutions
+                .iter()
+                .flat_map(of_each)
                 .map(|(program, unit)| {
                     Some(program.evaluate_real(&point[..], &mut room).ok()? / unit)
                 })
                 .collect()
         };
         let mut basis: Vec<Vec<f64>> = Vec::new();
-        for place in solution.used.iter().copied() {
+        let is_used = |place: &usize| solutions.iter().any(|own| own.used.contains(place));
+        for place in (0..constants.len()).filter(is_used) {
             let mut moved = constants.clone();
             moved[place] += STEP;
             let after = state(&moved)?;
@@ -152,6 +162,23 @@ impl Prepared {
             )
         });
         (is_sine && double.abs() < 2.0 - ROUNDING).then_some(Role::Phase)
+    }
+
+    /// Whether a part is nothing beside another.
+    pub(super) fn vanishes(&self, part: &Solution, beside: &Solution) -> bool {
+        let mut draws = Draws::new();
+        let constants = self.setup.constants.iter();
+        let constants: Vec<f64> = constants.map(|_| 1.0 + 0.5 * draws.signed()).collect();
+        let largest = |solution| {
+            let positions = self.positions(solution, &constants)?;
+            Some(
+                positions
+                    .iter()
+                    .fold(0.0_f64, |most, own| most.max(own.abs())),
+            )
+        };
+        let sizes = largest(part).zip(largest(beside));
+        sizes.is_some_and(|(part, whole)| part <= ROUNDING * whole)
     }
 
     /// The positions at some times.

@@ -4,11 +4,13 @@
 //! can meet any initial state: each is a factor or a phase, and the positions and velocities at the start,
 //! as functions of the constants, have full rank.
 
+mod complex;
 mod constants;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use self::complex::Parts;
 use super::label::is_fresh;
 use crate::answer::equality::Draws;
 use crate::answer::letters::Allowed;
@@ -24,7 +26,7 @@ use crate::response::{self, Lexicon, Manner, cut};
 use crate::source::{Span, Table, Text};
 
 /// Letters that people give to constants, alone or with a number: all but those of time, of e and of i.
-const LETTERS: &str = "A B C D E F G H I J K L M N O P Q R S T U V W X Y Z a b c d f g h k l m n p q r s u v w x y z \
+const LETTERS: &str = "A B C D E F G H J K L M N O P Q R S T U V W X Y Z a b c d f g h k l m n p q r s u v w x y z \
     phi psi alpha beta delta theta gamma epsilon eta chi";
 /// What those write who cannot use C and D, as in Mathematica.
 const DOUBLED: &str = "AA BB CC DD";
@@ -193,13 +195,25 @@ struct Solution {
 }
 
 impl Setup {
-    /// The formulas of a response, by coordinate.
+    /// The formulas of a response, by coordinate; with complex numbers in them, where only so they can be read.
     fn read(&self, response: &str) -> Result<Vec<Expr>, Unreadable> {
-        let manner = Manner {
+        const REAL: Manner = Manner {
             comma_is_decimal: true,
             has_imaginary_unit: false,
             values: None,
         };
+        const COMPLEX: Manner = Manner {
+            has_imaginary_unit: true,
+            ..REAL
+        };
+        let may_be_complex = response.contains(['i', 'j', 'I']);
+        self.read_in(response, REAL).or_else(|why| {
+            let complex = may_be_complex.then(|| self.read_in(response, COMPLEX).ok());
+            complex.flatten().ok_or(why)
+        })
+    }
+
+    fn read_in(&self, response: &str, manner: Manner) -> Result<Vec<Expr>, Unreadable> {
         let all = Span::new(0, response.len());
         let mut places = cut(response, all, &[';', '\n']);
         places.retain(|place| !response[place.range()].trim().is_empty());
@@ -262,6 +276,49 @@ impl Setup {
         Ok(place)
     }
 
+    /// The constants that occur in a response, as places.
+    fn used(&self, typed: &[Expr]) -> Vec<usize> {
+        let names: Vec<_> = typed.iter().map(Expr::names).collect();
+        let is_used = |place: &usize| {
+            let mut names = names.iter();
+            names.any(|names| names.uses(&self.constants[*place]))
+        };
+        (0..self.constants.len()).filter(is_used).collect()
+    }
+
+    /// A response as one solution of real numbers, or as two, the real and the imaginary part of one of complex
+    /// numbers.
+    fn solutions(&self, typed: &[Expr]) -> Option<Vec<Solution>> {
+        if !typed.iter().any(complex::is_complex) {
+            return Some(vec![self.solution(typed)?]);
+        }
+        let used = self.used(typed);
+        let phases: Vec<Name> = typed.iter().flat_map(complex::phases).collect();
+        let own = used.iter().map(|place| &self.constants[*place]);
+        let free = (0..self.constants.len()).filter(|place| !used.contains(place));
+        let partners = free.map(|place| self.constants[place].clone());
+        let complex: BTreeMap<Name, Name> = crate::numerics::gather(
+            own.filter(|name| !phases.contains(name))
+                .cloned()
+                .zip(partners),
+        );
+        let parts: Vec<Parts> = typed
+            .iter()
+            .map(|formula| Parts::of(formula, &complex))
+            .collect::<Option<_>>()?;
+        let real: Vec<Expr> = parts.iter().map(|own| own.real.clone()).collect();
+        let none = || Expr::number(0);
+        let imaginary: Vec<Expr> = parts
+            .into_iter()
+            .map(|own| own.imaginary.unwrap_or_else(none))
+            .collect();
+        let mut solutions = vec![self.solution(&real)?];
+        if !imaginary.iter().all(Expr::is_zero) {
+            solutions.push(self.solution(&imaginary)?);
+        }
+        Some(solutions)
+    }
+
     fn solution(&self, typed: &[Expr]) -> Option<Solution> {
         let coordinates = self.coordinates.iter().cloned();
         let replaced: BTreeMap<Name, Expr> =
@@ -291,13 +348,8 @@ impl Setup {
             .iter()
             .map(|name| Expr::name(name.clone()).prime(1))
             .collect();
-        let names: Vec<_> = typed.iter().map(Expr::names).collect();
-        let is_used = |place: &usize| {
-            let mut names = names.iter();
-            names.any(|names| names.uses(&self.constants[*place]))
-        };
         Some(Solution {
-            used: (0..self.constants.len()).filter(is_used).collect(),
+            used: self.used(typed),
             positions: all(typed.to_vec(), &none)?,
             velocities: all(rates, &replaced)?,
             residuals: all(differences(), &replaced)?,
@@ -482,30 +534,41 @@ impl Marker for Prepared {
             answered: Answered::Functions(typed.clone()),
         };
         let wrong = |reading, slip: Slip| Marking::wrong(reading, Remark::from(slip));
-        let Some(solution) = setup.solution(&typed) else {
-            return Marking::unreadable(Why::Undifferentiable);
-        };
-        if solution.used.len() > MAX_USED {
+        let needed = 2 * setup.coordinates.len();
+        let found = setup.used(&typed).len();
+        if found > MAX_USED {
             return Marking::unreadable(Why::TooManyConstants {
                 most: MAX_USED,
-                needed: 2 * setup.coordinates.len(),
+                needed,
             });
         }
-        match self.satisfies(&solution) {
-            None => return wrong(reading, Slip::NoValueAtTimes),
-            Some(false) => return wrong(reading, Slip::Unsatisfied),
-            Some(true) => {}
+        let Some(mut solutions) = setup.solutions(&typed) else {
+            return Marking::unreadable(Why::Undifferentiable);
+        };
+        // Of a sum of conjugates nothing is imaginary.
+        if solutions.len() > 1 && self.vanishes(&solutions[1], &solutions[0]) {
+            solutions.truncate(1);
         }
-        let needed = 2 * setup.coordinates.len();
-        if self.rank(&solution).is_none_or(|rank| rank < needed) {
+        for solution in &solutions {
+            match self.satisfies(solution) {
+                None => return wrong(reading, Slip::NoValueAtTimes),
+                Some(false) => return wrong(reading, Slip::Unsatisfied),
+                Some(true) => {}
+            }
+        }
+        if self
+            .rank(&solutions)
+            .is_none_or(|rank| rank < needed * solutions.len())
+        {
             return wrong(reading, Slip::NotGeneral);
         }
-        if !self.are_factors_and_phases(&solution) {
+        if !solutions
+            .iter()
+            .all(|solution| self.are_factors_and_phases(solution))
+        {
             return wrong(reading, Slip::NotFactors);
         }
-        let count = solution.used.len();
-        let found = count;
-        let note = (count > needed).then_some(Note::ConstantsToSpare { needed, found });
+        let note = (found > needed).then_some(Note::ConstantsToSpare { needed, found });
         Marking::read(reading, Credit::FULL, note.map(Remark::from))
     }
 }
