@@ -145,11 +145,11 @@ pub(super) fn enumeration(text: &str) -> Vec<Range<usize>> {
         let (mut found, mut at) = (Vec::new(), begin);
         for label in first..=(char::from(first as u8 + 5)) {
             let label = format!("{open}{label}{close} ");
-            let place = match found.is_empty() {
-                true => text[at..].starts_with(&label).then_some(at),
-                false => text[at..]
-                    .find(&format!(" {label}"))
-                    .map(|place| at + place + 1),
+            let place = if found.is_empty() {
+                text[at..].starts_with(&label).then_some(at)
+            } else {
+                let next = text[at..].find(&format!(" {label}"));
+                next.map(|place| at + place + 1)
             };
             let Some(place) = place else { break };
             at = place + label.len() - 1;
