@@ -8,6 +8,7 @@
 mod fault;
 mod item;
 mod part;
+mod route;
 mod typed;
 
 use std::collections::{BTreeMap, BTreeSet};

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::Serialize;
 
 use super::fault::Fault;
-use super::typed;
+use super::{route, typed};
 use crate::answer::{Credit, KeyValue, Kind, Marking, Reason, Verdict};
 use crate::bank::Units;
 use crate::grade;
@@ -251,15 +251,18 @@ impl Tally {
     }
 
     fn add_honest(&mut self, solution: &Solution<'_>, seed: u64) {
-        let Some(text) = typed::honestly(solution, self.place, solution.template()) else {
-            return;
-        };
-        let marking = grade::mark(solution, self.place, &text);
-        if marking.verdict == Verdict::Unreadable {
-            return;
-        }
-        self.honest += 1;
-        if marking.credit < Credit::FULL {
+        let by_key = typed::honestly(solution, self.place, solution.template());
+        let by_solution = route::printed(solution, self.place);
+        let ways = by_key.into_iter().chain(by_solution);
+        let marked = ways.map(|text| (grade::mark(solution, self.place, &text), text));
+        let read: Vec<(Marking, String)> = marked
+            .filter(|(marking, _)| marking.verdict != Verdict::Unreadable)
+            .collect();
+        self.honest += u64::from(!read.is_empty());
+        let wrong = read
+            .into_iter()
+            .find(|(marking, _)| marking.credit < Credit::FULL);
+        if let Some((marking, text)) = wrong {
             self.honest_wrong += 1;
             self.first_wrong
                 .get_or_insert((marking.verdict.name(), text, seed));

@@ -63,22 +63,63 @@ pub(crate) fn double(drawing: &mut Drawing, a: Point, b: Point, pen: Pen) {
     head.draw(drawing, b, b - a);
 }
 
+/// The circle along which a rotation is drawn.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Orbit {
+    pub(crate) centre: Point,
+    pub(crate) radius: f64,
+    /// The axis, where it lies in the plane of the drawing: the circle about it is seen obliquely, from its tip.
+    pub(crate) axis: Option<Point>,
+}
+
+/// How flat a circle about an axis in the plane looks: seen from 20° above.
+const FLAT: f64 = 0.34;
+
+impl Orbit {
+    /// The vector from the centre to the point at an angle in radians, counterclockwise seen from the tip of the axis.
+    pub(crate) fn arm(&self, angle: f64) -> Point {
+        self.mapped(Point::at_angle(angle))
+    }
+
+    /// Where the circle has such a vector, as a share of its radius, if it is seen from the front.
+    fn mapped(&self, seen: Point) -> Point {
+        match self.axis.map(Point::unit) {
+            None => seen * self.radius,
+            Some(axis) => {
+                -axis.left() * (self.radius * seen.x) + axis * (self.radius * FLAT * seen.y)
+            }
+        }
+    }
+
+    fn path(&self, from: f64, to: f64) -> Path {
+        if self.axis.is_none() {
+            return Path::arc(self.centre, self.radius, from, to);
+        }
+        // Cubic pieces of at most an eighth of a turn follow an ellipse to less than the width of a line.
+        let pieces = ((to - from).abs() / std::f64::consts::FRAC_PI_4)
+            .ceil()
+            .max(1.0);
+        let step = (to - from) / pieces;
+        let rate = |angle: f64| self.mapped(Point::at_angle(angle).left()) * (step / 3.0);
+        let mut path = Path::new().move_to(self.centre + self.arm(from));
+        for piece in 0..pieces as usize {
+            let (a, b) = (from + piece as f64 * step, from + (piece + 1) as f64 * step);
+            let (start, end) = (self.centre + self.arm(a), self.centre + self.arm(b));
+            path = path.curve_to(start + rate(a), end - rate(b), end);
+        }
+        path
+    }
+}
+
 /// Draws an arrow along a circle, from one angle to another, in radians.
-pub(crate) fn bent(
-    drawing: &mut Drawing,
-    centre: Point,
-    radius: f64,
-    from: f64,
-    to: f64,
-    pen: Pen,
-) {
+pub(crate) fn bent(drawing: &mut Drawing, orbit: Orbit, from: f64, to: f64, pen: Pen) {
     let head = Head::of(pen);
-    let share = head.length / radius.max(1e-3);
+    let share = head.length / orbit.radius.max(1e-3);
     let turn = (to - from).signum();
     let neck = to - turn * (0.75 * share).min((to - from).abs());
-    drawing.stroke(Path::arc(centre, radius, from, neck), pen);
+    drawing.stroke(orbit.path(from, neck), pen);
     // The head points along the chord of the arc that it covers.
-    let tip = centre + Point::at_angle(to) * radius;
-    let back = centre + Point::at_angle(to - turn * share) * radius;
+    let tip = orbit.centre + orbit.arm(to);
+    let back = orbit.centre + orbit.arm(to - turn * share);
     head.draw(drawing, tip, tip - back);
 }

@@ -286,6 +286,11 @@ impl SvgWriter<'_> {
             self.text(side);
             self.out.push('"');
         }
+        // What is drawn above letters stays above them, whatever the width of the letters in the font of the reader.
+        if !label.marks.is_empty() {
+            self.text(" lengthAdjust=\"spacingAndGlyphs\"");
+            self.attribute(" textLength=\"", label.width() * SCALE);
+        }
         self.out.push('>');
         let mut rise = 0.0;
         for run in &label.runs {

@@ -95,16 +95,8 @@ fn further(piece: Math) -> Math {
 fn broken(math: &Math, longest: usize) -> Vec<Math> {
     let mut atoms = Vec::new();
     flatten(math, &mut atoms);
-    let mut terms: Vec<Vec<Math>> = vec![Vec::new()];
-    for atom in atoms {
-        let is_sign = matches!(&atom, Math::Operator { text, class: Class::Binary } if text == "+" || text == "−");
-        if is_sign {
-            terms.push(Vec::new());
-        }
-        if let Some(last) = terms.last_mut() {
-            last.push(atom);
-        }
-    }
+    let terms = terms(atoms).into_iter();
+    let terms = terms.flat_map(|term| opened(term, longest));
     let mut pieces: Vec<Vec<Math>> = Vec::new();
     let mut length = 0;
     for term in terms {
@@ -121,6 +113,66 @@ fn broken(math: &Math, longest: usize) -> Vec<Math> {
         }
     }
     pieces.into_iter().map(Math::row).collect()
+}
+
+/// Atoms in pieces that begin with the signs between terms.
+fn terms(atoms: Vec<Math>) -> Vec<Vec<Math>> {
+    let mut terms: Vec<Vec<Math>> = vec![Vec::new()];
+    for atom in atoms {
+        let is_sign = matches!(&atom, Math::Operator { text, class: Class::Binary } if text == "+" || text == "−");
+        if is_sign {
+            terms.push(Vec::new());
+        }
+        if let Some(last) = terms.last_mut() {
+            last.push(atom);
+        }
+    }
+    terms
+}
+
+/// A term in pieces: where it is too long for a line and calls a function of several arguments, they go on in new lines.
+fn opened(term: Vec<Math>, longest: usize) -> Vec<Vec<Math>> {
+    let list = term.iter().rposition(|atom| match atom {
+        Math::Fence { open, body, .. } => open == "(" && has_comma(body),
+        _ => false,
+    });
+    let Some(place) = list.filter(|_| width(&Math::Row(term.clone())) > longest) else {
+        return vec![term];
+    };
+    let mut before = term;
+    let after = before.split_off(place + 1);
+    let Some(Math::Fence { body, close, .. }) = before.pop() else {
+        return vec![before];
+    };
+    before.push(Math::operator("(", Class::Opening));
+    let mut arguments = Vec::new();
+    flatten(&body, &mut arguments);
+    let mut pieces = vec![before];
+    for argument in arguments.split_inclusive(is_comma) {
+        let mut own = terms(argument.to_vec()).into_iter();
+        if let (Some(last), Some(first)) = (pieces.last_mut(), own.next()) {
+            // The first argument stands at the name of the function.
+            if last.iter().any(is_comma) {
+                pieces.push(first);
+            } else {
+                last.extend(first);
+            }
+        }
+        pieces.extend(own.filter(|own| !own.is_empty()));
+    }
+    if let Some(last) = pieces.last_mut() {
+        last.push(Math::operator(close, Class::Closing));
+        last.extend(after);
+    }
+    pieces
+}
+
+fn has_comma(math: &Math) -> bool {
+    matches!(math, Math::Row(pieces) if pieces.iter().any(is_comma))
+}
+
+fn is_comma(math: &Math) -> bool {
+    matches!(math, Math::Operator { text, class: Class::Punctuation } if text == ",")
 }
 
 fn flatten(math: &Math, atoms: &mut Vec<Math>) {
@@ -161,5 +213,24 @@ fn width(math: &Math) -> usize {
             rows.iter().map(row).max().unwrap_or(0)
         }
         Math::Hole(_) => 1,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expr::{Expr, PlainNotation};
+
+    #[test]
+    fn a_function_of_two_long_arguments_goes_on_after_its_comma() {
+        let formula =
+            "atan2(mass*damping*speed^3, stiffness*(stiffness - mass*speed^2) + (damping*speed)^2)";
+        let formula = Expr::read(formula).expect("a formula");
+        let pieces = broken(&formula.typeset(&PlainNotation), MAX_LINE_LENGTH);
+        assert!(pieces.len() >= 2, "{pieces:?}");
+        let all: String = pieces.iter().map(Math::plain).collect::<Vec<_>>().join(" ");
+        let whole = formula.typeset(&PlainNotation).plain();
+        let bare = |text: &str| text.replace(' ', "");
+        assert_eq!(bare(&all), bare(&whole));
     }
 }

@@ -48,7 +48,10 @@ impl Notation for Quantities<'_, '_, '_> {
         };
         let math = scene.value(node, info);
         match scene.solution().evaluation().real(node) {
-            Ok(number) if number < 0.0 => Symbol::letter(math.in_parentheses()),
+            Ok(number) if number < 0.0 => Symbol {
+                math,
+                kind: SymbolKind::NegativeQuantity,
+            },
             _ if matches!(info.units, Some(Units::One(unit)) if unit.is_one()) => Symbol {
                 math,
                 kind: SymbolKind::Number,

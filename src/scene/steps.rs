@@ -150,6 +150,21 @@ pub(crate) fn unworkable(template: &crate::bank::Template, node: NodeId) -> Opti
     is_long.then_some("its formula is too long with its helpers opened")
 }
 
+/// The quantities whose values stand in the line of a quantity that is worked out.
+pub(crate) fn shown_in(template: &crate::bank::Template, node: NodeId) -> Vec<NodeId> {
+    let formula = template
+        .graph
+        .expr(node)
+        .and_then(|expr| opened(template, expr));
+    let names = formula
+        .map(|formula| formula.names().free)
+        .unwrap_or_default();
+    let nodes = names
+        .into_iter()
+        .filter_map(|variable| template.graph.find(&variable.name));
+    nodes.collect()
+}
+
 /// A formula with the helpers opened that have no unit, and so no value of their own to print.
 fn opened(template: &crate::bank::Template, expr: &Expr) -> Option<Expr> {
     // No chain of helpers is as long.

@@ -238,6 +238,78 @@ fn a_cord_over_a_kept_pulley_pulls_twice() {
     );
 }
 
+const TORSION: &str = "[model]\ncoordinates = { theta = 'rad' }\nkinetic = \"1/2*I*theta'^2\"\n\
+     potential = '1/2*k*r^2*theta^2'\n\
+     [model.bodies.body]\ninertia = 'I'\nmoves = 'theta'\nforces = { wire = '-k*r^2*theta' }\n";
+
+/// A body on a wire, with the sense of its twist as it is shown.
+fn on_a_wire(turn: &str) -> String {
+    format!(
+        "[figure]\npoints = {{ D = [3, 1] }}\nelements = [\n\
+         {{ ground = ['[4, 4.4]', '[2, 4.4]'] }},\n{{ wire = ['[3, 4.4]', '[3, 1.3]'], id = 'wire' }},\n\
+         {{ block = 'D', size = [3, 0.6], label = 'M', id = 'body' }},\n\
+         {{ turn = [3, 3], {turn}, label = 'theta' }},\n]\n"
+    )
+}
+
+#[test]
+fn a_twisted_wire_leaves_a_moment_about_itself() {
+    let free = "[figure.free.body]\narrows = [{ weight = 'D' }, { reaction = 'D.top', direction = [0, 1], label = \"'S'\" }]\n";
+    let picture = |turn: &str| {
+        let catalogue =
+            read(&item(TORSION, &on_a_wire(turn), free)).expect("nothing is wrong with it");
+        let solution = Solution::of(Instance::of_source(template(&catalogue)));
+        let picture = Scene::of(&solution, Data::Both).free_picture();
+        picture.expect("it has one").expect("it holds")
+    };
+    let (up, down) = (picture("axis = [0, 1]"), picture("axis = [0, -1]"));
+    assert_eq!(
+        up.alt,
+        "On the block capital M act the moment k r squared theta of an elastic wire, against the sense of the twist, \
+         the weight W downwards and the reaction S upwards."
+    );
+    // The arrow runs against the twist, whichever way that is.
+    assert_eq!(up.alt, down.alt);
+    assert_ne!(
+        up.svg.split_once("</desc>").map(|own| own.1),
+        down.svg.split_once("</desc>").map(|own| own.1)
+    );
+    // A turn in the plane of the drawing is none about the wire.
+    assert_eq!(
+        refused(TORSION, &on_a_wire("from = 20"), free),
+        "figure::free: the arrow of `wire` on `body` does not do the work of the force in the model"
+    );
+}
+
+#[test]
+fn a_spring_along_a_ring_pulls_along_its_tangent() {
+    let model = "[model]\ncoordinates = { x = 'm', y = 'm' }\nkinetic = \"1/2*m*x'^2 + 1/2*M*y'^2\"\n\
+         potential = '1/2*k*(y - x)^2'\n\
+         [model.bodies.first]\nmass = 'm'\nmoves = 'x'\nforces = { spring = 'k*(y - x)' }\n\
+         [model.bodies.second]\nmass = 'M'\nmoves = 'y'\nforces = { spring = '-k*(y - x)' }\n";
+    let figure = "[figure]\npoints = { O = [2.5, 2.5], A = [2.5, 4.3], B = [0.7, 2.5] }\nelements = [\n\
+         { ring = 'O', radius = 1.8 },\n{ spring = ['A', 'B'], around = 'O', id = 'spring' },\n\
+         { bob = 'A', label = 'm', id = 'first' }, { bob = 'B', label = 'M', id = 'second' },\n]\n";
+    let free = |along: &str| {
+        format!(
+            "[figure.free.first]\nalong = {along}\n[figure.free.second]\nalong = [0, -1]\nshift = [-1, -1]\n"
+        )
+    };
+    let catalogue = read(&item(model, figure, &free("[-1, 0]"))).expect("nothing is wrong with it");
+    let solution = Solution::of(Instance::of_source(template(&catalogue)));
+    let picture = Scene::of(&solution, Data::Both).free_picture();
+    let alt = picture.expect("it has one").expect("it holds").alt;
+    assert!(
+        alt.starts_with("On the ball m acts the force of a spring") && alt.contains("to the left."),
+        "{alt}"
+    );
+    assert!(alt.ends_with("upwards."), "{alt}");
+    assert_eq!(
+        refused(model, figure, &free("[0, 1]")),
+        "figure::free: the arrow of `spring` on `first` does not do the work of the force in the model"
+    );
+}
+
 #[test]
 fn names_that_lead_nowhere_are_refused() {
     let named = |from: &str, to: &str| refused(MODEL, FIGURE, &FREE.replace(from, to));

@@ -208,6 +208,9 @@ impl PlainWriter<'_> {
             self.push("_");
             let start = self.out.len();
             self.math(sub);
+            // A sign alone, as in `k_∥`, has no blanks around it.
+            let written = self.out.split_off(start);
+            self.out.push_str(written.trim_matches(' '));
             if is_large || !self.lower(start) {
                 self.group(start, true);
             }

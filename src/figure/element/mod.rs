@@ -42,7 +42,7 @@ mod spring;
 mod text;
 mod torsion;
 mod tube;
-mod turn;
+pub(crate) mod turn;
 mod wire;
 
 use super::outline::Outline;

@@ -5,7 +5,7 @@
 //! ```
 
 use super::{Element, FROM, Holds, Key, Layer, Role, Takes, number};
-use crate::figure::arrow::bent;
+use crate::figure::arrow::{Orbit, bent};
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Point, Spot, Weight, spots};
 
@@ -55,15 +55,12 @@ impl Element for Moment {
 
     fn draw(&self, part: &Part<'_>, drawing: &mut Drawing) {
         let (from, to) = span(part);
-        let radius = part.length("radius", 0.5);
-        bent(
-            drawing,
-            part.point(),
-            radius,
-            from,
-            to,
-            part.pen(Weight::Bold),
-        );
+        let orbit = Orbit {
+            centre: part.point(),
+            radius: part.length("radius", 0.5),
+            axis: None,
+        };
+        bent(drawing, orbit, from, to, part.pen(Weight::Bold));
     }
 
     fn spots(&self, part: &Part<'_>) -> Vec<Spot> {

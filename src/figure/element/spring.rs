@@ -161,6 +161,25 @@ impl Element for Spring {
         Some(("coils", turns(part, Axis::of(part).1)))
     }
 
+    fn pieces(&self, part: &Part<'_>) -> Vec<(Point, Point)> {
+        let Some(centre) = part.vector("around") else {
+            return vec![part.link()];
+        };
+        // It pulls along the tangent at each of its ends.
+        let (_, length) = Axis::of(part);
+        let tangent = |end: usize, sign: f64| {
+            let end = &part.ends[end];
+            let along = (end.point - centre).unit().left() * sign;
+            let ball = end.body.map_or(0.0, |body| body.bounds().width() / 2.0);
+            (
+                end.point + along * ball,
+                end.point + along * (ball + length / 2.0),
+            )
+        };
+        let (first, last) = (tangent(0, 1.0), tangent(1, -1.0));
+        vec![first, (last.1, last.0)]
+    }
+
     fn draw(&self, part: &Part<'_>, drawing: &mut Drawing) {
         let (axis, length) = Axis::of(part);
         let path = coils(&axis, length, turns(part, length) as usize);

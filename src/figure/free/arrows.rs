@@ -1,14 +1,14 @@
 //! From the forces of a body to arrows, for certain data.
 
+use super::drawn::{Arrow, Drawn, Way};
 use super::error::{FreeError, FreeFault};
 use super::words::{sentence, towards};
 use super::{Body, Contact, Force, Heading, Motion, Origin, Sense, Strand, Written};
-use crate::figure::arrow::{Head, arrow};
-use crate::figure::element::Role;
+use crate::figure::element::{Role, turn};
 use crate::figure::formula::Values;
 use crate::figure::part::Part;
 use crate::figure::schematic::Item;
-use crate::figure::{Drawing, Figure, Given, Label, Outline, Pen, Point, Weight, spots};
+use crate::figure::{Drawing, Figure, Given, Outline, Point};
 
 /// Length of an arrow.
 const LENGTH: f64 = 1.05;
@@ -33,25 +33,6 @@ struct Scene<'f> {
     values: Values,
 }
 
-/// An arrow of a force.
-struct Arrow<'f> {
-    from: Point,
-    to: Point,
-    /// Whether its head is at the body, so that its label stands at the other end.
-    is_push: bool,
-    label: &'f Label,
-    item: Option<&'f Item>,
-}
-
-/// The arrows of a body, and its forces in words.
-#[derive(Default)]
-struct Drawn<'f> {
-    arrows: Vec<Arrow<'f>>,
-    words: Vec<String>,
-    /// Elements of the figure that show a force.
-    shown: Vec<usize>,
-}
-
 /// Where a link was fastened to a body.
 struct Cut {
     /// The point at which it acts.
@@ -69,6 +50,8 @@ enum Moved {
     Along(Point),
     /// The centre, and 1 for counterclockwise or −1.
     Turn(Point, f64),
+    /// The axis, where it lies in the plane of the drawing, towards the tip from which it turns counterclockwise.
+    Twist(Point),
 }
 
 impl Moved {
@@ -77,13 +60,15 @@ impl Moved {
         match self {
             Self::Along(along) => along.dot(direction),
             Self::Turn(centre, sense) => sense * (point - *centre).cross(direction),
+            // What lies in a plane has no moment about a line of this plane.
+            Self::Twist(_) => 0.0,
         }
     }
 
-    /// The work of a unit moment, counterclockwise.
+    /// The work of a unit moment, counterclockwise in the drawing.
     fn work_of_moment(&self) -> f64 {
         match self {
-            Self::Along(_) => 0.0,
+            Self::Along(_) | Self::Twist(_) => 0.0,
             Self::Turn(_, sense) => *sense,
         }
     }
@@ -168,6 +153,11 @@ impl<'f> Scene<'f> {
                             out,
                             length,
                         } = cut;
+                        if let Some((axis, words)) = twisted(body, force, &moved, out, words)? {
+                            drawn.twist(start, out, axis, label);
+                            drawn.words.push(words);
+                            continue;
+                        }
                         let sense = sense(body, force, &moved, at, out)?;
                         let direction = out * sense;
                         works(body, force, &moved, at, direction, None)?;
@@ -182,11 +172,9 @@ impl<'f> Scene<'f> {
                         let end = start + out * (0.42 * length).clamp(SHORTEST, LENGTH);
                         let (from, to) = if is_push { (end, start) } else { (start, end) };
                         drawn.arrows.push(Arrow {
-                            from,
-                            to,
-                            is_push,
+                            way: Way::Straight { from, to, is_push },
                             label,
-                            item: None,
+                            at: None,
                         });
                         drawn.words.push(described(noun, words, direction));
                     }
@@ -292,7 +280,12 @@ impl<'f> Scene<'f> {
                     Sense::Written(is_left) => *is_left,
                     Sense::Shown(item) => {
                         let part = &self.parts[*item];
-                        part.number("to").unwrap_or(70.0) > part.number("from").unwrap_or(20.0)
+                        let (from, to) = turn::degrees(part);
+                        let sign = if to > from { 1.0 } else { -1.0 };
+                        if let Some(axis) = part.vector("axis") {
+                            return Moved::Twist(axis.unit() * sign);
+                        }
+                        to > from
                     }
                 };
                 Moved::Turn(about.point(&self.values), if is_left { 1.0 } else { -1.0 })
@@ -405,7 +398,7 @@ impl<'f> Scene<'f> {
                 .iter()
                 .find_map(|motion| match motion {
                     Moved::Along(along) => Some(*along),
-                    Moved::Turn(..) => None,
+                    Moved::Turn(..) | Moved::Twist(_) => None,
                 })
                 .unwrap_or(Point::new(1.0, 0.0)),
         }
@@ -424,11 +417,9 @@ impl<'f> Scene<'f> {
             }
         };
         Arrow {
-            from,
-            to,
-            is_push,
+            way: Way::Straight { from, to, is_push },
             label: &written.label.0,
-            item: Some(&written.item),
+            at: written.item.at,
         }
     }
 
@@ -462,11 +453,7 @@ impl<'f> Scene<'f> {
         for own in &drawn.arrows {
             drawing.belongs_to(*owner);
             *owner += 1;
-            let (from, to) = (own.from + shift, own.to + shift);
-            arrow(drawing, from, to, Pen::new(Weight::Bold), Head::BOLD);
-            let (inner, outer) = if own.is_push { (to, from) } else { (from, to) };
-            let at = own.item.and_then(|item| item.at);
-            drawing.place(own.label.clone(), spots::at_tip(inner, outer, at));
+            own.draw(shift, drawing);
         }
     }
 
@@ -558,6 +545,35 @@ fn agrees(body: &Body, force: &Force, works: impl Iterator<Item = f64>) -> Resul
         return Ok(());
     }
     Err(fault(body, force))
+}
+
+/// The moment of a link that is twisted about its own line: its axis and its words; nothing if no twist is about it.
+fn twisted(
+    body: &Body,
+    force: &Force,
+    moved: &[Moved],
+    out: Point,
+    letter: &str,
+) -> Result<Option<(Point, String)>, FreeFault> {
+    let about = moved
+        .iter()
+        .zip(&force.signs)
+        .find_map(|(motion, sign)| match motion {
+            Moved::Twist(axis) if axis.cross(out).abs() <= SQUARE => Some((*axis, (*sign)?)),
+            _ => None,
+        });
+    let Some((axis, is_negative)) = about else {
+        return Ok(None);
+    };
+    let axis = if is_negative { -axis } else { axis };
+    let does = |motion: &Moved| match motion {
+        Moved::Twist(own) => own.dot(axis),
+        Moved::Along(_) | Moved::Turn(..) => 0.0,
+    };
+    agrees(body, force, moved.iter().map(does))?;
+    let sense = if is_negative { "against" } else { "in" };
+    let words = format!("the moment {letter} of an elastic wire, {sense} the sense of the twist");
+    Ok(Some((axis, words)))
 }
 
 /// An arrow and its force do not do the same work.

@@ -89,11 +89,12 @@ impl Product {
     /// Divides by another product; `None` if a factor of that one is no factor of this one.
     pub(crate) fn over(mut self, divisor: &Self) -> Option<Self> {
         for factor in &divisor.above {
-            let place = self.above.iter().position(|own| own == factor)?;
+            // An arm is written after its force.
+            let place = self.above.iter().rposition(|own| own == factor)?;
             self.above.remove(place);
         }
         for factor in &divisor.below {
-            let place = self.below.iter().position(|own| own == factor)?;
+            let place = self.below.iter().rposition(|own| own == factor)?;
             self.below.remove(place);
         }
         self.count(divisor.number, true);
@@ -131,6 +132,7 @@ mod tests {
     fn a_moment_is_a_force_times_its_arm() {
         let found = |negative, text: &str| Some((negative, text.to_owned()));
         assert_eq!(letter("-k*y*l", "l"), found(true, "k*y"));
+        assert_eq!(letter("-k*a*y*a", "a"), found(true, "k*a*y"));
         assert_eq!(letter("-S*l/2", "l/2"), found(true, "S"));
         assert_eq!(letter("2*k*z*r/2", "r/2"), found(false, "2*k*z"));
         assert_eq!(letter("k*(x2 - x1)*r", "r"), found(false, "k*(x2 - x1)"));

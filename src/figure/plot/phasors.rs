@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::description::number;
 use super::{Picture, PlotError, Style};
-use crate::figure::arrow::{Head, arrow, bent};
+use crate::figure::arrow::{Head, Orbit, arrow, bent};
 use crate::figure::{Anchor, Bounds, Dash, Drawing, Label, Pen, Point, Spot, Weight, spots};
 use crate::math::Math;
 use crate::unit::{DecimalMark, Unit};
@@ -165,15 +165,12 @@ impl Turn {
 
     fn draw(&self, drawing: &mut Drawing, radius: f64) {
         let to = self.from + self.turn();
-        let origin = Point::new(0.0, 0.0);
-        bent(
-            drawing,
-            origin,
+        let orbit = Orbit {
+            centre: Point::new(0.0, 0.0),
             radius,
-            self.from,
-            to,
-            Pen::new(Weight::Thin),
-        );
+            axis: None,
+        };
+        bent(drawing, orbit, self.from, to, Pen::new(Weight::Thin));
         if let Some(label) = &self.label {
             let middle = Point::at_angle(f64::midpoint(self.from, to));
             let out = [0.2, 0.3, 0.45, 0.65, 0.9].map(|more| radius + more);

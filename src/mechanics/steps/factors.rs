@@ -3,7 +3,7 @@
 use crate::expr::{Expr, Kind, Normal, Operator, Order};
 use crate::mechanics::energy::terms;
 
-/// A product as one writes it: numbers and names, brackets as they are, functions last. Whether a sign stands in front,
+/// A product as one writes it: numbers and names, brackets as they are, the derivative that they multiply, functions last. Whether a sign stands in front,
 /// and the rest.
 pub(crate) fn in_order(term: &Expr, order: &Order) -> (bool, Expr) {
     if let Ok(normal) = Normal::of(term)
@@ -15,6 +15,7 @@ pub(crate) fn in_order(term: &Expr, order: &Order) -> (bool, Expr) {
         is_negative: false,
         names: Expr::number(1),
         brackets: Vec::new(),
+        rates: Expr::number(1),
         functions: Expr::number(1),
         order,
     };
@@ -69,6 +70,8 @@ struct Product<'o> {
     is_negative: bool,
     names: Expr,
     brackets: Vec<Expr>,
+    /// Time derivatives.
+    rates: Expr,
     functions: Expr,
     order: &'o Order,
 }
@@ -123,6 +126,8 @@ impl Product<'_> {
             _ => {
                 let place = if has_call && !is_below {
                     &mut self.functions
+                } else if matches!(factor.kind(), Kind::Prime(..)) && !is_below {
+                    &mut self.rates
                 } else {
                     &mut self.names
                 };
@@ -141,9 +146,17 @@ impl Product<'_> {
             Ok(normal) if normal.terms() <= 1 => signed(&normal, self.order),
             _ => (false, expr.clone()),
         };
-        let (first, names) = ordered(&self.names);
+        let (before, after) = if self.brackets.is_empty() {
+            (self.names * self.rates, Expr::number(1))
+        } else {
+            (self.names, self.rates)
+        };
+        let (first, names) = ordered(&before);
         let (second, functions) = ordered(&self.functions);
         let product = self.brackets.into_iter().fold(names, |all, one| all * one);
-        (self.is_negative ^ first ^ second, product * functions)
+        (
+            self.is_negative ^ first ^ second,
+            product * after * functions,
+        )
     }
 }

@@ -53,6 +53,8 @@ pub enum SymbolKind {
     Negative,
     /// A number with a unit: a dot keeps it apart from its neighbours, parentheses under a power.
     Quantity,
+    /// A value with a sign in front: parentheses in every product and under a power, none where it stands alone.
+    NegativeQuantity,
 }
 
 impl Symbol {
@@ -239,7 +241,7 @@ impl Setter<'_> {
         };
         let piece = self.piece(expr);
         match (kind, &piece.math) {
-            (SymbolKind::Quantity | SymbolKind::Negative, _)
+            (SymbolKind::Quantity | SymbolKind::Negative | SymbolKind::NegativeQuantity, _)
             | (_, Math::Script { sup: Some(_), .. }) => piece.math.fenced("(", ")"),
             _ => piece.at_least(Hold::Atom),
         }
@@ -288,7 +290,7 @@ impl Setter<'_> {
 fn of_symbol(symbol: Symbol) -> Piece {
     let hold = match symbol.kind {
         SymbolKind::Letter | SymbolKind::Number => Hold::Atom,
-        SymbolKind::Negative => Hold::Sign,
+        SymbolKind::Negative | SymbolKind::NegativeQuantity => Hold::Sign,
         SymbolKind::Quantity => Hold::Product,
     };
     Piece::new(symbol.math, hold)

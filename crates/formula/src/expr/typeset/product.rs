@@ -47,6 +47,9 @@ impl Setter<'_> {
         };
         match first.kind() {
             Kind::Negate(_) => true,
+            Kind::Name(name) if self.notation.name(name).kind == SymbolKind::NegativeQuantity => {
+                false
+            }
             Kind::Number(_) | Kind::Name(_) | Kind::Path(_) => self.piece(first).hold == Hold::Sign,
             _ => false,
         }
@@ -111,7 +114,7 @@ impl Setter<'_> {
         } else {
             let piece = self.piece(expr);
             let least = match piece.hold {
-                Hold::Sign if is_first => Hold::Sign,
+                Hold::Sign if is_first && kind != SymbolKind::NegativeQuantity => Hold::Sign,
                 Hold::Product if kind == SymbolKind::Quantity => Hold::Product,
                 _ => Hold::Fraction,
             };
@@ -225,7 +228,7 @@ mod tests {
     use crate::expr::{Expr, Function, Name, Notation, Symbol, SymbolKind};
     use vibank_notation::Math;
 
-    /// Puts −2 in for `n`.
+    /// Substitutes −2 for `n` and −2 m for `v`.
     struct Substituted;
 
     impl Notation for Substituted {
@@ -234,6 +237,15 @@ mod tests {
                 "n" => Symbol {
                     math: Math::row([Math::prefix("−"), Math::number("2")]),
                     kind: SymbolKind::Negative,
+                },
+                "v" => Symbol {
+                    math: Math::row([
+                        Math::prefix("−"),
+                        Math::number("2"),
+                        Math::thin_space(),
+                        Math::upright("m"),
+                    ]),
+                    kind: SymbolKind::NegativeQuantity,
                 },
                 other => Symbol::letter(vibank_notation::symbol(other)),
             }
@@ -246,6 +258,25 @@ mod tests {
         let sign = Expr::call(Function::Sign, [v]);
         let plain = (-sign * d).typeset(&Substituted).plain();
         assert_eq!(plain.replace('−', "-"), "-sgn(v)d");
+    }
+
+    #[test]
+    fn a_negative_value_has_parentheses_beside_other_factors_alone() {
+        let [v, x] = ["v", "x"].map(Expr::name);
+        let two = || Expr::number(2);
+        let sign = Expr::call(Function::Sign, [v.clone()]);
+        for (formula, expected) in [
+            (sign, "sgn(-2 m)"),
+            (v.clone() + x.clone(), "-2 m + x"),
+            (x.clone() - v.clone(), "x - (-2 m)"),
+            (v.clone() / x.clone(), "(-2 m)/x"),
+            (v.clone() * x.clone(), "(-2 m)x"),
+            (x - v.clone() * two(), "x - (-2 m)·2"),
+            (v.squared(), "(-2 m)²"),
+        ] {
+            let plain = formula.typeset(&Substituted).plain();
+            assert_eq!(plain.replace('−', "-"), expected);
+        }
     }
 
     #[test]
