@@ -2,7 +2,7 @@
 
 use divan::{Bencher, black_box};
 use vibank::bank::{Catalogue, embedded};
-use vibank::output::{self, Kind, Pages, Run};
+use vibank::output::{self, PageKind, Pages, Run};
 use vibank::source::Source;
 use vibank::worksheet::{Blueprint, Plan, Sheet};
 
@@ -30,7 +30,7 @@ fn draw<'a>(plan: &Plan<'a>, index: u64) -> Sheet<'a> {
 }
 
 /// Writes sheets of one item that are drawn.
-fn page(bencher: Bencher, item: &str, kind: Kind, format: &str) {
+fn page(bencher: Bencher, item: &str, kind: PageKind, format: &str) {
     let (catalogue, _) = Catalogue::load(embedded());
     let blueprint = blueprint(item);
     let plan = Plan::of(&blueprint, &catalogue, None).expect("the item is there");
@@ -64,20 +64,20 @@ fn drawn(bencher: Bencher, item: &str) {
 
 #[divan::bench(args = ITEMS)]
 fn question_as_html(bencher: Bencher, item: &str) {
-    page(bencher, item, Kind::Sheet, "html");
+    page(bencher, item, PageKind::Sheet, "html");
 }
 
 #[divan::bench(args = ITEMS)]
 fn key_as_html(bencher: Bencher, item: &str) {
-    page(bencher, item, Kind::Key, "html");
+    page(bencher, item, PageKind::Key, "html");
 }
 
 #[divan::bench(args = ITEMS)]
 fn solution_as_html(bencher: Bencher, item: &str) {
-    page(bencher, item, Kind::Solutions, "html");
+    page(bencher, item, PageKind::Solutions, "html");
 }
 
 #[divan::bench(args = ITEMS)]
 fn question_as_markdown(bencher: Bencher, item: &str) {
-    page(bencher, item, Kind::Sheet, "md");
+    page(bencher, item, PageKind::Sheet, "md");
 }

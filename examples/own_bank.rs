@@ -6,7 +6,7 @@ use std::error::Error;
 use std::io::{self, Write};
 
 use vibank::bank::Catalogue;
-use vibank::output::{self, Kind, Pages, Run};
+use vibank::output::{self, PageKind, Pages, Run};
 use vibank::source::Source;
 use vibank::worksheet::{Blueprint, Plan, Sheet};
 
@@ -45,7 +45,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let writer = output::writer("md").ok_or("a format")?;
     let pages = Pages::new(writer, Run::of(&blueprint, writer), &[])?;
-    for kind in [Kind::Sheet, Kind::Key] {
+    for kind in [PageKind::Sheet, PageKind::Key] {
         writeln!(io::stdout(), "{}", pages.page(kind, &sheet)?.text)?;
     }
     Ok(())

@@ -6,7 +6,7 @@
 //! - `dies`: the process ends at its second job.
 //! - `dies-always`: the process ends at each job.
 //! - `hangs`: no job is ever answered.
-//! - `babbles`: each job is answered with what is no reply.
+//! - `babbles`: each job is answered with what is not a reply.
 //! - `exchanged`: the process ends at its second job, and the next one has another digest.
 //! - `old`: it greets as another version; `foreign`: as one of another protocol; `mute`: not at all.
 

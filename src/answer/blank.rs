@@ -144,7 +144,8 @@ impl Blank {
     }
 
     /// The name of its form for programs.
-    pub fn form_name(&self) -> &'static str {
+    #[cfg(feature = "render")]
+    pub(crate) fn form_name(&self) -> &'static str {
         match &self.form {
             Asked::Value => "value",
             Asked::ComplexValue => "complex-value",

@@ -27,15 +27,15 @@ pub enum AnswerError {
         found: String,
     },
     /// A tolerance that cannot be read.
-    #[error("`{found}` is no tolerance")]
+    #[error("`{found}` is not a tolerance")]
     Tolerance {
         /// What is there.
         found: String,
         /// Where in the text.
         span: Span,
     },
-    /// An interval for an angle that is none.
-    #[error("`{0}` is no interval for an angle")]
+    /// An interval for an angle that cannot be read.
+    #[error("`{0}` is not an interval for an angle")]
     Within(String),
     /// A choice without options, without a right one, or with too many.
     #[error("{0}")]
@@ -46,7 +46,7 @@ pub enum AnswerError {
     /// A form in which answers are not asked.
     #[error("`{0}` is none of `either`, `number`, `formula`")]
     Written(String),
-    /// A text that is no interval or equation.
+    /// A text that is not an interval or equation.
     #[error("`{0}` is no {1}")]
     Unread(String, &'static str),
     /// A name that the item does not have.
@@ -55,8 +55,8 @@ pub enum AnswerError {
     /// A rubric that does not fit its part.
     #[error("{0}")]
     Rubric(String),
-    /// A mistake that is none of the options.
-    #[error("`{0}` is no option of this part")]
+    /// A mistake that is not among the options.
+    #[error("`{0}` is not an option of this part")]
     NoOption(String),
 }
 

@@ -91,8 +91,8 @@ impl Symbols {
 }
 
 impl Answer for Integer {
-    fn kind(&self) -> crate::answer::Kind {
-        crate::answer::Kind::Integer
+    fn kind(&self) -> crate::answer::AnswerKind {
+        crate::answer::AnswerKind::Integer
     }
 
     fn blank(&self) -> Blank {

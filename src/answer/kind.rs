@@ -10,7 +10,7 @@ use crate::source::Table;
 
 /// A kind of answer: what is typed, and how it is marked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Kind {
+pub enum AnswerKind {
     /// A real or complex number with a unit, or a list of numbers.
     Numeric,
     /// An integer, such as a count.
@@ -33,7 +33,7 @@ pub enum Kind {
     Work,
 }
 
-impl Kind {
+impl AnswerKind {
     /// All kinds.
     pub const ALL: &[Self] = &[
         Self::Numeric,
@@ -107,7 +107,7 @@ impl Kind {
     }
 }
 
-impl Serialize for Kind {
+impl Serialize for AnswerKind {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(self.name())
     }

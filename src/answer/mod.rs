@@ -1,6 +1,6 @@
 //! Answer kinds: what a part asks for, how a response to it is read and how it is marked.
 //!
-//! Each kind is a module, listed in [`Kind`]. Reading an item asks the kind
+//! Each kind is a module, listed in [`AnswerKind`]. Reading an item asks the kind
 //! for an [`Answer`]: what this part asks for, whatever the data. With the values of an instance the
 //! answer is prepared into a [`Marker`], which knows the key, the tolerance and the named mistakes,
 //! and marks any number of responses.
@@ -44,7 +44,7 @@ pub use declare::{Context, Declare, Known, Mistaken, Role};
 pub use echo::Echo;
 pub use equality::Drawn;
 pub use error::AnswerError;
-pub use kind::Kind;
+pub use kind::AnswerKind;
 pub use marking::{Credit, Key, KeyValue, Marking, Reading, Reason, Verdict};
 pub(crate) use naming::Naming;
 pub use remark::{
@@ -69,7 +69,7 @@ use crate::unit::Unit;
 /// What a part asks for, whatever the data.
 pub trait Answer: Send + Sync {
     /// The kind as the item file names it.
-    fn kind(&self) -> Kind;
+    fn kind(&self) -> AnswerKind;
 
     /// The minutes that it takes, if the item does not say.
     fn minutes(&self) -> u32 {

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{Declare, Kind, Known, Role, Unreadable, Why};
+use super::{AnswerKind, Declare, Known, Role, Unreadable, Why};
 use crate::expr::{self, Name, Shape};
 use crate::math::symbol;
 use crate::quantity::NodeId;
@@ -32,7 +32,7 @@ pub(crate) struct Naming {
     customary: Vec<&'static str>,
     is_matrix: bool,
     is_shape: bool,
-    /// Symbols that are no names, `V(π)`, `x₃/x`, `cos θ`: as they can be typed, with the names that stand for them.
+    /// Symbols that are not names, `V(π)`, `x₃/x`, `cos θ`: as they can be typed, with the names that stand for them.
     printed: Vec<(Label, Name)>,
 }
 
@@ -41,13 +41,17 @@ impl Naming {
     /// parts ask.
     pub(crate) fn of(
         declare: &dyn Declare,
-        kind: Kind,
+        kind: AnswerKind,
         keys: &[NodeId],
         unit: Option<Unit>,
     ) -> Self {
         let is_labelled = matches!(
             kind,
-            Kind::Numeric | Kind::Integer | Kind::Formula | Kind::Matrix | Kind::ModeShape
+            AnswerKind::Numeric
+                | AnswerKind::Integer
+                | AnswerKind::Formula
+                | AnswerKind::Matrix
+                | AnswerKind::ModeShape
         );
         let (true, [key]) = (is_labelled, keys) else {
             return Self::default();
@@ -61,8 +65,8 @@ impl Naming {
         let dimension = declare.graph().kind(*key).and_then(expr::Type::dimension);
         let mut naming = Self {
             customary: customary(kind, &asked, dimension, unit),
-            is_matrix: kind == Kind::Matrix && !asked.is_empty(),
-            is_shape: kind == Kind::ModeShape,
+            is_matrix: kind == AnswerKind::Matrix && !asked.is_empty(),
+            is_shape: kind == AnswerKind::ModeShape,
             is_of_time: [Dimension::TIME, Dimension::TIME.inverse()]
                 .map(Some)
                 .contains(&dimension),
@@ -257,7 +261,7 @@ fn is_same(one: &Known, other: &Known) -> bool {
 
 /// Whether a name says something else than what is asked. The letter of what is asked does not, whatever its index was:
 /// many write `k` for k_eq and ω for ω_d.
-fn is_other(own: &Known, asked: &[&Known], dimension: Option<Dimension>, kind: Kind) -> bool {
+fn is_other(own: &Known, asked: &[&Known], dimension: Option<Dimension>, kind: AnswerKind) -> bool {
     let (letter, index) = parted(own.name.as_str());
     let is_letter_of = |asked: &&Known| parted(asked.name.as_str()).0 == letter;
     let same_letter = asked.iter().find(|asked| is_letter_of(asked));
@@ -268,7 +272,7 @@ fn is_other(own: &Known, asked: &[&Known], dimension: Option<Dimension>, kind: K
         return is_number(index) && is_number(of_asked) && index != of_asked;
     }
     // Components have the symbols of their coordinates.
-    if kind == Kind::ModeShape {
+    if kind == AnswerKind::ModeShape {
         return false;
     }
     if own.kind.dimension() != dimension || own.kind.shape() != Shape::Scalar {
@@ -288,7 +292,7 @@ fn parted(name: &str) -> (&str, &str) {
 /// The letters that name something else than what is asked by the custom of the field, also where the item has no such
 /// letter: a period or a frequency for an angular frequency, one matrix of a model for another.
 fn customary(
-    kind: Kind,
+    kind: AnswerKind,
     asked: &[&Known],
     dimension: Option<Dimension>,
     unit: Option<Unit>,
@@ -297,7 +301,7 @@ fn customary(
     let is_angular =
         unit.is_some_and(|unit| !unit.counts_cycles() && unit.angles() == Some(Rational::ONE));
     match kind {
-        Kind::Matrix => {
+        AnswerKind::Matrix => {
             let is_own = |letter: &&&str| {
                 asked
                     .iter()

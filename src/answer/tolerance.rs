@@ -61,7 +61,7 @@ impl Tolerance {
     }
 
     /// Whether nothing is declared.
-    pub fn is_derived(&self) -> bool {
+    pub(crate) fn is_derived(&self) -> bool {
         self.0.is_empty()
     }
 
@@ -69,7 +69,7 @@ impl Tolerance {
     ///
     /// `spread` is |y| + Σ |z ∂y/∂z| of the key, `figures` the working precision; both serve where
     /// nothing is declared.
-    pub fn half_width(
+    pub(crate) fn half_width(
         &self,
         key: f64,
         spread: impl FnOnce() -> f64,

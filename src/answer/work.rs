@@ -17,7 +17,7 @@
 //! ]
 //! ```
 
-use super::{Answer, Asked, Blank, Context, Declare, Kind, Marker};
+use super::{Answer, AnswerKind, Asked, Blank, Context, Declare, Marker};
 use crate::quantity::{Absent, NodeId};
 use crate::source::Table;
 #[cfg(feature = "render")]
@@ -54,7 +54,7 @@ const MAX_COUNT: usize = 20;
 #[cfg(feature = "render")]
 pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
     let minutes = part.integer("minutes", "an integer from 1 to 240", 1..=240);
-    let minutes = minutes.map_or(Kind::Work.minutes(), |minutes| {
+    let minutes = minutes.map_or(AnswerKind::Work.minutes(), |minutes| {
         minutes.unsigned_abs() as u32
     });
     let rubric = rubric(part, declare)?;
@@ -100,7 +100,7 @@ fn rubric(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Vec<Criterion>>
         declare.find(&AnswerError::Rubric(error), &place(part, "rubric"));
         return None;
     }
-    // Points that are none are found where those of all parts are read.
+    // Points that cannot be read are reported where those of all parts are read.
     if let Some(whole) = whole.filter(|whole| sum != Some(*whole)) {
         let sum = sum.map_or_else(|| "more than can be counted".to_owned(), number);
         let whole = number(whole);
@@ -136,8 +136,8 @@ fn place(table: &Table<'_>, key: &'static str) -> Text {
 }
 
 impl Answer for Work {
-    fn kind(&self) -> Kind {
-        Kind::Work
+    fn kind(&self) -> AnswerKind {
+        AnswerKind::Work
     }
 
     fn keys(&self) -> Vec<NodeId> {

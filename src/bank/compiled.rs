@@ -15,7 +15,7 @@ use crate::math::Math;
 use crate::source::{Fields, FromJson, Misfit, Problems, Source, Value, deserialize};
 
 /// An item, compiled. Its JSON is what a self-check page carries; it belongs to one version of the
-/// program and is no format to keep.
+/// program and is not a format to keep.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Compiled {
     /// Its identity.
@@ -29,9 +29,9 @@ pub struct Compiled {
     symbols: Vec<Math>,
 }
 
-/// A compiled item that is none.
+/// A compiled item that cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("`{item}` is no compiled item of this version: {reason}")]
+#[error("`{item}` is not a compiled item of this version: {reason}")]
 pub struct CompiledError {
     /// The identity that the compiled item claims.
     pub item: String,

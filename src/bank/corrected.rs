@@ -3,7 +3,7 @@
 
 use super::read::{self, Parsers};
 use super::{Part, Template};
-use crate::answer::Kind;
+use crate::answer::AnswerKind;
 use crate::diagnostic::Finding;
 use crate::source::{Data, Entry, Problems, Span, Value, toml};
 
@@ -70,8 +70,8 @@ impl Template {
         let own = self.part(part).ok_or_else(no_key)?;
         let table = find(tree, own).ok_or_else(no_key)?;
         match own.answer.kind() {
-            Kind::Work => return Err(no_key()),
-            Kind::Choice => {
+            AnswerKind::Work => return Err(no_key()),
+            AnswerKind::Choice => {
                 let options = own.answer.options().iter().map(|option| option.id.as_str());
                 let options: Vec<&str> = options.collect();
                 let right = right(key, &options).ok_or_else(|| CorrectionError::Options {
@@ -86,7 +86,7 @@ impl Template {
                 let unit = own
                     .answer
                     .unit()
-                    .filter(|_| own.answer.kind() == Kind::Numeric);
+                    .filter(|_| own.answer.kind() == AnswerKind::Numeric);
                 if let Some(unit) = unit.filter(|_| text(table, "unit").is_none()) {
                     set(table, "unit", Data::Text(unit.to_string()));
                 }
@@ -188,7 +188,7 @@ fn set(table: &mut Entries, key: &str, data: Data) {
     }
 }
 
-/// Gives a part a name that is no quantity's, and its own as one that it had: a part may bear the name of a quantity only
+/// Gives a part a name that no quantity has, and its own as one that it had: a part may bear the name of a quantity only
 /// if that is its key.
 fn rename(table: &mut Entries, part: &Part) {
     let own = part.id.rsplit('.').next().unwrap_or(&part.id);

@@ -21,7 +21,7 @@ pub struct Revision([u8; 4]);
 
 impl ItemId {
     /// The chapter of questions that stand in a blueprint.
-    pub const OWN: &str = "own";
+    pub(crate) const OWN: &str = "own";
 
     /// The identity of the item in the file `path`, such as `ch4/p1-disk.toml`; `None` for other paths.
     ///
@@ -112,7 +112,7 @@ impl TryFrom<String> for ItemId {
     fn try_from(text: String) -> Result<Self, String> {
         Self::of_path(&format!("{text}.toml")).ok_or_else(|| {
             format!(
-                "`{}` is no item, expected `chapter/name`",
+                "`{}` is not an item, expected `chapter/name`",
                 text.escape_debug()
             )
         })
@@ -146,6 +146,6 @@ impl TryFrom<String> for Revision {
             .filter(|_| text.len() == 8);
         value
             .map(|value| Self(value.to_be_bytes()))
-            .ok_or_else(|| format!("`{text}` is no revision"))
+            .ok_or_else(|| format!("`{text}` is not a revision"))
     }
 }

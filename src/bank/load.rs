@@ -18,7 +18,7 @@ enum FolderError {
     NoChapterFile(String),
     #[error("`{0}` cannot be the name of an item")]
     Path(String),
-    #[error("`{item}` builds on `{after}`, which is no item of this bank")]
+    #[error("`{item}` builds on `{after}`, which is not an item of this bank")]
     After {
         item: String,
         after: String,
@@ -36,7 +36,7 @@ impl Catalogue {
         (catalogue, findings)
     }
 
-    /// Takes the files of a bank, each with its path inside the bank, and reads those that are no items.
+    /// Takes the files of a bank, each with its path inside the bank, and reads those that are not items.
     pub fn open<'f>(files: impl IntoIterator<Item = (&'f str, &'f str)>) -> (Self, Vec<Finding>) {
         Self::open_beside(
             files,

@@ -44,7 +44,7 @@ const ALLOW: &str = "allow";
 
 impl Template {
     /// The keys of a question of a blueprint that belong to its item.
-    pub fn question_keys() -> impl Iterator<Item = &'static str> {
+    pub(crate) fn question_keys() -> impl Iterator<Item = &'static str> {
         HEAD.into_iter().chain(BODY).chain([ALLOW])
     }
 

@@ -35,7 +35,8 @@ impl Rule {
     }
 
     /// The rule that raises findings of this code.
-    pub fn of_code(code: Code) -> Option<Self> {
+    #[cfg(feature = "render")]
+    pub(crate) fn of_code(code: Code) -> Option<Self> {
         Self::ALL.iter().copied().find(|rule| rule.0 == code)
     }
 

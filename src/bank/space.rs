@@ -26,7 +26,7 @@ pub enum Space {
 
 /// A text that names no working space.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("`{0}` is no working space")]
+#[error("`{0}` is not a working space")]
 pub struct SpaceError(pub String);
 
 impl SpaceError {
@@ -37,11 +37,11 @@ impl SpaceError {
 
 impl Space {
     /// That of work that a person marks, where nothing else is said.
-    pub const OF_WORK: Self = Self::Blank(60);
+    pub(crate) const OF_WORK: Self = Self::Blank(60);
     /// From line to line, in mm.
-    pub const LINE: u16 = 8;
+    pub(crate) const LINE: u16 = 8;
     /// The side of a square, in mm.
-    pub const SQUARE: u16 = 5;
+    pub(crate) const SQUARE: u16 = 5;
     /// The highest, in mm: with its question it still fits on a page.
     pub const MAX_COUNT: u16 = 200;
 

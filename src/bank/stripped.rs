@@ -9,8 +9,8 @@ use std::fmt::Write as _;
 
 use super::catalogue::Catalogue;
 use super::{Compiled, Part, Template, Units};
-use crate::answer::Kind;
-use crate::expr::{Expr, Field, Kind as Node, Name, Shape, Type};
+use crate::answer::AnswerKind;
+use crate::expr::{Expr, Field, Kind, Name, Shape, Type};
 use crate::quantity::NodeId;
 use crate::source::{Data, Entry, Problems, Value, toml};
 use crate::unit::Unit;
@@ -172,8 +172,8 @@ impl Template {
         for key in READING {
             // What a choice or work on paper does not know it does not take.
             let is_known = match kind {
-                Kind::Choice => matches!(key, "kind" | "shuffle"),
-                Kind::Work => key == "kind",
+                AnswerKind::Choice => matches!(key, "kind" | "shuffle"),
+                AnswerKind::Work => key == "kind",
                 _ => key != "shuffle",
             };
             let value = entry(stated, key).filter(|_| is_known && key != "id");
@@ -184,7 +184,7 @@ impl Template {
         // A blank of a group is a part of its own.
         put("id", quoted(&part.id.replace('.', "__")));
         match kind {
-            Kind::Choice => {
+            AnswerKind::Choice => {
                 for key in CHOOSING {
                     if let Some(value) = entry(stated, key) {
                         put(key, written(value));
@@ -202,16 +202,16 @@ impl Template {
                 let options: Vec<String> = options.collect();
                 put("options", format!("[{}]", options.join(", ")));
             }
-            Kind::Work => {
+            AnswerKind::Work => {
                 put("rubric", "[{ points = 1, text = \"\" }]".to_owned());
             }
-            Kind::Equation => {
+            AnswerKind::Equation => {
                 let unknown = items(stated, "unknowns");
                 let unknown = unknown.first().and_then(|value| as_text(value));
                 let unknown = unknown.map(str::to_owned).or_else(|| self.coordinate())?;
                 put("key", quoted(&format!("{unknown} = 0")));
             }
-            Kind::Interval => {
+            AnswerKind::Interval => {
                 let variable = text(stated, "variable")?;
                 let unit = self.unit_of_name(variable)?;
                 // What goes without saying is cut from what is typed, too, where the item says it in numbers.
@@ -231,18 +231,18 @@ impl Template {
                 };
                 put("key", quoted(&key));
             }
-            Kind::Function if entry(stated, "constants").is_some() => {
+            AnswerKind::Function if entry(stated, "constants").is_some() => {
                 put("key", quoted(text(stated, "key")?));
             }
             _ => {
                 let (key, unit) = self.key(part, stated)?;
                 put("key", quoted(&key));
                 let unit =
-                    unit.filter(|_| kind == Kind::Numeric && entry(stated, "unit").is_none());
+                    unit.filter(|_| kind == AnswerKind::Numeric && entry(stated, "unit").is_none());
                 if let Some(unit) = unit {
                     put("unit", quoted(&unit.to_string()));
                 }
-                if kind == Kind::Function {
+                if kind == AnswerKind::Function {
                     let variable = text(stated, "variable").unwrap_or("t");
                     let unit = self.unit_of_name(variable)?;
                     put("span", format!("[\"0\", {}]", quoted(&one(&unit))));
@@ -264,10 +264,10 @@ impl Template {
             return Some((name.to_owned(), unit));
         }
         let listed = match self.graph.expr(node).map(Expr::kind) {
-            Some(Node::Array(entries)) => entries
+            Some(Kind::Array(entries)) => entries
                 .iter()
                 .map(|entry| match entry.kind() {
-                    Node::Name(name) if is_quantity(name) => Some(name.to_string()),
+                    Kind::Name(name) if is_quantity(name) => Some(name.to_string()),
                     _ => None,
                 })
                 .collect::<Option<Vec<String>>>(),
@@ -276,7 +276,7 @@ impl Template {
         if let Some(names) = listed {
             return Some((format!("[{}]", names.join(", ")), unit));
         }
-        if part.answer.kind() == Kind::Function {
+        if part.answer.kind() == AnswerKind::Function {
             let variable = text(stated, "variable").unwrap_or("t");
             let scale = one(&self.unit_of_name(variable)?);
             let kind = self.graph.kind(node)?;

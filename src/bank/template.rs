@@ -168,7 +168,7 @@ impl Part {
     }
 
     /// Whether it belongs to the group of this identity.
-    pub fn is_in(&self, group: &str) -> bool {
+    pub(crate) fn is_in(&self, group: &str) -> bool {
         self.group.as_ref().is_some_and(|own| own.id == group)
     }
 
@@ -254,7 +254,8 @@ impl Template {
     }
 
     /// What a list of parts may name: parts, and groups of blanks.
-    pub fn part_names(&self) -> impl Iterator<Item = &str> {
+    #[cfg(feature = "render")]
+    pub(crate) fn part_names(&self) -> impl Iterator<Item = &str> {
         let groups = self.parts.iter().filter_map(|part| part.group.as_deref());
         let parts = self.parts.iter().map(|part| part.id.as_str());
         parts.chain(groups.map(|group| group.id.as_str()))
@@ -362,7 +363,7 @@ impl Template {
     }
 
     /// Everything that can be answered: quantities with a unit, and parts, each once, in the order of the item.
-    pub fn answer_ids(&self) -> Vec<&str> {
+    pub(crate) fn answer_ids(&self) -> Vec<&str> {
         let named = self.quantities.values().filter(|info| {
             info.units.is_some()
                 && info.parameter.is_none()

@@ -27,7 +27,7 @@ pub(crate) struct BankArgument {
 }
 
 impl BankArgument {
-    /// The catalogue, of which no item is read that is known, and what is wrong with the files that are no items. What a
+    /// The catalogue, without reading items anew that the index knows, and what is wrong with the other files. What a
     /// list shows is known of the bank that comes with the program, and of a folder by its index.
     pub(crate) fn unread(&self) -> Result<(Catalogue, Vec<Finding>), Failure> {
         let found = self.found()?;

@@ -34,7 +34,7 @@ impl Failure {
     pub(crate) fn unknown_format(name: &str, others: &[&str]) -> Self {
         let pages = vibank::output::WRITERS.iter().map(|writer| writer.name());
         let known: Vec<&str> = pages.chain(others.iter().copied()).collect();
-        Self::new(format!("`{name}` is no format here"))
+        Self::new(format!("`{name}` is not a format here"))
             .help(format!("the formats are {}", known.join(", ")))
     }
 

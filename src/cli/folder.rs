@@ -51,7 +51,7 @@ impl Folder {
 
     /// The path of a file in it, by its name with `/` between folders.
     ///
-    /// Refused is what is no plain name, and what stands behind a link.
+    /// Anything but a plain name is refused, and whatever is behind a link.
     pub(crate) fn path(&self, name: &str) -> Result<PathBuf, Failure> {
         if !is_plain(name) {
             return Err(Failure::new(format!(

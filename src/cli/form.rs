@@ -46,7 +46,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let path = &arguments.manifest;
     if path.extension().is_some_and(|end| end == "toml") {
         let shown = path.display();
-        return Err(Failure::new(format!("`{shown}` is no manifest: answers need a sheet with a code"))
+        return Err(Failure::new(format!("`{shown}` is not a manifest: answers need a sheet with a code"))
             .help(format!("make the sheets with `vibank sheet {shown}`, and give the `manifest.json` that it writes")));
     }
     let catalogue = arguments.bank.catalogue()?;

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value as Json};
 use vibank::answer::{Doubt, Verdict};
-use vibank::grade::request::{self, Request};
+use vibank::grade::request::{self, MarkRequest};
 use vibank::solution::Session;
 
 use super::bank::BankArgument;
@@ -57,7 +57,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if arguments.jsonl {
         return lines::answer(|line| request::answer(&mut session, line));
     }
-    let request = Request {
+    let request = MarkRequest {
         id: arguments.item.clone().unwrap_or_default(),
         set: solve::settings(&arguments.set)?,
         seed: arguments.seed,
@@ -69,8 +69,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     };
     let reply = request::reply(&mut session, request);
     let marked = match &reply.outcome {
-        request::Outcome::Marked(marked) => marked,
-        request::Outcome::Refused { error } => return Err(Failure::new(error.message.as_str())),
+        request::MarkOutcome::Marked(marked) => marked,
+        request::MarkOutcome::Refused { error } => {
+            return Err(Failure::new(error.message.as_str()));
+        }
     };
     if arguments.json {
         let text = serde_json::to_string(&reply).expect("a reply is plain data");
@@ -99,7 +101,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 fn earlier(given: &[String]) -> Result<Map<String, Json>, Failure> {
     let pair = |text: &String| {
         let (part, response) = text.split_once('=').ok_or_else(|| {
-            Failure::new(format!("`{text}` is no answer to a part"))
+            Failure::new(format!("`{text}` is not an answer to a part"))
                 .help("write the part, an equals sign and the answer, as in `k_eq=4 N/m`")
         })?;
         Ok((part.trim().to_owned(), Json::from(response.trim())))

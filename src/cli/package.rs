@@ -195,7 +195,7 @@ pub(crate) fn current<'c>(
 fn description(path: &Path) -> Result<String, Failure> {
     let name = path.display();
     let refuse = |why: String| {
-        Failure::new(format!("{name} is no package of this program: {why}"))
+        Failure::new(format!("{name} is not a package of this program: {why}"))
             .help("give the ZIP file that `vibank page --scorm` wrote")
     };
     let bytes = files::read_bytes(path)?;

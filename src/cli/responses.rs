@@ -87,7 +87,7 @@ fn small(table: &Table) -> Vec<String> {
         .collect()
 }
 
-/// A table that is no form of this program.
+/// A table that this program did not lay out.
 fn report(path: &Path, table: Table) -> Result<Handed, Failure> {
     if let Some(doubt) = &table.doubt {
         eprintln!("{doubt}");
@@ -137,7 +137,7 @@ impl Reading {
     fn json(&mut self, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
         let entries: Vec<Json> = serde_json::from_slice(bytes).map_err(|error| {
             Failure::new(format!(
-                "`{}` is no list of responses: {error}",
+                "`{}` is not a list of responses: {error}",
                 path.display()
             ))
             .help("give an array of objects with `code`, `question`, `part` and `response`")
@@ -146,7 +146,7 @@ impl Reading {
             let number = position + 1;
             match entry.as_object() {
                 Some(object) => self.object(number, object),
-                None => self.faults.push(format!("entry {number} is no object")),
+                None => self.faults.push(format!("entry {number} is not an object")),
             }
         }
         Ok(())

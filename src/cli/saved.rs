@@ -131,7 +131,7 @@ impl Reading {
                 let what = if is_saved(text) {
                     format!("cannot be read any more: {error}")
                 } else {
-                    "is no file of answers".to_owned()
+                    "is not a file of answers".to_owned()
                 };
                 return self.fault(format!("`{shown}` {what}; it was left out"));
             }
@@ -144,7 +144,7 @@ impl Reading {
         }
         let Ok(code) = file.code.parse::<Variant>() else {
             return self.fault(format!(
-                "`{shown}` is of a sheet `{}`, which is no code; it was left out",
+                "`{shown}` is of a sheet `{}`, which is not a code; it was left out",
                 file.code.escape_debug()
             ));
         };

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use serde_json::{Map, Value as Json, json};
-use vibank::solution::request::{self, Request, Solved};
+use vibank::solution::request::{self, SolveRequest, Solved};
 use vibank::solution::{Entry, Nested, Session};
 
 use super::bank::BankArgument;
@@ -47,7 +47,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         let mut session = Session::new(&catalogue);
         return lines::answer(|line| request::answer(&mut session, line));
     }
-    let request = Request {
+    let request = SolveRequest {
         id: arguments.item.clone().unwrap_or_default(),
         set: settings(&arguments.set)?,
         seed: arguments.seed,
@@ -65,12 +65,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         println!("{text}");
     }
     match &reply.outcome {
-        request::Outcome::Refused { error } if !arguments.json => {
+        request::SolveOutcome::Refused { error } if !arguments.json => {
             return Err(Failure::new(error.message.as_str()));
         }
-        request::Outcome::Refused { .. } => return Ok(Outcome::Findings),
-        request::Outcome::Solved(solved) if !arguments.json => print(&reply.id, solved),
-        request::Outcome::Solved(_) => {}
+        request::SolveOutcome::Refused { .. } => return Ok(Outcome::Findings),
+        request::SolveOutcome::Solved(solved) if !arguments.json => print(&reply.id, solved),
+        request::SolveOutcome::Solved(_) => {}
     }
     if let Some(trace) = trace.filter(|_| arguments.trace) {
         eprintln!("computed: {}", trace.computed.join(", "));

@@ -47,7 +47,7 @@ impl<'a> Object<'a> {
     }
 }
 
-/// The members of a line that is a request; `Other` for JSON that is no object.
+/// The members of a line that is a request; `Other` for JSON that is not an object.
 #[derive(Debug)]
 pub(crate) enum Line<'a> {
     Request {

@@ -124,7 +124,7 @@ impl<'a> Parameters<'a> {
         Ok(list.into_owned())
     }
 
-    /// A list of lists of numbers, of bounded length; an entry that is none is nothing.
+    /// A list of lists of numbers, of bounded length; `None` for an entry that is not one.
     pub(crate) fn lists(
         &self,
         name: &'static str,
@@ -217,7 +217,7 @@ fn numbers<'a>(value: &'a Value) -> Option<Cow<'a, [f64]>> {
 
 /// The binary64 next to a decimal such as `-12.50`, `.5` or `1e-4`.
 fn nearest(text: &str) -> Option<f64> {
-    // What is longer is no number of anybody; the reader would go through all of it.
+    // Nobody writes a longer number, and the reader would go through all of it.
     const MAX_LENGTH: usize = 400;
     let value = text
         .parse::<f64>()

@@ -9,7 +9,7 @@ use crate::vibration::State;
 pub(crate) struct Reply {
     /// The members of the object so far.
     text: Vec<u8>,
-    /// The first result that is no finite number.
+    /// The first result that is not a finite number.
     overflow: Option<&'static str>,
 }
 

@@ -60,7 +60,7 @@ impl Document {
     }
 
     /// Appends an HTML fragment with its formulas as they are wanted.
-    pub fn write_html_with(&self, out: &mut String, fills: &dyn Fills, formulas: Formulas) {
+    pub(crate) fn write_html_with(&self, out: &mut String, fills: &dyn Fills, formulas: Formulas) {
         let mut writer = HtmlWriter {
             out,
             fills,
@@ -71,7 +71,7 @@ impl Document {
 
     /// Appends the words of its first paragraph without an element around them, for a heading or
     /// a cell; a text of any other shape is written whole.
-    pub fn write_html_line(&self, out: &mut String, fills: &dyn Fills) {
+    pub(crate) fn write_html_line(&self, out: &mut String, fills: &dyn Fills) {
         self.write_html_line_with(out, fills, Formulas::MathMl);
     }
 

@@ -13,7 +13,7 @@ impl Document {
     }
 
     /// Appends Markdown, its blocks parted by empty lines.
-    pub fn write_markdown(&self, out: &mut String, fills: &dyn Fills) {
+    pub(crate) fn write_markdown(&self, out: &mut String, fills: &dyn Fills) {
         MarkdownWriter {
             out,
             fills,

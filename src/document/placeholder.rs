@@ -84,7 +84,7 @@ fn is_derivation(name: &str) -> bool {
 
 impl Placeholder {
     /// Whether it stands on lines of its own: a figure, a plot, the lines of a derivation.
-    pub fn is_block(&self) -> bool {
+    pub(crate) fn is_block(&self) -> bool {
         let mut names = self.names();
         match names.next() {
             Some("figure") => true,

@@ -1,10 +1,10 @@
 //! What is wrong with an item whatever is drawn: data without use, answers that are printed, what is missing.
 
 use super::fault::Fault;
-use crate::answer::{Answer, Choosing, Kind};
+use crate::answer::{Answer, AnswerKind, Choosing};
 use crate::bank::{Part, Passage, Target, Template};
 use crate::document::{Document, Filling, Form};
-use crate::expr::{Expr, Kind as Node, Name};
+use crate::expr::{Expr, Kind, Name};
 use crate::quantity::NodeId;
 use crate::solution::Solution;
 
@@ -88,7 +88,7 @@ fn disclosed(template: &Template) -> Vec<Fault> {
         let [key] = keys[..] else { continue };
         let is_letters = matches!(
             part.answer.kind(),
-            Kind::Formula | Kind::Equation | Kind::Matrix
+            AnswerKind::Formula | AnswerKind::Equation | AnswerKind::Matrix
         );
         let shows = |passage: &Passage| prints(passage, key, is_letters);
         let is_datum = template
@@ -199,11 +199,11 @@ fn has_route(template: &Template, key: NodeId) -> bool {
             .is_some_and(|info| info.verify.is_some() || info.parameter.is_some())
     };
     let listed = match template.graph.expr(key).map(Expr::kind) {
-        Some(Node::Array(entries)) if !known(key) => &entries[..],
+        Some(Kind::Array(entries)) if !known(key) => &entries[..],
         _ => return known(key),
     };
     listed.iter().all(|entry| match entry.kind() {
-        Node::Name(name) => template.graph.find(name).is_some_and(known),
+        Kind::Name(name) => template.graph.find(name).is_some_and(known),
         _ => false,
     })
 }
@@ -212,7 +212,10 @@ fn has_route(template: &Template, key: NodeId) -> bool {
 fn missing(template: &Template, part: &Part) -> Vec<Fault> {
     let own = || part.id.clone();
     let mut faults = Vec::new();
-    let asks_number = matches!(part.answer.kind(), Kind::Numeric | Kind::Integer);
+    let asks_number = matches!(
+        part.answer.kind(),
+        AnswerKind::Numeric | AnswerKind::Integer
+    );
     let keys = part.answer.keys();
     if asks_number
         && !keys.iter().all(|key| has_route(template, *key))

@@ -18,7 +18,7 @@ use serde::Serialize;
 use self::fault::Fault;
 pub use self::part::PartExamined;
 use self::part::Tally;
-use crate::answer::{KeyValue, Kind};
+use crate::answer::{AnswerKind, KeyValue};
 use crate::bank::{Rule, Template};
 use crate::diagnostic::Finding;
 use crate::expr::Name;
@@ -335,7 +335,7 @@ const EQUAL: f64 = 1e-9;
 /// The number that a part asks for, in SI units, and as it is printed in the figures that are asked for.
 fn number(solution: &Solution<'_>, place: usize) -> Option<(usize, f64, String)> {
     let answer = &solution.template().parts[place].answer;
-    if answer.kind() != Kind::Numeric {
+    if answer.kind() != AnswerKind::Numeric {
         return None;
     }
     match &solution.key(place).ok()?.value {

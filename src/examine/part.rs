@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::fault::Fault;
 use super::{route, typed};
-use crate::answer::{Credit, KeyValue, Kind, Marking, Reason, Verdict};
+use crate::answer::{AnswerKind, Credit, KeyValue, Marking, Reason, Verdict};
 use crate::bank::Units;
 use crate::grade;
 use crate::quantity::Method;
@@ -88,8 +88,8 @@ impl Tally {
         }
         self.draws += 1;
         let most = match kind {
-            Kind::Formula | Kind::Equation | Kind::Matrix => SYMBOLIC_DRAWS,
-            Kind::Function => FUNCTION_DRAWS,
+            AnswerKind::Formula | AnswerKind::Equation | AnswerKind::Matrix => SYMBOLIC_DRAWS,
+            AnswerKind::Function => FUNCTION_DRAWS,
             _ => u64::MAX,
         };
         if self.draws > most {
@@ -99,12 +99,12 @@ impl Tally {
         }
         self.add_mistakes(solution, seed, false);
         match kind {
-            Kind::Formula | Kind::Equation => {
+            AnswerKind::Formula | AnswerKind::Equation => {
                 for (method, typed) in typed::in_letters(solution, self.place) {
                     self.add_method(solution, seed, &method, typed);
                 }
             }
-            Kind::Numeric | Kind::Integer | Kind::Function => {
+            AnswerKind::Numeric | AnswerKind::Integer | AnswerKind::Function => {
                 for method in solution.template().methods(self.place) {
                     self.add_typed(solution, seed, method);
                 }
@@ -112,7 +112,7 @@ impl Tally {
             }
             _ => {}
         }
-        if is_fit && matches!(kind, Kind::Numeric | Kind::Function) {
+        if is_fit && matches!(kind, AnswerKind::Numeric | AnswerKind::Function) {
             self.add_honest(solution, seed);
         }
         if is_fit {
@@ -181,7 +181,7 @@ impl Tally {
         else {
             return;
         };
-        if part.answer.kind() != Kind::Numeric {
+        if part.answer.kind() != AnswerKind::Numeric {
             return;
         }
         for (words, typed) in typed::of_others(solution, self.place) {
@@ -217,7 +217,10 @@ impl Tally {
                 let kind = part.answer.kind();
                 let is_equal = matches!(
                     kind,
-                    Kind::Formula | Kind::Equation | Kind::Function | Kind::Integer
+                    AnswerKind::Formula
+                        | AnswerKind::Equation
+                        | AnswerKind::Function
+                        | AnswerKind::Integer
                 );
                 // What is the same formula, the same number or the same function is not another method.
                 if is_equal && !self.is_worth_telling(solution, &typed) {
@@ -241,7 +244,7 @@ impl Tally {
     /// Whether a function that is right differs from the key: its values are within the tolerance, and not the same.
     fn is_worth_telling(&self, solution: &Solution<'_>, text: &str) -> bool {
         let part = &solution.template().parts[self.place];
-        if part.answer.kind() != Kind::Function {
+        if part.answer.kind() != AnswerKind::Function {
             return false;
         }
         let key = part.answer.keys().first().copied();
@@ -276,7 +279,9 @@ impl Tally {
         };
         match (part.answer.kind(), &key.value) {
             // Lengths and angles have no common size.
-            (Kind::ModeShape, KeyValue::Numbers { form, si }) if self.is_of_one_unit(solution) => {
+            (AnswerKind::ModeShape, KeyValue::Numbers { form, si })
+                if self.is_of_one_unit(solution) =>
+            {
                 let width = match form.shape {
                     crate::expr::Shape::Matrix(_, columns) => columns,
                     shape => shape.len(),
@@ -297,7 +302,7 @@ impl Tally {
                     }
                 }
             }
-            (Kind::Choice, KeyValue::Options { ids, .. }) => {
+            (AnswerKind::Choice, KeyValue::Options { ids, .. }) => {
                 let answer = ids.join(", ");
                 if !self.chosen.contains(&answer) {
                     self.chosen.push(answer);
@@ -355,7 +360,7 @@ impl Tally {
         let count = applied + met;
         let needs = matches!(
             part.answer.kind(),
-            Kind::Numeric | Kind::Function | Kind::Equation
+            AnswerKind::Numeric | AnswerKind::Function | AnswerKind::Equation
         );
         if needs && count < MIN_METHODS && self.draws >= FEW_DRAWS {
             faults.push(Fault::FewMethods {

@@ -4,7 +4,7 @@
 //! and not with the formula of the key in the data.
 
 use super::typed;
-use crate::answer::Kind;
+use crate::answer::AnswerKind;
 use crate::bank::{Passage, Piece, Target, Units};
 use crate::document::{Block, Form};
 use crate::expr::{Expr, Kind as Node, Name, Precise, Program, Slots, Value, Workspace};
@@ -19,7 +19,7 @@ use crate::unit::{Decimal, DecimalMark, Unit};
 pub(crate) fn printed(solution: &Solution<'_>, place: usize) -> Option<String> {
     let part = &solution.template().parts[place];
     let keys = part.answer.keys();
-    let ([key], Kind::Numeric) = (&keys[..], part.answer.kind()) else {
+    let ([key], AnswerKind::Numeric) = (&keys[..], part.answer.kind()) else {
         return None;
     };
     let value = by_lines(solution, &part.solution, *key)?;

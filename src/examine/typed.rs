@@ -1,9 +1,9 @@
 //! Answers as a student types them: numbers in the unit that is printed, rounded; functions and formulas in letters.
 
-use crate::answer::{KeyValue, Kind};
+use crate::answer::{AnswerKind, KeyValue};
 use crate::bank::{MistakeAnswer, Template};
 use crate::expr::{
-    Expr, Field, Kind as Node, Name, Relation, Shape, Substitution, Value, differentiate, fold,
+    Expr, Field, Kind, Name, Relation, Shape, Substitution, Value, differentiate, fold,
 };
 use crate::numerics::Rational;
 use crate::quantity::{Evaluation, Graph, Method, NodeId};
@@ -82,12 +82,12 @@ pub(crate) fn mistake(solution: &Solution<'_>, place: usize, number: usize) -> V
         return vec![typed];
     }
     match (kind, &part.mistakes[number].answer) {
-        (Kind::Function, MistakeAnswer::Formulas(nodes)) => {
+        (AnswerKind::Function, MistakeAnswer::Formulas(nodes)) => {
             let node = nodes.first().copied();
             let typed = node.and_then(|node| function(solution.evaluation(), node, None, FINE));
             typed.into_iter().collect()
         }
-        (Kind::Function, MistakeAnswer::Replaced(replaced)) => {
+        (AnswerKind::Function, MistakeAnswer::Replaced(replaced)) => {
             let evaluation = solution.evaluation();
             let with = replaced
                 .iter()
@@ -100,14 +100,14 @@ pub(crate) fn mistake(solution: &Solution<'_>, place: usize, number: usize) -> V
                 .and_then(|(other, key)| function(&other, key, None, FINE));
             typed.into_iter().collect()
         }
-        (Kind::Formula | Kind::Matrix, MistakeAnswer::Formulas(nodes)) => {
+        (AnswerKind::Formula | AnswerKind::Matrix, MistakeAnswer::Formulas(nodes)) => {
             let graph = &template.graph;
             nodes
                 .iter()
                 .flat_map(|node| letters(graph, &formula(graph, *node)))
                 .collect()
         }
-        (Kind::Formula, MistakeAnswer::Replaced(replaced)) => {
+        (AnswerKind::Formula, MistakeAnswer::Replaced(replaced)) => {
             let graph = &template.graph;
             let key = part.answer.keys().first().and_then(|key| graph.expr(*key));
             let put = replaced
@@ -126,8 +126,8 @@ pub(crate) fn mistake(solution: &Solution<'_>, place: usize, number: usize) -> V
                 return Vec::new();
             };
             let ways = match (kind, mistaken.unit) {
-                (Kind::ModeShape, _) => vec![shapes(given, FINE)],
-                (Kind::Integer, _) => vec![value(given, None, 12)],
+                (AnswerKind::ModeShape, _) => vec![shapes(given, FINE)],
+                (AnswerKind::Integer, _) => vec![value(given, None, 12)],
                 // What is given in another unit is typed without one, or with the wrong one.
                 (_, Some(unit)) => {
                     let numbers = given.numbers().iter().map(|si| unit.of_si(*si)).collect();
@@ -235,7 +235,7 @@ fn inlined(graph: &Graph, expr: &Expr, keep: &dyn Fn(&Name) -> bool) -> Expr {
 /// No chain of quantities that is worth typing is longer.
 const MAX_STEPS: usize = 20;
 
-/// A function of time with numbers in SI units for all that is no function, rounded; `method` may take its formula
+/// A function of time with rounded numbers in SI units for everything but functions; `method` may take its formula
 /// wrongly. None where nobody can type it.
 pub(crate) fn function(
     evaluation: &Evaluation<'_>,
@@ -273,23 +273,23 @@ impl Writing<'_, '_> {
         let inside = |inner: &Expr| self.written(inner, depth);
         match expr.kind() {
             _ if depth > MAX_STEPS => None,
-            Node::Name(name) => match graph.find(name) {
+            Kind::Name(name) => match graph.find(name) {
                 Some(node) if graph.variables(node).is_empty() => {
                     number(self.evaluation.real(node).ok()?, self.figures)
                 }
                 Some(node) => self.written((self.own)(node)?, depth + 1),
                 None => Some(expr.clone()),
             },
-            Node::Prime(inner, order) => {
+            Kind::Prime(inner, order) => {
                 let times = std::iter::repeat_n(TIME, usize::from(*order));
                 times.fold(inside(inner), |inner, time| {
                     differentiate(&inner?, time).ok()
                 })
             }
-            Node::Diff(inner, by) => by.iter().fold(inside(inner), |inner, name| {
+            Kind::Diff(inner, by) => by.iter().fold(inside(inner), |inner, name| {
                 differentiate(&inner?, name).ok()
             }),
-            Node::If(condition, then, otherwise) => {
+            Kind::If(condition, then, otherwise) => {
                 match holds(&without_measures(&inside(condition)?)) {
                     Some(true) => inside(then),
                     Some(false) => inside(otherwise),
@@ -308,7 +308,7 @@ const TIME: &str = "t";
 
 /// Whether a comparison of two pure numbers holds; none for any other condition.
 fn holds(condition: &Expr) -> Option<bool> {
-    let Node::Compare(operands, relations) = condition.kind() else {
+    let Kind::Compare(operands, relations) = condition.kind() else {
         return None;
     };
     let ([left, right], [relation]) = (&operands[..], &relations[..]) else {
@@ -327,7 +327,7 @@ fn holds(condition: &Expr) -> Option<bool> {
 
 /// A formula with numbers in SI units in place of those with units.
 fn without_measures(expr: &Expr) -> Expr {
-    if let Node::Measure(value, unit) = expr.kind()
+    if let Kind::Measure(value, unit) = expr.kind()
         && let Some(number) = number(unit.to_si(value.to_f64()), FINE)
     {
         return number;
@@ -353,13 +353,13 @@ pub(crate) fn by_method(solution: &Solution<'_>, place: usize, method: &Method) 
     let key = *part.answer.keys().first()?;
     let evaluation = solution.evaluation();
     match part.answer.kind() {
-        Kind::Function => {
+        AnswerKind::Function => {
             if method.formula().is_some() && !evaluation.graph().variables(method.step).is_empty() {
                 return function(evaluation, key, Some(method), FINE);
             }
             function(&evaluation.wrongly(method).ok()?, key, None, FINE)
         }
-        Kind::Numeric | Kind::Integer => {
+        AnswerKind::Numeric | AnswerKind::Integer => {
             let wrong = evaluation.wrongly(method).ok()?;
             let wrong = wrong.value(key).ok()?;
             let right = evaluation.value(key).ok()?;
@@ -367,7 +367,7 @@ pub(crate) fn by_method(solution: &Solution<'_>, place: usize, method: &Method) 
                 return None;
             }
             let figures = match part.answer.kind() {
-                Kind::Integer => 12,
+                AnswerKind::Integer => 12,
                 _ => part.answer.figures(),
             };
             value(wrong, part.answer.unit(), figures)
@@ -376,7 +376,7 @@ pub(crate) fn by_method(solution: &Solution<'_>, place: usize, method: &Method) 
     }
 }
 
-/// Whether two values are the same but for rounding in the machine, or one of them is no number.
+/// Whether two values are the same but for rounding in the machine, or one of them is not a number.
 fn same(a: &Value, b: &Value) -> bool {
     // Far above what the formulas of an item lose in binary64, far below the last figure that anybody types.
     const ROUNDING: f64 = 1e-9;
@@ -398,14 +398,14 @@ pub(crate) fn of_others(solution: &Solution<'_>, place: usize) -> Vec<(String, S
         .keys()
         .first()
         .and_then(|key| solution.evaluation().value(*key).ok());
-    let Some(own) = own.filter(|_| answer.kind() == Kind::Numeric) else {
+    let Some(own) = own.filter(|_| answer.kind() == AnswerKind::Numeric) else {
         return Vec::new();
     };
     let dimension = |unit: Option<Unit>| unit.unwrap_or(Unit::ONE).dimension();
     let parts = template.parts.iter().enumerate();
     let others = parts.filter(|(other, part)| {
         *other != place
-            && part.answer.kind() == Kind::Numeric
+            && part.answer.kind() == AnswerKind::Numeric
             && solution.asks(*other)
             && dimension(part.answer.unit()) == dimension(answer.unit())
     });
@@ -430,7 +430,7 @@ pub(crate) fn in_letters(solution: &Solution<'_>, place: usize) -> Vec<(String, 
     };
     let label = part.id.as_str();
     match (part.answer.kind(), marker.key().value) {
-        (Kind::Formula, KeyValue::Formula { text, .. }) => {
+        (AnswerKind::Formula, KeyValue::Formula { text, .. }) => {
             let Ok(expr) = Expr::read(&text) else {
                 return Vec::new();
             };
@@ -439,7 +439,7 @@ pub(crate) fn in_letters(solution: &Solution<'_>, place: usize) -> Vec<(String, 
                 .filter(|(_, text)| is_typable(text))
                 .collect()
         }
-        (Kind::Equation, _) => {
+        (AnswerKind::Equation, _) => {
             let Some(equations) = marker.equations("") else {
                 return Vec::new();
             };
@@ -516,8 +516,8 @@ pub(crate) fn honestly(
         evaluation = evaluation.replacing(vec![(step, rounded)]);
     }
     match part.answer.kind() {
-        Kind::Function => function(&evaluation, key, None, figures),
-        Kind::Numeric => value(
+        AnswerKind::Function => function(&evaluation, key, None, figures),
+        AnswerKind::Numeric => value(
             evaluation.value(key).ok()?,
             part.answer.unit(),
             part.answer.figures(),

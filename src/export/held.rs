@@ -2,7 +2,7 @@
 //! are none. All formats begin here.
 
 use super::Unfit;
-use crate::answer::{Band, Choosing, KeyValue, Kind};
+use crate::answer::{AnswerKind, Band, Choosing, KeyValue};
 use crate::bank::Group;
 use crate::numerics::Rational;
 use crate::scene::Scene;
@@ -175,14 +175,14 @@ fn held(scene: &Scene<'_, '_>, place: usize) -> Result<Held, &'static str> {
     let solution = scene.solution();
     let part = &solution.template().parts[place];
     match part.answer.kind() {
-        Kind::Choice => match part.answer.choosing() {
+        AnswerKind::Choice => match part.answer.choosing() {
             Some(Choosing::Ranking) => Err("an order of options"),
             Some(Choosing::Several) => {
                 Err("several options, whose marks differ from those of platforms")
             }
             _ => Ok(Held::Choice(options(scene, place))),
         },
-        Kind::Numeric | Kind::Integer => {
+        AnswerKind::Numeric | AnswerKind::Integer => {
             let marker = solution
                 .marker(place)
                 .map_err(|_| "a key that does not exist for some data")?;
@@ -192,13 +192,13 @@ fn held(scene: &Scene<'_, '_>, place: usize) -> Result<Held, &'static str> {
             }
             Ok(Held::Numbers(bands))
         }
-        Kind::Formula => Err("a formula"),
-        Kind::Equation => Err("an equation"),
-        Kind::Function => Err("a function"),
-        Kind::Matrix => Err("a matrix"),
-        Kind::ModeShape => Err("mode shapes"),
-        Kind::Interval => Err("an interval"),
-        Kind::Work => Err("work on paper"),
+        AnswerKind::Formula => Err("a formula"),
+        AnswerKind::Equation => Err("an equation"),
+        AnswerKind::Function => Err("a function"),
+        AnswerKind::Matrix => Err("a matrix"),
+        AnswerKind::ModeShape => Err("mode shapes"),
+        AnswerKind::Interval => Err("an interval"),
+        AnswerKind::Work => Err("work on paper"),
     }
 }
 

@@ -33,7 +33,6 @@ pub struct Drawing {
     pub(crate) areas: Vec<Area>,
     pub(crate) wishes: Vec<Wish>,
     owner: u32,
-    clip: Option<Bounds>,
     /// The frame that it shares with others.
     shared: Option<Bounds>,
 }
@@ -47,8 +46,6 @@ pub struct Mark {
     pub pen: Option<Pen>,
     /// How the inside is filled.
     pub fill: Fill,
-    /// What is cut off outside of this box.
-    pub clip: Option<Bounds>,
     /// The number of the element that it belongs to.
     pub owner: u32,
 }
@@ -112,7 +109,7 @@ pub struct Spot {
 
 impl Anchor {
     /// The middle.
-    pub const MIDDLE: Self = Self { x: 0.0, y: 0.0 };
+    pub(crate) const MIDDLE: Self = Self { x: 0.0, y: 0.0 };
     /// The middle of the left side: the label stands to the right of its point.
     pub const LEFT: Self = Self { x: -1.0, y: 0.0 };
     /// The middle of the right side: the label stands to the left of its point.
@@ -123,7 +120,7 @@ impl Anchor {
     pub const TOP: Self = Self { x: 0.0, y: 1.0 };
 
     /// The anchor of a label that stands in this direction from its point.
-    pub fn facing(direction: Point) -> Self {
+    pub(crate) fn facing(direction: Point) -> Self {
         let side = |part: f64| {
             if part > 0.38 {
                 -1.0
@@ -155,13 +152,8 @@ impl Drawing {
     }
 
     /// What is drawn from now on belongs to this element.
-    pub fn belongs_to(&mut self, owner: u32) {
+    pub(crate) fn belongs_to(&mut self, owner: u32) {
         self.owner = owner;
-    }
-
-    /// What is drawn from now on is cut off outside of a box; `None` ends that. Labels are never cut.
-    pub fn clip_to(&mut self, bounds: Option<Bounds>) {
-        self.clip = bounds;
     }
 
     /// Draws a line; labels keep clear of it.
@@ -177,18 +169,13 @@ impl Drawing {
     /// Draws an outline and fills it.
     pub fn shape(&mut self, path: Path, pen: Option<Pen>, fill: Fill) {
         let radius = pen.map_or(0.0, Pen::width) / 2.0;
-        let clip = self.clip;
         let obstacles = &mut self.obstacles;
-        path.for_each_segment(|a, b| {
-            if clip.is_none_or(|clip| clip.chord(a, b).is_some()) {
-                obstacles.push(Obstacle::new(a, b, radius));
-            }
-        });
+        path.for_each_segment(|a, b| obstacles.push(Obstacle::new(a, b, radius)));
         self.decorate(path, pen, fill);
     }
 
     /// Draws without asking labels to keep clear: for fine marks whose place is kept free by [`Self::keep_clear`].
-    pub fn decorate(&mut self, path: Path, pen: Option<Pen>, fill: Fill) {
+    pub(crate) fn decorate(&mut self, path: Path, pen: Option<Pen>, fill: Fill) {
         if path.is_empty() {
             return;
         }
@@ -196,13 +183,12 @@ impl Drawing {
             path,
             pen,
             fill,
-            clip: self.clip,
             owner: self.owner,
         });
     }
 
     /// Asks labels to keep this far from a segment.
-    pub fn keep_clear(&mut self, a: Point, b: Point, radius: f64) {
+    pub(crate) fn keep_clear(&mut self, a: Point, b: Point, radius: f64) {
         self.obstacles.push(Obstacle::new(a, b, radius));
     }
 
@@ -268,10 +254,7 @@ impl Drawing {
         }
         let marks = self.marks.iter().map(|mark| {
             let reach = mark.pen.map_or(0.0, Pen::width) / 2.0;
-            match mark.clip {
-                Some(clip) => clip.grown(reach),
-                None => mark.path.bounds().grown(reach),
-            }
+            mark.path.bounds().grown(reach)
         });
         let labels = self.labels.iter().map(Lettering::reach);
         let bounds = marks.chain(labels).fold(Bounds::NOTHING, Bounds::joined);

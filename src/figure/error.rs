@@ -10,7 +10,7 @@ use super::element::KINDS;
 #[non_exhaustive]
 pub enum FigureError {
     /// A table that begins with no kind of element.
-    #[error("`{found}` is no element of a figure")]
+    #[error("`{found}` is not an element of a figure")]
     Kind {
         /// The key.
         found: String,
@@ -35,7 +35,7 @@ pub enum FigureError {
         /// The place.
         span: Span,
     },
-    /// A formula that is no number, or no point.
+    /// A formula whose value is not a number or a point.
     #[error("this is {found}, expected {}", if *is_point { "a point, `[x, y]` in units of 10 mm" } else { "a pure number" })]
     Form {
         /// What stands there instead.
@@ -46,7 +46,7 @@ pub enum FigureError {
         span: Span,
     },
     /// A side or pass of a point that has none.
-    #[error("`{found}` is no point of this figure")]
+    #[error("`{found}` is not a point of this figure")]
     Point {
         /// The text.
         found: String,

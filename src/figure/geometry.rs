@@ -29,7 +29,7 @@ impl Point {
     }
 
     /// The unit vector at this angle from the x axis, counterclockwise, in radians.
-    pub fn at_angle(angle: f64) -> Self {
+    pub(crate) fn at_angle(angle: f64) -> Self {
         let (sine, cosine) = sin_cos(angle);
         Self::new(cosine, sine)
     }
@@ -83,7 +83,7 @@ impl Point {
     }
 
     /// Whether both coordinates are finite and small enough to be drawn.
-    pub fn is_drawable(self) -> bool {
+    pub(crate) fn is_drawable(self) -> bool {
         self.x.abs() <= 1e3 && self.y.abs() <= 1e3
     }
 }
@@ -169,7 +169,7 @@ impl Bounds {
     }
 
     /// Whether no point is in it.
-    pub fn is_nothing(self) -> bool {
+    pub(crate) fn is_nothing(self) -> bool {
         self.low.x > self.high.x
     }
 

@@ -128,7 +128,7 @@ impl Label {
 
     /// This label, a blank, and another one.
     #[must_use]
-    pub fn followed_by(mut self, other: Self) -> Self {
+    pub(crate) fn followed_by(mut self, other: Self) -> Self {
         let start = self.width + 0.25 * LETTER_SIZE;
         self.runs
             .extend(other.runs.into_iter().enumerate().map(|(place, mut run)| {
@@ -151,7 +151,7 @@ impl Label {
     }
 
     /// Its height above the baseline.
-    pub fn ascent(&self) -> f64 {
+    pub(crate) fn ascent(&self) -> f64 {
         self.ascent
     }
 

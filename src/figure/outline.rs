@@ -55,13 +55,13 @@ impl Side {
     }
 
     /// The side of a label by its word in `at`.
-    pub fn of_word(word: &str) -> Option<Self> {
+    pub(crate) fn of_word(word: &str) -> Option<Self> {
         let place = Self::WORDS.iter().position(|known| *known == word)?;
         Some([Self::Above, Self::Below, Self::Left, Self::Right][place])
     }
 
     /// The side of a body by its word behind a point, `B.left`.
-    pub fn of_body(word: &str) -> Option<Self> {
+    pub(crate) fn of_body(word: &str) -> Option<Self> {
         let place = Self::BODY.iter().position(|known| *known == word)?;
         Some([Self::Above, Self::Below, Self::Left, Self::Right][place])
     }
@@ -70,7 +70,7 @@ impl Side {
     pub const WORDS: [&str; 4] = ["above", "below", "left", "right"];
 
     /// The words behind a point.
-    pub const BODY: [&str; 4] = ["top", "bottom", "left", "right"];
+    pub(crate) const BODY: [&str; 4] = ["top", "bottom", "left", "right"];
 }
 
 impl Outline {
@@ -152,7 +152,7 @@ impl Outline {
     }
 
     /// How far it reaches across a direction.
-    pub fn breadth(&self, direction: Point) -> f64 {
+    pub(crate) fn breadth(&self, direction: Point) -> f64 {
         match self.form {
             Form::Box { half, angle } => {
                 let across = turned(direction.unit().left(), -angle);
@@ -181,7 +181,7 @@ impl Outline {
     }
 
     /// Its corners, counterclockwise; none for a circle.
-    pub fn corners(&self) -> Vec<Point> {
+    pub(crate) fn corners(&self) -> Vec<Point> {
         match self.form {
             Form::Box { half, angle } => [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
                 .map(|(x, y)| self.centre + turned(Point::new(x * half.x, y * half.y), angle))

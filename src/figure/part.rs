@@ -70,7 +70,7 @@ impl Style {
     pub const WORDS: [&str; 4] = ["solid", "dashed", "dotted", "faint"];
 
     /// The style of a word.
-    pub fn of_word(word: &str) -> Option<Self> {
+    pub(crate) fn of_word(word: &str) -> Option<Self> {
         let place = Self::WORDS.iter().position(|known| *known == word)?;
         Some([Self::Solid, Self::Dashed, Self::Dotted, Self::Faint][place])
     }
@@ -151,7 +151,7 @@ impl Part<'_> {
         (end(&self.ends[0], b, a), end(&self.ends[1], a, b))
     }
 
-    /// The part of a spring or damper that is no mere rod: it ends before the disk to whose axle it leads.
+    /// The part of a spring or damper that is not a mere rod: it ends before the disk to whose axle it leads.
     pub fn working(&self) -> (Point, Point) {
         let (a, b) = self.link();
         let end = |end: &End, from: Point, at: Point| match end.body {

@@ -51,19 +51,8 @@ impl Path {
     }
 
     /// The closed line through corners.
-    pub fn polygon(corners: impl IntoIterator<Item = Point>) -> Self {
+    pub(crate) fn polygon(corners: impl IntoIterator<Item = Point>) -> Self {
         Self::through(corners).close()
-    }
-
-    /// The outline of a box.
-    pub fn rectangle(bounds: Bounds) -> Self {
-        let Bounds { low, high } = bounds;
-        Self::polygon([
-            low,
-            Point::new(high.x, low.y),
-            high,
-            Point::new(low.x, high.y),
-        ])
     }
 
     /// A closed circle, run counterclockwise from its rightmost point.
@@ -83,28 +72,28 @@ impl Path {
 
     /// Begins anew at a point.
     #[must_use]
-    pub fn move_to(mut self, to: Point) -> Self {
+    pub(crate) fn move_to(mut self, to: Point) -> Self {
         self.steps.push(Step::Move(to));
         self
     }
 
     /// Goes straight to a point.
     #[must_use]
-    pub fn line_to(mut self, to: Point) -> Self {
+    pub(crate) fn line_to(mut self, to: Point) -> Self {
         self.steps.push(Step::Line(to));
         self
     }
 
     /// Goes to a point by a cubic curve.
     #[must_use]
-    pub fn curve_to(mut self, first: Point, second: Point, to: Point) -> Self {
+    pub(crate) fn curve_to(mut self, first: Point, second: Point, to: Point) -> Self {
         self.steps.push(Step::Curve(first, second, to));
         self
     }
 
     /// Goes along a circle, from one angle to another, in radians; more than half a turn is cut in two.
     #[must_use]
-    pub fn arc_on(mut self, centre: Point, radius: f64, from: f64, to: f64) -> Self {
+    pub(crate) fn arc_on(mut self, centre: Point, radius: f64, from: f64, to: f64) -> Self {
         let arc = |from, to| Step::Arc {
             centre,
             radius,

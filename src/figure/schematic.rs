@@ -127,11 +127,6 @@ impl std::fmt::Debug for Item {
 }
 
 impl Figure {
-    /// What its places need of the item.
-    pub fn demands(&self) -> impl Iterator<Item = &Name> {
-        self.taken.iter().map(|(name, _)| name)
-    }
-
     /// The drawing for these data.
     ///
     /// # Errors

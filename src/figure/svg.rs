@@ -45,7 +45,6 @@ impl Drawing {
             id: head.id,
         };
         writer.head(head, View::of(self.frame()));
-        writer.clips(self);
         writer.marks(&self.marks);
         writer.labels(&self.labels);
         writer.out.push_str(inner);
@@ -145,18 +144,7 @@ impl SvgWriter<'_> {
         self.out.push_str(part);
     }
 
-    fn clips(&mut self, drawing: &Drawing) {
-        for (place, bounds) in clips(&drawing.marks).iter().enumerate() {
-            self.text("<clipPath id=\"");
-            self.name(&format!("c{place}"));
-            self.text("\"><path d=\"");
-            self.path(&Path::rectangle(*bounds));
-            self.text("\"/></clipPath>\n");
-        }
-    }
-
     fn marks(&mut self, marks: &[Mark]) {
-        let clips = clips(marks);
         self.text("<g fill=\"none\" stroke=\"currentColor\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n");
         let mut rest = marks;
         while let Some(first) = rest.first() {
@@ -168,11 +156,6 @@ impl SvgWriter<'_> {
             let (alike, after) = rest.split_at(count);
             self.text("<path");
             self.look(first.pen, first.fill);
-            if let Some(place) = clips.iter().position(|clip| Some(*clip) == first.clip) {
-                self.text(" clip-path=\"url(#");
-                self.name(&format!("c{place}"));
-                self.text(")\"");
-            }
             self.text(" d=\"");
             for mark in alike {
                 self.path(&mark.path);
@@ -409,21 +392,10 @@ impl SvgWriter<'_> {
     }
 }
 
-/// The boxes to which marks are cut, each once.
-fn clips(marks: &[Mark]) -> Vec<Bounds> {
-    let mut clips: Vec<Bounds> = Vec::new();
-    for clip in marks.iter().filter_map(|mark| mark.clip) {
-        if !clips.contains(&clip) {
-            clips.push(clip);
-        }
-    }
-    clips
-}
-
 /// Whether two marks can share one element: grey areas cannot, they would darken each other differently.
 fn joins(a: &Mark, b: &Mark) -> bool {
     let is_even = matches!(a.fill, Fill::None | Fill::Ink);
-    is_even && a.pen == b.pen && a.fill == b.fill && a.clip == b.clip
+    is_even && a.pen == b.pen && a.fill == b.fill
 }
 
 #[cfg(test)]

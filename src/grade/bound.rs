@@ -9,7 +9,7 @@ const MAX_WORK: u64 = 5_000_000;
 /// Marks a response within the bound; one that takes more is not read.
 ///
 /// The key has been prepared before, and what is kept of it later is not paid for by a response: it must not depend on one.
-pub(super) fn bounded(mark: impl FnOnce() -> Marking) -> Marking {
+pub(crate) fn bounded(mark: impl FnOnce() -> Marking) -> Marking {
     let marked = work::for_one(MAX_WORK, mark);
     if marked.is_exhausted {
         Marking::unreadable(Why::TooLong)

@@ -9,7 +9,7 @@ use crate::solution::Solution;
 
 /// The marking of a response that its own kind hands back, if it says something in the other form: of a statement in
 /// both forms the one that is asked counts, and a right answer in the other form alone has its share.
-pub(super) fn otherwise(
+pub(crate) fn otherwise(
     solution: &Solution<'_>,
     place: usize,
     response: &str,
@@ -49,7 +49,7 @@ pub(super) fn otherwise(
 
 /// What a response that its own kind hands back stands for in later parts: the value in place of a formula, or the
 /// formula in place of a value, that it is in the other form.
-pub(super) fn standing(
+pub(crate) fn standing(
     solution: &Solution<'_>,
     place: usize,
     response: &str,

@@ -20,7 +20,7 @@ pub use pattern::pattern;
 pub use points::{of_marking, rounded, standing};
 pub use responses::{Place, Responses, Row, RowError};
 
-use crate::answer::{Credit, Echo, Kind, Marker, Marking, Unreadable, Why};
+use crate::answer::{AnswerKind, Credit, Echo, Marker, Marking, Unreadable, Why};
 use crate::response::{Folded, withdrawn};
 use crate::solution::Solution;
 
@@ -80,7 +80,7 @@ fn folded<'s, 'r>(
         return Err(Why::LongerThan(MAX_RESPONSE_LENGTH).into());
     }
     let part = &solution.template().parts[place];
-    if let Some(words) = withdrawn(response, part.answer.kind() == Kind::Choice) {
+    if let Some(words) = withdrawn(response, part.answer.kind() == AnswerKind::Choice) {
         return Err(Unreadable::at(words, Why::Withdrawn));
     }
     let folded = part.naming.named(Folded::of(response)?)?;
@@ -179,10 +179,5 @@ impl Grade {
     pub fn part(&self, place: usize) -> Option<&Marking> {
         let own = self.parts.iter().find(|(own, _)| *own == place);
         own.map(|(_, marking)| marking)
-    }
-
-    /// All markings, with the places of their parts, in the order of the item.
-    pub fn into_parts(self) -> Vec<(usize, Marking)> {
-        self.parts
     }
 }

@@ -19,7 +19,7 @@ use crate::solution::request::{Refusal, read};
 /// A response to be marked.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Request {
+pub struct MarkRequest {
     /// The item.
     pub id: String,
     /// Values of parameters.
@@ -45,10 +45,10 @@ pub struct Request {
 
 /// What became of a response, or why there is no mark.
 #[derive(Clone, Debug, Serialize)]
-pub struct Reply {
+pub struct MarkReply {
     /// Either of them.
     #[serde(flatten)]
-    pub outcome: Outcome,
+    pub outcome: MarkOutcome,
     /// The tag of the request.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tag: Option<Json>,
@@ -57,7 +57,7 @@ pub struct Reply {
 /// A mark, or a refusal.
 #[derive(Clone, Debug, Serialize)]
 #[serde(untagged)]
-pub enum Outcome {
+pub enum MarkOutcome {
     /// The mark.
     Marked(Marked),
     /// Why there is none.
@@ -105,18 +105,18 @@ pub fn answer(session: &mut Session<'_>, line: &str) -> String {
 }
 
 /// Answers one request.
-pub fn reply(session: &mut Session<'_>, request: Request) -> Reply {
+pub fn reply(session: &mut Session<'_>, request: MarkRequest) -> MarkReply {
     let outcome = match marked(session, &request) {
-        Ok(marked) => Outcome::Marked(marked),
-        Err(error) => Outcome::Refused { error },
+        Ok(marked) => MarkOutcome::Marked(marked),
+        Err(error) => MarkOutcome::Refused { error },
     };
-    Reply {
+    MarkReply {
         outcome,
         tag: request.tag,
     }
 }
 
-fn marked(session: &mut Session<'_>, request: &Request) -> Result<Marked, Refusal> {
+fn marked(session: &mut Session<'_>, request: &MarkRequest) -> Result<Marked, Refusal> {
     let template = session.find(&request.id)?;
     let place = place(template, &request.part)?;
     let mut responses = vec![(place, request.response.as_str())];
@@ -124,7 +124,7 @@ fn marked(session: &mut Session<'_>, request: &Request) -> Result<Marked, Refusa
         let response = response.as_str().ok_or_else(|| {
             Refusal::new(
                 "json",
-                format!("the earlier response to `{part}` is no text"),
+                format!("the earlier response to `{part}` is not text"),
             )
         })?;
         let earlier = self::place(template, part)?;

@@ -36,7 +36,7 @@ pub struct Place {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum RowError {
     /// The question is no number.
-    #[error("line {line}: question `{found}` is no number")]
+    #[error("line {line}: question `{found}` is not a number")]
     Question {
         /// Line in the file.
         line: usize,

@@ -45,7 +45,7 @@ const WORDS: [&str; 36] = [
 
 /// A response that could not be read and says that there is no answer is missing; `n/a` where these are letters of
 /// the question is read before and stays what it is.
-pub(super) fn heard(response: &str, marking: Marking) -> Marking {
+pub(crate) fn heard(response: &str, marking: Marking) -> Marking {
     if marking.verdict == Verdict::Unreadable && is_no_answer(response) {
         Marking::missing()
     } else {

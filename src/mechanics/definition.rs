@@ -103,7 +103,7 @@ impl Coordinate {
         Self::new(name, Dimension::LENGTH)
     }
 
-    /// A coordinate of any dimension that is no angle.
+    /// A coordinate of any dimension that is not an angle.
     pub fn new(name: impl Into<Name>, dimension: Dimension) -> Self {
         Self {
             name: name.into(),

@@ -78,7 +78,7 @@ pub enum ModelError {
     Dimension {
         /// In which formula.
         key: Key,
-        /// The dimension of the term; none if it is no single number.
+        /// The dimension of the term; none if it is not a single number.
         found: Option<Dimension>,
         /// What is due.
         expected: Dimension,
@@ -101,8 +101,8 @@ pub enum ModelError {
         /// Its formula.
         span: Span,
     },
-    /// Something is given along a name that is no coordinate.
-    #[error("`{name}` in `{key}` is no coordinate of this model")]
+    /// Something is given along a name that is not a coordinate.
+    #[error("`{name}` in `{key}` is not a coordinate of this model")]
     UnknownCoordinate {
         /// The name, as the model writes it.
         name: Name,
@@ -169,8 +169,8 @@ pub enum ModelError {
         /// The formula of the potential energy.
         span: Span,
     },
-    /// A stated position that is no equilibrium.
-    #[error("the stated position is no equilibrium: a force along `{name}` is left")]
+    /// A stated position that is not an equilibrium.
+    #[error("the stated position is not an equilibrium: a force along `{name}` is left")]
     NotAnEquilibrium {
         /// The coordinate.
         name: Name,

@@ -30,7 +30,7 @@ mod unavailable;
 
 pub use definition::{Body, Coordinate, Definition, Friction, Initial};
 pub use error::{Key, ModelError};
-pub use model::{MAX_COORDINATES, Model};
+pub use model::Model;
 pub use numbers::{Frictional, Linearization, Motion, Numbers, Sdof, TurningPoints};
 pub use quantity::{Quantity, QuantityError};
 pub use quantity_type::QuantityType;

@@ -17,7 +17,7 @@ use crate::expr::{Equation, Expr, Name, Normal, Order, Variable};
 use crate::unit::Dimension;
 
 /// Most coordinates of a model.
-pub const MAX_COORDINATES: usize = 16;
+pub(crate) const MAX_COORDINATES: usize = 16;
 
 /// A mechanical or electrical system derived from its energies.
 ///
@@ -142,19 +142,19 @@ impl Model {
     }
 
     /// The coordinates with their dimensions, in order.
-    pub fn coordinate_dimensions(&self) -> Vec<(Name, Dimension)> {
+    pub(crate) fn coordinate_dimensions(&self) -> Vec<(Name, Dimension)> {
         let own = self.definition.coordinates.iter();
         own.map(|own| (own.name.clone(), own.dimension)).collect()
     }
 
     /// Whether it says where its motion begins.
-    pub fn has_start(&self) -> bool {
+    pub(crate) fn has_start(&self) -> bool {
         !self.definition.initial.is_empty()
     }
 
     /// A formula over what moves with the coordinates in place of the kinematic names; nothing where it cannot be
     /// written so.
-    pub fn in_coordinates(&self, formula: &Expr) -> Option<Expr> {
+    pub(crate) fn in_coordinates(&self, formula: &Expr) -> Option<Expr> {
         let kinematics = Kinematics::of(&self.definition).ok()?;
         kinematics.apply(Key::Kinematics, formula).ok()
     }
@@ -215,7 +215,7 @@ impl Model {
     }
 
     /// Lagrange's equation along one coordinate, as it is.
-    pub fn full_equation(&self, coordinate: usize) -> Option<Equation> {
+    pub(crate) fn full_equation(&self, coordinate: usize) -> Option<Equation> {
         let moving: BTreeSet<_> = crate::numerics::gather(self.coordinates().iter().cloned());
         let (left, right) = self.residuals.get(coordinate)?.split_by(&moving);
         Some(Equation {

@@ -92,8 +92,8 @@ pub enum QuantityError {
         /// The first coordinate of the model.
         first: Name,
     },
-    /// A name that is no coordinate, or one that is not needed.
-    #[error("`{name}` is no coordinate here")]
+    /// A name that is not a coordinate, or one that is not needed.
+    #[error("`{name}` is not a coordinate here")]
     NotACoordinate {
         /// As written.
         name: Name,
@@ -253,7 +253,7 @@ impl Model {
     ///
     /// # Errors
     ///
-    /// A name that is no quantity of this model, or a coordinate that is missing or none.
+    /// A name that is not a quantity of this model, or a coordinate that is missing or unknown.
     pub fn quantity(&self, path: &[Name]) -> Result<Quantity, QuantityError> {
         let (name, coordinates) = match path {
             [name, rest @ ..] => (name, rest),
@@ -351,7 +351,7 @@ impl Numbers {
     ///
     /// # Errors
     ///
-    /// Why there is none; [`Unavailable::NoMotion`] for what is no function of time.
+    /// Why there is none; [`Unavailable::NoMotion`] for what is not a function of time.
     pub fn motion_of(&self, quantity: Quantity) -> Result<Motion, Unavailable> {
         match quantity {
             Quantity::Motion(at) => self.motion(at),

@@ -29,7 +29,7 @@ pub enum Unavailable {
     #[error("no equilibrium was found")]
     NoEquilibrium,
     /// The stated position is none at rest for these data.
-    #[error("the stated position is no equilibrium: a force along `{coordinate}` is left")]
+    #[error("the stated position is not an equilibrium: a force along `{coordinate}` is left")]
     NotAtRest {
         /// The coordinate along which a force is left.
         coordinate: Name,
@@ -102,7 +102,7 @@ pub enum Unavailable {
     /// A calculation with formulas that does not go through.
     #[error(transparent)]
     Symbolic(#[from] SymbolicError),
-    /// Mass, damping and stiffness that are no oscillator.
+    /// Mass, damping and stiffness that do not make an oscillator.
     #[error(transparent)]
     Oscillator(#[from] OscillatorError),
     /// Matrices without modes.

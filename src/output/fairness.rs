@@ -7,7 +7,7 @@ use crate::worksheet::{Alike, Fairness, ItemFairness, QuestionFairness, Range};
 
 /// How alike the variants are, as the layout sees it.
 #[derive(Serialize)]
-pub(super) struct FairnessView<'f> {
+pub(crate) struct FairnessView<'f> {
     variants: u64,
     is_fair: bool,
     neighbours: u64,
@@ -47,7 +47,7 @@ struct RangeView<'f> {
 
 impl<'f> FairnessView<'f> {
     /// `written` writes the words of class lists in the notation of the page.
-    pub(super) fn of(
+    pub(crate) fn of(
         fairness: &'f Fairness,
         mark: DecimalMark,
         written: impl Fn(&str) -> String,

@@ -9,7 +9,7 @@ use crate::math::{Display, MATHML_STYLE, Math, escape};
 use crate::scene::Shown;
 
 /// The format.
-pub(super) struct Html;
+pub(crate) struct Html;
 
 /// Letters of a formula that surely fit in a line.
 const LONG: usize = 48;

@@ -17,24 +17,24 @@ pub struct KeyTable {
 #[derive(Clone, Debug, Default)]
 pub struct KeyRow {
     /// Code of the variant.
-    pub(super) code: String,
+    pub(crate) code: String,
     /// In the order of the sheet.
-    pub(super) questions: Vec<QuestionKeys>,
+    pub(crate) questions: Vec<QuestionKeys>,
 }
 
 /// The answers to one question of a variant.
 #[derive(Clone, Debug, Default)]
-pub(super) struct QuestionKeys {
+pub(crate) struct QuestionKeys {
     /// Its place on the sheet.
-    pub(super) number: usize,
+    pub(crate) number: usize,
     /// The item that asks it.
-    pub(super) item: String,
+    pub(crate) item: String,
     /// Numbers of the parts.
-    pub(super) parts: Vec<String>,
+    pub(crate) parts: Vec<String>,
     /// The answers, written.
-    pub(super) cells: Vec<String>,
+    pub(crate) cells: Vec<String>,
     /// Letters of each answer.
-    pub(super) widths: Vec<usize>,
+    pub(crate) widths: Vec<usize>,
 }
 
 /// The answers of all variants that have an item at the same place.
@@ -52,7 +52,7 @@ struct Column {
 
 /// As many variants as fit side by side; or all of them, with what they share.
 #[derive(Serialize)]
-pub(super) struct Panel<'a> {
+pub(crate) struct Panel<'a> {
     codes: Vec<&'a str>,
     lines: Vec<Line<'a>>,
 }
@@ -104,7 +104,7 @@ impl KeyTable {
     }
 
     /// What all variants share, under the heading `all`, then the answers item by item.
-    pub(super) fn panels<'a>(&'a self, all: &'a str) -> Vec<Panel<'a>> {
+    pub(crate) fn panels<'a>(&'a self, all: &'a str) -> Vec<Panel<'a>> {
         let mut items: Vec<&ItemKeys> = self.items.iter().collect();
         // What only some variants are asked comes up late, and stands at its place on the sheet all the same.
         items.sort_by_key(|item| item.number());

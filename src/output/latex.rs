@@ -8,7 +8,7 @@ use crate::math::Math;
 use crate::scene::Shown;
 
 /// The format.
-pub(super) struct Latex;
+pub(crate) struct Latex;
 
 impl Writer for Latex {
     fn name(&self) -> &'static str {

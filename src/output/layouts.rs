@@ -100,18 +100,18 @@ impl Layouts {
     }
 
     /// All layouts, one after the other.
-    pub(super) fn text(&self) -> &str {
+    pub(crate) fn text(&self) -> &str {
         &self.text
     }
 
     /// Whether there is a layout `name`.
-    pub(super) fn has(&self, name: &str) -> bool {
+    pub(crate) fn has(&self, name: &str) -> bool {
         let layout = format!("{name}.{}", self.ending);
         self.tera.get_template_names().any(|known| known == layout)
     }
 
     /// Fills the layout `name`.
-    pub(super) fn fill(&self, name: &str, content: &impl Serialize) -> Result<String, OutputError> {
+    pub(crate) fn fill(&self, name: &str, content: &impl Serialize) -> Result<String, OutputError> {
         let layout = format!("{name}.{}", self.ending);
         let fail = |error: tera::Error| OutputError::Page {
             layout: layout.clone(),
@@ -123,24 +123,24 @@ impl Layouts {
 }
 
 /// The style of HTML pages.
-pub(super) fn style() -> &'static str {
+pub(crate) fn style() -> &'static str {
     text("html/style.css")
 }
 
 /// The math font in base 64.
-pub(super) fn font() -> String {
+pub(crate) fn font() -> String {
     base64(font_file())
 }
 
 /// The file of the math font.
-pub(super) fn font_file() -> &'static [u8] {
+pub(crate) fn font_file() -> &'static [u8] {
     TEMPLATES
         .get_file("fonts/vibank-math.woff2")
         .map_or(&[][..], |file| file.contents())
 }
 
 /// The text of a layout's file; empty if there is none.
-pub(super) fn text(path: &str) -> &'static str {
+pub(crate) fn text(path: &str) -> &'static str {
     TEMPLATES
         .get_file(path)
         .and_then(|file| file.contents_utf8())
@@ -162,7 +162,7 @@ fn css(words: &str) -> String {
 }
 
 /// Base 64 with padding, RFC 4648, section 4.
-pub(super) fn base64(bytes: &[u8]) -> String {
+pub(crate) fn base64(bytes: &[u8]) -> String {
     const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
     for chunk in bytes.chunks(3) {
@@ -185,7 +185,7 @@ pub(super) fn base64(bytes: &[u8]) -> String {
 /// Base 93: two digits for 13 bits, or for 14 where they allow it, low ones first, as basE91 has it (Henke 2006); what is
 /// left at the end takes one digit if that is enough. The digits are the printed ASCII signs without `<`, so that they
 /// may stand in a `script` element.
-pub(super) fn base93(bytes: &[u8]) -> String {
+pub(crate) fn base93(bytes: &[u8]) -> String {
     const LAST_OF_14: u32 = 93 * 93 - (1 << 13) - 1;
     let digit = |value: u32| char::from(b'!' + value as u8 + u8::from(value >= 27));
     let mut out = String::with_capacity(bytes.len() * 16 / 13 + 2);

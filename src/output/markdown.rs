@@ -6,7 +6,7 @@ use crate::math::Math;
 use crate::scene::Shown;
 
 /// The format.
-pub(super) struct Markdown;
+pub(crate) struct Markdown;
 
 impl Writer for Markdown {
     fn name(&self) -> &'static str {

@@ -22,7 +22,7 @@ pub struct Marked {
 
 /// The same as a layout shows it.
 #[derive(Serialize)]
-pub(super) struct MarksView {
+pub(crate) struct MarksView {
     histogram: Option<Histogram>,
     rules: Vec<String>,
     grades: Vec<[String; 2]>,
@@ -93,7 +93,7 @@ const MAX_TICKS: f64 = 9.0;
 const LETTER: f64 = 4.5;
 
 impl Marked {
-    pub(super) fn view(&self, run: &Run) -> MarksView {
+    pub(crate) fn view(&self, run: &Run) -> MarksView {
         let summary = &self.summary;
         let all = std::iter::once(&summary.all);
         let groups = all.chain(&summary.groups).enumerate();
@@ -234,7 +234,7 @@ fn nice(step: f64) -> f64 {
                 return factor * power;
             }
         }
-        // Points are far below this; nothing that is no number ends the search.
+        // Points are far below this; the bound also ends the search for a step that is not a number.
         if power > 1e9 {
             return power;
         }

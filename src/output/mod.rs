@@ -30,7 +30,7 @@ pub use layouts::{Layouts, OutputError};
 pub use lists::{List, Roll};
 pub use marks::Marked;
 pub use page::practice;
-pub use pages::{Kind, Names, Page, Pages, Run};
+pub use pages::{Names, Page, PageKind, Pages, Run};
 pub use report::{Analysed, Decided, DecidedMark, Lost, LostSheet};
 pub use scorm::{DESCRIPTION, Scorm, scorm};
 
@@ -69,7 +69,7 @@ pub trait Writer: Sync {
         String::new()
     }
 
-    /// Some words that are no markup.
+    /// Some words that are not markup.
     fn words(&self, words: &str) -> String;
 
     /// A formula in the line.

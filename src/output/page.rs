@@ -13,10 +13,10 @@ use crate::message::Language;
 use crate::worksheet::Practice;
 
 /// The grader, built from these sources and deflated by `src/wasm/build.sh`.
-pub(super) const GRADER: &[u8] = include_bytes!("../wasm/grader.deflate");
+pub(crate) const GRADER: &[u8] = include_bytes!("../wasm/grader.deflate");
 
 /// How hard the items are deflated: the most that miniz does.
-pub(super) const LEVEL: u8 = 10;
+pub(crate) const LEVEL: u8 = 10;
 
 /// The page of a practice with its items.
 ///
@@ -28,7 +28,7 @@ pub fn practice(practice: &Practice, items: &[Compiled]) -> Result<String, Outpu
 }
 
 /// The page as a course has it: with the adapter to the platform, and what it has to know, as JSON.
-pub(super) fn in_course(
+pub(crate) fn in_course(
     practice: &Practice,
     items: &[Compiled],
     course: &str,
@@ -91,7 +91,7 @@ fn page(
 }
 
 /// A program or a style without indents, empty lines, and lines that are a comment; it travels in every page.
-pub(super) fn unspaced(text: &str, comment: &str) -> String {
+pub(crate) fn unspaced(text: &str, comment: &str) -> String {
     let is_comment =
         |line: &str| line.starts_with("//") || line.starts_with(comment) && line.ends_with("*/");
     let lines = text.lines().map(str::trim);
@@ -102,12 +102,12 @@ pub(super) fn unspaced(text: &str, comment: &str) -> String {
 }
 
 /// The words of the page in a language, else in English.
-pub(super) fn texts(language: &str) -> &'static str {
+pub(crate) fn texts(language: &str) -> &'static str {
     let spoken = Language::of(language).unwrap_or_default();
     layouts::text(&format!("page/texts.{}.json", spoken.code()))
 }
 
 /// JSON as it may stand in a `script` element.
-pub(super) fn in_script(json: &str) -> String {
+pub(crate) fn in_script(json: &str) -> String {
     json.replace('<', "\\u003c")
 }

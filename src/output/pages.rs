@@ -21,7 +21,7 @@ use crate::worksheet::{AnswerSpace, Blueprint, Fairness, Paper, Sheet, Student, 
 
 /// What a page is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Kind {
+pub enum PageKind {
     /// Questions with room for answers.
     Sheet,
     /// Answers alone.
@@ -57,33 +57,33 @@ pub struct Run {
     /// `lines`, `boxes` or `none`.
     pub answer_space: &'static str,
     /// The words of the layouts, in the language of the run.
-    pub(super) words: &'static Words,
+    pub(crate) words: &'static Words,
     /// Whether the students have seats, so that sheets have room for one.
     pub has_seats: bool,
     #[serde(skip)]
-    pub(super) language: String,
+    pub(crate) language: String,
     #[serde(skip)]
-    pub(super) paper: Paper,
+    pub(crate) paper: Paper,
     #[serde(skip)]
-    pub(super) data: Data,
+    pub(crate) data: Data,
     #[serde(skip)]
-    pub(super) hints: bool,
+    pub(crate) hints: bool,
     #[serde(skip)]
-    pub(super) figures: bool,
+    pub(crate) figures: bool,
     #[serde(skip)]
-    pub(super) mark: DecimalMark,
+    pub(crate) mark: DecimalMark,
     /// Whether the seeds are keyed with a secret, so that pages that are handed out must not tell them.
     #[serde(skip)]
-    pub(super) is_keyed: bool,
+    pub(crate) is_keyed: bool,
     #[serde(skip)]
-    pub(super) names: Names,
+    pub(crate) names: Names,
 }
 
 /// Fills the layouts of one format.
 pub struct Pages {
-    pub(super) writer: &'static dyn Writer,
-    pub(super) layouts: Layouts,
-    pub(super) run: Run,
+    pub(crate) writer: &'static dyn Writer,
+    pub(crate) layouts: Layouts,
+    pub(crate) run: Run,
 }
 
 /// A page, written.
@@ -196,14 +196,14 @@ impl Run {
     }
 
     /// Room and seat of a student, as far as they can be printed.
-    pub(super) fn seat(&self, student: &Student) -> String {
+    pub(crate) fn seat(&self, student: &Student) -> String {
         let words = [&student.room, &student.seat].map(|words| self.plain_name(words));
         let words = words.into_iter().filter(|words| !words.is_empty());
         words.collect::<Vec<_>>().join(", ")
     }
 
     /// What is printed as the name of a student.
-    pub(super) fn name<'n>(&self, name: &'n str, id: &'n str) -> &'n str {
+    pub(crate) fn name<'n>(&self, name: &'n str, id: &'n str) -> &'n str {
         if self.names.without.contains(name) {
             self.plain_name(id)
         } else {
@@ -212,7 +212,7 @@ impl Run {
     }
 
     /// An id or a group, where it can be printed.
-    pub(super) fn plain_name<'n>(&self, words: &'n str) -> &'n str {
+    pub(crate) fn plain_name<'n>(&self, words: &'n str) -> &'n str {
         if self.names.without.contains(words) {
             ""
         } else {
@@ -248,17 +248,17 @@ impl Run {
     }
 
     /// Points as a decimal of at most two places.
-    pub(super) fn number(&self, points: Rational) -> String {
+    pub(crate) fn number(&self, points: Rational) -> String {
         self.marked(&crate::grade::rounded(points))
     }
 
     /// The language in which responses are spoken about.
-    pub(super) fn spoken(&self) -> Language {
+    pub(crate) fn spoken(&self) -> Language {
         spoken(&self.language)
     }
 
     /// Decimals with the sign of the run.
-    pub(super) fn marked(&self, decimals: &str) -> String {
+    pub(crate) fn marked(&self, decimals: &str) -> String {
         if self.mark == DecimalMark::Comma {
             decimals.replace('.', ",")
         } else {
@@ -267,7 +267,7 @@ impl Run {
     }
 }
 
-impl Kind {
+impl PageKind {
     /// The name of its layout and of its single file.
     pub fn name(self) -> &'static str {
         match self {
@@ -380,7 +380,7 @@ impl Pages {
     }
 
     /// What the title of a file says of its kind.
-    pub fn subtitle(&self, kind: Kind) -> &'static str {
+    pub fn subtitle(&self, kind: PageKind) -> &'static str {
         kind.subtitle(self.run.words)
     }
 
@@ -399,7 +399,7 @@ impl Pages {
     /// # Errors
     ///
     /// [`OutputError::Page`].
-    pub fn page(&self, kind: Kind, sheet: &Sheet<'_>) -> Result<Page, OutputError> {
+    pub fn page(&self, kind: PageKind, sheet: &Sheet<'_>) -> Result<Page, OutputError> {
         let view = View::new(self.writer, &self.run, kind);
         let content = Content {
             run: &self.run,
@@ -468,7 +468,7 @@ impl Pages {
     }
 
     /// Words that a layout places: where it does not escape, they are escaped here.
-    pub(super) fn placed(&self, words: &str) -> String {
+    pub(crate) fn placed(&self, words: &str) -> String {
         if self.writer.escape().is_some() {
             words.to_owned()
         } else {

@@ -9,7 +9,7 @@ use crate::math::{Display, Math, TYPST_PRELUDE, quote};
 use crate::scene::Shown;
 
 /// The format.
-pub(super) struct Pdf;
+pub(crate) struct Pdf;
 
 impl Writer for Pdf {
     fn name(&self) -> &'static str {

@@ -4,13 +4,13 @@ use serde::Serialize;
 
 /// A piece of a message.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub(super) struct Piece<'m> {
+pub(crate) struct Piece<'m> {
     text: &'m str,
     is_code: bool,
 }
 
 /// The pieces of a message; a backtick without a second one is itself.
-pub(super) fn pieces(message: &str) -> Vec<Piece<'_>> {
+pub(crate) fn pieces(message: &str) -> Vec<Piece<'_>> {
     let (mut pieces, mut rest) = (Vec::new(), message);
     let mut add = |text, is_code| pieces.push(Piece { text, is_code });
     while let Some((before, behind)) = rest.split_once('`')
@@ -43,8 +43,8 @@ mod tests {
             pieces.collect::<String>()
         };
         assert_eq!(
-            shown("row 3: `x` is no part of `A`"),
-            "row 3: <x> is no part of <A>"
+            shown("row 3: `x` is not part of `A`"),
+            "row 3: <x> is not part of <A>"
         );
         assert_eq!(shown("`5` and a ` alone"), "<5> and a ` alone");
         assert_eq!(shown("no quotes"), "no quotes");

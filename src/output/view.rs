@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::Writer;
-use super::pages::{Kind, Run};
+use super::pages::{PageKind, Run};
 use crate::answer::{Choosing, Criterion, KeyValue};
 use crate::bank::{Group, Passage, Space, share_in_group};
 use crate::document::{Document, Filling};
@@ -16,7 +16,7 @@ use crate::solution::Solution;
 use crate::worksheet::{Best, Sheet, SheetQuestion, headings, letter};
 
 #[derive(Serialize)]
-pub(super) struct SheetView {
+pub(crate) struct SheetView {
     code: String,
     name: String,
     student: String,
@@ -105,7 +105,7 @@ struct PartView {
     /// Whether it belongs to a group.
     is_blank: bool,
     letter: String,
-    /// Kind of the answer.
+    /// PageKind of the answer.
     kind: &'static str,
     points: String,
     ask: String,
@@ -165,10 +165,10 @@ struct OptionView {
 }
 
 /// Writes the pieces of sheets, and gathers the figures that the notation cannot hold.
-pub(super) struct View<'p> {
+pub(crate) struct View<'p> {
     writer: &'static dyn Writer,
     run: &'p Run,
-    kind: Kind,
+    kind: PageKind,
     pictures: RefCell<BTreeMap<String, String>>,
 }
 
@@ -182,7 +182,7 @@ fn best(best: &[Best]) -> String {
 }
 
 impl<'p> View<'p> {
-    pub(super) fn new(writer: &'static dyn Writer, run: &'p Run, kind: Kind) -> Self {
+    pub(crate) fn new(writer: &'static dyn Writer, run: &'p Run, kind: PageKind) -> Self {
         Self {
             writer,
             run,
@@ -192,11 +192,11 @@ impl<'p> View<'p> {
     }
 
     /// The figures that were met: the name of each, and its SVG.
-    pub(super) fn pictures(self) -> BTreeMap<String, String> {
+    pub(crate) fn pictures(self) -> BTreeMap<String, String> {
         self.pictures.into_inner()
     }
 
-    pub(super) fn sheet(&self, sheet: &Sheet<'_>) -> SheetView {
+    pub(crate) fn sheet(&self, sheet: &Sheet<'_>) -> SheetView {
         let student = sheet.student.clone().unwrap_or_default();
         let count = sheet.questions.len();
         SheetView {
@@ -206,7 +206,7 @@ impl<'p> View<'p> {
             group: self.placed(self.run.plain_name(&student.group)),
             seat: self.placed(&self.run.seat(&student)),
             extra_time: self.placed(self.run.plain_name(&student.extra_time)),
-            type_size: student.type_size.filter(|_| self.kind != Kind::Key),
+            type_size: student.type_size.filter(|_| self.kind != PageKind::Key),
             count: format!(
                 "{}{}",
                 self.run.words.questions(count),
@@ -299,7 +299,7 @@ impl<'p> View<'p> {
             points: self.worth(question),
             ..QuestionView::default()
         };
-        if self.kind != Kind::Key {
+        if self.kind != PageKind::Key {
             view.statement = texts(&template.statement);
             if self.run.figures
                 && !template.statement.places_figure()
@@ -310,22 +310,22 @@ impl<'p> View<'p> {
                 view.caption = self.caption(&template.caption);
             }
         }
-        if self.kind == Kind::Solutions && !template.solution.is_empty() {
+        if self.kind == PageKind::Solutions && !template.solution.is_empty() {
             view.solution = texts(&template.solution);
         }
-        if self.kind == Kind::Key && !template.notes.is_empty() {
+        if self.kind == PageKind::Key && !template.notes.is_empty() {
             view.notes = texts(&template.notes);
         }
         let instance = question.solution.instance();
         view.identity = match self.kind {
-            Kind::Sheet => String::new(),
+            PageKind::Sheet => String::new(),
             // Solutions are handed out, and a keyed seed would give the keys of items with the same seed away.
-            Kind::Solutions if self.run.is_keyed => instance.origin(),
-            Kind::Solutions | Kind::Key => instance.identity(),
+            PageKind::Solutions if self.run.is_keyed => instance.origin(),
+            PageKind::Solutions | PageKind::Key => instance.identity(),
         };
         let headings = headings(template, &question.parts);
         let parts = question.parts.iter().zip(&question.points);
-        let has_space = |space: &Space| self.kind == Kind::Sheet && *space != Space::None;
+        let has_space = |space: &Space| self.kind == PageKind::Sheet && *space != Space::None;
         let spaces = question.spaces.iter().copied();
         let spaces = spaces.map(|space| Some(space).filter(has_space));
         view.parts = headings
@@ -358,13 +358,13 @@ impl<'p> View<'p> {
             passage.map_or_else(String::new, |passage| self.texts(scene, passage))
         };
         let hints = group.hints.iter();
-        let hints = hints.filter(|_| self.kind == Kind::Sheet && self.run.hints);
+        let hints = hints.filter(|_| self.kind == PageKind::Sheet && self.run.hints);
         GroupView {
             letter: letter.to_owned(),
             points: self.run.points(points),
-            ask: text(&group.text, self.kind != Kind::Key),
+            ask: text(&group.text, self.kind != PageKind::Key),
             hints: hints.map(|hint| text(hint, true)).collect(),
-            solution: text(&group.solution, self.kind == Kind::Solutions),
+            solution: text(&group.solution, self.kind == PageKind::Solutions),
         }
     }
 
@@ -388,19 +388,19 @@ impl<'p> View<'p> {
             points: self.run.points(points),
             ..PartView::default()
         };
-        if self.kind != Kind::Key {
+        if self.kind != PageKind::Key {
             view.ask = texts(&part.ask);
         }
-        if self.kind == Kind::Sheet && self.run.hints {
+        if self.kind == PageKind::Sheet && self.run.hints {
             view.hints = part.own_hints().iter().map(texts).collect();
         }
         view.options = self.options(scene, place);
-        if self.kind != Kind::Sheet {
+        if self.kind != PageKind::Sheet {
             view.rubric = self.rubric(part.answer.rubric(), points);
         }
         view.ranked = part.answer.choosing() == Some(Choosing::Ranking);
         match self.kind {
-            Kind::Sheet => {
+            PageKind::Sheet => {
                 view.lead = self.lead(scene, place);
                 let blank = part.blank();
                 view.unit = blank
@@ -409,18 +409,18 @@ impl<'p> View<'p> {
                     .unwrap_or_default();
                 view.asked = self.writer.line(&self.run.spoken().blank(blank));
             }
-            Kind::Key | Kind::Solutions => match scene.key(place) {
+            PageKind::Key | PageKind::Solutions => match scene.key(place) {
                 Ok(Some(key)) => {
                     view.key = self.writer.math(&key);
                     view.accepted = self.accepted(solution, place);
                 }
-                Ok(None) if self.kind == Kind::Solutions => {}
+                Ok(None) if self.kind == PageKind::Solutions => {}
                 Ok(None) => view.absent = self.placed(&self.run.words.in_the_solution),
                 Err(_) if view.by_hand => {}
                 Err(absent) => view.absent = self.placed(&absent.to_string()),
             },
         }
-        if self.kind == Kind::Solutions && !part.solution.is_empty() {
+        if self.kind == PageKind::Solutions && !part.solution.is_empty() {
             view.solution = texts(&part.solution);
         }
         view
@@ -440,7 +440,10 @@ impl<'p> View<'p> {
 
     /// The range that is accepted, on a key.
     fn accepted(&self, solution: &Solution<'_>, place: usize) -> String {
-        let key = solution.key(place).ok().filter(|_| self.kind == Kind::Key);
+        let key = solution
+            .key(place)
+            .ok()
+            .filter(|_| self.kind == PageKind::Key);
         let range = key.and_then(|key| key.accepted.as_ref());
         range.map_or_else(String::new, |range| {
             let range = self.run.spoken().formula(range);
@@ -463,13 +466,13 @@ impl<'p> View<'p> {
         let is_ranked =
             solution.template().parts[place].answer.choosing() == Some(Choosing::Ranking);
         let right = match self.kind {
-            Kind::Key | Kind::Solutions if !is_ranked => {
+            PageKind::Key | PageKind::Solutions if !is_ranked => {
                 match solution.key(place).map(|key| &key.value) {
                     Ok(KeyValue::Options { ids, .. }) => ids.clone(),
                     _ => Vec::new(),
                 }
             }
-            Kind::Sheet | Kind::Key | Kind::Solutions => Vec::new(),
+            PageKind::Sheet | PageKind::Key | PageKind::Solutions => Vec::new(),
         };
         let option = |(position, at): (usize, usize)| {
             let option = &options[at];

@@ -10,61 +10,61 @@ use crate::message::Language;
 /// What layouts print beside what a sheet holds. A place in a phrase is written `{count}`.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Words {
-    pub(super) answer_key: String,
-    pub(super) worked_solutions: String,
-    pub(super) feedback: String,
-    pub(super) all_answers: String,
-    pub(super) variant: String,
-    pub(super) duration: String,
-    pub(super) page: String,
-    pub(super) name: String,
-    pub(super) number: String,
-    pub(super) group: String,
-    pub(super) question: String,
-    pub(super) points: String,
-    pub(super) reached: String,
-    pub(super) sum: String,
-    pub(super) order: String,
-    pub(super) hint: String,
-    pub(super) formulas: String,
-    pub(super) figure: String,
-    pub(super) is_right: String,
-    pub(super) given_for: String,
-    pub(super) marked_by_hand: String,
-    pub(super) you_wrote: String,
-    pub(super) read_as: String,
+pub(crate) struct Words {
+    pub(crate) answer_key: String,
+    pub(crate) worked_solutions: String,
+    pub(crate) feedback: String,
+    pub(crate) all_answers: String,
+    pub(crate) variant: String,
+    pub(crate) duration: String,
+    pub(crate) page: String,
+    pub(crate) name: String,
+    pub(crate) number: String,
+    pub(crate) group: String,
+    pub(crate) question: String,
+    pub(crate) points: String,
+    pub(crate) reached: String,
+    pub(crate) sum: String,
+    pub(crate) order: String,
+    pub(crate) hint: String,
+    pub(crate) formulas: String,
+    pub(crate) figure: String,
+    pub(crate) is_right: String,
+    pub(crate) given_for: String,
+    pub(crate) marked_by_hand: String,
+    pub(crate) you_wrote: String,
+    pub(crate) read_as: String,
     one_question: String,
     questions: String,
     one_point: String,
     many_points: String,
     reached_of: String,
-    pub(super) accepted: String,
-    pub(super) in_the_solution: String,
-    pub(super) by_hand: String,
-    pub(super) seat: String,
-    pub(super) room: String,
-    pub(super) no_room: String,
-    pub(super) no_group: String,
-    pub(super) spare_sheets: String,
-    pub(super) all_sheets: String,
+    pub(crate) accepted: String,
+    pub(crate) in_the_solution: String,
+    pub(crate) by_hand: String,
+    pub(crate) seat: String,
+    pub(crate) room: String,
+    pub(crate) no_room: String,
+    pub(crate) no_group: String,
+    pub(crate) spare_sheets: String,
+    pub(crate) all_sheets: String,
     one_sheet: String,
     sheets: String,
-    pub(super) extra_time: String,
+    pub(crate) extra_time: String,
     large_print: String,
-    pub(super) attendance_list: String,
-    pub(super) seating_list: String,
-    pub(super) place: String,
-    pub(super) code: String,
-    pub(super) note: String,
-    pub(super) signature: String,
+    pub(crate) attendance_list: String,
+    pub(crate) seating_list: String,
+    pub(crate) place: String,
+    pub(crate) code: String,
+    pub(crate) note: String,
+    pub(crate) signature: String,
     /// Between the number of a page and how many there are.
     page_of: String,
 }
 
 impl Words {
     /// The words of a language.
-    pub(super) fn of(language: Language) -> &'static Self {
+    pub(crate) fn of(language: Language) -> &'static Self {
         static ENGLISH: LazyLock<Words> = LazyLock::new(|| Words::read(Language::English));
         static FRENCH: LazyLock<Words> = LazyLock::new(|| Words::read(Language::French));
         match language {
@@ -79,7 +79,7 @@ impl Words {
     }
 
     /// A count of questions in words: `1 question`, `5 questions`.
-    pub(super) fn questions(&self, count: usize) -> String {
+    pub(crate) fn questions(&self, count: usize) -> String {
         let phrase = if count == 1 {
             &self.one_question
         } else {
@@ -89,7 +89,7 @@ impl Words {
     }
 
     /// A count of sheets in words: `1 sheet`, `24 sheets`.
-    pub(super) fn sheets(&self, count: usize) -> String {
+    pub(crate) fn sheets(&self, count: usize) -> String {
         let phrase = if count == 1 {
             &self.one_sheet
         } else {
@@ -99,12 +99,12 @@ impl Words {
     }
 
     /// `large print, 18 pt`.
-    pub(super) fn large_print(&self, size: u8) -> String {
+    pub(crate) fn large_print(&self, size: u8) -> String {
         self.large_print.replace("{points}", &size.to_string())
     }
 
     /// `2.5 points`; `points` is printed, `is_one` says whether it counts as a single one.
-    pub(super) fn points(&self, points: &str, is_one: bool) -> String {
+    pub(crate) fn points(&self, points: &str, is_one: bool) -> String {
         let phrase = if is_one {
             &self.one_point
         } else {
@@ -114,7 +114,7 @@ impl Words {
     }
 
     /// `2.5 of 4 points`.
-    pub(super) fn reached(&self, reached: &str, all: &str) -> String {
+    pub(crate) fn reached(&self, reached: &str, all: &str) -> String {
         self.reached_of
             .replace("{reached}", reached)
             .replace("{all}", all)

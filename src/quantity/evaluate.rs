@@ -110,7 +110,7 @@ impl<'g> Evaluation<'g> {
     /// The same data with these values in place of what formulas give, and those that stand there already;
     /// of two values for one node the new one stands.
     #[must_use]
-    pub fn replacing(&self, mut replaced: Vec<(NodeId, Value)>) -> Self {
+    pub(crate) fn replacing(&self, mut replaced: Vec<(NodeId, Value)>) -> Self {
         replaced.extend(self.replaced.iter().cloned());
         let mut evaluation = Self::new(self.graph, Arc::clone(&self.data));
         for (node, value) in &replaced {
@@ -142,7 +142,7 @@ impl<'g> Evaluation<'g> {
     ///
     /// # Errors
     ///
-    /// As [`Self::value`]; what is no real number has no value either.
+    /// As [`Self::value`]; what is not a real number has no value either.
     pub fn real(&self, id: NodeId) -> Result<f64, Absent> {
         let value = self.value(id)?;
         value
@@ -186,7 +186,7 @@ impl<'g> Evaluation<'g> {
     /// # Errors
     ///
     /// Why it does not.
-    pub fn exists_for(&self, id: NodeId) -> Result<(), Absent> {
+    pub(crate) fn exists_for(&self, id: NodeId) -> Result<(), Absent> {
         self.exists(self.graph.node(id))
     }
 
@@ -491,7 +491,7 @@ impl Function<'_, '_> {
     /// # Errors
     ///
     /// Those of [`Self::real_at`], for the first place that has one.
-    pub fn reals_at<'v>(
+    pub(crate) fn reals_at<'v>(
         &self,
         places: impl Iterator<Item = &'v [Precise]>,
         accuracy: f64,
@@ -516,7 +516,7 @@ impl Function<'_, '_> {
     /// # Errors
     ///
     /// Why there is none; a function with other values has none.
-    pub fn real_at(&self, variables: &[Precise], accuracy: f64) -> Result<f64, Absent> {
+    pub(crate) fn real_at(&self, variables: &[Precise], accuracy: f64) -> Result<f64, Absent> {
         let node = self.evaluation.graph.node(self.node);
         self.evaluation.run_with(
             node,

@@ -173,7 +173,7 @@ impl Graph {
     /// # Errors
     ///
     /// All that is wrong with its names and dimensions.
-    pub fn formula_over(
+    pub(crate) fn formula_over(
         &mut self,
         label: impl Into<Box<str>>,
         expr: Expr,

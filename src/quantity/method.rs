@@ -239,7 +239,7 @@ impl<'g> Evaluation<'g> {
     /// # Errors
     ///
     /// Why the step has no value by this method, or none at all.
-    pub fn wrongly(&self, method: &Method) -> Result<Self, Absent> {
+    pub(crate) fn wrongly(&self, method: &Method) -> Result<Self, Absent> {
         let step = method.step;
         let value = match &method.change {
             Change::Formula(computation, _) => self.by(step, computation)?,
@@ -256,8 +256,8 @@ impl<'g> Evaluation<'g> {
         Ok(self.replacing(replaced))
     }
 
-    /// The function that a step is where it is taken wrongly; none where it is no function, or another step is wrong.
-    pub fn function_wrongly(&self, method: &'g Method) -> Option<Function<'_, 'g>> {
+    /// The function that a step is where it is taken wrongly; none where it is not a function, or another step is wrong.
+    pub(crate) fn function_wrongly(&self, method: &'g Method) -> Option<Function<'_, 'g>> {
         match &method.change {
             Change::Formula(computation, _) if self.graph().is_function(method.step) => {
                 Some(self.function_by(method.step, computation))
@@ -274,7 +274,7 @@ fn scaled(value: &Value, factor: f64) -> Option<Value> {
 }
 
 /// The ways in which a formula is commonly taken wrongly, each with what it is then.
-pub fn variations(label: &str, expr: &Expr) -> Vec<(Wrong, Expr)> {
+pub(crate) fn variations(label: &str, expr: &Expr) -> Vec<(Wrong, Expr)> {
     let step: Arc<str> = label.into();
     let mut found = Vec::new();
     vary(expr, &step, &mut |slip, changed| {

@@ -21,5 +21,7 @@ mod trace;
 pub use error::GraphError;
 pub use evaluate::{Absent, Evaluation, Function};
 pub use graph::{Graph, NodeId};
-pub use method::{Datum, Method, Wrong, variations};
+#[cfg(feature = "render")]
+pub(crate) use method::variations;
+pub use method::{Datum, Method, Wrong};
 pub use trace::Trace;

@@ -25,7 +25,7 @@ use std::borrow::Cow;
 
 use sha2::{Digest, Sha256};
 
-use crate::answer::Kind;
+use crate::answer::AnswerKind;
 use crate::bank::{Passage, Piece};
 use crate::document::{Document, Filling};
 use crate::math::Math;
@@ -186,7 +186,7 @@ impl<'s, 't> Scene<'s, 't> {
     fn concrete(&self, place: usize) -> Option<Math> {
         let answer = &self.solution.template().parts[place].answer;
         let keys = answer.keys();
-        if answer.kind() != Kind::Function || keys.len() != 1 {
+        if answer.kind() != AnswerKind::Function || keys.len() != 1 {
             return None;
         }
         let math = concrete::function(self.solution, keys[0])?;

@@ -200,7 +200,7 @@ mod tests {
     use std::collections::BTreeSet;
 
     use super::*;
-    use crate::answer::{Kind as Answers, Verdict};
+    use crate::answer::{AnswerKind, Verdict};
     use crate::bank::{Catalogue, Template, embedded};
     use crate::expr::{Normal, Substitution};
     use crate::instance::Instance;
@@ -479,7 +479,7 @@ mod tests {
         };
         let mut parts = template.parts.iter().enumerate();
         let is_equation =
-            |(_, part): &(usize, &crate::bank::Part)| part.answer.kind() == Answers::Equation;
+            |(_, part): &(usize, &crate::bank::Part)| part.answer.kind() == AnswerKind::Equation;
         let part = parts.find(|part| is_equation(part) && asks(part));
         let Some((place, _)) = part else {
             return 0;

@@ -38,7 +38,7 @@ pub enum SecretError {
 
 impl Secret {
     /// The fewest bytes that a secret may have.
-    pub const SHORTEST: usize = 16;
+    pub(crate) const SHORTEST: usize = 16;
 
     /// The secret in these bytes; white space at both ends does not count.
     ///

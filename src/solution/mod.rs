@@ -87,7 +87,11 @@ impl<'t> Solution<'t> {
     /// The same instance with values and formulas of a student standing in for quantities: the keys are
     /// those that follow from them.
     #[must_use]
-    pub fn following(&self, values: Vec<(NodeId, Value)>, formulas: BTreeMap<Name, Expr>) -> Self {
+    pub(crate) fn following(
+        &self,
+        values: Vec<(NodeId, Value)>,
+        formulas: BTreeMap<Name, Expr>,
+    ) -> Self {
         Self {
             markers: cells(self.template()),
             others: cells(self.template()),
@@ -151,7 +155,7 @@ impl<'t> Solution<'t> {
 
     /// The key of a part in its other form, value or formula, with all that marks it but named mistakes; none for
     /// kinds with one form.
-    pub fn other_marker(&self, place: usize) -> Option<&dyn Marker> {
+    pub(crate) fn other_marker(&self, place: usize) -> Option<&dyn Marker> {
         let prepare = || {
             let other = self.template().parts[place].answer.other_form()?;
             let context = Context {
@@ -228,7 +232,7 @@ impl<'t> Solution<'t> {
     }
 
     /// Notes for the trace that the figure was drawn.
-    pub fn note_figure(&self) {
+    pub(crate) fn note_figure(&self) {
         self.is_drawn.set(true);
     }
 

@@ -4,7 +4,7 @@
 //! of its last written digit. A quantity with a second route has to agree with it over many draws.
 
 use super::Solution;
-use crate::answer::{KeyValue, Kind, Verdict, complex_number};
+use crate::answer::{AnswerKind, KeyValue, Verdict, complex_number};
 use crate::bank::{Check, Expected, Template, Units};
 use crate::diagnostic::{Code, Diagnose, Finding, Label};
 use crate::expr::{Form, Name, Precise, Shape, Undefined, Value};
@@ -225,7 +225,8 @@ fn compare(solution: &Solution<'_>, check: &Check, expected: &Expected) -> Resul
     let quantity = node
         .and_then(|node| Some((node, template.info(node)?)))
         .filter(|(_, info)| info.units.is_some());
-    let is_integer = part.is_some_and(|place| template.parts[place].answer.kind() == Kind::Integer);
+    let is_integer =
+        part.is_some_and(|place| template.parts[place].answer.kind() == AnswerKind::Integer);
     if let (Some((node, info)), Some(written), false) =
         (quantity, written(&expected.response.value), is_integer)
         && let Some(found) = numbers(solution.evaluation(), node, &check.at)
@@ -247,7 +248,7 @@ fn compare(solution: &Solution<'_>, check: &Check, expected: &Expected) -> Resul
     let Some(place) = part else {
         return Err(Disproof::Unreadable {
             id: id.to_owned(),
-            reason: "it is no number, and no part asks for it".to_owned(),
+            reason: "it is not a number, and no part asks for it".to_owned(),
         });
     };
     respond(solution, place, check, expected)
@@ -293,7 +294,7 @@ fn respond(
     let part = &solution.template().parts[place];
     if let (KeyValue::Numbers { si, .. }, Some(written)) =
         (marker.key().value, written(&expected.response.value))
-        && part.answer.kind() == Kind::Numeric
+        && part.answer.kind() == AnswerKind::Numeric
         && si.len() == written.len()
     {
         let found: Vec<Complex> = si.iter().map(|number| Complex::new(*number, 0.0)).collect();
@@ -312,7 +313,7 @@ fn respond(
     }
 }
 
-/// The numbers of a quantity: of a function one for each time; `None` for what is no number.
+/// The numbers of a quantity: of a function one for each time; `None` for what is not a number.
 fn numbers(
     evaluation: &Evaluation<'_>,
     node: NodeId,
@@ -448,7 +449,9 @@ fn agree(
 }
 
 /// How far the two routes to each quantity of an instance differ, as a share of its greatest number.
-pub fn disagreements<'s>(solution: &'s Solution<'_>) -> impl Iterator<Item = (&'s Name, f64)> {
+pub(crate) fn disagreements<'s>(
+    solution: &'s Solution<'_>,
+) -> impl Iterator<Item = (&'s Name, f64)> {
     let quantities = solution.template().quantities.iter();
     quantities.filter_map(|(node, info)| {
         let difference = differ(solution.evaluation(), *node, info.verify?)?;

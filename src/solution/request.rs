@@ -20,7 +20,7 @@ use crate::unit::Decimal;
 /// What a script asks for.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Request {
+pub struct SolveRequest {
     /// The item.
     pub id: String,
     /// Values of parameters.
@@ -42,7 +42,7 @@ pub struct Request {
 
 /// The answers to a request, or why there are none.
 #[derive(Clone, Debug, Serialize)]
-pub struct Reply {
+pub struct SolveReply {
     /// The item.
     pub id: String,
     /// The tag of the request.
@@ -50,13 +50,13 @@ pub struct Reply {
     pub tag: Option<Json>,
     /// Either of them.
     #[serde(flatten)]
-    pub outcome: Outcome,
+    pub outcome: SolveOutcome,
 }
 
 /// Answers, or a refusal.
 #[derive(Clone, Debug, Serialize)]
 #[serde(untagged)]
-pub enum Outcome {
+pub enum SolveOutcome {
     /// The answers.
     Solved(Solved),
     /// Why there are none.
@@ -158,12 +158,12 @@ pub(crate) fn read<T: DeserializeOwned>(line: &str) -> Result<T, Map<String, Jso
 }
 
 /// Answers one request, and says what was computed for it.
-pub fn reply(session: &mut Session<'_>, request: Request) -> (Reply, Option<Trace>) {
+pub fn reply(session: &mut Session<'_>, request: SolveRequest) -> (SolveReply, Option<Trace>) {
     let (outcome, trace) = match solve(session, &request) {
-        Ok((solved, trace)) => (Outcome::Solved(solved), Some(trace)),
-        Err(error) => (Outcome::Refused { error }, None),
+        Ok((solved, trace)) => (SolveOutcome::Solved(solved), Some(trace)),
+        Err(error) => (SolveOutcome::Refused { error }, None),
     };
-    let reply = Reply {
+    let reply = SolveReply {
         id: request.id,
         tag: request.tag,
         outcome,
@@ -171,7 +171,7 @@ pub fn reply(session: &mut Session<'_>, request: Request) -> (Reply, Option<Trac
     (reply, trace)
 }
 
-fn solve(session: &mut Session<'_>, request: &Request) -> Result<(Solved, Trace), Refusal> {
+fn solve(session: &mut Session<'_>, request: &SolveRequest) -> Result<(Solved, Trace), Refusal> {
     let template = session.find(&request.id)?;
     let at = times(&request.at)?;
     let doubt = Doubt::default();

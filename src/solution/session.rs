@@ -35,7 +35,7 @@ pub struct Session<'c> {
     kept: BTreeMap<Data, Kept<'c>>,
     /// Requests so far.
     count: u64,
-    /// Whether the last item that was asked for is none; then the next one is not searched for either.
+    /// Whether the last item that was asked for does not exist; then the next one is not searched for either.
     is_lost: bool,
 }
 

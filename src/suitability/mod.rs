@@ -8,7 +8,7 @@
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-use crate::answer::{Kind, Marker};
+use crate::answer::{AnswerKind, Marker};
 use crate::expr::Precise;
 use crate::quantity::{Evaluation, Function, Method, NodeId, Wrong};
 use crate::solution::Solution;
@@ -54,7 +54,7 @@ pub enum Unfit {
 }
 
 /// Mistakes and wrong methods keep this distance from the key, in tolerances.
-pub const CLEARANCE: f64 = 2.0;
+pub(crate) const CLEARANCE: f64 = 2.0;
 
 /// Whether the parts that are asked have keys from which their named mistakes can be distinguished.
 ///
@@ -73,7 +73,7 @@ pub fn judge(solution: &Solution<'_>, parts: &[usize]) -> Result<(), Unfit> {
             part: part(),
             reason: absent.to_string(),
         })?;
-        let is_numeric = solution.template().parts[*place].answer.kind() == Kind::Numeric;
+        let is_numeric = solution.template().parts[*place].answer.kind() == AnswerKind::Numeric;
         if is_numeric && solution.marker(*place).is_ok_and(|own| own.is_uncertain()) {
             return Err(Unfit::UncertainKey { part: part() });
         }
@@ -97,8 +97,13 @@ pub fn judge_methods(solution: &Solution<'_>, parts: &[usize]) -> Result<(), Unf
     let asked = parts.iter().filter(|place| solution.asks(**place));
     let kind = |place: &usize| solution.template().parts[*place].answer.kind();
     let (functions, numbers): (Vec<&usize>, Vec<&usize>) = asked
-        .filter(|place| matches!(kind(place), Kind::Numeric | Kind::Integer | Kind::Function))
-        .partition(|place| kind(place) == Kind::Function);
+        .filter(|place| {
+            matches!(
+                kind(place),
+                AnswerKind::Numeric | AnswerKind::Integer | AnswerKind::Function
+            )
+        })
+        .partition(|place| kind(place) == AnswerKind::Function);
     // Functions take the longest, and are not looked at where a number decides.
     for place in numbers.into_iter().chain(functions) {
         let part = &solution.template().parts[*place];
@@ -113,7 +118,7 @@ pub fn judge_methods(solution: &Solution<'_>, parts: &[usize]) -> Result<(), Unf
         }
         // Functions are prepared for this alone, which costs more than a key.
         let clearance = match part.answer.kind() {
-            Kind::Function => solution.marker(*place).ok().and_then(|own| own.clearance()),
+            AnswerKind::Function => solution.marker(*place).ok().and_then(|own| own.clearance()),
             _ => None,
         };
         if let Some(tolerances) = clearance.filter(|clearance| *clearance < CLEARANCE) {
@@ -171,12 +176,12 @@ impl<'s> Beside<'s> {
         let marker = solution.marker(place).ok()?;
         let evaluation = solution.evaluation();
         let times = match answer.kind() {
-            Kind::Numeric => None,
-            Kind::Function => Some(marker.times()).filter(|times| !times.is_empty()),
+            AnswerKind::Numeric => None,
+            AnswerKind::Function => Some(marker.times()).filter(|times| !times.is_empty()),
             _ => return None,
         };
         let right = match (answer.kind(), times) {
-            (Kind::Numeric, _) => evaluation.value(key).ok()?.numbers().to_vec(),
+            (AnswerKind::Numeric, _) => evaluation.value(key).ok()?.numbers().to_vec(),
             (_, Some(times)) => samples(&evaluation.function(key).ok()?, times, 0.0)?,
             _ => return None,
         };
@@ -283,7 +288,7 @@ fn half_away(solution: &Solution<'_>, place: usize) -> Option<f64> {
     let marker = solution.marker(place).ok()?;
     marker
         .distance(&halved)
-        .filter(|_| answer.kind() == Kind::Numeric && largest(&halved) > 0.0)
+        .filter(|_| answer.kind() == AnswerKind::Numeric && largest(&halved) > 0.0)
 }
 
 /// The values of a function of time, with an absolute error of at most `accuracy`.

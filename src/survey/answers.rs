@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::answer::{KeyValue, Kind};
+use crate::answer::{AnswerKind, KeyValue};
 use crate::bank::Template;
 use crate::solution::Solution;
 use crate::unit::Unit;
@@ -43,7 +43,12 @@ impl AnswerSurvey {
     pub(crate) fn of_parts(template: &Template) -> Vec<Self> {
         let parts = template.parts.iter().enumerate();
         parts
-            .filter(|(_, part)| matches!(part.answer.kind(), Kind::Numeric | Kind::Integer))
+            .filter(|(_, part)| {
+                matches!(
+                    part.answer.kind(),
+                    AnswerKind::Numeric | AnswerKind::Integer
+                )
+            })
             .map(|(place, part)| {
                 let scale = part.answer.unit().unwrap_or(Unit::ONE);
                 Self {

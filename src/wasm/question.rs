@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::answer::{Blank, Kind};
+use crate::answer::{AnswerKind, Blank};
 use crate::bank::{Part, Template};
 use crate::document::Document;
 use crate::expr::Shape;
@@ -104,8 +104,8 @@ pub(super) fn shape(part: &Part, template: &Template) -> Option<(usize, usize)> 
     };
     let shape = template.graph.kind(key)?.shape();
     let (rows, columns) = match (part.answer.kind(), shape) {
-        (Kind::Matrix, Shape::Matrix(rows, columns)) => (rows, columns),
-        (Kind::ModeShape, Shape::Vector(rows)) => (rows, 1),
+        (AnswerKind::Matrix, Shape::Matrix(rows, columns)) => (rows, columns),
+        (AnswerKind::ModeShape, Shape::Vector(rows)) => (rows, 1),
         _ => return None,
     };
     (rows <= MAX_COUNT && columns <= MAX_COUNT).then_some((rows, columns))

@@ -26,7 +26,7 @@ pub enum AnswerSpace {
     /// Ruled lines.
     #[default]
     Lines,
-    /// Boxes.
+    /// An empty frame below each part.
     Boxes,
     /// Nowhere: on paper of their own.
     None,
@@ -41,7 +41,7 @@ pub struct Columns {
 
 impl Columns {
     /// What may be known of a student.
-    pub const ROLES: [&'static str; 8] = [
+    pub(crate) const ROLES: [&'static str; 8] = [
         "id",
         "name",
         "group",
@@ -151,11 +151,11 @@ pub enum Paper {
     /// 210 mm by 297 mm.
     #[default]
     A4,
-    /// 8.5 in by 11 in.
+    /// 8.5 in by 11 in, the paper of North America.
     Letter,
 }
 
-/// One `[[question]]`.
+/// What a `[[question]]` of the blueprint asks for.
 #[derive(Clone, Debug)]
 pub struct Question {
     /// Where its header stands.
@@ -203,7 +203,7 @@ pub enum Choice {
 pub struct Filter {
     /// One of these items.
     pub items: Vec<Text>,
-    /// Of this chapter.
+    /// The chapter that the item is in.
     pub chapter: Option<Text>,
     /// With this topic.
     pub topic: Option<Text>,

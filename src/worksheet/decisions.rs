@@ -28,7 +28,7 @@ pub struct Decisions {
     pub marks: Option<Marks>,
 }
 
-/// One `[[decision]]`.
+/// What was decided about a part of an item, for all sheets or for one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Decision {
     /// Where its header stands.
@@ -51,7 +51,7 @@ pub struct Decision {
     pub feedback: Option<String>,
     /// Who decided it.
     pub who: String,
-    /// Why.
+    /// The reason, which stands in the report.
     pub why: String,
 }
 
@@ -95,7 +95,7 @@ pub enum Void {
 pub struct Subject {
     /// The code of the one sheet, if it is about one.
     pub sheet: Option<String>,
-    /// The item.
+    /// The id of the item.
     pub item: String,
     /// The part of the item.
     pub part: String,

@@ -83,7 +83,7 @@ pub struct Manifest {
     /// Digest of the form for the answers as it was written.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub form: String,
-    /// The files of the run that are no single sheet's, each with its digest; but for the form, which is filled in.
+    /// The files of the run that belong to no single sheet, each with its digest; the form, which is filled in, is left out.
     #[serde(default)]
     pub files: BTreeMap<String, String>,
 }
@@ -182,13 +182,13 @@ pub struct PartEntry {
 #[non_exhaustive]
 pub enum EntryError {
     /// Not as codes are printed.
-    #[error("`{0}` is no code of a sheet")]
+    #[error("`{0}` is not a code of a sheet")]
     Code(String),
     /// Not as the parts of a sheet are lettered.
-    #[error("`{0}` is no letter of a part")]
+    #[error("`{0}` is not a letter of a part")]
     Letter(String),
     /// Not as parts are named in items.
-    #[error("`{0}` is no name of a part")]
+    #[error("`{0}` is not a name of a part")]
     Part(String),
 }
 

@@ -39,7 +39,7 @@ pub struct Marks {
 pub struct Best {
     /// The section; empty for the questions that are in none.
     pub section: String,
-    /// How many count.
+    /// How many of its questions count, those with the most points.
     pub count: usize,
 }
 
@@ -56,7 +56,7 @@ pub struct Step {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Bound {
-    /// In points.
+    /// A number of points.
     Points(Exact),
     /// As a share of the points that count as 100 %.
     Share(Exact),
@@ -67,7 +67,7 @@ pub enum Bound {
 pub struct Rounding {
     /// To multiples of this.
     pub step: Exact,
-    /// In which direction.
+    /// Whether a half, or anything between two steps, is rounded up or down.
     pub direction: Direction,
 }
 

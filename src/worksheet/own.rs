@@ -24,12 +24,12 @@ const MARKS: [&str; 2] = ["statement", "part"];
 
 impl Own {
     /// Whether a question has no item to look up, but says what it is about.
-    pub(super) fn is_meant(table: &Table<'_>) -> bool {
+    pub(crate) fn is_meant(table: &Table<'_>) -> bool {
         MARKS.into_iter().any(|key| table.has(key))
     }
 
     /// Reads the question at a place of the blueprint, which are all questions of `whole`.
-    pub(super) fn read(
+    pub(crate) fn read(
         table: &Table<'_>,
         place: usize,
         whole: &Table<'_>,

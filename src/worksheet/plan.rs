@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use self::error::PlanError;
 use super::blueprint::{Blueprint, Choice, Filter, Question};
 use super::fairness::Fairness;
-use crate::answer::Kind;
+use crate::answer::AnswerKind;
 use crate::bank::{Catalogue, Chapter, ItemId, Part, Space, Template};
 use crate::diagnostic::{Finding, Severity};
 use crate::message::Language;
@@ -129,7 +129,7 @@ impl<'c> Plan<'c> {
     }
 
     /// Who goes first among students: the lower number.
-    pub(super) fn rank(&self, id: &str) -> u64 {
+    pub(crate) fn rank(&self, id: &str) -> u64 {
         Variant::rank(Seed::new(self.blueprint.seed), id, self.secret.as_ref())
     }
 }
@@ -332,7 +332,7 @@ impl<'c> Planner<'c> {
         let chapters = bank.ids().map(ItemId::chapter).collect();
         let topics = bank.items().flat_map(|item| &item.about.topics);
         let topics = topics.map(|topic| topic.value.as_str()).collect();
-        let kinds = Kind::ALL.iter().map(|kind| kind.name()).collect();
+        let kinds = AnswerKind::ALL.iter().map(|kind| kind.name()).collect();
         let words: [(_, _, BTreeSet<&str>); 3] = [
             ("chapter", &filter.chapter, chapters),
             ("topic", &filter.topic, topics),

@@ -43,7 +43,7 @@ pub struct Printing {
 }
 
 impl Printing {
-    pub(super) fn read(table: &Table<'_>, faults: &mut Faults<'_>) -> Self {
+    pub(crate) fn read(table: &Table<'_>, faults: &mut Faults<'_>) -> Self {
         let orders = [Order::Class, Order::Group, Order::Seat];
         let printing = Self {
             order: faults.word(table, "order", &["class", "group", "seat"], &orders),
@@ -161,7 +161,7 @@ const NO: [&str; 9] = ["", "-", "–", "0", "no", "n", "false", "non", "nein"];
 
 /// A size of type that no sheet is printed in.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("`{found}` is no size of type")]
+#[error("`{found}` is not a size of type")]
 pub struct TypeSizeError {
     /// What was found.
     pub found: String,

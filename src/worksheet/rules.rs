@@ -56,7 +56,7 @@ const MAX_ATTEMPTS: i64 = 60;
 const MAX_ID_LENGTH: usize = 64;
 
 impl Rules {
-    pub(super) fn read(table: &Table<'_>, faults: &mut Faults<'_>) -> Self {
+    pub(crate) fn read(table: &Table<'_>, faults: &mut Faults<'_>) -> Self {
         let rules = Self {
             id: id(table, faults),
             pass: pass(table),

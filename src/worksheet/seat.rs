@@ -2,14 +2,14 @@
 
 /// A seat: a row and a place in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Seat {
+pub(crate) struct Seat {
     row: u32,
     place: u32,
 }
 
 impl Seat {
     /// Reads a seat as class lists have it: `3-7`, `C7`, or `12` where there is one row.
-    pub(super) fn read(text: &str) -> Option<Self> {
+    pub(crate) fn read(text: &str) -> Option<Self> {
         let text = text.trim();
         let is_mark = |char: char| !char.is_ascii_alphanumeric();
         let mut parts = text.split(is_mark).filter(|part| !part.is_empty());
@@ -33,7 +33,7 @@ impl Seat {
     }
 
     /// The seats from which one can see it: itself, beside, before, behind and across a corner.
-    pub(super) fn around(self) -> impl Iterator<Item = Self> + Clone {
+    pub(crate) fn around(self) -> impl Iterator<Item = Self> + Clone {
         let near = |number: u32| number.saturating_sub(1)..=number.saturating_add(1);
         near(self.row).flat_map(move |row| near(self.place).map(move |place| Self { row, place }))
     }

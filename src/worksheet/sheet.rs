@@ -117,7 +117,7 @@ impl<'t> Heading<'t> {
     }
 
     /// The letter of its group.
-    pub fn group_letter(&self) -> &str {
+    pub(crate) fn group_letter(&self) -> &str {
         self.letter
             .trim_end_matches(|char: char| char.is_ascii_digit())
     }
@@ -154,7 +154,7 @@ pub fn headings<'t>(template: &'t Template, places: &[usize]) -> Vec<Heading<'t>
 }
 
 /// Whether two parts are blanks of one group.
-pub(super) fn is_one_group(a: &Part, b: &Part) -> bool {
+pub(crate) fn is_one_group(a: &Part, b: &Part) -> bool {
     match (&a.group, &b.group) {
         (Some(a), Some(b)) => Arc::ptr_eq(a, b),
         _ => false,

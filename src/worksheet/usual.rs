@@ -13,7 +13,7 @@ use crate::solution::Solution;
 
 /// What most instances of an item have in common.
 #[derive(Debug, Default)]
-pub(super) struct Usual {
+pub(crate) struct Usual {
     /// The parts that are asked, as places in the item.
     parts: Vec<usize>,
     /// The usual size of each numeric answer that differs between instances, by place in the item.
@@ -22,7 +22,7 @@ pub(super) struct Usual {
 
 /// How a question differs from most instances of its item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub(super) enum Unusual {
+pub(crate) enum Unusual {
     #[error("it asks other parts than most variants")]
     Parts,
     #[error("an answer is of another size than in most variants")]
@@ -37,7 +37,7 @@ const LIKE_SIZE: f64 = 10.0;
 
 impl Usual {
     /// What most instances of an item have in common, as a question asks for it.
-    pub(super) fn of(template: &Template, planned: &Planned<'_>) -> Self {
+    pub(crate) fn of(template: &Template, planned: &Planned<'_>) -> Self {
         let set: Vec<(&str, &str)> = planned
             .set
             .iter()
@@ -71,7 +71,7 @@ impl Usual {
     }
 
     /// Whether a question is like most others.
-    pub(super) fn judge(&self, question: &SheetQuestion<'_>) -> Result<(), Unusual> {
+    pub(crate) fn judge(&self, question: &SheetQuestion<'_>) -> Result<(), Unusual> {
         if question.parts != self.parts {
             return Err(Unusual::Parts);
         }
@@ -85,13 +85,13 @@ impl Usual {
     }
 
     /// Whether the answer to a part differs between instances.
-    pub(super) fn differs(&self, part: usize) -> bool {
+    pub(crate) fn differs(&self, part: usize) -> bool {
         self.sizes.contains_key(&part)
     }
 }
 
 /// The size of the answer to a part that is one number.
-pub(super) fn size(solution: &Solution<'_>, part: usize) -> Option<f64> {
+pub(crate) fn size(solution: &Solution<'_>, part: usize) -> Option<f64> {
     match &solution.key(part).ok()?.value {
         KeyValue::Numbers { si, .. } => match si.as_slice() {
             [number] => Some(number.abs()),

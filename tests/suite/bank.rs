@@ -9,7 +9,7 @@ use vibank::answer::{KeyValue, Verdict};
 use vibank::bank::{Catalogue, Listing, Template};
 use vibank::grade;
 use vibank::instance::Instance;
-use vibank::output::{self, Kind, Pages, Run};
+use vibank::output::{self, PageKind, Pages, Run};
 use vibank::seed::Seed;
 use vibank::solution::{Session, Solution, proof, request};
 use vibank::source::Source;
@@ -153,7 +153,9 @@ fn one_draw_of_each_item_is_written_as_it_was() {
         let plan = Plan::of(&blueprint, catalogue, None).expect("the item is there");
         let sheet = Sheet::draw(&plan, plan.variant(0, 0), None).expect("it can be drawn");
         let pages = Pages::new(writer, Run::of(&blueprint, writer), &[]).expect("it is sound");
-        let page = pages.page(Kind::Solutions, &sheet).expect("it is sound");
+        let page = pages
+            .page(PageKind::Solutions, &sheet)
+            .expect("it is sound");
         let name = item.id.to_string().replace('/', "-");
         settings.bind(|| insta::assert_snapshot!(name, without_pictures(&page.text)));
     }

@@ -1,7 +1,7 @@
 //! Honest work on the bank is right, wrong methods are not: the counts behind both.
 
 use crate::BANK;
-use vibank::answer::Kind;
+use vibank::answer::AnswerKind;
 use vibank::bank::Template;
 use vibank::diagnostic::{Code, Finding};
 use vibank::examine::Examination;
@@ -25,7 +25,7 @@ fn count(template: &Template) -> Counts {
     let examined = Examination::of(template, DRAWS);
     let mut counts = Counts::default();
     for (part, own) in template.parts.iter().zip(&examined.parts) {
-        if own.honest == 0 && part.answer.kind() == Kind::Numeric {
+        if own.honest == 0 && part.answer.kind() == AnswerKind::Numeric {
             counts
                 .unfair
                 .push(format!("{}, {}: no honest work", template.id, part.id));

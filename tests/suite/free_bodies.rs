@@ -324,7 +324,7 @@ fn names_that_lead_nowhere_are_refused() {
     );
     assert_eq!(
         named("arms   = { cord_1 = \"r\"", "arms   = { cord_1 = \"m\""),
-        "figure::free: the moment of `cord_1` on `disk` is no force times `m`"
+        "figure::free: the moment of `cord_1` on `disk` is not a force times `m`"
     );
     assert_eq!(
         named("turn   = \"cw\"\n", ""),

@@ -190,7 +190,7 @@ fn every_module_imports_what_its_row_allows_and_nothing_else() {
             let below = stated.get(name).map(|row| row.layer);
             if below.is_none_or(|below| below >= row.layer) {
                 faults.push(format!(
-                    "`{module}` imports `{name}`, which is no layer below"
+                    "`{module}` imports `{name}`, which is not a layer below"
                 ));
             }
         }

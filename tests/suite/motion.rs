@@ -294,7 +294,7 @@ fn what_cannot_move_is_a_finding_with_a_way_out() {
     for (motion, expected) in [
         (
             "Q = ['x', 0]",
-            "figure::place: `Q` is no point of this figure; ",
+            "figure::place: `Q` is not a point of this figure; ",
         ),
         ("B = ['y', 0]", "`y`"),
         (
@@ -312,7 +312,7 @@ fn what_cannot_move_is_a_finding_with_a_way_out() {
         ),
         (
             "O = { turn = 'theta', about = 'Z' }",
-            "`Z` is no point of this figure",
+            "`Z` is not a point of this figure",
         ),
         ("O = { turn = 'theta', round = 'B' }", "round"),
         ("O = 'theta'", "a shift, `[\"x\", 0]`, or a turn"),

@@ -123,7 +123,7 @@ impl Greeting {
     ///
     /// # Errors
     ///
-    /// [`io::ErrorKind::InvalidData`] where it is none, and those of the pipe.
+    /// [`io::ErrorKind::InvalidData`] where the bytes are not such a message, and the errors of the pipe.
     pub fn receive(pipe: &mut impl Read) -> io::Result<Self> {
         let mut magic = [0; MAGIC.len()];
         pipe.read_exact(&mut magic)?;
@@ -174,7 +174,7 @@ impl Job {
     ///
     /// # Errors
     ///
-    /// [`io::ErrorKind::InvalidData`] where it is none, and those of the pipe.
+    /// [`io::ErrorKind::InvalidData`] where the bytes are not such a message, and the errors of the pipe.
     pub fn receive(pipe: &mut impl Read) -> io::Result<Option<Self>> {
         let mut kind = [0];
         if pipe.read(&mut kind)? == 0 {
@@ -219,14 +219,14 @@ impl Reply {
     ///
     /// # Errors
     ///
-    /// [`io::ErrorKind::InvalidData`] where it is none, and those of the pipe.
+    /// [`io::ErrorKind::InvalidData`] where the bytes are not such a message, and the errors of the pipe.
     pub fn receive(pipe: &mut impl Read) -> io::Result<Self> {
         let mut kind = [0];
         pipe.read_exact(&mut kind)?;
         match kind {
             [1] => receive(pipe, MAX_FILE).map(Self::File),
             [0] => words(pipe).map(Self::Refused),
-            _ => Err(invalid("it answers with what is no reply")),
+            _ => Err(invalid("it answers with what is not a reply")),
         }
     }
 }

@@ -6,7 +6,7 @@ use vibank::document::{Document, Fill, Fills};
 use vibank::grade::{Comment, Feedback, PartFeedback, QuestionFeedback};
 use vibank::math::{Display, Math, TYPST_PRELUDE};
 use vibank::numerics::Rational;
-use vibank::output::{self, KeyTable, Kind, List, Pages, Roll, Run};
+use vibank::output::{self, KeyTable, List, PageKind, Pages, Roll, Run};
 use vibank::source::Source;
 use vibank::worksheet::{Blueprint, Order, Plan, Sheet, Student};
 use vibank_press::{Job, print};
@@ -28,7 +28,7 @@ fn blueprint(items: &[&str]) -> Blueprint {
 }
 
 /// The file of the first sheet, and the text that it was made of.
-fn file(pages: &Pages, kind: Kind, sheet: &Sheet<'_>) -> (Vec<u8>, String) {
+fn file(pages: &Pages, kind: PageKind, sheet: &Sheet<'_>) -> (Vec<u8>, String) {
     let begin = pages
         .begin(pages.subtitle(kind))
         .expect("the layout is sound");
@@ -65,7 +65,7 @@ fn sheets_are_tagged_pdf_of_the_same_bytes() {
     let plan = Plan::of(&blueprint, &catalogue, None).expect("the items are there");
     let pages = pages(&blueprint, "pdf");
     let sheet = Sheet::draw(&plan, plan.variant(0, 0), None).expect("it can be drawn");
-    for kind in [Kind::Sheet, Kind::Key, Kind::Solutions] {
+    for kind in [PageKind::Sheet, PageKind::Key, PageKind::Solutions] {
         let (bytes, _) = file(&pages, kind, &sheet);
         assert!(bytes.starts_with(b"%PDF-1."));
         assert!(count(&bytes, "/StructTreeRoot") > 0, "it has tags");
@@ -162,7 +162,7 @@ fn a_file_for_the_printer_is_accessible_and_each_sheet_has_an_even_number_of_pag
         let sheet = Sheet::draw(&plan, plan.variant(place as u64, 0), student);
         let sheet = sheet.expect("it can be drawn");
         let page = pages
-            .page(Kind::Sheet, &sheet)
+            .page(PageKind::Sheet, &sheet)
             .expect("the layout is sound");
         (sheet.variant.to_string(), page.text)
     };
@@ -228,7 +228,7 @@ fn the_chapter_prints(chapter: &str) {
     let blueprint = blueprint(&items);
     let plan = Plan::of(&blueprint, &catalogue, None).expect("the items are there");
     let sheet = Sheet::draw(&plan, plan.variant(0, 0), None).expect("it can be drawn");
-    file(&pages(&blueprint, "pdf"), Kind::Solutions, &sheet);
+    file(&pages(&blueprint, "pdf"), PageKind::Solutions, &sheet);
 }
 
 #[test]
@@ -331,7 +331,7 @@ fn figures_are_vectors_with_words() {
     let picture = figure();
     assert!(picture.starts_with(b"%PDF-1."));
     assert_eq!(figure(), picture);
-    assert_eq!(count(&picture, "/Subtype /Image"), 0, "it is no bitmap");
+    assert_eq!(count(&picture, "/Subtype /Image"), 0, "it is not a bitmap");
 }
 
 #[test]

@@ -11,7 +11,7 @@ pub enum Trouble {
     TooLong,
     /// Brackets within brackets beyond the bound.
     TooDeep,
-    /// A word that is no name of the item.
+    /// A word that is not a name of the item.
     Unknown {
         /// The name that is nearest to it.
         near: Option<String>,

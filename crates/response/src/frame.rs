@@ -44,7 +44,7 @@ impl Reader<'_> {
         })
     }
 
-    /// What stands before a list, without a letter that is no name where a factor is free.
+    /// What stands before a list, without a letter that is not a name where a factor is free.
     fn without_free_factor<'t>(&self, before: &'t str, start: usize) -> &'t str {
         let Some(own) = before
             .get(start..)
@@ -54,7 +54,7 @@ impl Reader<'_> {
         };
         let own = without_times(own).trim_end();
         let is_of_name = |char: char| char.is_alphanumeric() || "_{}\\".contains(char);
-        // `transpose` is no letter.
+        // `transpose` is not a letter.
         let letter = own.split('_').next().unwrap_or(own);
         let letter = letter.trim_end_matches(|char: char| char.is_ascii_digit());
         let is_factor = letter.chars().count() == 1
@@ -118,7 +118,7 @@ fn units_around(rest: &str, start: usize, list: std::ops::Range<usize>) -> Vec<(
     units
 }
 
-/// What a formula multiplies the one at a place by; `None` where it is no multiple of it.
+/// What a formula multiplies the one at a place by; `None` where it is not a multiple of it.
 fn cofactor(formula: &Expr, one: usize) -> Option<Expr> {
     match formula.kind() {
         Kind::Number(_) if formula.span().range().start == one => Some(Expr::number(1)),

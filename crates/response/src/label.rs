@@ -1,4 +1,4 @@
-//! Symbols before an equals sign that are no names: `V(π)`, `x₃/x`, `cos θ`, `ω²`.
+//! Symbols before an equals sign that are not names: `V(π)`, `x₃/x`, `cos θ`, `ω²`.
 
 use super::Folded;
 use super::letters::{Letters, greek_word};
@@ -9,7 +9,7 @@ use vibank_notation::Math;
 pub struct Label(String);
 
 impl Label {
-    /// The symbol of a quantity, if it is no name that is read as such.
+    /// The symbol of a quantity, if it is not a name that is read as such.
     pub fn of_symbol(symbol: &Math) -> Option<Self> {
         let plain = symbol.plain();
         let is_name = Letters::spelling(&plain).is_some();

@@ -65,7 +65,7 @@ fn by_columns(text: &str) -> String {
     plain
 }
 
-/// `[1 2; 3 4] [N/m]` without the brackets around its unit, which are no list beside another.
+/// `[1 2; 3 4] [N/m]` without the brackets around its unit, which are not a list of their own.
 fn without_brackets_of_unit(mut text: String) -> String {
     let inner = text
         .trim_end()

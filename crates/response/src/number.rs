@@ -191,7 +191,7 @@ impl Lexer<'_> {
         found.is_some()
     }
 
-    /// Takes a comma that is no decimal sign by now; within an arc tangent it may still be meant as one.
+    /// Takes a comma that is not a decimal sign by now; within an arc tangent it may still be meant as one.
     pub(super) fn comma(&mut self) {
         let is_open = self.manner.comma_is_decimal && self.comma_here() == Comma::Either;
         self.take(1, Item::Sign(if is_open { DECIMAL } else { ',' }));
@@ -273,7 +273,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// Takes a run of letters that is no word as a unit.
+    /// Takes a run of letters that is not a word as a unit.
     ///
     /// # Errors
     ///
@@ -294,7 +294,7 @@ impl Lexer<'_> {
         Err(TypedError::new(trouble, start, end))
     }
 
-    /// Takes a run of letters that is no word as a unit, `rad/s`, or as a constant before one, `iΩ`; whether it is.
+    /// Takes a run of letters that is not a word as a unit, `rad/s`, or as a constant before one, `iΩ`; whether it is.
     fn unit_of_run(&mut self, letters: &Letters, start: usize, end: usize) -> bool {
         if self.manner.values.is_none() {
             return false;

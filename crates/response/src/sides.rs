@@ -105,7 +105,7 @@ fn symbol(text: &str, lexicon: &Lexicon) -> Option<Symbol> {
     }
 }
 
-/// Marks behind a letter that are no letters: those of conjugate values and of parallel springs.
+/// Marks behind a letter that are not letters: those of conjugate values and of parallel springs.
 const MARKS: &[&str] = &[
     "^*",
     "^{*}",

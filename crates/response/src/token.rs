@@ -544,7 +544,7 @@ impl Lexer<'_> {
         self.pieces(pieces, primes)
     }
 
-    /// Whether a run of letters that are no names is a unit: only behind a number, and of one letter only the second.
+    /// Whether a run of letters that are not names is a unit: only behind a number, and of one letter only the second.
     fn is_unit(&self, start: usize, end: usize) -> bool {
         let run = &self.text[start..end];
         let is_behind_number =

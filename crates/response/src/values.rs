@@ -58,7 +58,7 @@ pub type Part = Range<usize>;
 pub struct Statement {
     /// At least one; empty ones are left away.
     pub sides: Vec<Part>,
-    /// A sign that is no equals sign, if there is one.
+    /// A sign that is not an equals sign, if there is one.
     pub unequal: Option<char>,
 }
 

@@ -56,7 +56,7 @@ pub(super) enum Powered {
     CubeRoot,
     /// `root(base)`, `nthroot(base, degree)`.
     Root,
-    /// `complex(real, imaginary)`, which is no power at all.
+    /// `complex(real, imaginary)`, which is not a power.
     Complex,
     /// `polar(modulus, angle)`.
     Polar,

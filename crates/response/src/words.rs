@@ -101,7 +101,7 @@ pub(super) const VERBS: &[&str] = &[
     "may be",
 ];
 
-/// What is said before an answer and is no part of it, in any case.
+/// What is said before an answer and is not part of it, in any case.
 pub(super) const LEADS: &[&str] = &[
     "the final answer is",
     "final answer",
@@ -214,7 +214,7 @@ pub(super) const LEADS: &[&str] = &[
     "=>",
 ];
 
-/// What is said behind an answer and is no part of it.
+/// What is said behind an answer and is not part of it.
 pub(super) const TRAILS: &[&str] = &[
     "approx.",
     "approximately",

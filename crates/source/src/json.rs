@@ -22,7 +22,7 @@ pub enum Misfit {
     /// Something else stands here.
     #[error("expected {0}")]
     Expected(&'static str),
-    /// A name that is none of those which are known.
+    /// An unknown name.
     #[error("expected {expected}, found `{found}`")]
     Unknown {
         /// The known ones.
@@ -53,7 +53,7 @@ impl Fields {
     ///
     /// # Errors
     ///
-    /// [`Misfit`] where it is none.
+    /// [`Misfit`] where the JSON is not such a value.
     pub fn of(json: Json) -> Result<Self, Misfit> {
         match json {
             Json::Object(fields) => Ok(Self(fields)),

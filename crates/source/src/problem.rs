@@ -24,7 +24,7 @@ pub enum Problem {
         span: Span,
     },
     /// A key that nothing reads.
-    #[error("`{key}` is no key of {}", called(table))]
+    #[error("`{key}` is not a key of {}", called(table))]
     Unknown {
         /// The table, as it is called in the file.
         table: String,

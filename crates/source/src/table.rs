@@ -45,7 +45,7 @@ impl Problems {
 const USUAL_OTHERS: usize = 8;
 
 impl<'s> Table<'s> {
-    /// The table `value`, called `name` in messages; `None`, and a problem, where it is no table.
+    /// The table `value`, called `name` in messages; `None`, and a problem, where it is not a table.
     pub fn of(
         source: &'s Source,
         problems: &'s Problems,
@@ -192,7 +192,7 @@ impl<'s> Table<'s> {
         integer.or_else(|| self.out_of_range(key, expected, value))
     }
 
-    /// Notes a value that is no number, or a number that cannot be taken, which is then quoted.
+    /// Notes a value that is not a number, or a number that cannot be taken, which is then quoted.
     fn out_of_range<T>(&self, key: &str, expected: &'static str, value: &Value) -> Option<T> {
         let found = match &value.data {
             Data::Number { number } => format!("`{number}`"),

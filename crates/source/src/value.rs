@@ -3,8 +3,8 @@
 use serde::Serialize;
 use serde_json::Value as Json;
 
-use super::Span;
 use super::json::{Fields, FromJson, Misfit, variant};
+use super::{Span, Text};
 
 /// A value as it stands in a file.
 ///
@@ -55,6 +55,16 @@ pub struct Entry {
     /// The value behind the equals sign.
     #[serde(rename = "v")]
     pub value: Value,
+}
+
+impl Entry {
+    /// The key as a text, with its place in the file.
+    pub fn name(&self) -> Text {
+        Text {
+            value: self.key.clone(),
+            span: self.span,
+        }
+    }
 }
 
 impl Data {

@@ -117,8 +117,8 @@ impl Choice {
 }
 
 impl Answer for Choice {
-    fn kind(&self) -> crate::answer::Kind {
-        crate::answer::Kind::Choice
+    fn kind(&self) -> crate::answer::AnswerKind {
+        crate::answer::AnswerKind::Choice
     }
 
     fn blank(&self) -> Blank {

@@ -201,7 +201,7 @@ impl Chosen {
             .filter(|_| is_long)
     }
 
-    /// All that was typed, or what of it is no option.
+    /// All that was typed, or what of it is not an option.
     pub(super) fn places(&self, response: &str) -> Result<Vec<usize>, String> {
         let response = without_face(response);
         // All words of an option are it, also those that could announce one: `only if K = 0`. One word may be a letter.

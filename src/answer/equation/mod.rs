@@ -141,8 +141,8 @@ fn equations(text: &Text, meaning: &Meaning, declare: &mut dyn Declare) -> Optio
 }
 
 impl Answer for Equations {
-    fn kind(&self) -> crate::answer::Kind {
-        crate::answer::Kind::Equation
+    fn kind(&self) -> crate::answer::AnswerKind {
+        crate::answer::AnswerKind::Equation
     }
 
     fn blank(&self) -> Blank {

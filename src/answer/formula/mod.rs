@@ -140,8 +140,8 @@ pub(super) fn of_key(
 }
 
 impl Answer for Formula {
-    fn kind(&self) -> crate::answer::Kind {
-        crate::answer::Kind::Formula
+    fn kind(&self) -> crate::answer::AnswerKind {
+        crate::answer::AnswerKind::Formula
     }
 
     fn blank(&self) -> Blank {

@@ -176,8 +176,8 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
 }
 
 impl Answer for Motion {
-    fn kind(&self) -> crate::answer::Kind {
-        crate::answer::Kind::Function
+    fn kind(&self) -> crate::answer::AnswerKind {
+        crate::answer::AnswerKind::Function
     }
 
     fn blank(&self) -> Blank {

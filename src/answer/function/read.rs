@@ -247,7 +247,7 @@ impl Prepared<'_> {
         dimension.is_some_and(|found| found.is_pure() || Some(found) == self.setup.kind.dimension())
     }
 
-    /// Whether degrees are added to what is no angle: `cos 5 t + 30°`.
+    /// Whether degrees are added to what is not an angle: `cos 5 t + 30°`.
     fn adds_angle(&self, expr: &Expr) -> bool {
         let mut has_degrees = false;
         without_waves(expr).walk(&mut |node| {

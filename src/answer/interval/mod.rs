@@ -213,8 +213,8 @@ impl Declared {
 }
 
 impl Answer for Interval {
-    fn kind(&self) -> crate::answer::Kind {
-        crate::answer::Kind::Interval
+    fn kind(&self) -> crate::answer::AnswerKind {
+        crate::answer::AnswerKind::Interval
     }
 
     fn blank(&self) -> Blank {

@@ -185,8 +185,8 @@ impl Setup {
 }
 
 impl Answer for Matrix {
-    fn kind(&self) -> crate::answer::Kind {
-        crate::answer::Kind::Matrix
+    fn kind(&self) -> crate::answer::AnswerKind {
+        crate::answer::AnswerKind::Matrix
     }
 
     fn blank(&self) -> Blank {

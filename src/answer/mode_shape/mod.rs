@@ -133,8 +133,8 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
 }
 
 impl Answer for Mode {
-    fn kind(&self) -> crate::answer::Kind {
-        crate::answer::Kind::ModeShape
+    fn kind(&self) -> crate::answer::AnswerKind {
+        crate::answer::AnswerKind::ModeShape
     }
 
     fn blank(&self) -> Blank {

@@ -66,7 +66,7 @@ fn multiple(name: &str, product: &str) -> Option<String> {
     if name_in(before).is_some() || name_in(behind).is_some() {
         return None;
     }
-    // A sum is no multiple, and what stands below a fraction or in a function is none either.
+    // A sum is not a multiple, and what stands below a fraction or in a function is none either.
     let is_below =
         before.trim_end().ends_with(['/', '^']) || behind.trim_start().starts_with(['^', '\'']);
     let is_inside = before.matches(['(', '{']).count() != before.matches([')', '}']).count();

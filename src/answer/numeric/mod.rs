@@ -235,8 +235,8 @@ fn period(text: &Text, unit: &Unit, declare: &mut dyn Declare) -> Option<f64> {
 }
 
 impl Answer for Numeric {
-    fn kind(&self) -> crate::answer::Kind {
-        crate::answer::Kind::Numeric
+    fn kind(&self) -> crate::answer::AnswerKind {
+        crate::answer::AnswerKind::Numeric
     }
 
     fn blank(&self) -> Blank {

@@ -142,7 +142,7 @@ pub enum Why {
     TightComma,
     /// An angle without a unit that is too large for radians.
     AngleWithoutUnit(String),
-    /// An angle in a unit that is none of angles.
+    /// An angle in a unit that does not measure angles.
     AngleUnit,
     /// Several complex numbers where one is asked.
     SeveralComplex,

@@ -55,10 +55,7 @@ impl<'s> ItemReader<'s> {
                     .iter()
                     .map(|parameter| parameter.name.as_str());
                 let nearest = nearest(&entry.key, names).map(str::to_owned);
-                let text = Text {
-                    value: entry.key.clone(),
-                    span: entry.span,
-                };
+                let text = entry.name();
                 self.find(
                     &ItemError::Parameter {
                         found: entry.key.clone(),
@@ -109,10 +106,7 @@ impl<'s> ItemReader<'s> {
             let Some(response) = table.as_formula(&entry.key, &entry.value) else {
                 continue;
             };
-            let id = Text {
-                value: entry.key.clone(),
-                span: entry.span,
-            };
+            let id = entry.name();
             let is_known = parts.iter().any(|part| part.has_id(&entry.key))
                 || self.graph.find(&Name::new(entry.key.as_str())).is_some();
             if is_known {

@@ -50,7 +50,7 @@ pub enum ItemError {
         is_reserved: bool,
     },
     /// A key that names no equation.
-    #[error("`{found}` is no equation")]
+    #[error("`{found}` is not an equation")]
     NoEquation {
         /// The key.
         found: String,
@@ -85,7 +85,7 @@ pub enum ItemError {
         span: Span,
     },
     /// A topic that is not in the vocabulary.
-    #[error("`{found}` is no topic of this bank")]
+    #[error("`{found}` is not a topic of this bank")]
     Topic {
         /// The word.
         found: String,
@@ -108,13 +108,13 @@ pub enum ItemError {
     #[error("this exception has no reason")]
     Reason,
     /// A kind of answer that does not exist.
-    #[error("`{found}` is no kind of answer")]
+    #[error("`{found}` is not a kind of answer")]
     Kind {
         /// The word.
         found: String,
     },
     /// A part without identity.
-    #[error("this part needs an `id`: its key is no name")]
+    #[error("this part needs an `id`: its key is not a name")]
     PartId,
     /// Two parts of one identity.
     #[error("there are two parts `{found}`")]
@@ -122,16 +122,16 @@ pub enum ItemError {
         /// The identity.
         found: String,
     },
-    /// A group that is none.
+    /// A group with fewer than two blanks.
     #[error("a group has at least two blanks")]
     SmallGroup,
-    /// A share of the points that is none.
+    /// A share of the points outside [0, 1].
     #[error("a credit lies from 0 to 1")]
     Credit,
-    /// Points that are none.
+    /// Points that are zero, negative or not a number.
     #[error("points are a positive number")]
     Points,
-    /// A working space that is none.
+    /// A working space that cannot be read.
     #[cfg(feature = "render")]
     #[error("{0}")]
     Space(crate::bank::SpaceError),
@@ -139,7 +139,7 @@ pub enum ItemError {
     #[error("a mistake has either `answer` or `with`")]
     Mistake,
     /// A check of something that is not there.
-    #[error("`{found}` is no quantity or part of this item")]
+    #[error("`{found}` is not a quantity or part of this item")]
     Expected {
         /// The name.
         found: String,
@@ -147,13 +147,13 @@ pub enum ItemError {
         nearest: Option<String>,
     },
     /// A kind of plot that does not exist.
-    #[error("`{found}` is no kind of plot")]
+    #[error("`{found}` is not a kind of plot")]
     PlotKind {
         /// The word.
         found: String,
     },
     /// A style of curves that does not exist.
-    #[error("`{found}` is no style of a curve")]
+    #[error("`{found}` is not a style of a curve")]
     PlotStyle {
         /// The word.
         found: String,
@@ -167,7 +167,7 @@ pub enum ItemError {
     /// A band without two edges.
     #[error("a band has two edges")]
     PlotBand,
-    /// A phasor that is no number.
+    /// A phasor that is not a number.
     #[error("a phasor is one number, real or complex")]
     Phasor,
     /// A function of something else than the variable.
@@ -199,7 +199,7 @@ pub enum ItemError {
         found: String,
     },
     /// A parameter that is not there.
-    #[error("`{found}` is no parameter of this item")]
+    #[error("`{found}` is not a parameter of this item")]
     Parameter {
         /// The name.
         found: String,
@@ -281,7 +281,11 @@ impl Diagnose for ItemError {
             }
             Self::Reason => Some("say why the finding is in order here".to_owned()),
             Self::Kind { found } => {
-                let names = || crate::answer::Kind::ALL.iter().map(|kind| kind.name());
+                let names = || {
+                    crate::answer::AnswerKind::ALL
+                        .iter()
+                        .map(|kind| kind.name())
+                };
                 let near = nearest(found, names()).map(str::to_owned);
                 mean(&near).or_else(|| {
                     Some(format!(

@@ -171,7 +171,7 @@ impl<'s> ItemReader<'s> {
             Some(answer) => {
                 // A count that was asked is no letter that one would write.
                 for key in answer.keys() {
-                    if kind != answer::Kind::Integer {
+                    if kind != answer::AnswerKind::Integer {
                         self.asked.push(key);
                         self.asked.extend(self.listed(key));
                     }
@@ -231,11 +231,11 @@ impl<'s> ItemReader<'s> {
     }
 
     /// The kind of answer of a part.
-    fn kind(&mut self, table: &Table<'s>) -> Option<answer::Kind> {
+    fn kind(&mut self, table: &Table<'s>) -> Option<answer::AnswerKind> {
         let Some(text) = table.text("kind") else {
-            return Some(answer::Kind::Numeric);
+            return Some(answer::AnswerKind::Numeric);
         };
-        let kind = answer::Kind::of_name(&text.value);
+        let kind = answer::AnswerKind::of_name(&text.value);
         if kind.is_none() {
             let found = text.value.clone();
             self.find(&ItemError::Kind { found }, &text);
@@ -354,10 +354,7 @@ impl<'s> ItemReader<'s> {
             let Some(quantity) = self.graph.find(&Name::new(entry.key.as_str())) else {
                 let names = self.graph.names().map(Name::as_str);
                 let nearest = crate::source::nearest(&entry.key, names).map(str::to_owned);
-                let key = Text {
-                    value: entry.key.clone(),
-                    span: entry.span,
-                };
+                let key = entry.name();
                 self.find(
                     &ItemError::Expected {
                         found: entry.key.clone(),

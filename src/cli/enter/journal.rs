@@ -64,7 +64,7 @@ impl Journal {
             }
             Some(_) => {
                 return Err(
-                    Failure::new(format!("`{journal}` is no journal of this program"))
+                    Failure::new(format!("`{journal}` is not a journal of this program"))
                         .help("give another file with `--out`, or move the journal away"),
                 );
             }

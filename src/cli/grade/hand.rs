@@ -101,7 +101,7 @@ fn points(text: &str, most: Rational, what: &str) -> Result<Rational, String> {
     let given = Rational::from_decimal(&text.replace(',', "."));
     let given = given.filter(|given| *given >= Rational::ZERO);
     let given = given.ok_or_else(|| {
-        format!("`{text}` is no number of points; write for example `2`, or `1;0.5` by rows")
+        format!("`{text}` is not a number of points; write for example `2`, or `1;0.5` by rows")
     })?;
     // What is printed is rounded, and so is what is copied from it.
     if rounded(given) == rounded(most) {

@@ -47,7 +47,7 @@ fn read(path: &Path, text: &str) -> Result<Manifest, Failure> {
 }
 
 fn no_manifest(path: &Path, why: &str) -> Failure {
-    Failure::new(format!("`{}` is no manifest: {why}", path.display()))
+    Failure::new(format!("`{}` is not a manifest: {why}", path.display()))
         .help("give the `manifest.json` that `vibank sheet` wrote")
 }
 

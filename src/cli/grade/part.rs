@@ -1,6 +1,6 @@
 //! Marking one part of a sheet, by its answer and by what was decided about it.
 
-use vibank::answer::{Credit, Criterion, Kind, Marking, Verdict};
+use vibank::answer::{AnswerKind, Credit, Criterion, Marking, Verdict};
 use vibank::grade::{self, Comment, Grade, PartFeedback, rounded};
 use vibank::message::{ByHand, Language};
 use vibank::numerics::Rational;
@@ -84,7 +84,7 @@ impl Marker<'_> {
             standing.leave_open(self.language);
         }
         standing.accept(solution, part, self.language);
-        if answer.kind() == Kind::Choice {
+        if answer.kind() == AnswerKind::Choice {
             self.charge(&mut standing, part.max);
         }
         standing.settle(part, self.language);

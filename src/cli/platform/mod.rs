@@ -210,7 +210,7 @@ fn groups(headings: &[String]) -> Option<Vec<Range<usize>>> {
     let number = |heading: &String| {
         let name = heading.trim_end_matches(|char: char| char.is_ascii_digit());
         let is_numbered = name.len() < heading.len() && name.chars().any(char::is_alphabetic);
-        // `Grade/10` is no question.
+        // `Grade/10` is not a question.
         (is_numbered && !name.ends_with(['/', '.', ','])).then(|| heading[name.len()..].to_owned())
     };
     let mut groups: Vec<Range<usize>> = Vec::new();

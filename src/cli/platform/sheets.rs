@@ -154,7 +154,7 @@ impl Report {
         template: &dyn Fn(&QuestionEntry) -> Result<&'t Template, Failure>,
     ) -> Result<(Vec<Taken>, Vec<String>), Failure> {
         for column in &self.foreign {
-            eprintln!("not marked: `{column}`, which is no question of this program");
+            eprintln!("not marked: `{column}`, which is not a question of this program");
         }
         let mut lost = BTreeSet::new();
         let mut unanswered = BTreeMap::new();

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 use vibank::bank::Catalogue;
 use vibank::diagnostic::Finding;
-use vibank::output::{self, Kind, Pages, Run};
+use vibank::output::{self, PageKind, Pages, Run};
 use vibank::source::Source;
 use vibank::worksheet::{
     Audience, Blueprint, Choice, Chooser, Plan, Sheet, SheetQuestion, Student, headings,
@@ -22,7 +22,7 @@ use crate::cli::{Failure, files};
 /// A sheet, made.
 pub(crate) struct Made {
     pub(crate) summary: Summary,
-    panes: [(Kind, String); 3],
+    panes: [(PageKind, String); 3],
 }
 
 /// What is shown above the panes.
@@ -98,7 +98,11 @@ impl Made {
             let page = pages.page(kind, &sheet)?;
             Ok::<_, output::OutputError>((kind, format!("{begin}{}{}", page.text, pages.end()?)))
         };
-        let panes = [pane(Kind::Sheet)?, pane(Kind::Key)?, pane(Kind::Solutions)?];
+        let panes = [
+            pane(PageKind::Sheet)?,
+            pane(PageKind::Key)?,
+            pane(PageKind::Solutions)?,
+        ];
         let summary = Summary::of(&plan, &sheet, count, &pages);
         Ok(Self { summary, panes })
     }

@@ -54,7 +54,7 @@ struct Bench {
     changed: Condvar,
 }
 
-/// A bank, and what is wrong with the files that are no items.
+/// A bank, and what is wrong with the files that are not items.
 type Opened = (Catalogue, Vec<Finding>);
 
 /// What was made last.

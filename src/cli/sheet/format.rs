@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use vibank::message::Language;
-use vibank::output::{self, KeyRow, Kind, Pages, Run};
+use vibank::output::{self, KeyRow, PageKind, Pages, Run};
 use vibank::worksheet::{FileStamp, Plan, Sheet, Student};
 
 use super::choice::FormatChoice;
@@ -36,7 +36,7 @@ pub(crate) struct Laid {
     pub(crate) fonts: Vec<String>,
     pub(crate) stamps: Vec<FileStamp>,
     /// What is made, with what stands before its first page.
-    pub(crate) kinds: Vec<(Kind, String)>,
+    pub(crate) kinds: Vec<(PageKind, String)>,
     /// What stands before the table with the answers of all variants, if it is made.
     pub(crate) table: Option<String>,
     /// What stands after the last page of a file.
@@ -189,9 +189,9 @@ impl Laid {
         run = run.with_names(faces.names).with_seats(students);
         let press = choice.and_then(|choice| choice.press.as_ref());
         let pages = Pages::new(writer, run, &own).map_err(unfilled)?;
-        let mut kinds = vec![Kind::Sheet];
-        kinds.extend(blueprint.keys.each.then_some(Kind::Key));
-        kinds.extend(blueprint.solutions.then_some(Kind::Solutions));
+        let mut kinds = vec![PageKind::Sheet];
+        kinds.extend(blueprint.keys.each.then_some(PageKind::Key));
+        kinds.extend(blueprint.solutions.then_some(PageKind::Solutions));
         let begin = |kind| Ok((kind, pages.begin(pages.subtitle(kind))?));
         let kinds = kinds.into_iter().map(begin).collect::<Result<_, _>>();
         let table = blueprint
@@ -218,7 +218,7 @@ impl Laid {
 
     fn leaf(
         &self,
-        kind: Kind,
+        kind: PageKind,
         begin: &str,
         sheet: &Sheet<'_>,
         stem: &str,

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use rayon::prelude::*;
-use vibank::output::{KeyTable, Kind};
+use vibank::output::{KeyTable, PageKind};
 use vibank::worksheet::{Fairness, Plan, VariantEntry};
 
 use super::format::{Format, Laid, UNPRINTED, Written, unfilled};
@@ -85,7 +85,7 @@ impl<'f> Outputs<'f> {
                 }
                 Format::Pages(laid) => laid,
             };
-            let stream = |(kind, begin): &(Kind, String)| {
+            let stream = |(kind, begin): &(PageKind, String)| {
                 let name = shard.named(kind.folder(), laid.extension());
                 let open = || Stream::open(out, name, begin, mark);
                 (!laid.is_split).then(open).transpose()

@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use rayon::prelude::*;
-use vibank::output::{Kind, List, Roll};
+use vibank::output::{List, PageKind, Roll};
 use vibank::seed::Variant;
 use vibank::worksheet::{Order, Plan, Printing, Section, Sheet, Student};
 
@@ -165,7 +165,7 @@ impl PrintJob<'_, '_> {
                 let student = self.students.get(place).cloned();
                 let sheet = Sheet::draw(self.plan, self.variants[place], student);
                 let sheet = sheet.map_err(|error| refuse(&error))?;
-                pages.page(Kind::Sheet, &sheet).map(|page| page.text)
+                pages.page(PageKind::Sheet, &sheet).map(|page| page.text)
             }
         };
         let text = text.map_err(unfilled)?;

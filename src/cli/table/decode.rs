@@ -7,7 +7,7 @@ pub(crate) struct Decoded {
     pub(crate) is_guessed: bool,
 }
 
-/// Bytes that are no text, with their line, from 1.
+/// Bytes that are not text, with their line, from 1.
 #[derive(Debug, PartialEq)]
 pub(crate) struct NoText {
     pub(crate) line: usize,
@@ -173,7 +173,7 @@ mod tests {
             (b"\xff\xfei\0\n\0x", 2),
         ];
         for (bytes, line) in broken {
-            let error = decode(bytes.to_vec()).expect_err("it is no text");
+            let error = decode(bytes.to_vec()).expect_err("it is not text");
             assert_eq!(error.line, line, "{bytes:?}");
         }
         assert_eq!(read(b""), (String::new(), false));

@@ -41,7 +41,7 @@ pub enum TextError {
         /// The bytes of the text that the message points at.
         span: Span,
     },
-    /// What stands between `<<` and `>>` is no name.
+    /// What stands between `<<` and `>>` is not a name.
     #[error("`{text}` is not a name")]
     MalformedPlaceholder {
         /// What stands there.
@@ -49,7 +49,7 @@ pub enum TextError {
         /// The bytes of the text that the message points at.
         span: Span,
     },
-    /// A word after the dot that is no form.
+    /// A word after the dot that is not a form.
     #[error("unknown form `{name}`")]
     UnknownForm {
         /// The word.

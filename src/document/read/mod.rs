@@ -47,7 +47,7 @@ impl Document {
 
     /// Reads a text of a file that has no data to show: instructions, formulas of a chapter. All that cannot be set is
     /// found, placeholders included.
-    pub fn read_bare(text: &Text, source: &Source) -> (Self, Vec<Finding>) {
+    pub(crate) fn read_bare(text: &Text, source: &Source) -> (Self, Vec<Finding>) {
         let reading = Self::read(&text.value);
         let holes = reading.document.placeholders().iter();
         let misplaced = holes.map(|hole| TextError::MisplacedPlaceholder {

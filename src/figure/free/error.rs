@@ -77,8 +77,8 @@ pub enum FreeFault {
         /// The link, as a phrase.
         link: String,
     },
-    /// A component that is no multiple of the arm.
-    #[error("the moment of `{force}` on `{body}` is no force times `{arm}`")]
+    /// A component that is not a multiple of the arm.
+    #[error("the moment of `{force}` on `{body}` is not a force times `{arm}`")]
     Arm {
         /// The body, as the model names it.
         body: String,

@@ -83,12 +83,6 @@ impl Figure {
     pub fn moves(&self) -> bool {
         self.motion.is_some()
     }
-
-    /// What its motion needs of the item, beside what the figure needs.
-    pub fn motion_demands(&self) -> impl Iterator<Item = &Name> {
-        let taken = self.motion.iter().flat_map(|motion| &motion.taken);
-        taken.map(|(name, _)| name)
-    }
 }
 
 impl Motion {

@@ -13,7 +13,7 @@ use crate::unit::Dimension;
 const MAX_COUNT: usize = 100;
 
 impl<'s> FigureReader<'_, 's> {
-    /// How the figure moves; read last, so that what it takes from the item is no demand of the figure itself.
+    /// How the figure moves; read last, so that what it takes from the item is not a demand of the figure itself.
     pub(crate) fn motion(&mut self) -> Option<Motion> {
         let outer = self.table;
         let span = outer.value("motion")?.span;
@@ -53,10 +53,7 @@ impl<'s> FigureReader<'_, 's> {
     }
 
     fn moved(&mut self, table: &Table<'s>, entry: &'s Entry) -> Option<Moved> {
-        let name = Text {
-            value: entry.key.clone(),
-            span: entry.span,
-        };
+        let name = entry.name();
         let is_table = matches!(entry.value.data, Data::Table(_));
         let (place, shift, turn, drawn) = if is_table {
             let inner = Table::of(

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::{driven, guard, inside, oscillator, related, shapes, system};
-use crate::answer::{Answered, Kind, Marking, Reading, Reason, Verdict};
+use crate::answer::{AnswerKind, Answered, Marking, Reading, Reason, Verdict};
 use crate::expr::{
     Equation, Expr, Field, Name, Precise, Program, Shape, Slots, Substitution, Value, Workspace,
 };
@@ -14,23 +14,23 @@ use crate::solution::Solution;
 
 /// An answer of a student's own, in place of the right one.
 #[derive(Clone, Debug)]
-pub(super) struct Own {
+pub(crate) struct Own {
     /// The quantity that it stands for.
-    pub(super) node: NodeId,
-    pub(super) name: Name,
-    pub(super) symbol: Math,
+    pub(crate) node: NodeId,
+    pub(crate) name: Name,
+    pub(crate) symbol: Math,
     /// Where it comes from.
-    pub(super) source: Source,
-    pub(super) value: Value,
+    pub(crate) source: Source,
+    pub(crate) value: Value,
     /// The same as a formula in the data, if it was one.
-    pub(super) formula: Option<Expr>,
+    pub(crate) formula: Option<Expr>,
 }
 
 /// Where an answer comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Source {
+pub(crate) enum Source {
     /// It was given to a part of this kind.
-    Part(Kind),
+    Part(AnswerKind),
     /// It follows from equations.
     Equation,
     /// It follows from an answer to another quantity.
@@ -38,7 +38,7 @@ pub(super) enum Source {
 }
 
 /// What was answered to the earlier parts, by quantity.
-pub(super) struct Answers {
+pub(crate) struct Answers {
     /// Right answers, with the right values.
     right: BTreeMap<NodeId, Value>,
     own: Vec<Own>,
@@ -47,7 +47,7 @@ pub(super) struct Answers {
 impl Answers {
     /// What the responses with these markings stand for, and what follows from them for the part at a place; of several
     /// for one quantity the last one.
-    pub(super) fn given(
+    pub(crate) fn given(
         solution: &Solution<'_>,
         earlier: &[(usize, Marking)],
         later: usize,
@@ -69,7 +69,7 @@ impl Answers {
             };
             let is_right = marking.verdict == Verdict::Right
                 && !marking.reasons().contains(&Reason::FollowThrough);
-            if kind == Kind::Equation {
+            if kind == AnswerKind::Equation {
                 if let Answered::Equations(typed) = &reading.answered {
                     equations.extend_from_slice(typed);
                     if let ([one], false) = (&typed[..], is_right) {
@@ -84,7 +84,7 @@ impl Answers {
             };
             if is_right {
                 answers.add_right(solution, node);
-            } else if kind == Kind::ModeShape {
+            } else if kind == AnswerKind::ModeShape {
                 if let Some(value) = shapes::value(solution, node, &reading.answered.si()) {
                     answers.add(solution, node, Source::Part(kind), value, None);
                 }
@@ -103,28 +103,28 @@ impl Answers {
         answers
     }
 
-    pub(super) fn own(&self) -> impl Iterator<Item = &Own> {
+    pub(crate) fn own(&self) -> impl Iterator<Item = &Own> {
         self.own.iter()
     }
 
     /// Whether a quantity was answered, or follows from what was.
-    pub(super) fn has(&self, node: NodeId) -> bool {
+    pub(crate) fn has(&self, node: NodeId) -> bool {
         self.right.contains_key(&node) || self.last(node).is_some()
     }
 
     /// The last answer to a quantity that is not the right one.
-    pub(super) fn last(&self, node: NodeId) -> Option<&Own> {
+    pub(crate) fn last(&self, node: NodeId) -> Option<&Own> {
         self.own.iter().rev().find(|own| own.node == node)
     }
 
     /// The right formula of a quantity, in the data.
-    pub(super) fn right_formula(solution: &Solution<'_>, node: NodeId) -> Option<Expr> {
+    pub(crate) fn right_formula(solution: &Solution<'_>, node: NodeId) -> Option<Expr> {
         let graph = &solution.template().graph;
         in_data(graph.expr(node)?, graph)
     }
 
     /// Adds what follows for a quantity from an answer to another one.
-    pub(super) fn add_related(
+    pub(crate) fn add_related(
         &mut self,
         solution: &Solution<'_>,
         node: NodeId,
@@ -136,7 +136,7 @@ impl Answers {
     }
 
     /// Adds what follows for a quantity from an answer to another one, or from equations.
-    pub(super) fn add_following(
+    pub(crate) fn add_following(
         &mut self,
         solution: &Solution<'_>,
         node: NodeId,
@@ -155,7 +155,7 @@ impl Answers {
     }
 
     /// The right values of the quantities that were answered rightly, and of some others.
-    pub(super) fn right_values(
+    pub(crate) fn right_values(
         &self,
         solution: &Solution<'_>,
         others: &[&Own],
@@ -170,14 +170,14 @@ impl Answers {
     }
 
     /// The student's own values of some quantities, and the right ones of those that were answered rightly.
-    pub(super) fn values(&self, own: &[&Own]) -> Vec<(NodeId, Value)> {
+    pub(crate) fn values(&self, own: &[&Own]) -> Vec<(NodeId, Value)> {
         // The last answer to a quantity comes first, and the first value for a node stands.
         let own = own.iter().rev().map(|own| (own.node, own.value.clone()));
         own.chain(self.right.clone()).collect()
     }
 
     /// The student's own formulas of some quantities.
-    pub(super) fn formulas(own: &[&Own]) -> BTreeMap<Name, Expr> {
+    pub(crate) fn formulas(own: &[&Own]) -> BTreeMap<Name, Expr> {
         let formulas = own
             .iter()
             .filter_map(|own| Some((own.name.clone(), own.formula.clone()?)));
@@ -191,7 +191,13 @@ impl Answers {
         }
     }
 
-    fn add_own(&mut self, solution: &Solution<'_>, node: NodeId, kind: Kind, reading: &Reading) {
+    fn add_own(
+        &mut self,
+        solution: &Solution<'_>,
+        node: NodeId,
+        kind: AnswerKind,
+        reading: &Reading,
+    ) {
         let Ok(right) = solution.evaluation().value(node) else {
             return;
         };
@@ -291,7 +297,7 @@ fn as_written(right: &Value, si: &[f64]) -> Option<Value> {
 }
 
 /// A formula in the data of the item alone.
-pub(super) fn in_data(formula: &Expr, graph: &Graph) -> Option<Expr> {
+pub(crate) fn in_data(formula: &Expr, graph: &Graph) -> Option<Expr> {
     const MAX_STEPS: usize = 20;
     let mut formula = formula.clone();
     for _ in 0..MAX_STEPS {
@@ -323,7 +329,7 @@ fn value(formula: &Expr, node: NodeId, evaluation: &Evaluation<'_>) -> Option<Va
 }
 
 /// The number that a formula in the data is.
-pub(super) fn number(formula: &Expr, evaluation: &Evaluation<'_>) -> Option<f64> {
+pub(crate) fn number(formula: &Expr, evaluation: &Evaluation<'_>) -> Option<f64> {
     computed(formula, evaluation)?.as_real()
 }
 

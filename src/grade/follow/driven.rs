@@ -28,7 +28,7 @@ struct Driven {
 }
 
 /// Adds what follows for the quantities whose second route asks for a complex amplitude.
-pub(super) fn extend(solution: &Solution<'_>, answers: &mut Answers, equations: &[Equation]) {
+pub(crate) fn extend(solution: &Solution<'_>, answers: &mut Answers, equations: &[Equation]) {
     let template = solution.template();
     let graph = &template.graph;
     let asked = graph.asked().filter_map(|(path, node)| {

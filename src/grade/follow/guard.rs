@@ -2,7 +2,7 @@
 
 use super::answers::Own;
 use super::matrices::Matrices;
-use crate::answer::Kind;
+use crate::answer::AnswerKind;
 use crate::bank::Parameter;
 use crate::expr::{Shape, Value};
 use crate::instance::Instance;
@@ -21,7 +21,7 @@ const SAME: f64 = 1e-9;
 const DRAWS: u64 = 8;
 
 /// Whether two values are the same to rounding.
-pub(super) fn is_same(a: &Value, b: &Value) -> bool {
+pub(crate) fn is_same(a: &Value, b: &Value) -> bool {
     let pairs = a.numbers().iter().zip(b.numbers());
     a.form() == b.form()
         && pairs
@@ -30,7 +30,7 @@ pub(super) fn is_same(a: &Value, b: &Value) -> bool {
 }
 
 /// Whether a value has the size of the right one, entry by entry, and not a sign that the quantity never has.
-pub(super) fn is_plausible(
+pub(crate) fn is_plausible(
     solution: &Solution<'_>,
     node: NodeId,
     own: &Value,
@@ -54,7 +54,7 @@ pub(super) fn is_plausible(
 /// Whether a shape is what a part asks for in this quantity.
 fn is_shape(solution: &Solution<'_>, node: NodeId) -> bool {
     let mut parts = solution.template().parts.iter();
-    parts.any(|part| part.answer.kind() == Kind::ModeShape && part.answer.keys() == [node])
+    parts.any(|part| part.answer.kind() == AnswerKind::ModeShape && part.answer.keys() == [node])
 }
 
 /// Whether a shape has the size of another, whatever its components are; which of them vanish is a slip like others.
@@ -98,7 +98,7 @@ fn is_matrix_like(own: &Value, right: &Value, size: usize) -> bool {
 
 /// Whether own matrices ask as much as the right ones: coordinates stay coupled, frequencies have their sizes, and none
 /// of them vanishes that should not.
-pub(super) fn is_fair_system(
+pub(crate) fn is_fair_system(
     right: &Matrices,
     own: &Matrices,
     due: &[EigenPair],
@@ -145,10 +145,10 @@ fn has_any_sign(solution: &Solution<'_>, node: NodeId) -> bool {
 }
 
 /// Whether a key with answers of one's own in it asks as much as the right key does: it exists, it is not zero,
-/// it is none of the numbers at hand, and what it depends on is as much as before.
+/// it is not one of the numbers at hand, and what it depends on is as much as before.
 ///
 /// `right` has the right values in place of the same quantities.
-pub(super) fn is_fair(
+pub(crate) fn is_fair(
     right: &Solution<'_>,
     other: &Solution<'_>,
     keys: &[NodeId],

@@ -22,7 +22,7 @@ const ROUNDING: f64 = 1e-9;
 const LARGEST: usize = 400;
 
 /// Adds what follows for the keys of a part.
-pub(super) fn extend(solution: &Solution<'_>, answers: &mut Answers, place: usize) {
+pub(crate) fn extend(solution: &Solution<'_>, answers: &mut Answers, place: usize) {
     for key in solution.template().parts[place].answer.keys() {
         if !answers.has(key) {
             let found =

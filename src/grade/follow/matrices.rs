@@ -7,20 +7,20 @@ use crate::solution::Solution;
 
 /// An entry of a matrix.
 #[derive(Clone, Debug)]
-pub(super) struct Entry {
-    pub(super) value: f64,
-    pub(super) formula: Option<Expr>,
+pub(crate) struct Entry {
+    pub(crate) value: f64,
+    pub(crate) formula: Option<Expr>,
 }
 
 /// The rows of M, C and K side by side.
 #[derive(Clone, Debug)]
-pub(super) struct Matrices {
+pub(crate) struct Matrices {
     rows: Vec<Vec<Entry>>,
 }
 
 /// In how many entries two rows agree when one is multiplied.
-pub(super) struct Likeness {
-    pub(super) count: usize,
+pub(crate) struct Likeness {
+    pub(crate) count: usize,
     factor: Entry,
 }
 
@@ -33,7 +33,7 @@ fn is_same(a: f64, b: f64) -> bool {
 
 impl Matrices {
     /// Those of a model, where they have formulas.
-    pub(super) fn of_model(model: &Model, solution: &Solution<'_>) -> Option<Self> {
+    pub(crate) fn of_model(model: &Model, solution: &Solution<'_>) -> Option<Self> {
         let blocks = [
             model.mass_matrix()?,
             model.damping_matrix()?,
@@ -56,19 +56,19 @@ impl Matrices {
         Some(Self { rows })
     }
 
-    pub(super) fn size(&self) -> usize {
+    pub(crate) fn size(&self) -> usize {
         self.rows.len()
     }
 
-    pub(super) fn mass(&self) -> Vec<f64> {
+    pub(crate) fn mass(&self) -> Vec<f64> {
         self.block(0)
     }
 
-    pub(super) fn damping(&self) -> Vec<f64> {
+    pub(crate) fn damping(&self) -> Vec<f64> {
         self.block(1)
     }
 
-    pub(super) fn stiffness(&self) -> Vec<f64> {
+    pub(crate) fn stiffness(&self) -> Vec<f64> {
         self.block(2)
     }
 
@@ -82,7 +82,7 @@ impl Matrices {
     }
 
     /// All entries as formulas, if they were all given so.
-    pub(super) fn formulas(&self) -> Option<[Vec<Expr>; 3]> {
+    pub(crate) fn formulas(&self) -> Option<[Vec<Expr>; 3]> {
         let size = self.size();
         let block = |block: usize| {
             let own = self
@@ -96,7 +96,7 @@ impl Matrices {
     }
 
     /// The factor under which a row agrees best with the one at a place; none where it agrees nowhere.
-    pub(super) fn likeness(&self, at: usize, row: &[Entry]) -> Option<Likeness> {
+    pub(crate) fn likeness(&self, at: usize, row: &[Entry]) -> Option<Likeness> {
         let right = &self.rows[at];
         let candidates = right.iter().zip(row).filter_map(|(right, own)| {
             if right.value == 0.0 || own.value == 0.0 {
@@ -126,12 +126,12 @@ impl Matrices {
     }
 
     /// Puts a row in the place of another.
-    pub(super) fn set_row(&mut self, at: usize, row: Vec<Entry>) {
+    pub(crate) fn set_row(&mut self, at: usize, row: Vec<Entry>) {
         self.rows[at] = row;
     }
 
     /// Puts an answer in the place of a matrix; whether it is one of them.
-    pub(super) fn set(&mut self, quantity: Quantity, own: &Own) -> bool {
+    pub(crate) fn set(&mut self, quantity: Quantity, own: &Own) -> bool {
         let block = match quantity {
             Quantity::MassMatrix => 0,
             Quantity::DampingMatrix => 1,
@@ -167,7 +167,7 @@ fn right_count(
 
 impl Likeness {
     /// An entry with the factor.
-    pub(super) fn scaled(&self, entry: &Entry) -> Entry {
+    pub(crate) fn scaled(&self, entry: &Entry) -> Entry {
         let formula = entry.formula.clone().zip(self.factor.formula.clone());
         Entry {
             value: entry.value * self.factor.value,

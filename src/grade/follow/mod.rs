@@ -30,7 +30,7 @@ use crate::solution::Solution;
 use self::answers::{Answers, Own, Source};
 
 /// The marking of a response to the part at `place` as a follow-through of earlier markings, if it is one.
-pub(super) fn follow(
+pub(crate) fn follow(
     solution: &Solution<'_>,
     place: usize,
     response: &str,

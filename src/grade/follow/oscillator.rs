@@ -7,15 +7,15 @@ use crate::mechanics::{Model, Quantity, Sdof};
 use crate::quantity::{Graph, NodeId};
 
 /// The coefficients of m x'' + c x' + k x = f(t).
-pub(super) struct Coefficients {
-    pub(super) mass: Expr,
-    pub(super) damping: Expr,
-    pub(super) stiffness: Expr,
+pub(crate) struct Coefficients {
+    pub(crate) mass: Expr,
+    pub(crate) damping: Expr,
+    pub(crate) stiffness: Expr,
 }
 
 /// The quantities of an item that are, by their formula or their second route, a number of a model of one
 /// coordinate, each as it follows from an equation of motion in this coordinate.
-pub(super) fn quantities(template: &Template, equation: &Equation) -> Vec<(NodeId, Expr)> {
+pub(crate) fn quantities(template: &Template, equation: &Equation) -> Vec<(NodeId, Expr)> {
     let found = numbers(template).filter_map(|(node, coordinate, single)| {
         let formula = Coefficients::of(equation, &coordinate)?.formula(single)?;
         Some((node, formula))
@@ -24,7 +24,7 @@ pub(super) fn quantities(template: &Template, equation: &Equation) -> Vec<(NodeI
 }
 
 /// The quantities of an item that are numbers of models of one coordinate, with the coordinate.
-pub(super) fn numbers(template: &Template) -> impl Iterator<Item = (NodeId, Name, Sdof)> + '_ {
+pub(crate) fn numbers(template: &Template) -> impl Iterator<Item = (NodeId, Name, Sdof)> + '_ {
     template.quantities.iter().filter_map(|(node, info)| {
         let mut routes = [Some(*node), info.verify].into_iter().flatten();
         let (coordinate, single) = routes.find_map(|route| number(&template.graph, route))?;
@@ -50,7 +50,7 @@ fn offered(graph: &Graph, node: NodeId) -> Option<(&Model, Quantity)> {
 }
 
 /// A number of the model of one coordinate by its right equation of motion, in the data.
-pub(super) fn right(template: &Template, coordinate: &Name, single: Sdof) -> Option<Expr> {
+pub(crate) fn right(template: &Template, coordinate: &Name, single: Sdof) -> Option<Expr> {
     let graph = &template.graph;
     let mut nodes = template
         .quantities
@@ -67,7 +67,7 @@ pub(super) fn right(template: &Template, coordinate: &Name, single: Sdof) -> Opt
 
 impl Coefficients {
     /// The coefficients, if the equation is linear in the coordinate and they are constant.
-    pub(super) fn of(equation: &Equation, coordinate: &Name) -> Option<Self> {
+    pub(crate) fn of(equation: &Equation, coordinate: &Name) -> Option<Self> {
         let difference = equation.difference();
         let coefficient = |order| {
             let slope = differentiate(&difference, Variable::of(coordinate, order)).ok()?;

@@ -17,7 +17,7 @@ struct Known {
 }
 
 /// Adds what follows from the student's own numbers for those that were not answered.
-pub(super) fn extend(solution: &Solution<'_>, answers: &mut Answers) {
+pub(crate) fn extend(solution: &Solution<'_>, answers: &mut Answers) {
     if answers.own().next().is_none() {
         return;
     }

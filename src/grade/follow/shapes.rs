@@ -5,14 +5,14 @@
 
 use super::answers::{Answers, Own, Source, number};
 use super::system::normalized;
-use crate::answer::Kind as AnswerKind;
+use crate::answer::AnswerKind;
 use crate::expr::{Kind, Value};
 use crate::mechanics::Quantity;
 use crate::quantity::NodeId;
 use crate::solution::Solution;
 
 /// A typed shape with unit modal mass.
-pub(super) fn value(solution: &Solution<'_>, node: NodeId, typed: &[f64]) -> Option<Value> {
+pub(crate) fn value(solution: &Solution<'_>, node: NodeId, typed: &[f64]) -> Option<Value> {
     let graph = &solution.template().graph;
     let info = solution.template().info(node)?;
     let mut routes = [Some(node), info.verify].into_iter().flatten();
@@ -43,7 +43,7 @@ pub(super) fn value(solution: &Solution<'_>, node: NodeId, typed: &[f64]) -> Opt
 }
 
 /// Adds what follows from own shapes by second routes for the quantities that were not answered.
-pub(super) fn extend(solution: &Solution<'_>, answers: &mut Answers) {
+pub(crate) fn extend(solution: &Solution<'_>, answers: &mut Answers) {
     let graph = &solution.template().graph;
     let shapes: Vec<Own> = answers
         .own()

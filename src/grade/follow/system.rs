@@ -9,7 +9,7 @@ use std::sync::Arc;
 use super::answers::{Answers, Own, Source, in_data, number};
 use super::guard;
 use super::matrices::{Entry, Matrices};
-use crate::answer::Kind;
+use crate::answer::AnswerKind;
 use crate::expr::{Equation, Expr, Function, Path, Substitution, Value, Variable, differentiate};
 use crate::mechanics::{Model, Quantity};
 use crate::numerics::{EigenPair, pencil};
@@ -17,7 +17,7 @@ use crate::quantity::{Evaluation, NodeId};
 use crate::solution::Solution;
 
 /// Adds what follows from own equations and matrices for the quantities that were not answered.
-pub(super) fn extend(solution: &Solution<'_>, answers: &mut Answers, equations: &[Equation]) {
+pub(crate) fn extend(solution: &Solution<'_>, answers: &mut Answers, equations: &[Equation]) {
     for model in models(solution) {
         let Some(right) = Matrices::of_model(&model, solution) else {
             continue;
@@ -107,7 +107,7 @@ fn from_answers(
     let (mut own, mut source) = (right.clone(), None);
     for answer in answers
         .own()
-        .filter(|own| own.source == Source::Part(Kind::Matrix))
+        .filter(|own| own.source == Source::Part(AnswerKind::Matrix))
     {
         let info = solution.template().info(answer.node)?;
         let mut routes = [Some(answer.node), info.verify].into_iter().flatten();
@@ -192,7 +192,7 @@ fn add(
 }
 
 /// The value of a route, if it is another one than the right one.
-pub(super) fn changed(
+pub(crate) fn changed(
     solution: &Solution<'_>,
     other: &Evaluation<'_>,
     route: NodeId,
@@ -252,7 +252,7 @@ fn frequency(square: f64) -> f64 {
 }
 
 /// A shape with unit modal mass, its first component that is not zero positive.
-pub(super) fn normalized(shape: &[f64], mass: &[f64]) -> Option<Vec<f64>> {
+pub(crate) fn normalized(shape: &[f64], mass: &[f64]) -> Option<Vec<f64>> {
     const ZERO: f64 = 1e-9;
     let rows = mass.chunks(shape.len());
     let modal: f64 = rows

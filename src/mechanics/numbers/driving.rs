@@ -24,7 +24,7 @@ impl Numbers {
     /// # Errors
     ///
     /// [`Unavailable::NotHarmonic`], or a number that is missing.
-    pub fn driving_frequencies(&self) -> Result<Vec<f64>, Unavailable> {
+    pub(crate) fn driving_frequencies(&self) -> Result<Vec<f64>, Unavailable> {
         let frequencies = self.drives()?.iter().map(|drive| drive.frequency);
         Ok(frequencies.filter(|frequency| *frequency > 0.0).collect())
     }

@@ -84,7 +84,7 @@ impl Numbers {
     /// # Errors
     ///
     /// Those of [`Self::equilibrium`].
-    pub fn equilibrium_value(&self, coordinate: usize) -> Result<Value, Unavailable> {
+    pub(crate) fn equilibrium_value(&self, coordinate: usize) -> Result<Value, Unavailable> {
         let position = self.equilibrium()?[coordinate];
         if let Some(formula) = &self.model.evaluation.position {
             let value = self.value(formula, &[])?;
@@ -98,7 +98,7 @@ impl Numbers {
     /// # Errors
     ///
     /// Those of [`Self::equilibria`].
-    pub fn equilibria_value(&self) -> Result<Value, Unavailable> {
+    pub(crate) fn equilibria_value(&self) -> Result<Value, Unavailable> {
         let positions = self.equilibria()?;
         let bounds = positions.iter().map(|own| 16.0 * f64::EPSILON * own.abs());
         let form = Form::real(Shape::Vector(positions.len()));
@@ -111,7 +111,7 @@ impl Numbers {
     /// # Errors
     ///
     /// Those of [`Self::is_stable`].
-    pub fn stable_value(&self) -> Result<Value, Unavailable> {
+    pub(crate) fn stable_value(&self) -> Result<Value, Unavailable> {
         let stable = f64::from(u8::from(self.is_stable()?));
         Value::new(Form::BOOLEAN, vec![stable], vec![0.0]).ok_or(Unavailable::NoEquilibrium)
     }

@@ -61,7 +61,7 @@ impl Numbers {
     /// # Errors
     ///
     /// [`Unavailable::NoFriction`], [`Unavailable::Endless`] if it never rests, and those of [`Self::equilibrium`].
-    pub fn frictional(&self, quantity: Frictional) -> Result<Value, Unavailable> {
+    pub(crate) fn frictional(&self, quantity: Frictional) -> Result<Value, Unavailable> {
         let motion = self.friction_motion()?;
         let slides = motion.slides();
         Ok(match quantity {

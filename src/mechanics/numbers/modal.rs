@@ -180,7 +180,7 @@ impl Numbers {
     /// # Errors
     ///
     /// [`Unavailable::Unstable`], and those of [`Self::modes`].
-    pub fn modal_amplitudes(&self) -> Result<Value, Unavailable> {
+    pub(crate) fn modal_amplitudes(&self) -> Result<Value, Unavailable> {
         let modes = self.modes()?;
         let states = self.modal_start(modes)?.into_iter().enumerate();
         let row = |(mode, state): (usize, State)| {

@@ -252,7 +252,11 @@ impl Numbers {
     /// # Errors
     ///
     /// [`Unavailable::Unstable`] where the mode is no vibration, and those of [`Self::modes`].
-    pub fn mode_motion(&self, mode: usize, coordinate: usize) -> Result<Motion, Unavailable> {
+    pub(crate) fn mode_motion(
+        &self,
+        mode: usize,
+        coordinate: usize,
+    ) -> Result<Motion, Unavailable> {
         let modes = self.modes()?;
         let frequency = modes.natural_angular_frequency(mode);
         let frequency = frequency.ok_or(Unavailable::Unstable)?;

@@ -28,7 +28,7 @@ impl Numbers {
     /// # Errors
     ///
     /// [`Unavailable::NotPendulum`], or a number that is missing.
-    pub fn exact_motion(&self) -> Result<Motion, Unavailable> {
+    pub(crate) fn exact_motion(&self) -> Result<Motion, Unavailable> {
         let (pendulum, square_rate) = self.pendulum()?;
         let start = self.start()?[0];
         let motion = pendulum.motion(start.position, start.velocity)?;

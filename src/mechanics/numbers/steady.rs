@@ -23,7 +23,7 @@ impl Numbers {
     /// # Errors
     ///
     /// As for [`Self::complex_amplitude`].
-    pub fn complex_amplitude_value(&self, coordinate: usize) -> Result<Value, Unavailable> {
+    pub(crate) fn complex_amplitude_value(&self, coordinate: usize) -> Result<Value, Unavailable> {
         let amplitude = self.complex_amplitude(coordinate)?;
         let form = Form {
             field: Field::Complex,

@@ -199,7 +199,7 @@ impl Model {
     /// # Errors
     ///
     /// What does not agree.
-    pub fn prove_newton(&self) -> Result<(), NewtonError> {
+    pub(crate) fn prove_newton(&self) -> Result<(), NewtonError> {
         let bodies = &self.definition.bodies;
         let Some(span) = bodies.first().map(|body| body.span) else {
             return Ok(());

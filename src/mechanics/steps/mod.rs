@@ -73,7 +73,7 @@ pub enum Term {
     Energy,
     /// Its time derivative.
     EnergyRate,
-    /// The power of what is no potential energy.
+    /// The power of the forces that have no potential energy.
     Power,
 }
 

@@ -20,7 +20,11 @@ impl Model {
     /// [`Unavailable::NotAtRest`] if forces are left at rest, [`Unavailable::NothingStatic`] if none are balanced,
     /// [`Unavailable::AnotherMotion`] if the motion is not that of `reduced`, and what stands in the way of calculating with the
     /// formulas.
-    pub fn statics(&self, reduced: &Self, letters: &Letters) -> Result<Vec<Step>, Unavailable> {
+    pub(crate) fn statics(
+        &self,
+        reduced: &Self,
+        letters: &Letters,
+    ) -> Result<Vec<Step>, Unavailable> {
         let deriver = Deriver::of(self)?;
         let names = self.coordinates();
         if reduced.coordinates() != names {

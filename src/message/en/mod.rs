@@ -254,7 +254,7 @@ fn slip(slip: &Slip) -> String {
         Slip::DependentShapes => {
             "These shapes are multiples of one another; independent ones are asked."
         }
-        Slip::NoMotion => "A shape with all components zero is no motion.",
+        Slip::NoMotion => "A shape with all components zero is not a motion.",
         Slip::Unsatisfied => {
             "This does not satisfy the equations of motion for all values of its constants."
         }

@@ -316,7 +316,7 @@ fn formula(trouble: &Trouble) -> String {
         Trouble::Order => "give them in the order of the question, as a list without names.",
         Trouble::Determinant => "bars make a determinant or a norm of it: put a matrix in square brackets.",
         Trouble::Ragged => "the rows have different lengths.",
-        Trouble::Value(_) => "this is no number.",
+        Trouble::Value(_) => "this is not a number.",
     }
     .to_owned()
 }

@@ -11,7 +11,7 @@ pub enum BlueprintError {
     /// Two keys of which one is due.
     #[error("a blueprint has either `{0}` or `{1}`")]
     Either(&'static str, &'static str, Span),
-    /// A word that is none of the known ones.
+    /// An unknown word.
     #[error("`{key}` cannot be `{found}`")]
     Word {
         /// The key of the blueprint, as it is written.
@@ -23,13 +23,13 @@ pub enum BlueprintError {
         /// The bytes of the text that the message points at.
         span: Span,
     },
-    /// A working space that is none.
+    /// A working space that cannot be read.
     #[error("{0}")]
     Space(SpaceError, Span),
     /// `columns` without a class list.
     #[error("`columns` names headings of a class list, and there is none")]
     Columns(Span),
-    /// No `[[question]]`.
+    /// A blueprint from which no sheet can be made: it has no `[[question]]`.
     #[error("the blueprint has no question")]
     NoQuestion,
     /// More of something than a sheet can have.
@@ -56,7 +56,7 @@ pub enum BlueprintError {
     /// `[print]` without a format that is printed.
     #[error("`[print]` makes files for the printer, of which there are none in these formats")]
     NothingToPrint(Span),
-    /// An `id` of `[page]` that is no name.
+    /// An `id` of `[page]` that is not a name.
     #[error("the `id` of a page has 1 to 64 letters, digits, dots and hyphens")]
     PageId(Span),
     /// A question without anything to ask.
@@ -65,7 +65,7 @@ pub enum BlueprintError {
     /// A question of one's own that also names an item.
     #[error("a question of your own has no `{0}`")]
     OwnAndItem(&'static str, Span),
-    /// An `id` of a question of one's own that is no name.
+    /// An `id` of a question of one's own that is not a name.
     #[error("the `id` of a question has 1 to 80 small letters, digits and hyphens")]
     OwnId(Span),
     /// Two questions of one's own with one name.

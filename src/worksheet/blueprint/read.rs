@@ -449,11 +449,8 @@ fn numbers(table: Table<'_>) -> Vec<(Text, f64)> {
     let entries = table.entries().iter();
     entries
         .filter_map(|entry| {
-            let name = Text {
-                value: entry.key.clone(),
-                span: entry.span,
-            };
-            Some((name, table.as_number(&entry.key, &entry.value)?))
+            let number = table.as_number(&entry.key, &entry.value)?;
+            Some((entry.name(), number))
         })
         .collect()
 }
@@ -462,12 +459,8 @@ fn spaces(table: &Table<'_>, faults: &mut Faults<'_>) -> Vec<(Text, Space)> {
     let entries = table.entries().iter();
     entries
         .filter_map(|entry| {
-            let name = Text {
-                value: entry.key.clone(),
-                span: entry.span,
-            };
             let text = table.as_text(&entry.key, &entry.value)?;
-            Some((name, faults.space(&text)?))
+            Some((entry.name(), faults.space(&text)?))
         })
         .collect()
 }
@@ -476,11 +469,8 @@ fn settings(table: Table<'_>) -> Vec<(Text, Text)> {
     let entries = table.entries().iter();
     entries
         .filter_map(|entry| {
-            let name = Text {
-                value: entry.key.clone(),
-                span: entry.span,
-            };
-            Some((name, table.as_formula(&entry.key, &entry.value)?))
+            let formula = table.as_formula(&entry.key, &entry.value)?;
+            Some((entry.name(), formula))
         })
         .collect()
 }

@@ -10,7 +10,7 @@ pub enum DecisionError {
     /// Nothing is decided, or several things at once.
     #[error("a decision has one of `void`, `accept`, `key`, `read` and `points`; this one has {0}")]
     Effects(String, Span),
-    /// A word that is none of the known ones.
+    /// An unknown word.
     #[error("`void` cannot be `{0}`")]
     Void(String, Span),
     /// Who decided, or why, is empty.
@@ -29,17 +29,17 @@ pub enum DecisionError {
         found: String,
         /// The nearest that was.
         near: Option<String>,
-        /// Where.
+        /// Where the file says it.
         span: Span,
     },
     /// An item that was not handed out.
     #[error("no item `{found}` was handed out")]
     Item {
-        /// The item.
+        /// The id of the item that the decision names.
         found: String,
         /// The nearest that was.
         near: Option<String>,
-        /// Where.
+        /// Where the file says it.
         span: Span,
     },
     /// A question that is not on the sheets.
@@ -48,35 +48,35 @@ pub enum DecisionError {
     /// A question that is another item on other sheets.
     #[error("question {number} is not the same on all sheets: {items}")]
     Questions {
-        /// The number.
+        /// Its number as it was written, from 1.
         number: usize,
         /// The items that it is.
         items: String,
-        /// Where.
+        /// Where the file says it.
         span: Span,
     },
     /// A part that was not handed out.
     #[error("no part `{found}` of `{item}` was handed out")]
     Part {
-        /// The item.
+        /// The id of the item that the decision names.
         item: String,
         /// The part.
         found: String,
         /// The nearest that was, or all of them.
         help: String,
-        /// Where.
+        /// Where the file says it.
         span: Span,
     },
     /// A letter that is another part on other sheets.
     #[error("part {letter} of `{item}` is not the same on all sheets: {parts}")]
     Letters {
-        /// The item.
+        /// The id of the item that the decision names.
         item: String,
-        /// The letter.
+        /// The letter that the decision names.
         letter: String,
         /// The parts that it is.
         parts: String,
-        /// Where.
+        /// Where the file says it.
         span: Span,
     },
     /// The same was decided twice.
@@ -87,9 +87,9 @@ pub enum DecisionError {
         "no other part of `{item}` is asked with this one, so that nothing can take over its points"
     )]
     NothingLeft {
-        /// The item.
+        /// The id of the item that the decision names.
         item: String,
-        /// Where.
+        /// Where the file says it.
         span: Span,
     },
 }

@@ -8,7 +8,7 @@ use crate::source::{Data, Span, Table, Value};
 /// What is wrong with `[marks]` beyond its form.
 #[derive(Clone, Debug, thiserror::Error)]
 pub enum MarksError {
-    /// A word that is none of the known ones.
+    /// An unknown word.
     #[error("`round` cannot be `{0}`")]
     Round(String, Span),
     /// A direction without a step.
@@ -23,21 +23,21 @@ pub enum MarksError {
     /// Nothing is left for those with few points.
     #[error("no grade begins at 0, so that sheets with few points have none")]
     NoLowest(Span),
-    /// A grade that passes and is none.
-    #[error("`pass` is no share, no number of points, and no grade of the scale: `{0}`")]
+    /// A passing mark that is neither a share, nor a number of points, nor a grade of the scale.
+    #[error("`pass` is neither a share, nor a number of points, nor a grade of the scale: `{0}`")]
     Pass(String, Option<String>, Span),
     /// A section that has too few questions.
     #[error(
         "{found} questions are in the section `{section}`, of which the best {count} are to count"
     )]
     Section {
-        /// The section.
+        /// The name of the section; empty for the questions that are in none.
         section: String,
         /// How many questions are in it.
         found: usize,
-        /// How many count.
+        /// How many of them are to count.
         count: usize,
-        /// Where.
+        /// Where `best` names the section.
         span: Span,
     },
 }

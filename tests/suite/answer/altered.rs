@@ -5,7 +5,7 @@
 use std::collections::BTreeMap;
 
 use crate::BANK;
-use vibank::answer::{KeyValue, Kind as Answer, Verdict};
+use vibank::answer::{AnswerKind, KeyValue, Verdict};
 use vibank::bank::Template;
 use vibank::expr::{Constant, Equation, Expr, Function, Kind, Operator};
 use vibank::grade::mark;
@@ -261,9 +261,9 @@ fn try_item(item: &Template, counts: &mut Counts) {
     for (place, part) in item.parts.iter().enumerate() {
         let kind = part.answer.kind();
         let name = match kind {
-            Answer::Formula => "formulas",
-            Answer::Equation => "equations",
-            Answer::Matrix => "matrices",
+            AnswerKind::Formula => "formulas",
+            AnswerKind::Equation => "equations",
+            AnswerKind::Matrix => "matrices",
             // Functions of time are compared for the data of the item, which may hide what is altered.
             _ => continue,
         };
@@ -271,7 +271,7 @@ fn try_item(item: &Template, counts: &mut Counts) {
             continue;
         };
         let key = marker.key();
-        if kind == Answer::Matrix {
+        if kind == AnswerKind::Matrix {
             let printed = key.math.plain();
             for typed in altered_signs(&printed) {
                 counts.count(name, &solution, place, &typed, &printed);
@@ -281,7 +281,7 @@ fn try_item(item: &Template, counts: &mut Counts) {
         let KeyValue::Formula { text, .. } = &key.value else {
             continue;
         };
-        let is_equation = kind == Answer::Equation;
+        let is_equation = kind == AnswerKind::Equation;
         let (side, rest) = match Equation::read(text) {
             Ok(equation) => (equation.left, format!(" = {}", equation.right)),
             Err(_) => match Expr::read(text) {

@@ -164,7 +164,7 @@ fn too_long_a_text_is_refused() {
 fn every_kind_is_there() {
     let catalogue = catalogue();
     let parts = &catalogue.items().next().unwrap().parts;
-    for kind in vibank::answer::Kind::ALL {
+    for kind in vibank::answer::AnswerKind::ALL {
         let is_there = parts
             .iter()
             .any(|part| part.answer.kind().name() == kind.name());

@@ -6,7 +6,7 @@ use std::fs;
 use std::io::Write as _;
 use std::process::{Command, Stdio};
 
-use vibank::answer::Kind;
+use vibank::answer::AnswerKind;
 use vibank::diagnostic::codes::PAGES;
 use vibank::expr::Function;
 use vibank::mechanics::Model;
@@ -124,7 +124,7 @@ pub(super) fn codes() -> String {
 /// The kinds of answers: what their files say of themselves, which begins with their names.
 pub(super) fn answer_kinds() -> String {
     let mut out = String::new();
-    for kind in Kind::ALL {
+    for kind in AnswerKind::ALL {
         let file = kind.name().replace('-', "_");
         let source = fs::read_to_string(format!("src/answer/{file}.rs"))
             .or_else(|_| fs::read_to_string(format!("src/answer/{file}/mod.rs")));

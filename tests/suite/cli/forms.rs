@@ -126,10 +126,10 @@ fn a_folder_of_saved_answers_is_marked_and_what_is_wrong_with_a_file_is_told_by_
             "`c.json` was changed after it was saved; its answers to sheet {}",
             exam.codes[2]
         ))
-        .complains("`notes.txt` is no file of answers")
+        .complains("`notes.txt` is not a file of answers")
         .complains("`cut.json` cannot be read any more")
         .complains("`e.json`: no part 9z of the sheet");
-    // The code of `d.json` has a check character that does not fit, so it is no code at all.
+    // The code of `d.json` has a check character that does not fit, so it is not a code at all.
     assert_eq!(
         exam.verdicts(),
         ["right", "unreadable", "unreadable", "right"]

@@ -186,7 +186,7 @@ fn a_filled_form_is_marked_row_by_row_and_nothing_is_lost() {
     // What could not be counted is told with its line.
     ran.complains("part 1b of sheet")
         .complains("was already answered differently in line")
-        .complains("question `two` is no number")
+        .complains("question `two` is not a number")
         .complains("no part 1a of a sheet AAA-AAA-AAA")
         .complains("no part 9z of a sheet")
         .complains("about three")
@@ -373,7 +373,7 @@ fn files_that_are_no_form_or_manifest_are_refused() {
     let no_manifest = put(&exam.folder, "no.json", "{\"format\": 1}");
     small(&["grade", &no_manifest, &form])
         .ends(2)
-        .complains("is no manifest");
+        .complains("is not a manifest");
     let newer = content(&manifest).replace("\"format\":1", "\"format\":99");
     let newer = put(&exam.folder, "newer.json", newer);
     small(&["grade", &newer, &form])
@@ -457,7 +457,7 @@ fn what_could_not_be_read_comes_first_and_is_settled_by_the_overrides() {
     ])
     .ends(1)
     .complains("no part 1a of a sheet ZZZ was handed out")
-    .complains("question `one` is no number")
+    .complains("question `one` is not a number")
     .complains("nobody gave this answer to part `omega_n`")
     .says("1 unreadable")
     .says("marks differ from the earlier run");
@@ -700,7 +700,7 @@ fn tables_are_read_as_spreadsheets_and_hands_leave_them() {
     );
     grade("crlf.csv", form.into_bytes())
         .ends(1)
-        .complains("line 5: question `x` is no number")
+        .complains("line 5: question `x` is not a number")
         .says("1 right");
     // A quote that is closed by that of another row.
     let form = format!(
@@ -858,9 +858,9 @@ fn broken_rows_are_told_and_the_rest_is_marked() {
     let form = put(&exam.folder, "list.json", list);
     small(&["grade", &manifest, &form, "--out", &out])
         .ends(1)
-        .complains("entry 1 is no object")
+        .complains("entry 1 is not an object")
         .complains("entry 3 has no `code`")
-        .complains("line 4: question `` is no number")
+        .complains("line 4: question `` is not a number")
         .says("1 right");
     // A code with a character that is another one is told to be mistyped.
     let code = exam.code(0);

@@ -177,7 +177,7 @@ fn a_sheet_says_where_its_student_sits_and_what_is_granted() {
     assert!(mach.contains("--zoom: 1.714"));
     assert!(sheet(3).contains("--zoom: 2.28"));
     assert!(!sheet(0).contains("--zoom:") && !sheet(0).contains("Extra time"));
-    assert!(!sheet(4).contains("--zoom:"), "`no` is no large print");
+    assert!(!sheet(4).contains("--zoom:"), "`no` is not a large print");
     // A spare sheet has room for a seat.
     assert!(sheet(5).contains("Seat <span></span>"));
     // The questions are the same as in usual print.
@@ -197,7 +197,7 @@ fn a_size_of_type_that_cannot_be_one_is_refused_with_its_line() {
     desk.sheet(&plan(&desk, CLASSES, ""), &[])
         .ends(2)
         .complains("line 5")
-        .complains("`140` is no size of type");
+        .complains("`140` is not a size of type");
 }
 
 /// The names in a folder of a run, in order.

@@ -71,7 +71,7 @@ fn room_for_work_is_printed_as_item_and_blueprint_say() {
         (
             "space = '5 inches'",
             item_alone,
-            "`5 inches` is no working space",
+            "`5 inches` is not a working space",
         ),
         ("space = '30 cm'", item_alone, "at most 20 cm or 25 lines"),
         (
@@ -96,7 +96,7 @@ fn room_for_work_is_printed_as_item_and_blueprint_say() {
     vibank(&["check", &wrong, "--bank", &bank])
         .ends(1)
         .complains("b.toml:12:9")
-        .complains("`3 rows` is no working space");
+        .complains("`3 rows` is not a working space");
 }
 
 /// The bank with a part that a person marks, and what is made of it.
@@ -197,8 +197,8 @@ fn points_that_a_person_gave_stand_apart_and_what_is_not_marked_is_open() {
     );
     for (typed, words) in [
         ("4", "more than the 3 of this part"),
-        ("-1", "is no number of points"),
-        ("good", "is no number of points"),
+        ("-1", "is not a number of points"),
+        ("good", "is not a number of points"),
         ("1;1;1", "has 3 numbers, the rubric 2 rows"),
     ] {
         grade([typed, "3", "0"], &[])

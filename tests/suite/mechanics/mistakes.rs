@@ -97,7 +97,7 @@ fn each_kind_of_mistake_is_named() {
     check(
         |own| own.forces = named(&[("y", "m*g")]),
         "model::coordinate",
-        "`y` in `forces` is no coordinate of this model",
+        "`y` in `forces` is not a coordinate of this model",
     );
     check(
         |own| own.forces = named(&[("x", "m")]),

@@ -5,7 +5,7 @@ const MAX_DIGITS: usize = 38;
 
 /// Reads a decimal such as `-12.50`, `.5` or `1e-4` as an integer and the power of ten of its last digit.
 ///
-/// `None` where it is none, or has more than 38 significant digits.
+/// `None` where it is not a decimal, or has more than 38 significant digits.
 pub(crate) fn read(text: &str) -> Option<(i128, i32)> {
     let (mantissa, exponent) = match text.split_once(['e', 'E']) {
         Some((mantissa, exponent)) => (mantissa, exponent.parse::<i32>().ok()?),

@@ -58,7 +58,7 @@ pub fn two_prod(a: f64, b: f64) -> (f64, f64) {
 
 /// The same for factors and products well inside the exponent range.
 #[inline]
-pub(super) fn ordinary_product(a: f64, b: f64) -> (f64, f64) {
+pub(crate) fn ordinary_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
     if HAS_FUSED {
         (product, a.mul_add(b, -product))

@@ -88,7 +88,7 @@ impl ExactNumber {
         })
     }
 
-    /// Reads a decimal such as `-12.50`, `3` or `1e-4`; `None` where it is none, where it has more than
+    /// Reads a decimal such as `-12.50`, `3` or `1e-4`; `None` where it is not a decimal, where it has more than
     /// 38 digits, or where it lies far outside of the range of binary64.
     pub fn from_decimal(text: &str) -> Option<Self> {
         let (signed, ten) = decimal::read(text)?;

@@ -56,7 +56,7 @@ impl Rational {
         })
     }
 
-    /// Reads a decimal such as `12.50`, `3`, `1e-4`; `None` where it is none or does not fit.
+    /// Reads a decimal such as `12.50`, `3`, `1e-4`; `None` where it is not a decimal or does not fit.
     pub fn from_decimal(text: &str) -> Option<Self> {
         let (signed, scale) = decimal::read(text)?;
         if signed == 0 {

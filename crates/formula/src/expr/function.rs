@@ -144,7 +144,7 @@ impl Function {
     }
 
     /// Whether its arguments have to be real numbers.
-    pub fn is_real_only(self) -> bool {
+    pub(crate) fn is_real_only(self) -> bool {
         matches!(
             self,
             Self::Atan2

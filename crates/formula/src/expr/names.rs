@@ -36,11 +36,6 @@ impl Names {
     pub fn uses(&self, name: &Name) -> bool {
         self.free.iter().any(|variable| variable.name == *name)
     }
-
-    /// Whether a time derivative is taken: then what is primed matters as a function of time.
-    pub fn has_primes(&self) -> bool {
-        self.free.iter().any(|variable| variable.order > 0)
-    }
 }
 
 impl Expr {

@@ -79,11 +79,6 @@ impl Conversion {
         !self.turns.is_zero()
     }
 
-    /// The power of 2π in the factor: 1 from Hz to rad/s, -1 from rad/s to Hz, else 0 in all usual units.
-    pub const fn power_of_two_pi(&self) -> Rational {
-        self.turns
-    }
-
     /// The SI value, rounded once.
     pub fn apply(&self, value: f64) -> f64 {
         self.scale.apply_f64(value)

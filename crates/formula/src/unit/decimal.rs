@@ -181,7 +181,7 @@ impl Decimal {
     }
 
     /// Whether it is printed with a power of ten.
-    pub const fn is_scientific(&self) -> bool {
+    pub(crate) const fn is_scientific(&self) -> bool {
         self.scientific
     }
 

@@ -93,7 +93,7 @@ pub enum ErrorKind {
     /// A factor was expected.
     #[error("a unit is missing")]
     UnitMissing,
-    /// An exponent was expected, or it is no small fraction.
+    /// An exponent was expected, or it is not a small fraction.
     #[error("not an exponent")]
     NotAnExponent,
     /// More factors than any unit needs.
@@ -136,7 +136,7 @@ impl Error {
     /// What to do about it, as an imperative.
     pub fn help(&self) -> Option<String> {
         let text = match &self.kind {
-            // Only whoever is shown the error wants to know: readers try many a text that is no unit.
+            // Only whoever is shown the error wants to know: readers try many a text that is not a unit.
             ErrorKind::UnknownUnit { found } => {
                 return nearest(found).map(|nearest| format!("write `{nearest}`"));
             }

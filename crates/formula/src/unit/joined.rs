@@ -28,7 +28,7 @@ impl Joined {
     fn with(mut self, found: Found) -> Option<Self> {
         // Nobody writes `mm` for square metres.
         let is_repeated = self.iter().any(|known| known.row == found.row);
-        // Inside, a prefix is at home with metres, seconds and the kilogram only: `mps` is no picosecond.
+        // Inside, a prefix is at home with metres, seconds and the kilogram only: `mps` is not a picosecond.
         let is_odd = self.length > 0 && !is_plain(found);
         if is_repeated || is_odd {
             return None;

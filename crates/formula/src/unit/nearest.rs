@@ -7,7 +7,7 @@ use vibank_source::EditDistance;
 use super::error::{Error, ErrorKind};
 use super::table::{Found, PREFIXES, ROWS, prefix, word};
 
-/// The error about a name that is no unit.
+/// The error about a name that is not a unit.
 pub(crate) fn unknown(name: &str, span: Range<usize>) -> Error {
     Error::new(
         ErrorKind::UnknownUnit {

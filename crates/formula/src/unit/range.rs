@@ -35,7 +35,7 @@ impl Range {
     ///
     /// # Errors
     ///
-    /// If it is no range, or its end comes before its beginning.
+    /// If it is not a range, or its end comes before its beginning.
     pub fn parse(text: &str) -> Result<Self, Error> {
         let mut scanner = Scanner::new(text)?;
         scanner.space();

@@ -99,7 +99,7 @@ const ALIASES: &[&str] = &[
     "exp",
 ];
 
-/// Commands of one character that is no letter.
+/// Commands of one character other than a letter.
 const SYMBOLS: &str = ",:;!> {}|%&#$_\\";
 
 const ENVIRONMENTS: &[&str] = &[
@@ -354,7 +354,7 @@ impl<'a> Checker<'a> {
         });
     }
 
-    /// A backslash before something that is no letter.
+    /// A backslash before something that is not a letter.
     fn symbol(&mut self, start: usize) {
         let Some(char) = self.source[self.at..].chars().next() else {
             return self.stray('\\', start);
@@ -370,7 +370,7 @@ impl<'a> Checker<'a> {
             '\n' | '\t' => self.out.push_str(r"\ "),
             '\\' => {
                 self.out.push_str(r"\\");
-                // After a blank a bracket begins the next line and is no length.
+                // After a blank a bracket begins the next line and is not a length.
                 let rest = &self.source[self.at..];
                 if rest.starts_with(char::is_whitespace) && rest.trim_start().starts_with('[') {
                     self.out.push_str("{}");

@@ -30,7 +30,7 @@ impl Environment {
 }
 
 impl Folder<'_> {
-    /// Writes what a sign of alignment stands for in an environment that is no matrix; whether it stands in one.
+    /// Writes what a sign of alignment stands for in an environment that is not a matrix; whether it stands in one.
     pub(super) fn alignment(&mut self) -> bool {
         let is_open = matches!(
             self.open.last(),
@@ -88,7 +88,7 @@ impl Folder<'_> {
         }
     }
 
-    /// Opens or closes an environment; whether one stands here that is no matrix.
+    /// Opens or closes an environment; whether one stands here that is not a matrix.
     fn environment(&mut self, name: &str) -> bool {
         let start = 1 + name.len();
         let inner = self.rest()[start..].strip_prefix('{');

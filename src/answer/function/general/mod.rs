@@ -146,8 +146,8 @@ pub(super) fn read(
 }
 
 impl Answer for General {
-    fn kind(&self) -> crate::answer::Kind {
-        crate::answer::Kind::Function
+    fn kind(&self) -> crate::answer::AnswerKind {
+        crate::answer::AnswerKind::Function
     }
 
     fn blank(&self) -> Blank {

@@ -89,7 +89,7 @@ pub(crate) fn read(decisions: &mut Decisions, path: &Path) -> Result<Vec<String>
                     decisions.item((item, part), &settled).err()
                 }
             }
-            Err(_) => Some(format!("question `{}` is no number", field(question))),
+            Err(_) => Some(format!("question `{}` is not a number", field(question))),
             Ok(question) => {
                 let place = Place {
                     code: printed(field(code)),
@@ -183,7 +183,7 @@ impl Settled<'_> {
         {
             None => None,
             Some((_, Some(points))) if points >= Rational::ZERO => Some(points),
-            Some((text, _)) => return Err(format!("`{text}` is no number of points")),
+            Some((text, _)) => return Err(format!("`{text}` is not a number of points")),
         };
         let words = match (self.response, self.points) {
             (Some(response), None) => format!("read as `{response}`"),

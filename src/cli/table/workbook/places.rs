@@ -18,7 +18,7 @@ pub(crate) enum Misleading {
     Broken(String),
     #[error("in an encoding other than UTF-8")]
     Encoding,
-    #[error("with `{0}`, which is no place in a sheet")]
+    #[error("with `{0}`, which is not a place in a sheet")]
     Place(String),
     #[error("with `{0}` for the number of its texts, more than it has room for")]
     Count(String),

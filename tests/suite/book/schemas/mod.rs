@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
 use serde_json::Value;
-use vibank::answer::Kind;
+use vibank::answer::AnswerKind;
 use vibank::bank::embedded;
 
 use fit::fits;
@@ -141,7 +141,7 @@ fn the_schema_of_items_has_the_keys_that_are_read() {
 #[test]
 fn the_schema_says_which_kinds_of_answers_a_key_is_for() {
     let part = &schema(ITEM)["properties"]["part"]["items"];
-    let kinds: Vec<&str> = Kind::ALL.iter().map(|kind| kind.name()).collect();
+    let kinds: Vec<&str> = AnswerKind::ALL.iter().map(|kind| kind.name()).collect();
     assert_eq!(
         part["properties"]["kind"]["enum"],
         serde_json::json!(kinds),

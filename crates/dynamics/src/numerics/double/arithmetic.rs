@@ -91,7 +91,7 @@ impl Dd {
     /// `self * factor + term` for a term that outweighs the product, as in the series of a small number: the error is a few
     /// u² of the term. Nothing is guarded against numbers out of range.
     #[inline]
-    pub(super) fn times_plus(self, factor: Self, term: Self) -> Self {
+    pub(crate) fn times_plus(self, factor: Self, term: Self) -> Self {
         let (product, error) = ordinary_product(self.hi, factor.hi);
         let cross = self.hi * factor.lo + self.lo * factor.hi;
         let (hi, rest) = fast_two_sum(term.hi, product);

@@ -22,16 +22,16 @@ impl Dd {
 }
 
 /// The two leading parts of ln 2 with 40 bits each: their products with an exponent are exact.
-pub(super) const LN_2_PARTS: [f64; 2] = [
+pub(crate) const LN_2_PARTS: [f64; 2] = [
     f64::from_bits(0x3fe6_2e42_fefa_2000),
     f64::from_bits(0x3d69_ef35_793c_6000),
 ];
 
 /// What the two parts leave of ln 2.
-pub(super) const LN_2_REST: Dd = Dd::from_bits(0x3ae6_7300_7e5e_d5e8, 0x376e_6864_ce53_16c6);
+pub(crate) const LN_2_REST: Dd = Dd::from_bits(0x3ae6_7300_7e5e_d5e8, 0x376e_6864_ce53_16c6);
 
 /// The reciprocals of the factorials, 1/n! for n = 0, 1, ..., 30.
-pub(super) const INVERSE_FACTORIALS: [Dd; 31] = [
+pub(crate) const INVERSE_FACTORIALS: [Dd; 31] = [
     Dd::from_bits(0x3ff0_0000_0000_0000, 0x0000_0000_0000_0000),
     Dd::from_bits(0x3ff0_0000_0000_0000, 0x0000_0000_0000_0000),
     Dd::from_bits(0x3fe0_0000_0000_0000, 0x0000_0000_0000_0000),
@@ -66,10 +66,10 @@ pub(super) const INVERSE_FACTORIALS: [Dd; 31] = [
 ];
 
 /// Where zero stands in the table of exponentials.
-pub(super) const EXPM1_OF_32NDS_CENTRE: f64 = 12.0;
+pub(crate) const EXPM1_OF_32NDS_CENTRE: f64 = 12.0;
 
 /// e^(j/32) - 1 for j = -12, -11, ..., 12.
-pub(super) const EXPM1_OF_32NDS: [Dd; 25] = [
+pub(crate) const EXPM1_OF_32NDS: [Dd; 25] = [
     Dd::from_bits(0xbfd4_0373_d42c_e2e3, 0x3c75_3d8d_b804_c224),
     Dd::from_bits(0xbfd2_9e01_1a42_8ec6, 0xbc6d_abf5_975c_0c02),
     Dd::from_bits(0xbfd1_2d35_a41b_a104, 0x3c63_445f_7544_e0ef),
@@ -98,7 +98,7 @@ pub(super) const EXPM1_OF_32NDS: [Dd; 25] = [
 ];
 
 /// The binary fraction of 2/π, 64 bits a word, the leading word first.
-pub(super) const TWO_OVER_PI: [u64; 23] = [
+pub(crate) const TWO_OVER_PI: [u64; 23] = [
     0xa2f9_836e_4e44_1529,
     0xfc27_57d1_f534_ddc0,
     0xdb62_9599_3c43_9041,

@@ -122,7 +122,7 @@ impl Dd {
         self.hi.is_finite()
     }
 
-    /// Whether this is no number.
+    /// Whether this is not a number.
     #[inline]
     pub const fn is_nan(self) -> bool {
         self.hi.is_nan()

@@ -17,7 +17,7 @@ type Turn = [u64; WORDS];
 
 impl Dd {
     /// Quarter turns nearest to the angle, modulo four, and the angle that is left, in [-π/4, π/4].
-    pub(super) fn quarter_turns(self) -> (u8, Self) {
+    pub(crate) fn quarter_turns(self) -> (u8, Self) {
         // Of the leading word, whose range of 2^64 is one turn.
         const EIGHTH: u64 = 1 << 61;
         if self.abs() <= Self::FRAC_PI_4 {

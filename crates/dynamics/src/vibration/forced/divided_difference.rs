@@ -62,7 +62,7 @@ const TERMS: usize = 20;
 
 /// The three nodes: the farthest pair first and last, the other one in between.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Nodes {
+pub(crate) struct Nodes {
     points: [Node; 3],
     /// Distances of first and second, second and third, first and third node.
     distances: [Complex; 3],
@@ -75,13 +75,13 @@ pub(super) struct Nodes {
 
 /// The second divided difference, and that of its derivative in time if it was asked for.
 #[derive(Clone, Copy)]
-pub(super) struct Differences {
-    pub(super) position: Complex,
-    pub(super) velocity: Complex,
+pub(crate) struct Differences {
+    pub(crate) position: Complex,
+    pub(crate) velocity: Complex,
 }
 
 impl Nodes {
-    pub(super) fn of(scaled: &Scaled, frequency: f64) -> Self {
+    pub(crate) fn of(scaled: &Scaled, frequency: f64) -> Self {
         let discriminant = scaled.discriminant();
         let root = scaled.root_of(discriminant);
         let (first, second) = match scaled.regime(discriminant) {
@@ -114,7 +114,7 @@ impl Nodes {
     }
 
     /// For a unit mass, and damping and stiffness of thirty digits.
-    pub(super) fn of_mode(damping: Dd, stiffness: Dd, frequency: f64) -> Self {
+    pub(crate) fn of_mode(damping: Dd, stiffness: Dd, frequency: f64) -> Self {
         // Beyond this damping the square of its coefficient is all that counts.
         const LARGE: f64 = 1e30;
         let discriminant = damping.square() - stiffness * 4.0;
@@ -168,7 +168,7 @@ impl Nodes {
     }
 
     /// exp[r1, r2, iΩ; t].
-    pub(super) fn position(&self, t: f64) -> Complex {
+    pub(crate) fn position(&self, t: f64) -> Complex {
         if self.lengths[2] * t < ALL_CLOSE {
             self.series(t)
         } else {
@@ -177,7 +177,7 @@ impl Nodes {
     }
 
     /// exp[r1, r2, iΩ; t] and its derivative, by way of the node next to zero: z exp[z, a, b; t] + exp[a, b; t].
-    pub(super) fn differences(&self, t: f64) -> Differences {
+    pub(crate) fn differences(&self, t: f64) -> Differences {
         let powers = self.exponentials(t);
         let position = if self.lengths[2] * t < ALL_CLOSE {
             self.series(t)

@@ -58,7 +58,7 @@ impl FrequencyResponse {
     }
 
     /// The response of a mode whose mass is the unit, and whose damping and stiffness have thirty digits in scaled units.
-    pub(super) fn of_mode(self, damping: Dd, stiffness: Dd) -> Self {
+    pub(crate) fn of_mode(self, damping: Dd, stiffness: Dd) -> Self {
         Self {
             residual: stiffness - Dd::product(self.frequency, self.frequency),
             loss: damping * self.frequency,
@@ -169,7 +169,7 @@ impl FrequencyResponse {
     }
 
     /// Cosine and sine of the lag.
-    pub(super) fn direction(&self) -> (f64, f64) {
+    pub(crate) fn direction(&self) -> (f64, f64) {
         if self.is_unbounded() {
             return (1.0, 0.0);
         }
@@ -228,7 +228,7 @@ fn square(x: Dd) -> (f64, f64) {
     (square, error + 2.0 * x.hi() * x.lo())
 }
 
-/// Exponent of a number's leading bit; zero for zero and for what is no number.
+/// Exponent of a number's leading bit; zero for zero and for what is not a number.
 #[inline]
 fn finite_exponent(x: f64) -> i32 {
     match binary_exponent(x) {
@@ -239,7 +239,7 @@ fn finite_exponent(x: f64) -> i32 {
 
 /// k - m Ω² to the last digits of a double-double: where it is a small difference, the product is kept in four parts.
 #[inline]
-pub(super) fn residual_stiffness(mass: f64, stiffness: f64, frequency: f64) -> Dd {
+pub(crate) fn residual_stiffness(mass: f64, stiffness: f64, frequency: f64) -> Dd {
     // Where fewer than three digits cancel, low parts that are rounded to binary64 leave 29 of 32 digits.
     const CANCELLED: f64 = 1e-3;
     let square = Dd::product(frequency, frequency);

@@ -166,7 +166,7 @@ impl ForcedResponse {
         Self::of_subject(subject, force, initial)
     }
 
-    /// The motion `q'' + c q' + k q = a cos Ωt + b sin Ωt` of a mode; none if it is no oscillator.
+    /// The motion `q'' + c q' + k q = a cos Ωt + b sin Ωt` of a mode; `None` if these numbers are not an oscillator.
     pub(crate) fn of_mode(
         damping: Dd,
         stiffness: Dd,

@@ -10,15 +10,15 @@ use crate::vibration::state::State;
 
 /// An oscillator whose numbers are binary64, or a mode of unit mass whose damping and stiffness have thirty digits.
 #[derive(Clone, Copy)]
-pub(super) struct Subject<'a> {
+pub(crate) struct Subject<'a> {
     /// The oscillator, or the mode with rounded numbers.
-    pub(super) oscillator: &'a Oscillator,
+    pub(crate) oscillator: &'a Oscillator,
     /// Damping and stiffness of a mode.
-    pub(super) mode: Option<(Dd, Dd)>,
+    pub(crate) mode: Option<(Dd, Dd)>,
 }
 
 impl Subject<'_> {
-    pub(super) fn free(&self, initial: State) -> FreeResponse {
+    pub(crate) fn free(&self, initial: State) -> FreeResponse {
         match self.mode {
             None => FreeResponse::of(self.oscillator, initial),
             Some((damping, stiffness)) => FreeResponse::of_mode(damping, stiffness, initial),
@@ -26,7 +26,7 @@ impl Subject<'_> {
     }
 
     /// The motion from rest without damping, in scaled units.
-    pub(super) fn beat(&self, scaled: &Scaled, frequency: f64) -> Beat {
+    pub(crate) fn beat(&self, scaled: &Scaled, frequency: f64) -> Beat {
         match self.in_units_of(scaled) {
             None => Beat::of(scaled, frequency),
             Some((_, stiffness)) => Beat::of_mode(stiffness, frequency),
@@ -34,14 +34,14 @@ impl Subject<'_> {
     }
 
     /// The nodes of the motion from rest, in scaled units.
-    pub(super) fn nodes(&self, scaled: &Scaled, frequency: f64) -> Nodes {
+    pub(crate) fn nodes(&self, scaled: &Scaled, frequency: f64) -> Nodes {
         match self.in_units_of(scaled) {
             None => Nodes::of(scaled, frequency),
             Some((damping, stiffness)) => Nodes::of_mode(damping, stiffness, frequency),
         }
     }
 
-    pub(super) fn steady(&self, angular_frequency: f64) -> FrequencyResponse {
+    pub(crate) fn steady(&self, angular_frequency: f64) -> FrequencyResponse {
         let response = FrequencyResponse::at(self.oscillator, angular_frequency);
         let scaled = Scaled::driven(self.oscillator, angular_frequency);
         match self.in_units_of(&scaled) {

@@ -23,7 +23,7 @@ const FAR: f64 = 0.0625;
 
 /// Half sum and half difference of the two angular frequencies.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Beat {
+pub(crate) struct Beat {
     carrier: Dd,
     detuning: Dd,
     /// Where the frequencies are far apart.
@@ -40,13 +40,13 @@ struct Apart {
 }
 
 impl Beat {
-    pub(super) fn of(scaled: &Scaled, frequency: f64) -> Self {
+    pub(crate) fn of(scaled: &Scaled, frequency: f64) -> Self {
         let residual = residual_stiffness(scaled.mass, scaled.stiffness, frequency) / scaled.mass;
         Self::new(scaled.natural_frequency(), frequency, residual)
     }
 
     /// For a unit mass and a stiffness of thirty digits.
-    pub(super) fn of_mode(stiffness: Dd, frequency: f64) -> Self {
+    pub(crate) fn of_mode(stiffness: Dd, frequency: f64) -> Self {
         let residual = stiffness - Dd::product(frequency, frequency);
         Self::new(stiffness.sqrt(), frequency, residual)
     }
@@ -73,7 +73,7 @@ impl Beat {
     }
 
     /// Position under a unit force on a unit mass.
-    pub(super) fn position(&self, t: f64) -> f64 {
+    pub(crate) fn position(&self, t: f64) -> f64 {
         if let Some(apart) = self.apart(t) {
             let (_, forced) = Dd::product(apart.frequency, t).sin_cos_to_f64();
             let (_, free) = (apart.natural * t).sin_cos_to_f64();
@@ -85,7 +85,7 @@ impl Beat {
     }
 
     /// State under a unit force on a unit mass.
-    pub(super) fn state(&self, t: f64) -> State {
+    pub(crate) fn state(&self, t: f64) -> State {
         if let Some(apart) = self.apart(t) {
             let (forced_sine, forced) = Dd::product(apart.frequency, t).sin_cos_to_f64();
             let (free_sine, free) = (apart.natural * t).sin_cos_to_f64();

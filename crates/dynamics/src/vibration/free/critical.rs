@@ -11,19 +11,19 @@ use crate::vibration::oscillator::Scaled;
 use crate::vibration::state::State;
 
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Critical {
-    pub(super) initial: State,
+pub(crate) struct Critical {
+    pub(crate) initial: State,
     /// Factor of the time in the position, v0 + λ x0.
-    pub(super) position_slope: f64,
+    pub(crate) position_slope: f64,
     /// Factor of the time in the velocity, -λ (v0 + λ x0).
-    pub(super) velocity_slope: f64,
+    pub(crate) velocity_slope: f64,
     /// -λ.
-    pub(super) growth: Dd,
+    pub(crate) growth: Dd,
 }
 
 impl Critical {
     #[inline]
-    pub(super) fn of(scaled: &Scaled, initial: State) -> Self {
+    pub(crate) fn of(scaled: &Scaled, initial: State) -> Self {
         let State { position, velocity } = initial;
         let growth = -scaled.decay_rate();
         let slope = sum_of_products(2.0 * scaled.mass, velocity, scaled.damping, position)
@@ -37,17 +37,17 @@ impl Critical {
     }
 
     #[inline]
-    pub(super) fn exponent(&self, t: f64) -> f64 {
+    pub(crate) fn exponent(&self, t: f64) -> f64 {
         self.growth.hi() * t
     }
 
     #[inline]
-    pub(super) fn position<const LIFTED: bool>(&self, t: f64) -> f64 {
+    pub(crate) fn position<const LIFTED: bool>(&self, t: f64) -> f64 {
         decay::<LIFTED>(self.growth, t) * (self.initial.position + self.position_slope * t)
     }
 
     #[inline]
-    pub(super) fn state<const LIFTED: bool>(&self, t: f64) -> State {
+    pub(crate) fn state<const LIFTED: bool>(&self, t: f64) -> State {
         let envelope = decay::<LIFTED>(self.growth, t);
         State {
             position: envelope * (self.initial.position + self.position_slope * t),

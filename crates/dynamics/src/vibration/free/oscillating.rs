@@ -11,22 +11,22 @@ use crate::vibration::oscillator::Scaled;
 use crate::vibration::state::State;
 
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Oscillating {
-    pub(super) initial: State,
+pub(crate) struct Oscillating {
+    pub(crate) initial: State,
     /// Factor of the sine in the position.
-    pub(super) position_sine: f64,
+    pub(crate) position_sine: f64,
     /// Factor of the sine in the velocity.
-    pub(super) velocity_sine: f64,
+    pub(crate) velocity_sine: f64,
     /// -λ.
-    pub(super) growth: Dd,
+    pub(crate) growth: Dd,
     /// ω_d.
-    pub(super) frequency: Dd,
-    pub(super) is_damped: bool,
+    pub(crate) frequency: Dd,
+    pub(crate) is_damped: bool,
 }
 
 impl Oscillating {
     #[inline]
-    pub(super) fn of(scaled: &Scaled, root: Dd, initial: State) -> Self {
+    pub(crate) fn of(scaled: &Scaled, root: Dd, initial: State) -> Self {
         let Scaled {
             mass,
             damping,
@@ -47,12 +47,12 @@ impl Oscillating {
     }
 
     #[inline]
-    pub(super) fn exponent(&self, t: f64) -> f64 {
+    pub(crate) fn exponent(&self, t: f64) -> f64 {
         self.growth.hi() * t
     }
 
     #[inline]
-    pub(super) fn envelope<const LIFTED: bool>(&self, t: f64) -> f64 {
+    pub(crate) fn envelope<const LIFTED: bool>(&self, t: f64) -> f64 {
         if self.is_damped {
             decay::<LIFTED>(self.growth, t)
         } else {
@@ -61,13 +61,13 @@ impl Oscillating {
     }
 
     #[inline]
-    pub(super) fn position<const LIFTED: bool>(&self, t: f64) -> f64 {
+    pub(crate) fn position<const LIFTED: bool>(&self, t: f64) -> f64 {
         let (sine, cosine) = (self.frequency * t).sin_cos_to_f64();
         self.envelope::<LIFTED>(t) * (self.initial.position * cosine + self.position_sine * sine)
     }
 
     #[inline]
-    pub(super) fn state<const LIFTED: bool>(&self, t: f64) -> State {
+    pub(crate) fn state<const LIFTED: bool>(&self, t: f64) -> State {
         let (sine, cosine) = (self.frequency * t).sin_cos_to_f64();
         let envelope = self.envelope::<LIFTED>(t);
         State {
@@ -76,7 +76,7 @@ impl Oscillating {
         }
     }
 
-    pub(super) fn amplitude_and_phase(&self) -> (f64, f64) {
+    pub(crate) fn amplitude_and_phase(&self) -> (f64, f64) {
         let (cosine, sine) = (self.initial.position, self.position_sine);
         (hypot(cosine, sine), atan2(sine, cosine))
     }

@@ -12,23 +12,23 @@ use crate::vibration::oscillator::Scaled;
 use crate::vibration::state::State;
 
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Overdamped {
-    pub(super) initial: State,
+pub(crate) struct Overdamped {
+    pub(crate) initial: State,
     /// r_s.
-    pub(super) slow: Dd,
+    pub(crate) slow: Dd,
     /// r_f.
-    pub(super) fast: Dd,
+    pub(crate) fast: Dd,
     /// s/m, the distance of the roots.
-    pub(super) gap: f64,
+    pub(crate) gap: f64,
     /// q, what remains of the motion when the slow exponential is taken off.
-    pub(super) beyond_slow: f64,
+    pub(crate) beyond_slow: f64,
     /// p, likewise for the fast one.
-    pub(super) beyond_fast: f64,
+    pub(crate) beyond_fast: f64,
 }
 
 impl Overdamped {
     #[inline]
-    pub(super) fn of(scaled: &Scaled, root: Dd, initial: State) -> Self {
+    pub(crate) fn of(scaled: &Scaled, root: Dd, initial: State) -> Self {
         let (slow, fast) = scaled.real_roots(root);
         Self {
             initial,
@@ -41,7 +41,7 @@ impl Overdamped {
     }
 
     #[inline]
-    pub(super) fn exponent(&self, t: f64) -> f64 {
+    pub(crate) fn exponent(&self, t: f64) -> f64 {
         self.slow.hi() * t
     }
 
@@ -67,7 +67,7 @@ impl Overdamped {
     }
 
     #[inline]
-    pub(super) fn position<const LIFTED: bool>(&self, t: f64) -> f64 {
+    pub(crate) fn position<const LIFTED: bool>(&self, t: f64) -> f64 {
         if self.is_separated(t) {
             let (slow, fast) = self.terms::<LIFTED>(t);
             slow + fast
@@ -78,7 +78,7 @@ impl Overdamped {
     }
 
     #[inline]
-    pub(super) fn state<const LIFTED: bool>(&self, t: f64) -> State {
+    pub(crate) fn state<const LIFTED: bool>(&self, t: f64) -> State {
         if self.is_separated(t) {
             let (slow, fast) = self.terms::<LIFTED>(t);
             return State {

@@ -8,7 +8,7 @@ use crate::numerics::{Dd, ln_1p};
 
 /// The rule from one turning point to the next.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Decay {
+pub(crate) struct Decay {
     slip: Dd,
     /// None without viscous damping.
     viscous: Option<Viscous>,
@@ -26,7 +26,7 @@ const NEGLIGIBLE: f64 = 1e-200;
 
 impl Decay {
     /// The rule for a slip and a decay `theta` in a half-cycle.
-    pub(super) fn new(slip: Dd, theta: Dd) -> Self {
+    pub(crate) fn new(slip: Dd, theta: Dd) -> Self {
         let viscous = (theta.hi() > NEGLIGIBLE).then(|| Viscous {
             theta,
             lost: -(-theta).expm1(),
@@ -34,12 +34,12 @@ impl Decay {
         Self { slip, viscous }
     }
 
-    pub(super) fn is_viscous(&self) -> bool {
+    pub(crate) fn is_viscous(&self) -> bool {
         self.viscous.is_some()
     }
 
     /// The decay in a half-cycle, 0 without viscous damping.
-    pub(super) fn theta(&self) -> f64 {
+    pub(crate) fn theta(&self) -> f64 {
         self.viscous.map_or(0.0, |viscous| viscous.theta.hi())
     }
 
@@ -49,7 +49,7 @@ impl Decay {
     /// ```text
     /// (U - h)/(2 a)   or   ln(1 + (U - h)/(h + b))/theta,   b = a/tanh(theta/2) = a (1 + q)/(1 - q)
     /// ```
-    pub(super) fn steps_until(&self, reach: Dd, hold: Dd) -> f64 {
+    pub(crate) fn steps_until(&self, reach: Dd, hold: Dd) -> f64 {
         let surplus = (reach - hold).hi();
         match self.viscous {
             None => surplus / (2.0 * self.slip.hi()),
@@ -66,7 +66,7 @@ impl Decay {
     /// ```text
     /// U - 2 a j   or   U - (U (1 - q) + a (1 + q)) (1 - q^j)/(1 - q)
     /// ```
-    pub(super) fn after(&self, reach: Dd, steps: f64) -> Dd {
+    pub(crate) fn after(&self, reach: Dd, steps: f64) -> Dd {
         match self.viscous {
             None => reach - self.slip * (2.0 * steps),
             Some(viscous) => {
@@ -77,7 +77,7 @@ impl Decay {
     }
 
     /// The distance after one half-cycle more.
-    pub(super) fn next(&self, reach: Dd) -> Dd {
+    pub(crate) fn next(&self, reach: Dd) -> Dd {
         match self.viscous {
             None => reach - self.slip * 2.0,
             Some(viscous) => reach - self.loss(viscous, reach),
@@ -90,7 +90,7 @@ impl Decay {
     }
 
     /// The length of a number of half-cycles, `sum (U_j + U_(j+1))`, from the first distance and the last.
-    pub(super) fn path(&self, reach: Dd, steps: f64, last: Dd) -> Dd {
+    pub(crate) fn path(&self, reach: Dd, steps: f64, last: Dd) -> Dd {
         match self.viscous {
             None => (reach + last) * steps,
             Some(viscous) => {
@@ -102,7 +102,7 @@ impl Decay {
     }
 
     /// The length of all half-cycles if they never end.
-    pub(super) fn endless_path(&self, reach: Dd) -> Dd {
+    pub(crate) fn endless_path(&self, reach: Dd) -> Dd {
         match self.viscous {
             None => Dd::from(f64::INFINITY),
             Some(viscous) => reach * (2.0 - viscous.lost) / viscous.lost,

@@ -6,10 +6,10 @@ use crate::vibration::oscillator::Regime;
 
 /// A slide up to its turning point.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Launch {
+pub(crate) struct Launch {
     duration: Duration,
     /// How far beyond the centre of the slide it turns, in the direction of the velocity.
-    pub(super) overshoot: Dd,
+    pub(crate) overshoot: Dd,
 }
 
 /// How long the slide takes, in units of the scale.
@@ -27,7 +27,7 @@ impl Launch {
     /// The slide from a distance `y` beyond its centre with a speed `w`, both counted in the direction of motion.
     ///
     /// None if it never turns: an overdamped mass on its way to the centre.
-    pub(super) fn of(scale: &Scale, y: Dd, w: Dd) -> Option<Self> {
+    pub(crate) fn of(scale: &Scale, y: Dd, w: Dd) -> Option<Self> {
         match scale.regime {
             Regime::Undamped | Regime::Underdamped => Some(Self::oscillating(scale, y, w)),
             Regime::Critical => Self::critical(scale, y, w),
@@ -56,7 +56,7 @@ impl Launch {
     }
 
     /// How long it takes, in units of the scale.
-    pub(super) fn duration(&self, scale: &Scale) -> Dd {
+    pub(crate) fn duration(&self, scale: &Scale) -> Dd {
         match self.duration {
             Duration::Known(duration) => duration,
             Duration::Angle { across, along } => time_of_angle(scale, across, along),

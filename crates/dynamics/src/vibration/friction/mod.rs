@@ -94,7 +94,7 @@ struct Given {
 
 /// The numbers of the closed forms.
 #[derive(Clone, Copy, Debug)]
-struct System {
+pub(crate) struct System {
     oscillator: Oscillator,
     scale: Scale,
     /// How far friction shifts the centre of a slide, F_k/k.

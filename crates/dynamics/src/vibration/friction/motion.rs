@@ -33,14 +33,14 @@ use crate::vibration::State;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct FrictionMotion {
-    pub(super) system: System,
-    pub(super) initial: State,
-    pub(super) opening: Opening,
+    pub(crate) system: System,
+    pub(crate) initial: State,
+    pub(crate) opening: Opening,
     /// The side of the equilibrium where the first turning point lies, 1 or -1.
-    pub(super) side: f64,
+    pub(crate) side: f64,
     /// Its distance from the equilibrium; negative if the mass turns before it gets there.
-    pub(super) reach: Dd,
-    pub(super) ending: Ending,
+    pub(crate) reach: Dd,
+    pub(crate) ending: Ending,
     /// The distance of the last turning point from the equilibrium, if there is a last one.
     last_reach: Dd,
     /// Start, from the equilibrium.
@@ -60,7 +60,7 @@ pub struct TurningPoint {
 
 /// What happens before the first turning point.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Opening {
+pub(crate) enum Opening {
     /// The start is a turning point.
     Released,
     /// It slides there, for a time in units of the scale.
@@ -71,7 +71,7 @@ pub(super) enum Opening {
 
 /// What happens after the first turning point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Ending {
+pub(crate) enum Ending {
     /// Rest after this number of half-cycles.
     Rest(u64),
     /// It swings for ever: kinetic friction is absent.
@@ -91,7 +91,7 @@ const MAX_MISSING: f64 = 16.0;
 
 impl FrictionMotion {
     #[inline]
-    pub(super) fn of(
+    pub(crate) fn of(
         friction: &FrictionOscillator,
         position: ExactNumber,
         velocity: ExactNumber,
@@ -366,7 +366,7 @@ impl FrictionMotion {
     }
 
     /// Where it rests, from the equilibrium.
-    pub(super) fn rest_offset(&self) -> Option<Dd> {
+    pub(crate) fn rest_offset(&self) -> Option<Dd> {
         let side = Dd::from(self.side);
         match self.ending {
             Ending::Rest(half_cycles) => {
@@ -384,12 +384,12 @@ impl FrictionMotion {
     }
 
     /// The turning point after a number of half-cycles, from the equilibrium.
-    pub(super) fn turning_point(&self, half_cycles: f64) -> Dd {
+    pub(crate) fn turning_point(&self, half_cycles: f64) -> Dd {
         self.system.decay.after(self.reach, half_cycles) * self.side_after(half_cycles)
     }
 
     /// The side of the turning point after a number of half-cycles.
-    pub(super) fn side_after(&self, half_cycles: f64) -> f64 {
+    pub(crate) fn side_after(&self, half_cycles: f64) -> f64 {
         if (half_cycles as u64).is_multiple_of(2) {
             self.side
         } else {
@@ -398,7 +398,7 @@ impl FrictionMotion {
     }
 
     /// The duration of the first slide of a thrown mass, in units of the scale.
-    pub(super) fn launch_duration(&self) -> Dd {
+    pub(crate) fn launch_duration(&self) -> Dd {
         match self.opening {
             Opening::Thrown(launch) => launch.duration(&self.system.scale),
             Opening::Released | Opening::Creeping => Dd::ZERO,

@@ -44,7 +44,7 @@ struct Arc {
 }
 
 impl FrictionPath {
-    pub(super) fn of(motion: &FrictionMotion) -> Self {
+    pub(crate) fn of(motion: &FrictionMotion) -> Self {
         let system = &motion.system;
         let unit = State {
             position: 1.0,

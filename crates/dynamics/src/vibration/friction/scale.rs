@@ -5,19 +5,19 @@ use crate::vibration::oscillator::Regime;
 
 /// An oscillator in units of mass and time that are powers of two.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Scale {
-    pub(super) regime: Regime,
-    pub(super) mass: Dd,
-    pub(super) damping: Dd,
-    pub(super) stiffness: Dd,
+pub(crate) struct Scale {
+    pub(crate) regime: Regime,
+    pub(crate) mass: Dd,
+    pub(crate) damping: Dd,
+    pub(crate) stiffness: Dd,
     /// The square root of `|c^2 - 4 m k|`.
-    pub(super) root: Dd,
+    pub(crate) root: Dd,
     /// The unit of time is 2 to the negative of this power.
-    pub(super) rate_exponent: i32,
+    pub(crate) rate_exponent: i32,
 }
 
 impl Scale {
-    pub(super) fn of(mass: ExactNumber, damping: ExactNumber, stiffness: ExactNumber) -> Self {
+    pub(crate) fn of(mass: ExactNumber, damping: ExactNumber, stiffness: ExactNumber) -> Self {
         let of_mass = binary_exponent(mass.to_f64());
         let rate_exponent = (binary_exponent(stiffness.to_f64()) - of_mass).div_euclid(2);
         let scale = Self {
@@ -63,22 +63,22 @@ impl Scale {
     }
 
     /// Whether the squares of all rates are within the exponent range.
-    pub(super) fn is_moderate(&self) -> bool {
+    pub(crate) fn is_moderate(&self) -> bool {
         const LARGEST: f64 = 1e150;
         self.damping.hi() < LARGEST
     }
 
-    pub(super) fn oscillates(&self) -> bool {
+    pub(crate) fn oscillates(&self) -> bool {
         matches!(self.regime, Regime::Undamped | Regime::Underdamped)
     }
 
     /// The time between two turning points, `pi/omega_d`, in units of the scale.
-    pub(super) fn half_period(&self) -> Dd {
+    pub(crate) fn half_period(&self) -> Dd {
         Dd::TAU * self.mass / self.root
     }
 
     /// What decays in a half-cycle, `theta = lambda pi/omega_d`: amplitudes shrink by `e^-theta`; 0 if there is none.
-    pub(super) fn decay_in_half_period(&self) -> Dd {
+    pub(crate) fn decay_in_half_period(&self) -> Dd {
         if self.regime == Regime::Underdamped {
             Dd::PI * self.damping / self.root
         } else {
@@ -91,14 +91,14 @@ impl Scale {
 const LARGE_DAMPING: f64 = 1e30;
 
 /// Whether a difference of numbers of this size has a sign that rounding cannot have changed.
-pub(super) fn is_decided(difference: Dd, size: f64) -> bool {
+pub(crate) fn is_decided(difference: Dd, size: f64) -> bool {
     // Five digits above 2^-106: what the products and sums of a difference lose together is less.
     const RESOLUTION: f64 = 1e-27;
     difference.hi().abs() > RESOLUTION * size.abs()
 }
 
 /// A product over a number, without leaving the exponent range on the way.
-pub(super) fn ratio(factors: &[ExactNumber], divisor: ExactNumber) -> Dd {
+pub(crate) fn ratio(factors: &[ExactNumber], divisor: ExactNumber) -> Dd {
     const ORDINARY: std::ops::Range<f64> = 1e-60..1e60;
     let is_ordinary = |number: &ExactNumber| ORDINARY.contains(&number.to_f64().abs());
     if factors.iter().all(is_ordinary) && is_ordinary(&divisor) {

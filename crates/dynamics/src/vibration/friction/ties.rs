@@ -7,17 +7,17 @@ use crate::numerics::{ExactNumber, sign_of_sum};
 
 impl Given {
     /// Whether friction holds the mass at a position: `|k x - F| <= F_s`.
-    pub(super) fn holds_at(&self, position: ExactNumber) -> bool {
+    pub(crate) fn holds_at(&self, position: ExactNumber) -> bool {
         self.rests_from_rest(position, 0)
     }
 
     /// On which side of the equilibrium a position lies, by the sign of `k x - F`.
-    pub(super) fn side_of(&self, position: ExactNumber) -> Ordering {
+    pub(crate) fn side_of(&self, position: ExactNumber) -> Ordering {
         sign_of_sum(&[&[self.stiffness, position], &[-self.force]])
     }
 
     /// Whether a mass released at rest rests after n half-cycles: `|k x0 - F| <= F_s + 2 n F_k`. Undamped.
-    pub(super) fn rests_from_rest(&self, position: ExactNumber, slides: u64) -> bool {
+    pub(crate) fn rests_from_rest(&self, position: ExactNumber, slides: u64) -> bool {
         let side = match self.side_of(position) {
             Ordering::Less => -ExactNumber::from(1),
             _ => ExactNumber::from(1),
@@ -33,7 +33,7 @@ impl Given {
     /// ```text
     /// (k x0 - F + s F_k)^2 + k m v0^2 <= (F_s + (2 n + 1) F_k)^2
     /// ```
-    pub(super) fn rests_from_throw(
+    pub(crate) fn rests_from_throw(
         &self,
         position: ExactNumber,
         velocity: ExactNumber,
@@ -80,6 +80,6 @@ fn with(factors: Factors, more: ExactNumber) -> Vec<ExactNumber> {
 }
 
 /// The product with the other sign.
-pub(super) fn negated([first, second, third]: Factors) -> Factors {
+pub(crate) fn negated([first, second, third]: Factors) -> Factors {
     [-first, second, third]
 }

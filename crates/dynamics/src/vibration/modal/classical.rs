@@ -8,7 +8,7 @@ use crate::vibration::{FreeResponse, State};
 
 /// Modal motions `q_r(t)` and the shapes they carry: `x = Σ φ_r q_r(t)`.
 #[derive(Debug, Clone)]
-pub(super) struct Classical {
+pub(crate) struct Classical {
     /// Shapes as columns.
     shapes: DMatrix<f64>,
     motions: Vec<FreeResponse>,
@@ -16,7 +16,7 @@ pub(super) struct Classical {
 
 impl Classical {
     /// Modal damping coefficients are those of `q'' + c q' + ω² q = 0`.
-    pub(super) fn of(initial: &Initial<'_>, dampings: &[Dd]) -> Self {
+    pub(crate) fn of(initial: &Initial<'_>, dampings: &[Dd]) -> Self {
         let modes = initial.modes;
         let motions = (0..modes.count())
             .map(|mode| {
@@ -34,7 +34,7 @@ impl Classical {
     }
 
     /// Adds displacements, and velocities where there is room for them.
-    pub(super) fn state(&self, time: f64, displacements: &mut [f64], velocities: &mut [f64]) {
+    pub(crate) fn state(&self, time: f64, displacements: &mut [f64], velocities: &mut [f64]) {
         displacements.fill(0.0);
         velocities.fill(0.0);
         for (shape, motion) in self.shapes.column_iter().zip(&self.motions) {
@@ -50,7 +50,7 @@ impl Classical {
         }
     }
 
-    pub(super) fn displacements(&self, time: f64, displacements: &mut [f64]) {
+    pub(crate) fn displacements(&self, time: f64, displacements: &mut [f64]) {
         displacements.fill(0.0);
         for (shape, motion) in self.shapes.column_iter().zip(&self.motions) {
             let position = motion.position(time);
@@ -64,7 +64,7 @@ impl Classical {
     /// Displacements at uniform times, one sample after the other.
     ///
     /// Sums for a few times side by side stay in registers while the modes are added.
-    pub(super) fn grid(&self, start: f64, step: f64, displacements: &mut [f64]) {
+    pub(crate) fn grid(&self, start: f64, step: f64, displacements: &mut [f64]) {
         const LANES: usize = 16;
         let size = self.motions.len();
         let samples = displacements.len() / size;
@@ -90,7 +90,7 @@ impl Classical {
     }
 
     /// The motion of one mode.
-    pub(super) fn modal_state(&self, mode: usize, time: f64) -> State {
+    pub(crate) fn modal_state(&self, mode: usize, time: f64) -> State {
         self.motions[mode].state(time)
     }
 }

@@ -70,7 +70,7 @@ impl Damping {
     }
 
     /// Checks the damping against a system.
-    pub(super) fn check(&self, size: usize) -> Result<(), ModesError> {
+    pub(crate) fn check(&self, size: usize) -> Result<(), ModesError> {
         Link::check_all(&self.dampers, size)?;
         if !(self.mass_factor.is_finite() && self.stiffness_factor.is_finite()) {
             return Err(ModesError::NotFinite);
@@ -82,7 +82,7 @@ impl Damping {
     }
 
     /// `Uᵀ C U` for mass-normalized shapes.
-    pub(super) fn in_modes(&self, modes: &Refined) -> DMatrix<Dd> {
+    pub(crate) fn in_modes(&self, modes: &Refined) -> DMatrix<Dd> {
         let size = modes.count();
         let mut modal = DMatrix::from_element(size, size, Dd::ZERO);
         for mode in 0..size {
@@ -116,7 +116,7 @@ impl Damping {
     }
 
     /// The damping matrix in the coordinates of the system.
-    pub(super) fn matrix(&self, system: &System) -> DMatrix<Dd> {
+    pub(crate) fn matrix(&self, system: &System) -> DMatrix<Dd> {
         let size = system.degrees_of_freedom();
         let mut sum = assembled(&self.dampers, size);
         sum.zip_apply(&system.mass_matrix(), |c, m| {

@@ -12,7 +12,7 @@ use crate::vibration::modes::{ModesError, Refined};
 
 /// A state at time zero and what moves it on.
 #[derive(Debug, Clone)]
-pub(super) struct Viscous {
+pub(crate) struct Viscous {
     shapes: DMatrix<f64>,
     /// Factors `w_r` of the modal displacements.
     weights: Vec<f64>,
@@ -25,7 +25,7 @@ const BLOCK: usize = 64;
 
 impl Viscous {
     /// `damping` is `Uᵀ C U`; times may go up to the horizon.
-    pub(super) fn of(
+    pub(crate) fn of(
         initial: &Initial<'_>,
         damping: &DMatrix<Dd>,
         horizon: f64,
@@ -48,14 +48,14 @@ impl Viscous {
         })
     }
 
-    pub(super) fn state(&self, time: f64, displacements: &mut [f64], velocities: &mut [f64]) {
+    pub(crate) fn state(&self, time: f64, displacements: &mut [f64], velocities: &mut [f64]) {
         let mut state = self.start.clone();
         self.propagator.advance(&mut state, time);
         self.read(&state, displacements, velocities);
     }
 
     /// Displacements at uniform times, one sample after the other.
-    pub(super) fn grid(&self, start: f64, step: f64, displacements: &mut [f64]) {
+    pub(crate) fn grid(&self, start: f64, step: f64, displacements: &mut [f64]) {
         let size = self.weights.len();
         let advance = self.propagator.step(step);
         for (block, samples) in displacements.chunks_mut(BLOCK * size).enumerate() {
@@ -89,7 +89,7 @@ impl Viscous {
 }
 
 /// The rates of the modes; for rigid ones the smallest of the others.
-pub(super) fn weights(modes: &Refined) -> Vec<f64> {
+pub(crate) fn weights(modes: &Refined) -> Vec<f64> {
     let rate = |mode: usize| modes.eigenvalue(mode).hi().abs().sqrt();
     let smallest = (0..modes.count())
         .map(rate)
@@ -108,7 +108,7 @@ pub(super) fn weights(modes: &Refined) -> Vec<f64> {
 }
 
 /// The matrix `A` of `z' = A z`.
-pub(super) fn generator(modes: &Refined, weights: &[f64], damping: &DMatrix<Dd>) -> DMatrix<Dd> {
+pub(crate) fn generator(modes: &Refined, weights: &[f64], damping: &DMatrix<Dd>) -> DMatrix<Dd> {
     let size = weights.len();
     let mut generator = DMatrix::from_element(2 * size, 2 * size, Dd::ZERO);
     for r in 0..size {

@@ -5,7 +5,7 @@ use crate::numerics::bidiagonal;
 use crate::numerics::tridiagonal::{Factored, eigenvalues};
 
 /// Masses in a row: each spring joins neighbours or a mass and the ground.
-pub(super) struct Chain<'a> {
+pub(crate) struct Chain<'a> {
     masses: &'a [f64],
     ground: Vec<f64>,
     /// Springs between mass i and mass i+1.
@@ -13,7 +13,7 @@ pub(super) struct Chain<'a> {
 }
 
 impl<'a> Chain<'a> {
-    pub(super) fn of(masses: &'a [f64], springs: &[Link]) -> Option<Self> {
+    pub(crate) fn of(masses: &'a [f64], springs: &[Link]) -> Option<Self> {
         const LARGEST: f64 = 1e280;
         let mut ground = vec![0.0; masses.len()];
         let mut couplings = vec![0.0; masses.len() - 1];
@@ -35,7 +35,7 @@ impl<'a> Chain<'a> {
     }
 
     /// Frequencies in ascending order, to high relative accuracy.
-    pub(super) fn natural_angular_frequencies(&self) -> Option<Vec<f64>> {
+    pub(crate) fn natural_angular_frequencies(&self) -> Option<Vec<f64>> {
         let Eliminated {
             squares,
             off_squares,
@@ -45,7 +45,7 @@ impl<'a> Chain<'a> {
     }
 
     /// Whether no spring holds it to the ground.
-    pub(super) fn is_free(&self) -> bool {
+    pub(crate) fn is_free(&self) -> bool {
         self.ground.iter().all(|stiffness| *stiffness == 0.0)
     }
 
@@ -53,7 +53,7 @@ impl<'a> Chain<'a> {
     ///
     /// The mass-weighted stiffness matrix comes as a product of accurate factors, so that shapes are as good as the relative
     /// distances of the frequencies allow.
-    pub(super) fn elastic_shapes(&self) -> Option<Vec<f64>> {
+    pub(crate) fn elastic_shapes(&self) -> Option<Vec<f64>> {
         if self.couplings.contains(&0.0) {
             return None;
         }

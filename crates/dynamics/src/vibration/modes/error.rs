@@ -127,7 +127,7 @@ pub enum ModesError {
 
 impl ModesError {
     /// Refuses a size for which rotations take too long.
-    pub(super) fn refuse_unproven(count: usize) -> Result<(), Self> {
+    pub(crate) fn refuse_unproven(count: usize) -> Result<(), Self> {
         let limit = super::MAX_WITHOUT_PROOF;
         if count > limit {
             return Err(Self::NotProven { count, limit });

@@ -1,4 +1,4 @@
-//! Systems given by matrices, or by springs and squares that are no network of attractive springs.
+//! Systems given by matrices, or by springs and squares that do not form a network of attractive springs.
 
 use nalgebra::DMatrix;
 
@@ -12,7 +12,7 @@ use crate::numerics::symmetric::Symmetric;
 /// Largest size whose matrices are factored in double-double arithmetic.
 const MAX_EXACT: usize = 64;
 
-pub(super) fn solve(system: &System) -> Result<(MassRoot, Solution), ModesError> {
+pub(crate) fn solve(system: &System) -> Result<(MassRoot, Solution), ModesError> {
     if let Some(solved) = proven(system) {
         return Ok(solved);
     }

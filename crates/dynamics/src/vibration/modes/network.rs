@@ -6,7 +6,7 @@ use super::{ModesError, Pair, factor, rayleigh, reduced};
 use crate::numerics::jacobi::dot;
 use crate::numerics::{Dd, ascending};
 
-pub(super) fn solve(masses: &[f64], springs: &[Link]) -> Result<Solution, ModesError> {
+pub(crate) fn solve(masses: &[f64], springs: &[Link]) -> Result<Solution, ModesError> {
     if let Some(solution) = pair(masses, springs) {
         return Ok(solution);
     }
@@ -181,7 +181,7 @@ const WIDEST: f64 = 3e6;
 
 /// Whether some elastic frequency is so far below the largest that the error of its Rayleigh quotient, the square of the
 /// shape's times the ratio of the eigenvalues, may exceed rounding.
-pub(super) fn are_spread(rates: &[f64]) -> bool {
+pub(crate) fn are_spread(rates: &[f64]) -> bool {
     let softest = rates.iter().find(|rate| **rate > 0.0);
     let stiffest = rates.last().copied().unwrap_or_default();
     softest.is_some_and(|softest| softest * WIDEST < stiffest * rates.len() as f64)

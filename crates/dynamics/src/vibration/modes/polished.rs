@@ -53,7 +53,7 @@ pub struct Polished {
 }
 
 impl Polished {
-    pub(super) fn of(modes: &Modes) -> Option<Self> {
+    pub(crate) fn of(modes: &Modes) -> Option<Self> {
         let size = modes.count();
         let are_told_apart = size <= MAX_SIZE && are_apart(modes);
         if !are_told_apart {

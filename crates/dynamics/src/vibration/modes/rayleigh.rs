@@ -24,7 +24,7 @@ const PLAIN: usize = 16;
 const PROVEN: f64 = f64::EPSILON / 4.0;
 
 /// What the springs say of mass-weighted shapes, one after the other.
-pub(super) fn of_springs(masses: &[f64], springs: &[Link], weighted: &[f64]) -> Vec<Mode> {
+pub(crate) fn of_springs(masses: &[f64], springs: &[Link], weighted: &[f64]) -> Vec<Mode> {
     let size = masses.len();
     let mut motion = Motion::of(masses);
     let mut modes = Vec::with_capacity(weighted.len() / size);
@@ -37,16 +37,16 @@ pub(super) fn of_springs(masses: &[f64], springs: &[Link], weighted: &[f64]) -> 
 
 /// A quotient, and the length of what its shape leaves over.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Mode {
-    pub(super) frequency: f64,
-    pub(super) eigenvalue: f64,
-    pub(super) residual: f64,
+pub(crate) struct Mode {
+    pub(crate) frequency: f64,
+    pub(crate) eigenvalue: f64,
+    pub(crate) residual: f64,
 }
 
 /// Whether all intervals of modes in ascending order are apart, and the quotients closer to the eigenvalues than matters.
 ///
 /// Rigid motions, which are known, are not among the modes; `is_free` says whether there are some.
-pub(super) fn are_proven(modes: &[Mode], is_free: bool) -> bool {
+pub(crate) fn are_proven(modes: &[Mode], is_free: bool) -> bool {
     let upper = |mode: &Mode| mode.eigenvalue + mode.residual;
     (0..modes.len()).all(|i| {
         let mode = &modes[i];

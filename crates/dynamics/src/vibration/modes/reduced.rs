@@ -18,14 +18,14 @@ use crate::numerics::tridiagonal::{Eigenpairs, Factored, eigenvalues};
 use crate::numerics::{binary_exponent, scale_by_power_of_two};
 
 /// Up to this size rotations take less than what can be seen, and lose nothing.
-pub(super) const SMALL: usize = 16;
+pub(crate) const SMALL: usize = 16;
 
 /// Largest eigenvalue over the smallest, up to which a dense reduction leaves the shapes of networks as accurate as their data
 /// determine them: it is accurate beside the largest.
 const SPREAD: f64 = 1e4;
 
 /// The modes of a network of attractive springs, if they can be proven.
-pub(super) fn of_network(masses: &[f64], springs: &[Link]) -> Option<Solution> {
+pub(crate) fn of_network(masses: &[f64], springs: &[Link]) -> Option<Solution> {
     const RANGE: std::ops::Range<f64> = 1e-70..1e70;
     let in_range = |x: f64| RANGE.contains(&x) || x == 0.0;
     let coefficients = springs.iter().map(|spring| spring.coefficient);
@@ -114,7 +114,7 @@ fn is_narrow(values: &[f64]) -> bool {
 }
 
 /// The modes of a mass-weighted stiffness matrix, given column after column, if they can be proven and none grows.
-pub(super) fn of_weighted(entries: Vec<f64>, size: usize) -> Option<Solution> {
+pub(crate) fn of_weighted(entries: Vec<f64>, size: usize) -> Option<Solution> {
     if size <= SMALL {
         return None;
     }

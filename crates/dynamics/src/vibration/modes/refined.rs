@@ -47,12 +47,12 @@ const MAX_CORRECTIONS: usize = 6;
 
 impl Refined {
     /// Corrects the pairs of modes that need it.
-    pub(super) fn of(modes: &Modes) -> Self {
+    pub(crate) fn of(modes: &Modes) -> Self {
         Self::corrected(modes, mixed_pairs(modes))
     }
 
     /// Corrects all pairs of modes.
-    pub(super) fn of_all_pairs(modes: &Modes) -> Self {
+    pub(crate) fn of_all_pairs(modes: &Modes) -> Self {
         let size = modes.count();
         Self::corrected(modes, DMatrix::from_fn(size, size, |i, j| i != j))
     }
@@ -125,7 +125,7 @@ impl Refined {
     }
 
     /// Frequency of a mode, or minus its growth rate, rounded.
-    pub(super) fn rate(&self, mode: usize) -> f64 {
+    pub(crate) fn rate(&self, mode: usize) -> f64 {
         let eigenvalue = self.eigenvalues[mode];
         let magnitude = eigenvalue.abs().sqrt().hi();
         if eigenvalue.is_negative() {

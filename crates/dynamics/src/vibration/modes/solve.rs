@@ -10,12 +10,12 @@ use crate::numerics::Dd;
 use crate::numerics::jacobi::{LeftSingular, dot};
 
 /// Rates in ascending order and mass-weighted orthonormal shapes.
-pub(super) struct Solution {
-    pub(super) rates: Vec<f64>,
-    pub(super) vectors: Vec<f64>,
+pub(crate) struct Solution {
+    pub(crate) rates: Vec<f64>,
+    pub(crate) vectors: Vec<f64>,
 }
 
-pub(super) fn modes(system: System) -> Result<Modes, ModesError> {
+pub(crate) fn modes(system: System) -> Result<Modes, ModesError> {
     let system = with_springs_recognized(system);
     let (root, solution) = match (&system.inertia, &system.stiffness) {
         (Inertia::Masses(masses), Stiffness::Springs(springs)) if are_attractive(springs) => (
@@ -168,7 +168,7 @@ fn springs_of(stiffnesses: &[f64], rows: &DMatrix<f64>) -> Option<Vec<Link>> {
 }
 
 /// Puts rigid motions before the elastic ones: those given, or else whatever is orthogonal to the elastic ones.
-pub(super) fn completed(
+pub(crate) fn completed(
     size: usize,
     elastic: LeftSingular,
     rigid: impl FnOnce() -> Vec<Vec<f64>>,

@@ -73,7 +73,7 @@ pub enum CheckError {
         span: Span,
     },
     /// A power whose dimension has exponents beyond all use.
-    #[error("the power {exponent} of {} is no dimension", base.describe())]
+    #[error("the power {exponent} of {} is not a dimension", base.describe())]
     PowerDimension {
         /// The dimension of the base.
         base: Dimension,

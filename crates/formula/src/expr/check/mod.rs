@@ -449,7 +449,7 @@ mod tests {
             ),
             (
                 "x^(1/11)",
-                vec!["the power 1/11 of m is no dimension @x^(1/11)"],
+                vec!["the power 1/11 of m is not a dimension @x^(1/11)"],
             ),
             ("m + omega", vec!["`omega` is not known here @omega"]),
             ("Omeg*t", vec!["`Omeg` is not known here @Omeg"]),

@@ -98,7 +98,7 @@ impl Step {
         registers.into_iter().take(count)
     }
 
-    /// How many registers it writes, from `out` on, if it is no jump.
+    /// How many registers it writes, from `out` on, if it is not a jump.
     pub(crate) fn width(&self) -> u32 {
         match self {
             Self::ComplexMultiply(..)

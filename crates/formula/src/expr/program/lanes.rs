@@ -32,7 +32,7 @@ impl<'a, S> Operand<'a, S> {
 }
 
 impl<'a, S: Scalar> Lanes<'a, S> {
-    /// Takes these steps with each of these inputs; `None` where one has no value, or computes what is no real number.
+    /// Takes these steps with each of these inputs; `None` where one has no value, or computes what is not a real number.
     pub(crate) fn run(
         program: &Program,
         steps: &[u32],

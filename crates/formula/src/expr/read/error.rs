@@ -33,7 +33,7 @@ pub enum ReadError {
         span: Span,
     },
     /// `**`, the power of other languages.
-    #[error("`**` is no operator")]
+    #[error("`**` is not an operator")]
     DoubleStar {
         /// The bytes of the text that the message points at.
         span: Span,
@@ -45,7 +45,7 @@ pub enum ReadError {
         span: Span,
     },
     /// `0,5`.
-    #[error("`{whole},{fraction}` is no number")]
+    #[error("`{whole},{fraction}` is not a number")]
     DecimalComma {
         /// Before the comma.
         whole: String,

@@ -55,7 +55,7 @@ impl Equation {
 }
 
 impl Interval {
-    /// Reads `[a, b)` and kin; a round bracket leaves its end out, `inf` is no bound.
+    /// Reads `[a, b)` and kin; a round bracket leaves its end out, `inf` is not a bound.
     ///
     /// # Errors
     ///
@@ -161,13 +161,13 @@ mod tests {
             ("2k", "no operator between `2` and `k`", "write `2*k`"),
             ("2 k", "no operator between `2` and `k`", "write `2*k`"),
             ("(a)(b)", "no operator between `)` and `(`", "write `)*(`"),
-            ("a**2", "`**` is no operator", "write `^` for a power"),
+            ("a**2", "`**` is not an operator", "write `^` for a power"),
             (
                 "if a = 2 then 1 else 0",
                 "`=` does not compare",
                 "write `==` to compare",
             ),
-            ("0,5*m", "`0,5` is no number", "write `0.5`"),
+            ("0,5*m", "`0,5` is not a number", "write `0.5`"),
             (
                 ".5",
                 "a decimal point needs digits on both sides",

@@ -182,7 +182,7 @@ impl Normal {
         )
     }
 
-    /// The highest sum of exponents of these variables in a term; nothing where it is no polynomial in them.
+    /// The highest sum of exponents of these variables in a term; nothing where it is not a polynomial in them.
     pub fn degree_in(&self, variables: &[Variable]) -> Option<u32> {
         let mut degree = 0;
         for monomial in self.0.0.keys() {
