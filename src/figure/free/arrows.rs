@@ -3,7 +3,8 @@
 use super::drawn::{Arrow, Drawn, Way};
 use super::error::{FreeError, FreeFault};
 use super::words::{sentence, towards};
-use super::{Body, Contact, Force, Heading, Motion, Origin, Sense, Strand, Written};
+use super::work::{Moved, SQUARE, agrees, fault, sense, twisted, works};
+use super::{Body, Contact, Force, Heading, Letter, Motion, Origin, Sense, Strand, Written};
 use crate::figure::element::{Role, turn};
 use crate::figure::formula::Values;
 use crate::figure::part::Part;
@@ -21,9 +22,6 @@ const NEAR: f64 = 0.12;
 
 /// Arrows at one axle are nearer to each other than the links were: this share of their distance.
 const CLOSE: f64 = 0.4;
-
-/// Below this share of its length an arrow counts as square to a motion; drawn angles are exact but for rounding.
-const SQUARE: f64 = 0.02;
 
 /// A figure with numbers: the parts of its elements, then those of the arrows that are written.
 struct Scene<'f> {
@@ -43,35 +41,6 @@ struct Cut {
     out: Point,
     /// The length of the straight piece there.
     length: f64,
-}
-
-/// A motion with numbers.
-enum Moved {
-    Along(Point),
-    /// The centre, and 1 for counterclockwise or −1.
-    Turn(Point, f64),
-    /// The axis, where it lies in the plane of the drawing, towards the tip from which it turns counterclockwise.
-    Twist(Point),
-}
-
-impl Moved {
-    /// The work of a unit force at a point along a direction, per unit of the motion.
-    fn work(&self, point: Point, direction: Point) -> f64 {
-        match self {
-            Self::Along(along) => along.dot(direction),
-            Self::Turn(centre, sense) => sense * (point - *centre).cross(direction),
-            // What lies in a plane has no moment about a line of this plane.
-            Self::Twist(_) => 0.0,
-        }
-    }
-
-    /// The work of a unit moment, counterclockwise in the drawing.
-    fn work_of_moment(&self) -> f64 {
-        match self {
-            Self::Along(_) | Self::Twist(_) => 0.0,
-            Self::Turn(_, sense) => *sense,
-        }
-    }
 }
 
 impl Figure {
@@ -130,54 +99,7 @@ impl<'f> Scene<'f> {
         for force in &body.forces {
             match &force.source {
                 Origin::Links { links, letter } => {
-                    let mut cuts = Vec::new();
-                    for (item, strand) in links {
-                        let own = self.cuts(body, *item, *strand);
-                        if own.is_empty() {
-                            return Err(FreeFault::Apart {
-                                body: body.name.clone(),
-                                link: self.link(*item),
-                            });
-                        }
-                        cuts.extend(own.into_iter().map(|cut| (self.noun(*item), cut)));
-                    }
-                    let (label, words) = match cuts.len() {
-                        1 => &letter.one,
-                        2 => &letter.each,
-                        _ => return Err(fault(body, force)),
-                    };
-                    for (noun, cut) in cuts {
-                        let Cut {
-                            at,
-                            drawn: start,
-                            out,
-                            length,
-                        } = cut;
-                        if let Some((axis, words)) = twisted(body, force, &moved, out, words)? {
-                            drawn.twist(start, out, axis, label);
-                            drawn.words.push(words);
-                            continue;
-                        }
-                        let sense = sense(body, force, &moved, at, out)?;
-                        let direction = out * sense;
-                        works(body, force, &moved, at, direction, None)?;
-                        let is_push = sense < 0.0;
-                        if is_push && noun == "cord" {
-                            return Err(FreeFault::Push {
-                                body: body.name.clone(),
-                                force: force.name.to_string(),
-                            });
-                        }
-                        // Half of a link between two bodies that are cut is left to the arrow of the other.
-                        let end = start + out * (0.42 * length).clamp(SHORTEST, LENGTH);
-                        let (from, to) = if is_push { (end, start) } else { (start, end) };
-                        drawn.arrows.push(Arrow {
-                            way: Way::Straight { from, to, is_push },
-                            label,
-                            at: None,
-                        });
-                        drawn.words.push(described(noun, words, direction));
-                    }
+                    self.linked(body, force, &moved, (links.as_slice(), letter), &mut drawn)?;
                 }
                 Origin::Shown(item) => {
                     self.shown(body, force, &moved, *item, &mut drawn)?;
@@ -226,6 +148,66 @@ impl<'f> Scene<'f> {
         }
         self.hold_links(body)?;
         Ok(drawn)
+    }
+
+    /// A force of links that were cut: an arrow along each.
+    fn linked(
+        &self,
+        body: &Body,
+        force: &'f Force,
+        moved: &[Moved],
+        (links, letter): (&[(usize, Strand)], &'f Letter),
+        drawn: &mut Drawn<'f>,
+    ) -> Result<(), FreeFault> {
+        let mut cuts = Vec::new();
+        for (item, strand) in links {
+            let own = self.cuts(body, *item, *strand);
+            if own.is_empty() {
+                return Err(FreeFault::Apart {
+                    body: body.name.clone(),
+                    link: self.link(*item),
+                });
+            }
+            cuts.extend(own.into_iter().map(|cut| (self.noun(*item), cut)));
+        }
+        let (label, words) = match cuts.len() {
+            1 => &letter.one,
+            2 => &letter.each,
+            _ => return Err(fault(body, force)),
+        };
+        for (noun, cut) in cuts {
+            let Cut {
+                at,
+                drawn: start,
+                out,
+                length,
+            } = cut;
+            if let Some((axis, words)) = twisted(body, force, moved, out, words)? {
+                drawn.twist(start, out, axis, label);
+                drawn.words.push(words);
+                continue;
+            }
+            let sense = sense(body, force, moved, at, out)?;
+            let direction = out * sense;
+            works(body, force, moved, at, direction, None)?;
+            let is_push = sense < 0.0;
+            if is_push && noun == "cord" {
+                return Err(FreeFault::Push {
+                    body: body.name.clone(),
+                    force: force.name.to_string(),
+                });
+            }
+            // Half of a link between two bodies that are cut is left to the arrow of the other.
+            let end = start + out * (0.42 * length).clamp(SHORTEST, LENGTH);
+            let (from, to) = if is_push { (end, start) } else { (start, end) };
+            drawn.arrows.push(Arrow {
+                way: Way::Straight { from, to, is_push },
+                label,
+                at: None,
+            });
+            drawn.words.push(described(noun, words, direction));
+        }
+        Ok(())
     }
 
     /// A force or moment that the figure shows.
@@ -483,104 +465,6 @@ impl<'f> Scene<'f> {
         format!("the {} {}", self.noun(item), self.parts[item].words)
             .trim_end()
             .to_owned()
-    }
-}
-
-/// 1 if the arrow of a force points along a direction, −1 if against it.
-fn sense(
-    body: &Body,
-    force: &Force,
-    moved: &[Moved],
-    at: Point,
-    along: Point,
-) -> Result<f64, FreeFault> {
-    let first = force
-        .signs
-        .iter()
-        .zip(moved)
-        .find_map(|(sign, motion)| Some(((*sign)?, motion.work(at, along))));
-    match first {
-        Some((is_negative, work)) if work.abs() > SQUARE => Ok(if is_negative {
-            -work.signum()
-        } else {
-            work.signum()
-        }),
-        _ => Err(fault(body, force)),
-    }
-}
-
-/// Holds an arrow to the work of its force.
-fn works(
-    body: &Body,
-    force: &Force,
-    moved: &[Moved],
-    at: Point,
-    direction: Point,
-    share: Option<f64>,
-) -> Result<(), FreeFault> {
-    let does = |motion: &Moved| motion.work(at, direction);
-    agrees(body, force, moved.iter().map(does))?;
-    // A force has its whole letter along a displacement, or the share of it that is written.
-    let along = moved
-        .iter()
-        .zip(&force.signs)
-        .find_map(|(motion, sign)| match motion {
-            Moved::Along(_) if sign.is_some() => Some(motion.work(at, direction)),
-            _ => None,
-        });
-    let share = share.unwrap_or(1.0).abs();
-    match along {
-        Some(work) if (work.abs() - share).abs() > SQUARE => Err(fault(body, force)),
-        _ => Ok(()),
-    }
-}
-
-/// Holds the signs of works to those of the components.
-fn agrees(body: &Body, force: &Force, works: impl Iterator<Item = f64>) -> Result<(), FreeFault> {
-    let is_right = |(work, sign): (f64, &Option<bool>)| match sign {
-        None => work.abs() <= SQUARE,
-        Some(is_negative) => work.abs() > SQUARE && (work < 0.0) == *is_negative,
-    };
-    if works.zip(&force.signs).all(is_right) {
-        return Ok(());
-    }
-    Err(fault(body, force))
-}
-
-/// The moment of a link that is twisted about its own line: its axis and its words; nothing if no twist is about it.
-fn twisted(
-    body: &Body,
-    force: &Force,
-    moved: &[Moved],
-    out: Point,
-    letter: &str,
-) -> Result<Option<(Point, String)>, FreeFault> {
-    let about = moved
-        .iter()
-        .zip(&force.signs)
-        .find_map(|(motion, sign)| match motion {
-            Moved::Twist(axis) if axis.cross(out).abs() <= SQUARE => Some((*axis, (*sign)?)),
-            _ => None,
-        });
-    let Some((axis, is_negative)) = about else {
-        return Ok(None);
-    };
-    let axis = if is_negative { -axis } else { axis };
-    let does = |motion: &Moved| match motion {
-        Moved::Twist(own) => own.dot(axis),
-        Moved::Along(_) | Moved::Turn(..) => 0.0,
-    };
-    agrees(body, force, moved.iter().map(does))?;
-    let sense = if is_negative { "against" } else { "in" };
-    let words = format!("the moment {letter} of an elastic wire, {sense} the sense of the twist");
-    Ok(Some((axis, words)))
-}
-
-/// An arrow and its force do not do the same work.
-fn fault(body: &Body, force: &Force) -> FreeFault {
-    FreeFault::Work {
-        body: body.name.clone(),
-        force: force.name.to_string(),
     }
 }
 

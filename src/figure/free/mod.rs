@@ -11,6 +11,7 @@ mod error;
 mod letter;
 mod read;
 mod words;
+mod work;
 
 pub use error::{FreeError, FreeFault};
 
