@@ -54,15 +54,16 @@ pub(crate) fn open(path: &Path) -> Result<fs::File, Failure> {
         |error: io::Error| Failure::new(format!("cannot read `{}`: {error}", path.display()));
     let kind = fs::metadata(path).map_err(fail)?.file_type();
     if !kind.is_file() {
-        let what = if kind.is_dir() {
-            "a folder"
+        let (what, help) = if kind.is_dir() {
+            ("a folder", "give a file in it")
         } else {
-            "a pipe or a device"
+            (
+                "a pipe or a device",
+                "save what it gives to a file, and give that",
+            )
         };
-        return Err(
-            Failure::new(format!("`{}` is {what}, not a file", path.display()))
-                .help("save what it gives to a file, and give that"),
-        );
+        let shown = path.display();
+        return Err(Failure::new(format!("`{shown}` is {what}, not a file")).help(help));
     }
     fs::File::open(path).map_err(fail)
 }

@@ -41,7 +41,18 @@ impl Folder {
 
     /// Makes the folder if it is not there.
     pub(crate) fn make(&self) -> Result<(), Failure> {
+        self.hold()?;
         make_private(&self.root).map_err(|error| unwritable(&self.root, &error))
+    }
+
+    /// Refuses a file in place of the folder, before there is something to write.
+    pub(crate) fn hold(&self) -> Result<(), Failure> {
+        if self.root.is_file() {
+            let shown = self.root.display();
+            return Err(Failure::new(format!("`{shown}` is a file, not a folder"))
+                .help("name a folder with `--out`; it is made if it is not there"));
+        }
+        Ok(())
     }
 
     /// The folder itself.

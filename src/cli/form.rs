@@ -20,7 +20,7 @@ use super::bank::BankArgument;
 use super::folder::Folder;
 use super::grade::{RunItems, manifest};
 use super::sheet::PROGRAM;
-use super::{Failure, Outcome, files};
+use super::{Failure, Outcome, files, mistaken};
 
 /// Write each sheet of a run as a page on which it is answered: one file, which works without a network.
 ///
@@ -30,7 +30,8 @@ use super::{Failure, Outcome, files};
 /// Example: vibank form midterm/manifest.json
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
-    /// The manifest of the run.
+    /// The manifest of the run, or its folder.
+    #[arg(value_parser = mistaken::manifest())]
     manifest: PathBuf,
     /// Only the sheets with these codes.
     #[arg(long, value_name = "CODE", value_delimiter = ',')]
@@ -44,11 +45,6 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let path = &arguments.manifest;
-    if path.extension().is_some_and(|end| end == "toml") {
-        let shown = path.display();
-        return Err(Failure::new(format!("`{shown}` is not a manifest: answers need a sheet with a code"))
-            .help(format!("make the sheets with `vibank sheet {shown}`, and give the `manifest.json` that it writes")));
-    }
     let catalogue = arguments.bank.catalogue()?;
     let manifest = manifest(path)?;
     let wanted = codes(&arguments.code, &manifest)?;

@@ -50,6 +50,7 @@ mod journal_file;
 mod lines;
 mod list;
 mod mark;
+mod mistaken;
 mod new;
 mod package;
 mod page;

@@ -13,7 +13,7 @@ use super::bank::{self, BankArgument};
 use super::doubt::doubt;
 use super::files::{self, Access};
 use super::filter::Filter;
-use super::{Failure, Outcome};
+use super::{Failure, Outcome, mistaken};
 
 /// Write a page on which students practise and check themselves: one file, which works without a network.
 ///
@@ -141,7 +141,7 @@ fn planned(
     path: &Path,
     catalogue: &Catalogue,
 ) -> Result<Result<Offered, Vec<vibank::diagnostic::Finding>>, Failure> {
-    let source = Source::new(path.display().to_string(), files::read(path)?);
+    let source = Source::new(path.display().to_string(), mistaken::blueprint(path)?);
     let plan = |blueprint: Blueprint| {
         Plan::of(&blueprint, catalogue, None).map(|plan| {
             let (practice, items) = Practice::of_plan(&plan, catalogue);

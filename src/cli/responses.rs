@@ -7,12 +7,13 @@ use std::path::Path;
 use serde_json::{Map, Value as Json};
 use vibank::grade::{Responses, Row};
 use vibank::seed::Variant;
+use vibank::source::nearest;
 
 use super::platform::Report;
 use super::saved;
 use super::scanner::Scan;
 use super::table::{self, Table};
-use super::{Failure, files};
+use super::{Failure, files, mistaken};
 
 /// The columns of a file with one row a part.
 const COLUMNS: [&str; 4] = ["code", "question", "part", "response"];
@@ -96,11 +97,30 @@ fn report(path: &Path, table: Table) -> Result<Handed, Failure> {
         Ok(scan) => return Ok(Handed::Scan(Box::new(scan))),
         Err(table) => table,
     };
-    let report = Report::of(path, &table)?.ok_or_else(|| {
-        let failure = Failure::new(format!("`{}` has no columns of responses", path.display()));
-        failure.help("the header needs `code`, `question`, `part`, `response`, or `code` and one column a part (`1a`, `1b`); or give the report of a platform or of a scanner as it was downloaded")
-    })?;
-    Ok(Handed::Report(report))
+    match Report::of(path, &table)? {
+        Some(report) => Ok(Handed::Report(report)),
+        None => Err(no_columns(path, &table)),
+    }
+}
+
+/// A table whose headings say nothing of answers: what they are, and which may have been mistyped.
+fn no_columns(path: &Path, table: &Table) -> Failure {
+    const NEEDED: [&str; 4] = ["code", "question", "part", "response"];
+    let shown = path.display();
+    let headings = small(table);
+    let lacking = NEEDED
+        .iter()
+        .find(|name| !headings.iter().any(|own| own == *name));
+    let candidates = headings.iter().map(String::as_str);
+    let candidates = candidates.filter(|own| !NEEDED.contains(own));
+    let near = lacking.and_then(|name| Some((name, nearest(name, candidates)?)));
+    let near = near.map_or_else(String::new, |(name, near)| {
+        format!("is `{near}` meant to be `{name}`? ")
+    });
+    let found = table.headings.join("`, `");
+    Failure::new(format!("`{shown}` has no columns of responses, but `{found}`")).help(format!(
+        "{near}the header needs `code`, `question`, `part`, `response`, or `code` and one column a part (`1a`, `1b`); or give the report of a platform or of a scanner as it was downloaded"
+    ))
 }
 
 impl Reading {
@@ -135,13 +155,8 @@ impl Reading {
     }
 
     fn json(&mut self, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-        let entries: Vec<Json> = serde_json::from_slice(bytes).map_err(|error| {
-            Failure::new(format!(
-                "`{}` is not a list of responses: {error}",
-                path.display()
-            ))
-            .help("give an array of objects with `code`, `question`, `part` and `response`")
-        })?;
+        let entries: Vec<Json> = serde_json::from_slice(bytes)
+            .map_err(|error| mistaken::no_answers(path, &error.to_string()))?;
         for (position, entry) in entries.iter().enumerate() {
             let number = position + 1;
             match entry.as_object() {

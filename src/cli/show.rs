@@ -13,7 +13,7 @@ use vibank::suitability;
 use vibank::worksheet::{Blueprint, PartEntry, Plan, Sheet, headings, letter};
 
 use super::bank::{self, BankArgument};
-use super::{Failure, Outcome, files, package, solve};
+use super::{Failure, Outcome, mistaken, package, solve};
 
 /// Show an item, or the sheet of a code, in the terminal.
 ///
@@ -22,15 +22,15 @@ use super::{Failure, Outcome, files, package, solve};
 pub(crate) struct Arguments {
     /// The item, the code of a sheet, or with `--learner` the file of a package.
     item: String,
-    /// The manifest in which a code is looked up.
-    #[arg(long, value_name = "FILE")]
+    /// The manifest in which a code is looked up, or the folder of its run.
+    #[arg(long, value_name = "FILE", value_parser = mistaken::manifest())]
     manifest: Option<PathBuf>,
     /// The blueprint whose sheet a code is, its bank has to be as it was then; or that of a package with questions of its
     /// own.
     #[arg(long, value_name = "FILE", conflicts_with = "manifest")]
     blueprint: Option<PathBuf>,
     /// The data of this learner in a SCORM package, which is named in place of an item.
-    #[arg(long, value_name = "ID", conflicts_with_all = ["manifest", "seed", "set"])]
+    #[arg(long, value_name = "ID", value_parser = clap::builder::NonEmptyStringValueParser::new(), conflicts_with_all = ["manifest", "seed", "set"])]
     learner: Option<String>,
     /// Draw the data from this seed; else those of the source are shown.
     #[arg(short, long)]
@@ -133,7 +133,7 @@ fn of_blueprint(
     path: &Path,
     catalogue: &Catalogue,
 ) -> Result<Outcome, Failure> {
-    let source = Source::new(path.display().to_string(), files::read(path)?);
+    let source = Source::new(path.display().to_string(), mistaken::blueprint(path)?);
     let blueprint = match Blueprint::read(&source) {
         Ok(blueprint) => blueprint,
         Err(findings) => return bank::refuse(&findings),

@@ -17,7 +17,7 @@ use self::journal::{Journal, Place};
 use super::bank::BankArgument;
 use super::grade::{RunItems, manifest, solution};
 use super::screen::{Screen, Tone};
-use super::{Failure, Outcome, show};
+use super::{Failure, Outcome, mistaken, show};
 
 /// Type the answers on paper sheets into a file that `vibank grade` takes, sheet by sheet.
 ///
@@ -28,7 +28,8 @@ use super::{Failure, Outcome, show};
 /// Example: vibank enter midterm/manifest.json
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
-    /// The manifest of the run.
+    /// The manifest of the run, or its folder.
+    #[arg(value_parser = mistaken::manifest())]
     manifest: PathBuf,
     /// The file of answers; `entered.json` beside the manifest if left out.
     #[arg(short, long, value_name = "FILE")]

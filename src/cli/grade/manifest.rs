@@ -16,6 +16,7 @@ use vibank::worksheet::{FORMAT, Manifest, QuestionEntry, VariantEntry};
 
 use super::items::Items;
 use crate::cli::folder::Folder;
+use crate::cli::mistaken::no_manifest;
 use crate::cli::sheet::MANIFESTS;
 use crate::cli::{Failure, files};
 
@@ -44,11 +45,6 @@ fn read(path: &Path, text: &str) -> Result<Manifest, Failure> {
         checked.map_err(|error| no_manifest(path, &error.to_string()))?;
     }
     Ok(manifest)
-}
-
-fn no_manifest(path: &Path, why: &str) -> Failure {
-    Failure::new(format!("`{}` is not a manifest: {why}", path.display()))
-        .help("give the `manifest.json` that `vibank sheet` wrote")
 }
 
 /// The sheets of a manifest, read one after the other as they are asked for.

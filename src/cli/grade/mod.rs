@@ -60,7 +60,7 @@ use super::saved::{self, Saved};
 use super::shard::Shard;
 use super::table::Dialect;
 use super::table::workbook::{self, XLSX};
-use super::{Failure, files, progress};
+use super::{Failure, files, mistaken, progress};
 
 /// Mark the responses to the sheets of a run: marks, reasons, a feedback page for each sheet, item analysis.
 ///
@@ -70,7 +70,8 @@ use super::{Failure, files, progress};
 /// Example: vibank grade midterm/manifest.json midterm/responses.csv --out midterm/marks
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
-    /// The manifest of the run or of an export; for a report on a SCORM package the package.
+    /// The manifest of the run, or its folder; the manifest of an export; for a report on a SCORM package the package.
+    #[arg(value_parser = mistaken::manifest())]
     manifest: PathBuf,
     /// The responses, as CSV or JSON; a report as Moodle, Canvas or a scanner writes it; or a folder of the files that
     /// the pages of `vibank form` save.
@@ -136,6 +137,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     };
     // The manifest first: without it nothing else matters.
     drop(files::open(&arguments.manifest)?);
+    out.hold()?;
     let mut faults = Vec::new();
     let mut decisions = Decisions::default();
     if let Some(path) = &arguments.overrides {

@@ -38,7 +38,7 @@ use super::folder::Folder;
 use super::record::{Origin, Record};
 use super::shard::Shard;
 use super::table::Dialect;
-use super::{Failure, Format, Outcome, class_list, files, form};
+use super::{Failure, Format, Outcome, class_list, files, form, mistaken};
 
 /// Make the sheets of a blueprint, with keys, worked solutions, a response form and a manifest.
 ///
@@ -76,8 +76,9 @@ pub(crate) struct Arguments {
         conflicts_with = "pseudonyms"
     )]
     make_up: Vec<String>,
-    /// The manifest of the run whose sheets these students had; that in the folder named after the blueprint if left out.
-    #[arg(long, value_name = "MANIFEST", requires = "make_up")]
+    /// The manifest of the run whose sheets these students had, or its folder; if left out, that in the folder named after
+    /// the blueprint.
+    #[arg(long, value_name = "MANIFEST", requires = "make_up", value_parser = mistaken::manifest())]
     first: Option<PathBuf>,
     /// How many threads work; all cores if left out.
     #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u16).range(1..=512))]
@@ -94,7 +95,7 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let path = &arguments.blueprint;
-    let source = Source::new(path.display().to_string(), files::read(path)?);
+    let source = Source::new(path.display().to_string(), mistaken::blueprint(path)?);
     let blueprint = match Blueprint::read(&source) {
         Ok(blueprint) => blueprint,
         Err(findings) => return bank::refuse(&findings),

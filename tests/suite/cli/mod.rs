@@ -14,6 +14,7 @@ mod groups;
 mod hostile;
 mod index;
 mod marks;
+mod mistaken;
 mod platforms;
 mod practice;
 mod press;

@@ -1,0 +1,152 @@
+//! What a file is that was given where another kind of file belongs, and the manifest of a folder.
+//!
+//! Looked at only where a file could not be read as what it should be: it words the failure and decides nothing.
+
+use std::path::{Path, PathBuf};
+
+use clap::builder::{PathBufValueParser, TypedValueParser};
+
+use super::{Failure, files};
+
+/// A kind of file that this program reads or writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// The manifest of a run.
+    Manifest,
+    /// A blueprint.
+    Blueprint,
+    /// Answers by sheets.
+    Answers,
+    /// Another table.
+    Table,
+    /// An archive: a package or a workbook.
+    Archive,
+}
+
+impl Kind {
+    /// What a file seems to be by its beginning.
+    fn of(bytes: &[u8]) -> Option<Self> {
+        /// Enough for the headings of any table and the first keys of any file.
+        const BEGINNING: usize = 4096;
+        if bytes.starts_with(b"PK\x03\x04") {
+            return Some(Self::Archive);
+        }
+        let beginning = String::from_utf8_lossy(&bytes[..bytes.len().min(BEGINNING)]);
+        let beginning = beginning.trim_start_matches('\u{feff}').trim_start();
+        if beginning.starts_with('{') && beginning.contains("\"program\"") {
+            return Some(Self::Manifest);
+        }
+        let is_statement = |line: &str| line.starts_with('[') || line.contains('=');
+        let mut lines = beginning.lines().map(str::trim);
+        let first = lines.find(|line| !line.is_empty() && !line.starts_with('#'))?;
+        if is_statement(first) {
+            return beginning
+                .contains("[[question]]")
+                .then_some(Self::Blueprint);
+        }
+        let cells: Vec<String> = first
+            .split([',', ';', '\t'])
+            .map(|cell| cell.trim_matches('"').to_lowercase())
+            .collect();
+        match cells.len() {
+            1 => None,
+            _ if cells.iter().any(|cell| cell == "response") => Some(Self::Answers),
+            _ => Some(Self::Table),
+        }
+    }
+
+    /// What a file seems to be; nothing where it cannot be read.
+    pub(crate) fn of_file(path: &Path) -> Option<Self> {
+        Self::of(&files::read_bytes(path).ok()?)
+    }
+
+    /// With its article.
+    fn words(self) -> &'static str {
+        match self {
+            Self::Manifest => "the manifest of a run",
+            Self::Blueprint => "a blueprint",
+            Self::Answers => "a table of answers",
+            Self::Table => "a table",
+            Self::Archive => "an archive",
+        }
+    }
+}
+
+/// A failure of a file that is no manifest.
+pub(crate) fn no_manifest(path: &Path, why: &str) -> Failure {
+    let shown = path.display();
+    match Kind::of_file(path) {
+        Some(Kind::Blueprint) => Failure::new(format!("`{shown}` is a blueprint, not a manifest"))
+            .help(format!(
+                "make the sheets with `vibank sheet {shown}`, and give the `manifest.json` that it writes"
+            )),
+        Some(kind) if kind != Kind::Manifest => {
+            Failure::new(format!("`{shown}` is {}, not a manifest", kind.words()))
+                .help("give the `manifest.json` that `vibank sheet` wrote, then the answers")
+        }
+        _ => Failure::new(format!("`{shown}` is not a manifest: {why}"))
+            .help("give the `manifest.json` that `vibank sheet` wrote"),
+    }
+}
+
+/// A failure of a file that is no list of answers.
+pub(crate) fn no_answers(path: &Path, why: &str) -> Failure {
+    let shown = path.display();
+    match Kind::of_file(path) {
+        Some(Kind::Manifest) => Failure::new(format!(
+            "`{shown}` is the manifest of a run, not a list of answers"
+        ))
+        .help("give the manifest first and then the answers"),
+        _ => Failure::new(format!("`{shown}` is not a list of responses: {why}"))
+            .help("give an array of objects with `code`, `question`, `part` and `response`"),
+    }
+}
+
+/// The text of a blueprint; a file that is surely something else is a failure.
+pub(crate) fn blueprint(path: &Path) -> Result<String, Failure> {
+    let text = files::read(path)?;
+    match Kind::of(text.as_bytes()) {
+        Some(kind @ (Kind::Manifest | Kind::Answers | Kind::Table)) => {
+            Err(
+                Failure::new(format!("`{}` is {}, not a blueprint", path.display(), kind.words()))
+                    .help("give a blueprint, `exam.toml`, which names its class list under `students`; `vibank new exam exam.toml` begins one"),
+            )
+        }
+        _ => Ok(text),
+    }
+}
+
+/// Reads the path of a manifest from the command line: of the folder of a run the manifest in it.
+pub(crate) fn manifest() -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().map(|path| {
+        let within = path.join("manifest.json");
+        if within.is_file() { within } else { path }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_are_known_by_their_beginning() {
+        let kind = |text: &str| Kind::of(text.as_bytes());
+        assert_eq!(
+            kind("\u{feff}code;student;response\nABC;;\n"),
+            Some(Kind::Answers)
+        );
+        assert_eq!(kind("Student ID,Name\n1,A\n"), Some(Kind::Table));
+        assert_eq!(
+            kind("# An exam\ntitle = \"Of 1, 2, 3\"\n[[question]]\nitem = \"a/b\"\n"),
+            Some(Kind::Blueprint)
+        );
+        assert_eq!(
+            kind("{\"format\":1,\"program\":\"vibank\"}"),
+            Some(Kind::Manifest)
+        );
+        assert_eq!(kind("PK\u{3}\u{4}"), Some(Kind::Archive));
+        assert_eq!(kind(""), None);
+        assert_eq!(kind("[{\"code\":\"A\"}]"), None);
+        assert_eq!(kind("title = 'A'\n"), None);
+    }
+}
