@@ -2,8 +2,8 @@
 
 use divan::{Bencher, black_box};
 use vibank::bank::{Catalogue, embedded};
-use vibank::figure::Head;
 use vibank::instance::Instance;
+use vibank::message::Language;
 use vibank::scene::{Data, Scene};
 use vibank::solution::Solution;
 
@@ -29,11 +29,6 @@ fn plot_as_svg(bencher: Bencher, (item, plot): (&str, &str)) {
     let scene = Scene::of(&solution, Data::Both);
     bencher.bench_local(|| {
         let picture = scene.plot(black_box(plot)).ok()?;
-        let head = Head {
-            id: "p",
-            title: &picture.title,
-            description: &picture.description,
-        };
-        Some(picture.drawing.svg(&head).len())
+        Some(picture.svg("p", &Language::English).len())
     });
 }

@@ -5,9 +5,9 @@
 use std::error::Error;
 use std::io::{self, Write};
 
-use vibank::figure::Head;
 use vibank::figure::plot::{Axis, Course, Curve, Plot, Spacing, Style};
 use vibank::math::symbol;
+use vibank::message::Language;
 use vibank::unit::{DecimalMark, Unit};
 use vibank::vibration::{FreeResponse, Oscillator, State};
 
@@ -44,11 +44,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         decimal: DecimalMark::Point,
     };
     let picture = plot.draw()?;
-    let head = Head {
-        id: "oscillator",
-        title: "Motion of a damped oscillator",
-        description: &picture.description,
-    };
-    writeln!(io::stdout(), "{}", picture.drawing.svg(&head))?;
+    let svg = picture.svg("oscillator", &Language::English);
+    writeln!(io::stdout(), "{svg}")?;
     Ok(())
 }

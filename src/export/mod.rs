@@ -15,6 +15,7 @@ pub use moodle::Moodle;
 pub use qti::{Canvas, Qti, Version};
 
 use crate::document::Formulas;
+use crate::message::Language;
 use crate::scene::Data;
 use crate::worksheet::{Sheet, SheetQuestion};
 
@@ -23,6 +24,8 @@ use crate::worksheet::{Sheet, SheetQuestion};
 pub struct Wish {
     /// The title of the whole.
     pub title: String,
+    /// The tag of the language in which the program's own words stand; English where it is empty or not spoken.
+    pub language: String,
     /// How data are shown.
     pub data: Data,
     /// How formulas are written.
@@ -31,6 +34,12 @@ pub struct Wish {
     pub has_essays: bool,
     /// Whether a question for one number takes units, where the platform can read them.
     pub has_units: bool,
+}
+
+impl Wish {
+    fn spoken(&self) -> Language {
+        Language::of(&self.language).unwrap_or_default()
+    }
 }
 
 /// What an export holds.

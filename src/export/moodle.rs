@@ -18,6 +18,7 @@ use super::words::Words;
 use super::{Export, Tally, Wish};
 use crate::answer::{Band, Credit};
 use crate::math::escape;
+use crate::message::Phrase;
 use crate::numerics::Rational;
 use crate::unit::Unit;
 use crate::worksheet::{Sheet, SheetQuestion};
@@ -38,9 +39,6 @@ pub struct Moodle {
     /// The category that was written last.
     current: String,
 }
-
-/// The category of essays below that of their question.
-const ESSAYS: &str = "/essays";
 
 impl Export for Moodle {
     fn category(&mut self, path: &[&str]) {
@@ -208,8 +206,12 @@ impl Moodle {
     ) {
         self.tally.questions += 1;
         // Questions are drawn from a category at random: an essay in it would be drawn in place of one with boxes.
-        let below = if kind == "essay" { ESSAYS } else { "" };
-        let path = format!("{}{below}", self.path);
+        let path = if kind == "essay" {
+            let essays = self.wish.spoken().phrase(&Phrase::Essays);
+            format!("{}/{}", self.path, step(&essays))
+        } else {
+            self.path.clone()
+        };
         if path != self.current {
             category(&mut self.out, &path);
             self.current = path;
@@ -313,10 +315,7 @@ fn write_blank(
                 })
                 .collect();
             out.push_str(&written.join(", "));
-            let unit = words.unit(place);
-            if !unit.is_empty() {
-                let _ = write!(out, "{unit} <small>(number only)</small>");
-            }
+            out.push_str(&words.unit(place));
         }
         Held::Choice(options) => {
             let alternatives: Vec<Alternative> = options

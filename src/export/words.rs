@@ -9,6 +9,7 @@ use crate::answer::{Band, Criterion};
 use crate::bank::share_in_group;
 use crate::document::{Document, Filling, Formulas};
 use crate::math::{Display, Math};
+use crate::message::{Language, Phrase};
 use crate::numerics::Rational;
 use crate::scene::{Scene, Shown};
 use crate::worksheet::{Sheet, SheetQuestion};
@@ -18,7 +19,11 @@ pub(crate) struct Words<'s, 'c> {
     pub(crate) scene: Scene<'s, 'c>,
     /// The code of its variant.
     code: String,
+    /// How often the item stands on the sheet up to this question.
+    time: usize,
     formulas: Formulas,
+    language: Language,
+    tag: String,
     /// Where the platform has the files of the question.
     folder: &'static str,
 }
@@ -31,10 +36,23 @@ impl<'s, 'c> Words<'s, 'c> {
         folder: &'static str,
     ) -> Self {
         let scope = format!("m-{}-{}", sheet.variant, question.number);
+        let item = &question.solution.template().id;
+        let before = sheet
+            .questions
+            .iter()
+            .filter(|own| own.number <= question.number);
+        let time = before
+            .filter(|own| own.solution.template().id == *item)
+            .count();
         Self {
-            scene: Scene::of(&question.solution, wish.data).within(scope),
+            time,
+            scene: Scene::of(&question.solution, wish.data)
+                .spoken(wish.spoken())
+                .within(scope),
             code: sheet.variant.to_string(),
             formulas: wish.formulas,
+            language: wish.spoken(),
+            tag: wish.language.clone(),
             folder,
         }
     }
@@ -48,7 +66,11 @@ impl<'s, 'c> Words<'s, 'c> {
     /// A name of the question with its data that standards for identifiers allow.
     pub(crate) fn identifier(&self) -> String {
         let item = self.scene.solution().template().id.as_str();
-        format!("q.{}.{}", item.replace('/', "."), self.code)
+        let name = format!("q.{}.{}", item.replace('/', "."), self.code);
+        match self.time {
+            0 | 1 => name,
+            time => format!("{name}.{time}"),
+        }
     }
 
     /// Title of the item, without markup.
@@ -113,11 +135,25 @@ impl<'s, 'c> Words<'s, 'c> {
         lead.map_or_else(String::new, |lead| format!("{} ", self.math(&lead)))
     }
 
-    /// The unit that is printed behind a box.
+    /// The unit that is printed behind a box, and that the box takes a number alone.
     pub(crate) fn unit(&self, place: usize) -> String {
         let part = &self.scene.solution().template().parts[place];
         let unit = part.answer.unit();
-        unit.map_or_else(String::new, |unit| format!(" {}", self.math(&unit.math())))
+        unit.map_or_else(String::new, |unit| self.behind(&self.math(&unit.math())))
+    }
+
+    /// A unit as it stands behind a box.
+    pub(crate) fn behind(&self, unit: &str) -> String {
+        let only = self.language.phrase(&Phrase::NumberOnly);
+        format!(" {unit} <small>{only}</small>")
+    }
+
+    /// The language of the question, as a tag.
+    pub(crate) fn language(&self) -> &str {
+        match self.tag.as_str() {
+            "" => self.language.code(),
+            tag => tag,
+        }
     }
 
     /// An option of a choice.
@@ -175,7 +211,7 @@ impl<'s, 'c> Words<'s, 'c> {
             }
             out.push_str("</p>");
             let part = &template.parts[asked.place];
-            out.push_str(&rubric(part.answer.rubric(), asked.points));
+            out.push_str(&self.rubric(part.answer.rubric(), asked.points));
             out.push_str(&self.html(pictures, &self.scene.passage(&part.solution)));
         }
         out
@@ -205,21 +241,25 @@ impl<'s, 'c> Words<'s, 'c> {
             })
             .collect()
     }
-}
 
-/// What the points of a part are given for, for whoever marks it; empty where no person does.
-fn rubric(rows: &[Criterion], points: Rational) -> String {
-    if rows.is_empty() {
-        return String::new();
+    /// What the points of a part are given for, for whoever marks it; empty where no person does.
+    fn rubric(&self, rows: &[Criterion], points: Rational) -> String {
+        if rows.is_empty() {
+            return String::new();
+        }
+        let [head, given_for] =
+            [Phrase::Points, Phrase::GivenFor].map(|phrase| self.language.phrase(&phrase));
+        let weights: Vec<Rational> = rows.iter().map(|row| row.points).collect();
+        let mut out = format!("<table><tr><th>{head}</th><th>{given_for}</th></tr>");
+        for (row, points) in rows.iter().zip(share_in_group(points, &weights)) {
+            let points = (points.to_f64() * 100.0).round() / 100.0;
+            let mark = self.scene.solution().mark().char();
+            let points = points.to_string().replace('.', &mark.to_string());
+            let _ = write!(out, "<tr><td>{points}</td><td>");
+            row.text.write_html_line(&mut out, &Vec::new());
+            out.push_str("</td></tr>");
+        }
+        out.push_str("</table>");
+        out
     }
-    let weights: Vec<Rational> = rows.iter().map(|row| row.points).collect();
-    let mut out = String::from("<table><tr><th>Points</th><th>for</th></tr>");
-    for (row, points) in rows.iter().zip(share_in_group(points, &weights)) {
-        let points = (points.to_f64() * 100.0).round() / 100.0;
-        let _ = write!(out, "<tr><td>{points}</td><td>");
-        row.text.write_html_line(&mut out, &Vec::new());
-        out.push_str("</td></tr>");
-    }
-    out.push_str("</table>");
-    out
 }

@@ -5,7 +5,6 @@
 //! `[figure]`, compiled, and drawn for the data of an instance by its [`element`]s.
 
 mod arrow;
-mod describe;
 mod drawing;
 pub mod element;
 mod error;
@@ -24,6 +23,7 @@ pub mod plot;
 mod read;
 mod schematic;
 mod spots;
+pub mod story;
 mod svg;
 
 pub use drawing::{Anchor, Drawing, Lettering, Mark, Spot};

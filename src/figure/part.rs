@@ -2,6 +2,7 @@
 
 use super::outline::{Outline, Side};
 use super::{Dash, Fill, Label, Path, Pen, Point, Weight};
+use crate::math::Math;
 
 /// Shortest spring or damper beside a disk.
 const SHORTEST: f64 = 0.9;
@@ -21,8 +22,8 @@ pub struct Part<'f> {
     pub style: Style,
     /// How far it is moved to its left, where several links share their ends.
     pub shift: f64,
-    /// What the label says in words; for descriptions.
-    pub words: &'f str,
+    /// What the label is a picture of; for descriptions.
+    pub symbol: Option<&'f Math>,
 }
 
 /// A point of an element.

@@ -176,7 +176,7 @@ impl<'s> FigureReader<'_, 's> {
         let label = label.or_else(|| {
             (!usual.is_empty()).then(|| Written {
                 label: Label::words(usual),
-                words: usual.to_owned(),
+                math: Math::text(usual),
                 name: None,
             })
         });
@@ -366,7 +366,7 @@ impl<'s> FigureReader<'_, 's> {
         if let Some(words) = words {
             return Some(Written {
                 label: Label::words(words),
-                words: words.to_owned(),
+                math: Math::text(words),
                 name: None,
             });
         }
@@ -390,7 +390,7 @@ impl<'s> FigureReader<'_, 's> {
         };
         Some(Written {
             label: Label::of(&math),
-            words: math.spoken(),
+            math,
             name,
         })
     }

@@ -1,12 +1,12 @@
 //! A schematic as an item declares it, and its drawing for certain data.
 
-use super::describe::{self, Story};
 use super::element::{Element, Role};
 use super::formula::{Amount, Pair, Values};
 use super::free::Free;
 use super::motion::Motion;
 use super::outline::{Outline, Side};
 use super::part::{End, Part, Setting, Style};
+use super::story::{self, Caption, Speaker, Story};
 use super::{Drawing, Head, Label, Point, Spot};
 use crate::expr::Name;
 use crate::math::Math;
@@ -92,7 +92,7 @@ pub(crate) enum Value {
 #[derive(Debug)]
 pub(crate) struct Written {
     pub(crate) label: Label,
-    pub(crate) words: String,
+    pub(crate) math: Math,
     /// The name of the item that it is, if it is one.
     pub(crate) name: Option<Name>,
 }
@@ -136,16 +136,22 @@ impl Figure {
         Ok(drawn(&self.parts(given)?, &self.items, &self.order))
     }
 
-    /// The picture for these data; `id` begins all identities in it.
+    /// The picture for these data, worded by a speaker; `id` begins all identities in it.
     ///
     /// # Errors
     ///
     /// [`Undrawable`].
-    pub fn picture(&self, given: &dyn Given, id: &str) -> Result<Picture, Undrawable> {
+    pub fn picture(
+        &self,
+        given: &dyn Given,
+        id: &str,
+        speaker: &dyn Speaker,
+    ) -> Result<Picture, Undrawable> {
         let parts = self.parts(given)?;
         let drawing = drawn(&parts, &self.items, &self.order);
-        let Story { title, text } = describe::story(&self.items, &parts);
-        let alt = self.alt.clone().unwrap_or(text);
+        let story = Story::Sketch(story::sketch(&self.items, &parts));
+        let Caption { title, description } = speaker.caption(&story);
+        let alt = self.alt.clone().unwrap_or(description);
         let svg = drawing.svg(&Head {
             id,
             title: &title,
@@ -238,7 +244,7 @@ impl Figure {
             at: item.at,
             style: item.style,
             shift: 0.0,
-            words: item.label.as_ref().map_or("", |written| &written.words),
+            symbol: item.label.as_ref().map(|written| &written.math),
         }
     }
 

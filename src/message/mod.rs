@@ -11,6 +11,7 @@ use std::borrow::Cow;
 use crate::answer::{Blank, Remark, Verdict};
 use crate::document::{Document, Inline};
 use crate::expr::Notation;
+use crate::figure::story::{Caption, Speaker, Story};
 use crate::math::Math;
 use crate::mechanics::Reason;
 
@@ -61,8 +62,8 @@ pub enum ByHand {
     },
 }
 
-/// Words among the formulas and figures of an item that the item does not have itself.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Words among the texts, formulas and figures of an item that the item does not have itself.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Phrase<'a> {
     /// Before the turning points of a motion with dry friction.
     TurningPoints,
@@ -78,9 +79,25 @@ pub enum Phrase<'a> {
     ModeShown {
         /// The number of the mode, from 1.
         number: usize,
-        /// Its components.
-        shape: &'a str,
+        /// The symbol of each coordinate, and its share.
+        shape: &'a [(Math, String)],
     },
+    /// In place of a figure, what it shows.
+    Figure(&'a str),
+    /// In place of a plot, what it shows.
+    Plot(&'a str),
+    /// In place of a plot that these data do not have.
+    NoPlot,
+    /// Behind a box of a course platform, which takes no unit.
+    NumberOnly,
+    /// The name of a question of a course platform, by its number from 1.
+    Question(usize),
+    /// The name of the questions of a course platform that a person marks.
+    Essays,
+    /// Above the points of a rubric.
+    Points,
+    /// Above what the points of a rubric are given for.
+    GivenFor,
 }
 
 impl Language {
@@ -153,7 +170,7 @@ impl Language {
     /// use vibank::message::Language;
     ///
     /// let said = Language::French.step(&Reason::Balance, &PlainNotation);
-    /// assert_eq!(said, [Inline::Text("Bilan d’énergie :".to_owned())]);
+    /// assert_eq!(said, [Inline::Text("Bilan d’énergie\u{a0}:".to_owned())]);
     /// ```
     pub fn step(self, reason: &Reason, symbols: &dyn Notation) -> Vec<Inline> {
         match self {
@@ -234,6 +251,15 @@ impl Language {
         match self {
             Self::English => en::verdict(verdict),
             Self::French => fr::verdict(verdict),
+        }
+    }
+}
+
+impl Speaker for Language {
+    fn caption(&self, story: &Story) -> Caption {
+        match self {
+            Self::English => en::picture::caption(story),
+            Self::French => fr::picture::caption(story),
         }
     }
 }

@@ -546,7 +546,7 @@ fn derivations_are_worded_in_each_language() {
     }
     let shown = Phrase::ModeShown {
         number: 2,
-        shape: "x 1",
+        shape: &[(Math::letter('x'), "1".to_owned())],
     };
     for phrase in [
         Phrase::TurningPoints,

@@ -2,16 +2,19 @@
 
 use serde::Serialize;
 
+use super::pages::Run;
+use super::words::{FairnessWords, filled};
+use crate::bank::ItemId;
 use crate::unit::{Decimal, DecimalMark};
 use crate::worksheet::{Alike, Fairness, ItemFairness, QuestionFairness, Range};
 
 /// How alike the variants are, as the layout sees it.
 #[derive(Serialize)]
 pub(crate) struct FairnessView<'f> {
-    variants: u64,
-    is_fair: bool,
-    neighbours: u64,
-    alike_neighbours: u64,
+    verdict: String,
+    /// How many students sit beside each other, and how many of them share something.
+    neighbours: String,
+    are_neighbours_alike: bool,
     /// Pairs of neighbours who share something, a line each.
     alike: Vec<String>,
     gave_way: String,
@@ -21,19 +24,18 @@ pub(crate) struct FairnessView<'f> {
 #[derive(Serialize)]
 struct QuestionView<'f> {
     number: usize,
-    repeats: u64,
-    unusual: u64,
-    is_alike: bool,
+    /// What to look at, a sentence each.
+    remarks: Vec<String>,
     items: Vec<ItemView<'f>>,
 }
 
 #[derive(Serialize)]
 struct ItemView<'f> {
-    id: String,
-    #[serde(flatten)]
-    item: &'f ItemFairness,
-    /// Fewest and most parts, once if they are the same.
-    steps: Vec<usize>,
+    /// Identity and revision.
+    identity: String,
+    title: &'f str,
+    /// Number of variants, level, time and parts.
+    size: String,
     ranges: Vec<RangeView<'f>>,
 }
 
@@ -46,66 +48,116 @@ struct RangeView<'f> {
 }
 
 impl<'f> FairnessView<'f> {
-    /// `written` writes the words of class lists in the notation of the page.
+    /// `written` writes the words of class lists in the notation of the page, whose remarks are marked by a triangle where
+    /// it `has_triangles`.
     pub(crate) fn of(
         fairness: &'f Fairness,
-        mark: DecimalMark,
+        run: &Run,
+        has_triangles: bool,
         written: impl Fn(&str) -> String,
     ) -> Self {
+        let words = &run.words.fairness;
+        let verdict = match (fairness.is_fair(), has_triangles) {
+            (true, _) => &words.is_fair,
+            (false, true) => &words.look_at_triangles,
+            (false, false) => &words.look_at_bold,
+        };
+        let are_alike = fairness.alike_neighbours > 0;
+        let neighbours = match (fairness.neighbours, are_alike) {
+            (0, _) => "",
+            (_, true) => &words.alike,
+            (_, false) => &words.apart,
+        };
+        let [pairs, alike] =
+            [fairness.neighbours, fairness.alike_neighbours].map(|count| count.to_string());
+        let names = written(&fairness.gave_way.join(", "));
         let questions = fairness.questions.iter().enumerate();
         Self {
-            variants: fairness.variants,
-            is_fair: fairness.is_fair(),
-            neighbours: fairness.neighbours,
-            alike_neighbours: fairness.alike_neighbours,
+            verdict: filled(verdict, &[("count", &fairness.variants.to_string())]),
+            neighbours: filled(neighbours, &[("count", &pairs), ("alike", &alike)]),
+            are_neighbours_alike: are_alike,
             alike: fairness
                 .alike
                 .iter()
-                .map(pair)
-                .map(|line| written(&line))
+                .map(|alike| written(&pair(alike, words)))
                 .collect(),
-            gave_way: written(&fairness.gave_way.join(", ")),
+            gave_way: match &*names {
+                "" => String::new(),
+                names => filled(&words.gave_way, &[("names", names)]),
+            },
             questions: questions
-                .map(|(place, one)| QuestionView::of(place + 1, one, mark))
+                .map(|(place, one)| QuestionView::of(place + 1, one, fairness.variants, run))
                 .collect(),
         }
     }
 }
 
 impl<'f> QuestionView<'f> {
-    fn of(number: usize, question: &'f QuestionFairness, mark: DecimalMark) -> Self {
-        let range = |(part, range): (&'f String, &'f Range)| RangeView {
-            part,
-            least: three_figures(range.least, mark),
-            most: three_figures(range.most, mark),
-            unit: &range.unit,
+    fn of(number: usize, question: &'f QuestionFairness, variants: u64, run: &Run) -> Self {
+        let words = &run.words.fairness;
+        let counted = |phrase: &str, count: u64| {
+            let values = [count, variants].map(|number| number.to_string());
+            (count > 0).then(|| filled(phrase, &[("count", &values[0]), ("all", &values[1])]))
         };
-        let items = question.items.iter().map(|(id, item)| {
-            let [fewest, most] = item.parts;
-            let most = Some(most).filter(|most| *most != fewest);
-            ItemView {
-                id: id.to_string(),
-                item,
-                steps: std::iter::once(fewest).chain(most).collect(),
-                ranges: item.answers.iter().map(range).collect(),
-            }
-        });
+        let differ = (!question.is_alike()).then(|| words.differ.clone());
+        let remarks = [
+            differ,
+            counted(&words.repeats, question.repeats),
+            counted(&words.unusual, question.unusual),
+        ];
+        let items = question.items.iter();
         Self {
             number,
-            repeats: question.repeats,
-            unusual: question.unusual,
-            is_alike: question.is_alike(),
-            items: items.collect(),
+            remarks: remarks.into_iter().flatten().collect(),
+            items: items
+                .map(|(id, item)| ItemView::of(id, item, run))
+                .collect(),
+        }
+    }
+}
+
+impl<'f> ItemView<'f> {
+    fn of(id: &ItemId, item: &'f ItemFairness, run: &Run) -> Self {
+        let words = &run.words.fairness;
+        let range = |(part, range): (&'f String, &'f Range)| RangeView {
+            part,
+            least: three_figures(range.least, run.mark),
+            most: three_figures(range.most, run.mark),
+            unit: &range.unit,
+        };
+        let parts = match item.parts.map(|count| count.to_string()) {
+            [fewest, most] if fewest == most => most,
+            [fewest, most] => filled(&words.to, &[("from", &fewest), ("to", &most)]),
+        };
+        let size = [
+            ("variants", &*item.variants.to_string()),
+            ("level", &item.level.to_string()),
+            ("minutes", &item.minutes.to_string()),
+            ("parts", &parts),
+        ];
+        Self {
+            identity: format!("{id} @ {}", item.revision),
+            title: &item.title,
+            size: filled(&words.item, &size),
+            ranges: item.answers.iter().map(range).collect(),
         }
     }
 }
 
 /// Two neighbours, and in which questions they share something.
-fn pair(alike: &Alike) -> String {
+fn pair(alike: &Alike, words: &FairnessWords) -> String {
     let [one, other] = &alike.students;
+    let phrase = match alike.questions.len() {
+        1 => &words.pair,
+        _ => &words.pair_of_several,
+    };
     let questions: Vec<String> = alike.questions.iter().map(usize::to_string).collect();
-    let s = if questions.len() == 1 { "" } else { "s" };
-    format!("{one} and {other}: question{s} {}", questions.join(", "))
+    let values = [
+        ("one", &**one),
+        ("other", other),
+        ("questions", &questions.join(", ")),
+    ];
+    filled(phrase, &values)
 }
 
 fn three_figures(number: f64, mark: DecimalMark) -> String {

@@ -3,7 +3,11 @@
 use serde::Serialize;
 
 use super::pages::Run;
+use super::words::filled;
+use crate::grade::rounded;
+use crate::numerics::Rational;
 use crate::report::{GroupSummary, MarksSummary};
+use crate::worksheet::{Best, Direction, Marks};
 
 /// The marks of a run with what they are measured by.
 #[derive(Clone, Debug)]
@@ -16,8 +20,8 @@ pub struct Marked {
     pub pass: Option<f64>,
     /// The grades, the best first, each with the points from which on it is given.
     pub scale: Vec<(String, f64)>,
-    /// How points become marks, a sentence each.
-    pub rules: Vec<String>,
+    /// How points become marks.
+    pub rules: Marks,
 }
 
 /// The same as a layout shows it.
@@ -100,7 +104,7 @@ impl Marked {
         let groups = groups.map(|(place, group)| view(group, place == 0, run));
         MarksView {
             histogram: self.histogram(run),
-            rules: self.rules.clone(),
+            rules: rules(&self.rules, run),
             grades: summary
                 .grades
                 .iter()
@@ -113,6 +117,7 @@ impl Marked {
 
     fn histogram(&self, run: &Run) -> Option<Histogram> {
         let points = &self.summary.points;
+        let phrases = &run.words.report;
         let (first, last) = (points.first()?, points.last()?);
         let low = first.min(0.0);
         let high = last.max(self.max);
@@ -153,7 +158,7 @@ impl Marked {
             });
         let pass = self.pass.map(|pass| Tick {
             x: x(pass),
-            label: format!("pass {}", number(pass, run)),
+            label: filled(&phrases.pass_mark, &[("points", &number(pass, run))]),
             anchor: if x(pass) > WIDTH * 0.8 {
                 "end"
             } else {
@@ -164,14 +169,19 @@ impl Marked {
             .filter(|place| counts[*place] > 0)
             .map(|place| {
                 let [from, to] = [edge(place), edge(place + 1)].map(|own| number(own, run));
-                format!("{from} to {to}: {}", counts[place])
+                let count = counts[place].to_string();
+                let values = [("from", &*from), ("to", &to), ("count", &count)];
+                filled(&phrases.histogram_bar, &values)
             })
             .collect();
         if let Some(pass) = self.pass {
-            words.push(format!("pass mark {}", number(pass, run)));
+            words.push(filled(
+                &phrases.histogram_pass,
+                &[("points", &number(pass, run))],
+            ));
         }
         Some(Histogram {
-            words: format!("Number of sheets by points. {}", words.join("; ")),
+            words: format!("{} {}.", phrases.histogram, words.join(". ")),
             bars: counts.iter().enumerate().map(bar).collect(),
             ticks: ticks.collect(),
             pass,
@@ -201,12 +211,13 @@ impl Marked {
 
 fn view(group: &GroupSummary, is_all: bool, run: &Run) -> GroupView {
     let shown = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |own| number(own, run));
+    let words = &run.words.report;
     let range = group.lowest.zip(group.highest);
     let settled = group.passed + group.failed;
     GroupView {
         group: match (is_all, group.group.as_str()) {
-            (true, _) => "all".to_owned(),
-            (false, "") => "without a group".to_owned(),
+            (true, _) => words.all.clone(),
+            (false, "") => words.without_group.clone(),
             (false, name) => name.to_owned(),
         },
         sheets: group.sheets,
@@ -216,13 +227,57 @@ fn view(group: &GroupSummary, is_all: bool, run: &Run) -> GroupView {
         deviation: shown(group.deviation),
         range: range.map_or_else(
             || "–".to_owned(),
-            |(low, high)| format!("{} to {}", number(low, run), number(high, run)),
+            |(low, high)| {
+                let values = [("from", &*number(low, run)), ("to", &number(high, run))];
+                filled(&words.to, &values)
+            },
         ),
         passed: group.pass_rate.map_or_else(
             || "–".to_owned(),
-            |_| format!("{} of {settled}", group.passed),
+            |_| {
+                let [count, all] = [group.passed, settled].map(|own| own.to_string());
+                filled(&words.passed_of, &[("count", &count), ("all", &all)])
+            },
         ),
     }
+}
+
+/// How points become marks, a sentence each.
+fn rules(marks: &Marks, run: &Run) -> Vec<String> {
+    let words = &run.words.report;
+    let say = |phrase: &str, name: &str, points: Rational| {
+        filled(phrase, &[(name, &run.marked(&rounded(points)))])
+    };
+    let best = |Best { section, count }: &Best| {
+        let phrase = match section.as_str() {
+            "" => &words.best,
+            _ => &words.best_of_section,
+        };
+        let values = [("count", &*count.to_string()), ("section", section)];
+        filled(phrase, &values)
+    };
+    let mut rules: Vec<String> = marks.best.iter().map(best).collect();
+    if let Some(share) = marks.wrong_choice {
+        let phrase = if marks.below_zero {
+            &words.wrong_choice
+        } else {
+            &words.wrong_choice_floor
+        };
+        let percent = share.0.checked_mul(Rational::from(100)).unwrap_or(share.0);
+        rules.push(say(phrase, "percent", percent));
+    }
+    if let Some(rounding) = marks.rounding {
+        let phrase = match rounding.direction {
+            Direction::Nearest => &words.rounded,
+            Direction::Up => &words.rounded_up,
+            Direction::Down => &words.rounded_down,
+        };
+        rules.push(say(phrase, "step", rounding.step.0));
+    }
+    if let Some(full) = marks.full {
+        rules.push(say(&words.full, "points", full.0));
+    }
+    rules
 }
 
 /// The next of 1, 2, 2.5 and 5 times a power of ten that is not smaller.

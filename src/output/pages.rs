@@ -394,6 +394,16 @@ impl Pages {
         &self.run.words.all_answers
     }
 
+    /// What the title of the page on fairness says of it.
+    pub fn fairness_subtitle(&self) -> &'static str {
+        &self.run.words.fairness.title
+    }
+
+    /// What the title of an item analysis says of it.
+    pub fn report_subtitle(&self) -> &'static str {
+        &self.run.words.report.title
+    }
+
     /// The page of a sheet.
     ///
     /// # Errors
@@ -462,7 +472,12 @@ impl Pages {
             "fairness",
             &Content {
                 run: &self.run,
-                fairness: FairnessView::of(fairness, self.run.mark, |words| self.placed(words)),
+                fairness: FairnessView::of(
+                    fairness,
+                    &self.run,
+                    self.writer.escape().is_some(),
+                    |words| self.placed(words),
+                ),
             },
         )
     }

@@ -6,7 +6,8 @@ use super::layouts::OutputError;
 use super::marks::{Marked, MarksView};
 use super::pages::{Pages, Run};
 use super::quoted;
-use crate::report::{Common, Distribution, PartSummary, Summary};
+use super::words::{ReportWords, filled};
+use crate::report::{Common, Distribution, Mistake, PartSummary, Summary};
 
 /// A report with what has to be looked at first.
 #[derive(Clone, Copy, Debug)]
@@ -140,10 +141,12 @@ struct Page<'a> {
     sheets: usize,
     lost: Vec<LostView<'a>>,
     unreadable: u64,
+    undecided: String,
+    undecided_note: Vec<quoted::Piece<'a>>,
     faults: Vec<Vec<quoted::Piece<'a>>>,
     marks: Option<MarksView>,
     decided: Vec<DecidedView<'a>>,
-    more_decided: usize,
+    more_decided: Vec<quoted::Piece<'a>>,
     facts: Vec<[String; 2]>,
     bars: Vec<Bar>,
     parts: Vec<PartView<'a>>,
@@ -167,18 +170,20 @@ struct PartView<'a> {
     title: &'a str,
     asked: u64,
     /// Widths of the pieces of the bar in percent: right, partial, wrong, unreadable, missing.
-    pieces: Vec<Piece>,
+    pieces: Vec<Piece<'a>>,
     facility: String,
     discrimination: String,
-    hint: &'static str,
-    follow_through: u64,
+    hint: &'a str,
+    follow_through: String,
     mistakes: Vec<Counted>,
     others: &'a [Common],
 }
 
 #[derive(Serialize)]
-struct Piece {
+struct Piece<'a> {
     verdict: &'static str,
+    /// The verdict in words.
+    words: &'a str,
     x: f64,
     width: f64,
     count: u64,
@@ -201,11 +206,19 @@ impl Pages {
     /// [`OutputError::Page`].
     pub fn report(&self, analysed: &Analysed<'_>) -> Result<String, OutputError> {
         let summary = analysed.summary;
+        let words = &self.run.words.report;
+        let more_decided = analysed.decided.len().saturating_sub(MAX_DECIDED);
+        let more = filled(&words.more_decided, &[("count", &more_decided.to_string())]);
         let page = Page {
             run: &self.run,
             sheets: summary.sheets,
             lost: analysed.lost.iter().map(LostView::of).collect(),
             unreadable: analysed.unreadable,
+            undecided: filled(
+                &words.undecided,
+                &[("count", &analysed.unreadable.to_string())],
+            ),
+            undecided_note: quoted::pieces(&words.undecided_note),
             faults: analysed
                 .faults
                 .iter()
@@ -218,18 +231,23 @@ impl Pages {
                 .take(MAX_DECIDED)
                 .map(|own| self.decided(own))
                 .collect(),
-            more_decided: analysed.decided.len().saturating_sub(MAX_DECIDED),
-            facts: facts(summary),
+            more_decided: if more_decided > 0 {
+                quoted::pieces(&more)
+            } else {
+                Vec::new()
+            },
+            facts: self.facts(summary),
             bars: summary.shares.as_ref().map_or(Vec::new(), bars),
-            parts: summary.parts.iter().map(part).collect(),
+            parts: summary.parts.iter().map(|own| self.part(own)).collect(),
         };
         self.layouts.fill("report", &page)
     }
 
     fn decided<'a>(&self, decided: &'a Decided) -> DecidedView<'a> {
+        let report = &self.run.words.report;
         let mut counts: Vec<(String, usize)> = Vec::new();
         for mark in &decided.changed {
-            let words = self.run.marked(&mark.words());
+            let words = self.run.marked(&mark.words(&report.mark));
             match counts.iter_mut().find(|(own, _)| *own == words) {
                 Some((_, count)) => *count += 1,
                 None => counts.push((words, 1)),
@@ -249,7 +267,102 @@ impl Pages {
                 .into_iter()
                 .map(|(words, count)| format!("{count}× {words}"))
                 .collect(),
-            more,
+            more: match more {
+                0 => String::new(),
+                more => filled(&report.other_changes, &[("count", &more.to_string())]),
+            },
+        }
+    }
+
+    /// Numbers about all sheets, each with its name.
+    fn facts(&self, summary: &Summary) -> Vec<[String; 2]> {
+        let words = &self.run.words.report;
+        let mut facts = Vec::new();
+        let mut fact = |name: &str, value: String| facts.push([name.to_owned(), value]);
+        let percents = |ends: [f64; 2]| {
+            let [from, to] = ends.map(percent);
+            filled(&words.to, &[("from", &from), ("to", &to)])
+        };
+        if let Some(shares) = &summary.shares {
+            fact(&words.mean, percent(shares.mean));
+            if let Some(deviation) = shares.deviation {
+                fact(&words.standard_deviation, percent(deviation));
+            }
+            fact(&words.median, percent(shares.median));
+            let quartiles = [shares.lower_quartile, shares.upper_quartile];
+            fact(&words.middle_half, percents(quartiles));
+            fact(&words.range, percents([shares.lowest, shares.highest]));
+        }
+        let reliability = summary.reliability;
+        let reliability = reliability.map(|alpha| self.run.marked(&signed(alpha)));
+        let none = || words.no_reliability.clone();
+        fact(&words.reliability, reliability.unwrap_or_else(none));
+        if summary.undecided > 0 {
+            let [count, all] =
+                [summary.undecided as usize, summary.sheets].map(|own| own.to_string());
+            let sheets = filled(&words.left_out, &[("count", &count), ("all", &all)]);
+            fact(&words.not_decided, sheets);
+        }
+        if let Some(error) = summary.measurement_error {
+            let points = self.run.marked(&format!("{error:.1}"));
+            fact(&words.error, self.run.words.points(&points, false));
+        }
+        facts
+    }
+
+    fn part<'a>(&'a self, part: &'a PartSummary) -> PartView<'a> {
+        let words = &self.run.words.report;
+        let counts = [
+            ("right", &*words.right, part.right),
+            ("partial", &words.partial, part.partial),
+            ("wrong", &words.wrong, part.wrong),
+            ("unreadable", &words.unreadable, part.unreadable),
+            ("missing", &words.missing, part.missing),
+        ];
+        let mut x = 0.0;
+        let pieces =
+            counts
+                .into_iter()
+                .filter(|(_, _, count)| *count > 0)
+                .map(|(verdict, words, count)| {
+                    let width = (count as f64 / part.asked as f64 * 1000.0).round() / 10.0;
+                    let piece = Piece {
+                        verdict,
+                        words,
+                        x,
+                        width,
+                        count,
+                    };
+                    x += width;
+                    piece
+                });
+        let none = || "–".to_owned();
+        let discrimination = part.discrimination.map(|own| self.run.marked(&signed(own)));
+        PartView {
+            places: part.places.join(", "),
+            item: &part.item,
+            part: &part.part,
+            title: &part.title,
+            asked: part.asked,
+            pieces: pieces.collect(),
+            facility: part.facility.map_or_else(none, percent),
+            discrimination: discrimination.unwrap_or_else(none),
+            hint: hint(part, words),
+            follow_through: match part.follow_through {
+                0 => String::new(),
+                count => filled(&words.follow_through, &[("count", &count.to_string())]),
+            },
+            mistakes: part.mistakes.iter().map(|own| self.counted(own)).collect(),
+            others: &part.others,
+        }
+    }
+
+    /// A mistake in the words of its item, a slip in the language of the page.
+    fn counted(&self, mistake: &Mistake) -> Counted {
+        let slip = self.run.spoken().slip(&mistake.code);
+        Counted {
+            what: slip.unwrap_or(&mistake.what).to_owned(),
+            count: mistake.count,
         }
     }
 }
@@ -271,58 +384,23 @@ struct DecidedView<'a> {
     times: usize,
     /// How often which mark became which.
     changes: Vec<String>,
-    more: usize,
+    /// How many other changes there are.
+    more: String,
 }
 
 impl DecidedMark {
-    /// The change in one phrase, such as `0 of 2 → 2 of 2`.
-    pub fn words(&self) -> String {
-        let Self {
-            points_before,
-            max_before,
-            points,
-            max,
-            ..
-        } = self;
-        format!("{points_before} of {max_before} → {points} of {max}")
+    /// `0 of 2 → 2 of 2`, as a phrase says points and what can be reached.
+    fn words(&self, phrase: &str) -> String {
+        let before = [("points", &*self.points_before), ("max", &self.max_before)];
+        let now = [("points", &*self.points), ("max", &self.max)];
+        format!("{} → {}", filled(phrase, &before), filled(phrase, &now))
     }
 }
 
-/// Numbers about all sheets, each with its name.
-fn facts(summary: &Summary) -> Vec<[String; 2]> {
-    let mut facts = Vec::new();
-    let mut fact = |name: &str, value: String| facts.push([name.to_owned(), value]);
-    if let Some(shares) = &summary.shares {
-        fact("mean", percent(shares.mean));
-        if let Some(deviation) = shares.deviation {
-            fact("standard deviation", percent(deviation));
-        }
-        fact("median", percent(shares.median));
-        let quartiles = [shares.lower_quartile, shares.upper_quartile].map(percent);
-        fact("middle half", quartiles.join(" to "));
-        fact(
-            "range",
-            [shares.lowest, shares.highest].map(percent).join(" to "),
-        );
+impl std::fmt::Display for DecidedMark {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str(&self.words("{points} of {max}"))
     }
-    match summary.reliability {
-        Some(alpha) => fact("reliability (Cronbach’s α)", signed(alpha)),
-        None => fact(
-            "reliability",
-            "needs the same parts on all sheets".to_owned(),
-        ),
-    }
-    if summary.undecided > 0 {
-        let sheets = format!(
-            "on {} of {} sheets; their open parts are left out, and the sheets of the reliability",
-            summary.undecided, summary.sheets
-        );
-        fact("not yet decided", sheets);
-    }
-    if let Some(error) = summary.measurement_error {
-        fact("error of measurement", format!("{error:.1} points"));
-    }
-    facts
 }
 
 fn bars(shares: &Distribution) -> Vec<Bar> {
@@ -340,54 +418,8 @@ fn bars(shares: &Distribution) -> Vec<Bar> {
     shares.tenths.iter().enumerate().map(bar).collect()
 }
 
-fn part(part: &PartSummary) -> PartView<'_> {
-    let counts = [
-        ("right", part.right),
-        ("partial", part.partial),
-        ("wrong", part.wrong),
-        ("unreadable", part.unreadable),
-        ("missing", part.missing),
-    ];
-    let mut x = 0.0;
-    let pieces = counts
-        .into_iter()
-        .filter(|(_, count)| *count > 0)
-        .map(|(verdict, count)| {
-            let width = (count as f64 / part.asked as f64 * 1000.0).round() / 10.0;
-            let piece = Piece {
-                verdict,
-                x,
-                width,
-                count,
-            };
-            x += width;
-            piece
-        });
-    PartView {
-        places: part.places.join(", "),
-        item: &part.item,
-        part: &part.part,
-        title: &part.title,
-        asked: part.asked,
-        pieces: pieces.collect(),
-        facility: part.facility.map_or_else(|| "–".to_owned(), percent),
-        discrimination: part.discrimination.map_or_else(|| "–".to_owned(), signed),
-        hint: hint(part),
-        follow_through: part.follow_through,
-        mistakes: part
-            .mistakes
-            .iter()
-            .map(|mistake| Counted {
-                what: mistake.what.clone(),
-                count: mistake.count,
-            })
-            .collect(),
-        others: &part.others,
-    }
-}
-
 /// What a teacher may want to look at; the bounds are the customary ones of classical test theory.
-fn hint(part: &PartSummary) -> &'static str {
+fn hint<'w>(part: &PartSummary, words: &'w ReportWords) -> &'w str {
     // Of ten students the standard error of a facility of a half is 0.16: of fewer it says nothing.
     const FEW: u64 = 10;
     let (facility, discrimination) = (
@@ -397,13 +429,13 @@ fn hint(part: &PartSummary) -> &'static str {
     if part.asked < FEW {
         ""
     } else if discrimination < 0.0 {
-        "strong students fared worse than weak ones: look at the text and the key"
+        &words.negative
     } else if facility < 0.2 {
-        "very hard"
+        &words.very_hard
     } else if facility > 0.9 {
-        "very easy"
+        &words.very_easy
     } else if discrimination < 0.15 {
-        "hardly tells students apart"
+        &words.hardly_discriminates
     } else {
         ""
     }

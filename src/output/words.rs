@@ -60,6 +60,115 @@ pub(crate) struct Words {
     pub(crate) signature: String,
     /// Between the number of a page and how many there are.
     page_of: String,
+    pub(crate) fairness: FairnessWords,
+    pub(crate) report: ReportWords,
+}
+
+/// What the page on fairness says.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct FairnessWords {
+    pub(crate) title: String,
+    pub(crate) is_fair: String,
+    pub(crate) look_at_triangles: String,
+    pub(crate) look_at_bold: String,
+    pub(crate) apart: String,
+    pub(crate) alike: String,
+    pub(crate) pair: String,
+    pub(crate) pair_of_several: String,
+    pub(crate) gave_way: String,
+    pub(crate) differ: String,
+    pub(crate) repeats: String,
+    pub(crate) unusual: String,
+    pub(crate) item: String,
+    pub(crate) to: String,
+    pub(crate) answer: String,
+    pub(crate) smallest: String,
+    pub(crate) largest: String,
+    pub(crate) unit: String,
+}
+
+/// What the item analysis says.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ReportWords {
+    pub(crate) title: String,
+    pub(crate) sheets: String,
+    pub(crate) undecided: String,
+    pub(crate) undecided_note: String,
+    pub(crate) part: String,
+    pub(crate) answer: String,
+    pub(crate) why: String,
+    pub(crate) times: String,
+    pub(crate) rows: String,
+    pub(crate) decisions: String,
+    pub(crate) about: String,
+    pub(crate) decided: String,
+    pub(crate) by_whom: String,
+    pub(crate) changed: String,
+    pub(crate) mark: String,
+    pub(crate) other_changes: String,
+    pub(crate) no_change: String,
+    pub(crate) more_decided: String,
+    pub(crate) marks: String,
+    pub(crate) points: String,
+    pub(crate) group: String,
+    pub(crate) open: String,
+    pub(crate) mean: String,
+    pub(crate) median: String,
+    pub(crate) deviation: String,
+    pub(crate) range: String,
+    pub(crate) pass: String,
+    pub(crate) groups_note: String,
+    pub(crate) grade: String,
+    pub(crate) all: String,
+    pub(crate) without_group: String,
+    pub(crate) to: String,
+    pub(crate) passed_of: String,
+    pub(crate) pass_mark: String,
+    pub(crate) histogram: String,
+    pub(crate) histogram_bar: String,
+    pub(crate) histogram_pass: String,
+    pub(crate) best: String,
+    pub(crate) best_of_section: String,
+    pub(crate) wrong_choice: String,
+    pub(crate) wrong_choice_floor: String,
+    pub(crate) rounded: String,
+    pub(crate) rounded_up: String,
+    pub(crate) rounded_down: String,
+    pub(crate) full: String,
+    pub(crate) overview: String,
+    pub(crate) shares: String,
+    pub(crate) percent: String,
+    pub(crate) standard_deviation: String,
+    pub(crate) middle_half: String,
+    pub(crate) reliability: String,
+    pub(crate) no_reliability: String,
+    pub(crate) not_decided: String,
+    pub(crate) left_out: String,
+    pub(crate) error: String,
+    pub(crate) parts: String,
+    pub(crate) right: String,
+    pub(crate) partial: String,
+    pub(crate) wrong: String,
+    pub(crate) unreadable: String,
+    pub(crate) missing: String,
+    pub(crate) facility: String,
+    pub(crate) discrimination: String,
+    pub(crate) mistakes: String,
+    pub(crate) follow_through: String,
+    pub(crate) negative: String,
+    pub(crate) very_hard: String,
+    pub(crate) very_easy: String,
+    pub(crate) hardly_discriminates: String,
+    pub(crate) parts_note: String,
+}
+
+/// A phrase with its places filled: `{count}` by the value of `count`.
+pub(crate) fn filled(phrase: &str, values: &[(&str, &str)]) -> String {
+    let fill =
+        |text: String, (name, value): &(&str, &str)| text.replace(&format!("{{{name}}}"), value);
+    values.iter().fold(phrase.to_owned(), fill)
 }
 
 impl Words {
@@ -123,24 +232,59 @@ impl Words {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::{BTreeMap, BTreeSet};
+
     use super::*;
 
-    #[test]
-    fn each_language_has_all_words() {
-        for language in Language::ALL {
-            let words = serde_json::to_value(Words::of(*language)).expect("plain data");
-            for (key, word) in words.as_object().expect("an object") {
-                let word = word.as_str().expect("a text");
-                assert!(!word.trim().is_empty(), "{language:?} {key}");
-                let places = word.matches('{').count();
-                let due = match key.as_str() {
-                    "one_question" | "questions" | "one_point" | "many_points" | "one_sheet"
-                    | "sheets" | "large_print" => 1,
-                    "reached_of" => 2,
-                    _ => 0,
-                };
-                assert_eq!(places, due, "{language:?} {key}");
+    /// The phrases of a value by their keys.
+    fn phrases(value: &serde_json::Value, path: &str, all: &mut BTreeMap<String, String>) {
+        match value {
+            serde_json::Value::String(phrase) => {
+                all.insert(path.to_owned(), phrase.clone());
+            }
+            value => {
+                for (key, value) in value.as_object().expect("words and groups of words") {
+                    phrases(value, &format!("{path}.{key}"), all);
+                }
             }
         }
+    }
+
+    fn places(phrase: &str) -> BTreeSet<&str> {
+        let pieces = phrase.split('{').skip(1);
+        pieces
+            .map(|piece| piece.split_once('}').expect("it is closed").0)
+            .collect()
+    }
+
+    #[test]
+    fn each_language_has_all_words_and_places() {
+        let [english, others @ ..] = &*Language::ALL
+            .iter()
+            .map(|language| {
+                let mut all = BTreeMap::new();
+                let words = serde_json::to_value(Words::of(*language)).expect("plain data");
+                phrases(&words, language.code(), &mut all);
+                let all = all.into_iter();
+                let all =
+                    all.map(|(key, phrase)| (key[language.code().len()..].to_owned(), phrase));
+                all.collect::<BTreeMap<String, String>>()
+            })
+            .collect::<Vec<_>>()
+        else {
+            panic!("there are languages");
+        };
+        for other in others {
+            for (key, phrase) in english {
+                assert!(!other[key].trim().is_empty(), "{key}");
+                assert_eq!(places(&other[key]), places(phrase), "{key}");
+            }
+        }
+    }
+
+    #[test]
+    fn places_are_filled_by_their_names() {
+        let values = [("count", "2"), ("all", "3")];
+        assert_eq!(filled("{count} of {all}", &values), "2 of 3");
     }
 }

@@ -92,7 +92,8 @@ impl Tally {
                 other.into_iter().for_each(|other| self.others.add(other));
             }
             // What was decided says nothing of what was answered.
-            Some(&("matches" | "unreadable" | "missing" | "accepted" | "void")) | None => {}
+            Some(&("matches" | "unreadable" | "open" | "missing" | "accepted" | "void")) | None => {
+            }
             Some(mistake) => self.mistakes.add(mistake),
         }
     }

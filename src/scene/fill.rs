@@ -8,7 +8,7 @@ use crate::document::{Filling, Form};
 use crate::expr::{Equation, Expr, Field, Kind, Path, Shape, Value};
 use crate::figure::Picture;
 use crate::math::Math;
-use crate::message::Language;
+use crate::message::{Language, Phrase};
 use crate::quantity::NodeId;
 use crate::unit::{Decimal, Quantity, Unit};
 
@@ -49,7 +49,7 @@ impl Scene<'_, '_> {
     fn shown(&self, picture: Option<Picture>) -> Filling {
         match picture {
             Some(picture) if self.is_drawn => Filling::Figure(picture.svg),
-            Some(picture) => Filling::words(format!("(Figure: {})", picture.alt)),
+            Some(picture) => Filling::words(self.language.phrase(&Phrase::Figure(&picture.alt))),
             None => Filling::Figure(String::new()),
         }
     }

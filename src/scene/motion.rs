@@ -4,6 +4,7 @@ use super::Scene;
 use super::notation::Symbols;
 use crate::expr::Expr;
 use crate::figure::Picture;
+use crate::math::Math;
 use crate::message::Phrase;
 use crate::unit::{Decimal, Quantity, Unit};
 
@@ -11,12 +12,12 @@ impl Scene<'_, '_> {
     /// The figure with both extremes of a mode, numbered from 0; `None` where the item has no such mode for these data.
     pub fn mode_picture(&self, number: usize) -> Option<Picture> {
         let figure = self.solution.template().figure.as_ref()?;
-        let (shape, words) = self.mode(number)?;
+        let (shape, shares) = self.mode(number)?;
         let number = number + 1;
         let name = self.language.phrase(&Phrase::Mode(number));
         let shown = Phrase::ModeShown {
             number,
-            shape: &words,
+            shape: &shares,
         };
         let alt = self.language.phrase(&shown);
         let id = format!("{}-mode-{number}", self.scope());
@@ -24,13 +25,14 @@ impl Scene<'_, '_> {
         picture.ok().flatten()
     }
 
-    /// A mode shape in SI units, and its components in words: the largest length is 1, and the largest angle.
-    fn mode(&self, number: usize) -> Option<(Vec<f64>, String)> {
+    /// A mode shape in SI units, and its components as shares by their symbols: the largest length is 1, and the largest
+    /// angle.
+    fn mode(&self, number: usize) -> Option<(Vec<f64>, Vec<(Math, String)>)> {
         let numbers = self.solution.evaluation().model("model")?;
         let modes = numbers.modes().ok()?;
         let shape = (number < modes.count()).then(|| modes.mode_shape(number))?;
         let coordinates = numbers.model().coordinate_dimensions();
-        let words = coordinates.iter().zip(&shape).map(|((name, own), part)| {
+        let shares = coordinates.iter().zip(&shape).map(|((name, own), part)| {
             let alike = coordinates.iter().zip(&shape);
             let alike = alike.filter(|((_, other), _)| other == own);
             let largest = alike.fold(0.0_f64, |largest, (_, part)| largest.max(part.abs()));
@@ -38,9 +40,9 @@ impl Scene<'_, '_> {
             let share = Decimal::rounded(share, 3).unwrap_or(Decimal::ZERO);
             let symbol = Expr::name(name.clone()).typeset(&Symbols(self.solution));
             let share = Quantity::new(share, Unit::ONE).text(self.solution.mark());
-            format!("{} {share}", symbol.spoken())
+            (symbol, share)
         });
-        let words = words.collect::<Vec<_>>().join(", ");
-        Some((shape, words))
+        let shares = shares.collect();
+        Some((shape, shares))
     }
 }

@@ -10,7 +10,7 @@ impl Scene<'_, '_> {
     pub fn picture(&self) -> Option<Picture> {
         let figure = self.solution.template().figure.as_ref()?;
         self.solution.note_figure();
-        figure.picture(self, &self.scope()).ok()
+        figure.picture(self, &self.scope(), &self.language).ok()
     }
 
     /// The free-body diagrams; `None` where the item has none.
@@ -21,7 +21,9 @@ impl Scene<'_, '_> {
     pub fn free_picture(&self) -> Option<Result<Picture, FreeError>> {
         let figure = self.solution.template().figure.as_ref()?;
         let id = format!("{}-free", self.scope());
-        figure.has_free().then(|| figure.free_picture(self, &id))
+        figure
+            .has_free()
+            .then(|| figure.free_picture(self, &id, &self.language))
     }
 }
 

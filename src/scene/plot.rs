@@ -4,9 +4,11 @@ use super::Scene;
 use crate::bank::plot::{Abscissa, Curve, Curves, ModeShapes, Phasors, Plot, PlotKind};
 use crate::document::Filling;
 use crate::expr::Precise;
+use crate::figure::Point;
 use crate::figure::plot::{self, Axis, Course, Picture, PlotError, Shape, Spacing, Style};
-use crate::figure::{Head, Point};
+use crate::figure::story::Speaker as _;
 use crate::math::{Math, symbol};
+use crate::message::Phrase;
 use crate::quantity::{Absent, Evaluation, Function, NodeId};
 use crate::unit::{Decimal, Quantity, Rational, Unit};
 use crate::work;
@@ -60,17 +62,11 @@ impl Scene<'_, '_> {
         let id = self.plot_id(name);
         match self.plot(name) {
             Ok(picture) if !self.is_drawn => {
-                Filling::words(format!("(Plot: {})", picture.description))
+                let words = self.language.caption(&picture.story).description;
+                Filling::words(self.language.phrase(&Phrase::Plot(&words)))
             }
-            Ok(picture) => {
-                let head = Head {
-                    id: &id,
-                    title: &picture.title,
-                    description: &picture.description,
-                };
-                Filling::Figure(picture.drawing.svg(&head))
-            }
-            Err(undrawn) => Filling::words(format!("(no plot: {undrawn})")),
+            Ok(picture) => Filling::Figure(picture.svg(&id, &self.language)),
+            Err(_) => Filling::words(self.language.phrase(&Phrase::NoPlot)),
         }
     }
 

@@ -6,6 +6,7 @@ use crate::BANK;
 use vibank::bank::{Catalogue, Template};
 use vibank::figure::{Bounds, Drawing, Fill, LETTER_SIZE, Picture};
 use vibank::instance::Instance;
+use vibank::message::Language;
 use vibank::scene::{Data, Scene};
 use vibank::seed::Seed;
 use vibank::solution::Solution;
@@ -266,7 +267,9 @@ fn drawn(item: &str) -> (String, String) {
         .map(|drawing| overlaps(&drawing))
         .expect("it can be drawn");
     assert!(faults.is_empty(), "{item}\n{faults:?}");
-    let picture = figure.picture(&scene, "example").expect("it can be drawn");
+    let picture = figure
+        .picture(&scene, "example", &Language::English)
+        .expect("it can be drawn");
     (picture.svg, picture.alt)
 }
 

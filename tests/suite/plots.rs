@@ -4,9 +4,11 @@ use std::fmt::Write as _;
 
 use crate::BANK;
 use vibank::bank::{Catalogue, Template};
+use vibank::figure::Bounds;
 use vibank::figure::plot::Picture;
-use vibank::figure::{Bounds, Head};
+use vibank::figure::story::Speaker as _;
 use vibank::instance::Instance;
+use vibank::message::Language;
 use vibank::scene::{Data, Scene};
 use vibank::seed::Seed;
 use vibank::solution::Solution;
@@ -110,11 +112,7 @@ fn sound(picture: &Picture) -> Result<(), String> {
             }
         }
     }
-    let svg = drawing.svg(&Head {
-        id: "p",
-        title: &picture.title,
-        description: &picture.description,
-    });
+    let svg = picture.svg("p", &Language::English);
     if svg.contains("NaN") || svg.contains("inf") {
         return Err("a number is not finite".to_owned());
     }
@@ -191,14 +189,9 @@ fn the_gallery_is_fresh() {
             .plot(plot)
             .expect("it can be drawn");
         let name = format!("{}-{plot}", item.replace('/', "-"));
-        let head = Head {
-            id: &name,
-            title: &picture.title,
-            description: &picture.description,
-        };
         files.push((
             book.join(format!("figures/{name}.svg")),
-            picture.drawing.svg(&head) + "\n",
+            picture.svg(&name, &Language::English) + "\n",
         ));
         let begin = template
             .source
@@ -210,7 +203,7 @@ fn the_gallery_is_fresh() {
         let _ = write!(
             page,
             "\n## {about}\n\n![{}](../figures/{name}.svg)\n\nFrom `{item}`:\n\n```toml\n{}\n```\n",
-            picture.title,
+            Language::English.caption(&picture.story).title,
             table[..end].trim_end()
         );
     }
@@ -239,17 +232,12 @@ fn pictures() {
         let page = pages.last_mut().expect("a page was begun");
         match picture {
             Ok(picture) => {
-                let head = Head {
-                    id: &format!("p{count}"),
-                    title: &picture.title,
-                    description: &picture.description,
-                };
-                let svg = picture.drawing.svg(&head);
+                let svg = picture.svg(&format!("p{count}"), &Language::English);
+                let words = Language::English.caption(&picture.story).description;
                 let _ = write!(
                     page,
-                    "<div><b>{name}</b> {} bytes<br>{svg}<small>{}</small></div>",
-                    svg.len(),
-                    picture.description
+                    "<div><b>{name}</b> {} bytes<br>{svg}<small>{words}</small></div>",
+                    svg.len()
                 );
             }
             Err(fault) => {

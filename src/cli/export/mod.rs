@@ -9,6 +9,7 @@ use vibank::bank::Catalogue;
 use vibank::diagnostic::Finding;
 use vibank::document::Formulas;
 use vibank::export::{Canvas, Export, Moodle, Qti, Version, Wish};
+use vibank::message::{Language, Phrase};
 use vibank::source::Source;
 use vibank::worksheet::{Audience, Blueprint, Choice, Chooser, Plan, Sheet, SheetError};
 
@@ -16,7 +17,7 @@ use self::manifest::Record;
 use super::bank::{self, BankArgument};
 use super::files::{self, Access};
 use super::filter::Filter;
-use super::{Failure, Outcome};
+use super::{Failure, Outcome, mistaken};
 
 /// Variants of each item where no blueprint says how many.
 const VARIANTS: usize = 10;
@@ -157,7 +158,7 @@ fn of_blueprint(
     arguments: &Arguments,
     catalogue: &Catalogue,
 ) -> Result<Made, Failure> {
-    let source = Source::new(path.display().to_string(), files::read(path)?);
+    let source = Source::new(path.display().to_string(), mistaken::blueprint(path)?);
     let blueprint = match Blueprint::read(&source) {
         Ok(blueprint) => blueprint,
         Err(findings) => return Ok(Err(findings)),
@@ -180,14 +181,16 @@ fn of_blueprint(
         arguments,
         Wish {
             title: blueprint.title.clone(),
+            language: blueprint.language.value.clone(),
             data: blueprint.data,
             ..Wish::default()
         },
     );
+    let language = Language::of(&blueprint.language.value).unwrap_or_default();
     let mut record = Record::of(catalogue, &blueprint, plan.secret.is_some());
     for place in 0..plan.questions.len() {
         let number = place + 1;
-        export.category(&[&format!("Question {number}")]);
+        export.category(&[&language.phrase(&Phrase::Question(number))]);
         for sheet in &sheets {
             let mut questions = sheet.questions.iter();
             if let Some(question) = questions.find(|own| own.place == place) {
@@ -202,10 +205,12 @@ fn of_blueprint(
 /// The items that pass the filter, a category each.
 fn of_filter(arguments: &Arguments, catalogue: &Catalogue) -> Result<Made, Failure> {
     let items = arguments.filter.items(catalogue)?;
+    let language = &catalogue.bank.language;
     let mut export = begin(
         arguments,
         Wish {
             title: catalogue.bank.title.clone(),
+            language: language.clone(),
             ..Wish::default()
         },
     );
@@ -213,7 +218,9 @@ fn of_filter(arguments: &Arguments, catalogue: &Catalogue) -> Result<Made, Failu
     for (place, item) in items.into_iter().enumerate() {
         let id = item.id.as_str();
         // Each by itself: on one sheet all would have to be suitable with the same code.
-        let text = format!("title = 'T'\nseed = 1\nvariants = 1\n[[question]]\nitem = '{id}'\n");
+        let text = format!(
+            "title = 'T'\nlanguage = '{language}'\nseed = 1\nvariants = 1\n[[question]]\nitem = '{id}'\n"
+        );
         let source = Source::new(id.to_owned(), text);
         let blueprint = match Blueprint::read(&source) {
             Ok(blueprint) => blueprint,

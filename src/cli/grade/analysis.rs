@@ -134,7 +134,7 @@ impl Analysis {
             .map_err(|error| Failure::new(error.to_string()))?;
         let begin = layout
             .pages
-            .begin("item analysis")
+            .begin(layout.pages.report_subtitle())
             .map_err(|error| Failure::new(error.to_string()))?;
         let whole = format!("{begin}{page}{}", layout.end);
         out.write("report.html", whole.as_bytes()).map(drop)

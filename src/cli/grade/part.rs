@@ -168,7 +168,7 @@ impl Marker<'_> {
                 remarks: sheet.told(&hand, self.language),
                 why: None,
             },
-            Ok(None) => open("This part has not been marked yet.".to_owned()),
+            Ok(None) => open(unmarked.clone()),
             Err(why) => {
                 let row = part
                     .line

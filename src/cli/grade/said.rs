@@ -51,22 +51,28 @@ pub(crate) fn decided(decided: &[Decided]) {
     }
     let changed: usize = decided.iter().map(|own| own.changed.len()).sum();
     println!("{} decisions have changed {changed} marks", decided.len());
+    // Each has room for some of its marks, however many the first of them has changed.
+    let room = (MAX_CHANGES / decided.len()).max(3);
     let mut left = MAX_CHANGES;
     for own in decided.iter().filter(|own| !own.who.is_empty()) {
         println!("  {}: {}, by {}", own.subject, own.words, own.who);
-        for mark in own.changed.iter().take(left) {
+        let shown = own.changed.len().min(room).min(left);
+        for mark in &own.changed[..shown] {
             let student = if mark.student.is_empty() {
                 ""
             } else {
                 &format!(" ({})", mark.student)
             };
             let place = format!("{}{}", mark.question, mark.letter);
-            println!("    {}{student} {place}: {}", mark.code, mark.words());
+            println!("    {}{student} {place}: {}", mark.code, mark);
         }
-        left = left.saturating_sub(own.changed.len());
-    }
-    if changed > MAX_CHANGES {
-        println!("  all are in decisions.csv");
+        if shown < own.changed.len() {
+            println!(
+                "    and {} more, in decisions.csv",
+                own.changed.len() - shown
+            );
+        }
+        left -= shown;
     }
 }
 

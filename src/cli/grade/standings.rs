@@ -1,10 +1,9 @@
 //! The marks of a run: by group, as a table and for the report.
 
-use vibank::grade::rounded;
 use vibank::numerics::Rational;
 use vibank::output::Marked;
 use vibank::report::{GroupSummary, Standing, Standings};
-use vibank::worksheet::{Best, Direction, Marks};
+use vibank::worksheet::Marks;
 
 use super::outcome::Outcome;
 use crate::cli::Failure;
@@ -81,7 +80,7 @@ impl Class {
             summary: self.standings.summary(&grades),
             max: self.max.to_f64(),
             pass: self.marks.pass.map(|pass| pass.points(full).to_f64()),
-            rules: rules(&self.marks),
+            rules: self.marks.clone(),
             scale,
         })
     }
@@ -114,41 +113,4 @@ impl Class {
         }
         out.write(FILE, &table).map(drop)
     }
-}
-
-/// How points become marks, a sentence each.
-fn rules(marks: &Marks) -> Vec<String> {
-    let mut rules = Vec::new();
-    for Best { section, count } in &marks.best {
-        let of = match section.as_str() {
-            "" => String::new(),
-            section => format!(" of section {section}"),
-        };
-        rules.push(format!("The best {count} questions{of} count."));
-    }
-    if let Some(share) = marks.wrong_choice {
-        let percent = share.0.checked_mul(Rational::from(100)).unwrap_or(share.0);
-        let floor = if marks.below_zero {
-            ""
-        } else {
-            "; no question has less than 0"
-        };
-        rules.push(format!(
-            "A wrong choice costs {} % of its points{floor}.",
-            rounded(percent)
-        ));
-    }
-    if let Some(rounding) = marks.rounding {
-        let way = match rounding.direction {
-            Direction::Nearest => "",
-            Direction::Up => " up",
-            Direction::Down => " down",
-        };
-        let step = rounded(rounding.step.0);
-        rules.push(format!("Sums are rounded{way} to multiples of {step}."));
-    }
-    if let Some(full) = marks.full {
-        rules.push(format!("{} points are 100 %.", rounded(full.0)));
-    }
-    rules
 }

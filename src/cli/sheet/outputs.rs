@@ -28,7 +28,8 @@ pub(crate) fn write_fairness(
     let laid = Laid::of(name, plan, None, &[], layouts, true)?;
     let what = "how alike the variants are";
     let page = laid.pages.fairness(fairness).map_err(unfilled)?;
-    let begin = laid.pages.begin("fairness").map_err(unfilled)?;
+    let subtitle = laid.pages.fairness_subtitle();
+    let begin = laid.pages.begin(subtitle).map_err(unfilled)?;
     let whole = format!("{begin}{page}{}", laid.end);
     let file = format!("fairness.{name}");
     let digest = out.write(&file, whole.as_bytes())?;

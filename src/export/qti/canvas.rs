@@ -98,11 +98,7 @@ impl Canvas {
         let kind = match marked {
             Marked::Number(_, scale) => {
                 let lead = words.lead(asked.place);
-                let _ = write!(
-                    body,
-                    "<p>{lead}…{} <small>(number only)</small></p>",
-                    scale.unit
-                );
+                let _ = write!(body, "<p>{lead}…{}</p>", words.behind(&scale.unit));
                 if scale.thousandths > 0 {
                     let _ = write!(named, "*1e-{}", 3 * scale.thousandths);
                 }

@@ -38,7 +38,7 @@ pub(crate) fn marked<'c>(
 ) -> String {
     let fields = fields(sorted);
     let title = format!("{} [{}]", words.title(), words.origin(&sorted.letters()));
-    let mut xml = begin(identifier, &title, version);
+    let mut xml = begin(identifier, &title, words.language(), version);
     for field in &fields {
         declare(&mut xml, field);
     }
@@ -94,7 +94,7 @@ pub(crate) fn essay<'c>(
     let letters: Vec<&str> = parts.iter().map(|asked| asked.letter.as_str()).collect();
     let origin = words.origin(&letters.join(" "));
     let title = format!("{} (essay) [{origin}]", words.title());
-    let mut xml = begin(identifier, &title, version);
+    let mut xml = begin(identifier, &title, words.language(), version);
     for letter in &letters {
         let attributes = [
             ("identifier", *letter),
@@ -168,7 +168,7 @@ fn fields<'h>(sorted: &'h Sorted<'_>) -> Vec<Field<'h>> {
     fields
 }
 
-fn begin(identifier: &str, title: &str, version: Version) -> Xml {
+fn begin(identifier: &str, title: &str, language: &str, version: Version) -> Xml {
     let mut xml = Xml::new(version);
     let location = version.location();
     let attributes = [
@@ -179,7 +179,7 @@ fn begin(identifier: &str, title: &str, version: Version) -> Xml {
         ("title", title),
         ("adaptive", "false"),
         ("timeDependent", "false"),
-        ("xml:lang", "en"),
+        ("xml:lang", language),
     ];
     xml.open("assessmentItem", &attributes);
     xml
@@ -271,7 +271,7 @@ fn write_boxes(xml: &mut Xml, words: &Words<'_, '_>, asked: &Asked<'_>, fields: 
     }
     let unit = words.unit(asked.place);
     if !unit.is_empty() {
-        xml.html(&format!("{unit} <small>(number only)</small>"));
+        xml.html(&unit);
     }
     xml.html("</p>");
 }

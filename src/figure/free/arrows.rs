@@ -2,14 +2,15 @@
 
 use super::drawn::{Arrow, Drawn, Way};
 use super::error::{FreeError, FreeFault};
-use super::words::{sentence, towards};
 use super::work::{Moved, SQUARE, agrees, fault, sense, twisted, works};
 use super::{Body, Contact, Force, Heading, Letter, Motion, Origin, Sense, Strand, Written};
 use crate::figure::element::{Role, turn};
 use crate::figure::formula::Values;
 use crate::figure::part::Part;
 use crate::figure::schematic::Item;
+use crate::figure::story::{self, Action, FreeBody, Thing};
 use crate::figure::{Drawing, Figure, Given, Outline, Point};
+use crate::math::Math;
 
 /// Length of an arrow.
 const LENGTH: f64 = 1.05;
@@ -44,7 +45,10 @@ struct Cut {
 }
 
 impl Figure {
-    pub(crate) fn resolved(&self, given: &dyn Given) -> Result<(Drawing, String), FreeError> {
+    pub(crate) fn resolved(
+        &self,
+        given: &dyn Given,
+    ) -> Result<(Drawing, Vec<FreeBody>), FreeError> {
         let written = self.free.bodies.iter().flat_map(Body::written);
         let items: Vec<&Item> = self
             .items
@@ -63,7 +67,7 @@ impl Figure {
             items,
         };
         let mut drawing = Drawing::new();
-        let mut sentences = Vec::new();
+        let mut bodies = Vec::new();
         let mut owner = self.items.len() as u32;
         for body in &self.free.bodies {
             let drawn = scene.arrows(body).map_err(|fault| FreeError {
@@ -71,10 +75,13 @@ impl Figure {
                 span: body.span,
             })?;
             scene.draw(body, &drawn, &mut owner, &mut drawing);
-            sentences.push(sentence(&scene.named(body), &drawn.words));
+            bodies.push(FreeBody {
+                body: scene.named(body),
+                actions: drawn.actions,
+            });
         }
         drawing.settle();
-        Ok((drawing, sentences.join(" ")))
+        Ok((drawing, bodies))
     }
 }
 
@@ -121,11 +128,11 @@ impl<'f> Scene<'f> {
                         .map(|share| self.values.amount(share));
                     works(body, force, &moved, at, direction, share)?;
                     drawn.arrows.push(Self::contact(written, part, direction));
-                    let mut words = described(written.kind.noun(), &written.label.1, direction);
-                    if let Some(velocity) = &force.velocity {
-                        words.push_str(&format!(" (where {velocity} is positive)"));
-                    }
-                    drawn.words.push(words);
+                    let along = story::Sense::along(direction);
+                    drawn.actions.push(Action {
+                        velocity: force.velocity.clone(),
+                        ..action(written.kind.noun(), &written.label.1, along)
+                    });
                 }
             }
         }
@@ -142,9 +149,9 @@ impl<'f> Scene<'f> {
                 });
             }
             drawn.arrows.push(Self::contact(written, part, direction));
-            drawn
-                .words
-                .push(described(written.kind.noun(), &written.label.1, direction));
+            let along = story::Sense::along(direction);
+            let action = action(written.kind.noun(), &written.label.1, along);
+            drawn.actions.push(action);
         }
         self.hold_links(body)?;
         Ok(drawn)
@@ -170,7 +177,7 @@ impl<'f> Scene<'f> {
             }
             cuts.extend(own.into_iter().map(|cut| (self.noun(*item), cut)));
         }
-        let (label, words) = match cuts.len() {
+        let (label, letter) = match cuts.len() {
             1 => &letter.one,
             2 => &letter.each,
             _ => return Err(fault(body, force)),
@@ -182,9 +189,9 @@ impl<'f> Scene<'f> {
                 out,
                 length,
             } = cut;
-            if let Some((axis, words)) = twisted(body, force, moved, out, words)? {
+            if let Some((axis, sense)) = twisted(body, force, moved, out)? {
                 drawn.twist(start, out, axis, label);
-                drawn.words.push(words);
+                drawn.actions.push(action(noun, letter, sense));
                 continue;
             }
             let sense = sense(body, force, moved, at, out)?;
@@ -205,7 +212,8 @@ impl<'f> Scene<'f> {
                 label,
                 at: None,
             });
-            drawn.words.push(described(noun, words, direction));
+            let sense = story::Sense::along(direction);
+            drawn.actions.push(action(noun, letter, sense));
         }
         Ok(())
     }
@@ -221,25 +229,28 @@ impl<'f> Scene<'f> {
     ) -> Result<(), FreeFault> {
         let part = &self.parts[item];
         let noun = self.noun(item);
-        let words = if noun == "moment" {
+        let sense = if noun == "moment" {
             let is_left = part.word("sense") != Some("cw");
-            let sense = if is_left { 1.0 } else { -1.0 };
-            let does = |motion: &Moved| sense * motion.work_of_moment();
+            let sign = if is_left { 1.0 } else { -1.0 };
+            let does = |motion: &Moved| sign * motion.work_of_moment();
             agrees(body, force, moved.iter().map(does))?;
-            let turn = if is_left {
-                "counterclockwise"
+            if is_left {
+                story::Sense::Counterclockwise
             } else {
-                "clockwise"
-            };
-            format!("a moment {} {turn}", part.words)
+                story::Sense::Clockwise
+            }
         } else {
             let out = part.ends[0].out.unwrap_or(Point::new(1.0, 0.0));
             let direction = part.vector("direction").unwrap_or(out).unit();
             works(body, force, moved, part.point(), direction, None)?;
-            described(noun, part.words, direction)
+            story::Sense::along(direction)
         };
         drawn.shown.push(item);
-        drawn.words.push(words);
+        drawn.actions.push(Action {
+            force: Thing::of(noun, part),
+            sense,
+            velocity: None,
+        });
         Ok(())
     }
 
@@ -439,19 +450,14 @@ impl<'f> Scene<'f> {
         }
     }
 
-    /// A body in words.
-    fn named(&self, body: &Body) -> String {
-        let words = |place: &usize| {
-            let (Role::Body(noun) | Role::Link(noun)) = self.items[*place].kind.role() else {
-                return None;
-            };
-            let words = self.parts[*place].words;
-            Some(format!("the {noun} {words}").trim_end().to_owned())
-        };
+    /// What a body is called: after the first of its elements that is one.
+    fn named(&self, body: &Body) -> Option<Thing> {
         body.kept
             .iter()
-            .find_map(words)
-            .unwrap_or_else(|| "the body".to_owned())
+            .find_map(|place| match self.items[*place].kind.role() {
+                Role::Body(noun) | Role::Link(noun) => Some(Thing::of(noun, &self.parts[*place])),
+                _ => None,
+            })
     }
 
     fn noun(&self, item: usize) -> &'static str {
@@ -462,21 +468,20 @@ impl<'f> Scene<'f> {
     }
 
     fn link(&self, item: usize) -> String {
-        format!("the {} {}", self.noun(item), self.parts[item].words)
-            .trim_end()
-            .to_owned()
+        format!(
+            "the {}",
+            Thing::of(self.noun(item), &self.parts[item]).words()
+        )
     }
 }
 
-fn described(noun: &str, letter: &str, direction: Point) -> String {
-    let article = if noun.starts_with(['a', 'e', 'i', 'o', 'u']) {
-        "an"
-    } else {
-        "a"
-    };
-    let noun = match noun {
-        "force" | "normal force" | "reaction" | "friction" | "weight" => noun.to_owned(),
-        link => format!("force of {article} {link}"),
-    };
-    format!("the {noun} {letter} {}", towards(direction))
+fn action(noun: &'static str, letter: &Math, sense: story::Sense) -> Action {
+    Action {
+        force: Thing {
+            noun,
+            label: Some(letter.clone()),
+        },
+        sense,
+        velocity: None,
+    }
 }

@@ -2,6 +2,7 @@
 
 use crate::figure::arrow::{Head, Orbit, arrow, bent};
 use crate::figure::element::turn;
+use crate::figure::story::Action;
 use crate::figure::{Drawing, Label, Pen, Point, Side, Spot, Weight, spots};
 
 /// The radius of the arrow of a moment.
@@ -13,11 +14,11 @@ const ALONG: f64 = 0.45;
 /// From the tip of an arrow to its letter: half of the breadth of its head and what labels keep clear of.
 const BEYOND: f64 = 0.15;
 
-/// The arrows of a body, and its forces in words.
+/// The arrows of a body, and what is told of them.
 #[derive(Default)]
 pub(crate) struct Drawn<'f> {
     pub(crate) arrows: Vec<Arrow<'f>>,
-    pub(crate) words: Vec<String>,
+    pub(crate) actions: Vec<Action>,
     /// Elements of the figure that show a force.
     pub(crate) shown: Vec<usize>,
 }

@@ -10,15 +10,16 @@ mod drawn;
 mod error;
 mod letter;
 mod read;
-mod words;
 mod work;
 
 pub use error::{FreeError, FreeFault};
 
 use super::formula::{Amount, Pair};
 use super::schematic::{Item, Place};
+use super::story::{Caption, Speaker, Story};
 use super::{Drawing, Figure, Given, Label, Picture};
 use crate::expr::Name;
+use crate::math::Math;
 use crate::source::Span;
 
 /// A body of the model of an item, with what acts on it.
@@ -95,8 +96,8 @@ struct Force {
     /// For each motion whether the component is negative; nothing if there is none.
     signs: Vec<Option<bool>>,
     source: Origin,
-    /// The velocity whose sign it has, in words, if it is dry friction.
-    velocity: Option<String>,
+    /// The velocity whose sign it has, if it is dry friction.
+    velocity: Option<Math>,
 }
 
 /// Where the arrow of a force comes from.
@@ -121,11 +122,11 @@ enum Strand {
     Last,
 }
 
-/// A letter, set and in words, for one arrow and for each of two.
+/// A letter, set and as a formula, for one arrow and for each of two.
 #[derive(Debug)]
 struct Letter {
-    one: (Label, String),
-    each: (Label, String),
+    one: (Label, Math),
+    each: (Label, Math),
 }
 
 /// An arrow that is written.
@@ -134,7 +135,7 @@ struct Written {
     kind: Contact,
     /// It stands in the figure as if it were an element, so that it knows the side of the body.
     item: Item,
-    label: (Label, String),
+    label: (Label, Math),
     direction: Option<Pair>,
     /// The share of it along the first motion, where its letter is not that of the model.
     share: Option<Amount>,
@@ -182,27 +183,28 @@ impl Figure {
         self.resolved(given).map(|(drawing, _)| drawing)
     }
 
-    /// The picture of the free-body diagrams for these data; `id` begins all identities in it.
+    /// The picture of the free-body diagrams for these data, worded by a speaker; `id` begins all identities in it.
     ///
     /// # Errors
     ///
     /// As [`Self::draw_free`].
-    pub fn free_picture(&self, given: &dyn Given, id: &str) -> Result<Picture, FreeError> {
-        let (drawing, alt) = self.resolved(given)?;
-        let title = if self.free.bodies.len() == 1 {
-            "Free-body diagram"
-        } else {
-            "Free-body diagrams"
-        };
+    pub fn free_picture(
+        &self,
+        given: &dyn Given,
+        id: &str,
+        speaker: &dyn Speaker,
+    ) -> Result<Picture, FreeError> {
+        let (drawing, bodies) = self.resolved(given)?;
+        let Caption { title, description } = speaker.caption(&Story::FreeBodies(bodies));
         let svg = drawing.svg(&super::Head {
             id,
-            title,
-            description: &alt,
+            title: &title,
+            description: &description,
         });
         let (width, height) = drawing.size();
         Ok(Picture {
             svg,
-            alt,
+            alt: description,
             width,
             height,
         })

@@ -14,6 +14,7 @@ use crate::figure::formula::Amount;
 use crate::figure::part::Style;
 use crate::figure::read::FigureReader;
 use crate::figure::schematic::{Item, Place};
+use crate::math::Math;
 use crate::source::{Data, Entry, Span, Table, Text, Value, nearest};
 
 /// No body has more arrows.
@@ -294,8 +295,8 @@ impl<'s> FigureReader<'_, 's> {
             Contact::Weight => "W",
         };
         let label = written.map_or_else(
-            || (Label::words(usual), usual.to_owned()),
-            |written| (written.label, written.words),
+            || (Label::words(usual), Math::text(usual)),
+            |written| (written.label, written.math),
         );
         let item = Item {
             kind: element::kind("force")?,
@@ -367,7 +368,7 @@ impl<'s> FigureReader<'_, 's> {
             };
             let velocity = product
                 .velocity()
-                .map(|velocity| self.item.typeset(velocity).spoken());
+                .map(|velocity| self.item.typeset(velocity));
             body.forces.push(Force {
                 name: force.name,
                 signs: force
@@ -489,9 +490,9 @@ impl<'s> FigureReader<'_, 's> {
         Origin::Links { links, letter }
     }
 
-    fn set(&self, product: &Product) -> (Label, String) {
+    fn set(&self, product: &Product) -> (Label, Math) {
         let math = self.item.typeset(&product.letter());
-        (Label::of(&math), math.spoken())
+        (Label::of(&math), math)
     }
 
     /// Elements do not share an identity.

@@ -3,6 +3,7 @@
 use super::error::FreeFault;
 use super::{Body, Force};
 use crate::figure::Point;
+use crate::figure::story;
 
 /// Below this share of its length an arrow counts as square to a motion; drawn angles are exact but for rounding.
 pub(crate) const SQUARE: f64 = 0.02;
@@ -101,14 +102,13 @@ pub(crate) fn agrees(
     Err(fault(body, force))
 }
 
-/// The moment of a link that is twisted about its own line: its axis and its words; nothing if no twist is about it.
+/// The moment of a link that is twisted about its own line: its axis and its sense; nothing if no twist is about it.
 pub(crate) fn twisted(
     body: &Body,
     force: &Force,
     moved: &[Moved],
     out: Point,
-    letter: &str,
-) -> Result<Option<(Point, String)>, FreeFault> {
+) -> Result<Option<(Point, story::Sense)>, FreeFault> {
     let about = moved
         .iter()
         .zip(&force.signs)
@@ -125,9 +125,12 @@ pub(crate) fn twisted(
         Moved::Along(_) | Moved::Turn(..) => 0.0,
     };
     agrees(body, force, moved.iter().map(does))?;
-    let sense = if is_negative { "against" } else { "in" };
-    let words = format!("the moment {letter} of an elastic wire, {sense} the sense of the twist");
-    Ok(Some((axis, words)))
+    let sense = if is_negative {
+        story::Sense::AgainstTwist
+    } else {
+        story::Sense::WithTwist
+    };
+    Ok(Some((axis, sense)))
 }
 
 /// An arrow and its force do not do the same work.

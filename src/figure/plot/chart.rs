@@ -4,6 +4,7 @@ use super::course::{Line, area, lines, place};
 use super::frame::Frame;
 use super::lettering::{Letterer, Named};
 use super::{DASHES, Picture, Plot, PlotError, Style, axis, description};
+use crate::figure::story::Story;
 use crate::figure::{Dash, Drawing, Fill, Path, Pen, Point, Weight};
 use crate::math::Math;
 
@@ -44,8 +45,7 @@ pub(crate) fn draw(plot: &Plot<'_>) -> Result<Picture, PlotError> {
     letterer.curves(&mut drawing, &names(plot, moved));
     Ok(Picture {
         drawing,
-        title: description::title(plot, &up),
-        description: description::of(plot, &lines, &up),
+        story: Story::Curves(description::of(plot, &lines, &up)),
     })
 }
 

@@ -1,10 +1,9 @@
-//! What a plot shows, in words.
-
-use std::fmt::Write as _;
+//! What a plot shows, as data.
 
 use super::course::Line;
 use super::sample::cubic;
 use super::{Axis, Plot, Style};
+use crate::figure::story::{self, Behaviour, Curves, Tendency};
 use crate::math::Math;
 use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
 
@@ -13,75 +12,49 @@ const TURN: f64 = 0.02;
 /// Points that stand for a cubic piece.
 const POINTS: usize = 4;
 
-/// `x(t) against t`.
-pub(crate) fn title(plot: &Plot<'_>, up: &Math) -> String {
-    let (up, across) = (name(up), name(&plot.x.label));
-    match (up.is_empty(), across.is_empty()) {
-        (false, false) => format!("{up} against {across}"),
-        (false, true) => up,
-        (true, false) => format!("Plot against {across}"),
-        (true, true) => "Plot".to_owned(),
-    }
-}
-
-/// Axes, curves and marks, one sentence each.
-pub(crate) fn of(plot: &Plot<'_>, lines: &[Line], up: &Math) -> String {
+/// Axes, curves and marks.
+pub(crate) fn of(plot: &Plot<'_>, lines: &[Line], up: &Math) -> Curves {
     let mark = plot.decimal;
-    let title = title(plot, up);
-    let range = if lines.is_empty() {
-        None
-    } else {
-        plot.x.range.or(Some(plot.range))
-    };
-    let mut text = title;
     let is_plane = plot
         .curves
         .iter()
         .any(|curve| matches!(curve.course, super::Course::Path(_)));
-    if let Some([from, to]) = range.filter(|_| !is_plane) {
-        let (from, to) = (number(from, Unit::ONE, mark), number(to, plot.x.unit, mark));
-        let _ = write!(text, ", from {from} to {to}");
-    }
-    if plot.x.is_logarithmic {
-        text += " (logarithmic)";
-    }
-    text.push('.');
-    for line in lines {
-        text += &curve(plot, line, is_plane);
-    }
-    for point in &plot.marks {
-        let label = point.label.as_ref().map(name).unwrap_or_default();
+    // The range of a phase plane is that of the time, which it does not show.
+    let has_range = !lines.is_empty() && !is_plane;
+    let range = plot.x.range.unwrap_or(plot.range);
+    let marks = plot.marks.iter().map(|point| {
         let at = [
             number(point.at[0], plot.x.unit, mark),
             number(point.at[1], plot.y.unit, mark),
         ];
-        let comma = if label.is_empty() { "" } else { ", " };
-        let _ = write!(text, " Marked{comma}{label}: {}, {}.", at[0], at[1]);
+        (point.label.clone(), at)
+    });
+    Curves {
+        up: up.clone(),
+        across: plot.x.label.clone(),
+        range: has_range.then(|| {
+            [
+                number(range[0], Unit::ONE, mark),
+                number(range[1], plot.x.unit, mark),
+            ]
+        }),
+        is_logarithmic: plot.x.is_logarithmic,
+        curves: lines
+            .iter()
+            .filter(|_| !is_plane)
+            .filter_map(|line| curve(plot, line))
+            .collect(),
+        marks: marks.collect(),
     }
-    text
 }
 
-/// A symbol or words as they are spoken of in running text.
-fn name(math: &Math) -> String {
-    math.plain()
-}
-
-fn curve(plot: &Plot<'_>, line: &Line, is_plane: bool) -> String {
+fn curve(plot: &Plot<'_>, line: &Line) -> Option<story::Curve> {
     let curve = &plot.curves[line.curve];
     let kind = match curve.style {
-        Style::Limit => "Limit",
-        Style::Band => "Edge of",
-        _ => "Curve",
+        Style::Limit => story::Line::Limit,
+        Style::Band => story::Line::Edge,
+        _ => story::Line::Curve,
     };
-    let label = curve.label.as_ref().map(name).unwrap_or_default();
-    let label = match (label.is_empty(), curve.style) {
-        (true, Style::Band) => " a band".to_owned(),
-        (true, _) => label,
-        (false, _) => format!(" {label}"),
-    };
-    if is_plane {
-        return String::new();
-    }
     let values: Vec<f64> = line
         .runs
         .iter()
@@ -90,46 +63,42 @@ fn curve(plot: &Plot<'_>, line: &Line, is_plane: bool) -> String {
             (0..=POINTS).map(|point| cubic(&pair[0], &pair[1], point as f64 / POINTS as f64).0[1])
         })
         .collect();
-    match behaviour(&values, &plot.y, plot.decimal) {
-        Some(behaviour) => format!(" {kind}{label} {behaviour}."),
-        None => String::new(),
-    }
+    Some(story::Curve {
+        kind,
+        label: curve.label.clone(),
+        behaviour: behaviour(&values, &plot.y, plot.decimal)?,
+    })
 }
 
 /// What values do from first to last.
-fn behaviour(values: &[f64], axis: &Axis, mark: DecimalMark) -> Option<String> {
+fn behaviour(values: &[f64], axis: &Axis, mark: DecimalMark) -> Option<Behaviour> {
     let (first, last) = (*values.first()?, *values.last()?);
     let say = |coordinate: f64| number(axis.value(coordinate), axis.unit, mark);
     let (low, high) = values.iter().fold((first, first), |(low, high), value| {
         (low.min(*value), high.max(*value))
     });
     if high - low <= 1e-6 * high.abs().max(low.abs()) {
-        return Some(format!("is constant at {}", say(first)));
+        return Some(Behaviour::Constant(say(first)));
     }
-    let turns = turns(values, TURN * (high - low));
-    let verb = |from: f64, to: f64| if to > from { "rises" } else { "falls" };
-    Some(match turns.as_slice() {
-        [] => format!("{} from {} to {}", verb(first, last), say(first), say(last)),
-        [turn] => format!(
-            "{} from {} to {}, then {} to {}",
-            verb(first, *turn),
-            say(first),
-            say(*turn),
-            verb(*turn, last),
-            say(last)
-        ),
-        turns => format!(
-            "oscillates between {} and {}{}, with {} turning points",
-            say(low),
-            say(high),
-            tendency(turns),
-            turns.len()
-        ),
+    Some(match turns(values, TURN * (high - low)).as_slice() {
+        [] => Behaviour::Way {
+            rises: last > first,
+            ends: [first, last].map(say),
+        },
+        [turn] => Behaviour::Turn {
+            rises: *turn > first,
+            values: [first, *turn, last].map(say),
+        },
+        turns => Behaviour::Oscillation {
+            between: [low, high].map(say),
+            tendency: tendency(turns),
+            turns: turns.len(),
+        },
     })
 }
 
 /// Whether oscillations decay or grow.
-fn tendency(turns: &[f64]) -> &'static str {
+fn tendency(turns: &[f64]) -> Tendency {
     let swings: Vec<f64> = turns
         .windows(2)
         .map(|pair| (pair[1] - pair[0]).abs())
@@ -140,9 +109,9 @@ fn tendency(turns: &[f64]) -> &'static str {
         swings.len() > 1 && is_falling,
         swings.len() > 1 && is_rising,
     ) {
-        (true, _) => " and decays",
-        (_, true) => " and grows",
-        _ => "",
+        (true, _) => Tendency::Decays,
+        (_, true) => Tendency::Grows,
+        _ => Tendency::Neither,
     }
 }
 
@@ -181,7 +150,7 @@ pub(crate) fn number(value: f64, unit: Unit, mark: DecimalMark) -> String {
 mod tests {
     use super::*;
 
-    fn says(values: &[f64]) -> String {
+    fn of(values: &[f64]) -> Behaviour {
         let axis = Axis {
             label: Math::Row(Vec::new()),
             unit: Unit::parse("mm").unwrap(),
@@ -194,17 +163,29 @@ mod tests {
 
     #[test]
     fn courses_are_told_apart() {
-        assert_eq!(says(&[2.0, 2.0]), "is constant at 2 mm");
-        assert_eq!(says(&[2.0, 1.0, 0.5]), "falls from 2 mm to 0.5 mm");
-        assert_eq!(
-            says(&[0.0, 3.0, 1.0]),
-            "rises from 0 mm to 3 mm, then falls to 1 mm"
-        );
-        let decay = [4.0, -3.0, 2.0, -1.0, 0.5, 0.0];
-        assert_eq!(
-            says(&decay),
-            "oscillates between −3 mm and 4 mm and decays, with 4 turning points"
-        );
-        assert!(says(&[0.0, 1.0, -1.0, 1.0, -1.0, 1.0]).contains("between −1 mm and 1 mm, with"));
+        let value = |value: &str| value.to_owned();
+        assert_eq!(of(&[2.0, 2.0]), Behaviour::Constant(value("2 mm")));
+        let falls = Behaviour::Way {
+            rises: false,
+            ends: ["2 mm", "0.5 mm"].map(value),
+        };
+        assert_eq!(of(&[2.0, 1.0, 0.5]), falls);
+        let turns = Behaviour::Turn {
+            rises: true,
+            values: ["0 mm", "3 mm", "1 mm"].map(value),
+        };
+        assert_eq!(of(&[0.0, 3.0, 1.0]), turns);
+        let decays = Behaviour::Oscillation {
+            between: ["−3 mm", "4 mm"].map(value),
+            tendency: Tendency::Decays,
+            turns: 4,
+        };
+        assert_eq!(of(&[4.0, -3.0, 2.0, -1.0, 0.5, 0.0]), decays);
+        let oscillates = Behaviour::Oscillation {
+            between: ["−1 mm", "1 mm"].map(value),
+            tendency: Tendency::Neither,
+            turns: 4,
+        };
+        assert_eq!(of(&[0.0, 1.0, -1.0, 1.0, -1.0, 1.0]), oscillates);
     }
 }

@@ -19,7 +19,8 @@ mod room;
 mod sample;
 mod ticks;
 
-use crate::figure::{Dash, Drawing};
+use crate::figure::story::{Speaker, Story};
+use crate::figure::{Dash, Drawing, Head};
 use crate::math::Math;
 use crate::unit::{DecimalMark, Unit};
 
@@ -120,15 +121,13 @@ pub struct Mark {
     pub label: Option<Math>,
 }
 
-/// A plot that is drawn, and what it shows in words.
+/// A plot that is drawn, and what it shows.
 #[derive(Clone, Debug)]
 pub struct Picture {
     /// The drawing, its labels in place.
     pub drawing: Drawing,
-    /// What it is, in a few words.
-    pub title: String,
-    /// What it shows, for those who cannot see it.
-    pub description: String,
+    /// What it shows; a speaker words it.
+    pub story: Story,
 }
 
 /// Why there is nothing to draw.
@@ -154,6 +153,18 @@ pub enum PlotError {
         /// The place, in the units of the axes.
         at: [f64; 2],
     },
+}
+
+impl Picture {
+    /// The plot as an SVG element, worded by a speaker; `id` begins all identities in it.
+    pub fn svg(&self, id: &str, speaker: &dyn Speaker) -> String {
+        let words = speaker.caption(&self.story);
+        self.drawing.svg(&Head {
+            id,
+            title: &words.title,
+            description: &words.description,
+        })
+    }
 }
 
 impl Style {
@@ -184,7 +195,7 @@ impl Plot<'_> {
     ///
     /// ```
     /// use vibank::figure::plot::{Axis, Course, Curve, Plot, Spacing, Style};
-    /// use vibank::figure::Head;
+    /// use vibank::message::Language;
     /// use vibank::math::symbol;
     /// use vibank::unit::{DecimalMark, Unit};
     ///
@@ -209,9 +220,9 @@ impl Plot<'_> {
     ///     decimal: DecimalMark::Point,
     /// };
     /// let picture = plot.draw()?;
-    /// assert!(picture.description.contains("falls from 20 mm to 0.7"));
-    /// let head = Head { id: "p", title: &picture.title, description: &picture.description };
-    /// assert!(picture.drawing.svg(&head).len() < 6000);
+    /// let svg = picture.svg("p", &Language::English);
+    /// assert!(svg.contains("falls from 20 mm to 0.7"));
+    /// assert!(svg.len() < 6000);
     /// # Ok::<(), vibank::figure::plot::PlotError>(())
     /// ```
     ///

@@ -1,6 +1,7 @@
 //! Mode shapes: for each mode the coordinates side by side, each with its share of the motion.
 
 use super::Picture;
+use crate::figure::story::{Mode, Story};
 use crate::figure::{Anchor, Drawing, Fill, Label, Path, Pen, Point, Spot, Weight};
 use crate::math::Math;
 
@@ -55,8 +56,7 @@ impl ModeShapes {
         drawing.settle();
         Picture {
             drawing,
-            title: "Mode shapes".to_owned(),
-            description: self.description(),
+            story: self.story(),
         }
     }
 
@@ -96,20 +96,17 @@ impl ModeShapes {
         }
     }
 
-    fn description(&self) -> String {
-        let shapes = self.shapes.iter().enumerate().map(|(number, shape)| {
-            let components = self.coordinates.iter().zip(&shape.labels);
-            let components: Vec<String> = components
-                .map(|(symbol, label)| format!("{} : {}", symbol.plain(), label.plain()))
-                .collect();
-            format!(
-                "Mode {}, {}: {}.",
-                number + 1,
-                shape.heading.plain(),
-                components.join(", ")
-            )
+    fn story(&self) -> Story {
+        let shapes = self.shapes.iter().map(|shape| Mode {
+            heading: shape.heading.clone(),
+            components: self
+                .coordinates
+                .iter()
+                .cloned()
+                .zip(shape.labels.iter().cloned())
+                .collect(),
         });
-        shapes.collect::<Vec<_>>().join(" ")
+        Story::ModeShapes(shapes.collect())
     }
 }
 

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use super::description::number;
 use super::{Picture, PlotError, Style};
 use crate::figure::arrow::{Head, Orbit, arrow, bent};
+use crate::figure::story::{Pointer, Story};
 use crate::figure::{Anchor, Bounds, Dash, Drawing, Label, Pen, Point, Spot, Weight, spots};
 use crate::math::Math;
 use crate::unit::{DecimalMark, Unit};
@@ -105,8 +106,7 @@ impl Phasors {
         drawing.settle();
         Ok(Picture {
             drawing,
-            title: "Phasor diagram".to_owned(),
-            description: self.description(),
+            story: self.story(),
         })
     }
 
@@ -126,27 +126,19 @@ impl Phasors {
         feet
     }
 
-    fn description(&self) -> String {
-        let phasors = self.phasors.iter().map(|own| {
-            let label = own.label.as_ref().map(Math::plain).unwrap_or_default();
-            let length = number(own.value.length(), self.unit, self.decimal);
-            let angle = degrees(own.value.angle(), self.decimal);
-            let place = if own.is_joined {
-                ", from the tip of the one before"
-            } else {
-                ""
-            };
-            format!(" Phasor {label}: {length} at {angle}{place}.")
+    fn story(&self) -> Story {
+        let pointers = self.phasors.iter().map(|own| Pointer {
+            label: own.label.clone(),
+            length: number(own.value.length(), self.unit, self.decimal),
+            angle: degrees(own.value.angle(), self.decimal),
+            is_joined: own.is_joined,
         });
-        let angles = self.angles.iter().map(|own| {
-            let label = own.label.as_ref().map(Math::plain).unwrap_or_default();
-            format!(" Angle {label}: {}.", degrees(own.turn(), self.decimal))
-        });
-        format!(
-            "Phasor diagram.{}{}",
-            phasors.collect::<String>(),
-            angles.collect::<String>()
-        )
+        let angles = self.angles.iter();
+        let angles = angles.map(|own| (own.label.clone(), degrees(own.turn(), self.decimal)));
+        Story::Phasors {
+            pointers: pointers.collect(),
+            angles: angles.collect(),
+        }
     }
 }
 
@@ -250,13 +242,14 @@ mod tests {
         let feet: Vec<[f64; 2]> = chain.feet().iter().map(|foot| [foot.x, foot.y]).collect();
         assert_eq!(feet, [[0.0, 0.0], [3.0, 0.0], [0.0, 0.0]]);
         let picture = chain.draw().unwrap();
-        assert!(
-            picture
-                .description
-                .contains("4 N at 90°, from the tip of the one before"),
-            "{}",
-            picture.description
-        );
+        let Story::Phasors { pointers, .. } = &picture.story else {
+            panic!("{:?}", picture.story);
+        };
+        let joined: Vec<(&str, &str, bool)> = pointers
+            .iter()
+            .map(|own| (&*own.length, &*own.angle, own.is_joined))
+            .collect();
+        assert_eq!(joined[1], ("4 N", "90°", true));
         let (width, height) = picture.drawing.size();
         assert!(width < 90.0 && height < 70.0, "{width} mm by {height} mm");
     }

@@ -62,7 +62,20 @@ pub(in crate::message) fn phrase(phrase: &Phrase<'_>) -> String {
         Phrase::Moving => "The system in motion".to_owned(),
         Phrase::Mode(number) => format!("Mode {number}"),
         Phrase::ModeShown { number, shape } => {
+            let shape: Vec<String> = shape
+                .iter()
+                .map(|(symbol, share)| format!("{} {share}", symbol.spoken()))
+                .collect();
+            let shape = shape.join(", ");
             format!("The figure with both extremes of mode {number}: {shape}.")
         }
+        Phrase::Figure(description) => format!("(Figure: {description})"),
+        Phrase::Plot(description) => format!("(Plot: {description})"),
+        Phrase::NoPlot => "(no plot for these data)".to_owned(),
+        Phrase::NumberOnly => "(number only)".to_owned(),
+        Phrase::Question(number) => format!("Question {number}"),
+        Phrase::Essays => "essays".to_owned(),
+        Phrase::Points => "Points".to_owned(),
+        Phrase::GivenFor => "for".to_owned(),
     }
 }

@@ -24,6 +24,7 @@ pub(crate) fn misfit(misfit: &Misfit) -> String {
             let found = comes_out(*found);
             let due = match (unit.filter(|unit| !unit.is_one()), asked) {
                 (Some(unit), _) => Some(format!("in {}", unit.text())),
+                (None, Some(asked)) if asked.is_pure() => Some(dimension(*asked)),
                 (None, asked) => asked.map(comes_out),
             };
             match due {

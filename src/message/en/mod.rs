@@ -3,6 +3,7 @@
 mod blank;
 pub(in crate::message) mod derivation;
 mod misfit;
+pub(in crate::message) mod picture;
 mod unreadable;
 
 pub(super) use self::blank::blank;

@@ -1,5 +1,6 @@
 //! Ce que dit une ligne de réponse : what an answer line says.
 
+use super::typography::spaced;
 use crate::answer::{Asked, Blank, Choosing, Entries, ShapeScale};
 use crate::document::{Block, Document, Inline};
 use crate::math::Math;
@@ -98,9 +99,9 @@ struct Line(Vec<Inline>);
 impl Line {
     fn say(&mut self, words: &str) {
         if let Some(Inline::Text(last)) = self.0.last_mut() {
-            last.push_str(words);
+            last.push_str(&spaced(words));
         } else {
-            self.0.push(Inline::Text(words.to_owned()));
+            self.0.push(Inline::Text(spaced(words)));
         }
     }
 

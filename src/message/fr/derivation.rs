@@ -1,5 +1,6 @@
 //! Ce qui relie les lignes d’un calcul : what stands between the lines of a derivation.
 
+use super::typography::spaced;
 use crate::document::Inline;
 use crate::expr::Notation;
 use crate::mechanics::Reason;
@@ -8,7 +9,7 @@ use crate::message::Phrase;
 /// What a step does.
 pub(in crate::message) fn step(reason: &Reason, symbols: &dyn Notation) -> Vec<Inline> {
     let symbol = |name| Inline::Math(symbols.name(name).math);
-    let text = |words: &str| Inline::Text(words.to_owned());
+    let text = |words: &str| Inline::Text(spaced(words));
     match reason {
         Reason::Kinematics => vec![text("Déplacements :")],
         Reason::Terms(name) => vec![text("Termes relatifs à "), symbol(name), text(" :")],
@@ -73,14 +74,27 @@ pub(in crate::message) fn word(word: &str) -> Option<&'static str> {
 
 /// What is printed among formulas and with figures.
 pub(in crate::message) fn phrase(phrase: &Phrase<'_>) -> String {
-    match phrase {
+    spaced(&match phrase {
         Phrase::TurningPoints => "Points de rebroussement, où l’on compare la résultante des autres forces au frottement maximal :".to_owned(),
         Phrase::AndSoOnUntil => "et ainsi de suite, jusqu’à".to_owned(),
         Phrase::Nonexistent => "n’existe pas".to_owned(),
         Phrase::Moving => "Le système en mouvement".to_owned(),
         Phrase::Mode(number) => format!("Mode {number}"),
         Phrase::ModeShown { number, shape } => {
+            let shape: Vec<String> = shape
+                .iter()
+                .map(|(symbol, share)| format!("{} {share}", symbol.plain()))
+                .collect();
+            let shape = shape.join(" ; ");
             format!("La figure avec les deux positions extrêmes du mode {number} : {shape}.")
         }
-    }
+        Phrase::Figure(description) => format!("(Figure : {description})"),
+        Phrase::Plot(description) => format!("(Graphique : {description})"),
+        Phrase::NoPlot => "(pas de graphique pour ces données)".to_owned(),
+        Phrase::NumberOnly => "(nombre seul)".to_owned(),
+        Phrase::Question(number) => format!("Exercice {number}"),
+        Phrase::Essays => "réponses rédigées".to_owned(),
+        Phrase::Points => "Points".to_owned(),
+        Phrase::GivenFor => "pour".to_owned(),
+    })
 }

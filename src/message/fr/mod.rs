@@ -3,10 +3,13 @@
 mod blank;
 pub(in crate::message) mod derivation;
 mod misfit;
+pub(in crate::message) mod picture;
+mod typography;
 mod unreadable;
 
 pub(super) use self::blank::blank;
 use self::misfit::misfit;
+use self::typography::spaced;
 
 use crate::answer::{
     Close, Coefficient, Decades, Fault, Linearity, Negated, Note, Remark, Scaling, Shape, Slip,
@@ -20,7 +23,7 @@ use crate::unit::DecimalMark;
 
 /// What is said of a remark.
 pub(super) fn say(remark: &Remark) -> Option<Document> {
-    Some(Document::sentence(&match remark {
+    let words = match remark {
         Remark::Mistake(_) => return None,
         Remark::Option(text) => return Some(text.clone()),
         Remark::Followed(symbols) => return Some(followed(symbols)),
@@ -28,7 +31,8 @@ pub(super) fn say(remark: &Remark) -> Option<Document> {
         Remark::Dimension(misfit) => self::misfit(misfit),
         Remark::Unreadable(unreadable) => unreadable::unreadable(unreadable),
         Remark::Note(note) => self::note(note),
-    }))
+    };
+    Some(Document::sentence(&spaced(&words)))
 }
 
 /// What is said of a verdict alone.
@@ -58,7 +62,7 @@ pub(super) const UNDECIDED: &str = "Pas encore décidé";
 
 /// What a person did with a response.
 pub(super) fn by_hand(what: &ByHand) -> String {
-    match what {
+    spaced(&match what {
         ByHand::Open => "Cette question n’a pas encore été corrigée.".to_owned(),
         ByHand::Marked => "Noté par votre enseignant.".to_owned(),
         ByHand::ReadAs => "Votre enseignant a lu votre réponse comme vous l’entendiez :".to_owned(),
@@ -83,7 +87,7 @@ pub(super) fn by_hand(what: &ByHand) -> String {
             most,
         } => format!("{given} sur {most} : "),
         ByHand::Row { given: None, most } => format!("au plus {most} : "),
-    }
+    })
 }
 
 /// A slip in short, by the code of its reason.
@@ -102,7 +106,7 @@ pub(super) fn slip_in_short(code: &str) -> Option<&'static str> {
 }
 
 fn followed(symbols: &[Math]) -> Document {
-    let text = |words: &str| Inline::Text(words.to_owned());
+    let text = |words: &str| Inline::Text(spaced(words));
     let mut words = vec![text("Compté avec report d’erreur : c’est juste pour ")];
     words.push(text(match symbols {
         [] => "votre propre équation",

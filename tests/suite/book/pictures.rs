@@ -1,9 +1,9 @@
 //! Figures and plots of items, and the tables that they are drawn from.
 
 use vibank::document::read_math;
-use vibank::figure::Head;
 use vibank::instance::Instance;
 use vibank::math::Display;
+use vibank::message::Language;
 use vibank::scene::{Data, Scene};
 use vibank::solution::Solution;
 
@@ -16,12 +16,8 @@ pub(super) fn plot(argument: &str) -> String {
     let solution = Solution::of(Instance::of_source(find(id)));
     let picture = Scene::of(&solution, Data::Both).plot(plot);
     let picture = picture.unwrap_or_else(|error| panic!("{place}: {error}"));
-    let head = Head {
-        id: &format!("course-{}-{plot}", id.replace('/', "-")),
-        title: &picture.title,
-        description: &picture.description,
-    };
-    shown(&picture.drawing.svg(&head), words, id)
+    let name = format!("course-{}-{plot}", id.replace('/', "-"));
+    shown(&picture.svg(&name, &Language::English), words, id)
 }
 
 /// The figure of an item: `ch4/p1-rolling-disk-hub-moment | Words under it.`

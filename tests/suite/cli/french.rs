@@ -6,8 +6,8 @@ use std::path::Path;
 use super::desk::Desk;
 use super::{content, put, text_of, vibank};
 
-/// An item whose texts hold no word of any language.
-const ITEM: &str = r#"
+/// How the items with two data begin.
+const HEAD: &str = r#"
 [item]
 title = "Ooo"
 source = "by hand"
@@ -15,18 +15,51 @@ source = "by hand"
 [parameters]
 m = { value = "2 kg", range = "1 .. 5 kg", step = "0.5 kg" }
 k = { value = "800 N/m", range = "200 .. 900 N/m", step = "50 N/m" }
+"#;
 
+/// An item whose texts hold no word of any language, with a figure and plots that the program describes.
+const ITEM: &str = r#"
 [quantities]
 omega = { formula = "sqrt(k/m)", unit = "rad/s" }
+x = { formula = "0.1[m]*cos(omega*t)", unit = "m" }
+F_0 = { formula = "k*0.1[m]", unit = "N" }
 
 [statement]
 text = "<< m.given >>, << k.given >>."
+
+[figure]
+points = { B = [4.6, 0.6] }
+elements = [
+  { ground = ["[0, 0]", "[8, 0]"], smooth = true },
+  { ground = ["[0, 2]", "[0, 0]"] },
+  { spring = ["[0, 0.6]", "B.left"], label = "k" },
+  { block = "B", size = [1.6, 1.2], label = "m" },
+  { force = "B.right", direction = [1, 0], label = "'F'" },
+]
+
+[plots.motion]
+x = { variable = "t", range = ["0", "4*pi/omega"], unit = "s" }
+y = { unit = "m" }
+curves = [{ y = "x", label = "x(t)" }, { y = "-x", style = "limit" }]
+marks = [{ at = ["0", "0.1[m]"], label = "x_0" }]
+
+[plots.phasors]
+kind = "phasors"
+unit = "N"
+phasors = [{ of = "F_0", label = "F_0" }, { of = "i*F_0", label = "F", joined = true }]
+angles = [{ from = "1", to = "1 + i", label = "v" }]
 
 [[part]]
 key = "omega"
 ask = "?"
 hints = ["?"]
-solution = "<< omega >>"
+solution = '''
+<< omega >>
+
+<< plots.motion >>
+
+<< plots.phasors >>
+'''
 
 [[part]]
 id = "w"
@@ -53,14 +86,6 @@ rubric = [{ points = 1, text = "!" }]
 
 /// An item whose solution is derived from its model, and whose figure shows its modes.
 const DERIVED: &str = r#"
-[item]
-title = "Uuu"
-source = "by hand"
-
-[parameters]
-m = { value = "2 kg", range = "1 .. 5 kg", step = "0.5 kg" }
-k = { value = "800 N/m", range = "200 .. 900 N/m", step = "50 N/m" }
-
 [model]
 coordinates = { x = { name = "!", unit = "m" }, y = { name = "!", unit = "m" } }
 kinetic = "1/2*m*x'^2 + 1/2*m*y'^2"
@@ -88,14 +113,24 @@ elements = [
   { block = "A", size = [1.4, 1.8], label = "m", id = "bloc_1" },
   { block = "B", size = [1.4, 1.8], label = "m", id = "bloc_2" },
   { spring = ["A.right", "B.left"], label = "k", id = "ressort" },
+  { spring = ["[1, 0.9]", "A.left"], id = "ressort_1" },
+  { spring = ["B.right", "[8.8, 0.9]"], id = "ressort_2" },
 ]
 
 [figure.motion]
 A = ["x", 0]
 B = ["y", 0]
 
+[figure.free.bloc_1]
+along = [1, 0]
+
+[figure.free.bloc_2]
+along = [1, 0]
+
 [solution]
 text = '''
+<< figure.free >>
+
 << model.newton >>
 
 << model.lagrange.x >>
@@ -150,6 +185,7 @@ ask = "?"
 solution = "<< omega.worked >>"
 "#;
 
+/// A desk with a blueprint `t.toml`, and its bank.
 fn desk(name: &str) -> (Desk, String) {
     let desk = Desk::new(name);
     let bank = desk.folder.join("bank");
@@ -164,8 +200,12 @@ fn desk(name: &str) -> (Desk, String) {
         "_chapter.toml",
         "title = \"Ooo\"\nnumber = 1\n",
     );
-    for (name, item) in [("ooo", ITEM), ("uuu", DERIVED), ("iii", FRICTION)] {
-        put(&bank.join("ooo"), &format!("{name}.toml"), item);
+    for (name, item) in [
+        ("ooo", format!("{HEAD}{ITEM}")),
+        ("uuu", format!("{HEAD}{DERIVED}")),
+        ("iii", FRICTION.to_owned()),
+    ] {
+        put(&bank.join("ooo"), &format!("{name}.toml"), &item);
     }
     let blueprint = "title = \"Ooo\"\nlanguage = \"fr\"\nseed = 1\nvariants = 2\nduration = \"90 min\"\nhints = true\nformats = [\"html\", \"md\"]\n[[question]]\nitem = \"ooo/ooo\"\n[[question]]\nitem = \"ooo/ooo\"\n";
     put(&desk.folder, "t.toml", blueprint);
@@ -176,10 +216,8 @@ fn desk(name: &str) -> (Desk, String) {
 /// Words of our English texts that no French text has.
 fn english() -> BTreeSet<String> {
     let words = |text: &str| -> BTreeSet<String> {
-        let value: serde_json::Value = serde_json::from_str(text).expect("a file of words");
-        let values = value.as_object().expect("an object").values();
-        let text: Vec<&str> = values.filter_map(serde_json::Value::as_str).collect();
-        split(&text.join(" "))
+        let value = serde_json::from_str(text).expect("a file of words");
+        split(&phrases(&value))
     };
     let english = [
         include_str!("../../../templates/words/en.json"),
@@ -197,6 +235,11 @@ fn english() -> BTreeSet<String> {
     ));
     // Of formulas: of ranges, of functions by pieces.
     all.extend(split("otherwise range value"));
+    // Of what is said of figures and plots.
+    all.extend(split(
+        "sketch block spring damper wall floor ceiling joins join acts act left upwards downwards free body diagram \
+         against plot curve limit rises falls oscillates decays turning phasor mode shapes clockwise",
+    ));
     // Of LaTeX, and a word of both languages.
     all.remove("text");
     all.remove("compare");
@@ -204,6 +247,14 @@ fn english() -> BTreeSet<String> {
         all.remove(&word);
     }
     all
+}
+
+/// All phrases of a file of words, one after the other.
+fn phrases(value: &serde_json::Value) -> String {
+    match value {
+        serde_json::Value::Object(values) => values.values().map(phrases).collect(),
+        value => format!(" {}", value.as_str().expect("a phrase")),
+    }
 }
 
 /// Words of three letters and more, in small letters.
@@ -215,16 +266,31 @@ fn split(text: &str) -> BTreeSet<String> {
         .collect()
 }
 
-/// What a reader sees of a page: without styles, scripts and tags.
+/// What a reader sees or hears of a page: without styles, scripts and tags, with what stands for pictures.
 fn seen(html: &str) -> String {
+    let mut text = without(html);
+    let mut heard = String::new();
+    for attribute in ["alt=\"", "aria-label=\"", "placeholder=\""] {
+        let pieces = text.split(attribute).skip(1);
+        let values = pieces.filter_map(|piece| piece.split('"').next());
+        values.for_each(|value| heard.extend([" ", value]));
+    }
+    let mut is_tag = false;
+    text.retain(|sign| {
+        is_tag = (is_tag || sign == '<') && sign != '>';
+        !is_tag
+    });
+    // What is left of a tag keeps the words on its sides apart.
+    text.replace('>', " ") + &heard
+}
+
+/// A page without what its readers do not meet.
+fn without(html: &str) -> String {
     let mut text = html.to_owned();
     for (opens, closes) in [
         ("<style", "</style>"),
         ("<script", "</script>"),
         ("<annotation", "</annotation>"),
-        // What is said of a figure to those who cannot see it is in English still.
-        ("<title id", "</title>"),
-        ("<desc", "</desc>"),
     ] {
         while let Some(from) = text.find(opens) {
             let to = text[from..]
@@ -233,30 +299,24 @@ fn seen(html: &str) -> String {
             text.replace_range(from..to, " ");
         }
     }
-    let mut seen = String::new();
-    let mut is_tag = false;
-    for sign in text.chars() {
-        match sign {
-            '<' => is_tag = true,
-            '>' => {
-                is_tag = false;
-                seen.push(' ');
-            }
-            _ if !is_tag => seen.push(sign),
-            _ => {}
-        }
-    }
-    seen
+    text
 }
 
 #[track_caller]
 fn is_french(path: &Path) {
     let english = english();
-    let found: Vec<String> = split(&seen(&content(path)))
+    let seen = seen(&content(path));
+    let found: Vec<String> = split(&seen)
         .into_iter()
         .filter(|word| english.contains(word))
         .collect();
     assert!(found.is_empty(), "{}: {found:?}", path.display());
+    let signs: Vec<char> = seen.chars().collect();
+    for part in signs.windows(3) {
+        // A line must not begin with the sign.
+        let is_broken = part[0].is_alphabetic() && part[1] == ' ' && ":;»".contains(part[2]);
+        assert!(!is_broken, "{}: {part:?}", path.display());
+    }
 }
 
 #[test]
@@ -266,6 +326,7 @@ fn sheets_keys_and_feedback_are_french_throughout() {
     let out = desk.folder.join("out");
     let folder = text_of(&out);
     vibank(&["sheet", &plan, "--bank", &bank, "--out", &folder]).ends(0);
+    is_french(&out.join("fairness.html"));
     for name in ["sheets", "keys", "solutions", "key-table"] {
         for ending in ["html", "md"] {
             is_french(&out.join(format!("{name}.{ending}")));
@@ -279,7 +340,7 @@ fn sheets_keys_and_feedback_are_french_throughout() {
         "(formule en fonction de",
         "(une seule réponse)",
         "variante",
-        "Durée : 90 min",
+        "Durée\u{a0}: 90 min",
         "2 exercices",
     ] {
         assert!(sheets.contains(words), "`{words}` is not in {sheets}");
@@ -305,6 +366,7 @@ fn sheets_keys_and_feedback_are_french_throughout() {
         "--out",
         &text_of(&marks),
     ]);
+    is_french(&marks.join("report.html"));
     let pages = std::fs::read_dir(marks.join("feedback")).expect("feedback was written");
     let mut count = 0;
     for page in pages {
@@ -326,19 +388,20 @@ fn derivations_are_french_throughout() {
     let html = content(out.join("solutions.html"));
     let shown = seen(&html);
     for words in [
-        "Deuxième loi de Newton, bloc 1 :",
-        "Équation de Lagrange :",
-        "Bilan d’énergie :",
+        "Deuxième loi de Newton, bloc 1\u{a0}:",
+        "Équation de Lagrange\u{a0}:",
+        "Bilan d’énergie\u{a0}:",
         "Mouvement à une seule pulsation",
-        " ligne :",
+        " ligne\u{a0}:",
         "Points de rebroussement",
         "et ainsi de suite, jusqu’à",
     ] {
         assert!(shown.contains(words), "`{words}` is not in {shown}");
     }
+    assert!(html.contains("Sur le bloc m agissent la force d’un ressort"));
     // Numbers in them have a comma, also in what is said of a figure.
     assert!(!has_decimal_point(&shown), "{shown}");
-    assert!(html.contains("deux positions extrêmes du mode 2 : x 1,00"));
+    assert!(html.contains("deux positions extrêmes du mode 2\u{a0}: x 1,00"));
 }
 
 /// Whether a digit, a point and a digit follow each other anywhere.
@@ -347,6 +410,76 @@ fn has_decimal_point(text: &str) -> bool {
     signs
         .windows(3)
         .any(|own| own[1] == '.' && own[0].is_ascii_digit() && own[2].is_ascii_digit())
+}
+
+/// What stands for a figure or a plot is said in French, too.
+#[test]
+fn pictures_are_described_in_french() {
+    let (desk, bank) = desk("french-pictures");
+    let out = desk.folder.join("out");
+    let plan = text_of(&desk.folder.join("t.toml"));
+    vibank(&["sheet", &plan, "--bank", &bank, "--out", &text_of(&out)]).ends(0);
+    let sheets = content(out.join("sheets.html"));
+    for words in [
+        "Schéma\u{a0}: bloc, ressort et force",
+        "Un ressort k relie le bloc m au mur de gauche.",
+        "Une force F agit sur le bloc m.",
+    ] {
+        assert!(sheets.contains(words), "`{words}` is not in {sheets}");
+    }
+    let solutions = content(out.join("solutions.html"));
+    for words in [
+        "x(t) en fonction de t, de 0 à ",
+        "La courbe x(t) oscille entre −0,1 m et 0,1 m, avec 3 extremums.",
+        "Point marqué x₀\u{a0}: 0 s\u{a0}; 0,1 m.",
+        "Diagramme de Fresnel. Vecteur F₀\u{a0}: ",
+        "à 90°, à l’extrémité du précédent.",
+    ] {
+        assert!(solutions.contains(words), "`{words}` is not in {solutions}");
+    }
+}
+
+#[test]
+fn exports_are_french_throughout() {
+    let (desk, bank) = desk("french-exports");
+    let plan = text_of(&desk.folder.join("t.toml"));
+    let moodle = desk.folder.join("questions.xml");
+    let export = |platform: &[&str], out: &Path| {
+        let out = text_of(out);
+        let rest = [&*plan, "--bank", &bank, "--essay", "--out", &out];
+        vibank(&[&["export"], platform, &rest].concat()).ends(0);
+    };
+    export(&["moodle"], &moodle);
+    // Its tags and attributes are those of the format.
+    let text = content(&moodle);
+    let seen = text.replace("$course$/top", "");
+    is_french(Path::new(&put(&desk.folder, "seen.xml", seen)));
+    for words in [
+        "/Exercice 1/réponses rédigées",
+        "<small>(nombre seul)</small>",
+        "<th>Points</th><th>pour</th>",
+        "Un ressort k relie",
+    ] {
+        assert!(text.contains(words), "`{words}` is not in {text}");
+    }
+    let qti = desk.folder.join("questions.zip");
+    export(&["qti"], &qti);
+    #[expect(clippy::disallowed_methods, reason = "a test reads what was written")]
+    let bytes = std::fs::read(&qti).expect("a package");
+    let mut archive = zip::ZipArchive::new(std::io::Cursor::new(bytes)).expect("an archive");
+    let mut items = 0;
+    for place in 0..archive.len() {
+        let mut file = archive.by_index(place).expect("a file");
+        if !file.name().expect("a name").ends_with("item.xml") {
+            continue;
+        }
+        let mut text = String::new();
+        std::io::Read::read_to_string(&mut file, &mut text).expect("a text");
+        is_french(Path::new(&put(&desk.folder, "item.xml", &text)));
+        assert!(text.contains("xml:lang=\"fr\""), "{text}");
+        items += 1;
+    }
+    assert!(items >= 4, "{items}");
 }
 
 #[test]

@@ -26,7 +26,7 @@ fn swapped_arguments_are_named() {
             .complains("is a blueprint, not a manifest");
     }
     let class = text_of(&desk.folder.join("class.csv"));
-    for command in ["sheet", "page", "preview"] {
+    for command in ["sheet", "page"] {
         for (file, what) in [
             (&manifest, "the manifest of a run"),
             (&form, "a table of answers"),
