@@ -2,26 +2,28 @@
 # Builds the grader of the self-check page from the sources of the library: a WebAssembly module, deflated.
 # Needs the target wasm32-unknown-unknown, Python, and zopfli, which deflates better than what a page could afford to run;
 # with binaryen's wasm-opt the module becomes a tenth smaller.
-# With `--fresh`, the module alone, for tests: neither made smaller nor committed.
+# With `--fresh`, the module alone, for tests: without what panics say, but neither made smaller nor committed.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
 # Small before fast: the module travels in every page. The names of source files stay out of it.
 export CARGO_PROFILE_RELEASE_OPT_LEVEL="${OPT_LEVEL:-z}" CARGO_PROFILE_RELEASE_LTO=fat CARGO_PROFILE_RELEASE_PANIC=abort
-# Names of functions stay until these are put in order by them.
+# Names of functions stay until `snip.py` has found by them what only panics need.
 export CARGO_PROFILE_RELEASE_CODEGEN_UNITS=1 CARGO_PROFILE_RELEASE_STRIP=debuginfo
-export RUSTFLAGS="--remap-path-prefix=$PWD=. --remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}=cargo"
+export RUSTFLAGS="-C symbol-mangling-version=v0 --cfg sha2_backend_soft=\"compact\" --remap-path-prefix=$PWD=. --remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}=cargo"
 target="${CARGO_TARGET_DIR:-target}"
 cargo rustc --locked --release --lib --crate-type cdylib --no-default-features --target wasm32-unknown-unknown
 
-module="$target/wasm32-unknown-unknown/release/vibank.wasm"
+built="$target/wasm32-unknown-unknown/release/vibank.wasm"
+module="$target/wasm32-unknown-unknown/release/grader.wasm"
+python3 src/wasm/snip.py "$built" "$module"
 if [ "${1-}" = --fresh ]; then
     echo "$module"
     exit
 fi
 if command -v wasm-opt >/dev/null; then
     # What the first round leaves is a little less once more.
-    wasm-opt --flatten --rereloop -Os -Os --all-features -g "$module" -o "$module.small"
+    wasm-opt --flatten --rereloop -Os -Os --all-features "$module" -o "$module.small"
     module="$module.small"
 fi
 python3 src/wasm/order.py "$module" "$module.ordered"

@@ -19,6 +19,7 @@
 //!
 //! In the module (`grader.deflate`, built and deflated by `build.sh`) the same is behind four functions on bytes; see `memory.rs`.
 
+mod json;
 #[cfg(target_arch = "wasm32")]
 mod memory;
 mod question;
@@ -111,8 +112,7 @@ impl Grader {
             .map_err(|error| error.to_string())
             .and_then(|json| Request::from_json(json).map_err(|misfit| misfit.to_string()))
             .and_then(|request| self.reply(&request));
-        let reply = reply.unwrap_or_else(|error| Reply::Refused { error });
-        serde_json::to_string(&reply).expect("a reply is plain data")
+        json::written(&reply.unwrap_or_else(|error| Reply::Refused { error }))
     }
 
     /// What the page offers.

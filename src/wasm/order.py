@@ -1,7 +1,7 @@
-"""Puts the functions of a WebAssembly module in the order of their names, and drops the names.
+"""Puts functions of a WebAssembly module that are alike side by side, where a deflater finds that, and drops their names.
 
-What is compiled from one generic function for several types is nearly the same; side by side, a deflater finds that. The
-functions that are called most come first, since the first 128 take one byte to call.
+What is compiled from one generic function for several types is nearly the same. The functions that are called most come
+first, since the first 128 take one byte to call; each further one is that which shares most with those just before it.
 
     order.py MODULE OUT
 """
@@ -9,189 +9,136 @@ functions that are called most come first, since the first 128 take one byte to 
 import collections
 import sys
 
+from module import Reader, calls, number, section, sections
 
-class Reader:
-    """Takes numbers and bytes out of a module, one after the other."""
-
-    def __init__(self, data, at=0):
-        self.data, self.at = data, at
-
-    def byte(self):
-        self.at += 1
-        return self.data[self.at - 1]
-
-    def bytes(self, count):
-        self.at += count
-        return self.data[self.at - count : self.at]
-
-    def number(self):
-        value = shift = 0
-        while True:
-            byte = self.byte()
-            value |= (byte & 0x7F) << shift
-            shift += 7
-            if byte < 0x80:
-                return value
-
-    def skip_numbers(self, count=1):
-        for _ in range(count):
-            while self.byte() >= 0x80:
-                pass
+# A deflater looks back over 32 kB.
+WINDOW = 30_000
+# Pieces of so many bytes are looked for: of 3 to 12, six left the module smallest.
+PIECE = 6
+# What more functions share than this is near at hand anywhere.
+COMMON = 400
 
 
-def number(value):
-    out = bytearray()
-    while True:
-        byte, value = value & 0x7F, value >> 7
-        if value == 0:
-            return bytes(out) + bytes([byte])
-        out.append(byte | 0x80)
+def pieces(data, bodies):
+    """For each function the pieces that it shares with others, and for each piece its functions."""
+    holders = collections.defaultdict(list)
+    for index, (begin, end, _) in enumerate(bodies):
+        for piece in {data[at : at + PIECE] for at in range(begin, end - PIECE + 1)}:
+            holders[piece].append(index)
+    shared, of = [], [[] for _ in bodies]
+    for functions in holders.values():
+        if 1 < len(functions) <= COMMON:
+            for index in functions:
+                of[index].append(len(shared))
+            shared.append(functions)
+    return of, shared
 
 
-def calls(reader, end, is_expression=False):
-    """The places of function indices in code, as (start, stop, index)."""
-    found, depth = [], 0
-    while reader.at < end:
-        op = reader.byte()
-        if op in (0x02, 0x03, 0x04):
-            depth += 1
-            reader.skip_numbers()
-        elif op == 0x0B:
-            if is_expression and depth == 0:
-                return found
-            depth -= 1
-        elif op in (0x10, 0x12, 0xD2):
-            start = reader.at
-            index = reader.number()
-            found.append((start, reader.at, index))
-        elif op in (0x11, 0x13):
-            reader.skip_numbers(2)
-        elif op == 0x0E:
-            reader.skip_numbers(reader.number() + 1)
-        elif op == 0x1C:
-            reader.bytes(reader.number())
-        elif op in (0x0C, 0x0D, 0x41, 0x42, 0xD0) or 0x20 <= op <= 0x26:
-            reader.skip_numbers()
-        elif 0x28 <= op <= 0x3E:
-            reader.skip_numbers(2)
-        elif op in (0x3F, 0x40):
+def alike(data, bodies, first):
+    """All functions, those of `first` first, each next to what it is like."""
+    of, shared = pieces(data, bodies)
+    sizes = [end - begin for begin, end, _ in bodies]
+    # Between the share of a function that is known and the number of its pieces that are.
+    weights = [(size + 8) ** -0.75 for size in sizes]
+    known, seen = [0] * len(bodies), [0] * len(shared)
+    window, order, left = collections.deque(), [], set(range(len(bodies)))
+
+    def note(index, by):
+        """Lets a function into the window, or out of it."""
+        for piece in of[index]:
+            was = seen[piece]
+            seen[piece] += by
+            if was == 0 or seen[piece] == 0:
+                for holder in shared[piece]:
+                    known[holder] += by
+
+    room = WINDOW
+    while left:
+        index = first[len(order)] if len(order) < len(first) else max(left, key=lambda index: (known[index] * weights[index], -index))
+        order.append(index)
+        left.remove(index)
+        note(index, 1)
+        window.append(index)
+        room -= sizes[index]
+        while room < 0 and len(window) > 1:
+            gone = window.popleft()
+            room += sizes[gone]
+            note(gone, -1)
+    return order
+
+
+def renumbered(data, begin, end, places, new):
+    """Bytes of a module in which the functions at these places have their new numbers."""
+    out, at = bytearray(), begin
+    for start, stop, index in places:
+        out += data[at:start] + number(new[index])
+        at = stop
+    return bytes(out + data[at:end])
+
+
+def functions(data, begin):
+    """The functions as (begin, end, the places of calls)."""
+    reader, found = Reader(data, begin), []
+    for _ in range(reader.number()):
+        size = reader.number()
+        start = reader.at
+        for _ in range(reader.number()):
+            reader.number()
             reader.byte()
-        elif op == 0x43:
-            reader.bytes(4)
-        elif op == 0x44:
-            reader.bytes(8)
-        elif op == 0xFC:
-            further = reader.number()
-            reader.skip_numbers({8: 2, 9: 1, 10: 2, 11: 1, 12: 2, 13: 1, 14: 2, 15: 1, 16: 1, 17: 1}[further] if further > 7 else 0)
-        elif op in (0x00, 0x01, 0x05, 0x0F, 0x1A, 0x1B, 0xD1) or 0x45 <= op <= 0xC4:
-            pass
-        else:
-            sys.exit(f"order.py does not know the instruction {op:#04x}")
+        found.append((start, start + size, calls(reader, start + size)))
     return found
 
 
-def renumbered(data, start, stop, places, new):
-    out, at = bytearray(), start
-    for begin, end, index in places:
-        out += data[at:begin] + number(new[index])
-        at = end
-    return bytes(out + data[at:stop])
-
-
-def names(reader, end):
-    found = {}
-    while reader.at < end:
-        kind, size = reader.byte(), reader.number()
-        stop = reader.at + size
-        if kind == 1:
-            for _ in range(reader.number()):
-                index = reader.number()
-                found[index] = bytes(reader.bytes(reader.number()))
-        reader.at = stop
-    return found
+def references(reader, kind, end):
+    """The places of functions in a section that has no code."""
+    places = []
+    for _ in range(reader.number()):
+        if kind == 6:
+            reader.bytes(2)
+            places += calls(reader, end, is_expression=True)
+            continue
+        if kind == 7:
+            reader.bytes(reader.number())
+            is_function, begin = reader.byte() == 0, reader.at
+            index = reader.number()
+            places += [(begin, reader.at, index)] if is_function else []
+            continue
+        if reader.number() != 0:
+            sys.exit("order.py expects plain tables of functions")
+        places += calls(reader, end, is_expression=True)
+        for _ in range(reader.number()):
+            begin = reader.at
+            index = reader.number()
+            places.append((begin, reader.at, index))
+    return places
 
 
 def main():
     data = open(sys.argv[1], "rb").read()
-    reader, sections, named = Reader(data, 8), [], {}
-    while reader.at < len(data):
-        kind, size = reader.byte(), reader.number()
-        start = reader.at
-        if kind == 0:
-            name = reader.bytes(reader.number())
-            if name == b"name":
-                named = names(reader, start + size)
-        else:
-            sections.append((kind, start, start + size))
-        reader.at = start + size
-    if any(kind == 2 for kind, _, _ in sections):
-        sys.exit("order.py expects a module that imports nothing")
-
-    # The bodies, and how often each function is called.
-    bodies, called = [], collections.Counter()
-    for kind, start, stop in sections:
-        if kind == 10:
-            reader.at = start
-            for _ in range(reader.number()):
-                size = reader.number()
-                begin = reader.at
-                for _ in range(reader.number()):
-                    reader.number()
-                    reader.byte()
-                places = calls(reader, begin + size)
-                called.update(index for _, _, index in places)
-                bodies.append((begin, begin + size, places))
-                reader.at = begin + size
-    often = [index for index, _ in called.most_common(128)]
-    # The first letters of a name say what it is made from; of these, what is as long is alike.
-    key = lambda index: (named.get(index, b"")[:60], bodies[index][1] - bodies[index][0])
-    rest = sorted(set(range(len(bodies))) - set(often), key=key)
-    order = often + rest
+    found, _ = sections(data)
+    bodies = functions(data, next(begin for kind, begin, _ in found if kind == 10))
+    called = collections.Counter(index for _, _, places in bodies for _, _, index in places)
+    order = alike(data, bodies, [index for index, _ in called.most_common(128)])
     new = {old: at for at, old in enumerate(order)}
 
     out = bytearray(data[:8])
-    for kind, start, stop in sections:
-        reader.at = start
+    for kind, begin, end in found:
+        reader = Reader(data, begin)
         if kind == 3:
             types = [reader.number() for _ in range(reader.number())]
             content = number(len(types)) + b"".join(number(types[old]) for old in order)
-        elif kind == 6:
-            places = []
-            for _ in range(reader.number()):
-                reader.bytes(2)
-                places += calls(reader, stop, is_expression=True)
-            content = renumbered(data, start, stop, places, new)
-        elif kind == 7:
-            places = []
-            for _ in range(reader.number()):
-                reader.bytes(reader.number())
-                exported, begin = reader.byte(), reader.at
-                index = reader.number()
-                if exported == 0:
-                    places.append((begin, reader.at, index))
-            content = renumbered(data, start, stop, places, new)
+        elif kind in (6, 7, 9):
+            content = renumbered(data, begin, end, references(reader, kind, end), new)
         elif kind == 8:
             content = number(new[reader.number()])
-        elif kind == 9:
-            places = []
-            for _ in range(reader.number()):
-                if reader.number() != 0:
-                    sys.exit("order.py expects plain tables of functions")
-                places += calls(reader, stop, is_expression=True)
-                for _ in range(reader.number()):
-                    begin = reader.at
-                    index = reader.number()
-                    places.append((begin, reader.at, index))
-            content = renumbered(data, start, stop, places, new)
         elif kind == 10:
             content = number(len(bodies))
             for old in order:
-                begin, end, places = bodies[old]
-                body = renumbered(data, begin, end, places, new)
+                body = renumbered(data, *bodies[old], new)
                 content += number(len(body)) + body
         else:
-            content = data[start:stop]
-        out += bytes([kind]) + number(len(content)) + content
+            content = data[begin:end]
+        out += section(kind, content)
     open(sys.argv[2], "wb").write(out)
 
 

@@ -62,7 +62,7 @@ const check = async (name) => {
 
 await step("size", () => {
   const size = statSync(file).size;
-  assert.ok(size <= 1_900_000, `${size} bytes`);
+  assert.ok(size <= 1_800_000, `${size} bytes`);
   return `${size} bytes`;
 });
 

@@ -2,9 +2,12 @@
 
 use crate::BANK;
 use vibank::answer::AnswerKind;
-use vibank::bank::Template;
+use vibank::bank::{Catalogue, Template};
 use vibank::diagnostic::{Code, Finding};
 use vibank::examine::Examination;
+use vibank::instance::Instance;
+use vibank::solution::Solution;
+use vibank::suitability::{self, Unfit};
 
 /// Draws of each item; `vibank check` takes 200.
 const DRAWS: u64 = 25;
@@ -45,6 +48,31 @@ fn count(template: &Template) -> Counts {
     let unfair = examined.findings.iter().filter(is_unfair);
     counts.unfair.extend(unfair.map(ToString::to_string));
     counts
+}
+
+/// A sum of which all digits but one are lost in 256 bits, and one of which none that is printed is.
+#[test]
+fn a_key_that_rounding_leaves_open_is_not_handed_out() {
+    let judged = |key: &str| {
+        let item = format!(
+            "[item]\ntitle = 'T'\nsource = 'by hand'\n[statement]\ntext = 'T'\n[[part]]\nid = 'p'\nkind = 'numeric'\nkey = '{key}'\nask = 'Find it.'\n"
+        );
+        let (catalogue, findings) = Catalogue::load([
+            ("bank.toml", "format = 1\ntitle = 'T'\n"),
+            ("c/_chapter.toml", "title = 'C'\n"),
+            ("c/a.toml", item.as_str()),
+        ]);
+        let template = catalogue
+            .find("c/a")
+            .unwrap_or_else(|| panic!("{findings:?}"));
+        suitability::judge(&Solution::of(Instance::of_source(template)), &[0])
+    };
+    assert_eq!(judged("1 + 10^60*(sqrt(2)^2 - 2)"), Ok(()));
+    let part = "p".to_owned();
+    assert_eq!(
+        judged("1 + 10^74*(sqrt(2)^2 - 2)"),
+        Err(Unfit::UncertainKey { part })
+    );
 }
 
 #[test]

@@ -305,7 +305,13 @@ fn is_current() -> bool {
     for file in files {
         hash.update(without_tests(&content(&file)));
     }
-    for file in ["Cargo.lock", "src/wasm/build.sh", "src/wasm/order.py"] {
+    for file in [
+        "Cargo.lock",
+        "src/wasm/build.sh",
+        "src/wasm/module.py",
+        "src/wasm/snip.py",
+        "src/wasm/order.py",
+    ] {
         hash.update(content(Path::new(file)));
     }
     let digest: String = hash
@@ -333,6 +339,26 @@ fn without_tests(source: &str) -> String {
         }
     }
     kept
+}
+
+/// `src/wasm/snip.py` takes out of the module what prints values for programmers: nothing that is said may need it.
+#[test]
+fn nothing_is_printed_for_programmers() {
+    // Each prints its own type for programmers.
+    let own = ["src/answer/mod.rs", "src/figure/schematic.rs"];
+    let mut found = Vec::new();
+    for file in all_sources() {
+        let allowed = usize::from(own.iter().any(|path| file == Path::new(path)));
+        let source = without_tests(&content(&file));
+        let lines = source.lines().map(str::trim_start);
+        let printing = lines.filter(|line| !line.starts_with("//") && line.contains(":?}"));
+        found.extend(
+            printing
+                .skip(allowed)
+                .map(|line| format!("{}: {line}", file.display())),
+        );
+    }
+    assert_eq!(found, Vec::<String>::new());
 }
 
 /// The digest of the test is that of the script which notes it.

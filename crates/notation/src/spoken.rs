@@ -3,6 +3,7 @@
 use super::script::Bearer;
 use super::sign::greek_name;
 use super::{Accent, Class, Empty, Holes, Math, Sign, Style, TableKind};
+use vibank_source::is_capital;
 
 impl Math {
     /// As words: `omega sub n equals the square root of k over m end root`.
@@ -116,7 +117,7 @@ impl SpokenWriter<'_> {
     }
 
     fn letter(&mut self, letter: char) {
-        if letter.is_uppercase() {
+        if is_capital(letter) {
             self.say("capital");
         }
         match greek_name(letter) {

@@ -6,7 +6,7 @@ use super::list::cut;
 use super::signs::{QUOTES, is_minus};
 use super::words::{ASIDES, LEADS, TRAILS, WITHDRAWALS};
 use vibank_formula::unit::Unit;
-use vibank_source::Span;
+use vibank_source::{Span, lower};
 
 /// Where the answer stands in what was typed.
 pub(super) fn answer_in(typed: &str) -> Range<usize> {
@@ -49,10 +49,7 @@ pub fn withdrawn(typed: &str, may_be_words: bool) -> Option<&str> {
     if may_be_words || is_alone {
         return None;
     }
-    let bare = |word: &str| {
-        word.trim_matches(['(', ')', '.', ',', '!', ':', ';'])
-            .to_lowercase()
-    };
+    let bare = |word: &str| lower(word.trim_matches(['(', ')', '.', ',', '!', ':', ';']));
     let first = typed.split_whitespace().next();
     let last = typed.split_whitespace().next_back();
     let mut ends = [first, last].into_iter().flatten();

@@ -27,6 +27,17 @@ pub fn capital(sentence: &str) -> String {
     })
 }
 
+/// Whether a letter of these scripts is a capital one.
+///
+/// ```
+/// use vibank_source::is_capital;
+/// assert!(is_capital('Ω') && is_capital('M'));
+/// assert!(!is_capital('ω') && !is_capital('m') && !is_capital('2'));
+/// ```
+pub fn is_capital(letter: char) -> bool {
+    small(letter) != letter
+}
+
 fn small(letter: char) -> char {
     let code = u32::from(letter);
     let step = match letter {

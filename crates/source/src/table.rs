@@ -309,8 +309,10 @@ impl<'s> Table<'s> {
     }
 }
 
-/// The binary number nearest to a decimal one of TOML. The reader of JSON is in the grader of the page as it is; that of
-/// the standard library would bring a table of ten kilobytes.
+/// The binary number nearest to a decimal one of TOML. The reader of JSON is in the grader of the page as it is, as long as
+/// any value is read, not a number alone; that of the standard library would bring a table of ten kilobytes.
 fn binary(number: &str) -> Option<f64> {
-    serde_json::from_str(number.strip_prefix('+').unwrap_or(number)).ok()
+    let number: serde_json::Value =
+        serde_json::from_str(number.strip_prefix('+').unwrap_or(number)).ok()?;
+    number.as_f64()
 }

@@ -53,8 +53,13 @@ pub fn pencil(mass: &[f64], stiffness: &[f64]) -> Option<Vec<EigenPair>> {
         return None;
     }
     let pair = |value: f64| {
-        let parts = (&stiffness - &mass * value).svd(false, true);
-        let vector = parts.v_t?.row(size - 1).iter().copied().collect();
+        let parts = (&stiffness - &mass * value).svd_unordered(false, true);
+        let vector = parts
+            .v_t?
+            .row(parts.singular_values.imin())
+            .iter()
+            .copied()
+            .collect();
         Some(EigenPair { value, vector })
     };
     values.into_iter().map(pair).collect()

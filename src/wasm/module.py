@@ -1,0 +1,124 @@
+"""The parts of a WebAssembly module: what `snip.py` and `order.py` read and write."""
+
+import sys
+
+
+class Reader:
+    """Takes numbers and bytes out of a module, one after the other."""
+
+    def __init__(self, data, at=0):
+        self.data, self.at = data, at
+
+    def byte(self):
+        self.at += 1
+        return self.data[self.at - 1]
+
+    def bytes(self, count):
+        self.at += count
+        return self.data[self.at - count : self.at]
+
+    def number(self):
+        value = shift = 0
+        while True:
+            byte = self.byte()
+            value |= (byte & 0x7F) << shift
+            shift += 7
+            if byte < 0x80:
+                return value
+
+    def signed(self):
+        begin = self.at
+        value = self.number()
+        bits = 7 * (self.at - begin)
+        return value - (1 << bits) if value >> (bits - 1) else value
+
+    def skip_numbers(self, count=1):
+        for _ in range(count):
+            while self.byte() >= 0x80:
+                pass
+
+
+def number(value):
+    """A number as a module has it, seven bits a byte."""
+    out = bytearray()
+    while True:
+        byte, value = value & 0x7F, value >> 7
+        if value == 0:
+            return bytes(out) + bytes([byte])
+        out.append(byte | 0x80)
+
+
+def calls(reader, end, is_expression=False):
+    """The places of function indices in code, as (start, stop, index)."""
+    found, depth = [], 0
+    while reader.at < end:
+        op = reader.byte()
+        if op in (0x02, 0x03, 0x04):
+            depth += 1
+            reader.skip_numbers()
+        elif op == 0x0B:
+            if is_expression and depth == 0:
+                return found
+            depth -= 1
+        elif op in (0x10, 0x12, 0xD2):
+            start = reader.at
+            index = reader.number()
+            found.append((start, reader.at, index))
+        elif op in (0x11, 0x13):
+            reader.skip_numbers(2)
+        elif op == 0x0E:
+            reader.skip_numbers(reader.number() + 1)
+        elif op == 0x1C:
+            reader.bytes(reader.number())
+        elif op in (0x0C, 0x0D, 0x41, 0x42, 0xD0) or 0x20 <= op <= 0x26:
+            reader.skip_numbers()
+        elif 0x28 <= op <= 0x3E:
+            reader.skip_numbers(2)
+        elif op in (0x3F, 0x40):
+            reader.byte()
+        elif op == 0x43:
+            reader.bytes(4)
+        elif op == 0x44:
+            reader.bytes(8)
+        elif op == 0xFC:
+            further = reader.number()
+            reader.skip_numbers({8: 2, 9: 1, 10: 2, 11: 1, 12: 2, 13: 1, 14: 2, 15: 1, 16: 1, 17: 1}[further] if further > 7 else 0)
+        elif op in (0x00, 0x01, 0x05, 0x0F, 0x1A, 0x1B, 0xD1) or 0x45 <= op <= 0xC4:
+            pass
+        else:
+            sys.exit(f"this instruction is not known: {op:#04x}")
+    return found
+
+
+def names(reader, end):
+    """The names of functions, by their indices."""
+    found = {}
+    while reader.at < end:
+        kind, size = reader.byte(), reader.number()
+        stop = reader.at + size
+        if kind == 1:
+            for _ in range(reader.number()):
+                index = reader.number()
+                found[index] = bytes(reader.bytes(reader.number()))
+        reader.at = stop
+    return found
+
+
+def section(kind, content):
+    return bytes([kind]) + number(len(content)) + content
+
+
+def sections(data):
+    """The sections of a module as (kind, begin, end), without those that have names, and the names of its functions."""
+    reader, found, named = Reader(data, 8), [], {}
+    while reader.at < len(data):
+        kind, size = reader.byte(), reader.number()
+        begin, end = reader.at, reader.at + size
+        if kind != 0:
+            found.append((kind, begin, end))
+        elif reader.bytes(reader.number()) == b"name":
+            named = names(reader, end)
+        reader.at = end
+    if any(kind == 2 for kind, _, _ in found):
+        sys.exit("a module that imports nothing is expected")
+    return found, named
