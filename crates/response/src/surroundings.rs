@@ -93,37 +93,39 @@ fn lead(text: &str) -> Option<usize> {
     })
 }
 
-/// The length of a number or letter before an answer, as the parts of a sheet have: `1) 5 m`, `(a) x = 5 m`.
+/// The length of a number or letter before an answer, as the parts of a sheet have: `1) 5 m`, `(a) x = 5 m`, `1. -5 m`.
 fn number_of_item(text: &str) -> Option<usize> {
     let open = usize::from(text.starts_with('('));
     let label = text[open..].chars().next()?;
     let behind = &text[open + label.len_utf8()..];
-    let closed = behind.strip_prefix(')').filter(|behind| {
+    let is_number = label.is_ascii_digit();
+    if !is_number && !('a'..='h').contains(&label) || !enumeration(text).is_empty() {
+        return None;
+    }
+    let begins_value = |behind: &str| {
+        let behind = behind.trim_start();
+        let unsigned = behind.strip_prefix(is_minus).unwrap_or(behind);
+        unsigned.starts_with(|next: char| next.is_ascii_digit())
+    };
+    let (is_label, behind) = if let Some(behind) = behind.strip_prefix(')') {
+        // Of a choice, `a) static`, letters are answers. `(2) x` may be a product, `(1) x` is the same either way.
+        let is_letter = !is_number && (behind.contains('=') || begins_value(behind));
         // The brackets of `1) 5 m 2) 6 m` are of several answers.
-        behind.matches('(').count() == behind.matches(')').count()
-    });
-    let is_letter = ('a'..='h').contains(&label);
-    // Of a choice, `a) static`, letters are answers.
-    let is_value = |behind: &str| {
-        let unsigned = behind.trim_start().trim_start_matches(is_minus);
-        behind.contains('=') || unsigned.starts_with(|next: char| next.is_ascii_digit())
-    };
-    let (is_label, behind) = match closed {
-        // `(2) x` may be a product, and `(1) x` is the same either way.
-        Some(behind) => (
-            is_letter && is_value(behind) || label == '1' || open == 0 && label.is_ascii_digit(),
-            behind,
-        ),
+        let is_one = behind.matches('(').count() == behind.matches(')').count();
+        let is_sure = is_letter || label == '1' || is_number && open == 0;
+        (is_one && is_sure, behind)
+    } else {
+        let behind = behind.strip_prefix('.').filter(|_| open == 0)?;
         // `1. m` is a metre.
-        None => {
-            let behind = behind.strip_prefix('.').filter(|_| open == 0)?;
-            let begins = behind
-                .trim_start()
-                .starts_with(|next: char| next.is_alphabetic() || next == '\\');
-            (label == '1' && begins && behind.contains('='), behind)
-        }
+        let begins = behind
+            .trim_start()
+            .starts_with(|next: char| next.is_alphabetic() || next == '\\');
+        let is_equation = label == '1' && begins && behind.contains('=');
+        (is_number && (is_equation || begins_value(behind)), behind)
     };
-    let is_apart = behind.starts_with(' ') && !behind.trim_start().starts_with('=');
+    let is_apart = behind.starts_with(' ')
+        && !behind.trim().is_empty()
+        && !behind.trim_start().starts_with('=');
     (is_label && is_apart).then(|| text.len() - behind.len())
 }
 
@@ -168,8 +170,10 @@ pub(super) fn enumeration(text: &str) -> Vec<Range<usize>> {
             .map(|(label, end)| text[label.end..end].trim());
         pieces.all(|piece| {
             // `(1) + (2) x` and `1. m + 2. m` are sums.
-            let ends = piece.ends_with(|last: char| !"+-*/=<>(^,".contains(last) || last == ',');
-            !piece.is_empty() && ends && (close == ")" || piece.contains('='))
+            let ends = !piece.ends_with(['+', '-', '*', '/', '=', '<', '>', '(', '^']);
+            let is_statement =
+                piece.contains('=') || piece.starts_with(|first: char| first.is_ascii_digit());
+            !piece.is_empty() && ends && (close == ")" || is_statement || labels.len() > 2)
         })
     };
     let mut all = STYLES.into_iter().map(|style| (labels(style), style.2));
@@ -277,9 +281,12 @@ fn trail(text: &str) -> Option<usize> {
 /// more than that, and `k1 // k2` are springs in parallel.
 fn comment(text: &str) -> Option<usize> {
     let (before, comment) = text.split_once(" # ").or_else(|| text.split_once(" // "))?;
+    // A word behind `//` that is as short as a letter of a formula may be one.
     let word = comment.split([' ', ',', ':']).next().unwrap_or(comment);
-    let is_word = word.chars().count() > 2 && word.chars().all(char::is_alphabetic);
-    let is_unit = Unit::read(word).is_ok();
+    let is_word =
+        word.starts_with(char::is_alphabetic) && (text.contains(" # ") || word.chars().count() > 2);
+    const LONGEST_UNIT: usize = 5;
+    let is_unit = comment.len() <= LONGEST_UNIT && Unit::read(comment).is_ok();
     (is_word && !is_unit && !before.trim().is_empty()).then(|| text.len() - before.len())
 }
 
@@ -318,6 +325,10 @@ mod tests {
             ("2) x = 5 m", "x = 5 m"),
             ("1. x'' = 0", "x'' = 0"),
             ("1. m", "1. m"),
+            ("1. -5 m", "-5 m"),
+            ("1. - 5 m", "1. - 5 m"),
+            ("5 m # ok", "5 m"),
+            ("5 m // Newton", "5 m"),
             ("(2) x = 5", "(2) x = 5"),
             ("(b) x + c", "(b) x + c"),
             ("a) static", "a) static"),
@@ -388,6 +399,8 @@ mod tests {
             ("1) 5 m 2) 6 m", &["1)", "2)"][..]),
             ("(a) x = 5 m, (b) y = 6 m", &["(a)", "(b)"]),
             ("1. z = 0, 2. x = l", &["1.", "2."]),
+            ("1. 5 m, 2. 6 m", &["1.", "2."]),
+            ("1. ring 2. block 3. disk", &["1.", "2.", "3."]),
             ("1. m + 2. k", &[]),
             ("(1) + (2) x", &[]),
             ("1) 5 m", &[]),
