@@ -139,46 +139,59 @@ pub(super) fn enumeration(text: &str) -> Vec<Range<usize>> {
         ("(", 'a', ")"),
         ("", '1', "."),
     ];
-    let begin = text.len() - text.trim_start().len();
-    if !text[begin..].starts_with(['1', 'a', '(']) {
+    let start = text.trim_start();
+    let head = start.strip_prefix('(').unwrap_or(start);
+    let is_label = head.starts_with(['1', 'a']) && matches!(head.get(1..3), Some(") " | ". "));
+    if !is_label {
         return Vec::new();
     }
-    let labels = |(open, first, close): (&str, char, &str)| {
-        let (mut found, mut at) = (Vec::new(), begin);
-        for label in first..=(char::from(first as u8 + 5)) {
-            let label = format!("{open}{label}{close} ");
-            let place = if found.is_empty() {
-                text[at..].starts_with(&label).then_some(at)
-            } else {
-                let next = text[at..].find(&format!(" {label}"));
-                next.map(|place| at + place + 1)
-            };
-            let Some(place) = place else { break };
-            at = place + label.len() - 1;
-            found.push(place..at);
-        }
-        found
-    };
-    let are_apart = |labels: &Vec<Range<usize>>, close: &str| {
-        let ends = labels[1..]
-            .iter()
-            .map(|label| label.start)
-            .chain([text.len()]);
-        let mut pieces = labels
-            .iter()
-            .zip(ends)
-            .map(|(label, end)| text[label.end..end].trim());
-        pieces.all(|piece| {
-            // `(1) + (2) x` and `1. m + 2. m` are sums.
-            let ends = !piece.ends_with(['+', '-', '*', '/', '=', '<', '>', '(', '^']);
-            let is_statement =
-                piece.contains('=') || piece.starts_with(|first: char| first.is_ascii_digit());
-            !piece.is_empty() && ends && (close == ")" || is_statement || labels.len() > 2)
-        })
-    };
-    let mut all = STYLES.into_iter().map(|style| (labels(style), style.2));
-    let found = all.find(|(labels, close)| labels.len() > 1 && are_apart(labels, close));
-    found.map_or_else(Vec::new, |(labels, _)| labels)
+    let mut found = STYLES.into_iter().map(|(open, first, close)| {
+        let labels = labels(text, open, first, close);
+        let are_labels = labels.len() > 1 && are_apart(text, &labels, close);
+        labels.into_iter().filter(|_| are_labels).collect()
+    });
+    found
+        .find(|labels: &Vec<_>| !labels.is_empty())
+        .unwrap_or_default()
+}
+
+/// The labels of one style that follow each other in a text, the first one at its start.
+fn labels(text: &str, open: &str, first: char, close: &str) -> Vec<Range<usize>> {
+    const MOST: u8 = 6;
+    let (mut found, mut at) = (Vec::new(), text.len() - text.trim_start().len());
+    for label in (0..MOST).map(|place| char::from(first as u8 + place)) {
+        let label = format!("{open}{label}{close} ");
+        let place = if found.is_empty() {
+            text[at..].starts_with(&label).then_some(at)
+        } else {
+            let next = text[at..].find(&format!(" {label}"));
+            next.map(|place| at + place + 1)
+        };
+        let Some(place) = place else { break };
+        at = place + label.len() - 1;
+        found.push(place..at);
+    }
+    found
+}
+
+/// Whether a statement stands behind each label: `(1) + (2) x` and `1. m + 2. m` are sums.
+fn are_apart(text: &str, labels: &[Range<usize>], close: &str) -> bool {
+    let ends = labels[1..]
+        .iter()
+        .map(|label| label.start)
+        .chain([text.len()]);
+    let mut pieces = labels
+        .iter()
+        .zip(ends)
+        .map(|(label, end)| text[label.end..end].trim());
+    pieces.all(|piece| {
+        let goes_on = piece.ends_with(['+', '-', '*', '/', '=', '<', '>', '(', '^']);
+        let is_statement =
+            piece.contains('=') || piece.starts_with(|first: char| first.is_ascii_digit());
+        // A number with a point is a label only where it can be no factor.
+        let is_sure = close == ")" || is_statement || labels.len() > 2;
+        !piece.is_empty() && !goes_on && is_sure
+    })
 }
 
 /// Whether brackets stand around a whole statement, `(x = 3 m)`.
@@ -280,12 +293,13 @@ fn trail(text: &str) -> Option<usize> {
 /// The length of a comment of a program, `# checked`, `// by Newton`. One that is a unit or says where it is measured is
 /// more than that, and `k1 // k2` are springs in parallel.
 fn comment(text: &str) -> Option<usize> {
+    /// Longer words are no symbols of units.
+    const LONGEST_UNIT: usize = 5;
     let (before, comment) = text.split_once(" # ").or_else(|| text.split_once(" // "))?;
     // A word behind `//` that is as short as a letter of a formula may be one.
     let word = comment.split([' ', ',', ':']).next().unwrap_or(comment);
     let is_word =
         word.starts_with(char::is_alphabetic) && (text.contains(" # ") || word.chars().count() > 2);
-    const LONGEST_UNIT: usize = 5;
     let is_unit = comment.len() <= LONGEST_UNIT && Unit::read(comment).is_ok();
     (is_word && !is_unit && !before.trim().is_empty()).then(|| text.len() - before.len())
 }

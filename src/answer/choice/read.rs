@@ -102,6 +102,7 @@ const THINGS: &[&str] = &[
     "damping",
     "displacement",
     "coupling",
+    "behind",
     "case",
     "it",
     "this",
@@ -211,13 +212,16 @@ impl Chosen {
     /// The only option whose words were typed beside what is asked about: `elastic coupling`, `the displacement lags`.
     fn of_words_beside(&self, words: &str) -> Option<usize> {
         let typed = contents(words);
-        let is_it = |place: &usize| {
-            let own = contents(&self.words[*place]);
-            let runs = typed.windows(own.len().max(1)).position(|run| run == own);
-            runs.is_some_and(|at| {
+        let stands = |own: &[&str]| {
+            let run = typed.windows(own.len().max(1)).position(|run| run == own);
+            run.is_some_and(|at| {
                 let mut others = typed[..at].iter().chain(&typed[at + own.len()..]);
                 others.all(|word| THINGS.contains(word))
             })
+        };
+        let is_it = |place: &usize| {
+            let id = normalized(&self.ids[*place]);
+            stands(&contents(&self.words[*place])) || stands(&[id.as_str()])
         };
         only((0..self.words.len()).filter(is_it))
     }
