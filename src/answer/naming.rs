@@ -137,10 +137,7 @@ impl Naming {
         };
         let typed = Label::of_text(name);
         let printed = self.printed.iter().find(|(printed, _)| *printed == typed);
-        let is_value = value
-            .trim_start()
-            .starts_with(|first: char| first.is_ascii_digit() || "+-.√(".contains(first));
-        match printed.filter(|_| is_value) {
+        match printed.filter(|_| begins_value(value)) {
             Some((_, own)) if self.asked.contains(own) => Ok(Some(value.len())),
             Some(_) => Err(Unreadable::at(name.trim(), Why::OtherQuantity)),
             None => Ok(None),
@@ -324,15 +321,27 @@ fn customary(
     }
 }
 
-/// What stands before the first equals sign of each statement.
+/// What stands before the first equals sign of each statement, or behind the last where a value stands first.
 fn labels(response: &str) -> impl Iterator<Item = Range<usize>> {
     let whole = Span::new(0, response.len());
     let statements = cut(response, whole, &[';', ',', '\n']).into_iter();
     statements.filter_map(|statement| {
         let range = statement.range();
-        let end = response[range.clone()].find(['=', '≈'])?;
+        let text = &response[range.clone()];
+        let end = text.find(['=', '≈'])?;
+        let last = text.rsplit(['=', '≈']).next().unwrap_or(text);
+        let is_name = last.trim_start().starts_with(char::is_alphabetic);
+        if is_name && begins_value(text) {
+            return Some(range.end - last.len()..range.end);
+        }
         Some(range.start..range.start + end)
     })
+}
+
+/// Whether a text begins as a number does.
+fn begins_value(text: &str) -> bool {
+    text.trim_start()
+        .starts_with(|first: char| first.is_ascii_digit() || "+-.√(".contains(first))
 }
 
 /// A symbol without what may stand around it: bars, its unit in brackets.

@@ -223,7 +223,9 @@ fn has_barred_numbers(typed: &str) -> bool {
         typed[..at].trim_end().ends_with(is_digit)
             && unsigned.starts_with(|char: char| is_digit(char) || char == '.')
     };
-    typed.contains('|') && typed.match_indices('|').all(is_between)
+    typed.contains('|')
+        && !typed.contains(['<', '>', '≤', '≥'])
+        && typed.match_indices('|').all(is_between)
 }
 
 /// Whether one of the words that stand for others begins with a word.

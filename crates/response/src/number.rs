@@ -93,7 +93,9 @@ impl Lexer<'_> {
                 return self.error(Trouble::Sign, start);
             }
             'x' | 'X' if self.is_cross() => self.take(1, Item::Sign('*')),
-            ':' | '±' | '∓' | '∠' | '∈' => self.take(char.len_utf8(), Item::Sign(char)),
+            // `θ ∈ {0, π}`
+            '∈' => self.take(char.len_utf8(), Item::Sign('=')),
+            ':' | '±' | '∓' | '∠' => self.take(char.len_utf8(), Item::Sign(char)),
             _ => return Ok(self.joining_word()),
         }
         Ok(true)

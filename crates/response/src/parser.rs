@@ -271,9 +271,12 @@ impl<'a> Parser<'a> {
         while !is_closed && self.begins_factor() {
             if let Some(Item::Unit(_)) = self.item() {
                 // In `1/2 m` and `100/i ohm` the unit is that of the fraction, in `5 m/2 s` each number has its own.
-                // Of `1/0.2s` that is not so clear.
-                if is_bare && is_constant(&divisor) && !(self.is_tight() && self.ways.choose(false))
-                {
+                // Of `1/0.2s` and `1/5 Hz` that is not so clear.
+                let is_measure =
+                    matches!(self.item(), Some(Item::Unit(unit)) if !unit.dimension().is_pure());
+                let is_real = !self.is_after_imaginary_unit();
+                let may_be_own = self.is_tight() || is_measure && is_real;
+                if is_bare && is_constant(&divisor) && !(may_be_own && self.ways.choose(false)) {
                     break;
                 }
                 let unit = self.power()?;

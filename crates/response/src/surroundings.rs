@@ -90,37 +90,39 @@ fn lead(text: &str) -> Option<usize> {
     })
 }
 
-/// The length of a number or letter before an answer, as the parts of a sheet have: `1) 5 m`, `(a) x = 5 m`.
+/// The length of a number or letter before an answer, as the parts of a sheet have: `1) 5 m`, `(a) x = 5 m`, `1. -5 m`.
 fn number_of_item(text: &str) -> Option<usize> {
     let open = usize::from(text.starts_with('('));
     let label = text[open..].chars().next()?;
     let behind = &text[open + label.len_utf8()..];
-    let closed = behind.strip_prefix(')').filter(|behind| {
+    let is_number = label.is_ascii_digit();
+    if !is_number && !('a'..='h').contains(&label) || !enumeration(text).is_empty() {
+        return None;
+    }
+    let begins_value = |behind: &str| {
+        let behind = behind.trim_start();
+        let unsigned = behind.strip_prefix(is_minus).unwrap_or(behind);
+        unsigned.starts_with(|next: char| next.is_ascii_digit())
+    };
+    let (is_label, behind) = if let Some(behind) = behind.strip_prefix(')') {
+        // Of a choice, `a) static`, letters are answers. `(2) x` may be a product, `(1) x` is the same either way.
+        let is_letter = !is_number && (behind.contains('=') || begins_value(behind));
         // The brackets of `1) 5 m 2) 6 m` are of several answers.
-        behind.matches('(').count() == behind.matches(')').count()
-    });
-    let is_letter = ('a'..='h').contains(&label);
-    // Of a choice, `a) static`, letters are answers.
-    let is_value = |behind: &str| {
-        let unsigned = behind.trim_start().trim_start_matches(is_minus);
-        behind.contains('=') || unsigned.starts_with(|next: char| next.is_ascii_digit())
-    };
-    let (is_label, behind) = match closed {
-        // `(2) x` may be a product, and `(1) x` is the same either way.
-        Some(behind) => (
-            is_letter && is_value(behind) || label == '1' || open == 0 && label.is_ascii_digit(),
-            behind,
-        ),
+        let is_one = behind.matches('(').count() == behind.matches(')').count();
+        let is_sure = is_letter || label == '1' || is_number && open == 0;
+        (is_one && is_sure, behind)
+    } else {
+        let behind = behind.strip_prefix('.').filter(|_| open == 0)?;
         // `1. m` is a metre.
-        None => {
-            let behind = behind.strip_prefix('.').filter(|_| open == 0)?;
-            let begins = behind
-                .trim_start()
-                .starts_with(|next: char| next.is_alphabetic() || next == '\\');
-            (label == '1' && begins && behind.contains('='), behind)
-        }
+        let begins = behind
+            .trim_start()
+            .starts_with(|next: char| next.is_alphabetic() || next == '\\');
+        let is_equation = label == '1' && begins && behind.contains('=');
+        (is_number && (is_equation || begins_value(behind)), behind)
     };
-    let is_apart = behind.starts_with(' ') && !behind.trim_start().starts_with('=');
+    let is_apart = behind.starts_with(' ')
+        && !behind.trim().is_empty()
+        && !behind.trim_start().starts_with('=');
     (is_label && is_apart).then(|| text.len() - behind.len())
 }
 
@@ -134,44 +136,59 @@ pub(super) fn enumeration(text: &str) -> Vec<Range<usize>> {
         ("(", 'a', ")"),
         ("", '1', "."),
     ];
-    let begin = text.len() - text.trim_start().len();
-    if !text[begin..].starts_with(['1', 'a', '(']) {
+    let start = text.trim_start();
+    let head = start.strip_prefix('(').unwrap_or(start);
+    let is_label = head.starts_with(['1', 'a']) && matches!(head.get(1..3), Some(") " | ". "));
+    if !is_label {
         return Vec::new();
     }
-    let labels = |(open, first, close): (&str, char, &str)| {
-        let (mut found, mut at) = (Vec::new(), begin);
-        for label in first..=(char::from(first as u8 + 5)) {
-            let label = format!("{open}{label}{close} ");
-            let place = if found.is_empty() {
-                text[at..].starts_with(&label).then_some(at)
-            } else {
-                let next = text[at..].find(&format!(" {label}"));
-                next.map(|place| at + place + 1)
-            };
-            let Some(place) = place else { break };
-            at = place + label.len() - 1;
-            found.push(place..at);
-        }
-        found
-    };
-    let are_apart = |labels: &Vec<Range<usize>>, close: &str| {
-        let ends = labels[1..]
-            .iter()
-            .map(|label| label.start)
-            .chain([text.len()]);
-        let mut pieces = labels
-            .iter()
-            .zip(ends)
-            .map(|(label, end)| text[label.end..end].trim());
-        pieces.all(|piece| {
-            // `(1) + (2) x` and `1. m + 2. m` are sums.
-            let ends = piece.ends_with(|last: char| !"+-*/=<>(^,".contains(last) || last == ',');
-            !piece.is_empty() && ends && (close == ")" || piece.contains('='))
-        })
-    };
-    let mut all = STYLES.into_iter().map(|style| (labels(style), style.2));
-    let found = all.find(|(labels, close)| labels.len() > 1 && are_apart(labels, close));
-    found.map_or_else(Vec::new, |(labels, _)| labels)
+    let mut found = STYLES.into_iter().map(|(open, first, close)| {
+        let labels = labels(text, open, first, close);
+        let are_labels = labels.len() > 1 && are_apart(text, &labels, close);
+        labels.into_iter().filter(|_| are_labels).collect()
+    });
+    found
+        .find(|labels: &Vec<_>| !labels.is_empty())
+        .unwrap_or_default()
+}
+
+/// The labels of one style that follow each other in a text, the first one at its start.
+fn labels(text: &str, open: &str, first: char, close: &str) -> Vec<Range<usize>> {
+    const MOST: u8 = 6;
+    let (mut found, mut at) = (Vec::new(), text.len() - text.trim_start().len());
+    for label in (0..MOST).map(|place| char::from(first as u8 + place)) {
+        let label = format!("{open}{label}{close} ");
+        let place = if found.is_empty() {
+            text[at..].starts_with(&label).then_some(at)
+        } else {
+            let next = text[at..].find(&format!(" {label}"));
+            next.map(|place| at + place + 1)
+        };
+        let Some(place) = place else { break };
+        at = place + label.len() - 1;
+        found.push(place..at);
+    }
+    found
+}
+
+/// Whether a statement stands behind each label: `(1) + (2) x` and `1. m + 2. m` are sums.
+fn are_apart(text: &str, labels: &[Range<usize>], close: &str) -> bool {
+    let ends = labels[1..]
+        .iter()
+        .map(|label| label.start)
+        .chain([text.len()]);
+    let mut pieces = labels
+        .iter()
+        .zip(ends)
+        .map(|(label, end)| text[label.end..end].trim());
+    pieces.all(|piece| {
+        let goes_on = piece.ends_with(['+', '-', '*', '/', '=', '<', '>', '(', '^']);
+        let is_statement =
+            piece.contains('=') || piece.starts_with(|first: char| first.is_ascii_digit());
+        // A number with a point is a label only where it can be no factor.
+        let is_sure = close == ")" || is_statement || labels.len() > 2;
+        !piece.is_empty() && !goes_on && is_sure
+    })
 }
 
 /// Whether brackets stand around a whole statement, `(x = 3 m)`.
@@ -273,10 +290,14 @@ fn trail(text: &str) -> Option<usize> {
 /// The length of a comment of a program, `# checked`, `// by Newton`. One that is a unit or says where it is measured is
 /// more than that, and `k1 // k2` are springs in parallel.
 fn comment(text: &str) -> Option<usize> {
+    /// Longer words are no symbols of units.
+    const LONGEST_UNIT: usize = 5;
     let (before, comment) = text.split_once(" # ").or_else(|| text.split_once(" // "))?;
+    // A word behind `//` that is as short as a letter of a formula may be one.
     let word = comment.split([' ', ',', ':']).next().unwrap_or(comment);
-    let is_word = word.chars().count() > 2 && word.chars().all(char::is_alphabetic);
-    let is_unit = Unit::read(word).is_ok();
+    let is_word =
+        word.starts_with(char::is_alphabetic) && (text.contains(" # ") || word.chars().count() > 2);
+    let is_unit = comment.len() <= LONGEST_UNIT && Unit::read(comment).is_ok();
     (is_word && !is_unit && !before.trim().is_empty()).then(|| text.len() - before.len())
 }
 
@@ -315,6 +336,10 @@ mod tests {
             ("2) x = 5 m", "x = 5 m"),
             ("1. x'' = 0", "x'' = 0"),
             ("1. m", "1. m"),
+            ("1. -5 m", "-5 m"),
+            ("1. - 5 m", "1. - 5 m"),
+            ("5 m # ok", "5 m"),
+            ("5 m // Newton", "5 m"),
             ("(2) x = 5", "(2) x = 5"),
             ("(b) x + c", "(b) x + c"),
             ("a) static", "a) static"),
@@ -385,6 +410,8 @@ mod tests {
             ("1) 5 m 2) 6 m", &["1)", "2)"][..]),
             ("(a) x = 5 m, (b) y = 6 m", &["(a)", "(b)"]),
             ("1. z = 0, 2. x = l", &["1.", "2."]),
+            ("1. 5 m, 2. 6 m", &["1.", "2."]),
+            ("1. ring 2. block 3. disk", &["1.", "2.", "3."]),
             ("1. m + 2. k", &[]),
             ("(1) + (2) x", &[]),
             ("1) 5 m", &[]),

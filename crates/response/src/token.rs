@@ -179,8 +179,6 @@ impl Lexer<'_> {
             | '≤' | '≥' | '≠' | '&' => Item::Sign(char),
             '*' | '-' => Item::Sign(char),
             '≈' => Item::Sign('='),
-            // `θ ∈ {0, π}`
-            '∈' if self.manner.values.is_some() => Item::Sign('='),
             '√' => Item::Root,
             '°' => Item::Degree,
             '∞' => Item::Leaf(Expr::constant(Constant::Infinity)),
@@ -264,14 +262,10 @@ impl Lexer<'_> {
 
     /// `theta'(t)` and `x[t]` where the time is no letter of the answer; whether that time stands here.
     fn unknown_time(&mut self, char: char) -> bool {
-        let is_moving = match self.tokens.last().map(|token| &token.item) {
-            Some(Item::Leaf(leaf)) => match leaf.kind() {
-                vibank_formula::expr::Kind::Prime(..) => true,
-                vibank_formula::expr::Kind::Name(name) => self.lexicon.is_moving(name),
-                _ => false,
-            },
-            _ => false,
-        };
+        use vibank_formula::expr::Kind::{Name, Prime};
+        let is_moving = self.tokens.last().is_some_and(|token| {
+            matches!(&token.item, Item::Leaf(leaf) if matches!(leaf.kind(), Name(_) | Prime(..)))
+        });
         let is_time = matches!(char, '(' | '[')
             && is_moving
             && !self.is_spaced

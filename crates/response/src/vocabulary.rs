@@ -259,8 +259,11 @@ impl Words {
         let usual = Letters::spelling(&symbol(name.as_str()).plain());
         let lambda = (name.as_str() == "lam").then(|| "lambda".to_owned());
         // The letter that looks like it, `w0` for ω₀.
-        let latin = own.strip_prefix("omega").map(|rest| format!("w{rest}"));
-        self.latin.extend(latin.clone());
+        let mut latin = [Some(&own), printed.as_ref()].map(|spelling| {
+            let rest = spelling?.strip_prefix("omega")?;
+            Some(format!("w{rest}"))
+        });
+        self.latin.extend(latin.iter().flatten().cloned());
         let ell = printed
             .as_deref()
             .and_then(|printed| printed.strip_prefix("ell"));
@@ -278,10 +281,9 @@ impl Words {
             varied.any(|letter| printed.starts_with(letter))
         });
         let varied = varied.map(|printed| format!("var{printed}"));
-        for spelling in [printed.clone(), usual, lambda, latin, ell, varied]
-            .into_iter()
-            .flatten()
-        {
+        let [of_own, of_printed] = latin.each_mut().map(Option::take);
+        let others = [lambda, of_own, of_printed, ell, varied];
+        for spelling in [printed.clone(), usual].into_iter().chain(others).flatten() {
             if spelling != own && !self.is_taken(&spelling) {
                 self.replace(&spelling, sense.clone());
                 if is_moving {

@@ -89,22 +89,28 @@ fn announced(text: &str) -> &str {
     }
 }
 
+/// What is asked about, as people name it beside their choice.
+const THINGS: &[&str] = &[
+    "motion",
+    "system",
+    "oscillator",
+    "oscillation",
+    "regime",
+    "response",
+    "equilibrium",
+    "position",
+    "damping",
+    "displacement",
+    "coupling",
+    "behind",
+    "case",
+    "it",
+    "this",
+    "they",
+];
+
 /// What is said of the thing that is asked about: `the motion is underdamped`, `it is stable`.
 fn said(text: &str) -> Option<&str> {
-    const THINGS: &[&str] = &[
-        "motion",
-        "system",
-        "oscillator",
-        "oscillation",
-        "regime",
-        "response",
-        "equilibrium",
-        "position",
-        "damping",
-        "it",
-        "this",
-        "they",
-    ];
     // Words for an equals sign have become one.
     let mut signs = ["=", " is ", " are "].iter();
     let (thing, said) = signs.find_map(|sign| text.split_once(sign))?;
@@ -135,6 +141,8 @@ impl Chosen {
             .or_else(|| self.of_words(&bare))
             .or_else(|| self.of_first_words(&bare))
             .or_else(|| self.of_words_within(&bare))
+            .or_else(|| self.of_words_beside(&bare))
+            .or_else(|| self.of_assent(&bare))
             .or_else(|| self.of_formula(typed))
     }
 
@@ -201,6 +209,46 @@ impl Chosen {
             .filter(|_| is_long)
     }
 
+    /// The only option whose words were typed beside what is asked about: `elastic coupling`, `the displacement lags`.
+    fn of_words_beside(&self, words: &str) -> Option<usize> {
+        let typed = contents(words);
+        let stands = |own: &[&str]| {
+            let run = typed.windows(own.len().max(1)).position(|run| run == own);
+            run.is_some_and(|at| {
+                let mut others = typed[..at].iter().chain(&typed[at + own.len()..]);
+                others.all(|word| THINGS.contains(word))
+            })
+        };
+        let is_it = |place: &usize| {
+            let id = normalized(&self.ids[*place]);
+            stands(&contents(&self.words[*place])) || stands(&[id.as_str()])
+        };
+        only((0..self.words.len()).filter(is_it))
+    }
+
+    /// The option `yes` or `no` in another language.
+    fn of_assent(&self, word: &str) -> Option<usize> {
+        const WORDS: [(&str, &[&str]); 2] = [
+            (
+                "yes",
+                &["y", "oui", "ja", "sí", "true", "it does", "yes, it does"],
+            ),
+            (
+                "no",
+                &[
+                    "n",
+                    "non",
+                    "nein",
+                    "false",
+                    "it does not",
+                    "no, it does not",
+                ],
+            ),
+        ];
+        let (own, _) = WORDS.iter().find(|(_, others)| others.contains(&word))?;
+        self.of_words(own)
+    }
+
     /// All that was typed, or what of it is not an option.
     pub(super) fn places(&self, response: &str) -> Result<Vec<usize>, String> {
         let response = without_face(response);
@@ -225,7 +273,7 @@ impl Chosen {
             return Ok(vec![place]);
         }
         let separated = response
-            .split([',', ';', '>', '\n'])
+            .split([',', ';', '>', '→', '\n'])
             .flat_map(|piece| piece.split(" and "))
             .flat_map(|piece| piece.split(" & "));
         let pieces: Vec<&str> = separated

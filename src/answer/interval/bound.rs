@@ -13,7 +13,10 @@ use crate::unit::{Quantity, Unit};
 impl Ends<'_> {
     /// The value of a bound in SI units.
     pub(super) fn side(&self, side: &str, unit: &mut Option<Unit>) -> Read<f64> {
-        if let Some(number) = self.number(side, unit)? {
+        let number = self.number(side, unit);
+        // Of `√(2km)` the letters could be a unit, kilometres, that does not fit.
+        let is_formula = number.is_err() && self.fits_in_letters(side);
+        if !is_formula && let Some(number) = number? {
             return match self.setup.written {
                 Written::Formula => Err(Why::BoundsAsFormulas.into()),
                 _ => Ok(number),
@@ -53,6 +56,15 @@ impl Ends<'_> {
             value
         } else {
             unit.unwrap_or(self.setup.unit).to_si(value)
+        })
+    }
+
+    /// Whether a bound is a formula with letters of the question that has the dimension of what is asked.
+    fn fits_in_letters(&self, side: &str) -> bool {
+        self.formula(side).is_ok_and(|expr| {
+            let found = expr.check(&self.setup.meaning);
+            !expr.names().free.is_empty()
+                && found.is_ok_and(|found| found.fits(&compared(self.setup)))
         })
     }
 

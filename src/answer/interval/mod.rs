@@ -46,7 +46,6 @@ use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
 struct Interval {
     key: Vec<Declared>,
     within: Option<Declared>,
-    is_strict: bool,
     tolerance: Tolerance,
     /// Significant figures of the work.
     figures: u32,
@@ -68,6 +67,8 @@ struct Setup {
     symbol: Arc<Math>,
     unit: Unit,
     written: Written,
+    /// Whether it counts which ends belong to the interval.
+    is_strict: bool,
     meaning: Meaning,
     lexicon: Lexicon,
     /// The letters of its answer line.
@@ -81,7 +82,6 @@ struct Prepared {
     /// Half-widths around the ends of the key, piece by piece.
     halves: Vec<[f64; 2]>,
     within: Option<Piece>,
-    is_strict: bool,
     digits: u32,
     mistakes: Vec<(usize, Set, Credit)>,
     /// The inputs of formulas for these data.
@@ -132,6 +132,7 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         symbol: known.symbol,
         unit,
         written,
+        is_strict: ends.is_none_or(|ends| ends.value != "either"),
         meaning: Meaning::of(declare, Prefer::Quantities),
         lexicon,
         letters,
@@ -142,7 +143,6 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         digits: u32::from(digits.map_or(3, |node| declare.digits_of(node))),
         key,
         within,
-        is_strict: ends.is_none_or(|ends| ends.value != "either"),
         tolerance,
         setup: Arc::new(setup),
         mistakes: Vec::new(),
@@ -313,7 +313,6 @@ impl Answer for Interval {
             key,
             halves,
             within,
-            is_strict: self.is_strict,
             digits: self.digits,
             mistakes,
             data: self.setup.meaning.data(evaluation),
@@ -338,7 +337,7 @@ impl Prepared {
 
     /// Whether the ends are as open as those of the key.
     fn has_right_ends(&self, typed: &Set) -> bool {
-        !self.is_strict || self.key.has_ends_of(typed)
+        !self.setup.is_strict || self.key.has_ends_of(typed)
     }
 
     fn named(&self, typed: &Set) -> Option<&(usize, Set, Credit)> {
@@ -348,7 +347,7 @@ impl Prepared {
                 .iter()
                 .map(|piece| [0, 1].map(|place| 0.01 * piece.0[place].size()))
                 .collect();
-            let is_open_alike = given.has_ends_of(typed) || !self.is_strict;
+            let is_open_alike = given.has_ends_of(typed) || !self.setup.is_strict;
             Self::accepts(given, &halves, typed) && (is_open_alike || !self.is_key(given))
         })
     }

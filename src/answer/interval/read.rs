@@ -73,7 +73,7 @@ impl Ends<'_> {
         if response.len() > MAX_LENGTH {
             return Err(Why::TooLong.into());
         }
-        let text = normalized(response);
+        let text = normalized(response, self.setup.is_strict);
         let pieces = cut(&text, Span::new(0, text.len()), &[',', ';']);
         let is_relation = |piece: &Span| text[piece.range()].contains(['<', '>', '≤', '≥']);
         let parts = |(at, char): (usize, char)| {

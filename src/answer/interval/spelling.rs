@@ -1,7 +1,8 @@
 //! Signs and words that join, in one spelling.
 
-/// One spelling for signs and words that join.
-pub(super) fn normalized(response: &str) -> String {
+/// One spelling for signs and words that join. Ranges in words, which say nothing of their ends, are read where that
+/// does not count.
+pub(super) fn normalized(response: &str, is_strict: bool) -> String {
     let response = response.trim().trim_end_matches(['.', ',', ';']);
     let inner = response
         .strip_prefix('(')
@@ -15,7 +16,7 @@ pub(super) fn normalized(response: &str) -> String {
         .unwrap_or(response);
     let called = called(response)
         .or_else(|| onwards(response))
-        .or_else(|| ranges(response));
+        .or_else(|| ranges(response).filter(|_| !is_strict));
     let response = called.as_deref().unwrap_or(response);
     let mut text = format!(" {response} ");
     for (from, to) in [
@@ -99,7 +100,7 @@ fn closing(inner: &str) -> Option<usize> {
     })
 }
 
-/// `0.2 or more`, `from 0.2 on`.
+/// `0.2 or more`, `from 0.2 on`, `x from 0.2 to infinity`.
 fn onwards(text: &str) -> Option<String> {
     const BEHIND: [(&str, char); 8] = [
         (" or more", '≥'),
@@ -113,7 +114,14 @@ fn onwards(text: &str) -> Option<String> {
     ];
     let from = |text: &str| {
         let (lead, bound) = text.split_once("from ")?;
-        let ends = [" on", " onwards", " upwards"];
+        let ends = [
+            " on",
+            " onwards",
+            " upwards",
+            " to ∞",
+            " to infinity",
+            " to inf",
+        ];
         ends.iter()
             .find_map(|end| bound.strip_suffix(end))
             .map(|bound| format!("{lead}≥ {bound}"))
@@ -137,29 +145,24 @@ fn ranges(text: &str) -> Option<String> {
     Some(ranges?.join(" ∪ "))
 }
 
-/// `from 0.2 to 0.5 m`, `x between 0.2 and 0.5`, `0.2 … 0.5`, `0.2-0.5` and `±0.2`: nothing is said of the ends, which
-/// belong to it.
+/// `from 0.2 to 0.5 m`, `x between 0.2 and 0.5`, `0.2 … 0.5` and `0.2-0.5`, with both ends.
 fn range(text: &str) -> Option<String> {
     const WORDS: [(&str, &str); 2] = [("from ", " to "), ("between ", " and ")];
     const SIGNS: [&str; 4] = [" to ", "…", "...", ".."];
     let in_words = WORDS.iter().find_map(|(word, join)| {
         let (lead, ends) = text.split_once(word)?;
         let (low, high) = ends.split_once(join)?;
-        Some((lead, low.to_owned(), high))
+        Some((lead, low, high))
     });
     let in_signs = || {
         let (lead, ends) = text.rsplit_once(['=', ':']).unwrap_or(("", text));
-        let ends = ends.trim();
-        if let Some(both) = ends.strip_prefix('±') {
-            return Some((lead, format!("-{both}"), both));
-        }
         let is_value = |end: &str| {
             let unsigned = end.trim().trim_start_matches(['-', '+']);
             unsigned.starts_with(|first: char| first.is_ascii_digit() || first == '.')
         };
         let joined = SIGNS.iter().find_map(|sign| ends.split_once(sign));
-        let (low, high) = joined.or_else(|| dashed(ends))?;
-        (is_value(low) && is_value(high)).then(|| (lead, low.to_owned(), high))
+        let (low, high) = joined.or_else(|| dashed(ends.trim()))?;
+        (is_value(low) && is_value(high)).then_some((lead, low, high))
     };
     let (lead, low, high) = in_words.or_else(in_signs)?;
     let lead = lead.trim().trim_end_matches(['=', ':']).trim();

@@ -334,16 +334,16 @@ fn what_is_no_equation_is_handed_back() {
             ("m x'' + c x' + k x = 0 (1)", "right"),
             ("2*(m x'' + c x' + k x) = 0", "right"),
             ("(2)(m x'' + c x' + k x) = 0", "right"),
+            ("(1) m x'' + c x' + k x = 0", "right"),
+            ("1. m x'' + c x' + k x = 0", "right"),
+            ("2) m x'' + c x' + k x = 0", "right"),
+            ("(a) m x'' + c x' + k x = 0", "right"),
             (
-                "(1) m x'' + c x' + k x = 0",
+                "(2) m x'' + c x' + k x = 0",
                 "unreadable: number of the equation",
             ),
             (
-                "1. m x'' + c x' + k x = 0",
-                "unreadable: number of the equation",
-            ),
-            (
-                "1) m x'' + c x' + k x = 0",
+                "2. m x'' + c x' + k x = 0",
                 "unreadable: number of the equation",
             ),
             (

@@ -197,6 +197,8 @@ impl Folder<'_> {
         if matches!(name, "text" | "mathrm" | "mbox" | "operatorname")
             && let Some(braces) = arguments(self.typed, self.at + length, 1)
             && JOINING.contains(&self.typed[braces[0] + 1..braces[1]].trim())
+            // `\omega_\mathrm{in}` has an index.
+            && !self.text.trim_end().ends_with(['_', '{'])
         {
             self.blanked.extend(braces);
             return self.write(" ", length);

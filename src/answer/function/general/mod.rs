@@ -90,7 +90,7 @@ pub(super) fn read(
     let mut letters = allowed.letters();
     letters.retain(|letter| !is_moving(letter));
     let mut lexicon = allowed.lexicon;
-    let (listed, mut constants) = (part.texts("in"), Vec::new());
+    let listed = part.texts("in");
     // What is neither printed nor needed is free to be used.
     let is_taken = |name: &Name| {
         let own = known.iter().find(|own| own.name == *name);
@@ -109,14 +109,19 @@ pub(super) fn read(
         })
     });
     let all = numbered.chain(DOUBLED.split_whitespace().map(str::to_owned));
-    for name in all.map(Name::new) {
-        // `w1` stays ω₁.
-        let is_spelling = lexicon.reads(name.as_str()).is_some_and(|own| *own != name);
-        if !is_taken(&name) && !is_spelling {
-            meaning.add_free(&name);
-            lexicon.allow(&name, crate::math::symbol(name.as_str()), false);
-            constants.push(name);
-        }
+    // `w1` stays ω₁. All are asked for before any is added: what people type is made out anew for each lexicon.
+    let is_spelling = |name: &Name| {
+        lexicon
+            .reads(name.as_str())
+            .is_some_and(|own| *own != *name)
+    };
+    let free = all
+        .map(Name::new)
+        .filter(|name| !is_taken(name) && !is_spelling(name));
+    let constants: Vec<Name> = free.collect();
+    for name in &constants {
+        meaning.add_free(name);
+        lexicon.allow(name, crate::math::symbol(name.as_str()), false);
     }
     lexicon.allow(&Name::new("t"), crate::math::symbol("t"), false);
     letters.retain(|letter| {
