@@ -7,7 +7,7 @@ use crate::answer::{Close, Decades, Negated, Slip, TwoPi};
 use crate::expr::{Constant, Expr, Function, Kind, Operator, Substitution};
 use crate::unit::Unit;
 
-/// A difference of so many half-widths is near.
+/// A difference of this many half-widths is near.
 const NEAR: f64 = 3.0;
 /// Samples that a motion has to begin with to begin rightly.
 const FIRST: usize = 3;

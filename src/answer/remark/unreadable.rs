@@ -105,7 +105,7 @@ pub enum Why {
     UnclearSide,
     /// An angle of too many turns.
     TooManyTurns {
-        /// So many times.
+        /// This many times.
         times: u32,
         /// One of them.
         turn: Quantity,
