@@ -44,7 +44,7 @@ pub enum AnswerError {
     #[error("there are two options `{0}`")]
     OptionTwice(String),
     /// A form in which answers are not asked.
-    #[error("`{0}` is none of `either`, `number`, `formula`")]
+    #[error("`{0}` is not one of `either`, `number`, `formula`")]
     Written(String),
     /// A text that is not an interval or equation.
     #[error("`{0}` is no {1}")]

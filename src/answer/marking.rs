@@ -285,7 +285,7 @@ impl Marking {
         Self::read(reading, credit, Remark::Mistake(number))
     }
 
-    /// A response that is wrong, and why if that can be told.
+    /// A response that is wrong, and why, where that can be diagnosed.
     pub fn wrong(reading: Reading, remark: impl Into<Option<Remark>>) -> Self {
         Self::read(reading, Credit::NONE, remark)
     }

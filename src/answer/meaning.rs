@@ -209,7 +209,7 @@ impl Meaning {
         Program::compile(expr, &bound)
     }
 
-    /// Whether a formula keeps its meaning at complex values of its names, with those that are put in for them.
+    /// Whether a formula keeps its meaning at complex values of its names, with those that are substituted for them.
     pub(super) fn is_analytic(&self, expr: &Expr, replaced: &BTreeMap<Name, Expr>) -> bool {
         const MAX_NAMES: usize = 200;
         let mut open = vec![expr.clone()];
@@ -265,7 +265,7 @@ impl Meaning {
         data
     }
 
-    /// A formula with all names put in that an answer may not use.
+    /// A formula with all names substituted that an answer may not use.
     pub(super) fn expanded(&self, expr: &Expr, keep: &[Name]) -> Expr {
         const MAX_STEPS: usize = 20;
         let mut result = expr.clone();

@@ -6,7 +6,7 @@ use super::Mistaken;
 use crate::expr::{Expr, Kind, Name, Shape, Substitution};
 use crate::quantity::{Graph, NodeId};
 
-/// The formula of a node, with the formulas of models put in; that of a parameter is its name.
+/// The formula of a node, with the formulas of models substituted; that of a parameter is its name.
 pub(super) fn formula(graph: &Graph, node: NodeId) -> Expr {
     match graph.expr(node) {
         Some(expr) => without_paths(graph, expr),
@@ -66,7 +66,7 @@ fn written_entries(expr: &Expr, shape: Shape) -> Option<Vec<Expr>> {
     (all.len() == shape.len()).then_some(all)
 }
 
-/// What a mistake puts in for names of the key. What is put in speaks of the names as they were, so it has them
+/// What a mistake puts in for names of the key. What is substituted speaks of the names as they were, so it has them
 /// marked as [`original`].
 pub(super) fn replaced(graph: &Graph, mistaken: &Mistaken) -> BTreeMap<Name, Expr> {
     let old = || mistaken.replaced.iter().map(|(old, _)| graph.label(*old));

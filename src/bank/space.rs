@@ -18,9 +18,9 @@ pub enum Space {
     None,
     /// Blank paper of this height, in mm.
     Blank(u16),
-    /// So many ruled lines.
+    /// This many ruled lines.
     Lines(u16),
-    /// Squared paper of this height, in mm: so many whole squares.
+    /// Squared paper of this height, in mm: this many whole squares.
     Squared(u16),
 }
 

@@ -51,7 +51,7 @@ impl BankArgument {
         Ok(open(&self.found()?, further))
     }
 
-    /// The catalogue, its items to be read when they are asked for. Errors in a folder are told in one line, since they
+    /// The catalogue, its items to be read when they are asked for. Errors in a folder are reported in one line, since they
     /// hide items: those that its index does not know are read for it.
     pub(crate) fn catalogue(&self) -> Result<Catalogue, Failure> {
         let found = self.found()?;

@@ -238,7 +238,7 @@ impl Saved {
     ) -> Vec<String> {
         let foreign = names.iter().filter(|(code, _)| !is_known(code));
         foreign
-            .map(|(code, name)| format!("`{name}` is of sheet {code}, which is none of this run"))
+            .map(|(code, name)| format!("`{name}` is of sheet {code}, which is not in this run"))
             .collect()
     }
 

@@ -1,4 +1,4 @@
-//! Tables as the usual scanners of marked boxes write them, told by their headings.
+//! Tables as the usual scanners of marked boxes write them, recognized by their headings.
 //!
 //! Auto Multiple Choice: `A:<key>`, the number of the copy, name and mark, then for each question its score and, where
 //! boxes are exported as letters, `TICKED:<question>` (`AMC-perl/AMC/Export/CSV.pm`). OMRChecker: `file_id`, `input_path`,

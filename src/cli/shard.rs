@@ -29,7 +29,7 @@ impl Shard {
         self.of
     }
 
-    /// All parts of a run of so many.
+    /// All parts of a run of this many.
     pub(crate) fn all(of: usize) -> impl Iterator<Item = Self> {
         (1..=of).map(move |part| Self { part, of })
     }

@@ -66,7 +66,7 @@ fn of_answer(answer: &AnswerSurvey) -> Vec<String> {
     ]
 }
 
-/// A number in so many figures.
+/// A number in this many figures.
 fn number(number: Option<f64>, figures: u32) -> String {
     match number {
         None => "–".to_owned(),

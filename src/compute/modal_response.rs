@@ -12,6 +12,7 @@ use crate::vibration::modes::{MAX_WITHOUT_PROOF, Modes, ModesError};
 pub(crate) struct ModalResponse;
 
 /// Most numbers that a reply may hold.
+// At `MAX_NUMBER_LENGTH` bytes each a reply stays within 52 MB.
 const MAX_NUMBERS: usize = 2_000_000;
 
 /// Most products of components that all samples together may take.

@@ -14,6 +14,7 @@ pub(crate) struct Reply {
 }
 
 /// Bytes of a number with its comma.
+// The longest, `-2.2250738585072014e-308`, has 24.
 const MAX_NUMBER_LENGTH: usize = 26;
 
 impl Reply {

@@ -43,7 +43,7 @@ pub enum Form {
     Unit,
     /// The closed form in symbols.
     Formula,
-    /// The closed form with the numbers put in.
+    /// The closed form with the numbers substituted.
     Substituted,
     /// Symbol, closed form and value.
     Equation,

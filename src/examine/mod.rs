@@ -61,7 +61,7 @@ pub struct Exception {
 }
 
 impl Examination {
-    /// Examines an item over so many draws, the seeds from 0 on.
+    /// Examines an item over this many draws, the seeds from 0 on.
     ///
     /// ```
     /// # #[cfg(feature = "render")] {

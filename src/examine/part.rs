@@ -18,7 +18,7 @@ const SYMBOLIC_DRAWS: u64 = 4;
 /// Draws for which functions are marked, each at many times.
 const FUNCTION_DRAWS: u64 = 40;
 
-/// A part has at least so many ways to go wrong that are known.
+/// The fewest known ways to go wrong that a part has to have.
 const MIN_METHODS: usize = 3;
 
 /// What was found out about a part.

@@ -10,7 +10,7 @@ use crate::quantity::{Evaluation, Graph, Method, NodeId};
 use crate::solution::Solution;
 use crate::unit::{Decimal, Unit};
 
-/// A value in the unit of an answer, each number rounded to so many figures.
+/// A value in the unit of an answer, each number rounded to this many figures.
 pub(crate) fn value(value: &Value, unit: Option<Unit>, figures: u32) -> Option<String> {
     let behind = unit.map_or(String::new(), |unit| format!(" {unit}"));
     let own = unit.unwrap_or(Unit::ONE);

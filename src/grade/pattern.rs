@@ -1,4 +1,4 @@
-//! What a wrong answer is, said so that those of different variants can be told to be alike.
+//! What a wrong answer is, worded so that alike ones of different variants are recognized.
 
 use crate::answer::{KeyValue, Marking};
 use crate::solution::Solution;

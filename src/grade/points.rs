@@ -3,7 +3,7 @@
 use crate::answer::{Marking, Verdict};
 use crate::numerics::Rational;
 
-/// The points of a marking, of so many.
+/// The points of a marking, of this many.
 pub fn of_marking(marking: &Marking, of: Rational) -> Rational {
     match marking.verdict {
         Verdict::Missing | Verdict::Unreadable => Rational::ZERO,

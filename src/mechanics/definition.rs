@@ -9,7 +9,7 @@ use crate::unit::Dimension;
 /// The physics of a system as it is written: energies, dissipation and forces over coordinates.
 ///
 /// Names that are neither coordinates nor kinematic names are constants; a quantity that depends on
-/// time or on a coordinate has to be put in before.
+/// time or on a coordinate has to be substituted before.
 ///
 /// ```
 /// use vibank::expr::Expr;

@@ -2,7 +2,7 @@
 
 use crate::expr::{Expr, Kind, Normal, Operator, Order, sum_of_signed_terms};
 
-/// An energy as written where nothing had to be put in, else term by term in order.
+/// An energy as written where nothing had to be substituted, else term by term in order.
 pub(crate) fn written(energy: &Expr, written: &Expr, order: &Order) -> Expr {
     if energy == written {
         return written.clone();

@@ -77,7 +77,7 @@ impl Model {
         self.in_normal_form(&definition, &put)
     }
 
-    /// A definition with the coefficients put in; what has no root and no number like π is written in normal form.
+    /// A definition with the coefficients substituted; what has no root and no number like π is written in normal form.
     fn in_normal_form(&self, definition: &Expr, put: &Substitution) -> Result<Expr, Unavailable> {
         let mut is_rational = !definition.names().free.is_empty();
         definition.walk(&mut |node| {

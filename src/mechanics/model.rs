@@ -109,7 +109,7 @@ impl Model {
         let (linear, varying) = match (exact, equilibrium.formula()) {
             (Some(exact), _) => (Some(exact), None),
             (None, Some(position)) => (about(position)?, None),
-            // With the coordinates themselves put in, the coefficients stay functions of the position.
+            // With the coordinates themselves substituted, the coefficients stay functions of the position.
             (None, None) => {
                 let anywhere: Vec<_> = names.iter().cloned().map(Expr::name).collect();
                 (None, about(&anywhere)?)
@@ -174,7 +174,7 @@ impl Model {
         &self.evaluation.slots.constants
     }
 
-    /// The kinetic energy in coordinates and velocities: as written, with the kinematics put in.
+    /// The kinetic energy in coordinates and velocities: as written, with the kinematics substituted.
     pub fn kinetic(&self) -> Expr {
         written(
             &self.energies.kinetic,

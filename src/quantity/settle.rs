@@ -79,7 +79,7 @@ impl Graph {
     }
 
     /// Whether a formula that was checked combines numbers that others compute, and nothing else: then nothing has
-    /// to be derived, put in or taken apart for its translation, which cannot fail.
+    /// to be derived, substituted or taken apart for its translation, which cannot fail.
     fn is_plain(&self, expr: &Expr, names: &Names) -> bool {
         let is_number = |id: NodeId| {
             let shape = self.kind(id).map(Type::shape);

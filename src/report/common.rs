@@ -43,7 +43,7 @@ impl Counts {
         }
     }
 
-    /// The commonest that occurred at least so often, at most so many; ties in the order of their names.
+    /// The commonest that occurred at least so often, at most this many; ties in the order of their names.
     pub(crate) fn commonest(&self, least: u64, most: usize) -> Vec<Common> {
         let often = self.0.iter().filter(|(_, count)| **count >= least);
         let mut all: Vec<Common> = often

@@ -1,4 +1,4 @@
-//! How the names of an item stand in its formulas: as symbols, or as numbers put in for them.
+//! How the names of an item stand in its formulas: as symbols, or as numbers substituted for them.
 
 use super::Scene;
 use crate::bank::Units;

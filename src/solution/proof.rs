@@ -98,7 +98,7 @@ fn known_results(template: &Template) -> Vec<Finding> {
     findings
 }
 
-/// All that disproves an item, over so many draws.
+/// All that disproves an item, over this many draws.
 ///
 /// The work is bounded as a whole; where an item takes more, a finding says so in place of what was found with it.
 pub fn findings(template: &Template, seeds: u64) -> Vec<Finding> {
@@ -157,7 +157,7 @@ fn values(template: &Template) -> Vec<Finding> {
         .collect()
 }
 
-/// Where the two routes to a quantity differ, over so many draws: each quantity once.
+/// Where the two routes to a quantity differ, over this many draws: each quantity once.
 fn routes(template: &Template, seeds: u64) -> Vec<Finding> {
     let mut doubted: Vec<NodeId> = Vec::new();
     let mut findings = Vec::new();

@@ -65,7 +65,7 @@ pub struct Disagreement {
 }
 
 impl Survey {
-    /// Draws an item so many times; less often where its draws take [too much work](instance::DRAWS).
+    /// Draws an item this many times; less often where its draws take [too much work](instance::DRAWS).
     pub fn over(template: &Template, seeds: u64) -> Self {
         let grid = template
             .parameters

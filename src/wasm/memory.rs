@@ -17,7 +17,7 @@ thread_local! {
     static GRADER: RefCell<Option<Grader>> = const { RefCell::new(None) };
 }
 
-/// Room for so many bytes, which belongs to the caller until it is handed over.
+/// Room for this many bytes, which belongs to the caller until it is handed over.
 #[unsafe(no_mangle)]
 extern "C" fn reserve(length: usize) -> *mut u8 {
     Box::into_raw(vec![0_u8; length].into_boxed_slice()).cast()

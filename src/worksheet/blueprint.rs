@@ -65,7 +65,7 @@ pub struct Keys {
 /// For whom sheets are made.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Audience {
-    /// So many variants.
+    /// Nobody in particular: the number of variants to be made.
     Variants(usize),
     /// One sheet for each row of this class list.
     Students(Text),

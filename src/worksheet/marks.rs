@@ -189,13 +189,13 @@ impl Marks {
         }
     }
 
-    /// What the wrong choice of an option costs, of a part with so many points.
+    /// What the wrong choice of an option costs, of a part with this many points.
     pub fn penalty(&self, max: Rational) -> Rational {
         let share = self.wrong_choice.map_or(Rational::ZERO, |share| share.0);
         share.checked_mul(max).unwrap_or(Rational::ZERO)
     }
 
-    /// The points that count as 100 %, of so many that can be reached.
+    /// The points that count as 100 %, where this many can be reached.
     pub fn full(&self, max: Rational) -> Rational {
         self.full.map_or(max, |full| full.0)
     }
@@ -252,7 +252,7 @@ impl Marks {
 }
 
 impl Bound {
-    /// In points, of so many that count as 100 %.
+    /// In points, where this many count as 100 %.
     pub fn points(self, full: Rational) -> Rational {
         match self {
             Self::Points(points) => points.0,
@@ -265,7 +265,7 @@ impl Bound {
     }
 }
 
-/// The largest of some numbers, at most so many.
+/// The largest of some numbers, at most this many.
 fn best(points: impl Iterator<Item = Rational>, count: usize) -> Vec<Rational> {
     let mut points: Vec<Rational> = points.collect();
     points.sort_by(|a, b| b.cmp(a));

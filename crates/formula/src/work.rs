@@ -37,7 +37,7 @@ thread_local! {
     static OUTER: RefCell<Vec<Budget>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Runs a task that may take so many units of work.
+/// Runs a task that may take this many units of work.
 ///
 /// ```
 /// use vibank_formula::work::{Exhausted, spend, within};
@@ -141,7 +141,7 @@ impl Allowance {
         Self { left: first, each }
     }
 
-    /// What so many pieces may take together, none having been run yet.
+    /// What this many pieces may take together, none having been run yet.
     pub fn after(&self, pieces: u64) -> u64 {
         self.left.saturating_add(pieces.saturating_mul(self.each))
     }

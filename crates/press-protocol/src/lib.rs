@@ -226,7 +226,7 @@ impl Reply {
         match kind {
             [1] => receive(pipe, MAX_FILE).map(Self::File),
             [0] => words(pipe).map(Self::Refused),
-            _ => Err(invalid("it answers with what is not a reply")),
+            _ => Err(invalid("its answer is not a reply")),
         }
     }
 }

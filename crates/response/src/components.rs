@@ -74,7 +74,7 @@ fn read(
         .map(Some)
 }
 
-/// The brackets outside of all others that hold so many entries.
+/// The brackets outside of all others that hold this many entries.
 fn vectors(tokens: &[Token], count: usize) -> Vec<Vector> {
     let (mut found, mut parts, mut open, mut depth) = (Vec::new(), Vec::new(), 0, 0_usize);
     for (at, token) in tokens.iter().enumerate() {

@@ -158,7 +158,7 @@ impl Lexicon {
         self.dotted_word(spelling, order)
     }
 
-    /// The name that is spelled with so many primes.
+    /// The name that is spelled with this many primes.
     pub(super) fn dotted_word(&self, spelling: &str, primes: u8) -> Option<Expr> {
         self.words().dotted_word(spelling, primes)
     }

@@ -23,9 +23,9 @@ const SEPARATORS: &[char] = &[',', ';', '&'];
 pub enum Wanted {
     /// A matrix; with its rows where it has as many columns: then multiples of the identity are read.
     Matrix(Option<usize>),
-    /// A vector.
+    /// A vector, whose components are compared one by one.
     Vector,
-    /// A vector up to a factor, which may be a letter that is no name.
+    /// A vector up to a factor, which may be a letter that is not a name.
     Direction,
 }
 

@@ -325,7 +325,7 @@ impl Words {
         }
     }
 
-    /// The name that is spelled with so many primes.
+    /// The name that is spelled with this many primes.
     pub(super) fn dotted_word(&self, spelling: &str, primes: u8) -> Option<Expr> {
         let own = |word: &&Word| word.spelling == spelling && word.primes == primes;
         match &self.words.iter().find(own)?.sense {

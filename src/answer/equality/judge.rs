@@ -123,7 +123,7 @@ impl<S: Scalar> Complex<S> {
         self.re.subtract(&other.re).to_f64().abs() + self.im.subtract(&other.im).to_f64().abs()
     }
 
-    /// The real number of which the other is so many times this.
+    /// The real factor between this value and the other, if there is one.
     fn ratio_of(&self, other: &Self) -> Option<f64> {
         let (a, b) = (
             (self.re.to_f64(), self.im.to_f64()),

@@ -22,9 +22,9 @@ const TRIALS: usize = 2;
 /// By how much the primes are less than 2^61.
 const BELOW: [u64; TRIALS] = [1, 31];
 const PRIMES: [u64; TRIALS] = [(1 << 61) - BELOW[0], (1 << 61) - BELOW[1]];
-/// Most nodes that are visited, names put in included.
+/// Most nodes that are visited, substituted names included.
 const MAX_NODES: usize = 4_000;
-/// Deepest formula, names put in included.
+/// Deepest formula, substituted names included.
 const MAX_DEPTH: usize = 300;
 /// Largest exponent.
 const MAX_POWER: i128 = 10_000;
@@ -60,7 +60,7 @@ impl Residue {
         })
     }
 
-    /// Whether two formulas are the same, where that can be told.
+    /// Whether two formulas are the same, where that can be decided.
     pub(super) fn same(self, other: Self) -> Option<bool> {
         if self.is_rational && other.is_rational {
             return Some(self.values == other.values);
@@ -68,7 +68,7 @@ impl Residue {
         (self.values == other.values).then_some(true)
     }
 
-    /// Whether both are rational, so that what is told is certain.
+    /// Whether both are rational, so that the verdict is certain.
     pub(super) fn is_rational(self) -> bool {
         self.is_rational
     }

@@ -113,7 +113,7 @@ impl Coefficients {
     }
 }
 
-/// The value at a point; what cannot be told from zero is zero.
+/// The value at a point; what cannot be distinguished from zero is zero.
 fn value(program: &Program, point: &[Precise], room: &mut Registers<Approx<f64>>) -> Option<f64> {
     let outcome = program.run(point, room).ok()?;
     let number = outcome.numbers().next()?;

@@ -5,7 +5,7 @@ use crate::answer::{Close, Negated, Slip, TwoPi};
 use crate::expr::{Expr, Kind};
 use crate::unit::Dimension;
 
-/// In what a formula differs from the key, where that can be told.
+/// In what a formula differs from the key, where that can be diagnosed.
 pub(super) fn slip(
     comparison: &Comparison,
     typed: &Expr,

@@ -19,11 +19,11 @@ use crate::expr::{Expr, Function, Kind, Name, Precise, Value};
 use crate::numerics::sin;
 use crate::quantity::{Evaluation, NodeId};
 
-/// A datum shows where its own size moves the function by so many half-widths: an error of an eighth is seen.
+/// A datum shows where its own size moves the function by this many half-widths: an error of an eighth is seen.
 const SHOWS: f64 = 8.0;
 /// Windows that are tried; each lies twice as far behind the span as the one before.
 const MAX_DOUBLINGS: i32 = 12;
-/// Every so many times of the span tell whether a datum shows.
+/// The times of the span are thinned out by this where it is looked whether a datum shows.
 const STRIDE: usize = 4;
 /// The relative step of the derivatives.
 const STEP: f64 = 1e-6;

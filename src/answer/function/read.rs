@@ -145,7 +145,7 @@ impl Prepared<'_> {
         (largest(&rest) <= ROUNDING * largest(&own)).then_some(real)
     }
 
-    /// Whether letters are names or units is told by the dimension, not by what is right.
+    /// Whether letters are names or units is decided by the dimension, not by what is right.
     fn function(&self, text: &str) -> Result<Response, Unreadable> {
         let setup = &self.setup;
         let plain = without_words(text);

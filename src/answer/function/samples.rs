@@ -23,7 +23,7 @@ pub(super) fn fine(largest: f64) -> f64 {
     1e-12 * largest
 }
 
-/// The share of a value by which rounding to so many figures moves it at most.
+/// The share of a value by which rounding to this many figures moves it at most.
 pub(super) fn rounding(digits: u32) -> f64 {
     0.005 * crate::numerics::powi(10.0, 3 - digits as i32)
 }

@@ -1,4 +1,4 @@
-//! What is wrong with a function, told by its values: a sign, degrees, a frequency in hertz, a power of ten.
+//! What is wrong with a function, recognized by its values: a sign, degrees, a frequency in hertz, a power of ten.
 
 use std::convert::Infallible;
 
@@ -7,13 +7,13 @@ use crate::answer::{Close, Decades, Negated, Slip, TwoPi};
 use crate::expr::{Constant, Expr, Function, Kind, Operator, Substitution};
 use crate::unit::Unit;
 
-/// A difference of so many half-widths is near.
+/// A difference of this many half-widths is near.
 const NEAR: f64 = 3.0;
 /// Samples that a motion has to begin with to begin rightly.
 const FIRST: usize = 3;
 
 impl Prepared<'_> {
-    /// The slip that made a wrong function, if it can be told.
+    /// The slip that made a wrong function, if it can be diagnosed.
     pub(super) fn slip(&self, response: &Response) -> Option<Slip> {
         let scaled = |factor: f64| {
             let all = response.values.iter();

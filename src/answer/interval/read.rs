@@ -60,7 +60,7 @@ pub(super) fn like_interval(why: Why) -> Unreadable {
     Unreadable::of(why).like(Example::Interval)
 }
 
-/// A sign between sides, told as `<`-like or `>`-like and whether its end is left out.
+/// A sign between sides, given as `<`-like or `>`-like and whether its end is left out.
 #[derive(Clone, Copy)]
 struct Sign {
     is_less: bool,
@@ -232,7 +232,7 @@ impl Ends<'_> {
     /// The unit that stands behind a bracket.
     fn unit_behind(&self, text: &str) -> Read<Unit> {
         let one = format!("1 {text}");
-        // A unit of another dimension is told as that of a bound is.
+        // A unit of another dimension is reported as that of a bound is.
         self.number(&one, &mut None)?;
         let one = self.quantity(&one).filter(|one| !one.unit.is_one());
         let one = one.ok_or_else(|| Unreadable::at(text, Why::NoUnit).like(Example::Interval))?;

@@ -121,7 +121,7 @@ impl Prepared {
     }
 }
 
-/// The components of so many vectors one after the other: by rows, by columns, or in one row or column.
+/// The components of this many vectors one after the other: by rows, by columns, or in one row or column.
 fn arrangements(rows: &[Vec<Expr>], width: usize, count: usize) -> Vec<Vec<Expr>> {
     let columns = rows.first().map_or(0, Vec::len);
     let by_columns = || -> Vec<Expr> {

@@ -1,4 +1,4 @@
-//! Marks numbers: right, a named mistake, or a slip that can be told from the number alone.
+//! Marks numbers: right, a named mistake, or a slip that can be diagnosed from the number alone.
 
 use super::list::list;
 use super::read::{self, Number};
@@ -175,7 +175,7 @@ impl Numbers {
         marking
     }
 
-    /// The named mistake that a response equals, if any; one in another unit is told by its numbers alone.
+    /// The named mistake that a response equals, if any; one in another unit is recognized by its numbers alone.
     pub(super) fn mistake(
         &self,
         reading: &Reading,

@@ -33,7 +33,7 @@ impl Numbers {
             Trial::new(Nature::Unreadable, "about seven"),
             Trial::new(Nature::Unreadable, "7 m or 8 furlong"),
         ];
-        // So many figures would cost something.
+        // This many figures would cost something.
         if self.ask_digits.is_some() {
             return trials;
         }

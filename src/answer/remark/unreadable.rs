@@ -105,7 +105,7 @@ pub enum Why {
     UnclearSide,
     /// An angle of too many turns.
     TooManyTurns {
-        /// So many times.
+        /// The number of turns beyond which an angle is refused.
         times: u32,
         /// One of them.
         turn: Quantity,

@@ -165,7 +165,7 @@ impl Task {
         out.write(name, text).map(drop)
     }
 
-    /// Notes that so many things of a file are gone.
+    /// Notes that this many things of a file are gone.
     fn note(&mut self, count: usize, thing: [&str; 2], name: &str) {
         if count > 0 {
             let thing = thing[usize::from(count != 1)];

@@ -26,7 +26,7 @@ pub(crate) struct Hand {
 }
 
 impl<'a> Sheet<'a> {
-    /// A part with this rubric that is worth so many points.
+    /// A part with this rubric that is worth this many points.
     pub(crate) fn of(rubric: &'a [Criterion], max: Rational, decimal: char) -> Self {
         let weights: Vec<Rational> = rubric.iter().map(|row| row.points).collect();
         Self {
@@ -95,7 +95,7 @@ impl<'a> Sheet<'a> {
     }
 }
 
-/// A number of points, at most so many.
+/// A number of points, at most this many.
 fn points(text: &str, most: Rational, what: &str) -> Result<Rational, String> {
     let text = text.trim();
     let given = Rational::from_decimal(&text.replace(',', "."));

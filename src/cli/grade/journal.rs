@@ -89,7 +89,7 @@ impl Journal {
         self.file.remove();
     }
 
-    /// Makes the journal the part of so many sheets that was marked, in place of an earlier one; its name is returned.
+    /// Makes the journal of this many sheets the part that was marked, in place of an earlier one; its name is returned.
     pub(crate) fn become_part(mut self, sheets: usize) -> Result<String, Failure> {
         self.file.add(&[End { end: sheets }])?;
         self.file.sync()?;

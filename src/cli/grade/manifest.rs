@@ -145,7 +145,7 @@ impl Sheets {
         Ok(of(head, Rest::All(all)))
     }
 
-    /// The next sheets, at most so many and all of one manifest; none at the end.
+    /// The next sheets, at most this many and all of one manifest; none at the end.
     pub(crate) fn chunk(&mut self, most: usize) -> Result<Vec<VariantEntry>, Failure> {
         let mut chunk = Vec::new();
         while chunk.len() < most {

@@ -334,7 +334,7 @@ fn is_same(solution: &Solution<'_>, place: usize, response: &str, accepted: &str
     pairs.all(|(own, other)| (own - other).abs() <= ROUNDING * other.abs())
 }
 
-/// What points out of so many amount to.
+/// What points out of this many amount to.
 fn worth(points: Rational, max: Rational) -> (Verdict, Rational) {
     let credit = points.checked_div(max).unwrap_or(Rational::ZERO);
     let verdict = Credit::new(credit).map_or(Verdict::Right, Credit::verdict);

@@ -40,7 +40,7 @@ pub(crate) struct Arguments {
     /// What becomes of an answer with two readings of which one is right.
     #[arg(long, value_name = "POLICY", default_value = "ask", value_parser = doubt())]
     doubt: Doubt,
-    /// Stop after so many exercises.
+    /// Stop after this many exercises.
     #[arg(long, value_name = "COUNT")]
     count: Option<usize>,
     /// Append what was answered, one JSON object a line.

@@ -136,7 +136,7 @@ fn talk(
     }
 }
 
-/// How long a process may take for a text of so many bytes.
+/// How long a process may take for a text of this many bytes.
 fn patience(bytes: usize) -> Duration {
     let named = crate::cli::setting(VARIABLE);
     let least = named

@@ -1,6 +1,6 @@
 //! How long an exam lasts, as a blueprint has it in words.
 
-/// The minutes in words such as `90 minutes`, `1 h 30`, `1.5 hours`, `1 h 30 min`; none where it cannot be told.
+/// The minutes in words such as `90 minutes`, `1 h 30`, `1.5 hours`, `1 h 30 min`; none where it is not a duration.
 pub(crate) fn minutes(words: &str) -> Option<f64> {
     let words = words.to_lowercase().replace(',', ".");
     let mut rest = words.trim();

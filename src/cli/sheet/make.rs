@@ -43,7 +43,7 @@ pub(crate) struct Job<'a, 'c> {
     pub(crate) known: Alike<'a>,
     pub(crate) out: &'a Folder,
     pub(crate) layouts: Option<&'a Path>,
-    /// Whether it is the whole run, so that it can be told how alike the variants are, and all can be printed.
+    /// Whether it is the whole run, so that it can be reported how alike the variants are, and all can be printed.
     pub(crate) is_whole: bool,
 }
 

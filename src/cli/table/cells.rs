@@ -260,7 +260,7 @@ impl<'t> Cursor<'t> {
 mod tests {
     use super::*;
 
-    /// Rows with their lines, cells between bars; faults as they are told.
+    /// Rows with their lines, cells between bars; faults as they are reported.
     fn rows(text: &str) -> Vec<String> {
         let mut cursor = Cursor::new(text, b',');
         let begins_row = |row: &Row<'_>| row.cells.len() == 3;

@@ -49,7 +49,7 @@ struct Group {
     parts: Vec<(String, Vec<String>)>,
 }
 
-/// How small values are asked: a thousandth so many times, and the unit for that.
+/// How small values are asked: how often they are divided by a thousand, and the unit for that.
 struct Scale {
     thousandths: usize,
     /// Of what is printed behind the box, as HTML.
@@ -329,7 +329,7 @@ impl Scale {
     }
 }
 
-/// The unit with a prefix that makes it smaller by a thousand so many times, where there is one.
+/// The unit with a prefix that makes it smaller by this power of a thousand, if there is one.
 fn smaller(own: &Unit, thousandths: usize) -> Option<Unit> {
     let wanted = 1.0 / PREFIXES[thousandths].1;
     PREFIXES[1..].iter().find_map(|(prefix, _)| {

@@ -43,7 +43,7 @@ impl Spiral {
             |key: &str, usual: f64| part.number(key).unwrap_or(usual).clamp(-720.0, 720.0);
         let (from, to) = (degrees("from", 90.0), degrees("to", -20.0));
         let turns = part.number("turns").unwrap_or(TURNS).clamp(1.0, 8.0);
-        // The outer end is the first one in its direction after at least so many turns.
+        // The outer end is the first one in its direction after at least this many turns.
         let rest = (to - from - 360.0 * turns).rem_euclid(360.0);
         Self {
             centre: part.point(),

@@ -2,7 +2,7 @@
 //!
 //! What an earlier part asked for stands in the graph of the item; where a later key depends on it, the
 //! student's value (or formula) is put in its place and the key is computed anew. A response that is right
-//! for this key is counted, and told to be a follow-through. An equation of motion stands for all that
+//! for this key is counted, and reported as a follow-through. An equation of motion stands for all that
 //! follows from it, natural frequency, damping ratio and so on, and each of these for the others. Equations of several
 //! coordinates, and matrices, stand for the natural frequencies and shapes that they have ([`system`]), a shape for
 //! what is computed with it ([`shapes`]).

@@ -8,9 +8,11 @@ use crate::mechanics::equilibrium::Equilibrium;
 use crate::numerics::{Dd, bracketed_root};
 
 /// Newton's method is given up after this many steps.
+// Near an equilibrium each step doubles the digits, so that a dozen suffice; the others are for a start far from it.
 const MAX_STEPS: usize = 200;
 
 /// A step is halved at most this often before it is taken as it is.
+// 2^-40 of a step is 1e-12 of it, which moves nothing that is printed.
 const MAX_HALVINGS: usize = 40;
 
 /// An angle is searched for equilibria in this many steps of a turn; equilibria a textbook asks
@@ -116,7 +118,7 @@ impl Numbers {
         Value::new(Form::BOOLEAN, vec![stable], vec![0.0]).ok_or(Unavailable::NoEquilibrium)
     }
 
-    /// The restoring force of a single coordinate, and whether it cannot be told from zero.
+    /// The restoring force of a single coordinate, and whether it cannot be distinguished from zero.
     fn force_at(&self, position: &[Precise]) -> Result<(f64, bool), Unavailable> {
         let forces = self.value(&self.model.evaluation.restoring, position)?;
         let force = forces.numbers()[0];

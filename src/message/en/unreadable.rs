@@ -127,7 +127,7 @@ fn why(why: &Why) -> String {
         Why::AngleUnit => "an angle is in degrees or radians.".to_owned(),
         Why::SeveralComplex => "one complex number is asked.".to_owned(),
 
-        Why::NoOption(last) => format!("this is none of the options: type a letter from a to {last}."),
+        Why::NoOption(last) => format!("this is not one of the options: type a letter from a to {last}."),
         Why::OneOption => "one option is asked: type one letter.".to_owned(),
         Why::Ranking(count) => format!("give all {count} letters, each once, in order."),
 

@@ -27,7 +27,7 @@ pub enum BlueprintError {
     #[error("{0}")]
     Space(SpaceError, Span),
     /// `columns` without a class list.
-    #[error("`columns` names headings of a class list, and there is none")]
+    #[error("`columns` names headings of a class list, and there is no class list")]
     Columns(Span),
     /// A blueprint from which no sheet can be made: it has no `[[question]]`.
     #[error("the blueprint has no question")]
@@ -54,7 +54,7 @@ pub enum BlueprintError {
     #[error("`formats` is empty, so that no sheet would be written")]
     NoFormat(Span),
     /// `[print]` without a format that is printed.
-    #[error("`[print]` makes files for the printer, of which there are none in these formats")]
+    #[error("`[print]` makes files for the printer, and these formats have none")]
     NothingToPrint(Span),
     /// An `id` of `[page]` that is not a name.
     #[error("the `id` of a page has 1 to 64 letters, digits, dots and hyphens")]

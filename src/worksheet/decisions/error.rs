@@ -19,8 +19,8 @@ pub enum DecisionError {
     /// Nothing says which item is meant.
     #[error("neither `item` nor `question` says which question is meant")]
     NoItem(Span),
-    /// A key that does not stand beside this effect.
-    #[error("`{0}` does not stand beside `{1}`")]
+    /// A key that cannot be combined with this effect.
+    #[error("`{0}` cannot be combined with `{1}`")]
     Beside(&'static str, &'static str, Span),
     /// A sheet that was not handed out.
     #[error("no sheet {found} was handed out")]

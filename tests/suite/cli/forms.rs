@@ -151,7 +151,7 @@ fn a_folder_of_saved_answers_is_marked_and_what_is_wrong_with_a_file_is_told_by_
         );
         exam.grade(&alone)
             .ends(1)
-            .complains("which is none of this run");
+            .complains("which is not in this run");
     }
     exam.grade(&text_of(&exam.folder.join("empty")))
         .ends(2)

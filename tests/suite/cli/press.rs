@@ -88,7 +88,7 @@ fn sheets_that_cannot_be_printed_are_named_and_the_run_goes_on() {
     for (script, why) in [
         ("refuses", "unknown variable in line 3"),
         ("dies-always", "the press failed twice"),
-        ("babbles", "it answers with what is not a reply"),
+        ("babbles", "its answer is not a reply"),
         ("hangs", "no answer in"),
     ] {
         let top =

@@ -36,6 +36,8 @@ pub struct DisplacementResonance {
 impl DisplacementResonance {
     /// The resonance of an oscillator; none if ζ is 1/√2 or more, by the exact sign of 2 m k - c².
     pub fn of(oscillator: &Oscillator) -> Option<Self> {
+        // In scaled units 2 m k is less than 16, so that there is no resonance long before; larger squares may
+        // overflow.
         const LARGE: f64 = 1e30;
         let scaled = *oscillator.scaled();
         if scaled.damping > LARGE {

@@ -11,6 +11,7 @@ use super::{Constant, Expr, Function, Kind, Name, Operator};
 use vibank_dynamics::numerics::Rational;
 
 /// Powers of pure numbers are folded up to this exponent.
+// 2^64 still leaves half of the 128 bits of a numerator free.
 const LARGEST_FOLDED_EXPONENT: i128 = 64;
 
 impl Expr {

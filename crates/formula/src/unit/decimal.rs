@@ -41,6 +41,7 @@ pub struct Decimal {
 
 impl Decimal {
     /// How many significant digits are kept.
+    // 10^38 is the largest power of ten below 2^127, the range of an `i128`.
     pub const MAX_DIGITS: u32 = 38;
     /// 0.
     pub const ZERO: Self = Self {

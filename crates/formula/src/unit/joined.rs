@@ -82,7 +82,7 @@ fn is_kilogram(found: Found) -> bool {
 /// Runs that some take for one unit and some for another.
 const AMBIGUOUS: [(&str, &str, &str); 2] = [("grad", "deg", "gon"), ("kmh", "km/h", "km h")];
 
-/// Words that are told by their capitals: the noun of German is always the degree.
+/// Words that are recognized by their capitals: the noun of German is always the degree.
 const CAPITALS: [(&str, &str); 2] = [("Grad", "deg"), ("KG", "kg")];
 
 /// What a run of letters means: a symbol, a word, or several symbols.

@@ -149,7 +149,7 @@ impl<'a> UnitReader<'a> {
                 }
             }
             (Some(Between::Product), Some(_)) => {
-                // What is no unit is told first: a remark, or another number.
+                // What is not a unit is reported first: a remark, or another number.
                 let place = self.scanner;
                 self.item()?;
                 return Err(place.error(ErrorKind::ProductAfterSlash));

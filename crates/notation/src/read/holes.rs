@@ -1,8 +1,10 @@
 //! Characters of a private-use area that stand for holes of a text; Markdown and LaTeX take them for letters.
 
 /// The first of the characters that stand for holes.
+// The private use area of Unicode begins here: nobody types these 6,400 characters.
 const FIRST: u32 = 0xE000;
 /// How many holes a text may have.
+// They fit into the private use area.
 pub const LIMIT: usize = 6000;
 /// What stands for a written `<<`.
 pub const LITERAL: char = '\u{F8FF}';

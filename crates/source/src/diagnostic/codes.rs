@@ -144,7 +144,7 @@ codes! {
         "A plot of `curves` or of a `phase-plane` has a variable `x` with a range of two formulas, and from 1 to 12 curves, whose formulas are real numbers and functions of the variable alone.\nAll curves have the dimension of the unit of `y`; a mark has the dimensions of both axes.\nA `band` has two edges, `[-delta, delta]`.\nA plot of `mode-shapes` draws those of a model."
     FIGURE_ELEMENT "figure::element" "An element of a figure that does not exist."
         "An element is an inline table whose first key is its kind and holds its place, `{ spring = [\"A\", \"B\"], label = \"k\" }`.\nThe page of figure elements shows all kinds with their keys."
-    FIGURE_PLACE "figure::place" "A place in a figure that is none."
+    FIGURE_PLACE "figure::place" "A place in a figure that does not exist."
         "A point is a name from `points`, a pair `[x, y]` in units of 10 mm or a formula for one, or a side of a body that is placed at a named point, `B.left`.\nA cord goes round a pulley at a named point as `\"P cw\"` or `\"P ccw\"`.\nPlaces and sizes are pure numbers: divide a length by another, and keep it within bounds by `clamp`."
     FIGURE_WORD "figure::word" "A word that a key of a figure does not take."
         "`labels` is `symbol`, `value` or `both`; `at` of a label is `above`, `below`, `left` or `right`; `style` is `solid`, `dashed`, `dotted` or `faint`; the sides of a body are `left`, `right`, `top` and `bottom`."

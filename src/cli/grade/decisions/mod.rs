@@ -139,7 +139,7 @@ impl Decision {
         }
     }
 
-    /// Notes that its part was handed out, with so many points.
+    /// Notes that its part was handed out, with this many points.
     fn claim(&mut self, most: Rational) {
         self.is_claimed = true;
         if self.points().is_some_and(|points| points > most) {
@@ -249,7 +249,7 @@ impl Decisions {
         Ok(())
     }
 
-    /// Notes that a part was handed out, with so many points at most.
+    /// Notes that a part was handed out, with this many points at most.
     pub(crate) fn claim(&mut self, place: &Place, alike: &Alike, most: Rational) {
         if self.all.is_empty() {
             return;

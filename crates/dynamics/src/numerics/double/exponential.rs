@@ -15,6 +15,7 @@ fn nearest_integer(x: f64) -> f64 {
 }
 
 /// Beyond this magnitude the exponential leaves the range of `f64`.
+// e^750 is 5e325 and e^-750 is 2e-326: both are out of range, also for the smallest subnormal number.
 const EXPONENT_LIMIT: f64 = 750.0;
 
 impl Dd {

@@ -4,6 +4,7 @@ use super::Dd;
 use crate::numerics::elementary::binary_exponent;
 
 /// Beyond this magnitude both exponentials no longer fit, and the falling one no longer counts.
+// e^709 is the largest exponential of binary64.
 const LARGE: f64 = 700.0;
 
 impl Dd {

@@ -48,6 +48,7 @@ const HALF_PI: [Long; 3] = [
 ];
 
 /// Halvings of the argument of an exponential before its series.
+// An argument of at most ln 2/2 takes over forty terms to 256 bits, its 256th part some twenty.
 const HALVINGS: i32 = 8;
 
 /// Beyond this an exponential leaves the range of binary64 by far, and is taken there.
@@ -199,6 +200,7 @@ impl Long {
             };
             return right_angle - (one() / self).atan();
         }
+        // At 1 the series hardly converges; at the tangent of an eighth of the angle each term adds 6.7 bits.
         const HALVINGS: i32 = 3;
         let halved = (0..HALVINGS).fold(self, |x, _| x / (one() + (one() + x * x).sqrt()));
         halved.odd_series(-(halved * halved)).shifted(HALVINGS)

@@ -65,6 +65,7 @@ impl Classical {
     ///
     /// Sums for a few times side by side stay in registers while the modes are added.
     pub(crate) fn grid(&self, start: f64, step: f64, displacements: &mut [f64]) {
+        // Sixteen sums fill four registers of 256 bits.
         const LANES: usize = 16;
         let size = self.motions.len();
         let samples = displacements.len() / size;

@@ -14,6 +14,7 @@ pub(crate) struct Chain<'a> {
 
 impl<'a> Chain<'a> {
     pub(crate) fn of(masses: &'a [f64], springs: &[Link]) -> Option<Self> {
+        // The sum of as many springs as are accepted, 100,000, is then still a finite number.
         const LARGEST: f64 = 1e280;
         let mut ground = vec![0.0; masses.len()];
         let mut couplings = vec![0.0; masses.len() - 1];

@@ -263,6 +263,7 @@ fn exact_rayleigh_rate(masses: &[f64], springs: &[Link], shape: &[f64]) -> f64 {
 /// Whether sums over the springs of all modes cost little beside the rotations, and none of them leaves the range of numbers.
 fn is_sparse_and_in_range(masses: &[f64], springs: &[Link], stiffest: f64) -> bool {
     const SPARSE: usize = 16;
+    // Products of four of these numbers stay within 1e±280.
     const RANGE: std::ops::Range<f64> = 1e-70..1e70;
     springs.len() <= SPARSE * masses.len()
         && masses.iter().all(|m| RANGE.contains(m))

@@ -176,7 +176,9 @@ impl Refined {
 /// are off by the shape's error times the ratio of the frequencies; its Rayleigh quotient is off by the square of that.
 /// All pairs, if the system came as a matrix.
 fn mixed_pairs(modes: &Modes) -> DMatrix<bool> {
+    // Farther apart, rounding mixes two shapes by at most fifty unit roundoffs.
     const CLOSE: f64 = 2e-2;
+    // Its square, 1e-26, is what the Rayleigh quotient of a soft mode may be off by.
     const VELOCITY_ERROR: f64 = 1e-13;
     let error = 4.0 * (modes.count() as f64).sqrt() * f64::EPSILON;
     let is_network = matches!(modes.system.stiffness, Stiffness::Springs(_));

@@ -46,6 +46,8 @@ impl Modes {
     /// Larger systems may lose more, and refining them takes longer.
     fn refine_spread(&mut self) {
         const SMALL: usize = 16;
+        // The eigenvalues, squares of these rates, then spread by 900: a matrix has lost three digits of the
+        // smallest.
         const SPREAD: f64 = 30.0;
         if self.count() > SMALL {
             return;

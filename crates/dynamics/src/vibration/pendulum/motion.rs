@@ -106,6 +106,7 @@ impl Pendulum {
         angle: f64,
         angular_velocity: f64,
     ) -> Result<PendulumMotion, PendulumError> {
+        // Its cube is still within the range of numbers.
         const FASTEST: f64 = 1e100;
         let kappa = self.reduced_velocity(angular_velocity);
         let double_rate = (self.rate() * 2.0).hi();

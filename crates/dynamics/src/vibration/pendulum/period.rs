@@ -132,6 +132,7 @@ fn versine(half: f64) -> f64 {
 ///
 /// where y⁴ is below 1/1000 for a cosine c of 0.5 or more, and below 0.08 for one of 0.1 (DLMF 19.8.12, 19.5.1).
 fn series(versine: f64) -> f64 {
+    // The sixth power of y⁴ is less than 1e-18.
     const FEW: usize = 5;
     let sum = 1.0 + (1.0 - versine).sqrt();
     let y = versine / (sum * sum);

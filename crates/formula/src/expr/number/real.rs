@@ -208,6 +208,7 @@ impl Real for f64 {
 impl Real for Dd {
     /// Sixteen times u² covers the division, the worst of the four.
     const ROUNDOFF: f64 = 4.0 * f64::EPSILON * f64::EPSILON;
+    // Functions of a double-double are right to about 1e-31; one digit is in reserve.
     const FUNCTION: f64 = 1e-30;
     const PI: Self = Dd::PI;
 
@@ -274,6 +275,7 @@ impl Real for Dd {
 impl Real for Long {
     /// 2^-250.
     const ROUNDOFF: f64 = 6e-76;
+    // 2^-256 is 9e-78: seven digits are in reserve for what the functions lose.
     const FUNCTION: f64 = 1e-70;
     const PI: Self = Long::PI;
 

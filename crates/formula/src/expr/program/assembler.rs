@@ -32,7 +32,7 @@ pub(crate) struct Assembler {
 pub(crate) struct Scope(usize);
 
 impl Assembler {
-    /// Room for about so many steps; more are taken as they come.
+    /// Room for about this many steps; more are taken as they come.
     pub(crate) fn with_room(steps: usize) -> Self {
         Self {
             code: Vec::with_capacity(steps),

@@ -14,7 +14,7 @@ use crate::expr::{
 use vibank_dynamics::numerics::{Dd, Rational};
 use vibank_source::Span;
 
-/// Most formulas inside one another, names put in included.
+/// Most formulas inside one another, substituted names included.
 const MAX_DEPTH: u32 = 400;
 
 /// Most steps for which there is room from the start.
@@ -36,7 +36,7 @@ pub(crate) struct Compiler<'a> {
     /// Numbers of the scopes of locals that were opened.
     scopes: usize,
     depth: u32,
-    /// Formulas inside one another while names are put in, across the derivatives among them.
+    /// Formulas inside one another while names are substituted, across the derivatives among them.
     pub(crate) expanding: u32,
     /// Keeps the nodes alive that `known` speaks of.
     kept: Vec<Expr>,

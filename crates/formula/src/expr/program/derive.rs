@@ -1,4 +1,4 @@
-//! Derivatives inside a program: names are put in as far as they depend on the variable, then the formula is derived.
+//! Derivatives inside a program: names are substituted as far as they depend on the variable, then the formula is derived.
 
 use std::collections::BTreeSet;
 
@@ -10,9 +10,9 @@ use crate::expr::{
 
 type Result<T> = std::result::Result<T, CompileError>;
 
-/// Most nodes of a formula with its names put in.
+/// Most nodes of a formula with its names substituted.
 const MAX_NODES: u32 = 50_000;
-/// Most formulas inside one another while names are put in.
+/// Most formulas inside one another while names are substituted.
 const MAX_DEPTH: u32 = 300;
 
 impl Compiler<'_> {
@@ -70,7 +70,7 @@ impl Compiler<'_> {
         moving
     }
 
-    /// The formula with everything put in that depends on `by`.
+    /// The formula with everything substituted that depends on `by`.
     fn expanded(&mut self, expr: &Expr, by: &Name) -> Result<Expr> {
         Expansion {
             compiler: self,

@@ -25,7 +25,7 @@ pub enum SymbolicError {
         /// Where it stands.
         span: Span,
     },
-    /// A bound name of an operator would catch a name of what is put in.
+    /// A bound name of an operator would catch a name of what is substituted.
     #[error("the bound name `{name}` also stands in what is substituted")]
     Captured {
         /// The bound name.

@@ -1,4 +1,4 @@
-//! Formulas put in for names.
+//! Formulas substituted for names.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -8,9 +8,9 @@ use super::{SymbolicError, bounded, time_derivative};
 use crate::expr::{Expr, Kind, Name, Path};
 use vibank_dynamics::numerics::gather;
 
-/// Formulas to be put in for names, all at once.
+/// Formulas to be substituted for names, all at once.
 ///
-/// A primed name is replaced by the time derivative of what is put in: with `x = r*theta`, where
+/// A primed name is replaced by the time derivative of what is substituted: with `x = r*theta`, where
 /// `theta` is moving, `x'` becomes `r*theta'`.
 ///
 /// ```
@@ -27,7 +27,7 @@ pub struct Substitution {
     moving: BTreeSet<Name>,
 }
 
-/// What is put in, with the names that stand in it.
+/// What is substituted, with the names that stand in it.
 #[derive(Debug)]
 struct Value {
     expr: Expr,
@@ -47,12 +47,12 @@ impl Value {
 }
 
 impl Substitution {
-    /// Nothing to be put in, where no name moves with time (but `t` itself).
+    /// Nothing to be substituted, where no name moves with time (but `t` itself).
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Nothing to be put in yet, where these names move with time.
+    /// Nothing to be substituted yet, where these names move with time.
     pub fn moving(names: impl IntoIterator<Item = Name>) -> Self {
         Self {
             moving: gather(names),
@@ -74,11 +74,11 @@ impl Substitution {
         self
     }
 
-    /// The formula with everything put in.
+    /// The formula with everything substituted.
     ///
     /// # Errors
     ///
-    /// [`SymbolicError::Captured`] where a bound name would catch a name of what is put in,
+    /// [`SymbolicError::Captured`] where a bound name would catch a name of what is substituted,
     /// [`SymbolicError::TooLarge`], and the errors of derivatives of primed or differentiated names.
     pub fn apply(&self, expr: &Expr) -> Result<Expr, SymbolicError> {
         if self.names.is_empty() && self.paths.is_empty() {

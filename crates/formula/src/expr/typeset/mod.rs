@@ -12,7 +12,7 @@ use vibank_notation::{Class, Math};
 
 /// How names stand in a formula.
 pub trait Notation {
-    /// The symbol of a name, or the value put in for it.
+    /// The symbol of a name, or the value substituted for it.
     fn name(&self, name: &Name) -> Symbol;
 
     /// The symbol of a quantity of a model.

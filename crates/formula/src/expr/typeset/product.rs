@@ -38,7 +38,7 @@ impl Setter<'_> {
         }
     }
 
-    /// Whether a sign stands in front, as where a negative number is put in for the first factor.
+    /// Whether a sign stands in front, as where a negative number is substituted for the first factor.
     ///
     /// Only what is set in one step can bear one: setting the factor to see would double the work at each level.
     fn begins_with_sign(&self, factors: &[Part]) -> bool {

@@ -146,7 +146,7 @@ fn sine_of_twelfths(share: Rational) -> Option<Rational> {
     }
 }
 
-/// What is put in for an atom, if anything is.
+/// What is substituted for an atom, if anything is.
 type Change<'a> = dyn FnMut(&Atom, &mut Work) -> Result<Option<Polynomial>, SymbolicError> + 'a;
 
 impl Polynomial {
