@@ -298,8 +298,7 @@ impl Pages {
         let none = || words.no_reliability.clone();
         fact(&words.reliability, reliability.unwrap_or_else(none));
         if summary.undecided > 0 {
-            let [count, all] =
-                [summary.undecided as usize, summary.sheets].map(|own| own.to_string());
+            let [count, all] = [summary.undecided, summary.sheets].map(|own| own.to_string());
             let sheets = filled(&words.left_out, &[("count", &count), ("all", &all)]);
             fact(&words.not_decided, sheets);
         }

@@ -8,6 +8,9 @@ use crate::math::Math;
 use crate::message::Phrase;
 use crate::unit::{Decimal, Quantity, Unit};
 
+/// Components of a mode shape as shares of the largest of their dimension, by their symbols.
+type Shares = Vec<(Math, String)>;
+
 impl Scene<'_, '_> {
     /// The figure with both extremes of a mode, numbered from 0; `None` where the item has no such mode for these data.
     pub fn mode_picture(&self, number: usize) -> Option<Picture> {
@@ -27,7 +30,7 @@ impl Scene<'_, '_> {
 
     /// A mode shape in SI units, and its components as shares by their symbols: the largest length is 1, and the largest
     /// angle.
-    fn mode(&self, number: usize) -> Option<(Vec<f64>, Vec<(Math, String)>)> {
+    fn mode(&self, number: usize) -> Option<(Vec<f64>, Shares)> {
         let numbers = self.solution.evaluation().model("model")?;
         let modes = numbers.modes().ok()?;
         let shape = (number < modes.count()).then(|| modes.mode_shape(number))?;
