@@ -24,7 +24,9 @@ impl Formatter for Plain {
         // Beyond these sizes a number without an exponent has more zeros than digits.
         let is_handy = value == 0.0 || (1e-5..1e16).contains(&value.abs());
         if is_handy {
-            write!(writer, "{value}")
+            // As everywhere on the wire, an integer among such numbers has a decimal point.
+            let end = if value == value.trunc() { ".0" } else { "" };
+            write!(writer, "{value}{end}")
         } else {
             write!(writer, "{value:e}")
         }
@@ -52,6 +54,6 @@ mod tests {
         let bits = |all: &[f64]| all.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
         assert_eq!(bits(&read), bits(&numbers));
         assert_eq!(written(&[f64::NAN, f64::INFINITY]), "[null,null]");
-        assert_eq!(written(&[1.5, 1e-7, 3.0]), "[1.5,1e-7,3]");
+        assert_eq!(written(&[1.5, 1e-7, 3.0]), "[1.5,1e-7,3.0]");
     }
 }

@@ -71,5 +71,5 @@ fn what_is_no_compiled_item_is_refused() {
     let broken = json.replace("\"texts\":[", "\"texts\":[],\"others\":[");
     let compiled: Compiled = serde_json::from_str(&broken).expect("it has the form");
     let error = compiled.template().expect_err("its texts are gone");
-    assert!(error.to_string().contains("no compiled item"), "{error}");
+    assert!(error.to_string().contains("not a compiled item"), "{error}");
 }

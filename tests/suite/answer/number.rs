@@ -193,6 +193,10 @@ fn an_interval_for_angles_has_two_ends_and_a_period() {
             ("ch1/test.toml", item.as_str()),
         ]);
         let told = format!("{findings:?}");
-        assert_eq!(!told.contains("no interval"), is_sound, "{within}: {told}");
+        assert_eq!(
+            !told.contains("not an interval"),
+            is_sound,
+            "{within}: {told}"
+        );
     }
 }

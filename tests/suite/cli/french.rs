@@ -421,7 +421,7 @@ fn pictures_are_described_in_french() {
     vibank(&["sheet", &plan, "--bank", &bank, "--out", &text_of(&out)]).ends(0);
     let sheets = content(out.join("sheets.html"));
     for words in [
-        "Schéma\u{a0}: bloc, ressort et force",
+        "Schéma\u{a0}: ressort, bloc et force",
         "Un ressort k relie le bloc m au mur de gauche.",
         "Une force F agit sur le bloc m.",
     ] {

@@ -215,10 +215,10 @@ fn no_manifest_names_a_file_outside_of_its_folder() {
             let marks = text_of(&folder.join("a/b/marks"));
             small(&["grade", &forged, &responses, "--out", &marks])
                 .ends(2)
-                .complains("no code of a sheet");
+                .complains("not a code of a sheet");
             assert!(!outside.exists() && !folder.join("a/escaped").exists());
             let shown = small(&["show", &code, "--manifest", &forged]).ends(2);
-            assert!(shown.err.contains("no code of a sheet"), "{}", shown.err);
+            assert!(shown.err.contains("not a code of a sheet"), "{}", shown.err);
         }
     }
 }
