@@ -20,6 +20,11 @@ use crate::numerics::{binary_exponent, scale_by_power_of_two};
 /// Up to this size rotations take less than what can be seen, and lose nothing.
 pub(crate) const SMALL: usize = 16;
 
+/// Whether systems of this size are reduced.
+fn is_large(size: usize) -> bool {
+    cfg!(feature = "large") && size > SMALL
+}
+
 /// Largest eigenvalue over the smallest, up to which a dense reduction leaves the shapes of networks as accurate as their data
 /// determine them: it is accurate beside the largest.
 const SPREAD: f64 = 1e4;
@@ -29,7 +34,7 @@ pub(crate) fn of_network(masses: &[f64], springs: &[Link]) -> Option<Solution> {
     const RANGE: std::ops::Range<f64> = 1e-70..1e70;
     let in_range = |x: f64| RANGE.contains(&x) || x == 0.0;
     let coefficients = springs.iter().map(|spring| spring.coefficient);
-    if masses.len() <= SMALL
+    if !is_large(masses.len())
         || !masses.iter().all(|m| in_range(*m))
         || !coefficients.into_iter().all(in_range)
     {
@@ -115,7 +120,7 @@ fn is_narrow(values: &[f64]) -> bool {
 
 /// The modes of a mass-weighted stiffness matrix, given column after column, if they can be proven and none grows.
 pub(crate) fn of_weighted(entries: Vec<f64>, size: usize) -> Option<Solution> {
-    if size <= SMALL {
+    if !is_large(size) {
         return None;
     }
     let Eigenpairs { values, vectors } = eigenpairs(entries.clone(), size)?;

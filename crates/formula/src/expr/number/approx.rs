@@ -327,6 +327,7 @@ impl<T: Real> Approx<T> {
 
 impl<T: Real> Scalar for Approx<T> {
     const ROUNDOFF: f64 = T::ROUNDOFF;
+    const SEARCHES: bool = T::SEARCHES;
 
     fn of(precise: &Precise) -> Self {
         let value = T::of_pair(precise.high(), precise.low());

@@ -20,6 +20,8 @@ pub trait Real:
     const FUNCTION: f64;
     /// π to working precision.
     const PI: Self;
+    /// Whether roots and integrals are searched with it: with most digits they would take too long.
+    const SEARCHES: bool = true;
 
     /// The number nearest to a pair.
     fn of_pair(high: f64, low: f64) -> Self;
@@ -278,6 +280,7 @@ impl Real for Long {
     // 2^-256 is 9e-78: seven digits are in reserve for what the functions lose.
     const FUNCTION: f64 = 1e-70;
     const PI: Self = Long::PI;
+    const SEARCHES: bool = false;
 
     fn of_pair(high: f64, low: f64) -> Self {
         Self::from(high) + Self::from(low)

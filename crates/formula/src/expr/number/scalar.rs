@@ -16,6 +16,9 @@ pub trait Scalar: Clone {
     /// Bound on the relative error of one arithmetic operation.
     const ROUNDOFF: f64;
 
+    /// Whether programs with searches, for roots and integrals, are run over it.
+    const SEARCHES: bool = true;
+
     /// The number with these digits.
     fn of(precise: &Precise) -> Self;
 

@@ -127,6 +127,9 @@ impl<'a, S: Scalar> Machine<'a, S> {
             Step::Jump(target) => return Ok(Some(target)),
             Step::JumpUnless(a, target) => return Ok((!self.holds(a)).then_some(target)),
             Step::JumpIf(a, target) => return Ok(self.holds(a).then_some(target)),
+            Step::Root(_) | Step::Integral(_) if !S::SEARCHES => {
+                return Err(Undefined::TooLong.into());
+            }
             Step::Root(search) => {
                 let value = root(&mut self.body(search, at)?)?;
                 self.set(out, value);
