@@ -102,7 +102,7 @@ pub struct Letter {
 
 impl Blank {
     /// A line for an answer of this form, without letters, unit and figures.
-    pub(super) fn of(form: Asked) -> Self {
+    pub(crate) fn of(form: Asked) -> Self {
         Self {
             form,
             letters: Vec::new(),
@@ -113,7 +113,7 @@ impl Blank {
 
     /// The same for numbers in a unit with significant figures; one that is 1 goes without saying.
     #[must_use]
-    pub(super) fn with_numbers(self, unit: Option<Unit>, figures: u32) -> Self {
+    pub(crate) fn with_numbers(self, unit: Option<Unit>, figures: u32) -> Self {
         Self {
             unit: unit.filter(|unit| !unit.is_one()),
             figures: Some(figures),
@@ -123,7 +123,7 @@ impl Blank {
 
     /// The same for formulas in these letters, each printed once.
     #[must_use]
-    pub(super) fn with_letters(mut self, letters: &[Expr], lexicon: &Lexicon) -> Self {
+    pub(crate) fn with_letters(mut self, letters: &[Expr], lexicon: &Lexicon) -> Self {
         for letter in letters {
             let symbol = letter.typeset(lexicon);
             if self.letters.iter().all(|other| other.symbol != symbol) {

@@ -16,7 +16,7 @@ pub struct Echo {
 
 impl Echo {
     /// The echo of readings, the conventional one first.
-    pub(super) fn of(readings: impl IntoIterator<Item = Reading>) -> Option<Self> {
+    pub(crate) fn of(readings: impl IntoIterator<Item = Reading>) -> Option<Self> {
         let mut readings = readings.into_iter();
         let reading = readings.next()?;
         let other = readings.find(|other| other.text != reading.text);
@@ -27,7 +27,7 @@ impl Echo {
     }
 
     /// The echo of a response that can be read in one way.
-    pub(super) fn of_reading(reading: Reading) -> Self {
+    pub(crate) fn of_reading(reading: Reading) -> Self {
         Self {
             reading,
             other: None,
@@ -39,7 +39,7 @@ impl Echo {
     /// # Errors
     ///
     /// Why it cannot be read.
-    pub(super) fn of_marking(marking: Marking) -> Result<Self, Unreadable> {
+    pub(crate) fn of_marking(marking: Marking) -> Result<Self, Unreadable> {
         let why = marking.remarks.into_iter().find_map(|remark| match remark {
             Remark::Unreadable(why) => Some(why),
             _ => None,

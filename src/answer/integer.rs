@@ -48,7 +48,7 @@ struct Whole {
 }
 
 /// Reads the keys of a part that belong to this kind; what is wrong is noted.
-pub(super) fn read(
+pub(crate) fn read(
     part: &crate::source::Table<'_>,
     declare: &mut dyn Declare,
 ) -> Option<Box<dyn Answer>> {

@@ -9,11 +9,11 @@ use crate::response::Lexicon;
 use crate::source::Table;
 
 /// The letters that the answers of a part may use.
-pub(super) struct Allowed {
+pub(crate) struct Allowed {
     /// How they are typed.
-    pub(super) lexicon: Lexicon,
+    pub(crate) lexicon: Lexicon,
     /// Those in which the key is printed.
-    pub(super) names: Vec<Name>,
+    pub(crate) names: Vec<Name>,
     /// Those of an answer line.
     letters: Vec<Name>,
 }
@@ -22,7 +22,7 @@ impl Allowed {
     /// The letters that may be used: all data and symbols, the numbers that earlier parts ask for, and what the part lists as
     /// `in`; a symbol is on the line from the first part on that writes it; what moves with time only where the answer does; without those of its `without`, and never the key itself unless
     /// it is listed.
-    pub(super) fn read(
+    pub(crate) fn read(
         part: &Table<'_>,
         declare: &mut dyn Declare,
         key: Option<&Name>,
@@ -89,7 +89,7 @@ impl Allowed {
     }
 
     /// Lets answers use the variable of a function, which is named elsewhere on the line.
-    pub(super) fn allow_variable(&mut self, name: &Name) {
+    pub(crate) fn allow_variable(&mut self, name: &Name) {
         if !self.names.contains(name) {
             self.lexicon.allow(name, symbol(name.as_str()), false);
             self.names.push(name.clone());
@@ -97,12 +97,12 @@ impl Allowed {
     }
 
     /// The letters of a line.
-    pub(super) fn letters(&self) -> Vec<Expr> {
+    pub(crate) fn letters(&self) -> Vec<Expr> {
         self.letters.iter().cloned().map(Expr::name).collect()
     }
 
     /// The letters of a line for a formula, with the derivatives and the time that it uses.
-    pub(super) fn of_formula(&self, key: &Expr) -> Vec<Expr> {
+    pub(crate) fn of_formula(&self, key: &Expr) -> Vec<Expr> {
         let mut letters = self.letters();
         for used in key.names().free {
             let letter = Expr::name(used.name.clone()).prime(used.order);
@@ -116,7 +116,7 @@ impl Allowed {
 
     /// The letters of a line for equations in unknowns, which come first with their derivatives as far as these equations
     /// have them.
-    pub(super) fn of_equations<'a>(
+    pub(crate) fn of_equations<'a>(
         &self,
         unknowns: &[Name],
         sides: impl Iterator<Item = &'a Expr>,

@@ -104,7 +104,7 @@ pub struct Key {
 
 impl Key {
     /// A key that is a formula, as it is written and typeset.
-    pub(super) fn formula(text: String, math: Math) -> Self {
+    pub(crate) fn formula(text: String, math: Math) -> Self {
         let latex = math.latex();
         Self {
             math,
@@ -331,7 +331,7 @@ impl Marking {
     }
 
     /// Says in which unit numbers without one were taken.
-    pub(super) fn say_taken(&mut self, unit: &Unit) {
+    pub(crate) fn say_taken(&mut self, unit: &Unit) {
         self.remarks.push(Note::TakenIn(*unit).into());
     }
 }

@@ -13,8 +13,8 @@ use crate::quantity::{Evaluation, NodeId};
 
 /// The names of an item as the answers of a part use them, down to what varies freely.
 #[derive(Debug)]
-pub(super) struct Meaning {
-    pub(super) inputs: Vec<Input>,
+pub(crate) struct Meaning {
+    pub(crate) inputs: Vec<Input>,
     formulas: BTreeMap<Name, (Expr, Type)>,
     /// What the data of the item have to meet.
     constraints: Vec<Expr>,
@@ -24,26 +24,26 @@ pub(super) struct Meaning {
 
 /// A name that varies freely.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Input {
-    pub(super) name: Name,
+pub(crate) struct Input {
+    pub(crate) name: Name,
     /// What it is, in words.
-    pub(super) title: Option<Arc<str>>,
+    pub(crate) title: Option<Arc<str>>,
     kind: Type,
     /// Where its value for an instance is to be had.
     node: Option<NodeId>,
-    pub(super) is_signed: bool,
+    pub(crate) is_signed: bool,
     /// Whether it is an integer by its meaning, such as a number of cycles.
-    pub(super) is_integer: bool,
+    pub(crate) is_integer: bool,
     /// Whether its time derivatives vary freely, too.
-    pub(super) is_moving: bool,
+    pub(crate) is_moving: bool,
 }
 
 /// A name and its time derivatives take this many slots.
-pub(super) const ORDERS: usize = 4;
+pub(crate) const ORDERS: usize = 4;
 
 /// Which of two things of one name an answer speaks of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Prefer {
+pub(crate) enum Prefer {
     /// The quantity, as everywhere but in equations.
     Quantities,
     /// The coordinate, as in equations.
@@ -52,7 +52,7 @@ pub(super) enum Prefer {
 
 impl Meaning {
     /// The names of an item.
-    pub(super) fn of(declare: &dyn Declare, prefer: Prefer) -> Self {
+    pub(crate) fn of(declare: &dyn Declare, prefer: Prefer) -> Self {
         let known = declare.known();
         let mut meaning = Self {
             inputs: Vec::new(),
@@ -126,7 +126,7 @@ impl Meaning {
 
     /// Adds a letter of no dimension that varies freely.
     /// It takes the place of a quantity of that name.
-    pub(super) fn add_free(&mut self, name: &Name) {
+    pub(crate) fn add_free(&mut self, name: &Name) {
         self.formulas.remove(name);
         self.inputs.retain(|input| input.name != *name);
         self.inputs.push(Input {
@@ -141,7 +141,7 @@ impl Meaning {
     }
 
     /// Lets the time derivatives of a name vary freely, too; one that is a quantity varies from now on.
-    pub(super) fn set_moving(&mut self, name: &Name) {
+    pub(crate) fn set_moving(&mut self, name: &Name) {
         if let Some((_, kind)) = self.formulas.remove(name) {
             self.inputs.push(Input {
                 name: name.clone(),
@@ -162,13 +162,13 @@ impl Meaning {
     }
 
     /// The conditions that the data of the item have to meet.
-    pub(super) fn conditions(&self) -> &[Condition] {
+    pub(crate) fn conditions(&self) -> &[Condition] {
         let compile = || Condition::of(self, &self.constraints);
         self.conditions.get_or_init(compile)
     }
 
     /// A point with the data of another.
-    pub(super) fn with_data(&self, mut point: Vec<Precise>, data: &[Precise]) -> Vec<Precise> {
+    pub(crate) fn with_data(&self, mut point: Vec<Precise>, data: &[Precise]) -> Vec<Precise> {
         for (place, input) in self.inputs.iter().enumerate() {
             if input.node.is_some() {
                 point[place * ORDERS] = data[place * ORDERS];
@@ -178,7 +178,7 @@ impl Meaning {
     }
 
     /// Compiles a formula; `replaced` stand in for names.
-    pub(super) fn compile(
+    pub(crate) fn compile(
         &self,
         expr: &Expr,
         replaced: &BTreeMap<Name, Expr>,
@@ -187,7 +187,7 @@ impl Meaning {
     }
 
     /// The names with these in place of some, as a program binds them.
-    pub(super) fn bound<'a>(&'a self, replaced: &'a BTreeMap<Name, Expr>) -> impl Binder + 'a {
+    pub(crate) fn bound<'a>(&'a self, replaced: &'a BTreeMap<Name, Expr>) -> impl Binder + 'a {
         Bound {
             meaning: self,
             replaced,
@@ -196,7 +196,7 @@ impl Meaning {
     }
 
     /// Compiles a formula over complex inputs, two slots for each real one.
-    pub(super) fn compile_complex(
+    pub(crate) fn compile_complex(
         &self,
         expr: &Expr,
         replaced: &BTreeMap<Name, Expr>,
@@ -210,7 +210,7 @@ impl Meaning {
     }
 
     /// Whether a formula keeps its meaning at complex values of its names, with those that are substituted for them.
-    pub(super) fn is_analytic(&self, expr: &Expr, replaced: &BTreeMap<Name, Expr>) -> bool {
+    pub(crate) fn is_analytic(&self, expr: &Expr, replaced: &BTreeMap<Name, Expr>) -> bool {
         const MAX_NAMES: usize = 200;
         let mut open = vec![expr.clone()];
         let mut seen: Vec<Name> = Vec::new();
@@ -235,7 +235,7 @@ impl Meaning {
     }
 
     /// Whether something that moves with time stands in a formula, or in what its names stand for.
-    pub(super) fn uses_moving(&self, expr: &Expr) -> bool {
+    pub(crate) fn uses_moving(&self, expr: &Expr) -> bool {
         let names = self.expanded(expr, &[]).names().free;
         let is_moving = |name: &Name| {
             self.place(name)
@@ -245,17 +245,17 @@ impl Meaning {
     }
 
     /// The place of a name among the inputs.
-    pub(super) fn place(&self, name: &Name) -> Option<usize> {
+    pub(crate) fn place(&self, name: &Name) -> Option<usize> {
         self.inputs.iter().position(|input| input.name == *name)
     }
 
     /// The value of an input for an instance, if it has one.
-    pub(super) fn value(&self, place: usize, evaluation: &Evaluation<'_>) -> Option<f64> {
+    pub(crate) fn value(&self, place: usize, evaluation: &Evaluation<'_>) -> Option<f64> {
         evaluation.real(self.inputs[place].node?).ok()
     }
 
     /// The inputs for an instance; what has no value there is zero.
-    pub(super) fn data(&self, evaluation: &Evaluation<'_>) -> Vec<Precise> {
+    pub(crate) fn data(&self, evaluation: &Evaluation<'_>) -> Vec<Precise> {
         let mut data = vec![Precise::exact(0.0); self.inputs.len() * ORDERS];
         for place in 0..self.inputs.len() {
             if let Some(value) = self.value(place, evaluation) {
@@ -266,7 +266,7 @@ impl Meaning {
     }
 
     /// A formula with all names substituted that an answer may not use.
-    pub(super) fn expanded(&self, expr: &Expr, keep: &[Name]) -> Expr {
+    pub(crate) fn expanded(&self, expr: &Expr, keep: &[Name]) -> Expr {
         const MAX_STEPS: usize = 20;
         let mut result = expr.clone();
         for _ in 0..MAX_STEPS {

@@ -67,14 +67,14 @@ impl FromJson for Doubt {
 }
 
 /// A reading of a response: how it is shown, and what it comes to.
-pub(super) struct Candidate {
-    pub(super) shown: String,
-    pub(super) marking: Marking,
+pub(crate) struct Candidate {
+    pub(crate) shown: String,
+    pub(crate) marking: Marking,
 }
 
 /// Whether the rules that students are given say which of several readings is meant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Rule {
+pub(crate) enum Rule {
     /// They do, as for products without signs: by them the conventional reading is right without a doubt.
     Stated,
     /// Nothing tells, as for three digits behind a comma.
@@ -86,7 +86,7 @@ const MAX_READINGS: usize = 4;
 
 /// The marking of a response by those of its readings, the conventional one first.
 /// If none is right, or all come to the same, the first counts.
-pub(super) fn settle(
+pub(crate) fn settle(
     doubt: Doubt,
     rule: Rule,
     first: Candidate,

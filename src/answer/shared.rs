@@ -5,13 +5,13 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 /// Values by number, each made once; a value that cannot be made is not tried again.
 #[derive(Debug)]
-pub(super) struct Shared<T>(Mutex<BTreeMap<usize, Option<Arc<T>>>>);
+pub(crate) struct Shared<T>(Mutex<BTreeMap<usize, Option<Arc<T>>>>);
 
 /// The number of what belongs to a key.
-pub(super) const KEY: usize = 0;
+pub(crate) const KEY: usize = 0;
 
 /// The number of what belongs to a named mistake.
-pub(super) fn of_mistake(number: usize) -> usize {
+pub(crate) fn of_mistake(number: usize) -> usize {
     number + 1
 }
 
@@ -23,7 +23,7 @@ impl<T> Default for Shared<T> {
 
 impl<T> Shared<T> {
     /// The value of this number.
-    pub(super) fn get(&self, number: usize, make: impl FnOnce() -> Option<T>) -> Option<Arc<T>> {
+    pub(crate) fn get(&self, number: usize, make: impl FnOnce() -> Option<T>) -> Option<Arc<T>> {
         // A panic elsewhere leaves the values as they were: each is put in whole.
         let mut values = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let value = values.entry(number).or_insert_with(|| make().map(Arc::new));

@@ -7,7 +7,7 @@ use crate::expr::{Expr, Kind, Name, Shape, Substitution};
 use crate::quantity::{Graph, NodeId};
 
 /// The formula of a node, with the formulas of models substituted; that of a parameter is its name.
-pub(super) fn formula(graph: &Graph, node: NodeId) -> Expr {
+pub(crate) fn formula(graph: &Graph, node: NodeId) -> Expr {
     match graph.expr(node) {
         Some(expr) => without_paths(graph, expr),
         None => Expr::name(graph.label(node)),
@@ -30,7 +30,7 @@ pub(crate) fn without_paths(graph: &Graph, expr: &Expr) -> Expr {
 }
 
 /// The entries of a formula of this shape, by rows.
-pub(super) fn entries(expr: &Expr, shape: Shape) -> Vec<Expr> {
+pub(crate) fn entries(expr: &Expr, shape: Shape) -> Vec<Expr> {
     if let Some(written) = written_entries(expr, shape) {
         return written;
     }
@@ -68,7 +68,7 @@ fn written_entries(expr: &Expr, shape: Shape) -> Option<Vec<Expr>> {
 
 /// What a mistake puts in for names of the key. What is substituted speaks of the names as they were, so it has them
 /// marked as [`original`].
-pub(super) fn replaced(graph: &Graph, mistaken: &Mistaken) -> BTreeMap<Name, Expr> {
+pub(crate) fn replaced(graph: &Graph, mistaken: &Mistaken) -> BTreeMap<Name, Expr> {
     let old = || mistaken.replaced.iter().map(|(old, _)| graph.label(*old));
     let marked = old().fold(Substitution::new(), |put, name| {
         put.with(name, Expr::name(format!("{ORIGINAL}{name}").as_str()))
@@ -87,6 +87,6 @@ pub(super) fn replaced(graph: &Graph, mistaken: &Mistaken) -> BTreeMap<Name, Exp
 const ORIGINAL: char = '=';
 
 /// The name that is marked as untouched by what replaces names.
-pub(super) fn original(name: &Name) -> Option<Name> {
+pub(crate) fn original(name: &Name) -> Option<Name> {
     name.as_str().strip_prefix(ORIGINAL).map(Name::new)
 }

@@ -37,7 +37,7 @@ enum Term {
 
 impl Tolerance {
     /// Reads a tolerance for a key in `unit`.
-    pub(super) fn read(text: &Text, unit: &Unit, declare: &mut dyn Declare) -> Option<Self> {
+    pub(crate) fn read(text: &Text, unit: &Unit, declare: &mut dyn Declare) -> Option<Self> {
         let mut terms = Vec::new();
         let mut start = 0;
         for piece in text.value.split(',') {
@@ -92,7 +92,7 @@ impl Tolerance {
 }
 
 /// Half a unit of the given significant figure of a number.
-pub(super) fn half_unit(number: f64, figures: u32) -> f64 {
+pub(crate) fn half_unit(number: f64, figures: u32) -> f64 {
     if number == 0.0 {
         return 0.0;
     }

@@ -28,7 +28,7 @@ pub enum Nature {
 }
 
 impl Trial {
-    pub(super) fn new(nature: Nature, response: impl Into<String>) -> Self {
+    pub(crate) fn new(nature: Nature, response: impl Into<String>) -> Self {
         Self {
             nature,
             response: response.into(),
@@ -57,12 +57,12 @@ impl Trial {
 const FIGURES: u32 = 15;
 
 /// A number as it is typed.
-pub(super) fn typed(number: f64) -> String {
+pub(crate) fn typed(number: f64) -> String {
     Decimal::rounded(number, FIGURES).map_or_else(|| "0".to_owned(), |decimal| decimal.to_string())
 }
 
 /// A unit of another dimension than this one.
-pub(super) fn other_unit(unit: &Unit) -> &'static str {
+pub(crate) fn other_unit(unit: &Unit) -> &'static str {
     let is_other =
         |text: &&str| Unit::parse(text).is_ok_and(|other| other.dimension() != unit.dimension());
     ["kg", "m"].into_iter().find(is_other).unwrap_or("A")

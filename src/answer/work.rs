@@ -52,7 +52,7 @@ const MAX_COUNT: usize = 20;
 
 /// Reads the keys of a part that belong to this kind; what is wrong is noted.
 #[cfg(feature = "render")]
-pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
     let minutes = part.integer("minutes", "an integer from 1 to 240", 1..=240);
     let minutes = minutes.map_or(AnswerKind::Work.minutes(), |minutes| {
         minutes.unsigned_abs() as u32
@@ -69,7 +69,7 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
 /// The same in a page, where nobody marks by the rubric.
 #[cfg(not(feature = "render"))]
 #[expect(clippy::unnecessary_wraps, reason = "all kinds are read alike")]
-pub(super) fn read(part: &Table<'_>, _declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+pub(crate) fn read(part: &Table<'_>, _declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
     let _ = (part.value("rubric"), part.value("minutes"));
     Some(Box::new(Work {}))
 }

@@ -13,7 +13,7 @@ use super::{Failure, files};
 pub(crate) enum Kind {
     /// The manifest of a run.
     Manifest,
-    /// A blueprint.
+    /// A blueprint, from which sheets are made.
     Blueprint,
     /// Answers by sheets.
     Answers,

@@ -47,7 +47,7 @@ pub trait Speaker {
 /// An element of a schematic, by what it is and the letter at it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Thing {
-    /// What it is.
+    /// The word for it, such as `spring`.
     pub noun: &'static str,
     /// What stands at it.
     pub label: Option<Math>,
@@ -71,7 +71,7 @@ pub struct Sketch {
 /// Links between the same two things.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
-    /// The links.
+    /// Each spring, damper or other link between them.
     pub links: Vec<Thing>,
     /// What they end at.
     pub ends: [Option<Thing>; 2],
@@ -151,7 +151,7 @@ pub struct Curve {
 /// What kind of line a curve is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Line {
-    /// A curve.
+    /// The graph of a function.
     Curve,
     /// A line that others do not pass, or tend to.
     Limit,
@@ -196,7 +196,7 @@ pub enum Tendency {
     Decays,
     /// Each is larger than the one before.
     Grows,
-    /// Neither.
+    /// None of the two holds for all of them.
     Neither,
 }
 
@@ -214,9 +214,9 @@ pub struct Mode {
 pub struct Pointer {
     /// What stands at it.
     pub label: Option<Math>,
-    /// Its length.
+    /// The magnitude, as it is printed.
     pub length: String,
-    /// Its angle.
+    /// The angle from the real axis, as it is printed.
     pub angle: String,
     /// Whether it begins at the tip of the one before.
     pub is_joined: bool,

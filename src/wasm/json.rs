@@ -7,7 +7,7 @@ use serde_json::Serializer;
 use serde_json::ser::Formatter;
 
 /// A reply as a line of JSON.
-pub(super) fn written(reply: &impl Serialize) -> String {
+pub(crate) fn written(reply: &impl Serialize) -> String {
     let mut line = Vec::new();
     let mut writer = Serializer::with_formatter(&mut line, Plain);
     reply

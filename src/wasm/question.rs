@@ -13,7 +13,7 @@ use crate::solution::Solution;
 use crate::worksheet::{PracticeQuestion, letter};
 
 /// The parts of a question that are asked for these data, as places in the item.
-pub(super) fn asked(question: &PracticeQuestion, solution: &Solution<'_>) -> Vec<usize> {
+pub(crate) fn asked(question: &PracticeQuestion, solution: &Solution<'_>) -> Vec<usize> {
     let parts = &solution.template().parts;
     (0..parts.len())
         .filter(|place| question.asks(&parts[*place]) && solution.asks(*place))
@@ -21,7 +21,7 @@ pub(super) fn asked(question: &PracticeQuestion, solution: &Solution<'_>) -> Vec
 }
 
 /// Texts, one after the other.
-pub(super) fn html(shown: &[Shown<'_>]) -> String {
+pub(crate) fn html(shown: &[Shown<'_>]) -> String {
     let mut out = String::new();
     for piece in shown {
         piece.document.write_html(&mut out, &piece.fillings);
@@ -30,7 +30,7 @@ pub(super) fn html(shown: &[Shown<'_>]) -> String {
 }
 
 /// A figure with what is written under it.
-pub(super) fn figure(picture: &Picture, caption: &Document) -> String {
+pub(crate) fn figure(picture: &Picture, caption: &Document) -> String {
     let mut out = format!("<figure>{}", picture.svg);
     if !caption.is_empty() {
         out.push_str("<figcaption>");
@@ -43,14 +43,14 @@ pub(super) fn figure(picture: &Picture, caption: &Document) -> String {
 
 /// An option of a choice.
 #[derive(Serialize)]
-pub(super) struct ShownOption {
+pub(crate) struct ShownOption {
     id: String,
     letter: String,
     text: String,
 }
 
 /// The options of a choice in the order in which they are shown.
-pub(super) fn options(solution: &Solution<'_>, place: usize) -> Vec<ShownOption> {
+pub(crate) fn options(solution: &Solution<'_>, place: usize) -> Vec<ShownOption> {
     let options = solution.template().parts[place].answer.options();
     if options.is_empty() {
         return Vec::new();
@@ -70,7 +70,7 @@ pub(super) fn options(solution: &Solution<'_>, place: usize) -> Vec<ShownOption>
 
 /// What a tap puts into an answer.
 #[derive(Serialize)]
-pub(super) struct Insertion {
+pub(crate) struct Insertion {
     /// The characters that are inserted.
     typed: String,
     /// As it is shown.
@@ -80,7 +80,7 @@ pub(super) struct Insertion {
 }
 
 /// The letters that an answer may use, and the unit of its numbers.
-pub(super) fn insertions(blank: &Blank) -> Vec<Insertion> {
+pub(crate) fn insertions(blank: &Blank) -> Vec<Insertion> {
     let letters = blank.letters.iter().map(|letter| Insertion {
         typed: letter.typed.clone(),
         symbol: letter.symbol.mathml(Display::Inline),
@@ -95,7 +95,7 @@ pub(super) fn insertions(blank: &Blank) -> Vec<Insertion> {
 }
 
 /// Rows and columns of an answer that is easier to fill in entry by entry.
-pub(super) fn shape(part: &Part, template: &Template) -> Option<(usize, usize)> {
+pub(crate) fn shape(part: &Part, template: &Template) -> Option<(usize, usize)> {
     /// Wider tables do not fit a telephone.
     const MAX_COUNT: usize = 6;
     let keys = part.answer.keys();

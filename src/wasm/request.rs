@@ -18,7 +18,7 @@ use crate::source::{Fields, FromJson, Misfit, named};
 use crate::worksheet::{Heading, headings};
 
 /// What a page asks of the grader; a question is its place on the page, a code that of a variant.
-pub(super) enum Request {
+pub(crate) enum Request {
     /// A variant that is fit to be asked.
     Choose { question: usize, from: u64 },
     /// The statement and what is asked.
@@ -133,7 +133,7 @@ impl FromJson for Request {
 /// What is replied, a variant for each request.
 #[derive(Serialize)]
 #[serde(untagged)]
-pub(super) enum Reply {
+pub(crate) enum Reply {
     Chosen {
         code: String,
     },
@@ -181,7 +181,7 @@ pub(super) enum Reply {
 
 /// A motion of the system, picture by picture.
 #[derive(Serialize)]
-pub(super) struct Moved {
+pub(crate) struct Moved {
     /// All that can be shown, by kind, `start`, `steady` or `mode` with a number.
     runs: Vec<(&'static str, usize)>,
     /// What does not move, with a group for the rest, and what the group holds.
@@ -195,14 +195,14 @@ pub(super) struct Moved {
 
 /// A group as it is shown before its first blank.
 #[derive(Serialize)]
-pub(super) struct ShownGroup {
+pub(crate) struct ShownGroup {
     letter: String,
     ask: String,
 }
 
 /// A part as it is shown.
 #[derive(Serialize)]
-pub(super) struct ShownPart {
+pub(crate) struct ShownPart {
     id: String,
     /// The identities that it had, under which a page may have kept answers.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -234,7 +234,7 @@ struct Asked<'g> {
 }
 
 impl Grader {
-    pub(super) fn reply(&self, request: &Request) -> Result<Reply, String> {
+    pub(crate) fn reply(&self, request: &Request) -> Result<Reply, String> {
         match request {
             Request::Choose { question, from } => {
                 let variant = self.choose(*question, *from)?;

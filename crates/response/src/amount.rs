@@ -31,7 +31,7 @@ pub enum Number {
 }
 
 impl Amount {
-    pub(super) fn decimal(value: Decimal, unit: Unit) -> Self {
+    pub(crate) fn decimal(value: Decimal, unit: Unit) -> Self {
         Self {
             number: Number::Decimal(value),
             unit,
@@ -59,7 +59,7 @@ type Split = (Expr, Option<Unit>);
 /// # Errors
 ///
 /// Where units do not fit together.
-pub(super) fn split(formula: &Expr) -> Result<Amount, Trouble> {
+pub(crate) fn split(formula: &Expr) -> Result<Amount, Trouble> {
     let (expr, unit) = parts(formula)?;
     Ok(Amount {
         number: Number::Formula(expr),

@@ -15,7 +15,7 @@ pub fn with_unit(text: &str) -> impl Iterator<Item = (&str, Unit)> {
 
 /// A unit with each factor once, as a product of units has it: `deg deg` is what `° · °` is. Where an exponent would get
 /// too large, it stays as it was typed.
-pub(super) fn gathered(unit: Unit) -> Unit {
+pub(crate) fn gathered(unit: Unit) -> Unit {
     Unit::ONE.times(&unit).unwrap_or(unit)
 }
 

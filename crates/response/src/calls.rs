@@ -10,7 +10,7 @@ use vibank_formula::expr::{Constant, Expr, Function, Kind, Operator};
 use vibank_source::Span;
 
 impl Parser<'_> {
-    pub(super) fn radical(&mut self, span: Span) -> Result<Expr> {
+    pub(crate) fn radical(&mut self, span: Span) -> Result<Expr> {
         let index = if self.is_sign('[') {
             let open = self.here();
             self.at += 1;
@@ -29,7 +29,7 @@ impl Parser<'_> {
         }
     }
 
-    pub(super) fn function(&mut self, function: Function, span: Span) -> Result<Expr> {
+    pub(crate) fn function(&mut self, function: Function, span: Span) -> Result<Expr> {
         let mut function = function;
         let mut exponent = None;
         match self.item() {
@@ -83,7 +83,7 @@ impl Parser<'_> {
     }
 
     /// `pow(base, exponent)`, `cbrt(base)`, `root(base)`, `nthroot(base, degree)`.
-    pub(super) fn powered(&mut self, powered: Powered, span: Span) -> Result<Expr> {
+    pub(crate) fn powered(&mut self, powered: Powered, span: Span) -> Result<Expr> {
         let (name, least, most) = match powered {
             Powered::Any => ("pow", 2, 2),
             Powered::CubeRoot => ("cbrt", 1, 1),
@@ -231,7 +231,7 @@ impl Parser<'_> {
     }
 
     /// What stands under `√`: brackets, or what they may be left out of.
-    pub(super) fn root(&mut self, span: Span) -> Result<Expr> {
+    pub(crate) fn root(&mut self, span: Span) -> Result<Expr> {
         let is_closed = matches!(
             self.item(),
             Some(Item::Sign(_) | Item::Function(_) | Item::Powered(_) | Item::Root)

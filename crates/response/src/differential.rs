@@ -3,7 +3,7 @@
 use super::letters::{Letters, greek_word};
 
 /// Reads a quotient of differentials at a place: spelling of the name, order, end.
-pub(super) fn leibniz(text: &str, at: usize) -> Option<(String, u8, usize)> {
+pub(crate) fn leibniz(text: &str, at: usize) -> Option<(String, u8, usize)> {
     let mut scanner = Differentials { text, at };
     // `(d^2 x)/(d t^2)`.
     if scanner.take("(") {
@@ -31,7 +31,7 @@ pub(super) fn leibniz(text: &str, at: usize) -> Option<(String, u8, usize)> {
 
 /// Reads a derivative whose name stands behind the quotient, `d/dt(x)`, `\frac{d}{dt}\left(\frac{dx}{dt}\right)`,
 /// `\frac{d^2}{dt^2} x`, `(d/dt) x`: spelling of the name, order, end.
-pub(super) fn behind(text: &str, at: usize) -> Option<(String, u8, usize)> {
+pub(crate) fn behind(text: &str, at: usize) -> Option<(String, u8, usize)> {
     const MAX_LENGTH: usize = 80;
     const MAX_ORDER: u8 = 2;
     let mut scanner = Differentials { text, at };
@@ -93,7 +93,7 @@ fn spelling(name: &str) -> Option<String> {
 
 /// Reads a derivative that is written as a function at a place, `diff(x, t, 2)`, `ddot(x1)`: spelling of the name,
 /// order, end.
-pub(super) fn called(text: &str, at: usize) -> Option<(String, u8, usize)> {
+pub(crate) fn called(text: &str, at: usize) -> Option<(String, u8, usize)> {
     const MAX_LENGTH: usize = 80;
     let rest = &text[at..];
     // `ddot x1`
@@ -151,7 +151,7 @@ pub(super) fn called(text: &str, at: usize) -> Option<(String, u8, usize)> {
 
 /// Reads a derivative that is written as a method at a place, `x.diff(t, 2)`, `x(t).diff(t)`: spelling of the name,
 /// order, end.
-pub(super) fn method(text: &str, at: usize) -> Option<(String, u8, usize)> {
+pub(crate) fn method(text: &str, at: usize) -> Option<(String, u8, usize)> {
     const CALL: &str = ".diff(";
     let rest = &text[at..];
     let name = &rest[..rest.find(|char: char| !char.is_alphanumeric() && char != '_')?];

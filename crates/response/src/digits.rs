@@ -9,7 +9,7 @@ use vibank_formula::expr::Function;
 
 impl Lexer<'_> {
     /// `30 deg`; whether the word stands here behind a number.
-    pub(super) fn degrees(&mut self) -> bool {
+    pub(crate) fn degrees(&mut self) -> bool {
         let is_behind_number =
             matches!(self.tokens.last(), Some(token) if matches!(token.item, Item::Number(_)));
         // As readings are echoed.
@@ -29,7 +29,7 @@ impl Lexer<'_> {
         is_word
     }
 
-    pub(super) fn number(&mut self) -> Result<(), TypedError> {
+    pub(crate) fn number(&mut self) -> Result<(), TypedError> {
         let start = self.at;
         let mut digits = String::new();
         self.digits(&mut digits);
@@ -67,13 +67,13 @@ impl Lexer<'_> {
     }
 
     /// Whether a comma here parts arguments, or may do so.
-    pub(super) fn parts_arguments(&self) -> bool {
+    pub(crate) fn parts_arguments(&self) -> bool {
         self.comma_here() != Comma::Decimal
     }
 
     /// What a comma here is: it parts the arguments of a function of several, `max(5,1)`, unless semicolons in its
     /// brackets do. An arc tangent has one argument or two: other commas and points say which, or else it is open.
-    pub(super) fn comma_here(&self) -> Comma {
+    pub(crate) fn comma_here(&self) -> Comma {
         let mut closed = 0_usize;
         let opens = |token: &Token| match token.item {
             Item::Sign(')' | ']' | '}') => {
@@ -142,7 +142,7 @@ impl Lexer<'_> {
     }
 
     /// `²`, `⁻¹`.
-    pub(super) fn raised(&mut self) -> Result<(), TypedError> {
+    pub(crate) fn raised(&mut self) -> Result<(), TypedError> {
         let start = self.at;
         let mut digits = String::new();
         while let Some(char) = self.peek() {
@@ -169,7 +169,7 @@ impl Lexer<'_> {
 
 /// What a comma between digits is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Comma {
+pub(crate) enum Comma {
     /// A decimal sign.
     Decimal,
     /// It parts arguments.
@@ -194,7 +194,7 @@ fn has_decimal(text: &str, sign: char) -> bool {
 }
 
 /// `½` and its like.
-pub(super) fn fraction(sign: char) -> Option<Rational> {
+pub(crate) fn fraction(sign: char) -> Option<Rational> {
     let (above, below) = match sign {
         '½' => (1, 2),
         '⅓' => (1, 3),

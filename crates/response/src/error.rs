@@ -111,7 +111,7 @@ pub struct TypedError {
 }
 
 impl TypedError {
-    pub(super) fn new(trouble: Trouble, start: usize, end: usize) -> Self {
+    pub(crate) fn new(trouble: Trouble, start: usize, end: usize) -> Self {
         Self {
             trouble,
             span: Span::new(start, end.max(start)),

@@ -8,18 +8,18 @@ use vibank_formula::unit::Unit;
 use vibank_source::Span;
 
 /// What stands around a list.
-pub(super) struct Frame {
+pub(crate) struct Frame {
     /// What multiplies all entries.
-    pub(super) factor: Option<Expr>,
-    pub(super) is_transposed: bool,
+    pub(crate) factor: Option<Expr>,
+    pub(crate) is_transposed: bool,
     /// Whether `diag` stands before it.
-    pub(super) is_diagonal: bool,
-    pub(super) unit: Option<Unit>,
+    pub(crate) is_diagonal: bool,
+    pub(crate) unit: Option<Unit>,
 }
 
 impl Reader<'_> {
     /// What stands in a piece around the list in it.
-    pub(super) fn frame(&self, piece: Span, list: Span) -> Result<Frame, TypedError> {
+    pub(crate) fn frame(&self, piece: Span, list: Span) -> Result<Frame, TypedError> {
         let (start, end, list) = (piece.range().start, piece.range().end, list.range());
         let before = self.text[..list.start].trim_end();
         let plain = without_diagonal(before);
@@ -145,7 +145,7 @@ fn without_times(text: &str) -> &str {
 }
 
 /// A sum of vectors without the signs that make columns of them, `(1, 2)^T cos(2t) + …`; all places stay.
-pub(super) fn without_transpositions(text: &str) -> String {
+pub(crate) fn without_transpositions(text: &str) -> String {
     const SIGNS: &[&str] = &[
         "^{\\mathrm{T}}",
         "^\\mathrm{T}",
@@ -189,7 +189,7 @@ fn without_transposition(text: &str) -> &str {
 }
 
 /// Whether what stands before an equals sign names the transpose of what is asked, `K^T =`.
-pub(super) fn is_transposed_name(label: &str) -> bool {
+pub(crate) fn is_transposed_name(label: &str) -> bool {
     let name = label.trim_end_matches(['=', ':', '≈', ' ']);
     TRANSPOSED.iter().any(|sign| name.ends_with(sign))
 }
@@ -210,7 +210,7 @@ fn without_diagonal(before: &str) -> &str {
 }
 
 /// What stands before the name of a module of Python.
-pub(super) fn without_module(before: &str) -> &str {
+pub(crate) fn without_module(before: &str) -> &str {
     const MODULES: [&str; 6] = ["np.", "numpy.", "sp.", "sympy.", "Matrix.", "la."];
     let mut rest = before;
     while let Some(own) = MODULES.iter().find_map(|module| rest.strip_suffix(module)) {
@@ -220,7 +220,7 @@ pub(super) fn without_module(before: &str) -> &str {
 }
 
 /// The brackets that stand in no other in a part of a text, each with what it holds.
-pub(super) fn groups(text: &str, span: Span) -> Vec<Span> {
+pub(crate) fn groups(text: &str, span: Span) -> Vec<Span> {
     let (mut groups, mut depth, mut start) = (Vec::new(), 0_usize, 0);
     for (at, char) in text[span.range()].char_indices() {
         let at = span.range().start + at;
@@ -252,7 +252,7 @@ fn are_partners(text: &str, close: char) -> bool {
 }
 
 /// What is wrong where a bracket has no partner.
-pub(super) fn balanced(text: &str) -> Result<(), TypedError> {
+pub(crate) fn balanced(text: &str) -> Result<(), TypedError> {
     let mut open = Vec::new();
     for (at, char) in text.char_indices() {
         let alone = match char {

@@ -23,7 +23,7 @@ const LETTERS: [&str; 3] = ["Id", "I", "E"];
 
 impl Reader<'_> {
     /// Where the identity stands in a piece, and how many rows it has; nothing where its letter is a name of the item.
-    pub(super) fn identity_in(&self, piece: Span) -> Option<(Span, usize)> {
+    pub(crate) fn identity_in(&self, piece: Span) -> Option<(Span, usize)> {
         let Wanted::Matrix(Some(rows)) = self.wanted else {
             return None;
         };

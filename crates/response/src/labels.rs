@@ -6,7 +6,7 @@ use vibank_source::Span;
 
 impl Reader<'_> {
     /// The symbol before a piece, and the piece without it.
-    pub(super) fn labelled(&self, piece: Span) -> (Option<Span>, Span) {
+    pub(crate) fn labelled(&self, piece: Span) -> (Option<Span>, Span) {
         let piece = trimmed(self.text, piece);
         let text = &self.text[piece.range()];
         let (mut depth, mut end) = (0_usize, None);
@@ -36,7 +36,7 @@ impl Reader<'_> {
 
 /// Refuses symbols whose numbers do not ascend: what they name may stand in another order than what is asked.
 /// One symbol alone names the whole.
-pub(super) fn in_order(text: &str, labels: &[Option<Span>]) -> Result<(), TypedError> {
+pub(crate) fn in_order(text: &str, labels: &[Option<Span>]) -> Result<(), TypedError> {
     let labels: Vec<Span> = labels.iter().flatten().copied().collect();
     if let Some(label) = labels
         .iter()
@@ -97,7 +97,7 @@ fn is_computed(label: &str) -> bool {
 }
 
 /// The columns of a matrix whose entries have symbols with two indices, `K11 = 2k, K12 = -k, K21 = …`, row by row.
-pub(super) fn columns(text: &str, labels: &[Option<Span>]) -> Option<usize> {
+pub(crate) fn columns(text: &str, labels: &[Option<Span>]) -> Option<usize> {
     let indices = |label: &Option<Span>| {
         let number = number(&text[label.as_ref()?.range()])?;
         (11..=99)

@@ -9,7 +9,7 @@ use vibank_formula::expr::Function;
 
 impl Lexer<'_> {
     /// A LaTeX command.
-    pub(super) fn command(&mut self) -> Result<(), TypedError> {
+    pub(crate) fn command(&mut self) -> Result<(), TypedError> {
         let start = self.at;
         let name: String = self.rest()[1..]
             .chars()
@@ -68,7 +68,7 @@ impl Lexer<'_> {
     }
 
     /// Primes as an exponent, `^{\prime\prime}` or `^{''}`; how many there are.
-    pub(super) fn raised_primes(&mut self) -> u8 {
+    pub(crate) fn raised_primes(&mut self) -> u8 {
         let Some(rest) = self.rest().strip_prefix('^') else {
             return 0;
         };

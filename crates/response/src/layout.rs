@@ -8,7 +8,7 @@ use vibank_formula::unit::Unit;
 use vibank_source::Span;
 
 /// The text of a list with brackets and separators as they are read.
-pub(super) fn laid_out(text: &str) -> String {
+pub(crate) fn laid_out(text: &str) -> String {
     let text = angled(text).map_or(Cow::Borrowed(text), Cow::Owned);
     let plain = rows_by_line(&without_latex(&text)).replace(" and ", " ;   ");
     without_brackets_of_unit(plain)
@@ -236,7 +236,7 @@ fn barred_rows(text: &str) -> Option<String> {
 
 /// The same list with `&` for each space that parts entries, as in `[1 -2; 0 3]`. A space parts two values, and a value
 /// from a sign that stands at the next one; beside a list in brackets it parts nothing but such lists.
-pub(super) fn spaced(text: &str) -> String {
+pub(crate) fn spaced(text: &str) -> String {
     let inner = parted(text, |depth, _, _| depth > 0);
     let whole = Span::new(0, text.len());
     let has_list = groups(&inner, whole)
@@ -248,7 +248,7 @@ pub(super) fn spaced(text: &str) -> String {
 }
 
 /// Whether a sign stands at the number behind a space, where commas may be decimal signs.
-pub(super) fn has_signed_gap(text: &str) -> bool {
+pub(crate) fn has_signed_gap(text: &str) -> bool {
     let digit = |char: char| char.is_ascii_digit();
     let has_decimals = text
         .match_indices(',')

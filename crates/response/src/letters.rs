@@ -4,16 +4,16 @@ use vibank_notation::{GREEK, greek_name};
 
 /// A name or a run of typed letters in one spelling, and where in the text its pieces may be cut.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Letters {
+pub(crate) struct Letters {
     /// The spelling.
-    pub(super) text: String,
+    pub(crate) text: String,
     /// For each place in the spelling where it may be cut, the place in the source; ascending.
-    pub(super) cuts: Vec<(usize, usize)>,
+    pub(crate) cuts: Vec<(usize, usize)>,
 }
 
 impl Letters {
     /// The spelling of a whole name.
-    pub(super) fn spelling(name: &str) -> Option<String> {
+    pub(crate) fn spelling(name: &str) -> Option<String> {
         let mut letters = Self::default();
         for (at, char) in name.char_indices() {
             if char != '_' && char != '{' && char != '}' && !letters.push(char, at, at) {
@@ -24,7 +24,7 @@ impl Letters {
     }
 
     /// Adds a letter or digit that begins at `at`; whether it is one.
-    pub(super) fn push(&mut self, char: char, at: usize, _end: usize) -> bool {
+    pub(crate) fn push(&mut self, char: char, at: usize, _end: usize) -> bool {
         let plain = match char {
             '₀'..='₉' => char::from(b'0' + (u32::from(char) - u32::from('₀')) as u8),
             _ => lowered(char).unwrap_or(char),
@@ -45,19 +45,19 @@ impl Letters {
     }
 
     /// The place of an unknown letter that is the last of a run, behind names: where the run cannot be split.
-    pub(super) fn unknown_from(&self, stuck: usize) -> Option<usize> {
+    pub(crate) fn unknown_from(&self, stuck: usize) -> Option<usize> {
         let (_, last) = self.cuts.last()?;
         (*last == stuck).then_some(stuck)
     }
 
     /// Adds a word that is not cut, such as a Greek letter by its command.
-    pub(super) fn push_word(&mut self, word: &str, at: usize) {
+    pub(crate) fn push_word(&mut self, word: &str, at: usize) {
         self.cuts.push((self.text.len(), at));
         self.text.push_str(word);
     }
 
     /// Takes back the last cut: what follows belongs to what stands before it.
-    pub(super) fn join_from(&mut self, length: usize) {
+    pub(crate) fn join_from(&mut self, length: usize) {
         self.cuts.retain(|(own, _)| *own < length || *own == 0);
     }
 }
@@ -79,7 +79,7 @@ pub fn letter(text: &str) -> Option<(usize, String)> {
 }
 
 /// The letter that stands as a subscript.
-pub(super) fn lowered(char: char) -> Option<char> {
+pub(crate) fn lowered(char: char) -> Option<char> {
     const LOWERED: &[(char, char)] = &[
         ('ₐ', 'a'),
         ('ₑ', 'e'),
@@ -109,7 +109,7 @@ fn is_letter(char: char) -> bool {
 }
 
 /// The word of a Greek letter, its variants included.
-pub(super) fn greek(char: char) -> Option<&'static str> {
+pub(crate) fn greek(char: char) -> Option<&'static str> {
     Some(match char {
         'ϕ' => "phi",
         'ϵ' => "epsilon",
@@ -123,7 +123,7 @@ pub(super) fn greek(char: char) -> Option<&'static str> {
 }
 
 /// The word of a Greek letter by its command, `omega` or `varphi`.
-pub(super) fn greek_word(command: &str) -> Option<&'static str> {
+pub(crate) fn greek_word(command: &str) -> Option<&'static str> {
     let (name, _) = GREEK.iter().find(|(name, _)| *name == command)?;
     Some(unvaried(name))
 }
@@ -139,7 +139,7 @@ fn unvaried(name: &'static str) -> &'static str {
 }
 
 /// A letter with dots over it.
-pub(super) fn dotted(char: char) -> Option<(char, u8)> {
+pub(crate) fn dotted(char: char) -> Option<(char, u8)> {
     Some(match char {
         'ẋ' => ('x', 1),
         'ẍ' => ('x', 2),
@@ -156,7 +156,7 @@ pub fn is_dotted(char: char) -> bool {
 }
 
 /// Combining dots.
-pub(super) fn combining(char: char) -> Option<u8> {
+pub(crate) fn combining(char: char) -> Option<u8> {
     match char {
         '\u{307}' => Some(1),
         '\u{308}' => Some(2),

@@ -22,7 +22,7 @@ pub struct Lexicon {
 
 /// A name of the item.
 #[derive(Debug)]
-pub(super) enum Entry {
+pub(crate) enum Entry {
     /// It may be used; with its symbol, and whether it moves with time.
     Allowed(Name, Arc<Math>, bool),
     /// It may not.
@@ -103,12 +103,12 @@ impl Lexicon {
     }
 
     /// That a name of the item may not be used, with those that may.
-    pub(super) fn not_allowed(&self) -> Trouble {
+    pub(crate) fn not_allowed(&self) -> Trouble {
         Trouble::NotAllowed(self.listed())
     }
 
     /// That a word is no name, with the name that is nearest to it or all that there are.
-    pub(super) fn unknown(&self, word: &str) -> Trouble {
+    pub(crate) fn unknown(&self, word: &str) -> Trouble {
         let near = self.words().nearest(word);
         let letters = match near {
             Some(_) => Vec::new(),
@@ -129,12 +129,12 @@ impl Lexicon {
     }
 
     /// Whether a run of letters ends with a function for which the number behind it is the argument, `sin2θ`.
-    pub(super) fn ends_with_function(&self, run: &str, behind: &str) -> bool {
+    pub(crate) fn ends_with_function(&self, run: &str, behind: &str) -> bool {
         self.words().ends_with_function(run, behind)
     }
 
     /// Whether a spelling is that of a name or function.
-    pub(super) fn knows(&self, spelling: &str) -> bool {
+    pub(crate) fn knows(&self, spelling: &str) -> bool {
         self.words().knows(spelling)
     }
 
@@ -144,14 +144,14 @@ impl Lexicon {
     }
 
     /// The moving name of this spelling.
-    pub(super) fn moving(&self, spelling: &str) -> Option<&Name> {
+    pub(crate) fn moving(&self, spelling: &str) -> Option<&Name> {
         self.words()
             .name(spelling)
             .filter(|name| self.is_moving(name))
     }
 
     /// The derivative of this order of the name of this spelling, as dots over it would have it.
-    pub(super) fn dotted(&self, spelling: &str, order: u8) -> Option<Expr> {
+    pub(crate) fn dotted(&self, spelling: &str, order: u8) -> Option<Expr> {
         if let Some(name) = self.moving(spelling) {
             return Some(Expr::name(name.clone()).prime(order));
         }
@@ -159,12 +159,12 @@ impl Lexicon {
     }
 
     /// The name that is spelled with this many primes.
-    pub(super) fn dotted_word(&self, spelling: &str, primes: u8) -> Option<Expr> {
+    pub(crate) fn dotted_word(&self, spelling: &str, primes: u8) -> Option<Expr> {
         self.words().dotted_word(spelling, primes)
     }
 
     /// The words of a run with this many primes behind it, as few as can be; the place where it sticks.
-    pub(super) fn split(
+    pub(crate) fn split(
         &self,
         letters: &Letters,
         end: usize,

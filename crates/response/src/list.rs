@@ -96,7 +96,7 @@ pub fn list_of_form(
 }
 
 /// The entries of a list by rows; a list without rows is one row.
-pub(super) fn list(
+pub(crate) fn list(
     text: &str,
     lexicon: &Lexicon,
     manner: Manner,
@@ -127,17 +127,17 @@ pub(super) fn list(
     }
 }
 
-pub(super) struct Reader<'a> {
-    pub(super) text: &'a str,
-    pub(super) lexicon: &'a Lexicon,
-    pub(super) manner: Manner,
+pub(crate) struct Reader<'a> {
+    pub(crate) text: &'a str,
+    pub(crate) lexicon: &'a Lexicon,
+    pub(crate) manner: Manner,
     /// Those of what is asked.
-    pub(super) units: &'a [Unit],
-    pub(super) wanted: Wanted,
+    pub(crate) units: &'a [Unit],
+    pub(crate) wanted: Wanted,
 }
 
 impl Reader<'_> {
-    pub(super) fn is_asked(&self, unit: &Unit) -> bool {
+    pub(crate) fn is_asked(&self, unit: &Unit) -> bool {
         let dimension = unit.dimension();
         self.units.iter().any(|own| own.dimension() == dimension)
     }
@@ -423,7 +423,7 @@ impl Reader<'_> {
         Ok(self.formula_in(self.text, place)?.value)
     }
 
-    pub(super) fn formula_in(&self, text: &str, place: Span) -> Result<Typed<Expr>, TypedError> {
+    pub(crate) fn formula_in(&self, text: &str, place: Span) -> Result<Typed<Expr>, TypedError> {
         let (from, to) = (place.range().start, place.range().end);
         let whole = |parser: &mut Parser<'_>| parser.whole_formula();
         read(text, from, to, self.lexicon, self.manner, whole)
@@ -493,7 +493,7 @@ fn diagonal(entries: &[Expr]) -> Vec<Vec<Expr>> {
     places.clone().map(row).collect()
 }
 
-pub(super) fn trimmed(text: &str, span: Span) -> Span {
+pub(crate) fn trimmed(text: &str, span: Span) -> Span {
     let inner = &text[span.range()];
     let start = span.range().start + inner.len() - inner.trim_start().len();
     Span::new(start, start + inner.trim().len())

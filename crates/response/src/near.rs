@@ -7,7 +7,7 @@ use vibank_source::nearest;
 impl Words {
     /// The symbol of a name that a word may be a slip of. One letter may only be of the wrong case; a digit behind a
     /// letter may have lost the sign of a power.
-    pub(super) fn nearest(&self, word: &str) -> Option<String> {
+    pub(crate) fn nearest(&self, word: &str) -> Option<String> {
         let allowed = || self.allowed().iter().map(String::as_str);
         if let Some(same) = allowed().find(|name| name.eq_ignore_ascii_case(word)) {
             return Some(same.to_owned());
@@ -25,7 +25,7 @@ impl Words {
     }
 
     /// Whether a run of letters ends with a function for which the number behind it is the argument.
-    pub(super) fn ends_with_function(&self, run: &str, behind: &str) -> bool {
+    pub(crate) fn ends_with_function(&self, run: &str, behind: &str) -> bool {
         let digits = behind.len()
             - behind
                 .trim_start_matches(|next: char| next.is_ascii_digit())
@@ -49,7 +49,7 @@ impl Words {
 }
 
 /// A symbol as it is typed: `k2` for k₂.
-pub(super) fn typable(symbol: &str) -> String {
+pub(crate) fn typable(symbol: &str) -> String {
     let digit = |char: char| match char {
         '₀'..='₉' => char::from(b'0' + (u32::from(char) - u32::from('₀')) as u8),
         char => char,

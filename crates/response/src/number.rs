@@ -33,7 +33,7 @@ fn with_exponent_sign(text: &str) -> Option<String> {
 
 impl Lexer<'_> {
     /// What is read otherwise among values than within a formula; whether it stands here.
-    pub(super) fn value(&mut self, char: char) -> Result<bool, TypedError> {
+    pub(crate) fn value(&mut self, char: char) -> Result<bool, TypedError> {
         let Some(mark) = self.manner.values else {
             return Ok(false);
         };
@@ -194,13 +194,13 @@ impl Lexer<'_> {
     }
 
     /// Takes a comma that is not a decimal sign by now; within an arc tangent it may still be meant as one.
-    pub(super) fn comma(&mut self) {
+    pub(crate) fn comma(&mut self) {
         let is_open = self.manner.comma_is_decimal && self.comma_here() == Comma::Either;
         self.take(1, Item::Sign(if is_open { DECIMAL } else { ',' }));
     }
 
     /// Whether a comma between digits is a decimal sign here.
-    pub(super) fn has_decimal_comma(&self) -> bool {
+    pub(crate) fn has_decimal_comma(&self) -> bool {
         self.manner.comma_is_decimal && !self.parts_arguments()
     }
 
@@ -280,7 +280,7 @@ impl Lexer<'_> {
     /// # Errors
     ///
     /// That it is none.
-    pub(super) fn unit_or_unknown(
+    pub(crate) fn unit_or_unknown(
         &mut self,
         letters: &Letters,
         start: usize,

@@ -9,25 +9,25 @@ use vibank_formula::unit::Unit;
 use vibank_source::Span;
 
 /// A parser of one reading.
-pub(super) struct Parser<'a> {
-    pub(super) tokens: &'a [Token],
-    pub(super) at: usize,
+pub(crate) struct Parser<'a> {
+    pub(crate) tokens: &'a [Token],
+    pub(crate) at: usize,
     end: usize,
-    pub(super) ways: &'a mut Ways,
+    pub(crate) ways: &'a mut Ways,
     depth: u32,
     /// Open bars of absolute values within the innermost bracket.
-    pub(super) bars: u32,
+    pub(crate) bars: u32,
     /// Whether it reads numbers with units.
     has_units: bool,
 }
 
-pub(super) type Result<T> = std::result::Result<T, TypedError>;
+pub(crate) type Result<T> = std::result::Result<T, TypedError>;
 
 /// Brackets, functions and exponents within one another.
 const MAX_NESTED: u32 = 60;
 
 impl<'a> Parser<'a> {
-    pub(super) fn new(tokens: &'a [Token], end: usize, ways: &'a mut Ways) -> Self {
+    pub(crate) fn new(tokens: &'a [Token], end: usize, ways: &'a mut Ways) -> Self {
         Self {
             tokens,
             at: 0,
@@ -40,20 +40,20 @@ impl<'a> Parser<'a> {
     }
 
     /// A parser of numbers with units.
-    pub(super) fn of_values(tokens: &'a [Token], end: usize, ways: &'a mut Ways) -> Self {
+    pub(crate) fn of_values(tokens: &'a [Token], end: usize, ways: &'a mut Ways) -> Self {
         Self {
             has_units: true,
             ..Self::new(tokens, end, ways)
         }
     }
 
-    pub(super) fn whole_formula(&mut self) -> Result<Expr> {
+    pub(crate) fn whole_formula(&mut self) -> Result<Expr> {
         let formula = self.sum()?;
         self.finish()?;
         Ok(formula)
     }
 
-    pub(super) fn whole_chain(&mut self) -> Result<Chain> {
+    pub(crate) fn whole_chain(&mut self) -> Result<Chain> {
         let mut sides = vec![self.sum()?];
         let mut relations = Vec::new();
         while let Some(Item::Sign(sign)) = self.item() {
@@ -94,27 +94,27 @@ impl<'a> Parser<'a> {
         }
     }
 
-    pub(super) fn item(&self) -> Option<&'a Item> {
+    pub(crate) fn item(&self) -> Option<&'a Item> {
         self.tokens.get(self.at).map(|token| &token.item)
     }
 
-    pub(super) fn is_sign(&self, sign: char) -> bool {
+    pub(crate) fn is_sign(&self, sign: char) -> bool {
         self.item() == Some(&Item::Sign(sign))
     }
 
-    pub(super) fn take(&mut self, sign: char) -> bool {
+    pub(crate) fn take(&mut self, sign: char) -> bool {
         let found = self.is_sign(sign);
         self.at += usize::from(found);
         found
     }
 
-    pub(super) fn here(&self) -> Span {
+    pub(crate) fn here(&self) -> Span {
         self.tokens
             .get(self.at)
             .map_or(Span::new(self.end, self.end), |token| token.span)
     }
 
-    pub(super) fn error<T>(&self, trouble: Trouble) -> Result<T> {
+    pub(crate) fn error<T>(&self, trouble: Trouble) -> Result<T> {
         Err(TypedError {
             trouble,
             span: self.here(),
@@ -131,7 +131,7 @@ impl<'a> Parser<'a> {
         result
     }
 
-    pub(super) fn sum(&mut self) -> Result<Expr> {
+    pub(crate) fn sum(&mut self) -> Result<Expr> {
         let mut sum = self.term()?;
         loop {
             let operator = match self.item() {
@@ -240,7 +240,7 @@ impl<'a> Parser<'a> {
     }
 
     /// A factor with signs in front.
-    pub(super) fn signed(&mut self) -> Result<Expr> {
+    pub(crate) fn signed(&mut self) -> Result<Expr> {
         let span = self.here();
         if self.take('-') {
             // −a b is −(a b) all the same.
@@ -254,7 +254,7 @@ impl<'a> Parser<'a> {
     }
 
     /// What a slash divides by.
-    pub(super) fn divisor(&mut self, numerator: &Expr) -> Result<Expr> {
+    pub(crate) fn divisor(&mut self, numerator: &Expr) -> Result<Expr> {
         let is_closed = matches!(
             self.item(),
             Some(
@@ -299,14 +299,14 @@ impl<'a> Parser<'a> {
     }
 
     /// Whether no space stands before what is here.
-    pub(super) fn is_tight(&self) -> bool {
+    pub(crate) fn is_tight(&self) -> bool {
         self.tokens
             .get(self.at)
             .is_some_and(|token| !token.is_spaced)
     }
 
     /// Whether a factor can begin here without a sign before it.
-    pub(super) fn begins_factor(&self) -> bool {
+    pub(crate) fn begins_factor(&self) -> bool {
         match self.item() {
             Some(Item::Sign(sign)) => {
                 matches!(sign, '(' | '[' | '{') || *sign == '|' && self.bars == 0
@@ -324,7 +324,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    pub(super) fn power(&mut self) -> Result<Expr> {
+    pub(crate) fn power(&mut self) -> Result<Expr> {
         let base = self.primary()?;
         self.raised(base)
     }
@@ -354,7 +354,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    pub(super) fn exponent(&mut self, base: &Expr) -> Result<Expr> {
+    pub(crate) fn exponent(&mut self, base: &Expr) -> Result<Expr> {
         let is_closed = matches!(self.item(), Some(Item::Sign('(' | '{' | '[')));
         let span = self.here();
         // `10^+3`, as calculators have it.
@@ -416,7 +416,7 @@ impl<'a> Parser<'a> {
         is_broken && !slash.is_spaced && !below.is_spaced
     }
 
-    pub(super) fn primary(&mut self) -> Result<Expr> {
+    pub(crate) fn primary(&mut self) -> Result<Expr> {
         let Some(item) = self.item() else {
             return self.error(Trouble::Missing);
         };
@@ -501,7 +501,7 @@ impl<'a> Parser<'a> {
     }
 
     /// What stands in a bracket that is open.
-    pub(super) fn bracket(&mut self, open: char, span: Span) -> Result<Expr> {
+    pub(crate) fn bracket(&mut self, open: char, span: Span) -> Result<Expr> {
         let bars = std::mem::take(&mut self.bars);
         let inner = self.sum();
         self.bars = bars;
@@ -519,7 +519,7 @@ impl<'a> Parser<'a> {
     }
 
     /// The bracket that closes the one at a place.
-    pub(super) fn close(&mut self, close: char, open: Span) -> Result<()> {
+    pub(crate) fn close(&mut self, close: char, open: Span) -> Result<()> {
         if self.take(close) {
             return Ok(());
         }
@@ -534,7 +534,7 @@ impl<'a> Parser<'a> {
     }
 
     /// What a LaTeX command takes: braces, or one sign.
-    pub(super) fn argument_of_command(&mut self) -> Result<Expr> {
+    pub(crate) fn argument_of_command(&mut self) -> Result<Expr> {
         let span = self.here();
         if self.take('{') {
             return self.bracket('{', span);
@@ -542,7 +542,7 @@ impl<'a> Parser<'a> {
         self.primary()
     }
 
-    pub(super) fn binary(operator: Operator, left: Expr, right: Expr) -> Result<Expr> {
+    pub(crate) fn binary(operator: Operator, left: Expr, right: Expr) -> Result<Expr> {
         let span = left.span().join(right.span());
         let expr = Expr::new(Kind::Binary(operator, left, right), span);
         if expr.depth() > MAX_DEPTH {
@@ -563,7 +563,7 @@ fn is_time(token: &Token) -> bool {
     matches!(leaf.kind(), Kind::Name(name) if name.as_str() == "t")
 }
 
-pub(super) fn number(value: i128) -> Kind {
+pub(crate) fn number(value: i128) -> Kind {
     Kind::Number(Rational::new(value, 1).unwrap_or(Rational::ZERO))
 }
 

@@ -39,7 +39,7 @@ pub fn statement(text: &str) -> Vec<&str> {
 }
 
 /// What stands behind the last equals sign.
-pub(super) fn last_side(text: &str) -> Span {
+pub(crate) fn last_side(text: &str) -> Span {
     cut_at_equals(text)
         .pop()
         .unwrap_or(Span::new(0, text.len()))

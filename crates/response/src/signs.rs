@@ -5,7 +5,7 @@
 
 /// What a spelling becomes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Plain {
+pub(crate) enum Plain {
     /// The spelling that everything behind this table reads.
     Text(&'static str),
     /// Nothing: it has no width, or only sets the size of what follows.
@@ -15,7 +15,7 @@ pub(super) enum Plain {
 use Plain::{Nothing, Text};
 
 /// Single characters.
-pub(super) fn of_char(char: char) -> Option<Plain> {
+pub(crate) fn of_char(char: char) -> Option<Plain> {
     Some(Text(match char {
         // Minus, with the dashes of word processors.
         '\u{2212}' | '\u{2010}'..='\u{2015}' | '\u{fe58}' | '\u{fe63}' | '\u{2796}' => "-",
@@ -88,15 +88,15 @@ pub(super) fn of_char(char: char) -> Option<Plain> {
 }
 
 /// Whether a sign is one of those that stand for a minus.
-pub(super) fn is_minus(char: char) -> bool {
+pub(crate) fn is_minus(char: char) -> bool {
     char == '-' || of_char(char) == Some(Text("-"))
 }
 
 /// The sign that is a decimal sign and nothing else.
-pub(super) const DECIMAL: char = '⎖';
+pub(crate) const DECIMAL: char = '⎖';
 
 /// Runs of signs, the longer ones before those with which they begin.
-pub(super) const RUNS: &[(&str, &str)] = &[
+pub(crate) const RUNS: &[(&str, &str)] = &[
     ("=/=", "≠"),
     ("=\\=", "≠"),
     // A matrix of Maple behind its name.
@@ -134,7 +134,7 @@ pub(super) const RUNS: &[(&str, &str)] = &[
 ];
 
 /// Whether a run may begin with a character: most do not, and each one of a response is asked.
-pub(super) fn begins_run(char: char) -> bool {
+pub(crate) fn begins_run(char: char) -> bool {
     const FIRST: u128 = {
         let (mut mask, mut at) = (0, 0);
         while at < RUNS.len() {
@@ -151,7 +151,7 @@ pub(super) fn begins_run(char: char) -> bool {
 }
 
 /// Quotation marks and other pairs that people set around a whole answer.
-pub(super) const QUOTES: &[(&str, &str)] = &[
+pub(crate) const QUOTES: &[(&str, &str)] = &[
     ("\"", "\""),
     ("'", "'"),
     ("′", "′"),
@@ -167,7 +167,7 @@ pub(super) const QUOTES: &[(&str, &str)] = &[
 ];
 
 /// Commands of LaTeX, by their name. What is not listed is a name, a function, or is read by the grammar.
-pub(super) const COMMANDS: &[(&str, Plain)] = &[
+pub(crate) const COMMANDS: &[(&str, Plain)] = &[
     ("cdot", Text("*")),
     ("times", Text("*")),
     ("ast", Text("*")),
@@ -253,7 +253,7 @@ pub(super) const COMMANDS: &[(&str, Plain)] = &[
 ];
 
 /// Units as the package siunitx has them. A prefix belongs to what follows, a unit ends with a space.
-pub(super) const UNITS: &[(&str, &str)] = &[
+pub(crate) const UNITS: &[(&str, &str)] = &[
     ("per", "/"),
     ("squared", "^2 "),
     ("cubed", "^3 "),
@@ -293,7 +293,7 @@ pub(super) const UNITS: &[(&str, &str)] = &[
 ];
 
 /// Environments that only set formulas off; their rows are statements.
-pub(super) const DISPLAYS: &[&str] = &[
+pub(crate) const DISPLAYS: &[&str] = &[
     "equation",
     "align",
     "aligned",
@@ -308,10 +308,10 @@ pub(super) const DISPLAYS: &[&str] = &[
 ];
 
 /// Environments whose rows are statements, each perhaps with its condition behind a sign of alignment.
-pub(super) const CASES: &[&str] = &["cases", "dcases", "rcases"];
+pub(crate) const CASES: &[&str] = &["cases", "dcases", "rcases"];
 
 /// Commands whose arguments stand for themselves: their braces are spaces. With how many there are.
-pub(super) const WRAPPERS: &[(&str, usize)] = &[
+pub(crate) const WRAPPERS: &[(&str, usize)] = &[
     ("boxed", 1),
     ("fbox", 1),
     ("SI", 2),
@@ -322,7 +322,7 @@ pub(super) const WRAPPERS: &[(&str, usize)] = &[
 ];
 
 /// Commands that set the face of letters: around digits or nothing their braces are spaces, too.
-pub(super) const FACES: &[&str] = &[
+pub(crate) const FACES: &[&str] = &[
     "mathrm",
     "mathbf",
     "mathsf",
@@ -336,10 +336,10 @@ pub(super) const FACES: &[&str] = &[
 ];
 
 /// Units that are read only with what stands behind them, since their first letter means other things alone.
-pub(super) const TURNS: &[(&str, &str)] = &[("U/min", "rev/min"), ("r/min", "rev/min")];
+pub(crate) const TURNS: &[(&str, &str)] = &[("U/min", "rev/min"), ("r/min", "rev/min")];
 
 /// A backslash before a sign.
-pub(super) fn escaped(char: char) -> Option<Plain> {
+pub(crate) fn escaped(char: char) -> Option<Plain> {
     Some(Text(match char {
         ',' | ';' | ':' | ' ' => " ",
         '!' => return Some(Nothing),

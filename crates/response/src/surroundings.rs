@@ -9,7 +9,7 @@ use vibank_formula::unit::Unit;
 use vibank_source::{Span, lower};
 
 /// Where the answer stands in what was typed.
-pub(super) fn answer_in(typed: &str) -> Range<usize> {
+pub(crate) fn answer_in(typed: &str) -> Range<usize> {
     let mut range = 0..typed.len();
     loop {
         let own = trimmed(typed, &range);
@@ -128,7 +128,7 @@ fn number_of_item(text: &str) -> Option<usize> {
 
 /// The labels of several answers, `1) … 2) …`, `(a) … (b) …`, `1. x = … 2. y = …`; none where that is not how the text
 /// goes.
-pub(super) fn enumeration(text: &str) -> Vec<Range<usize>> {
+pub(crate) fn enumeration(text: &str) -> Vec<Range<usize>> {
     const STYLES: [(&str, char, &str); 5] = [
         ("", '1', ")"),
         ("(", '1', ")"),

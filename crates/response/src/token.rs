@@ -12,7 +12,7 @@ use vibank_source::Span;
 
 /// A piece of a response.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Item {
+pub(crate) enum Item {
     Number(Rational),
     /// A name, a time derivative of one, or a constant.
     Leaf(Expr),
@@ -43,25 +43,25 @@ pub(super) enum Item {
 
 /// A number as it was typed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Literal {
-    pub(super) value: Decimal,
+pub(crate) struct Literal {
+    pub(crate) value: Decimal,
     /// With the other meaning of its comma.
-    pub(super) other: Option<Decimal>,
+    pub(crate) other: Option<Decimal>,
 }
 
 /// A token with its place.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Token {
-    pub(super) item: Item,
-    pub(super) span: Span,
+pub(crate) struct Token {
+    pub(crate) item: Item,
+    pub(crate) span: Span,
     /// Whether a space stands before it.
-    pub(super) is_spaced: bool,
+    pub(crate) is_spaced: bool,
     /// The decimal that a number among values is.
-    pub(super) literal: Option<Literal>,
+    pub(crate) literal: Option<Literal>,
 }
 
 /// The tokens of `text[from..to]`.
-pub(super) fn tokens(
+pub(crate) fn tokens(
     text: &str,
     from: usize,
     to: usize,
@@ -90,25 +90,25 @@ pub(super) fn tokens(
     Ok(lexer.tokens)
 }
 
-pub(super) struct Lexer<'a> {
-    pub(super) text: &'a str,
-    pub(super) at: usize,
-    pub(super) lexicon: &'a Lexicon,
-    pub(super) manner: Manner,
-    pub(super) is_spaced: bool,
-    pub(super) tokens: Vec<Token>,
+pub(crate) struct Lexer<'a> {
+    pub(crate) text: &'a str,
+    pub(crate) at: usize,
+    pub(crate) lexicon: &'a Lexicon,
+    pub(crate) manner: Manner,
+    pub(crate) is_spaced: bool,
+    pub(crate) tokens: Vec<Token>,
 }
 
 impl Lexer<'_> {
-    pub(super) fn rest(&self) -> &str {
+    pub(crate) fn rest(&self) -> &str {
         &self.text[self.at..]
     }
 
-    pub(super) fn peek(&self) -> Option<char> {
+    pub(crate) fn peek(&self) -> Option<char> {
         self.rest().chars().next()
     }
 
-    pub(super) fn push(&mut self, item: Item, start: usize) {
+    pub(crate) fn push(&mut self, item: Item, start: usize) {
         self.tokens.push(Token {
             item,
             span: Span::new(start, self.at),
@@ -118,13 +118,13 @@ impl Lexer<'_> {
     }
 
     /// A token of the next `length` bytes.
-    pub(super) fn take(&mut self, length: usize, item: Item) {
+    pub(crate) fn take(&mut self, length: usize, item: Item) {
         let start = self.at;
         self.at += length;
         self.push(item, start);
     }
 
-    pub(super) fn error<T>(&self, trouble: Trouble, start: usize) -> Result<T, TypedError> {
+    pub(crate) fn error<T>(&self, trouble: Trouble, start: usize) -> Result<T, TypedError> {
         Err(TypedError::new(trouble, start, self.at))
     }
 
@@ -342,7 +342,7 @@ impl Lexer<'_> {
     }
 
     /// A run of letters, after a Greek letter that was written as a command.
-    pub(super) fn run(&mut self, word: Option<(&'static str, usize)>) -> Result<(), TypedError> {
+    pub(crate) fn run(&mut self, word: Option<(&'static str, usize)>) -> Result<(), TypedError> {
         if word.is_none() && self.imaginary_unit() {
             return Ok(());
         }
@@ -425,7 +425,7 @@ impl Lexer<'_> {
     }
 
     /// Passes the space that ends a command, where a letter follows.
-    pub(super) fn skip_space_before_letter(&mut self) {
+    pub(crate) fn skip_space_before_letter(&mut self) {
         let spaces = self.rest().len() - self.rest().trim_start_matches(' ').len();
         if self.rest()[spaces..].starts_with(|next: char| next.is_ascii_alphabetic()) {
             self.at += spaces;
@@ -433,7 +433,7 @@ impl Lexer<'_> {
     }
 
     /// `_n`, `_{st}`, `_\mathrm{st}`; the subscript belongs to what stands before it.
-    pub(super) fn subscript(&mut self, letters: &mut Letters) {
+    pub(crate) fn subscript(&mut self, letters: &mut Letters) {
         let length = letters.text.len();
         self.at += 1;
         for command in ["\\mathrm", "\\text", "\\mathit"] {
@@ -500,7 +500,7 @@ impl Lexer<'_> {
     }
 
     /// Pushes the words of a run.
-    pub(super) fn words(
+    pub(crate) fn words(
         &mut self,
         letters: &Letters,
         start: usize,

@@ -10,7 +10,7 @@ use vibank_notation::{Math, symbol};
 
 /// The words that a response may use.
 #[derive(Debug, Default)]
-pub(super) struct Words {
+pub(crate) struct Words {
     words: Vec<Word>,
     /// Words by first letter.
     by_letter: BTreeMap<u8, Vec<usize>>,
@@ -28,11 +28,11 @@ struct Word {
 }
 
 /// Added to the primes of a name that is written as an initial value, `x(0)`.
-pub(super) const INITIAL: u8 = 100;
+pub(crate) const INITIAL: u8 = 100;
 
 /// What a word means.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Sense {
+pub(crate) enum Sense {
     /// A name, or a time derivative of it.
     Leaf(Expr),
     /// A function of the formula language, such as `sin`.
@@ -49,7 +49,7 @@ pub(super) enum Sense {
 
 /// A power that is written as a function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Powered {
+pub(crate) enum Powered {
     /// `pow(base, exponent)`.
     Any,
     /// `cbrt(base)`.
@@ -63,17 +63,17 @@ pub(super) enum Powered {
 }
 
 /// A word within a run of letters.
-pub(super) struct Piece {
-    pub(super) sense: Sense,
+pub(crate) struct Piece {
+    pub(crate) sense: Sense,
     /// Places in the source.
-    pub(super) start: usize,
-    pub(super) end: usize,
+    pub(crate) start: usize,
+    pub(crate) end: usize,
     /// Whether it is spelled with the primes that follow.
-    pub(super) takes_primes: bool,
+    pub(crate) takes_primes: bool,
 }
 
 /// The functions that people type under other names than files do.
-pub(super) const ALIASES: &[(&str, Function)] = &[
+pub(crate) const ALIASES: &[(&str, Function)] = &[
     ("arcsin", Function::Asin),
     ("arccos", Function::Acos),
     ("arctan", Function::Atan),
@@ -105,7 +105,7 @@ pub(super) const ALIASES: &[(&str, Function)] = &[
 ];
 
 /// Whether a word is a function, also one that files do not have.
-pub(super) fn is_function(word: &str) -> bool {
+pub(crate) fn is_function(word: &str) -> bool {
     Function::of_name(word).is_some()
         || ALIASES.iter().any(|(alias, _)| *alias == word)
         || POWERS.iter().any(|(name, _)| *name == word)
@@ -143,7 +143,7 @@ const POWERS: &[(&str, Powered)] = &[
 ];
 
 /// Functions that can stand within a run of letters, without a bracket after them.
-pub(super) const BARE: &[Function] = &[
+pub(crate) const BARE: &[Function] = &[
     Function::Sin,
     Function::Cos,
     Function::Tan,
@@ -165,7 +165,7 @@ pub(super) const BARE: &[Function] = &[
 
 impl Words {
     /// Functions, constants and the names of a part, in the order in which they were given.
-    pub(super) fn of(entries: &[Entry]) -> Self {
+    pub(crate) fn of(entries: &[Entry]) -> Self {
         let mut words = Self::common();
         for entry in entries {
             match entry {
@@ -306,12 +306,12 @@ impl Words {
     }
 
     /// The symbols of the names that may be used.
-    pub(super) fn allowed(&self) -> &[String] {
+    pub(crate) fn allowed(&self) -> &[String] {
         &self.allowed
     }
 
     /// The name of this spelling.
-    pub(super) fn name(&self, spelling: &str) -> Option<&Name> {
+    pub(crate) fn name(&self, spelling: &str) -> Option<&Name> {
         let word = self
             .words
             .iter()
@@ -326,7 +326,7 @@ impl Words {
     }
 
     /// The name that is spelled with this many primes.
-    pub(super) fn dotted_word(&self, spelling: &str, primes: u8) -> Option<Expr> {
+    pub(crate) fn dotted_word(&self, spelling: &str, primes: u8) -> Option<Expr> {
         let own = |word: &&Word| word.spelling == spelling && word.primes == primes;
         match &self.words.iter().find(own)?.sense {
             Sense::Leaf(leaf) => Some(leaf.clone()),
@@ -335,7 +335,7 @@ impl Words {
     }
 
     /// The words of a run with this many primes behind it, as few as can be; the place where it sticks.
-    pub(super) fn split(
+    pub(crate) fn split(
         &self,
         letters: &Letters,
         end: usize,
@@ -411,7 +411,7 @@ impl Words {
         Ok(pieces)
     }
 
-    pub(super) fn knows(&self, spelling: &str) -> bool {
+    pub(crate) fn knows(&self, spelling: &str) -> bool {
         self.words
             .iter()
             .any(|word| word.spelling == spelling && word.primes == 0)

@@ -9,7 +9,7 @@ const MAX_READINGS: usize = 48;
 
 /// The ways that a parser takes where there are two.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Ways {
+pub(crate) struct Ways {
     /// The places, in the order in which they are met, where it departs from the rule; ascending.
     departures: Vec<usize>,
     met: usize,
@@ -17,7 +17,7 @@ pub(super) struct Ways {
 
 impl Ways {
     /// Whether to take a way that the rule would take or not.
-    pub(super) fn choose(&mut self, by_rule: bool) -> bool {
+    pub(crate) fn choose(&mut self, by_rule: bool) -> bool {
         let departs = self.departures.binary_search(&self.met).is_ok();
         self.met += 1;
         by_rule != departs
@@ -34,7 +34,7 @@ impl Ways {
 }
 
 /// What is read by the rules and otherwise, the fewest departures first.
-pub(super) fn readings<T: PartialEq>(
+pub(crate) fn readings<T: PartialEq>(
     parse: impl Fn(&mut Ways) -> Result<T, TypedError>,
 ) -> Result<Typed<T>, TypedError> {
     let mut ways = Ways::default();

@@ -1,10 +1,10 @@
 //! The tables of words that join, measure or count, other languages beside English.
 
 /// The one of them that may stand last.
-pub(super) const PERCENT: &str = "per cent";
+pub(crate) const PERCENT: &str = "per cent";
 
 /// Words that stand for others or for signs, between spaces; the longer ones before those with which they begin.
-pub(super) const WORDS: &[(&str, &str)] = &[
+pub(crate) const WORDS: &[(&str, &str)] = &[
     ("greater than or equal to", "≥"),
     ("larger than or equal to", "≥"),
     ("more than or equal to", "≥"),
@@ -91,7 +91,7 @@ pub(super) const WORDS: &[(&str, &str)] = &[
 ];
 
 /// Verbs before words that compare: `x must be at least 3 m`.
-pub(super) const VERBS: &[&str] = &[
+pub(crate) const VERBS: &[&str] = &[
     "is",
     "must be",
     "should be",
@@ -102,7 +102,7 @@ pub(super) const VERBS: &[&str] = &[
 ];
 
 /// What is said before an answer and is not part of it, in any case.
-pub(super) const LEADS: &[&str] = &[
+pub(crate) const LEADS: &[&str] = &[
     "the final answer is",
     "final answer",
     "my answer is",
@@ -215,7 +215,7 @@ pub(super) const LEADS: &[&str] = &[
 ];
 
 /// What is said behind an answer and is not part of it.
-pub(super) const TRAILS: &[&str] = &[
+pub(crate) const TRAILS: &[&str] = &[
     "approx.",
     "approximately",
     "environ",
@@ -238,7 +238,7 @@ pub(super) const TRAILS: &[&str] = &[
 ];
 
 /// What is said before or behind a response that is not meant.
-pub(super) const WITHDRAWALS: &[&str] = &[
+pub(crate) const WITHDRAWALS: &[&str] = &[
     "wrong",
     "false",
     "incorrect",
@@ -250,7 +250,7 @@ pub(super) const WITHDRAWALS: &[&str] = &[
 ];
 
 /// Words of a remark in brackets behind an answer, `(to 3 s.f.)`, `(in SI units)`.
-pub(super) const ASIDES: &[&str] = &[
+pub(crate) const ASIDES: &[&str] = &[
     "approx",
     "approx.",
     "approximately",
@@ -363,12 +363,12 @@ pub fn count_in_digits(typed: &str) -> Option<String> {
 }
 
 /// Roots in other languages, before a bracket.
-pub(super) const ROOTS: &[&str] = &[
+pub(crate) const ROOTS: &[&str] = &[
     "racine", "RACINE", "Racine", "wurzel", "WURZEL", "Wurzel", "raiz", "RAIZ", "raíz", "RAÍZ",
 ];
 
 /// Calls of programs that stand for the number in their brackets.
-pub(super) const NUMBERS: &[&str] = &[
+pub(crate) const NUMBERS: &[&str] = &[
     "np.float64",
     "np.float32",
     "np.complex128",
@@ -382,7 +382,7 @@ pub(super) const NUMBERS: &[&str] = &[
 ];
 
 /// Calls of programs that stand for the list in their brackets.
-pub(super) const LISTS: &[&str] = &[
+pub(crate) const LISTS: &[&str] = &[
     "np.array",
     "numpy.array",
     "array",
@@ -403,7 +403,7 @@ pub(super) const LISTS: &[&str] = &[
 ];
 
 /// Calls of programs that make an equation of their two arguments.
-pub(super) const EQUATIONS: &[&str] = &["Eq", "sp.Eq", "sympy.Eq", "Equal", "Equality"];
+pub(crate) const EQUATIONS: &[&str] = &["Eq", "sp.Eq", "sympy.Eq", "Equal", "Equality"];
 
 /// Words that join values, also where they are set as text within a formula.
-pub(super) const JOINING: &[&str] = &["and", "or", "et", "ou", "und", "oder", "in", "at", "cis"];
+pub(crate) const JOINING: &[&str] = &["and", "or", "et", "ou", "und", "oder", "in", "at", "cis"];

@@ -11,14 +11,14 @@ const MANNER: Manner = Manner {
 };
 
 /// A formula, or a comparison of formulas, in letters that mean nothing.
-pub(super) struct Formula {
+pub(crate) struct Formula {
     sides: Vec<Normal>,
     relations: Vec<Relation>,
 }
 
 impl Formula {
     /// The formula that a text is; nothing for words and for a letter alone.
-    pub(super) fn of(text: &str) -> Option<Self> {
+    pub(crate) fn of(text: &str) -> Option<Self> {
         let folded = Folded::of(text).ok()?;
         let text = folded.text().trim();
         let lexicon = lexicon(text)?;
@@ -37,7 +37,7 @@ impl Formula {
     }
 
     /// Whether both are the same for all values of their letters.
-    pub(super) fn is(&self, other: &Self) -> bool {
+    pub(crate) fn is(&self, other: &Self) -> bool {
         let mut pairs = self.sides.iter().zip(&other.sides);
         self.relations == other.relations
             && self.sides.len() == other.sides.len()

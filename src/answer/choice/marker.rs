@@ -9,17 +9,17 @@ use crate::math::Math;
 use crate::numerics::Rational;
 
 /// A prepared key; places are those of the file.
-pub(super) struct Chosen {
-    pub(super) ids: Vec<String>,
+pub(crate) struct Chosen {
+    pub(crate) ids: Vec<String>,
     /// The options without regard to case and spacing.
-    pub(super) words: Vec<String>,
+    pub(crate) words: Vec<String>,
     /// As they are printed.
-    pub(super) texts: Vec<String>,
-    pub(super) feedback: Vec<Option<Document>>,
-    pub(super) right: Vec<bool>,
-    pub(super) order: Vec<usize>,
-    pub(super) is_several: bool,
-    pub(super) is_ranking: bool,
+    pub(crate) texts: Vec<String>,
+    pub(crate) feedback: Vec<Option<Document>>,
+    pub(crate) right: Vec<bool>,
+    pub(crate) order: Vec<usize>,
+    pub(crate) is_several: bool,
+    pub(crate) is_ranking: bool,
 }
 
 impl Chosen {

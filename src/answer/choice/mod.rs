@@ -45,7 +45,7 @@ enum Right {
 }
 
 /// Reads the keys of a part that belong to this kind; what is wrong is noted.
-pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
     part.required("options");
     let is_several = part.boolean("several").unwrap_or(false);
     let is_ranking = part.boolean("ranking").unwrap_or(false);

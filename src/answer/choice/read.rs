@@ -6,13 +6,13 @@ use crate::response::Folded;
 use crate::source::lower;
 
 /// The words of an option as those of a response are compared with them.
-pub(super) fn words(option: &str) -> String {
+pub(crate) fn words(option: &str) -> String {
     let folded = Folded::of(option);
     normalized(folded.as_ref().map_or(option, Folded::text))
 }
 
 /// Words without regard to case and spacing.
-pub(super) fn normalized(text: &str) -> String {
+pub(crate) fn normalized(text: &str) -> String {
     let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let words = words.trim_matches(['"', '\'']);
     lower(words.trim_end_matches(['.', '!', ',', ';', ':']))
@@ -250,7 +250,7 @@ impl Chosen {
     }
 
     /// All that was typed, or what of it is not an option.
-    pub(super) fn places(&self, response: &str) -> Result<Vec<usize>, String> {
+    pub(crate) fn places(&self, response: &str) -> Result<Vec<usize>, String> {
         let response = without_face(response);
         // All words of an option are it, also those that could announce one: `only if K = 0`. One word may be a letter.
         let whole = normalized(response);

@@ -21,7 +21,7 @@ const ANGLES: [f64; 5] = [0.011, -0.007, 0.017, -0.019, 0.005];
 const DIFFERENT: f64 = 1e-6;
 
 /// A formula over complex data, if it keeps its meaning there.
-pub(super) fn program(
+pub(crate) fn program(
     meaning: &Meaning,
     expr: &Expr,
     replaced: &BTreeMap<Name, Expr>,
@@ -32,7 +32,7 @@ pub(super) fn program(
 }
 
 /// Whether two formulas differ at complex points near these; integers stay what they are.
-pub(super) fn differ(
+pub(crate) fn differ(
     key: &Program,
     other: &Program,
     points: &[Arc<[Precise]>],

@@ -59,12 +59,12 @@ impl Condition {
     }
 
     /// Whether it says what an input is equal to.
-    pub(super) fn is_solved(&self) -> bool {
+    pub(crate) fn is_solved(&self) -> bool {
         self.solved.is_some()
     }
 
     /// Gives an input the value that the condition says; `None` where there is no such value.
-    pub(super) fn solve(
+    pub(crate) fn solve(
         &self,
         point: &mut [Precise],
         room: &mut Registers<Approx<f64>>,
@@ -76,7 +76,7 @@ impl Condition {
     }
 
     /// Whether it holds at a point.
-    pub(super) fn holds(&self, point: &[Precise], room: &mut Registers<Approx<f64>>) -> bool {
+    pub(crate) fn holds(&self, point: &[Precise], room: &mut Registers<Approx<f64>>) -> bool {
         match (self.value(point, room), self.solved) {
             (Some(value), Some(slot)) => {
                 // Some thousand units in the last place: more than the formula of a constraint loses,

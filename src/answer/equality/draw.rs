@@ -27,7 +27,7 @@ impl Draws {
 }
 
 /// A number that looks drawn, from one that does not.
-pub(super) fn mixed(mut bits: u64) -> u64 {
+pub(crate) fn mixed(mut bits: u64) -> u64 {
     bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     bits ^ (bits >> 31)
@@ -35,11 +35,11 @@ pub(super) fn mixed(mut bits: u64) -> u64 {
 
 /// What does not vary freely in the domain of an item.
 #[derive(Debug)]
-pub(super) struct Ties {
+pub(crate) struct Ties {
     /// By input, whether it is an integer.
-    pub(super) are_integers: Vec<bool>,
+    pub(crate) are_integers: Vec<bool>,
     /// Whether a constraint says that something equals something else.
-    pub(super) is_some_equal: bool,
+    pub(crate) is_some_equal: bool,
 }
 
 /// The inputs around the data of an instance, inside the domain of the item.
@@ -54,14 +54,14 @@ pub(in crate::answer) struct Around<'a> {
 
 /// What the next point depends on.
 #[derive(Clone, Debug)]
-pub(super) struct State {
+pub(crate) struct State {
     draws: Draws,
     /// The integers at the points so far, by input.
     integers: Vec<(usize, f64)>,
 }
 
 impl State {
-    pub(super) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self {
             draws: Draws::new(),
             integers: Vec::new(),
@@ -93,17 +93,17 @@ impl<'a> Around<'a> {
     }
 
     /// The value of each input, where it has one.
-    pub(super) fn centres(&self) -> &[Option<f64>] {
+    pub(crate) fn centres(&self) -> &[Option<f64>] {
         &self.centres
     }
 
     /// What the next point depends on.
-    pub(super) fn state(&mut self) -> &mut State {
+    pub(crate) fn state(&mut self) -> &mut State {
         &mut self.state
     }
 
     /// The inputs that do not vary freely: integers, and what equals something else; none where nothing is equal.
-    pub(super) fn ties(&self) -> Ties {
+    pub(crate) fn ties(&self) -> Ties {
         let inputs = self.meaning.inputs.iter();
         Ties {
             are_integers: inputs.map(|input| input.is_integer).collect(),

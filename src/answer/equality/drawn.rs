@@ -30,7 +30,7 @@ struct Draw {
 impl Drawn {
     /// Hands out draws around the data of an instance, nearer and nearer to them, until `take` has enough; what the
     /// draws after all of them go on from is left in what is returned.
-    pub(super) fn around<'a>(
+    pub(crate) fn around<'a>(
         &self,
         meaning: &'a Meaning,
         evaluation: &Evaluation<'_>,

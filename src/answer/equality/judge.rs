@@ -5,14 +5,14 @@ use crate::numerics::Dd;
 
 /// Values that differ by more than this part are different, whatever their decimals.
 // π as a pocket calculator shows it, 3.141592654, is off by 1.3e-10 of it.
-pub(super) const DIFFERENT: f64 = 1e-9;
+pub(crate) const DIFFERENT: f64 = 1e-9;
 /// Bounds below this part of a value leave no doubt in binary64.
 // A thousandth of `DIFFERENT`; with wider bounds double-double decides.
 const SURE: f64 = 1e-12;
 
 /// How two functions compare at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum AtPoint {
+pub(crate) enum AtPoint {
     /// They are equal within their bounds, which are small.
     Same,
     /// They differ, by less than a billionth, as the decimals of a constant may.
@@ -27,8 +27,8 @@ pub(super) enum AtPoint {
 
 /// Registers for both functions, with the usual digits and with twice as many.
 #[derive(Default)]
-pub(super) struct Rooms {
-    pub(super) first: Registers<Approx<f64>>,
+pub(crate) struct Rooms {
+    pub(crate) first: Registers<Approx<f64>>,
     second: Registers<Approx<f64>>,
     wide_first: Registers<Approx<Dd>>,
     wide_second: Registers<Approx<Dd>>,
@@ -36,7 +36,7 @@ pub(super) struct Rooms {
 
 impl Rooms {
     /// Compares a function with a key where the key has a value.
-    pub(super) fn at(&mut self, key: &Program, other: &Program, point: &[Precise]) -> AtPoint {
+    pub(crate) fn at(&mut self, key: &Program, other: &Program, point: &[Precise]) -> AtPoint {
         let quick = judge(key, other, point, SURE, &mut self.first, &mut self.second);
         if !matches!(quick, AtPoint::Undecided | AtPoint::Undefined) {
             return quick;

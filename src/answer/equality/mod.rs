@@ -28,9 +28,9 @@ mod residue;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-pub(super) use self::domain::Condition;
+pub(crate) use self::domain::Condition;
 use self::draw::Ties;
-pub(super) use self::draw::{Around, Draws};
+pub(crate) use self::draw::{Around, Draws};
 pub use self::drawn::Drawn;
 use self::judge::{AtPoint, DIFFERENT, Rooms};
 use self::residue::Residue;
@@ -57,7 +57,7 @@ const LONG: i128 = 1_000_000_000;
 
 /// A formula made ready to be compared.
 #[derive(Debug)]
-pub(super) struct Comparable {
+pub(crate) struct Comparable {
     program: Program,
     complex: Option<Program>,
     residue: Option<Residue>,
@@ -66,7 +66,7 @@ pub(super) struct Comparable {
 
 impl Comparable {
     /// A formula in the names of an item; `replaced` stand in for names.
-    pub(super) fn of(
+    pub(crate) fn of(
         meaning: &Meaning,
         expr: &Expr,
         replaced: &BTreeMap<Name, Expr>,
@@ -90,7 +90,7 @@ impl Comparable {
     }
 
     /// Whether its values are complex numbers.
-    pub(super) fn is_complex(&self) -> bool {
+    pub(crate) fn is_complex(&self) -> bool {
         self.program.form().field == Field::Complex
     }
 
@@ -106,14 +106,14 @@ impl Comparable {
 
 /// The points at which answers are compared with a key.
 #[derive(Debug)]
-pub(super) struct Points {
+pub(crate) struct Points {
     points: Vec<Arc<[Precise]>>,
     ties: Ties,
 }
 
 /// How two functions compare.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Comparison {
+pub(crate) enum Comparison {
     /// They are the same.
     Same,
     /// They differ.
@@ -131,7 +131,7 @@ pub(super) enum Comparison {
 
 impl Points {
     /// Points around the data of an instance at which all of these have values.
-    pub(super) fn around(
+    pub(crate) fn around(
         meaning: &Meaning,
         evaluation: &Evaluation<'_>,
         drawn: &Drawn,
@@ -160,7 +160,7 @@ impl Points {
     }
 
     /// Compares a function with a key.
-    pub(super) fn compare(&self, key: &Comparable, other: &Comparable) -> Comparison {
+    pub(crate) fn compare(&self, key: &Comparable, other: &Comparable) -> Comparison {
         // What is equal to something else is no variable of its own: then points alone decide.
         let is_tied = self.ties.is_some_equal;
         let residues = key.residues(other).filter(|same| *same || !is_tied);

@@ -34,7 +34,7 @@ type Values = [u64; TRIALS];
 
 /// A formula modulo the primes at fixed points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Residue {
+pub(crate) struct Residue {
     values: Values,
     /// Whether it is a rational function, so that another value is another function.
     is_rational: bool,
@@ -42,7 +42,7 @@ pub(super) struct Residue {
 
 impl Residue {
     /// That of a formula, if it has one.
-    pub(super) fn of(
+    pub(crate) fn of(
         meaning: &Meaning,
         expr: &Expr,
         replaced: &BTreeMap<Name, Expr>,
@@ -61,7 +61,7 @@ impl Residue {
     }
 
     /// Whether two formulas are the same, where that can be decided.
-    pub(super) fn same(self, other: Self) -> Option<bool> {
+    pub(crate) fn same(self, other: Self) -> Option<bool> {
         if self.is_rational && other.is_rational {
             return Some(self.values == other.values);
         }
@@ -69,7 +69,7 @@ impl Residue {
     }
 
     /// Whether both are rational, so that the verdict is certain.
-    pub(super) fn is_rational(self) -> bool {
+    pub(crate) fn is_rational(self) -> bool {
         self.is_rational
     }
 }

@@ -15,16 +15,16 @@ use crate::expr::{Equation, Kind, Name, Program};
 use crate::numerics::Rational;
 
 /// A prepared key.
-pub(super) struct Prepared {
-    pub(super) setup: Arc<Setup>,
-    pub(super) key: Arc<Vec<Program>>,
+pub(crate) struct Prepared {
+    pub(crate) setup: Arc<Setup>,
+    pub(crate) key: Arc<Vec<Program>>,
     /// For each choice of data, points that differ in all else; the last choice is that of the instance.
-    pub(super) points: Vec<Choice>,
-    pub(super) mistakes: Vec<(usize, Arc<Vec<Program>>, Credit)>,
+    pub(crate) points: Vec<Choice>,
+    pub(crate) mistakes: Vec<(usize, Arc<Vec<Program>>, Credit)>,
 }
 
 impl Prepared {
-    pub(super) fn compare<'p>(
+    pub(crate) fn compare<'p>(
         &self,
         key: impl IntoIterator<Item = &'p Program>,
         typed: impl IntoIterator<Item = &'p Program>,

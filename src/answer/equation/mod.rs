@@ -45,7 +45,7 @@ struct Equations {
 }
 
 #[derive(Debug)]
-struct Setup {
+pub(crate) struct Setup {
     key: Vec<Equation>,
     unknowns: Vec<Name>,
     meaning: Meaning,
@@ -59,7 +59,7 @@ struct Setup {
 }
 
 /// Reads the keys of a part that belong to this kind; what is wrong is noted.
-pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
     part.required("key");
     let (texts, unknowns) = (part.texts("key"), part.texts("unknowns"));
     let mut meaning = Meaning::of(declare, Prefer::Coordinates);

@@ -20,10 +20,10 @@ const MAX_DRAWS: usize = 40;
 const MAX_FACTOR: f64 = 1e4;
 
 /// Points that differ in all but the data.
-pub(super) type Choice = Vec<Vec<Precise>>;
+pub(crate) type Choice = Vec<Vec<Precise>>;
 
 /// The points for a key around the data of an instance; the last choice is these data.
-pub(super) fn points(setup: &Setup, key: &[Program], evaluation: &Evaluation<'_>) -> Vec<Choice> {
+pub(crate) fn points(setup: &Setup, key: &[Program], evaluation: &Evaluation<'_>) -> Vec<Choice> {
     let count = 2 * key.len() + SPARE;
     let mut around = Around::new(&setup.meaning, evaluation);
     let mut choices = Vec::with_capacity(DATA_POINTS + 1);
@@ -78,7 +78,7 @@ fn factors(setup: &Setup, key: &[Program], point: &[Precise]) -> Vec<f64> {
     factors
 }
 
-pub(super) fn value(program: &Program, point: &[Precise]) -> f64 {
+pub(crate) fn value(program: &Program, point: &[Precise]) -> f64 {
     value_in(&mut Registers::default(), program, point)
 }
 

@@ -9,7 +9,7 @@ use crate::source::Span;
 
 impl Setup {
     /// The equations that a response is.
-    pub(super) fn read(&self, response: &str) -> Result<Vec<Equation>, Unreadable> {
+    pub(crate) fn read(&self, response: &str) -> Result<Vec<Equation>, Unreadable> {
         let manner = Manner {
             comma_is_decimal: true,
             has_imaginary_unit: false,
@@ -37,7 +37,7 @@ impl Setup {
     }
 
     /// How equations were read.
-    pub(super) fn reading(&self, equations: &[Equation]) -> Reading {
+    pub(crate) fn reading(&self, equations: &[Equation]) -> Reading {
         Reading {
             math: self.typeset(equations),
             text: written(equations),
@@ -46,7 +46,7 @@ impl Setup {
     }
 
     /// Equations side by side, typeset.
-    pub(super) fn typeset(&self, equations: &[Equation]) -> Math {
+    pub(crate) fn typeset(&self, equations: &[Equation]) -> Math {
         let mut row = Vec::new();
         for equation in equations {
             if !row.is_empty() {

@@ -9,7 +9,7 @@ use crate::numerics::Rational;
 
 impl Prepared {
     /// The equations with both sides squared where a root is said to be a positive datum; none if there is no such.
-    pub(super) fn without_roots(&self, equations: &[Equation]) -> Option<Vec<Equation>> {
+    pub(crate) fn without_roots(&self, equations: &[Equation]) -> Option<Vec<Equation>> {
         let squared = |equation: &Equation| {
             let Equation { left, right } = equation;
             [(left, right), (right, left)]

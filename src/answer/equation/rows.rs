@@ -11,7 +11,7 @@ const ROUNDING: f64 = 1e-11;
 
 /// How typed equations compare with a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Rows {
+pub(crate) enum Rows {
     /// Each follows from the other.
     Same,
     /// All follow from the key, but not the key from them.
@@ -28,7 +28,7 @@ pub(super) enum Rows {
 }
 
 impl Rows {
-    pub(super) fn of(key: &[&Program], typed: &[&Program], points: &[Vec<Precise>]) -> Self {
+    pub(crate) fn of(key: &[&Program], typed: &[&Program], points: &[Vec<Precise>]) -> Self {
         let (Some(key), Some(typed)) = (rows(key, points), rows(typed, points)) else {
             return Self::Undefined;
         };
@@ -55,7 +55,7 @@ impl Rows {
     }
 
     /// How many of these equations are independent; none if they have no value at some point.
-    pub(super) fn rank(programs: &[Program], points: &[Vec<Precise>]) -> Option<usize> {
+    pub(crate) fn rank(programs: &[Program], points: &[Vec<Precise>]) -> Option<usize> {
         let mut basis = Basis::default();
         for program in programs {
             basis.add(&row(program, points)?);
@@ -64,7 +64,7 @@ impl Rows {
     }
 
     /// The verdict that decides of two for different data.
-    pub(super) fn worse(self, other: Self) -> Self {
+    pub(crate) fn worse(self, other: Self) -> Self {
         match (self, other) {
             (Self::Undefined, other) => other,
             (own, Self::Undefined | Self::Same) => own,

@@ -12,7 +12,7 @@ use crate::expr::{Equation, Name, Program};
 const MAX_OTHERS: usize = 5;
 
 /// The key of another part of the system, and what was answered to it.
-pub(super) struct Other {
+pub(crate) struct Other {
     key: Vec<Program>,
     typed: Vec<Program>,
 }
@@ -21,7 +21,7 @@ impl Prepared {
     /// What the other parts of the system ask for and got. Equations of one system have the same unknowns, are
     /// no more than these, and are all linear or all not: the equation of a pendulum at any angle and that for
     /// small angles answer two questions.
-    pub(super) fn others(&self, others: &[Beside<'_>]) -> Vec<Other> {
+    pub(crate) fn others(&self, others: &[Beside<'_>]) -> Vec<Other> {
         let none = BTreeMap::new();
         let read = |beside: &Beside<'_>| {
             let Equations {
@@ -57,7 +57,7 @@ impl Prepared {
     }
 
     /// Whether the response and those to some of the other parts together say what their keys say.
-    pub(super) fn is_right_beside(&self, typed: &[Program], others: &[Other]) -> bool {
+    pub(crate) fn is_right_beside(&self, typed: &[Program], others: &[Other]) -> bool {
         let given = others
             .iter()
             .filter(|other| !other.typed.is_empty())
@@ -76,7 +76,7 @@ impl Prepared {
     }
 
     /// Whether the response follows from the keys of the system.
-    pub(super) fn follows(&self, typed: &[Program], others: &[Other]) -> bool {
+    pub(crate) fn follows(&self, typed: &[Program], others: &[Other]) -> bool {
         let keys = self
             .key
             .iter()

@@ -6,14 +6,14 @@ use crate::expr::{Approx, Precise, Program, Registers};
 
 /// A term: an unknown or a time derivative of one, or what stands without unknowns.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Term {
+pub(crate) enum Term {
     Unknown { place: usize, order: usize },
     Rest,
 }
 
 /// How a term depends on what it is a term in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Nature {
+pub(crate) enum Nature {
     /// In proportion.
     Linear,
     /// By its sign alone, as dry friction.
@@ -24,11 +24,11 @@ pub(super) enum Nature {
 
 /// The coefficients of an equation for one choice of data.
 #[derive(Clone, Debug)]
-pub(super) struct Coefficients {
+pub(crate) struct Coefficients {
     /// What each term adds where its unknown is 1 and all others are 0; for the rest, the value where all are 0.
-    pub(super) values: Vec<f64>,
+    pub(crate) values: Vec<f64>,
     /// The same for a small unknown, by its size.
-    pub(super) slopes: Vec<f64>,
+    pub(crate) slopes: Vec<f64>,
 }
 
 /// Coefficients that differ by more than this part are different.
@@ -38,7 +38,7 @@ const SMALL: f64 = 1e-5;
 const NEARLY: f64 = 1e-6;
 
 /// The terms that equations in these unknowns can have.
-pub(super) fn terms(setup: &Setup) -> Vec<Term> {
+pub(crate) fn terms(setup: &Setup) -> Vec<Term> {
     let mut terms = Vec::new();
     for name in &setup.unknowns {
         if let Some(place) = setup.meaning.place(name) {
@@ -51,7 +51,7 @@ pub(super) fn terms(setup: &Setup) -> Vec<Term> {
 
 impl Coefficients {
     /// Those of an equation at a point, whose unknowns do not matter.
-    pub(super) fn of(program: &Program, terms: &[Term], point: &[Precise]) -> Option<Self> {
+    pub(crate) fn of(program: &Program, terms: &[Term], point: &[Precise]) -> Option<Self> {
         let mut zero = point.to_vec();
         for term in terms {
             if let Term::Unknown { place, .. } = term {
@@ -83,7 +83,7 @@ impl Coefficients {
     }
 
     /// How the term of this place depends on its unknown.
-    pub(super) fn nature(&self, place: usize) -> Nature {
+    pub(crate) fn nature(&self, place: usize) -> Nature {
         let (value, slope) = (self.values[place], self.slopes[place]);
         if (value - slope).abs() <= NEARLY * slope.abs() {
             Nature::Linear
@@ -95,7 +95,7 @@ impl Coefficients {
     }
 
     /// Those of the same equation for small motions.
-    pub(super) fn linearized(&self) -> Self {
+    pub(crate) fn linearized(&self) -> Self {
         Self {
             values: self.slopes.clone(),
             slopes: self.slopes.clone(),
@@ -103,12 +103,12 @@ impl Coefficients {
     }
 
     /// Whether these are those for small motions.
-    pub(super) fn are_linearized(&self) -> bool {
+    pub(crate) fn are_linearized(&self) -> bool {
         self.values == self.slopes
     }
 
     /// Whether no term is curved.
-    pub(super) fn is_linear(&self) -> bool {
+    pub(crate) fn is_linear(&self) -> bool {
         (0..self.values.len()).all(|place| self.nature(place) != Nature::Curved)
     }
 }
@@ -123,20 +123,20 @@ fn value(program: &Program, point: &[Precise], room: &mut Registers<Approx<f64>>
 
 /// The factor between two equations under which most terms agree.
 #[derive(Clone, Debug)]
-pub(super) struct Match {
+pub(crate) struct Match {
     /// A term that agrees.
-    pub(super) reference: usize,
+    pub(crate) reference: usize,
     /// The terms that do not.
-    pub(super) differing: Vec<usize>,
+    pub(crate) differing: Vec<usize>,
     /// The second equation over the first.
-    pub(super) scale: f64,
+    pub(crate) scale: f64,
     /// How many terms agree that are there.
     agreeing: usize,
 }
 
 impl Match {
     /// The best match of two lists of coefficients; among equals, that without a factor.
-    pub(super) fn of(own: &[f64], found: &[f64]) -> Option<Self> {
+    pub(crate) fn of(own: &[f64], found: &[f64]) -> Option<Self> {
         let mut best: Option<Self> = None;
         for reference in 0..own.len() {
             if own[reference] == 0.0 || found[reference] == 0.0 {
@@ -166,12 +166,12 @@ impl Match {
     }
 
     /// Whether the equations are written without a factor between them.
-    pub(super) fn is_plain(&self) -> bool {
+    pub(crate) fn is_plain(&self) -> bool {
         is_same(self.scale.abs(), 1.0)
     }
 
     /// Whether enough agrees to tell what does not.
-    pub(super) fn is_telling(&self) -> bool {
+    pub(crate) fn is_telling(&self) -> bool {
         match self.differing.len() {
             0 | 1 => true,
             2 => self.is_plain() || self.agreeing >= 2,
@@ -181,11 +181,11 @@ impl Match {
 }
 
 /// Whether two coefficients are one number.
-pub(super) fn is_same(a: f64, b: f64) -> bool {
+pub(crate) fn is_same(a: f64, b: f64) -> bool {
     (a - b).abs() <= DIFFERENT * a.abs().max(b.abs())
 }
 
 /// Whether two slopes agree as far as a small motion can tell.
-pub(super) fn is_nearly(a: f64, b: f64) -> bool {
+pub(crate) fn is_nearly(a: f64, b: f64) -> bool {
     (a - b).abs() <= NEARLY * a.abs().max(b.abs())
 }

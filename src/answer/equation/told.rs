@@ -14,7 +14,7 @@ type Faults = Vec<(Named, Fault)>;
 const MAX_NAMED: usize = 3;
 
 /// What is wrong with the first equation that is none of the key, next to the one of the key that is most like it.
-pub(super) fn terms(
+pub(crate) fn terms(
     setup: &Setup,
     key: &[Program],
     typed: &[Program],

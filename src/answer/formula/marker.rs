@@ -17,19 +17,19 @@ use crate::source::Span;
 use crate::unit::DecimalMark;
 
 /// A prepared key.
-pub(super) struct Prepared {
-    pub(super) setup: Arc<Setup>,
-    pub(super) key: Arc<Comparable>,
-    pub(super) points: Points,
-    pub(super) mistakes: Vec<Mistake>,
-    pub(super) mark: DecimalMark,
-    pub(super) doubt: Doubt,
+pub(crate) struct Prepared {
+    pub(crate) setup: Arc<Setup>,
+    pub(crate) key: Arc<Comparable>,
+    pub(crate) points: Points,
+    pub(crate) mistakes: Vec<Mistake>,
+    pub(crate) mark: DecimalMark,
+    pub(crate) doubt: Doubt,
 }
 
-pub(super) struct Mistake {
-    pub(super) number: usize,
-    pub(super) formula: Arc<Comparable>,
-    pub(super) credit: Credit,
+pub(crate) struct Mistake {
+    pub(crate) number: usize,
+    pub(crate) formula: Arc<Comparable>,
+    pub(crate) credit: Credit,
 }
 
 /// A reading of a response.
@@ -41,7 +41,7 @@ struct Read {
 
 impl Prepared {
     /// The marking of a formula alone, without a unit behind it.
-    pub(super) fn mark_alone(&self, response: &str) -> Result<Marking, TypedError> {
+    pub(crate) fn mark_alone(&self, response: &str) -> Result<Marking, TypedError> {
         let mut readings = self.readings(response)?.into_iter();
         let Some(first) = readings.next() else {
             return Ok(Marking::unreadable(Why::Incomparable));

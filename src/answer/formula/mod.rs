@@ -35,7 +35,7 @@ use crate::source::{Table, Text};
 use crate::unit::Unit;
 
 #[derive(Debug)]
-pub(super) struct Formula {
+pub(crate) struct Formula {
     key: NodeId,
     setup: Arc<Setup>,
     /// Whether it changes with time: it uses `t` or a coordinate.
@@ -46,7 +46,7 @@ pub(super) struct Formula {
 
 /// What holds whatever the data are.
 #[derive(Debug)]
-struct Setup {
+pub(crate) struct Setup {
     /// In the names that an answer may use.
     shown: Expr,
     expr: Expr,
@@ -71,7 +71,7 @@ impl Setup {
 }
 
 /// Reads the keys of a part that belong to this kind; what is wrong is noted.
-pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
     let text = part
         .required("key")
         .and_then(|key| part.as_formula("key", key));
@@ -86,7 +86,7 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
 }
 
 /// What asks for a key as a formula.
-pub(super) fn of_key(
+pub(crate) fn of_key(
     part: &Table<'_>,
     text: &Text,
     key: NodeId,

@@ -8,7 +8,7 @@ use crate::unit::Unit;
 
 impl Prepared {
     /// The readings of a formula. Where all is real, the imaginary unit may stand in what comes out real, `|1 + iζ|`.
-    pub(super) fn read(&self, response: &str) -> Result<Typed<Expr>, TypedError> {
+    pub(crate) fn read(&self, response: &str) -> Result<Typed<Expr>, TypedError> {
         let read = |has_imaginary_unit| {
             let manner = Manner {
                 comma_is_decimal: true,
@@ -33,12 +33,12 @@ impl Prepared {
     }
 
     /// Whether names stand in the key.
-    pub(super) fn has_names(&self) -> bool {
+    pub(crate) fn has_names(&self) -> bool {
         !self.setup.shown.names().free.is_empty()
     }
 
     /// What is wrong with the dimension of a formula.
-    pub(super) fn misfit(&self, typed: &Expr) -> Option<Misfit> {
+    pub(crate) fn misfit(&self, typed: &Expr) -> Option<Misfit> {
         let setup = &self.setup;
         let found = match typed.check(&setup.meaning) {
             Err(errors) => {
@@ -68,7 +68,7 @@ impl Prepared {
     }
 
     /// A formula and the unit that stands behind it all the same, `sqrt(k/m) rad/s`.
-    pub(super) fn before_unit<'a>(&self, response: &'a str) -> Option<(&'a str, Unit)> {
+    pub(crate) fn before_unit<'a>(&self, response: &'a str) -> Option<(&'a str, Unit)> {
         let has_names = self.has_names();
         let reads = |(text, _): &(&str, Unit)| {
             let typed = self.read(text);
@@ -78,7 +78,7 @@ impl Prepared {
     }
 
     /// The marking of a formula before a unit: one in which it comes out is passed over, another one handed back.
-    pub(super) fn mark_before_unit(&self, response: &str) -> Option<Marking> {
+    pub(crate) fn mark_before_unit(&self, response: &str) -> Option<Marking> {
         let (formula, unit) = self.before_unit(response)?;
         let unit_text = response[formula.len()..].trim();
         if !self.has_dimension(&unit) {
@@ -100,7 +100,7 @@ impl Prepared {
     }
 
     /// The marking of a formula with a unit that is read as letters, `mg/k m`, if the formula alone is right.
-    pub(super) fn right_before_unit(&self, response: &str) -> Option<Marking> {
+    pub(crate) fn right_before_unit(&self, response: &str) -> Option<Marking> {
         let (formula, unit) = self.before_unit(response)?;
         let is_right = self.has_dimension(&unit)
             && self

@@ -6,7 +6,7 @@ use crate::expr::{Expr, Kind};
 use crate::unit::Dimension;
 
 /// In what a formula differs from the key, where that can be diagnosed.
-pub(super) fn slip(
+pub(crate) fn slip(
     comparison: &Comparison,
     typed: &Expr,
     dimension: Option<Dimension>,

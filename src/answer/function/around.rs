@@ -5,7 +5,7 @@ use crate::response::{self, Lexicon, Manner, cut};
 use crate::source::Span;
 
 /// How a function is read.
-pub(super) const MANNER: Manner = Manner {
+pub(crate) const MANNER: Manner = Manner {
     comma_is_decimal: true,
     has_imaginary_unit: false,
     values: None,
@@ -13,14 +13,14 @@ pub(super) const MANNER: Manner = Manner {
 
 /// A function with the times for which it holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Piece<'r> {
-    pub(super) formula: &'r str,
-    pub(super) condition: Option<&'r str>,
+pub(crate) struct Piece<'r> {
+    pub(crate) formula: &'r str,
+    pub(crate) condition: Option<&'r str>,
 }
 
 /// The pieces of a function, each on a line or behind a semicolon, `…, t < 1; …, t >= 1` or `… if t < 1 otherwise …`;
 /// one piece with its times, if there is no more.
-pub(super) fn pieces(response: &str) -> Vec<Piece<'_>> {
+pub(crate) fn pieces(response: &str) -> Vec<Piece<'_>> {
     if let Some(pieces) = conditional(response) {
         return pieces;
     }
@@ -92,7 +92,7 @@ fn piece(text: &str) -> Piece<'_> {
 }
 
 /// The comparison that a condition is; the unit behind a number of it, one of SI, adds nothing.
-pub(super) fn condition(text: &str, lexicon: &Lexicon) -> Result<Expr, response::TypedError> {
+pub(crate) fn condition(text: &str, lexicon: &Lexicon) -> Result<Expr, response::TypedError> {
     let text = text.trim_start_matches("for ").trim_start_matches("if ");
     let read = |text: &str| {
         let chain = response::chain(text, 0, text.len(), lexicon, MANNER)?.value;

@@ -9,7 +9,7 @@ use crate::source::Span;
 
 /// The names that can stand before an equals sign.
 #[derive(Debug)]
-pub(super) struct Labels {
+pub(crate) struct Labels {
     lexicon: Lexicon,
     /// Those of what is asked.
     own: Vec<Name>,
@@ -28,7 +28,7 @@ enum Side {
 
 impl Labels {
     /// The names of an item, of which this one is asked; any coordinate where what is asked has no name.
-    pub(super) fn of(declare: &dyn Declare, asked: Option<&Name>, variable: &Name) -> Self {
+    pub(crate) fn of(declare: &dyn Declare, asked: Option<&Name>, variable: &Name) -> Self {
         let known = declare.known();
         let symbol_of = |name: &Name| {
             let own = known.iter().find(|own| own.name == *name);
@@ -74,7 +74,7 @@ impl Labels {
     }
 
     /// The function that is asked, among several that are given by name, `x1 = …; x2 = …`.
-    pub(super) fn asked<'r>(&self, response: &'r str) -> Result<&'r str, Unreadable> {
+    pub(crate) fn asked<'r>(&self, response: &'r str) -> Result<&'r str, Unreadable> {
         let all = Span::new(0, response.len());
         let pieces: Vec<&str> = cut(response, all, &[';', '\n'])
             .into_iter()
@@ -95,7 +95,7 @@ impl Labels {
     }
 
     /// What is behind the last equals sign, and the other forms before it.
-    pub(super) fn forms<'r>(&self, response: &'r str) -> Result<(&'r str, Vec<Expr>), Unreadable> {
+    pub(crate) fn forms<'r>(&self, response: &'r str) -> Result<(&'r str, Vec<Expr>), Unreadable> {
         let mut forms = Vec::new();
         let mut rest = response;
         let mut is_first = true;
@@ -150,7 +150,7 @@ impl Labels {
 }
 
 /// The same for a function of these arguments.
-pub(super) fn is_fresh(text: &str, arguments: &[String]) -> bool {
+pub(crate) fn is_fresh(text: &str, arguments: &[String]) -> bool {
     let text = without_unit(text);
     let (name, behind) = match text.find('(') {
         Some(open) => (text[..open].trim(), &text[open..]),

@@ -30,8 +30,8 @@ const STEP: f64 = 1e-6;
 
 /// A window behind the span.
 #[derive(Clone, Debug)]
-pub(super) struct Window {
-    pub(super) times: Vec<Precise>,
+pub(crate) struct Window {
+    pub(crate) times: Vec<Precise>,
     size: f64,
     half: f64,
 }
@@ -47,29 +47,29 @@ struct Outline {
 }
 
 /// What is known of a key when the windows are chosen.
-pub(super) struct OnSpan<'a> {
-    pub(super) evaluation: &'a Evaluation<'a>,
-    pub(super) key: NodeId,
-    pub(super) ends: [f64; 2],
-    pub(super) times: &'a [Precise],
-    pub(super) values: &'a [f64],
-    pub(super) halves: &'a [f64],
+pub(crate) struct OnSpan<'a> {
+    pub(crate) evaluation: &'a Evaluation<'a>,
+    pub(crate) key: NodeId,
+    pub(crate) ends: [f64; 2],
+    pub(crate) times: &'a [Precise],
+    pub(crate) values: &'a [f64],
+    pub(crate) halves: &'a [f64],
     /// The share by which rounding moves a value.
-    pub(super) share: f64,
+    pub(crate) share: f64,
     /// The tolerance that the item states, with the figures of the answer.
-    pub(super) stated: Option<(&'a Tolerance, u32)>,
+    pub(crate) stated: Option<(&'a Tolerance, u32)>,
 }
 
 impl Window {
     /// Whether a function with these values at its times has the size of the key there.
-    pub(super) fn admits(&self, values: &[f64]) -> bool {
+    pub(crate) fn admits(&self, values: &[f64]) -> bool {
         (size(values) - self.size).abs() <= self.half
     }
 }
 
 impl OnSpan<'_> {
     /// The windows in which those data of the key show that do not show on its span.
-    pub(super) fn windows(&self) -> Vec<Window> {
+    pub(crate) fn windows(&self) -> Vec<Window> {
         let graph = self.evaluation.graph();
         let data = graph.parameters(self.key).into_iter();
         let mut hidden: Vec<NodeId> = data.filter(|datum| !self.shows(*datum)).collect();
@@ -197,7 +197,7 @@ fn size(values: &[f64]) -> f64 {
 }
 
 /// Whether a function is another one in different pieces of its variable.
-pub(super) fn is_in_pieces(expr: &Expr, variable: &Name) -> bool {
+pub(crate) fn is_in_pieces(expr: &Expr, variable: &Name) -> bool {
     let mut found = false;
     let moves = |inner: &Expr| inner.reaches(|name| name == variable);
     expr.walk(&mut |node| {

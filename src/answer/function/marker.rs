@@ -20,39 +20,39 @@ use crate::unit::{Dimension, Unit};
 use crate::work;
 
 /// A response that was read.
-pub(super) struct Response {
-    pub(super) expr: Expr,
+pub(crate) struct Response {
+    pub(crate) expr: Expr,
     /// The units in which its numbers may be.
-    pub(super) units: Vec<Unit>,
-    pub(super) reading: Reading,
+    pub(crate) units: Vec<Unit>,
+    pub(crate) reading: Reading,
     /// In SI units, for each of the units; none where the function has no value somewhere.
-    pub(super) values: Vec<Vec<f64>>,
+    pub(crate) values: Vec<Vec<f64>>,
 }
 
 /// Less than this share of a half-width is a rounding of the machine.
 const SAME: f64 = 1e-6;
 
 /// A prepared key. What only some responses need is computed for the first of them; its cost is not theirs.
-pub(super) struct Prepared<'t> {
-    pub(super) setup: Arc<Setup>,
-    pub(super) evaluation: Rc<Evaluation<'t>>,
-    pub(super) key: NodeId,
+pub(crate) struct Prepared<'t> {
+    pub(crate) setup: Arc<Setup>,
+    pub(crate) evaluation: Rc<Evaluation<'t>>,
+    pub(crate) key: NodeId,
     /// The span.
-    pub(super) ends: [f64; 2],
-    pub(super) times: Vec<Precise>,
-    pub(super) values: Vec<f64>,
-    pub(super) halves: Vec<f64>,
-    pub(super) tolerance: Tolerance,
-    pub(super) figures: u32,
-    pub(super) mistaken: Vec<Mistaken>,
-    pub(super) mistakes: OnceCell<Vec<Mistake>>,
+    pub(crate) ends: [f64; 2],
+    pub(crate) times: Vec<Precise>,
+    pub(crate) values: Vec<f64>,
+    pub(crate) halves: Vec<f64>,
+    pub(crate) tolerance: Tolerance,
+    pub(crate) figures: u32,
+    pub(crate) mistaken: Vec<Mistaken>,
+    pub(crate) mistakes: OnceCell<Vec<Mistake>>,
     /// Where data show that do not show on the span.
-    pub(super) windows: OnceCell<Vec<Window>>,
-    pub(super) data: Vec<Precise>,
+    pub(crate) windows: OnceCell<Vec<Window>>,
+    pub(crate) data: Vec<Precise>,
 }
 
 /// A named mistake.
-pub(super) struct Mistake {
+pub(crate) struct Mistake {
     number: usize,
     /// Its values at the times.
     values: Vec<f64>,
@@ -114,7 +114,7 @@ impl Prepared<'_> {
     }
 
     /// The values of a typed function at the times.
-    pub(super) fn values_of(&self, expr: &Expr) -> Option<Vec<f64>> {
+    pub(crate) fn values_of(&self, expr: &Expr) -> Option<Vec<f64>> {
         self.values_at(expr, &self.times)
     }
 
@@ -135,14 +135,14 @@ impl Prepared<'_> {
     }
 
     /// The same in SI units, where the numbers are in one of these.
-    pub(super) fn values_in(&self, expr: &Expr, units: &[Unit]) -> Option<Vec<Vec<f64>>> {
+    pub(crate) fn values_in(&self, expr: &Expr, units: &[Unit]) -> Option<Vec<Vec<f64>>> {
         let values = self.values_of(expr)?;
         let in_si = |unit: &Unit| values.iter().map(|value| unit.to_si(*value)).collect();
         Some(units.iter().map(in_si).collect())
     }
 
     /// The dimension of a function of data alone that is not that of the key.
-    pub(super) fn dimension_trouble(&self, expr: &Expr) -> Option<Dimension> {
+    pub(crate) fn dimension_trouble(&self, expr: &Expr) -> Option<Dimension> {
         // Numbers stand for values in the unit of the key, rates and frequencies: only formulas in data alone have dimensions.
         let found = expr.check(&self.setup.meaning).ok();
         let found = found.filter(|_| self.has_data(expr))?;
@@ -151,7 +151,7 @@ impl Prepared<'_> {
     }
 
     /// Whether letters of the question stand in a function.
-    pub(super) fn has_data(&self, expr: &Expr) -> bool {
+    pub(crate) fn has_data(&self, expr: &Expr) -> bool {
         let names = expr.names();
         let mut free = names.free.iter();
         free.any(|variable| variable.name != self.setup.variable)
@@ -179,7 +179,7 @@ impl Prepared<'_> {
     }
 
     /// Whether one of these is near a key at all times.
-    pub(super) fn fits(&self, found: &[Vec<f64>], key: &[f64]) -> bool {
+    pub(crate) fn fits(&self, found: &[Vec<f64>], key: &[f64]) -> bool {
         found.iter().any(|values| self.is_near(values, key))
     }
 
@@ -333,7 +333,7 @@ impl<S: Scalar> Inputs<S> for AtTime<'_> {
 }
 
 /// The largest size of some values.
-pub(super) fn largest(values: &[f64]) -> f64 {
+pub(crate) fn largest(values: &[f64]) -> f64 {
     values
         .iter()
         .fold(0.0, |most: f64, value| most.max(value.abs()))

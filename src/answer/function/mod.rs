@@ -81,7 +81,7 @@ struct Motion {
 }
 
 #[derive(Debug)]
-struct Setup {
+pub(crate) struct Setup {
     shown: Expr,
     kind: Type,
     unit: Option<Unit>,
@@ -106,7 +106,7 @@ impl Setup {
 }
 
 /// Reads the keys of a part that belong to this kind; what is wrong is noted.
-pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
     let text = part
         .required("key")
         .and_then(|key| part.as_formula("key", key));

@@ -12,7 +12,7 @@ use crate::unit::Unit;
 
 impl Prepared<'_> {
     /// The function that a response is: the last form of it that was typed, which the others have to equal.
-    pub(super) fn read(&self, response: &str) -> Result<Response, Unreadable> {
+    pub(crate) fn read(&self, response: &str) -> Result<Response, Unreadable> {
         let labels = &self.setup.labels;
         let renamed = self.of_own_variable(response);
         let response = renamed.as_deref().unwrap_or(response);

@@ -4,7 +4,7 @@ use crate::expr::{Precise, Value};
 use crate::quantity::{Absent, Evaluation, NodeId};
 
 /// The values of a node at these times, with an absolute error of at most `accuracy`; exact to rounding for 0.
-pub(super) fn samples(
+pub(crate) fn samples(
     evaluation: &Evaluation<'_>,
     node: NodeId,
     times: &[Precise],
@@ -19,12 +19,12 @@ pub(super) fn samples(
 
 /// The accuracy of values that are compared with others of this size: a million times finer than the steps of the
 /// derivatives.
-pub(super) fn fine(largest: f64) -> f64 {
+pub(crate) fn fine(largest: f64) -> f64 {
     1e-12 * largest
 }
 
 /// The share of a value by which rounding to this many figures moves it at most.
-pub(super) fn rounding(digits: u32) -> f64 {
+pub(crate) fn rounding(digits: u32) -> f64 {
     0.005 * crate::numerics::powi(10.0, 3 - digits as i32)
 }
 
@@ -33,7 +33,7 @@ pub(super) fn rounding(digits: u32) -> f64 {
 const MAX_SHARE: f64 = 0.05;
 
 /// How far rounding in the steps moves the function, time by time.
-pub(super) fn derived(
+pub(crate) fn derived(
     evaluation: &Evaluation<'_>,
     key: NodeId,
     times: &[Precise],

@@ -14,7 +14,7 @@ const FIRST: usize = 3;
 
 impl Prepared<'_> {
     /// The slip that made a wrong function, if it can be diagnosed.
-    pub(super) fn slip(&self, response: &Response) -> Option<Slip> {
+    pub(crate) fn slip(&self, response: &Response) -> Option<Slip> {
         let scaled = |factor: f64| {
             let all = response.values.iter();
             let scaled = all.map(|of| of.iter().map(|value| factor * value).collect());
@@ -91,7 +91,7 @@ fn in_angles(expr: &Expr, change: &dyn Fn(&Expr) -> Option<Expr>) -> Expr {
 }
 
 /// A function with 1 in place of its waves and exponentials: what their factors are measured in.
-pub(super) fn without_waves(expr: &Expr) -> Expr {
+pub(crate) fn without_waves(expr: &Expr) -> Expr {
     match expr.kind() {
         Kind::Call(
             Function::Sin

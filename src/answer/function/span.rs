@@ -8,7 +8,7 @@ use crate::source::{Table, Text, Value};
 
 /// Where functions are compared.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Extent {
+pub(crate) enum Extent {
     /// Between these.
     Stated([NodeId; 2]),
     /// From 0 to three periods of the slowest of these angular frequencies.
@@ -17,7 +17,7 @@ pub(super) enum Extent {
 
 impl Extent {
     /// Three periods of the item's model; without one the span has to be stated.
-    pub(super) fn of_model(key: &Text, declare: &mut dyn Declare) -> Option<Self> {
+    pub(crate) fn of_model(key: &Text, declare: &mut dyn Declare) -> Option<Self> {
         for quantity in ["natural_angular_frequency", "natural_angular_frequencies"] {
             let path = Path::new([Name::new("model"), Name::new(quantity)]);
             if declare.graph().offered(&path).is_some() {
@@ -33,7 +33,7 @@ impl Extent {
         None
     }
 
-    pub(super) fn ends(self, evaluation: &Evaluation<'_>) -> Result<[f64; 2], Absent> {
+    pub(crate) fn ends(self, evaluation: &Evaluation<'_>) -> Result<[f64; 2], Absent> {
         // Three periods show amplitude, phase and decay of the slowest mode.
         const PERIODS: f64 = 3.0;
         match self {
@@ -55,7 +55,7 @@ impl Extent {
 }
 
 /// The formulas of the key `span`.
-pub(super) fn spans(part: &Table<'_>, value: &Value) -> Vec<Text> {
+pub(crate) fn spans(part: &Table<'_>, value: &Value) -> Vec<Text> {
     match &value.data {
         crate::source::Data::List(items) => items
             .iter()
@@ -66,7 +66,7 @@ pub(super) fn spans(part: &Table<'_>, value: &Value) -> Vec<Text> {
 }
 
 /// Times within a span: away from its ends, and not in step with any period.
-pub(super) fn times([from, to]: [f64; 2]) -> Vec<Precise> {
+pub(crate) fn times([from, to]: [f64; 2]) -> Vec<Precise> {
     let time = |place: usize| {
         let share = (place as f64 + 0.371) / SAMPLES as f64;
         Precise::exact(from + (to - from) * share)

@@ -5,17 +5,17 @@ use std::ops::Range;
 use crate::unit::{Decimal, DecimalMark, Dimension, Unit};
 
 /// A function whose terms have units.
-pub(super) struct Measured {
+pub(crate) struct Measured {
     /// Without the units.
-    pub(super) bare: String,
+    pub(crate) bare: String,
     /// With a factor 2 for each unit: twice the function, if each of its terms has one.
-    pub(super) doubled: String,
-    pub(super) unit: Unit,
+    pub(crate) doubled: String,
+    pub(crate) unit: Unit,
 }
 
 /// The function with the units taken out that stand behind numbers and brackets; none if there are none, or different ones.
 /// The letter of the variable is no unit.
-pub(super) fn measured(
+pub(crate) fn measured(
     text: &str,
     variable: &str,
     fits: impl Fn(&Unit) -> bool,
@@ -45,7 +45,7 @@ pub(super) fn measured(
 /// A function without the units of rates before its variable, `e^(-0.75 s⁻¹ t)`, `cos(5 rad/s t)`, `e^(-t/s)`: they make
 /// its arguments pure numbers, in SI units as the bare ones are. Nothing where there are none, or where others stand
 /// there.
-pub(super) fn without_rates(text: &str, variable: &str) -> Option<String> {
+pub(crate) fn without_rates(text: &str, variable: &str) -> Option<String> {
     let rate = Dimension::TIME.inverse();
     let is_rate =
         |unit: &Unit| unit.dimension() == rate && !unit.counts_cycles() && unit.to_si(1.0) == 1.0;
@@ -77,7 +77,7 @@ pub(super) fn without_rates(text: &str, variable: &str) -> Option<String> {
 
 /// A function without the word before its unit, `… in mm`, and without the unit of its phases, `cos(4 t - 0.9 rad)`.
 /// Nothing where there is neither.
-pub(super) fn without_words(text: &str) -> Option<String> {
+pub(crate) fn without_words(text: &str) -> Option<String> {
     const WORD: &str = " in ";
     const RADIANS: &str = "rad";
     let mut bare = text.to_owned();
@@ -136,7 +136,7 @@ fn letter_in(text: &str, letter: &str) -> Option<usize> {
 }
 
 /// Whether a letter stands alone in the text of a unit.
-pub(super) fn contains_letter(unit: &str, letter: &str) -> bool {
+pub(crate) fn contains_letter(unit: &str, letter: &str) -> bool {
     unit.split(|char: char| !char.is_alphabetic())
         .any(|word| word == letter)
 }

@@ -12,7 +12,7 @@ use crate::unit::{Quantity, Unit};
 
 impl Ends<'_> {
     /// The value of a bound in SI units.
-    pub(super) fn side(&self, side: &str, unit: &mut Option<Unit>) -> Read<f64> {
+    pub(crate) fn side(&self, side: &str, unit: &mut Option<Unit>) -> Read<f64> {
         let number = self.number(side, unit);
         // Of `√(2km)` the letters could be a unit, kilometres, that does not fit.
         let is_formula = number.is_err() && self.fits_in_letters(side);
@@ -69,7 +69,7 @@ impl Ends<'_> {
     }
 
     /// The number that a bound is in SI units, if it is one; without a unit it has the one at hand.
-    pub(super) fn number(&self, text: &str, unit: &mut Option<Unit>) -> Read<Option<f64>> {
+    pub(crate) fn number(&self, text: &str, unit: &mut Option<Unit>) -> Read<Option<f64>> {
         let Some(number) = self.quantity(text) else {
             return Ok(None);
         };
@@ -91,7 +91,7 @@ impl Ends<'_> {
     }
 
     /// A quantity, if a text is one.
-    pub(super) fn quantity(&self, text: &str) -> Option<Quantity> {
+    pub(crate) fn quantity(&self, text: &str) -> Option<Quantity> {
         let (first, others) = numeric::readings(text, self.mark).ok()?;
         if !others.is_empty() {
             self.is_doubtful.set(true);
@@ -100,7 +100,7 @@ impl Ends<'_> {
         Some(other.unwrap_or(first))
     }
 
-    pub(super) fn formula(&self, side: &str) -> Result<Expr, Unreadable> {
+    pub(crate) fn formula(&self, side: &str) -> Result<Expr, Unreadable> {
         let manner = Manner {
             comma_is_decimal: true,
             has_imaginary_unit: false,
@@ -112,7 +112,7 @@ impl Ends<'_> {
     }
 
     /// The value of a formula in SI units.
-    pub(super) fn value(&self, formula: &Expr) -> Option<f64> {
+    pub(crate) fn value(&self, formula: &Expr) -> Option<f64> {
         let program = self.setup.meaning.compile(formula, &BTreeMap::new()).ok()?;
         program
             .evaluate(self.data, &mut Workspace::default())

@@ -62,7 +62,7 @@ struct Declared {
 }
 
 #[derive(Debug)]
-struct Setup {
+pub(crate) struct Setup {
     variable: Name,
     symbol: Arc<Math>,
     unit: Unit,
@@ -91,7 +91,7 @@ struct Prepared {
 }
 
 /// Reads the keys of a part that belong to this kind; what is wrong is noted.
-pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
     let key = part.required("key").map(|key| texts(part, "key", key));
     let variable = part.required_text("variable");
     let within = part.text("within");

@@ -13,19 +13,19 @@ use crate::source::Span;
 use crate::unit::{DecimalMark, Unit};
 
 /// Reads sets for an instance.
-pub(super) struct Ends<'a> {
-    pub(super) setup: &'a Setup,
-    pub(super) data: &'a [Precise],
-    pub(super) mark: DecimalMark,
+pub(crate) struct Ends<'a> {
+    pub(crate) setup: &'a Setup,
+    pub(crate) data: &'a [Precise],
+    pub(crate) mark: DecimalMark,
     /// Whether numbers that may be meant otherwise are, `1,250` as a decimal or in thousands.
-    pub(super) is_otherwise: bool,
+    pub(crate) is_otherwise: bool,
     /// Whether a number may be meant otherwise; noted while a set is read.
-    pub(super) is_doubtful: Cell<bool>,
+    pub(crate) is_doubtful: Cell<bool>,
 }
 
 /// Why a response is no set.
 #[derive(Debug)]
-pub(super) enum Refusal {
+pub(crate) enum Refusal {
     /// It cannot be read.
     Unread(Box<Unreadable>),
     /// A bound is of another dimension.
@@ -50,13 +50,13 @@ impl From<Misfit> for Refusal {
     }
 }
 
-pub(super) type Read<T> = Result<T, Refusal>;
+pub(crate) type Read<T> = Result<T, Refusal>;
 
 /// Longest response that is read, in bytes.
 const MAX_LENGTH: usize = 2_000;
 
 /// With an example of what can be typed.
-pub(super) fn like_interval(why: Why) -> Unreadable {
+pub(crate) fn like_interval(why: Why) -> Unreadable {
     Unreadable::of(why).like(Example::Interval)
 }
 
@@ -69,7 +69,7 @@ struct Sign {
 
 impl Ends<'_> {
     /// The set that a response is.
-    pub(super) fn read(&self, response: &str) -> Read<Set> {
+    pub(crate) fn read(&self, response: &str) -> Read<Set> {
         if response.len() > MAX_LENGTH {
             return Err(Why::TooLong.into());
         }

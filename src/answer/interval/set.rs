@@ -8,22 +8,22 @@ use crate::unit::{DecimalMark, Quantity};
 
 /// An end of an interval, in SI units; infinite where there is no bound.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct End {
-    pub(super) value: f64,
-    pub(super) is_open: bool,
+pub(crate) struct End {
+    pub(crate) value: f64,
+    pub(crate) is_open: bool,
 }
 
 /// An interval by its lower and upper end.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Piece(pub(super) [End; 2]);
+pub(crate) struct Piece(pub(crate) [End; 2]);
 
 /// Intervals without common points, ascending.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Set(pub(super) Vec<Piece>);
+pub(crate) struct Set(pub(crate) Vec<Piece>);
 
 impl End {
     /// No bound below (0) or above (1).
-    pub(super) fn none(place: usize) -> Self {
+    pub(crate) fn none(place: usize) -> Self {
         let value = if place == 0 {
             f64::NEG_INFINITY
         } else {
@@ -36,7 +36,7 @@ impl End {
     }
 
     /// Its distance from zero; 0 for none.
-    pub(super) fn size(&self) -> f64 {
+    pub(crate) fn size(&self) -> f64 {
         if self.value.is_finite() {
             self.value.abs()
         } else {
@@ -45,7 +45,7 @@ impl End {
     }
 
     /// Whether both are none, or lie within a half-width.
-    pub(super) fn is_near(&self, other: &Self, half: f64) -> bool {
+    pub(crate) fn is_near(&self, other: &Self, half: f64) -> bool {
         if !self.value.is_finite() || !other.value.is_finite() {
             return self.value == other.value;
         }
@@ -85,7 +85,7 @@ impl Piece {
 
 impl Set {
     /// The union of intervals.
-    pub(super) fn of(mut pieces: Vec<Piece>) -> Self {
+    pub(crate) fn of(mut pieces: Vec<Piece>) -> Self {
         pieces.retain(|piece| piece.common(piece).is_some());
         crate::numerics::sort_by(&mut pieces, |a, b| {
             a.0[0]
@@ -111,7 +111,7 @@ impl Set {
     }
 
     /// What lies within an interval.
-    pub(super) fn cut(self, within: Option<&Piece>) -> Self {
+    pub(crate) fn cut(self, within: Option<&Piece>) -> Self {
         match within {
             None => self,
             Some(within) => Self(
@@ -124,7 +124,7 @@ impl Set {
     }
 
     /// What both have in common.
-    pub(super) fn common(&self, other: &Self) -> Self {
+    pub(crate) fn common(&self, other: &Self) -> Self {
         let pairs = self
             .0
             .iter()
@@ -133,14 +133,14 @@ impl Set {
     }
 
     /// The ends of its pieces, as programs get them.
-    pub(super) fn bounds(&self) -> Vec<Bounds> {
+    pub(crate) fn bounds(&self) -> Vec<Bounds> {
         let bound = |end: End| end.value.is_finite().then_some(end.value);
         let bounds = |piece: &Piece| (piece.0.map(bound), piece.0.map(|end| end.is_open));
         self.0.iter().map(bounds).collect()
     }
 
     /// Whether the ends of both are open alike.
-    pub(super) fn has_ends_of(&self, other: &Self) -> bool {
+    pub(crate) fn has_ends_of(&self, other: &Self) -> bool {
         let open = |set: &Self| -> Vec<[bool; 2]> {
             set.0
                 .iter()
@@ -151,7 +151,7 @@ impl Set {
     }
 
     /// As inequalities, typeset and as text.
-    pub(super) fn typeset(
+    pub(crate) fn typeset(
         &self,
         symbol: &Math,
         name: &str,

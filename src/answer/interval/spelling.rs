@@ -2,7 +2,7 @@
 
 /// One spelling for signs and words that join. Ranges in words, which say nothing of their ends, are read where that
 /// does not count.
-pub(super) fn normalized(response: &str, is_strict: bool) -> String {
+pub(crate) fn normalized(response: &str, is_strict: bool) -> String {
     let response = response.trim().trim_end_matches(['.', ',', ';']);
     let inner = response
         .strip_prefix('(')
@@ -205,7 +205,7 @@ fn within_set(text: &str) -> Option<&str> {
 }
 
 /// What stands in brackets around a whole condition, and what follows them.
-pub(super) fn unbracketed(text: &str) -> Option<(&str, &str)> {
+pub(crate) fn unbracketed(text: &str) -> Option<(&str, &str)> {
     let inner = text.strip_prefix('(')?;
     let mut depth = 1_usize;
     let close = inner.char_indices().find_map(|(at, char)| {
@@ -222,7 +222,7 @@ pub(super) fn unbracketed(text: &str) -> Option<(&str, &str)> {
 }
 
 /// Signs that join, as they are typed.
-pub(super) fn spelt(text: &str) -> String {
+pub(crate) fn spelt(text: &str) -> String {
     let text = text.trim().replace('∩', "and").replace('∪', "or");
     text.replace('∈', "in")
 }

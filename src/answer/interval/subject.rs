@@ -6,7 +6,7 @@ use crate::expr::{Expr, Function, Kind, Substitution};
 use crate::numerics::Rational;
 
 /// What an inequality bounds.
-pub(super) enum Subject {
+pub(crate) enum Subject {
     /// The bare variable, as in `x < 2`.
     Variable,
     /// Its distance from a place, times a slope.
@@ -15,7 +15,7 @@ pub(super) enum Subject {
 
 impl Subject {
     /// The values of the variable for which it lies in a piece.
-    pub(super) fn where_it_is_in(&self, piece: Piece) -> Set {
+    pub(crate) fn where_it_is_in(&self, piece: Piece) -> Set {
         let Self::Distance { centre, slope } = self else {
             return Set::of(vec![piece]);
         };
@@ -36,7 +36,7 @@ impl Subject {
 
 impl Ends<'_> {
     /// What a side speaks of, if it is the variable or a distance on its axis.
-    pub(super) fn subject(&self, side: &str) -> Option<Subject> {
+    pub(crate) fn subject(&self, side: &str) -> Option<Subject> {
         let expr = self.formula(side).ok()?;
         match expr.kind() {
             Kind::Name(name) if *name == self.setup.variable => Some(Subject::Variable),

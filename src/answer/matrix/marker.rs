@@ -16,20 +16,20 @@ use crate::response::{self, Listed, Manner, Wanted};
 use crate::unit::{Decimal, Unit};
 
 /// A prepared key.
-pub(super) struct Prepared {
-    pub(super) setup: Arc<Setup>,
+pub(crate) struct Prepared {
+    pub(crate) setup: Arc<Setup>,
     /// The entries as formulas, where they can be compared as such.
-    pub(super) formulas: Option<(Arc<Vec<Comparable>>, Points)>,
-    pub(super) value: Value,
-    pub(super) halves: Vec<f64>,
-    pub(super) mistakes: Vec<Mistake>,
+    pub(crate) formulas: Option<(Arc<Vec<Comparable>>, Points)>,
+    pub(crate) value: Value,
+    pub(crate) halves: Vec<f64>,
+    pub(crate) mistakes: Vec<Mistake>,
 }
 
-pub(super) struct Mistake {
-    pub(super) number: usize,
-    pub(super) formulas: Option<Arc<Vec<Comparable>>>,
-    pub(super) numbers: Vec<f64>,
-    pub(super) credit: Credit,
+pub(crate) struct Mistake {
+    pub(crate) number: usize,
+    pub(crate) formulas: Option<Arc<Vec<Comparable>>>,
+    pub(crate) numbers: Vec<f64>,
+    pub(crate) credit: Credit,
 }
 
 impl Prepared {
@@ -98,7 +98,7 @@ impl Prepared {
 
     /// Whether a number is as near to a key as the tolerance of an entry has it. Beside a zero, what rounding in a
     /// computer leaves of it counts as zero.
-    pub(super) fn is_near(&self, place: usize, number: f64, key: f64) -> bool {
+    pub(crate) fn is_near(&self, place: usize, number: f64, key: f64) -> bool {
         const DUST: f64 = 1e-9;
         let sizes = self.value.numbers().iter().map(|own| own.abs());
         let dust = if key == 0.0 {
@@ -134,7 +134,7 @@ impl Prepared {
     }
 
     /// The row and the column of an entry, from 1.
-    pub(super) fn place(&self, at: usize) -> (usize, usize) {
+    pub(crate) fn place(&self, at: usize) -> (usize, usize) {
         let columns = self.setup.columns;
         (at / columns + 1, at % columns + 1)
     }

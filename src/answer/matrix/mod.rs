@@ -37,7 +37,7 @@ use crate::unit::Unit;
 
 /// Whether entries are asked as numbers or as formulas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Written {
+pub(crate) enum Written {
     Either,
     Number,
     Formula,
@@ -45,7 +45,7 @@ pub(super) enum Written {
 
 impl Written {
     /// As the answer line says it.
-    pub(super) fn entries(self) -> Entries {
+    pub(crate) fn entries(self) -> Entries {
         match self {
             Self::Either => Entries::Either,
             Self::Number => Entries::Numbers,
@@ -54,7 +54,7 @@ impl Written {
     }
 
     /// An answer line that has letters where formulas may be written, and unit and figures where numbers may.
-    pub(super) fn describe(
+    pub(crate) fn describe(
         self,
         mut blank: Blank,
         (letters, lexicon): (&[Expr], &Lexicon),
@@ -70,7 +70,7 @@ impl Written {
     }
 
     /// Reads the key `form` of a part.
-    pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Self {
+    pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Self {
         let Some(text) = part.text("form") else {
             return Self::Either;
         };
@@ -95,7 +95,7 @@ struct Matrix {
 }
 
 #[derive(Debug)]
-struct Setup {
+pub(crate) struct Setup {
     expr: Expr,
     rows: usize,
     columns: usize,
@@ -111,7 +111,7 @@ struct Setup {
 }
 
 /// Reads the keys of a part that belong to this kind; what is wrong is noted.
-pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
     let text = part
         .required("key")
         .and_then(|key| part.as_formula("key", key));

@@ -13,7 +13,7 @@ const MAX_COORDINATES: usize = 4;
 
 impl Prepared {
     /// What slipped where not all entries are those of the key.
-    pub(super) fn slip_of_numbers(&self, numbers: &[f64]) -> Option<Slip> {
+    pub(crate) fn slip_of_numbers(&self, numbers: &[f64]) -> Option<Slip> {
         let keys = self.value.numbers();
         let largest = (0..keys.len()).max_by(|a, b| keys[*a].abs().total_cmp(&keys[*b].abs()))?;
         let is_off_by = |factor: f64| {
@@ -31,7 +31,7 @@ impl Prepared {
     }
 
     /// The same for formulas, which compare with the key like this.
-    pub(super) fn slip_of_formulas(
+    pub(crate) fn slip_of_formulas(
         &self,
         (keys, points): &(Arc<Vec<Comparable>>, Points),
         typed: &[Comparable],
@@ -75,7 +75,7 @@ impl Prepared {
     }
 
     /// The first of these entries that has another dimension than the key.
-    pub(super) fn wrong_dimension(&self, entries: &[Expr], wrong: &[usize]) -> Option<Misfit> {
+    pub(crate) fn wrong_dimension(&self, entries: &[Expr], wrong: &[usize]) -> Option<Misfit> {
         let setup = &self.setup;
         wrong.iter().find_map(|place| {
             let (entry, unit) = (&entries[*place], setup.units.get(*place)?);

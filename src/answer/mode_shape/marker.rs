@@ -18,20 +18,20 @@ use crate::numerics::Rational;
 use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
 
 /// A prepared key.
-pub(super) struct Prepared {
-    pub(super) setup: Arc<Setup>,
-    pub(super) key: Value,
+pub(crate) struct Prepared {
+    pub(crate) setup: Arc<Setup>,
+    pub(crate) key: Value,
     /// The vectors of the key.
-    pub(super) keys: Vec<Vec<f64>>,
+    pub(crate) keys: Vec<Vec<f64>>,
     /// Which modes they are, from 1.
-    pub(super) numbers: Vec<usize>,
+    pub(crate) numbers: Vec<usize>,
     /// Those of the model, where the key is in its coordinates.
-    pub(super) modes: Option<Modes>,
-    pub(super) angle: f64,
-    pub(super) digits: u32,
-    pub(super) mistakes: Vec<(usize, Vec<Vec<f64>>, Credit)>,
-    pub(super) data: Vec<Precise>,
-    pub(super) mark: DecimalMark,
+    pub(crate) modes: Option<Modes>,
+    pub(crate) angle: f64,
+    pub(crate) digits: u32,
+    pub(crate) mistakes: Vec<(usize, Vec<Vec<f64>>, Credit)>,
+    pub(crate) data: Vec<Precise>,
+    pub(crate) mark: DecimalMark,
 }
 
 /// Why shapes are not right.
@@ -43,7 +43,7 @@ enum Fault {
 }
 
 impl Prepared {
-    pub(super) fn width(&self) -> usize {
+    pub(crate) fn width(&self) -> usize {
         self.keys.first().map_or(0, Vec::len)
     }
 
@@ -150,7 +150,7 @@ impl Prepared {
         (self.keys.len() > 1).then_some(Shape::Wrong(asked))
     }
 
-    pub(super) fn typeset(entries: &[Math], width: usize) -> Math {
+    pub(crate) fn typeset(entries: &[Math], width: usize) -> Math {
         let mut rows = entries
             .chunks(width.max(1))
             .map(|row| Math::matrix(row.iter().map(|entry| vec![entry.clone()]).collect()));

@@ -58,7 +58,7 @@ struct Mode {
 }
 
 #[derive(Debug)]
-struct Setup {
+pub(crate) struct Setup {
     scale: Scale,
     written: Written,
     units: Vec<Unit>,
@@ -69,7 +69,7 @@ struct Setup {
 }
 
 /// Reads the keys of a part that belong to this kind; what is wrong is noted.
-pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
     let text = part
         .required("key")
         .and_then(|key| part.as_formula("key", key));

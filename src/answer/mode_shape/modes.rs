@@ -8,15 +8,15 @@ use crate::source::{Data, Span, Table, Text};
 
 /// Which modes are asked, counted from 1, and where those of the model are to be had.
 #[derive(Clone, Debug)]
-pub(super) struct Asked {
-    pub(super) numbers: Vec<usize>,
+pub(crate) struct Asked {
+    pub(crate) numbers: Vec<usize>,
     frequencies: Option<NodeId>,
     shapes: Option<NodeId>,
 }
 
 /// The modes of a model for an instance.
 #[derive(Clone, Debug)]
-pub(super) struct Modes {
+pub(crate) struct Modes {
     frequencies: Vec<f64>,
     /// With unit modal mass.
     shapes: Vec<Vec<f64>>,
@@ -27,7 +27,7 @@ const REPEATED: f64 = 1e-9;
 
 impl Asked {
     /// Reads the keys `mode` and `model`.
-    pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Self> {
+    pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Self> {
         let value = part.required("mode")?;
         let number = |value: &crate::source::Value| match &value.data {
             Data::Number { number } => number.parse::<usize>().ok().filter(|number| *number > 0),
@@ -64,7 +64,7 @@ impl Asked {
     }
 
     /// The modes for an instance, if there is a model that has them.
-    pub(super) fn modes(&self, evaluation: &Evaluation<'_>) -> Option<Modes> {
+    pub(crate) fn modes(&self, evaluation: &Evaluation<'_>) -> Option<Modes> {
         let frequencies = evaluation.value(self.frequencies?).ok()?;
         let shapes = evaluation.value(self.shapes?).ok()?;
         let frequencies = frequencies.numbers().to_vec();
@@ -79,12 +79,12 @@ impl Asked {
 
 impl Modes {
     /// How many there are.
-    pub(super) fn count(&self) -> usize {
+    pub(crate) fn count(&self) -> usize {
         self.shapes.len()
     }
 
     /// The shapes of the modes with the frequency of this one.
-    pub(super) fn space(&self, number: usize) -> Vec<Vec<f64>> {
+    pub(crate) fn space(&self, number: usize) -> Vec<Vec<f64>> {
         let Some(own) = self.frequencies.get(number.wrapping_sub(1)) else {
             return Vec::new();
         };
@@ -97,12 +97,12 @@ impl Modes {
     }
 
     /// The number of the mode in whose space a vector lies.
-    pub(super) fn of(&self, vector: &[f64], angle: f64) -> Option<usize> {
+    pub(crate) fn of(&self, vector: &[f64], angle: f64) -> Option<usize> {
         (1..=self.count()).find(|number| lies_in(vector, &self.space(*number), angle))
     }
 
     /// The modal mass of a vector in the space of a mode.
-    pub(super) fn modal_mass(&self, vector: &[f64], number: usize) -> Option<f64> {
+    pub(crate) fn modal_mass(&self, vector: &[f64], number: usize) -> Option<f64> {
         let parts = coordinates(vector, &self.space(number))?;
         Some(parts.iter().map(|part| part * part).sum())
     }

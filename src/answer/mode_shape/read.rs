@@ -14,14 +14,14 @@ use crate::response::{self, Listed, Wanted};
 use crate::unit::Unit;
 
 /// How a response was read, and its vectors in SI units.
-pub(super) struct Shapes {
-    pub(super) reading: Reading,
-    pub(super) vectors: Vec<Vec<f64>>,
+pub(crate) struct Shapes {
+    pub(crate) reading: Reading,
+    pub(crate) vectors: Vec<Vec<f64>>,
 }
 
 impl Prepared {
     /// How a response can be read: by rows, and by columns where both are to be had.
-    pub(super) fn read(&self, response: &str) -> Result<Vec<Shapes>, Unreadable> {
+    pub(crate) fn read(&self, response: &str) -> Result<Vec<Shapes>, Unreadable> {
         let setup = &self.setup;
         let (width, count) = (self.width(), self.keys.len());
         // Relations say nothing of the size.

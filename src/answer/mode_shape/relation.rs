@@ -4,7 +4,7 @@ use std::ops::Range;
 
 /// The components that a relation between all of them gives, as a list; none where it is none, or more than one thing is
 /// said.
-pub(super) fn components_of(typed: &str, width: usize) -> Option<String> {
+pub(crate) fn components_of(typed: &str, width: usize) -> Option<String> {
     let text = typed.trim().trim_end_matches('.');
     let sides: Vec<&str> = text.split('=').map(str::trim).collect();
     let (last, before) = sides

@@ -1,15 +1,15 @@
 //! Vectors and the spaces that they span.
 
 /// The rows of a matrix of this width, or the one vector.
-pub(super) fn vectors(numbers: &[f64], width: usize) -> Vec<Vec<f64>> {
+pub(crate) fn vectors(numbers: &[f64], width: usize) -> Vec<Vec<f64>> {
     numbers.chunks(width.max(1)).map(<[f64]>::to_vec).collect()
 }
 
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-pub(super) fn length(a: &[f64]) -> f64 {
+pub(crate) fn length(a: &[f64]) -> f64 {
     dot(a, a).sqrt()
 }
 
@@ -28,7 +28,7 @@ fn rest(vector: &[f64], basis: &[Vec<f64>]) -> Vec<f64> {
 }
 
 /// Orthonormal vectors that span the same; those that add less than `least` of themselves are left out.
-pub(super) fn orthonormal(vectors: &[Vec<f64>], least: f64) -> Vec<Vec<f64>> {
+pub(crate) fn orthonormal(vectors: &[Vec<f64>], least: f64) -> Vec<Vec<f64>> {
     let mut basis: Vec<Vec<f64>> = Vec::new();
     for vector in vectors {
         let mut rest = rest(vector, &basis);
@@ -44,7 +44,7 @@ pub(super) fn orthonormal(vectors: &[Vec<f64>], least: f64) -> Vec<Vec<f64>> {
 }
 
 /// Whether a vector lies in the space of others up to an angle.
-pub(super) fn lies_in(vector: &[f64], space: &[Vec<f64>], angle: f64) -> bool {
+pub(crate) fn lies_in(vector: &[f64], space: &[Vec<f64>], angle: f64) -> bool {
     let limit = crate::numerics::sin(angle.min(1.5)) + 1e-12;
     let basis = orthonormal(space, 1e-9);
     length(&rest(vector, &basis)) <= limit * length(vector)
@@ -52,7 +52,7 @@ pub(super) fn lies_in(vector: &[f64], space: &[Vec<f64>], angle: f64) -> bool {
 
 /// A unit vector at right angles to a space, and as little as can be along each component of a vector; `None` where
 /// the space is all there is.
-pub(super) fn away(vector: &[f64], space: &[Vec<f64>]) -> Option<Vec<f64>> {
+pub(crate) fn away(vector: &[f64], space: &[Vec<f64>]) -> Option<Vec<f64>> {
     let basis = orthonormal(space, 1e-9);
     let axes = (0..vector.len()).map(|at| {
         let axis: Vec<f64> = (0..vector.len())
@@ -66,17 +66,17 @@ pub(super) fn away(vector: &[f64], space: &[Vec<f64>]) -> Option<Vec<f64>> {
 }
 
 /// How many of the vectors are independent by more than rounding of what was typed.
-pub(super) fn independent(vectors: &[Vec<f64>]) -> usize {
+pub(crate) fn independent(vectors: &[Vec<f64>]) -> usize {
     orthonormal(vectors, 0.05).len()
 }
 
 /// Whether all of them are.
-pub(super) fn are_independent(vectors: &[Vec<f64>]) -> bool {
+pub(crate) fn are_independent(vectors: &[Vec<f64>]) -> bool {
     independent(vectors) == vectors.len()
 }
 
 /// The numbers with which a vector is made of others; `None` where these are not independent.
-pub(super) fn coordinates(vector: &[f64], of: &[Vec<f64>]) -> Option<Vec<f64>> {
+pub(crate) fn coordinates(vector: &[f64], of: &[Vec<f64>]) -> Option<Vec<f64>> {
     let count = of.len();
     let mut rows: Vec<Vec<f64>> = of
         .iter()

@@ -9,7 +9,7 @@ const TURNS: i32 = 2;
 
 impl Numbers {
     /// The bands of each value that is asked; empty where the values come in any order.
-    pub(super) fn bands_of_values(&self) -> Vec<Vec<Band>> {
+    pub(crate) fn bands_of_values(&self) -> Vec<Vec<Band>> {
         if self.is_list && !self.is_ordered {
             return Vec::new();
         }

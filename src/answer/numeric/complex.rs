@@ -20,23 +20,23 @@ fn like_complex(why: Why) -> Unreadable {
 
 /// A complex number that is right, and how far from it is right, too.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Target {
-    pub(super) value: Complex,
-    pub(super) bound: f64,
-    pub(super) half: f64,
+pub(crate) struct Target {
+    pub(crate) value: Complex,
+    pub(crate) bound: f64,
+    pub(crate) half: f64,
 }
 
 /// A prepared key.
-pub(super) struct Numbers {
-    pub(super) unit: Unit,
-    pub(super) form: Form,
-    pub(super) digits: u32,
-    pub(super) mark: DecimalMark,
-    pub(super) doubt: Doubt,
-    pub(super) targets: Vec<Target>,
-    pub(super) mistakes: Vec<Mistaken>,
-    pub(super) is_list: bool,
-    pub(super) is_ordered: bool,
+pub(crate) struct Numbers {
+    pub(crate) unit: Unit,
+    pub(crate) form: Form,
+    pub(crate) digits: u32,
+    pub(crate) mark: DecimalMark,
+    pub(crate) doubt: Doubt,
+    pub(crate) targets: Vec<Target>,
+    pub(crate) mistakes: Vec<Mistaken>,
+    pub(crate) is_list: bool,
+    pub(crate) is_ordered: bool,
 }
 
 /// A typed number in SI units; without a unit that of the answer was taken.

@@ -19,7 +19,7 @@ const MAX_ITEMS: usize = 100;
 /// # Errors
 ///
 /// What cannot be read, and why.
-pub(super) fn list(
+pub(crate) fn list(
     response: &str,
     count: usize,
     is_ordered: bool,
@@ -126,7 +126,7 @@ fn is_of_frequency(name: &str) -> bool {
 }
 
 /// The pieces of a list without what is empty behind its last sign.
-pub(super) fn without_empty_ends(
+pub(crate) fn without_empty_ends(
     values: &Values<'_>,
     pieces: Vec<Part>,
 ) -> Result<Vec<Part>, Unreadable> {
@@ -140,7 +140,7 @@ pub(super) fn without_empty_ends(
 }
 
 /// The values of a list. A comma between digits parts them, unless something else does.
-pub(super) fn parted(
+pub(crate) fn parted(
     response: &str,
     mark: DecimalMark,
     is_complex: bool,
@@ -205,7 +205,7 @@ fn unbracketed(values: &Values<'_>, part: &Part) -> (Part, Option<Unit>) {
 
 impl Numbers {
     /// Marks the numbers of a list.
-    pub(super) fn mark_list(&self, items: &[Number]) -> Marking {
+    pub(crate) fn mark_list(&self, items: &[Number]) -> Marking {
         let mut typed = Vec::with_capacity(items.len());
         for item in items {
             match self.si(&item.quantity) {

@@ -18,35 +18,35 @@ use crate::unit::{Decimal, DecimalMark, DimensionMismatch, Quantity, Unit};
 
 /// What a named mistake gives, in SI units.
 #[derive(Clone, Debug)]
-pub(super) struct Mistake {
-    pub(super) number: usize,
-    pub(super) values: Vec<f64>,
-    pub(super) unit: Option<Unit>,
-    pub(super) credit: Credit,
+pub(crate) struct Mistake {
+    pub(crate) number: usize,
+    pub(crate) values: Vec<f64>,
+    pub(crate) unit: Option<Unit>,
+    pub(crate) credit: Credit,
 }
 
 /// Numbers that differ by a smaller share are the same but for rounding in the machine.
 const SAME: f64 = 1e-9;
 
 /// A prepared key.
-pub(super) struct Numbers {
-    pub(super) unit: Unit,
-    pub(super) modulo: Option<f64>,
+pub(crate) struct Numbers {
+    pub(crate) unit: Unit,
+    pub(crate) modulo: Option<f64>,
     /// Where a cyclic answer is asked.
-    pub(super) within: Option<[f64; 2]>,
-    pub(super) is_list: bool,
-    pub(super) is_ordered: bool,
-    pub(super) ask_digits: Option<u32>,
-    pub(super) digits_penalty: Credit,
-    pub(super) digits: u32,
-    pub(super) mark: DecimalMark,
-    pub(super) doubt: Doubt,
-    pub(super) targets: Vec<Target>,
-    pub(super) mistakes: Vec<Mistake>,
+    pub(crate) within: Option<[f64; 2]>,
+    pub(crate) is_list: bool,
+    pub(crate) is_ordered: bool,
+    pub(crate) ask_digits: Option<u32>,
+    pub(crate) digits_penalty: Credit,
+    pub(crate) digits: u32,
+    pub(crate) mark: DecimalMark,
+    pub(crate) doubt: Doubt,
+    pub(crate) targets: Vec<Target>,
+    pub(crate) mistakes: Vec<Mistake>,
 }
 
 impl Mistake {
-    pub(super) fn of(mistaken: &Mistaken) -> Self {
+    pub(crate) fn of(mistaken: &Mistaken) -> Self {
         let values = mistaken
             .values
             .iter()
@@ -130,7 +130,7 @@ impl Numbers {
     }
 
     /// The value in SI units; a number without a unit is taken in the unit that is asked for.
-    pub(super) fn si(&self, quantity: &Quantity) -> Result<Typed, DimensionMismatch> {
+    pub(crate) fn si(&self, quantity: &Quantity) -> Result<Typed, DimensionMismatch> {
         let taken = if quantity.unit.is_one() {
             Quantity::new(quantity.value, self.unit)
         } else {
@@ -141,7 +141,7 @@ impl Numbers {
     }
 
     /// What is said of an angle that nobody means: so many turns that what is left of it tells nothing.
-    pub(super) fn absurd(&self, typed: Typed) -> Option<Why> {
+    pub(crate) fn absurd(&self, typed: Typed) -> Option<Why> {
         // A whole turn in degrees that is read as radians, 360 rad, is 57 turns: such a slip is marked, not
         // refused.
         const MAX_TURNS: u32 = 100;
@@ -176,7 +176,7 @@ impl Numbers {
     }
 
     /// The named mistake that a response equals, if any; one in another unit is recognized by its numbers alone.
-    pub(super) fn mistake(
+    pub(crate) fn mistake(
         &self,
         reading: &Reading,
         items: &[Number],
@@ -208,7 +208,7 @@ impl Numbers {
     }
 
     /// What counts as a mistaken value: it may be off by the same share as the key.
-    pub(super) fn of_mistake(&self, value: f64) -> Target {
+    pub(crate) fn of_mistake(&self, value: f64) -> Target {
         let relative = self
             .targets
             .iter()
@@ -230,7 +230,7 @@ impl Numbers {
         }
     }
 
-    pub(super) fn wrong_dimension(&self, number: &Number) -> Marking {
+    pub(crate) fn wrong_dimension(&self, number: &Number) -> Marking {
         let quantity = &number.quantity;
         let si = quantity.si();
         let reading = Self::reading(std::slice::from_ref(number), &[si], self.mark);
@@ -291,7 +291,7 @@ impl Numbers {
     }
 
     /// How numbers with units were read.
-    pub(super) fn reading(items: &[Number], si: &[f64], mark: DecimalMark) -> Reading {
+    pub(crate) fn reading(items: &[Number], si: &[f64], mark: DecimalMark) -> Reading {
         let math = match items {
             [one] => one.math(mark),
             many => listed(many.iter().map(|item| item.math(mark))),

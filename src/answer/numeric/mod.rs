@@ -39,8 +39,8 @@ use crate::unit::{Quantity, Unit};
 use self::marker::{Mistake, Numbers};
 use self::target::Target;
 
-pub(super) use self::complex::complex_number;
-pub(super) use self::read::{quantity, readings};
+pub(crate) use self::complex::complex_number;
+pub(crate) use self::read::{quantity, readings};
 
 /// Significant figures in which one works at least.
 const MIN_FIGURES: u32 = 3;
@@ -69,7 +69,7 @@ struct Numeric {
 }
 
 /// Reads the keys of a part that belong to this kind; what is wrong is noted.
-pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
+pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
     let key_text = part
         .required("key")
         .and_then(|key| part.as_formula("key", key));
@@ -142,7 +142,7 @@ pub(super) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
 }
 
 /// What asks for the value of a formula that does not move with time, in the unit of its quantity.
-pub(super) fn of_formula(
+pub(crate) fn of_formula(
     key: NodeId,
     kind: &Type,
     declare: &dyn Declare,
@@ -168,7 +168,7 @@ pub(super) fn of_formula(
 }
 
 /// The unit of the answer: stated, or that of the quantity, or none for a pure number.
-pub(super) fn unit(
+pub(crate) fn unit(
     key: NodeId,
     text: &Text,
     stated: Option<&Text>,

@@ -10,12 +10,12 @@ use crate::unit::{Decimal, DecimalMark, Quantity};
 
 /// A number with its unit as it was typed.
 #[derive(Clone, Debug)]
-pub(super) struct Number {
-    pub(super) quantity: Quantity,
+pub(crate) struct Number {
+    pub(crate) quantity: Quantity,
     /// What was typed instead of a decimal.
-    pub(super) arithmetic: Option<Expr>,
+    pub(crate) arithmetic: Option<Expr>,
     /// What else may have been meant.
-    pub(super) others: Vec<Self>,
+    pub(crate) others: Vec<Self>,
 }
 
 impl Number {
@@ -37,7 +37,7 @@ impl Number {
     }
 
     /// Typeset; arithmetic with what it comes to.
-    pub(super) fn math(&self, mark: DecimalMark) -> Math {
+    pub(crate) fn math(&self, mark: DecimalMark) -> Math {
         const DIGITS: u32 = 5;
         let Some(expr) = &self.arithmetic else {
             return self.quantity.math(mark);
@@ -54,7 +54,7 @@ impl Number {
     }
 
     /// In the formula language.
-    pub(super) fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         match &self.arithmetic {
             None => self.quantity.to_string(),
             Some(expr) if self.quantity.unit.is_one() => expr.to_string(),
@@ -63,12 +63,12 @@ impl Number {
     }
 
     /// Its other reading, where it has one.
-    pub(super) fn otherwise(&self) -> Self {
+    pub(crate) fn otherwise(&self) -> Self {
         self.others.first().unwrap_or(self).clone()
     }
 
     /// The question that is asked where the number may be meant otherwise.
-    pub(super) fn question(&self, mark: DecimalMark) -> Option<Unreadable> {
+    pub(crate) fn question(&self, mark: DecimalMark) -> Option<Unreadable> {
         let other = self.others.first()?;
         let shown = |number: &Self| number.quantity.text(mark);
         Some(Why::TwoReadings(shown(self), shown(other)).into())
@@ -80,7 +80,7 @@ impl Number {
 /// # Errors
 ///
 /// What cannot be read, and why.
-pub(super) fn number(response: &str, mark: DecimalMark) -> Result<Number, Unreadable> {
+pub(crate) fn number(response: &str, mark: DecimalMark) -> Result<Number, Unreadable> {
     let style = Style {
         mark,
         comma_is_decimal: true,
@@ -96,7 +96,7 @@ pub(super) fn number(response: &str, mark: DecimalMark) -> Result<Number, Unread
 }
 
 /// The number that a statement gives.
-pub(super) fn statement(values: &Values<'_>, part: &Part) -> Result<Number, Unreadable> {
+pub(crate) fn statement(values: &Values<'_>, part: &Part) -> Result<Number, Unreadable> {
     let statement = values.statement(part);
     if let Some(sign) = statement.unequal {
         return Err(Unreadable::at(sign.to_string(), Why::Inequality).like(Example::OneValue));
@@ -136,7 +136,7 @@ pub(super) fn statement(values: &Values<'_>, part: &Part) -> Result<Number, Unre
 }
 
 /// The number that a part is.
-pub(super) fn amount(values: &Values<'_>, part: &Part) -> Result<Number, Unreadable> {
+pub(crate) fn amount(values: &Values<'_>, part: &Part) -> Result<Number, Unreadable> {
     let typed = values.text(part);
     let amount = values
         .amount(part)
@@ -145,7 +145,7 @@ pub(super) fn amount(values: &Values<'_>, part: &Part) -> Result<Number, Unreada
 }
 
 /// Why a number cannot be read.
-pub(super) fn explained(error: &TypedError, values: &Values<'_>, typed: &str) -> Unreadable {
+pub(crate) fn explained(error: &TypedError, values: &Values<'_>, typed: &str) -> Unreadable {
     if let Some(word) = counted(typed) {
         return Why::Counted(word.to_owned()).into();
     }
@@ -254,7 +254,7 @@ fn are_equal(one: &Number, other: &Number) -> bool {
 }
 
 /// As much of a text as a message can quote.
-pub(super) fn short(text: &str) -> String {
+pub(crate) fn short(text: &str) -> String {
     // With its quotation a message still fits on a line or two.
     const MAX_COUNT: usize = 40;
     let start: String = text.trim().chars().take(MAX_COUNT).collect();

@@ -13,7 +13,7 @@ const DEGREE: f64 = TAU / 360.0;
 
 impl Numbers {
     /// A slip that the numbers alone give away; `unit` is what was typed.
-    pub(super) fn slip(&self, typed: &[Typed], unit: &Unit) -> Option<Slip> {
+    pub(crate) fn slip(&self, typed: &[Typed], unit: &Unit) -> Option<Slip> {
         let is_zero = self.targets.iter().all(|target| target.value == 0.0);
         let fits = |factor: f64| {
             let scaled: Vec<Typed> = typed
@@ -78,7 +78,7 @@ impl Numbers {
 }
 
 /// Whether a joule was typed for a moment.
-pub(super) fn mixes_energy_and_moment(typed: &Unit, asked: &Unit) -> bool {
+pub(crate) fn mixes_energy_and_moment(typed: &Unit, asked: &Unit) -> bool {
     let is_joule = |unit: &Unit| unit.text().ends_with('J');
     let is_moment = |unit: &Unit| unit.text().contains('N') && !unit.text().contains('J');
     typed.dimension() == asked.dimension() && is_joule(typed) && is_moment(asked)

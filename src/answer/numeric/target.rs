@@ -3,25 +3,25 @@
 use crate::numerics::Dd;
 
 /// A typed number in SI units, to about 106 bits.
-pub(super) type Typed = Dd;
+pub(crate) type Typed = Dd;
 
 /// A number that is right, and how far from it is right, too; all in SI units.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Target {
-    pub(super) value: f64,
+pub(crate) struct Target {
+    pub(crate) value: f64,
     /// Bound on its own error.
-    pub(super) bound: f64,
-    pub(super) half: f64,
+    pub(crate) bound: f64,
+    pub(crate) half: f64,
 }
 
 impl Target {
     /// Whether a number is right. The comparison is made with twice the digits, so that a response
     /// on the boundary is inside, whatever the rounding of decimals to binary does.
-    pub(super) fn accepts(&self, typed: Typed, modulo: Option<f64>) -> bool {
+    pub(crate) fn accepts(&self, typed: Typed, modulo: Option<f64>) -> bool {
         self.distance(typed, modulo) <= self.half + self.slack()
     }
 
-    pub(super) fn distance(&self, typed: Typed, modulo: Option<f64>) -> f64 {
+    pub(crate) fn distance(&self, typed: Typed, modulo: Option<f64>) -> f64 {
         let difference = (typed - Dd::from(self.value)).hi();
         match modulo {
             None => difference.abs(),
@@ -30,13 +30,13 @@ impl Target {
     }
 
     /// What rounding of the key and of its tolerance may take away.
-    pub(super) fn slack(&self) -> f64 {
+    pub(crate) fn slack(&self) -> f64 {
         self.bound + 4.0 * f64::EPSILON * (self.value.abs() + self.half)
     }
 }
 
 /// The greatest number of typed values that can be paired with targets; in order, or in any.
-pub(super) fn pair(
+pub(crate) fn pair(
     targets: &[Target],
     typed: &[Typed],
     modulo: Option<f64>,

@@ -15,7 +15,7 @@ fn with_unit(number: String, unit: &Unit) -> String {
 }
 
 impl Numbers {
-    pub(super) fn made_up(&self) -> Vec<Trial> {
+    pub(crate) fn made_up(&self) -> Vec<Trial> {
         let shown = |si: f64| with_unit(typed(self.unit.of_si(si)), &self.unit);
         let all = |of: &dyn Fn(usize, &Target) -> f64| {
             let numbers = self.targets.iter().enumerate();
@@ -54,7 +54,7 @@ impl Numbers {
 }
 
 impl complex::Numbers {
-    pub(super) fn made_up(&self) -> Vec<Trial> {
+    pub(crate) fn made_up(&self) -> Vec<Trial> {
         let shown = |re: f64, im: f64| {
             let (re, im) = (self.unit.of_si(re), self.unit.of_si(im));
             let sign = if im < 0.0 { "-" } else { "+" };

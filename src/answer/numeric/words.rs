@@ -5,7 +5,7 @@ use crate::unit::{Dimension, Rational, Unit};
 
 /// How a unit was meant that fits only if it is written with small letters or with a space: `rad/S` for `rad/s`,
 /// `ms⁻¹` for `m·s⁻¹`.
-pub(super) fn miswritten(typed: &Unit, asked: &Unit) -> Option<Why> {
+pub(crate) fn miswritten(typed: &Unit, asked: &Unit) -> Option<Why> {
     let text = typed.text();
     let fits = |text: &str| {
         let unit = Unit::read(text).ok()?;
@@ -29,7 +29,7 @@ pub(super) fn miswritten(typed: &Unit, asked: &Unit) -> Option<Why> {
 
 /// What is wrong with a unit in which angles enter otherwise than in what is asked: `rad²/s` for `rad/s`. They may be
 /// left out, be added once, and stand twice in what is made of the square of a frequency, such as `rad²/s²`.
-pub(super) fn angles(typed: &Unit, asked: &Unit) -> Option<Why> {
+pub(crate) fn angles(typed: &Unit, asked: &Unit) -> Option<Why> {
     let (own, due) = (typed.angles()?.numerator(), asked.angles()?.numerator());
     let [_, _, time, ..] = typed.dimension().exponents();
     let is_square = time == Rational::integer(-2);
@@ -38,7 +38,7 @@ pub(super) fn angles(typed: &Unit, asked: &Unit) -> Option<Why> {
 }
 
 /// What is wrong with cycles or turns where a pure number is asked: whether they count or measure angles is open.
-pub(super) fn counts(typed: &Unit, asked: &Unit) -> Option<Why> {
+pub(crate) fn counts(typed: &Unit, asked: &Unit) -> Option<Why> {
     let is_turn = asked.is_one() && typed.text() == "rev";
     is_turn.then_some(Why::NumberAlone)
 }

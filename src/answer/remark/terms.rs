@@ -83,7 +83,7 @@ pub enum Linearity {
 
 impl Terms {
     /// Whether only signs are wrong.
-    pub(super) fn is_sign(&self) -> bool {
+    pub(crate) fn is_sign(&self) -> bool {
         self.linearity.is_none()
             && !self.faults.is_empty()
             && self.faults.iter().all(|(_, fault)| *fault == Fault::Sign)

@@ -6,7 +6,7 @@ mod misfit;
 pub(in crate::message) mod picture;
 mod unreadable;
 
-pub(super) use self::blank::blank;
+pub(crate) use self::blank::blank;
 use self::misfit::misfit;
 
 use crate::answer::{
@@ -19,7 +19,7 @@ use crate::message::ByHand;
 use crate::unit::DecimalMark;
 
 /// What is said of a remark.
-pub(super) fn say(remark: &Remark) -> Option<Document> {
+pub(crate) fn say(remark: &Remark) -> Option<Document> {
     Some(Document::sentence(&match remark {
         Remark::Mistake(_) => return None,
         Remark::Option(text) => return Some(text.clone()),
@@ -32,7 +32,7 @@ pub(super) fn say(remark: &Remark) -> Option<Document> {
 }
 
 /// What is said of a verdict alone.
-pub(super) fn verdict(verdict: Verdict) -> Document {
+pub(crate) fn verdict(verdict: Verdict) -> Document {
     Document::sentence(match verdict {
         Verdict::Right => "Right.",
         Verdict::Partial => "Partly right.",
@@ -43,7 +43,7 @@ pub(super) fn verdict(verdict: Verdict) -> Document {
 }
 
 /// A verdict in short.
-pub(super) fn heading(verdict: Verdict) -> &'static str {
+pub(crate) fn heading(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Right => "Right",
         Verdict::Partial => "Partly right",
@@ -54,10 +54,10 @@ pub(super) fn heading(verdict: Verdict) -> &'static str {
 }
 
 /// Of an answer that nobody could read yet.
-pub(super) const UNDECIDED: &str = "Not yet decided";
+pub(crate) const UNDECIDED: &str = "Not yet decided";
 
 /// What a person did with a response.
-pub(super) fn by_hand(what: &ByHand) -> String {
+pub(crate) fn by_hand(what: &ByHand) -> String {
     match what {
         ByHand::Open => "This part has not been marked yet.".to_owned(),
         ByHand::Marked => "Marked by your teacher.".to_owned(),
@@ -85,7 +85,7 @@ pub(super) fn by_hand(what: &ByHand) -> String {
 }
 
 /// A slip in short, by the code of its reason.
-pub(super) fn slip_in_short(code: &str) -> Option<&'static str> {
+pub(crate) fn slip_in_short(code: &str) -> Option<&'static str> {
     Some(match code {
         "dimension" => "wrong dimension",
         "two-pi" => "a factor 2π between angular frequency and frequency",

@@ -5,7 +5,7 @@ use crate::source::capital;
 use crate::unit::DecimalMark;
 
 /// What is said where a response could not be read.
-pub(super) fn unreadable(unreadable: &Unreadable) -> String {
+pub(crate) fn unreadable(unreadable: &Unreadable) -> String {
     let why = why(&unreadable.why);
     let mut sentence = match &unreadable.at {
         _ if why.is_empty() => String::new(),

@@ -7,7 +7,7 @@ pub(in crate::message) mod picture;
 mod typography;
 mod unreadable;
 
-pub(super) use self::blank::blank;
+pub(crate) use self::blank::blank;
 use self::misfit::misfit;
 use self::typography::spaced;
 
@@ -22,7 +22,7 @@ use crate::source::capital;
 use crate::unit::DecimalMark;
 
 /// What is said of a remark.
-pub(super) fn say(remark: &Remark) -> Option<Document> {
+pub(crate) fn say(remark: &Remark) -> Option<Document> {
     let words = match remark {
         Remark::Mistake(_) => return None,
         Remark::Option(text) => return Some(text.clone()),
@@ -36,7 +36,7 @@ pub(super) fn say(remark: &Remark) -> Option<Document> {
 }
 
 /// What is said of a verdict alone.
-pub(super) fn verdict(verdict: Verdict) -> Document {
+pub(crate) fn verdict(verdict: Verdict) -> Document {
     Document::sentence(match verdict {
         Verdict::Right => "C’est juste.",
         Verdict::Partial => "C’est juste en partie.",
@@ -47,7 +47,7 @@ pub(super) fn verdict(verdict: Verdict) -> Document {
 }
 
 /// A verdict in short.
-pub(super) fn heading(verdict: Verdict) -> &'static str {
+pub(crate) fn heading(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Right => "Juste",
         Verdict::Partial => "Juste en partie",
@@ -58,10 +58,10 @@ pub(super) fn heading(verdict: Verdict) -> &'static str {
 }
 
 /// Of an answer that nobody could read yet.
-pub(super) const UNDECIDED: &str = "Pas encore décidé";
+pub(crate) const UNDECIDED: &str = "Pas encore décidé";
 
 /// What a person did with a response.
-pub(super) fn by_hand(what: &ByHand) -> String {
+pub(crate) fn by_hand(what: &ByHand) -> String {
     spaced(&match what {
         ByHand::Open => "Cette question n’a pas encore été corrigée.".to_owned(),
         ByHand::Marked => "Noté par votre enseignant.".to_owned(),
@@ -91,7 +91,7 @@ pub(super) fn by_hand(what: &ByHand) -> String {
 }
 
 /// A slip in short, by the code of its reason.
-pub(super) fn slip_in_short(code: &str) -> Option<&'static str> {
+pub(crate) fn slip_in_short(code: &str) -> Option<&'static str> {
     Some(match code {
         "dimension" => "mauvaise dimension",
         "two-pi" => "un facteur 2π entre pulsation et fréquence",

@@ -5,7 +5,7 @@
 ///
 /// The full no-break space serves for all of them: the narrow one (U+202F), which some houses set before `;`, `!` and `?`,
 /// is missing from too many fonts.
-pub(super) fn spaced(text: &str) -> String {
+pub(crate) fn spaced(text: &str) -> String {
     let pieces = text.split('`').enumerate();
     let pieces = pieces.map(|(place, piece)| {
         if place % 2 == 0 {

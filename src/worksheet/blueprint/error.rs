@@ -48,7 +48,7 @@ pub enum BlueprintError {
     #[error("a blueprint has either `seed` or `secret`")]
     SeedAndSecret(Span),
     /// Sheets beside a class list that is not there.
-    #[error("`spares` stands beside `students` alone")]
+    #[error("`spares` needs `students`")]
     SparesWithoutList(Span),
     /// No output format.
     #[error("`formats` is empty, so that no sheet would be written")]

@@ -105,7 +105,7 @@ fn spare_sheets_stand_beside_a_list() {
     let plan = desk.plan("seed = 5\nvariants = 3\nspares = 2");
     desk.sheet(&plan, &[])
         .ends(2)
-        .complains("`spares` stands beside `students` alone");
+        .complains("`spares` needs `students`");
 }
 
 fn copies(out: &Path) -> Vec<PathBuf> {

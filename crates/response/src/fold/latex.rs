@@ -7,7 +7,7 @@ use crate::words::JOINING;
 
 /// How the rows of an environment are read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Environment {
+pub(crate) enum Environment {
     /// As statements.
     Display,
     /// As statements with conditions.
@@ -31,7 +31,7 @@ impl Environment {
 
 impl Folder<'_> {
     /// Writes what a sign of alignment stands for in an environment that is not a matrix; whether it stands in one.
-    pub(super) fn alignment(&mut self) -> bool {
+    pub(crate) fn alignment(&mut self) -> bool {
         let is_open = matches!(
             self.open.last(),
             Some(Environment::Matrix | Environment::Cases)
@@ -51,7 +51,7 @@ impl Folder<'_> {
     }
 
     /// `{a \over b}`, the fraction of plain TeX, as `{(a)/(b)}`; whether one of its signs stands here.
-    pub(super) fn fraction(&mut self, sign: char) -> bool {
+    pub(crate) fn fraction(&mut self, sign: char) -> bool {
         const OVER: &str = "\\over";
         match sign {
             '{' => {
@@ -133,7 +133,7 @@ impl Folder<'_> {
             && next.contains('=')
     }
 
-    pub(super) fn command(&mut self) {
+    pub(crate) fn command(&mut self) {
         let typed = self.typed;
         let behind = &typed[self.at + 1..];
         let name: &str = &behind[..behind

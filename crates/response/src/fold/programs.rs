@@ -8,7 +8,7 @@ use crate::words::EQUATIONS;
 impl Folder<'_> {
     /// What stands here behind a digit and is read otherwise there: the power of ten of Mathematica, the points of a
     /// decimal that goes on.
-    pub(super) fn beside_digits(&self) -> Option<(usize, &'static str)> {
+    pub(crate) fn beside_digits(&self) -> Option<(usize, &'static str)> {
         let is_digit = |char: char| char.is_ascii_digit();
         if !self.typed[..self.at].ends_with(|char| is_digit(char) || char == '.') {
             return None;
@@ -30,7 +30,7 @@ impl Folder<'_> {
 
     /// The length of a sign that only programs write: the one behind the argument of `x[t_]`, that before the constant
     /// `_C1` of Maple, the brackets of `C[1]`.
-    pub(super) fn silent(&self) -> Option<usize> {
+    pub(crate) fn silent(&self) -> Option<usize> {
         let (before, rest) = (&self.typed[..self.at], self.rest());
         let is_in_name = |char: char| char.is_alphanumeric() || ")]}_".contains(char);
         let is_digit = |char: char| char.is_ascii_digit();
@@ -53,14 +53,14 @@ impl Folder<'_> {
     }
 
     /// `x(t) -> …`, as Mathematica gives solutions; whether its arrow stands here.
-    pub(super) fn is_rule(&self) -> bool {
+    pub(crate) fn is_rule(&self) -> bool {
         let before = self.typed[..self.at].trim_end();
         (self.rest().starts_with("->") || self.rest().starts_with('→'))
             && (before.ends_with([']', ')']) || self.typed[..self.answer.start].ends_with('{'))
     }
 
     /// `Eq(a, b)`: what its brackets become spaces for; whether it stands here.
-    pub(super) fn equation(&mut self) -> bool {
+    pub(crate) fn equation(&mut self) -> bool {
         let rest = self.rest();
         let is_letter = |before: char| before.is_alphanumeric() || before == '_';
         let behind = EQUATIONS.iter().find_map(|name| {
@@ -83,7 +83,7 @@ impl Folder<'_> {
     }
 
     /// `Matrix(2, 2, [a, b, c, d])`: a matrix by its size; whether one stands here.
-    pub(super) fn matrix(&mut self) -> bool {
+    pub(crate) fn matrix(&mut self) -> bool {
         if self.typed[..self.at].ends_with(|before: char| before.is_alphanumeric() || before == '_')
         {
             return false;
@@ -117,7 +117,7 @@ impl Folder<'_> {
     }
 
     /// `\[Omega]`, `\[CapitalOmega]`, as Mathematica writes Greek letters; whether one stands here.
-    pub(super) fn escaped_greek(&mut self) -> bool {
+    pub(crate) fn escaped_greek(&mut self) -> bool {
         let Some((name, _)) = self.rest()[2..].split_once(']') else {
             return false;
         };
@@ -143,7 +143,7 @@ impl Folder<'_> {
 const SIZED: [&str; 4] = ["Matrix", "sp.Matrix", "sympy.Matrix", "matrix"];
 
 /// Where a bracket closes that stands open before a text, and where signs part what it holds.
-pub(super) fn arguments_of_call(inner: &str) -> (Option<usize>, Vec<usize>) {
+pub(crate) fn arguments_of_call(inner: &str) -> (Option<usize>, Vec<usize>) {
     let (mut depth, mut parts) = (1_usize, Vec::new());
     let close = inner.char_indices().find_map(|(at, char)| {
         match char {
@@ -158,6 +158,6 @@ pub(super) fn arguments_of_call(inner: &str) -> (Option<usize>, Vec<usize>) {
 }
 
 /// Whether a list stands in the bracket that is open before a text.
-pub(super) fn holds_list(inner: &str) -> bool {
+pub(crate) fn holds_list(inner: &str) -> bool {
     inner.trim_start().starts_with(['[', '{', '(']) || !arguments_of_call(inner).1.is_empty()
 }

@@ -10,13 +10,13 @@ use crate::expr::{Constant, Expr, Function, Kind, Name, Operator};
 
 /// A formula as its real part and, where it is not real, its imaginary part.
 #[derive(Clone, Debug)]
-pub(super) struct Parts {
-    pub(super) real: Expr,
-    pub(super) imaginary: Option<Expr>,
+pub(crate) struct Parts {
+    pub(crate) real: Expr,
+    pub(crate) imaginary: Option<Expr>,
 }
 
 /// Whether a formula is one of complex numbers.
-pub(super) fn is_complex(expr: &Expr) -> bool {
+pub(crate) fn is_complex(expr: &Expr) -> bool {
     let mut is_found = false;
     expr.walk(&mut |node| {
         is_found |= matches!(
@@ -29,7 +29,7 @@ pub(super) fn is_complex(expr: &Expr) -> bool {
 }
 
 /// The names within the arguments of functions and in exponents, where a constant is a phase and real.
-pub(super) fn phases(expr: &Expr) -> Vec<Name> {
+pub(crate) fn phases(expr: &Expr) -> Vec<Name> {
     let mut found = Vec::new();
     let mut add = |inner: &Expr| found.extend(inner.names().free.into_iter().map(|own| own.name));
     expr.walk(&mut |node| match node.kind() {
@@ -44,7 +44,7 @@ pub(super) fn phases(expr: &Expr) -> Vec<Name> {
 impl Parts {
     /// The parts of a formula in which some names are complex, by the names of their imaginary parts; none where a
     /// function of a complex number has no such formula.
-    pub(super) fn of(expr: &Expr, complex: &BTreeMap<Name, Name>) -> Option<Self> {
+    pub(crate) fn of(expr: &Expr, complex: &BTreeMap<Name, Name>) -> Option<Self> {
         let part = |inner: &Expr| Self::of(inner, complex);
         Some(match expr.kind() {
             Kind::Constant(Constant::ImaginaryUnit) => {

@@ -19,7 +19,7 @@ enum Role {
 impl Prepared {
     /// The number of initial states, of positions and velocities, that the constants can vary independently: those of
     /// the real and of the imaginary part together.
-    pub(super) fn rank<'s>(&self, solutions: &'s [Solution]) -> Option<usize> {
+    pub(crate) fn rank<'s>(&self, solutions: &'s [Solution]) -> Option<usize> {
         // About the cube root of the unit roundoff, the best step of a central difference.
         const STEP: f64 = 1e-5;
         let (mut draws, mut room) = (Draws::new(), Workspace::default());
@@ -85,7 +85,7 @@ impl Prepared {
 
     /// Whether each constant is a factor or a phase, and without the factors nothing depends on the phases.
     /// Other functions of a constant, `e^A` or `sin(C)/100`, do not reach all values.
-    pub(super) fn are_factors_and_phases(&self, solution: &Solution) -> bool {
+    pub(crate) fn are_factors_and_phases(&self, solution: &Solution) -> bool {
         let mut draws = Draws::new();
         let mut draw = || -> Vec<f64> {
             let constants = self.setup.constants.iter();
@@ -165,7 +165,7 @@ impl Prepared {
     }
 
     /// Whether a part is nothing beside another.
-    pub(super) fn vanishes(&self, part: &Solution, beside: &Solution) -> bool {
+    pub(crate) fn vanishes(&self, part: &Solution, beside: &Solution) -> bool {
         let mut draws = Draws::new();
         let constants = self.setup.constants.iter();
         let constants: Vec<f64> = constants.map(|_| 1.0 + 0.5 * draws.signed()).collect();

@@ -36,10 +36,10 @@ const MAX_USED: usize = 16;
 const MAX_NUMBERED: usize = 6;
 
 #[derive(Debug)]
-pub(super) struct General(Arc<Setup>);
+pub(crate) struct General(Arc<Setup>);
 
 #[derive(Debug)]
-struct Setup {
+pub(crate) struct Setup {
     equations: Vec<Equation>,
     coordinates: Vec<Name>,
     symbols: Vec<Math>,
@@ -62,7 +62,7 @@ struct Prepared {
 }
 
 /// Reads a part that asks for a general solution.
-pub(super) fn read(
+pub(crate) fn read(
     part: &Table<'_>,
     key: &Text,
     components: &[Text],
@@ -188,7 +188,7 @@ impl Answer for General {
 }
 
 /// A typed solution as programs, by coordinate.
-struct Solution {
+pub(crate) struct Solution {
     positions: Vec<Program>,
     velocities: Vec<Program>,
     residuals: Vec<Program>,
