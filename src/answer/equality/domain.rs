@@ -10,7 +10,7 @@ use crate::expr::{Approx, Expr, Kind, Precise, Program, Registers, Relation};
 
 /// One condition of a constraint, over the inputs of a meaning.
 #[derive(Debug)]
-pub(in crate::answer) struct Condition {
+pub(crate) struct Condition {
     program: Program,
     /// The slot whose value the program is, where it says what something is equal to.
     solved: Option<usize>,
@@ -18,7 +18,7 @@ pub(in crate::answer) struct Condition {
 
 impl Condition {
     /// The conditions that constraints say together; those that cannot be computed from the inputs are passed over.
-    pub(in crate::answer) fn of(meaning: &Meaning, constraints: &[Expr]) -> Vec<Self> {
+    pub(crate) fn of(meaning: &Meaning, constraints: &[Expr]) -> Vec<Self> {
         let mut conditions = Vec::new();
         let mut open: Vec<&Expr> = constraints.iter().rev().collect();
         while let Some(expr) = open.pop() {

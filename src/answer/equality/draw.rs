@@ -8,10 +8,10 @@ use crate::quantity::Evaluation;
 
 /// Numbers from a fixed seed (SplitMix64).
 #[derive(Clone, Debug)]
-pub(in crate::answer) struct Draws(u64);
+pub(crate) struct Draws(u64);
 
 impl Draws {
-    pub(in crate::answer) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self(0x5eed_0f70_1234_abcd)
     }
 
@@ -21,7 +21,7 @@ impl Draws {
     }
 
     /// A number from −1 to 1.
-    pub(in crate::answer) fn signed(&mut self) -> f64 {
+    pub(crate) fn signed(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 }
@@ -43,7 +43,7 @@ pub(crate) struct Ties {
 }
 
 /// The inputs around the data of an instance, inside the domain of the item.
-pub(in crate::answer) struct Around<'a> {
+pub(crate) struct Around<'a> {
     meaning: &'a Meaning,
     centres: Vec<Option<f64>>,
     /// The conditions that the instance meets itself; data that were set by hand need not meet all.
@@ -76,7 +76,7 @@ const MAX_ALIKE: usize = 3;
 const NARROW: f64 = 0.2;
 
 impl<'a> Around<'a> {
-    pub(in crate::answer) fn new(meaning: &'a Meaning, evaluation: &Evaluation<'_>) -> Self {
+    pub(crate) fn new(meaning: &'a Meaning, evaluation: &Evaluation<'_>) -> Self {
         let centres = (0..meaning.inputs.len())
             .map(|place| meaning.value(place, evaluation))
             .collect();
@@ -113,7 +113,7 @@ impl<'a> Around<'a> {
 
     /// A point within `spread` decades of the data, if it lies in the domain. Data keep their sign unless one that is
     /// positive `flips`; those that are integers by their meaning stay integers, and all that seem whole if asked for.
-    pub(in crate::answer) fn point(
+    pub(crate) fn point(
         &mut self,
         spread: f64,
         flips: bool,
@@ -145,7 +145,7 @@ impl<'a> Around<'a> {
     }
 
     /// A point within `spread` decades of the data, wherever that is.
-    pub(in crate::answer) fn free_point(&mut self, spread: f64) -> Vec<Precise> {
+    pub(crate) fn free_point(&mut self, spread: f64) -> Vec<Precise> {
         self.drawn(spread, false, false)
     }
 

@@ -119,7 +119,7 @@ fn formula(amount: &Amount) -> Expr {
 }
 
 /// The complex number and the unit that a text is, as a response would be read.
-pub(in crate::answer) fn complex_number(text: &str) -> Option<(Complex, Option<Unit>)> {
+pub(crate) fn complex_number(text: &str) -> Option<(Complex, Option<Unit>)> {
     let folded = Folded::of(text).ok()?;
     let style = Style {
         mark: DecimalMark::Point,

@@ -6,7 +6,7 @@ use crate::mechanics::Reason;
 use crate::message::Phrase;
 
 /// What a step does.
-pub(in crate::message) fn step(reason: &Reason, symbols: &dyn Notation) -> Vec<Inline> {
+pub(crate) fn step(reason: &Reason, symbols: &dyn Notation) -> Vec<Inline> {
     let symbol = |name| Inline::Math(symbols.name(name).math);
     let text = |words: &str| Inline::Text(words.to_owned());
     match reason {
@@ -51,7 +51,7 @@ pub(in crate::message) fn step(reason: &Reason, symbols: &dyn Notation) -> Vec<I
 }
 
 /// What is printed among formulas and with figures.
-pub(in crate::message) fn phrase(phrase: &Phrase<'_>) -> String {
+pub(crate) fn phrase(phrase: &Phrase<'_>) -> String {
     match phrase {
         Phrase::TurningPoints => {
             "Turning points, and the pull of all other forces there against the largest friction:"

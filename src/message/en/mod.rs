@@ -1,9 +1,9 @@
 //! English.
 
 mod blank;
-pub(in crate::message) mod derivation;
+pub(crate) mod derivation;
 mod misfit;
-pub(in crate::message) mod picture;
+pub(crate) mod picture;
 mod unreadable;
 
 pub(crate) use self::blank::blank;

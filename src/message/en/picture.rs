@@ -8,7 +8,7 @@ use crate::math::Math;
 use crate::source::capital;
 
 /// The words of a picture.
-pub(in crate::message) fn caption(story: &Story) -> Caption {
+pub(crate) fn caption(story: &Story) -> Caption {
     match story {
         Story::Sketch(sketch) => self::sketch(sketch),
         Story::FreeBodies(bodies) => free_bodies(bodies),

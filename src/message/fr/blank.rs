@@ -7,7 +7,7 @@ use crate::math::Math;
 use crate::unit::Unit;
 
 /// What an answer line says, in parentheses: `(formule en m, k)`, `(valeur, 3 chiffres significatifs)`.
-pub(in crate::message) fn blank(blank: &Blank) -> Document {
+pub(crate) fn blank(blank: &Blank) -> Document {
     let mut line = Line(vec![Inline::Text("(".to_owned())]);
     match &blank.form {
         Asked::Value => line.say("valeur"),

@@ -7,7 +7,7 @@ use crate::mechanics::Reason;
 use crate::message::Phrase;
 
 /// What a step does.
-pub(in crate::message) fn step(reason: &Reason, symbols: &dyn Notation) -> Vec<Inline> {
+pub(crate) fn step(reason: &Reason, symbols: &dyn Notation) -> Vec<Inline> {
     let symbol = |name| Inline::Math(symbols.name(name).math);
     let text = |words: &str| Inline::Text(spaced(words));
     match reason {
@@ -57,7 +57,7 @@ pub(in crate::message) fn step(reason: &Reason, symbols: &dyn Notation) -> Vec<I
 }
 
 /// A word that formulas have in English.
-pub(in crate::message) fn word(word: &str) -> Option<&'static str> {
+pub(crate) fn word(word: &str) -> Option<&'static str> {
     Some(match word {
         " to " => " à ",
         " or " => " ou ",
@@ -73,7 +73,7 @@ pub(in crate::message) fn word(word: &str) -> Option<&'static str> {
 }
 
 /// What is printed among formulas and with figures.
-pub(in crate::message) fn phrase(phrase: &Phrase<'_>) -> String {
+pub(crate) fn phrase(phrase: &Phrase<'_>) -> String {
     spaced(&match phrase {
         Phrase::TurningPoints => "Points de rebroussement, où l’on compare la résultante des autres forces au frottement maximal :".to_owned(),
         Phrase::AndSoOnUntil => "et ainsi de suite, jusqu’à".to_owned(),

@@ -1,9 +1,9 @@
 //! French.
 
 mod blank;
-pub(in crate::message) mod derivation;
+pub(crate) mod derivation;
 mod misfit;
-pub(in crate::message) mod picture;
+pub(crate) mod picture;
 mod typography;
 mod unreadable;
 

@@ -11,7 +11,7 @@ use crate::math::Math;
 use crate::source::capital;
 
 /// The words of a picture.
-pub(in crate::message) fn caption(story: &Story) -> Caption {
+pub(crate) fn caption(story: &Story) -> Caption {
     let Caption { title, description } = match story {
         Story::Sketch(sketch) => self::sketch(sketch),
         Story::FreeBodies(bodies) => free_bodies(bodies),
@@ -27,14 +27,14 @@ pub(in crate::message) fn caption(story: &Story) -> Caption {
 
 /// A noun with its gender, which its articles follow.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::message) struct Noun {
+pub(crate) struct Noun {
     word: &'static str,
     is_feminine: bool,
 }
 
 impl Noun {
     /// The French word for an English noun; nothing where there is none yet.
-    pub(in crate::message) fn of(english: &str) -> Option<Self> {
+    pub(crate) fn of(english: &str) -> Option<Self> {
         let (is_feminine, word) = match english {
             "ball" => (true, "boule"),
             "bar" => (true, "barre"),
