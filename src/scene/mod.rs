@@ -19,6 +19,7 @@ mod turns;
 pub use film::{Moving, Run};
 pub use plot::Undrawn;
 pub use proof::{underived, undrawn, unfree};
+#[cfg(feature = "render")]
 pub(crate) use steps::shown_in;
 
 use std::borrow::Cow;

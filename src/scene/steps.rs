@@ -151,6 +151,7 @@ pub(crate) fn unworkable(template: &crate::bank::Template, node: NodeId) -> Opti
 }
 
 /// The quantities whose values stand in the line of a quantity that is worked out.
+#[cfg(feature = "render")]
 pub(crate) fn shown_in(template: &crate::bank::Template, node: NodeId) -> Vec<NodeId> {
     let formula = template
         .graph

@@ -343,7 +343,7 @@ mod tests {
             ("(2) x = 5", "(2) x = 5"),
             ("(b) x + c", "(b) x + c"),
             ("a) static", "a) static"),
-            ("k/m // by Newton", "k/m"),
+            ("k/m // from Newton", "k/m"),
             ("0.2 // mm", "0.2 // mm"),
             ("k1 // k2", "k1 // k2"),
             ("(x = 3 m)", "x = 3 m"),

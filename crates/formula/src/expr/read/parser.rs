@@ -173,7 +173,14 @@ impl<'a> Parser<'a> {
         loop {
             if self.next_is("'") {
                 let order = self.primes()?;
-                operand = self.node(Kind::Prime(operand, order), start)?;
+                // The derivative of a derivative, `(x')'`, is one of a higher order.
+                let (inner, order) = match operand.kind() {
+                    Kind::Prime(inner, own) if own + order <= MAX_PRIMES => {
+                        (inner.clone(), own + order)
+                    }
+                    _ => (operand, order),
+                };
+                operand = self.node(Kind::Prime(inner, order), start)?;
             } else if self.next_is("[") && !matches!(operand.kind(), Kind::Number(_)) {
                 self.advance();
                 let indices = self.formulas_to("]", "`,` or `]` after an index")?;

@@ -254,10 +254,10 @@ mod tests {
 
     #[test]
     fn a_function_before_a_factor_keeps_its_parentheses_behind_a_sign() {
-        let [v, d] = ["v", "d"].map(Expr::name);
-        let sign = Expr::call(Function::Sign, [v]);
+        let [u, d] = ["u", "d"].map(Expr::name);
+        let sign = Expr::call(Function::Sign, [u]);
         let plain = (-sign * d).typeset(&Substituted).plain();
-        assert_eq!(plain.replace('−', "-"), "-sgn(v)d");
+        assert_eq!(plain.replace('−', "-"), "-sgn(u)d");
     }
 
     #[test]
@@ -271,7 +271,7 @@ mod tests {
             (x.clone() - v.clone(), "x - (-2 m)"),
             (v.clone() / x.clone(), "(-2 m)/x"),
             (v.clone() * x.clone(), "(-2 m)x"),
-            (x - v.clone() * two(), "x - (-2 m)·2"),
+            (x - v.clone() * two(), "x - 2(-2 m)"),
             (v.squared(), "(-2 m)²"),
         ] {
             let plain = formula.typeset(&Substituted).plain();
