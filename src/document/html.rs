@@ -75,7 +75,7 @@ impl Document {
         self.write_html_line_with(out, fills, Formulas::MathMl);
     }
 
-    /// As [`Self::write_html_line`], with its formulas as they are wanted.
+    /// As `write_html_line`, with its formulas as they are wanted.
     pub fn write_html_line_with(&self, out: &mut String, fills: &dyn Fills, formulas: Formulas) {
         let mut writer = HtmlWriter {
             out,

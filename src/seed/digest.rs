@@ -44,7 +44,7 @@ impl Secret {
     ///
     /// # Errors
     ///
-    /// If fewer than [`Secret::SHORTEST`] bytes are left.
+    /// If fewer than `Secret::SHORTEST` bytes are left.
     pub fn new(bytes: &[u8]) -> Result<Self, SecretError> {
         let bytes = bytes.trim_ascii();
         if bytes.len() < Self::SHORTEST {

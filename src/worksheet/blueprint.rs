@@ -35,7 +35,7 @@ pub enum AnswerSpace {
 /// The headings of a class list for what is known of a student; several are joined.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Columns {
-    /// Headings by what they are, as [`Self::ROLES`] has it.
+    /// Headings by what they are, as `ROLES` has it.
     pub headings: Vec<(&'static str, Vec<Text>)>,
 }
 

@@ -43,7 +43,7 @@ impl Numbers {
     ///
     /// # Errors
     ///
-    /// As for [`Self::frictional`].
+    /// As for `frictional`.
     pub fn turning_points(&self, most: usize) -> Result<TurningPoints, Unavailable> {
         let motion = self.friction_motion()?;
         let coordinate = &self.model.definition.coordinates[0];

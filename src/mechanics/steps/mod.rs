@@ -234,7 +234,7 @@ fn is_zero(formula: &Expr) -> Result<bool, SymbolicError> {
 
 impl Model {
     /// The lines of a derivation in letters; none for [`Way::TurningPoints`], which needs numbers. For [`Way::Static`] see
-    /// [`Model::statics`], which needs a second model.
+    /// `Model::statics`, which needs a second model.
     ///
     /// # Errors
     ///
