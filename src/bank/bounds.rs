@@ -6,7 +6,7 @@ use crate::diagnostic::{Code, Diagnose, Finding, Label};
 use crate::source::{Data, Source, Span, Value};
 
 /// Bytes of a file of a bank.
-pub(crate) const LARGEST_FILE: usize = 1 << 18;
+pub(crate) const MAX_FILE: usize = 1 << 18;
 
 /// Entries of a table or array of an item.
 const MAX_ENTRIES: usize = 500;
@@ -30,7 +30,7 @@ pub(crate) enum Excess {
         not(feature = "render"),
         expect(dead_code, reason = "files belong to the command line")
     )]
-    #[error("the file has {found} bytes, at most {LARGEST_FILE} are read")]
+    #[error("the file has {found} bytes, at most {MAX_FILE} are read")]
     File { found: usize },
     #[error("`{key}` has {found} entries, at most {most} are read")]
     Entries {

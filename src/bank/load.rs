@@ -197,7 +197,7 @@ pub(crate) fn read_text(
     topics: Option<&BTreeMap<String, String>>,
 ) -> (Option<Template>, Vec<Finding>) {
     let found = source.text.len();
-    if found > bounds::LARGEST_FILE {
+    if found > bounds::MAX_FILE {
         return (
             None,
             vec![Finding::of(&bounds::Excess::File { found }, source)],

@@ -29,7 +29,7 @@ pub fn share_out(whole: Rational, weights: &[Rational]) -> Vec<Rational> {
     fair.next().unwrap_or_else(|| exact(whole, weights, total))
 }
 
-/// Points of a group, shared out over its blanks: proportional shares where these are this many twentieths, else those of
+/// Points of a group, shared out over its blanks: proportional shares where these are multiples of a twentieth, else those of
 /// [`share_out`].
 ///
 /// ```
@@ -50,7 +50,7 @@ pub fn share_in_group(whole: Rational, weights: &[Rational]) -> Vec<Rational> {
     }
 }
 
-/// The shares in parts of one of this size, if the whole is this many of them.
+/// The shares as multiples of a step of this size, if they are such multiples.
 fn in_steps(
     whole: Rational,
     step: i128,

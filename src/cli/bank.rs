@@ -13,7 +13,7 @@ use vibank::worksheet::Blueprint;
 
 use super::index::{Index, Stamp};
 use super::report::Reporter;
-use super::{Failure, Outcome, files, mistaken};
+use super::{Failure, Outcome, file_kind, files};
 
 /// The options that select the bank a command works on.
 #[derive(clap::Args)]
@@ -76,7 +76,7 @@ impl BankArgument {
         let Some(path) = blueprint else {
             return self.catalogue();
         };
-        let source = Source::new(path.display().to_string(), mistaken::blueprint(path)?);
+        let source = file_kind::blueprint(path)?;
         let blueprint = match Blueprint::read(&source) {
             Ok(blueprint) => blueprint,
             Err(findings) => return Err(refusal(&findings)),

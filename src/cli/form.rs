@@ -20,7 +20,7 @@ use super::bank::BankArgument;
 use super::folder::Folder;
 use super::grade::{RunItems, manifest};
 use super::sheet::PROGRAM;
-use super::{Failure, Outcome, files, mistaken};
+use super::{Failure, Outcome, file_kind, files};
 
 /// Write each sheet of a run as a page on which it is answered: one file, which works without a network.
 ///
@@ -31,7 +31,7 @@ use super::{Failure, Outcome, files, mistaken};
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
     /// The manifest of the run, or its folder.
-    #[arg(value_parser = mistaken::manifest())]
+    #[arg(value_parser = file_kind::manifest())]
     manifest: PathBuf,
     /// Only the sheets with these codes.
     #[arg(long, value_name = "CODE", value_delimiter = ',')]

@@ -21,7 +21,7 @@ use super::setting;
 /// Where indices are kept; empty for none.
 const VARIABLE: &str = "VIBANK_CACHE";
 /// No index is larger: rows of a hundred thousand items.
-const LARGEST: u64 = 128 << 20;
+const MAX_LENGTH: u64 = 128 << 20;
 /// A file that was changed this shortly before the index was written may have been changed once more without another
 /// time: the coarsest file systems count in two seconds.
 const RACY: Duration = Duration::from_secs(2);
@@ -140,11 +140,11 @@ impl Index {
     fn read(&mut self) -> Option<()> {
         let file = files::open(&self.path).ok()?;
         let metadata = file.metadata().ok()?;
-        if !is_own(&metadata) || metadata.len() > LARGEST {
+        if !is_own(&metadata) || metadata.len() > MAX_LENGTH {
             return None;
         }
         let mut text = String::new();
-        file.take(LARGEST).read_to_string(&mut text).ok()?;
+        file.take(MAX_LENGTH).read_to_string(&mut text).ok()?;
         let (head, rows) = text.split_once('\n')?;
         let mut head: Head = serde_json::from_str(head).ok()?;
         if std::mem::take(&mut head.rows) != files::digest(rows.as_bytes()) || head != self.head {

@@ -6,14 +6,13 @@ use vibank::answer::Doubt;
 use vibank::bank::{Catalogue, Compiled};
 use vibank::course::Package;
 use vibank::output::Scorm;
-use vibank::source::Source;
 use vibank::worksheet::{Blueprint, Feedback, Plan, Practice, Rules, Worked};
 
 use super::bank::{self, BankArgument};
 use super::doubt::doubt;
 use super::files::{self, Access};
 use super::filter::Filter;
-use super::{Failure, Outcome, mistaken};
+use super::{Failure, Outcome, file_kind};
 
 /// Write a page on which students practise and check themselves: one file, which works without a network.
 ///
@@ -141,7 +140,7 @@ fn planned(
     path: &Path,
     catalogue: &Catalogue,
 ) -> Result<Result<Offered, Vec<vibank::diagnostic::Finding>>, Failure> {
-    let source = Source::new(path.display().to_string(), mistaken::blueprint(path)?);
+    let source = file_kind::blueprint(path)?;
     let plan = |blueprint: Blueprint| {
         Plan::of(&blueprint, catalogue, None).map(|plan| {
             let (practice, items) = Practice::of_plan(&plan, catalogue);

@@ -13,7 +13,7 @@ use super::platform::Report;
 use super::saved;
 use super::scanner::Scan;
 use super::table::{self, Table};
-use super::{Failure, files, mistaken};
+use super::{Failure, file_kind, files};
 
 /// The columns of a file with one row a part.
 const COLUMNS: [&str; 4] = ["code", "question", "part", "response"];
@@ -156,7 +156,7 @@ impl Reading {
 
     fn json(&mut self, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
         let entries: Vec<Json> = serde_json::from_slice(bytes)
-            .map_err(|error| mistaken::no_answers(path, &error.to_string()))?;
+            .map_err(|error| file_kind::not_answers(path, &error.to_string()))?;
         for (position, entry) in entries.iter().enumerate() {
             let number = position + 1;
             match entry.as_object() {

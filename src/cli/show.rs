@@ -8,12 +8,11 @@ use vibank::message::Language;
 use vibank::scene::{Data, Scene, Shown};
 use vibank::seed::{Seed, Variant};
 use vibank::solution::Solution;
-use vibank::source::Source;
 use vibank::suitability;
 use vibank::worksheet::{Blueprint, PartEntry, Plan, Sheet, headings, letter};
 
 use super::bank::{self, BankArgument};
-use super::{Failure, Outcome, mistaken, package, solve};
+use super::{Failure, Outcome, file_kind, package, solve};
 
 /// Show an item, or the sheet of a code, in the terminal.
 ///
@@ -23,7 +22,7 @@ pub(crate) struct Arguments {
     /// The item, the code of a sheet, or with `--learner` the file of a package.
     item: String,
     /// The manifest in which a code is looked up, or the folder of its run.
-    #[arg(long, value_name = "FILE", value_parser = mistaken::manifest())]
+    #[arg(long, value_name = "FILE", value_parser = file_kind::manifest())]
     manifest: Option<PathBuf>,
     /// The blueprint whose sheet a code is, its bank has to be as it was then; or that of a package with questions of its
     /// own.
@@ -133,7 +132,7 @@ fn of_blueprint(
     path: &Path,
     catalogue: &Catalogue,
 ) -> Result<Outcome, Failure> {
-    let source = Source::new(path.display().to_string(), mistaken::blueprint(path)?);
+    let source = file_kind::blueprint(path)?;
     let blueprint = match Blueprint::read(&source) {
         Ok(blueprint) => blueprint,
         Err(findings) => return bank::refuse(&findings),

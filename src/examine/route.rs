@@ -183,9 +183,9 @@ fn as_printed(solution: &Solution<'_>, node: NodeId) -> Option<Value> {
     };
     let numbers = value.numbers().iter().enumerate().map(|(at, si)| {
         let own = unit(at);
-        let is_whole = own.is_one() && *si == si.round();
+        let is_integer = own.is_one() && *si == si.round();
         let rounded = Decimal::rounded(own.of_si(*si), u32::from(info.digits));
-        match rounded.filter(|_| !is_whole) {
+        match rounded.filter(|_| !is_integer) {
             Some(decimal) => own.to_si(decimal.to_f64()),
             None => *si,
         }

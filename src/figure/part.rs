@@ -5,7 +5,7 @@ use super::{Dash, Fill, Label, Path, Pen, Point, Weight};
 use crate::math::Math;
 
 /// Shortest spring or damper beside a disk.
-const SHORTEST: f64 = 0.9;
+const MIN_LENGTH: f64 = 0.9;
 
 /// An element, evaluated.
 #[derive(Clone, Debug)]
@@ -160,7 +160,7 @@ impl Part<'_> {
             _ => at,
         };
         let (c, d) = (end(&self.ends[0], b, a), end(&self.ends[1], a, b));
-        if c.distance(d) < SHORTEST {
+        if c.distance(d) < MIN_LENGTH {
             (a, b)
         } else {
             (c, d)

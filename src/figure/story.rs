@@ -102,13 +102,13 @@ pub struct Action {
 pub enum Sense {
     /// Along the nearest of eight directions, counted counterclockwise from 0, to the right.
     Towards(u8),
-    /// A turn.
+    /// A moment in the plane of the drawing.
     Clockwise,
-    /// A turn.
+    /// A moment in the plane of the drawing, the other way.
     Counterclockwise,
-    /// A turn about the line of a link that is twisted, in the sense of the twist.
+    /// A moment about the line of a link that is twisted, in the sense of the twist.
     WithTwist,
-    /// The same against it.
+    /// A moment about that line against the twist.
     AgainstTwist,
 }
 

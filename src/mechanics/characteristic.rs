@@ -65,10 +65,10 @@ impl Model {
 /// By expansion along the first row; the matrices are small.
 pub(crate) fn determinant(matrix: &Matrix) -> Option<Normal> {
     // The expansion of n rows has n! products: 720 of six.
-    const LARGEST: usize = 6;
+    const MAX_ROWS: usize = 6;
     match matrix.as_slice() {
         [row] => row.first().cloned(),
-        rows if rows.len() > LARGEST => None,
+        rows if rows.len() > MAX_ROWS => None,
         [first, rest @ ..] => {
             let mut sum = Normal::of(&Expr::number(0)).ok()?;
             for (column, entry) in first.iter().enumerate() {

@@ -264,5 +264,15 @@ impl Speaker for Language {
     }
 }
 
+/// Names with commas, and a word before the last one.
+fn listed<T: AsRef<str>>(names: &[T], and: &str) -> String {
+    let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
+    match names.as_slice() {
+        [] => String::new(),
+        [one] => (*one).to_owned(),
+        [first @ .., last] => format!("{} {and} {last}", first.join(", ")),
+    }
+}
+
 #[cfg(test)]
 mod tests;

@@ -32,6 +32,11 @@ impl Given<'_, '_> {
         Ok(Slot::Node(*node, (slot - first) as usize))
     }
 
+    fn variable<S: Scalar>(&self, position: usize, slot: u32) -> Result<S, Undefined> {
+        let variable = self.variables.get(position).map(Scalar::of);
+        variable.ok_or(Undefined::Missing { slot })
+    }
+
     /// A derivative of a motion of a model at a time.
     fn moved(&self, index: u32, order: u8, time: f64) -> Result<f64, Undefined> {
         let missing = Undefined::Missing { slot: index };
@@ -58,16 +63,10 @@ impl Inputs<Approx<f64>> for Given<'_, '_> {
 
     fn input(&self, slot: u32) -> Result<Approx<f64>, Undefined> {
         match self.slot(slot)? {
-            Slot::Variable(position) => self
-                .variables
-                .get(position)
-                .map(Scalar::of)
-                .ok_or(Undefined::Missing { slot }),
+            Slot::Variable(position) => self.variable(position, slot),
             Slot::Node(node, entry) => {
-                let value = self
-                    .evaluation
-                    .value(node)
-                    .map_err(|_| Undefined::Missing { slot })?;
+                let value = self.evaluation.value(node);
+                let value = value.map_err(|_| Undefined::Missing { slot })?;
                 Ok(Approx::new(value.numbers()[entry], value.bounds()[entry]))
             }
         }
@@ -82,16 +81,10 @@ impl Inputs<Approx<Dd>> for Given<'_, '_> {
 
     fn input(&self, slot: u32) -> Result<Approx<Dd>, Undefined> {
         match self.slot(slot)? {
-            Slot::Variable(position) => self
-                .variables
-                .get(position)
-                .map(Scalar::of)
-                .ok_or(Undefined::Missing { slot }),
+            Slot::Variable(position) => self.variable(position, slot),
             Slot::Node(node, entry) => {
-                let numbers = self
-                    .evaluation
-                    .precise(node)
-                    .map_err(|_| Undefined::Missing { slot })?;
+                let numbers = self.evaluation.precise(node);
+                let numbers = numbers.map_err(|_| Undefined::Missing { slot })?;
                 Ok(numbers[entry])
             }
         }

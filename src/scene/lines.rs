@@ -6,7 +6,7 @@ use crate::math::{Class, Math};
 const MAX_LINE_LENGTH: usize = 35;
 
 /// Characters kept free for a right side like 0.
-const SHORTEST_RIGHT: usize = 4;
+const MIN_RIGHT: usize = 4;
 
 /// Characters of a left side to which the lines of a step are still aligned.
 const MAX_LEFT_LENGTH: usize = 12;
@@ -66,7 +66,7 @@ pub(crate) fn aligned(lines: &[Chain]) -> Vec<[Math; 2]> {
             }
             continue;
         }
-        let mut pieces = broken(first, MAX_LINE_LENGTH - SHORTEST_RIGHT);
+        let mut pieces = broken(first, MAX_LINE_LENGTH - MIN_RIGHT);
         for (at, side) in others.iter().enumerate() {
             let mut parts = broken(side, MAX_LINE_LENGTH).into_iter();
             let start = parts.next().unwrap_or_else(|| Math::row([]));

@@ -28,7 +28,7 @@ pub enum SecretError {
     /// It could be found by trying.
     #[error(
         "a secret of {length} bytes can be guessed; at least {} are needed",
-        Secret::SHORTEST
+        Secret::MIN_LENGTH
     )]
     TooShort {
         /// Bytes besides the white space at both ends.
@@ -38,16 +38,16 @@ pub enum SecretError {
 
 impl Secret {
     /// The fewest bytes that a secret may have.
-    pub(crate) const SHORTEST: usize = 16;
+    pub(crate) const MIN_LENGTH: usize = 16;
 
     /// The secret in these bytes; white space at both ends does not count.
     ///
     /// # Errors
     ///
-    /// If fewer than `Secret::SHORTEST` bytes are left.
+    /// If fewer than `Secret::MIN_LENGTH` bytes are left.
     pub fn new(bytes: &[u8]) -> Result<Self, SecretError> {
         let bytes = bytes.trim_ascii();
-        if bytes.len() < Self::SHORTEST {
+        if bytes.len() < Self::MIN_LENGTH {
             return Err(SecretError::TooShort {
                 length: bytes.len(),
             });

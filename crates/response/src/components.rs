@@ -1,9 +1,10 @@
 //! Sums of vectors, each with a factor: `(1, 2) (A cos 2t + B sin 2t) + (1, -1) C cos(4t + φ)`, read by components.
 
 use super::frame::without_transpositions;
+use super::lexer::tokens;
 use super::parser::Parser;
 use super::sides::last_side;
-use super::token::{Item, Token, tokens};
+use super::token::{Item, Token};
 use super::ways::readings;
 use super::{Lexicon, MAX_LENGTH, Manner, Trouble, TypedError};
 use vibank_formula::expr::Expr;

@@ -1,7 +1,8 @@
 //! Numbers in responses: decimals, degrees, raised digits, signs of fractions.
 
+use super::lexer::Lexer;
 use super::signs::DECIMAL;
-use super::token::{Item, Lexer, Token};
+use super::token::{Item, Token};
 use super::vocabulary::Powered;
 use super::{Trouble, TypedError};
 use vibank_dynamics::numerics::Rational;

@@ -20,7 +20,7 @@ pub enum Trouble {
     },
     /// A name of the item that the answer may not use, and the letters that it may, where they are few.
     NotAllowed(Vec<String>),
-    /// A unit where a formula without units is due.
+    /// A unit in a formula that is asked without units.
     Unit,
     /// A sign that is not understood.
     Sign,

@@ -2,6 +2,7 @@
 
 use super::behind::{gathered, with_unit};
 use super::list::{Reader, Wanted};
+use super::words::MODULES;
 use super::{Trouble, TypedError};
 use vibank_formula::expr::{Expr, Kind, Operator};
 use vibank_formula::unit::Unit;
@@ -146,17 +147,8 @@ fn without_times(text: &str) -> &str {
 
 /// A sum of vectors without the signs that make columns of them, `(1, 2)^T cos(2t) + …`; all places stay.
 pub(crate) fn without_transpositions(text: &str) -> String {
-    const SIGNS: &[&str] = &[
-        "^{\\mathrm{T}}",
-        "^\\mathrm{T}",
-        "^{\\top}",
-        "^\\top",
-        "^{T}",
-        "^T",
-        "ᵀ",
-    ];
     let mut plain = text.to_owned();
-    for sign in SIGNS {
+    for sign in RAISED {
         for bracket in [')', ']', '}'] {
             let from = format!("{bracket}{sign}");
             plain = plain.replace(&from, &format!("{bracket:<0$}", 1 + sign.len()));
@@ -165,8 +157,8 @@ pub(crate) fn without_transpositions(text: &str) -> String {
     plain
 }
 
-/// Signs of transposition behind a list or its name.
-const TRANSPOSED: &[&str] = &[
+/// Signs of transposition that can be nothing else.
+const RAISED: &[&str] = &[
     "^{\\mathrm{T}}",
     "^\\mathrm{T}",
     "^\\mathsf{T}",
@@ -175,15 +167,15 @@ const TRANSPOSED: &[&str] = &[
     "^\\intercal",
     "^{T}",
     "^T",
-    "^t",
     "ᵀ",
-    ".transpose()",
-    ".T",
 ];
+
+/// Signs of transposition behind a list or its name alone: behind a number `^t` is an exponent.
+const BEHIND_LISTS: &[&str] = &["^t", ".transpose()", ".T"];
 
 /// What follows a sign of transposition, `^T` or `'`.
 fn without_transposition(text: &str) -> &str {
-    let mut signs = TRANSPOSED.iter().chain(&["'"]);
+    let mut signs = RAISED.iter().chain(BEHIND_LISTS).chain(&["'"]);
     let rest = signs.find_map(|sign| text.strip_prefix(sign));
     rest.map_or(text, str::trim_start)
 }
@@ -191,7 +183,8 @@ fn without_transposition(text: &str) -> &str {
 /// Whether what stands before an equals sign names the transpose of what is asked, `K^T =`.
 pub(crate) fn is_transposed_name(label: &str) -> bool {
     let name = label.trim_end_matches(['=', ':', '≈', ' ']);
-    TRANSPOSED.iter().any(|sign| name.ends_with(sign))
+    let mut signs = RAISED.iter().chain(BEHIND_LISTS);
+    signs.any(|sign| name.ends_with(sign))
 }
 
 /// What stands before the name of the function that makes a diagonal matrix of a list.
@@ -211,9 +204,11 @@ fn without_diagonal(before: &str) -> &str {
 
 /// What stands before the name of a module of Python.
 pub(crate) fn without_module(before: &str) -> &str {
-    const MODULES: [&str; 6] = ["np.", "numpy.", "sp.", "sympy.", "Matrix.", "la."];
+    /// Of matrices alone.
+    const OF_MATRICES: [&str; 2] = ["Matrix.", "la."];
     let mut rest = before;
-    while let Some(own) = MODULES.iter().find_map(|module| rest.strip_suffix(module)) {
+    let modules = || MODULES.iter().chain(&OF_MATRICES);
+    while let Some(own) = modules().find_map(|module| rest.strip_suffix(module)) {
         rest = own;
     }
     rest

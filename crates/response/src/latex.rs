@@ -1,7 +1,8 @@
 //! LaTeX commands in responses.
 
 use super::letters::{Letters, greek_word};
-use super::token::{Item, Lexer};
+use super::lexer::Lexer;
+use super::token::Item;
 use super::vocabulary::INITIAL;
 use super::{Trouble, TypedError};
 use vibank_dynamics::numerics::Rational;

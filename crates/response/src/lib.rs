@@ -49,6 +49,7 @@ mod labels;
 mod latex;
 mod layout;
 mod letters;
+mod lexer;
 mod lexicon;
 mod list;
 mod lost_power;
@@ -79,8 +80,8 @@ pub use surroundings::withdrawn;
 pub use values::{Part, Style, Values};
 pub use words::count_in_digits;
 
+use self::lexer::tokens;
 use self::parser::Parser;
-use self::token::tokens;
 use self::ways::readings;
 use vibank_formula::expr::{Expr, Relation};
 use vibank_formula::unit::DecimalMark;

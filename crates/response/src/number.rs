@@ -3,8 +3,9 @@
 use super::behind::gathered;
 use super::digits::Comma;
 use super::letters::Letters;
+use super::lexer::Lexer;
 use super::signs::DECIMAL;
-use super::token::{Item, Lexer, Literal};
+use super::token::{Item, Literal};
 use super::words::JOINING;
 use super::{Trouble, TypedError, ValueTrouble};
 use vibank_dynamics::numerics::Rational;

@@ -1,8 +1,9 @@
 //! What stands around the equals signs of a formula: the symbol that is asked, and what it is.
 
 use super::differential::leibniz;
+use super::lexer::tokens;
 use super::list::trimmed;
-use super::token::{Item, Token, tokens};
+use super::token::{Item, Token};
 use super::{Lexicon, Manner, Trouble, TypedError};
 use vibank_formula::expr::Function;
 use vibank_source::Span;

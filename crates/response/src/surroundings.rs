@@ -154,9 +154,9 @@ pub(crate) fn enumeration(text: &str) -> Vec<Range<usize>> {
 
 /// The labels of one style that follow each other in a text, the first one at its start.
 fn labels(text: &str, open: &str, first: char, close: &str) -> Vec<Range<usize>> {
-    const MOST: u8 = 6;
+    const MAX_LABELS: u8 = 6;
     let (mut found, mut at) = (Vec::new(), text.len() - text.trim_start().len());
-    for label in (0..MOST).map(|place| char::from(first as u8 + place)) {
+    for label in (0..MAX_LABELS).map(|place| char::from(first as u8 + place)) {
         let label = format!("{open}{label}{close} ");
         let place = if found.is_empty() {
             text[at..].starts_with(&label).then_some(at)
@@ -291,13 +291,13 @@ fn trail(text: &str) -> Option<usize> {
 /// more than that, and `k1 // k2` are springs in parallel.
 fn comment(text: &str) -> Option<usize> {
     /// Longer words are no symbols of units.
-    const LONGEST_UNIT: usize = 5;
+    const MAX_UNIT: usize = 5;
     let (before, comment) = text.split_once(" # ").or_else(|| text.split_once(" // "))?;
     // A word behind `//` that is as short as a letter of a formula may be one.
     let word = comment.split([' ', ',', ':']).next().unwrap_or(comment);
     let is_word =
         word.starts_with(char::is_alphabetic) && (text.contains(" # ") || word.chars().count() > 2);
-    let is_unit = comment.len() <= LONGEST_UNIT && Unit::read(comment).is_ok();
+    let is_unit = comment.len() <= MAX_UNIT && Unit::read(comment).is_ok();
     (is_word && !is_unit && !before.trim().is_empty()).then(|| text.len() - before.len())
 }
 

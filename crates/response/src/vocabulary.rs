@@ -259,7 +259,7 @@ impl Words {
         let usual = Letters::spelling(&symbol(name.as_str()).plain());
         let lambda = (name.as_str() == "lam").then(|| "lambda".to_owned());
         // The letter that looks like it, `w0` for ω₀.
-        let mut latin = [Some(&own), printed.as_ref()].map(|spelling| {
+        let latin = [Some(&own), printed.as_ref()].map(|spelling| {
             let rest = spelling?.strip_prefix("omega")?;
             Some(format!("w{rest}"))
         });
@@ -281,9 +281,17 @@ impl Words {
             varied.any(|letter| printed.starts_with(letter))
         });
         let varied = varied.map(|printed| format!("var{printed}"));
-        let [of_own, of_printed] = latin.each_mut().map(Option::take);
-        let others = [lambda, of_own, of_printed, ell, varied];
-        for spelling in [printed.clone(), usual].into_iter().chain(others).flatten() {
+        let [latin, of_printed] = latin;
+        let others = [
+            printed.clone(),
+            usual,
+            lambda,
+            latin,
+            of_printed,
+            ell,
+            varied,
+        ];
+        for spelling in others.into_iter().flatten() {
             if spelling != own && !self.is_taken(&spelling) {
                 self.replace(&spelling, sense.clone());
                 if is_moving {

@@ -407,3 +407,8 @@ pub(crate) const EQUATIONS: &[&str] = &["Eq", "sp.Eq", "sympy.Eq", "Equal", "Equ
 
 /// Words that join values, also where they are set as text within a formula.
 pub(crate) const JOINING: &[&str] = &["and", "or", "et", "ou", "und", "oder", "in", "at", "cis"];
+
+/// Modules and objects of programs before the names of functions.
+pub(crate) const MODULES: &[&str] = &[
+    "np.", "numpy.", "math.", "cmath.", "Math.", "sp.", "sympy.", "sym.", "torch.",
+];

@@ -19,7 +19,7 @@ pub(crate) fn normalized(text: &str) -> String {
 }
 
 /// Letters of the shortest words that stand for an option in another form than its own.
-const SHORTEST: usize = 4;
+const MIN_LETTERS: usize = 4;
 
 /// The words of a text without articles and signs.
 fn contents(text: &str) -> Vec<&str> {
@@ -43,7 +43,7 @@ fn joined(text: &str) -> Option<String> {
         .chars()
         .all(|char| char.is_alphabetic() || is_gap(char));
     let word: String = text.chars().filter(|char| !is_gap(*char)).collect();
-    (is_of_words && word.chars().count() >= SHORTEST).then_some(word)
+    (is_of_words && word.chars().count() >= MIN_LETTERS).then_some(word)
 }
 
 /// Words without the command of LaTeX that sets them, `\text{stable}`.
@@ -181,7 +181,7 @@ impl Chosen {
             rest.is_some_and(|rest| !rest.starts_with(char::is_alphanumeric))
         };
         let found = (0..self.words.len()).filter(|place| begins(&self.words[*place]));
-        only(found).filter(|_| words.chars().count() >= SHORTEST)
+        only(found).filter(|_| words.chars().count() >= MIN_LETTERS)
     }
 
     /// The only option in which these words stand, `inductance` for "the inductance L", articles aside. Not within a
@@ -203,7 +203,7 @@ impl Chosen {
         };
         let is_all = |place: &usize| contents(&self.words[*place]) == typed;
         let places = || 0..self.words.len();
-        let is_long = typed.iter().any(|word| word.chars().count() >= SHORTEST);
+        let is_long = typed.iter().any(|word| word.chars().count() >= MIN_LETTERS);
         only(places().filter(is_all))
             .or_else(|| only(places().filter(stands)).filter(|place| !is_joined(place)))
             .filter(|_| is_long)

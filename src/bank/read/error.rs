@@ -162,7 +162,7 @@ pub enum ItemError {
     #[error("two formulas are due here")]
     PlotPair,
     /// A formula that has no number to draw.
-    #[error("a plot draws real numbers, and this is not one")]
+    #[error("a plot draws real numbers, which this formula does not give")]
     PlotValue,
     /// A band without two edges.
     #[error("a band has two edges")]

@@ -17,7 +17,7 @@ use self::journal::{Journal, Place};
 use super::bank::BankArgument;
 use super::grade::{RunItems, manifest, solution};
 use super::screen::{Screen, Tone};
-use super::{Failure, Outcome, mistaken, show};
+use super::{Failure, Outcome, file_kind, show};
 
 /// Type the answers on paper sheets into a file that `vibank grade` takes, sheet by sheet.
 ///
@@ -29,7 +29,7 @@ use super::{Failure, Outcome, mistaken, show};
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
     /// The manifest of the run, or its folder.
-    #[arg(value_parser = mistaken::manifest())]
+    #[arg(value_parser = file_kind::manifest())]
     manifest: PathBuf,
     /// The file of answers; `entered.json` beside the manifest if left out.
     #[arg(short, long, value_name = "FILE")]

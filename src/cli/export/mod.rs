@@ -17,7 +17,7 @@ use self::manifest::Record;
 use super::bank::{self, BankArgument};
 use super::files::{self, Access};
 use super::filter::Filter;
-use super::{Failure, Outcome, mistaken};
+use super::{Failure, Outcome, file_kind};
 
 /// Variants of each item where no blueprint says how many.
 const VARIANTS: usize = 10;
@@ -158,7 +158,7 @@ fn of_blueprint(
     arguments: &Arguments,
     catalogue: &Catalogue,
 ) -> Result<Made, Failure> {
-    let source = Source::new(path.display().to_string(), mistaken::blueprint(path)?);
+    let source = file_kind::blueprint(path)?;
     let blueprint = match Blueprint::read(&source) {
         Ok(blueprint) => blueprint,
         Err(findings) => return Ok(Err(findings)),

@@ -15,8 +15,8 @@ use vibank::unit::DecimalMark;
 use vibank::worksheet::{FORMAT, Manifest, QuestionEntry, VariantEntry};
 
 use super::items::Items;
+use crate::cli::file_kind::not_a_manifest;
 use crate::cli::folder::Folder;
-use crate::cli::mistaken::no_manifest;
 use crate::cli::sheet::MANIFESTS;
 use crate::cli::{Failure, files};
 
@@ -32,7 +32,7 @@ pub(crate) fn manifest(path: &Path) -> Result<Manifest, Failure> {
 
 fn read(path: &Path, text: &str) -> Result<Manifest, Failure> {
     let manifest: Manifest =
-        serde_json::from_str(text).map_err(|error| no_manifest(path, &error.to_string()))?;
+        serde_json::from_str(text).map_err(|error| not_a_manifest(path, &error.to_string()))?;
     if manifest.format != FORMAT {
         return Err(Failure::new(format!(
             "`{}` has format {}, this program reads format {FORMAT}",
@@ -42,7 +42,7 @@ fn read(path: &Path, text: &str) -> Result<Manifest, Failure> {
     }
     for entry in &manifest.variants {
         let checked = entry.check();
-        checked.map_err(|error| no_manifest(path, &error.to_string()))?;
+        checked.map_err(|error| not_a_manifest(path, &error.to_string()))?;
     }
     Ok(manifest)
 }
@@ -184,7 +184,7 @@ impl Sheets {
         };
         let mut line = String::new();
         *number += 1;
-        let fail = |why: String| no_manifest(&self.path, &format!("line {number}: {why}"));
+        let fail = |why: String| not_a_manifest(&self.path, &format!("line {number}: {why}"));
         file.take(MAX_LINE_LENGTH)
             .read_line(&mut line)
             .map_err(|error| fail(error.to_string()))?;

@@ -60,7 +60,7 @@ use super::saved::{self, Saved};
 use super::shard::Shard;
 use super::table::Dialect;
 use super::table::workbook::{self, XLSX};
-use super::{Failure, files, mistaken, progress};
+use super::{Failure, file_kind, files, progress};
 
 /// Mark the responses to the sheets of a run: marks, reasons, a feedback page for each sheet, item analysis.
 ///
@@ -71,7 +71,7 @@ use super::{Failure, files, mistaken, progress};
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
     /// The manifest of the run, or its folder; the manifest of an export; for a report on a SCORM package the package.
-    #[arg(value_parser = mistaken::manifest())]
+    #[arg(value_parser = file_kind::manifest())]
     manifest: PathBuf,
     /// The responses, as CSV or JSON; a report as Moodle, Canvas or a scanner writes it; or a folder of the files that
     /// the pages of `vibank form` save.

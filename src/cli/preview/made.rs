@@ -17,7 +17,7 @@ use super::duration;
 use crate::cli::bank;
 use crate::cli::report::Reporter;
 use crate::cli::sheet::{secret, students};
-use crate::cli::{Failure, files, mistaken};
+use crate::cli::{Failure, file_kind, files};
 
 /// A sheet, made.
 pub(crate) struct Made {
@@ -71,7 +71,7 @@ impl Made {
         (catalogue, findings): &(Catalogue, Vec<Finding>),
         place: usize,
     ) -> Result<Self, Trouble> {
-        let source = Source::new(path.display().to_string(), mistaken::blueprint(path)?);
+        let source = file_kind::blueprint(path)?;
         let blueprint = Blueprint::read(&source)?;
         if bank::errors(findings) > 0 {
             return Err(findings.clone().into());

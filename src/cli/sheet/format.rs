@@ -268,7 +268,7 @@ impl Laid {
         }
     }
 
-    /// Writes a figure that is a file of its own, once: its name says what is in it. Its digest is told.
+    /// Writes a figure that is a file of its own, once: its name says what is in it. Returns its digest.
     ///
     /// Nothing is held while it is drawn: what draws hands work to the same threads, and they may come here again.
     fn place(

@@ -18,7 +18,6 @@ use std::path::{Path, PathBuf};
 
 use serde_json::json;
 use vibank::seed::Secret;
-use vibank::source::Source;
 use vibank::worksheet::{Audience, Blueprint, Choice, Fairness, Plan, Student};
 
 pub(crate) use self::choice::FormatChoice;
@@ -38,7 +37,7 @@ use super::folder::Folder;
 use super::record::{Origin, Record};
 use super::shard::Shard;
 use super::table::Dialect;
-use super::{Failure, Format, Outcome, class_list, files, form, mistaken};
+use super::{Failure, Format, Outcome, class_list, file_kind, files, form};
 
 /// Make the sheets of a blueprint, with keys, worked solutions, a response form and a manifest.
 ///
@@ -78,7 +77,7 @@ pub(crate) struct Arguments {
     make_up: Vec<String>,
     /// The manifest of the run whose sheets these students had, or its folder; if left out, that in the folder named after
     /// the blueprint.
-    #[arg(long, value_name = "MANIFEST", requires = "make_up", value_parser = mistaken::manifest())]
+    #[arg(long, value_name = "MANIFEST", requires = "make_up", value_parser = file_kind::manifest())]
     first: Option<PathBuf>,
     /// How many threads work; all cores if left out.
     #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u16).range(1..=512))]
@@ -95,7 +94,7 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let path = &arguments.blueprint;
-    let source = Source::new(path.display().to_string(), mistaken::blueprint(path)?);
+    let source = file_kind::blueprint(path)?;
     let blueprint = match Blueprint::read(&source) {
         Ok(blueprint) => blueprint,
         Err(findings) => return bank::refuse(&findings),

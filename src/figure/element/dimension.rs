@@ -13,7 +13,7 @@ use crate::figure::{Anchor, Drawing, Path, Point, Spot, Weight, spots};
 pub(crate) struct Dimension;
 
 /// Shortest distance whose arrows point outward from within.
-const SHORTEST: f64 = 0.45;
+const MIN_LENGTH: f64 = 0.45;
 
 fn ends(part: &Part<'_>) -> (Point, Point) {
     let (a, b) = (part.ends[0].point, part.ends[1].point);
@@ -55,7 +55,7 @@ impl Element for Dimension {
                 drawing.stroke(Path::line(foot - across, foot + across), pen);
             }
         }
-        if a.distance(b) >= SHORTEST {
+        if a.distance(b) >= MIN_LENGTH {
             double(drawing, a, b, pen);
         } else {
             let along = (b - a).unit() * 0.4;

@@ -16,7 +16,7 @@ use crate::math::Math;
 const LENGTH: f64 = 1.05;
 
 /// Least length of an arrow at a short link.
-const SHORTEST: f64 = 0.6;
+const MIN_LENGTH: f64 = 0.6;
 
 /// How near to a body a link ends that is fastened to it: half of the breadth of a bar and a little.
 const NEAR: f64 = 0.12;
@@ -205,7 +205,7 @@ impl<'f> Scene<'f> {
                 });
             }
             // Half of a link between two bodies that are cut is left to the arrow of the other.
-            let end = start + out * (0.42 * length).clamp(SHORTEST, LENGTH);
+            let end = start + out * (0.42 * length).clamp(MIN_LENGTH, LENGTH);
             let (from, to) = if is_push { (end, start) } else { (start, end) };
             drawn.arrows.push(Arrow {
                 way: Way::Straight { from, to, is_push },

@@ -14,7 +14,7 @@ const ALONG: f64 = 0.45;
 /// From the tip of an arrow to its letter: half of the breadth of its head and what labels keep clear of.
 const BEYOND: f64 = 0.15;
 
-/// The arrows of a body, and what is told of them.
+/// The arrows of a body, and what they show in words.
 #[derive(Default)]
 pub(crate) struct Drawn<'f> {
     pub(crate) arrows: Vec<Arrow<'f>>,

@@ -56,7 +56,7 @@ const MARGIN: f64 = 0.45;
 /// Radius of the arc of an angle; one more lies farther out.
 const RADIUS: f64 = 0.75;
 /// Pointers shorter than this share of the longest have no visible direction.
-const SHORTEST: f64 = 1e-3;
+const MIN_SHARE: f64 = 1e-3;
 
 impl Phasors {
     /// Draws the diagram, real parts to the right and imaginary parts upwards, in one scale.
@@ -85,7 +85,7 @@ impl Phasors {
         for (number, (own, (foot, tip))) in
             self.phasors.iter().zip(feet.iter().zip(&tips)).enumerate()
         {
-            if own.value.length() < SHORTEST * longest {
+            if own.value.length() < MIN_SHARE * longest {
                 continue;
             }
             drawing.belongs_to(number as u32 + 1);

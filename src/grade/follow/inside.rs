@@ -19,7 +19,7 @@ const POINTS: usize = 4;
 /// Values that agree to this part are the same.
 const ROUNDING: f64 = 1e-9;
 /// Most nodes of a formula whose parts are looked at.
-const LARGEST: usize = 400;
+const MAX_NODES: usize = 400;
 
 /// Adds what follows for the keys of a part.
 pub(crate) fn extend(solution: &Solution<'_>, answers: &mut Answers, place: usize) {
@@ -192,7 +192,7 @@ impl Search<'_> {
             formula.kind(),
             Kind::Number(_) | Kind::Measure(..) | Kind::Constant(_) | Kind::Name(_)
         );
-        if !is_compound || self.nodes > LARGEST || fold(formula).is_some() {
+        if !is_compound || self.nodes > MAX_NODES || fold(formula).is_some() {
             return formula.clone();
         }
         if let Some(power) = self.power(formula) {

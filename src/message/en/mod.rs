@@ -414,10 +414,6 @@ fn name(term: &Term) -> String {
 }
 
 /// Names with commas and a last `and`.
-fn listed(names: &[String]) -> String {
-    match names {
-        [] => String::new(),
-        [one] => one.clone(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
-    }
+fn listed<T: AsRef<str>>(names: &[T]) -> String {
+    super::listed(names, "and")
 }

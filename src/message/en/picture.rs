@@ -1,5 +1,6 @@
 //! What pictures show.
 
+use super::listed;
 use crate::figure::story::{
     Action, Behaviour, Caption, Curve, Curves, FreeBody, Joint, Line, Mode, Pointer, Sense, Sketch,
     Story, Tendency, Thing,
@@ -273,14 +274,5 @@ fn article(noun: &str) -> &'static str {
         "an"
     } else {
         "a"
-    }
-}
-
-fn listed<T: AsRef<str>>(words: &[T]) -> String {
-    let words: Vec<&str> = words.iter().map(AsRef::as_ref).collect();
-    match words.as_slice() {
-        [] => String::new(),
-        [one] => (*one).to_owned(),
-        [rest @ .., last] => format!("{} and {last}", rest.join(", ")),
     }
 }

@@ -450,10 +450,6 @@ fn name(term: &Term) -> String {
 }
 
 /// Names with commas and a last `et`.
-fn listed(names: &[String]) -> String {
-    match names {
-        [] => String::new(),
-        [one] => one.clone(),
-        [first @ .., last] => format!("{} et {last}", first.join(", ")),
-    }
+fn listed<T: AsRef<str>>(names: &[T]) -> String {
+    super::listed(names, "et")
 }

@@ -2,6 +2,7 @@
 //!
 //! Letters stand as they are written, `k₁`: readers of screens speak them in the language of the page.
 
+use super::listed;
 use super::typography::spaced;
 use crate::figure::story::{
     Action, Behaviour, Caption, Curve, Curves, FreeBody, Joint, Line, Mode, Pointer, Sense, Sketch,
@@ -355,15 +356,6 @@ fn a(thing: &Thing) -> String {
 
 fn a_each(things: &[Thing]) -> Vec<String> {
     things.iter().map(a).collect()
-}
-
-fn listed<T: AsRef<str>>(words: &[T]) -> String {
-    let words: Vec<&str> = words.iter().map(AsRef::as_ref).collect();
-    match words.as_slice() {
-        [] => String::new(),
-        [one] => (*one).to_owned(),
-        [rest @ .., last] => format!("{} et {last}", rest.join(", ")),
-    }
 }
 
 #[cfg(test)]

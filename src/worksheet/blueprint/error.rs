@@ -8,7 +8,7 @@ use crate::source::{Span, nearest};
 /// What is wrong with a blueprint beyond its form.
 #[derive(Clone, Debug, thiserror::Error)]
 pub enum BlueprintError {
-    /// Two keys of which one is due.
+    /// Two keys, of which a blueprint has one.
     #[error("a blueprint has either `{0}` or `{1}`")]
     Either(&'static str, &'static str, Span),
     /// An unknown word.

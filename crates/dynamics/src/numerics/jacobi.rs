@@ -142,9 +142,9 @@ impl ScaledColumns {
     /// Moves powers of two from columns that have grown to their scales.
     fn balance(&mut self, squares: &mut [f64]) {
         // 2^20: columns are scaled again seldom, and long before a square leaves the exponent range.
-        const LARGEST: f64 = 1_048_576.0;
+        const MAX_SCALE: f64 = 1_048_576.0;
         for (j, square) in squares.iter_mut().enumerate() {
-            if *square > LARGEST {
+            if *square > MAX_SCALE {
                 let exponent = binary_exponent(*square) / 2;
                 let factor = scale_by_power_of_two(1.0, -exponent);
                 self.entries[j * self.rows..(j + 1) * self.rows]

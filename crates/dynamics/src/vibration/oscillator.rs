@@ -106,7 +106,7 @@ impl Oscillator {
             return Err(OscillatorError::Stiffness(stiffness));
         }
         let scaled = Scaled::of(mass, damping, stiffness, natural_exponent(mass, stiffness));
-        if scaled.damping < LARGEST_DAMPING {
+        if scaled.damping < MAX_DAMPING {
             Ok(Self {
                 mass,
                 damping: damping.abs(),
@@ -356,7 +356,7 @@ impl Scaled {
 /// Scaled damping coefficients from here on leave no trace of mass and stiffness in the discriminant.
 const LARGE_DAMPING: f64 = 1e30;
 /// Scaled damping coefficients from here on are refused.
-const LARGEST_DAMPING: f64 = 1e300;
+const MAX_DAMPING: f64 = 1e300;
 
 #[cfg(test)]
 mod tests {

@@ -12,7 +12,7 @@ use vibank_dynamics::numerics::Rational;
 
 /// Powers of pure numbers are folded up to this exponent.
 // 2^64 still leaves half of the 128 bits of a numerator free.
-const LARGEST_FOLDED_EXPONENT: i128 = 64;
+const MAX_FOLDED_EXPONENT: i128 = 64;
 
 impl Expr {
     /// An exact pure number.
@@ -169,7 +169,7 @@ fn binary(operator: Operator, left: Expr, right: Expr) -> Expr {
 }
 
 fn folded_power(base: Rational, power: Rational) -> Option<Rational> {
-    if !power.is_integer() || power.abs().numerator() > LARGEST_FOLDED_EXPONENT {
+    if !power.is_integer() || power.abs().numerator() > MAX_FOLDED_EXPONENT {
         return None;
     }
     base.checked_pow(i32::try_from(power.numerator()).ok()?)

@@ -59,7 +59,7 @@ impl Decimal {
     };
 
     /// The largest exponent of the first digit, up and down.
-    const LARGEST: i32 = 300;
+    const MAX_EXPONENT: i32 = 300;
 
     /// `±digits · 10^exponent`, if it is in range; without a sign for zero.
     pub(crate) fn of_parts(
@@ -80,7 +80,7 @@ impl Decimal {
         } else {
             (exponent, scientific)
         };
-        let fits = digits < 10_u128.pow(Self::MAX_DIGITS) && largest.abs() <= Self::LARGEST;
+        let fits = digits < 10_u128.pow(Self::MAX_DIGITS) && largest.abs() <= Self::MAX_EXPONENT;
         let negative = negative && digits > 0;
         fits.then_some(Self {
             digits,

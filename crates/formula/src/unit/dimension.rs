@@ -13,7 +13,7 @@ use super::rational::{Rational, gcd};
 pub(crate) const PARTS: i32 = 2520;
 
 /// The largest exponent that a power may give.
-const LARGEST: i32 = 1000;
+const MAX_EXPONENT: i32 = 1000;
 
 /// The dimension of a quantity: rational exponents of the seven base quantities.
 ///
@@ -158,7 +158,7 @@ pub(crate) fn raise<const N: usize>(exponents: [i32; N], power: Rational) -> Opt
         let product = i64::from(*exponent) * i64::from(power.numerator());
         let denominator = i64::from(power.denominator());
         if product % denominator != 0
-            || (product / denominator).abs() > i64::from(LARGEST) * i64::from(PARTS)
+            || (product / denominator).abs() > i64::from(MAX_EXPONENT) * i64::from(PARTS)
         {
             return None;
         }

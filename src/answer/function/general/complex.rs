@@ -95,30 +95,19 @@ impl Parts {
     }
 
     fn plus(self, other: Self) -> Self {
-        let imaginary = match (self.imaginary, other.imaginary) {
-            (Some(own), Some(other)) => Some(own + other),
-            (own, other) => own.or(other),
-        };
-        Self::new(self.real + other.real, imaginary)
+        Self::new(self.real + other.real, sum(self.imaginary, other.imaginary))
     }
 
     fn times(&self, other: &Self) -> Self {
-        let by = |imaginary: &Option<Expr>, real: &Expr| {
-            imaginary.as_ref().map(|own| product(own, real))
-        };
+        let (own, others) = (self.imaginary.as_ref(), other.imaginary.as_ref());
+        let imaginary = sum(
+            own.map(|own| product(own, &other.real)),
+            others.map(|others| product(others, &self.real)),
+        );
         let real = product(&self.real, &other.real);
-        let crossed = [
-            by(&self.imaginary, &other.real),
-            by(&other.imaginary, &self.real),
-        ];
-        let [own, others] = crossed;
-        let imaginary = match (own, others) {
-            (Some(own), Some(others)) => Some(own + others),
-            (own, others) => own.or(others),
-        };
-        match (&self.imaginary, &other.imaginary) {
-            (Some(own), Some(others)) => Self::new(real - product(own, others), imaginary),
-            _ => Self::new(real, imaginary),
+        match own.zip(others) {
+            Some((own, others)) => Self::new(real - product(own, others), imaginary),
+            None => Self::new(real, imaginary),
         }
     }
 
@@ -141,17 +130,26 @@ impl Parts {
         Self::new(of(Function::Cos), Some(of(Function::Sin)))
     }
 
-    /// A power of e, one of real numbers, or a small whole power.
+    /// A power of e, one of real numbers, or one with a small positive integer as its exponent.
     fn power(whole: &Expr, base: &Expr, value: Self, exponent: &Self) -> Option<Self> {
-        const HIGHEST: i32 = 4;
+        // Nobody writes more in a motion, and each doubles the terms.
+        const MAX_EXPONENT: i32 = 4;
         if *base.kind() == Kind::Constant(Constant::E) {
             return Some(exponent.exponential());
         }
         if value.imaginary.is_none() && exponent.imaginary.is_none() {
             return Some(Self::new(whole.clone(), None));
         }
-        let count = (1..=HIGHEST).find(|count| exponent.real == Expr::number(*count))?;
+        let count = (1..=MAX_EXPONENT).find(|count| exponent.real == Expr::number(*count))?;
         Some((1..count).fold(value.clone(), |power, _| power.times(&value)))
+    }
+}
+
+/// The sum of imaginary parts, where there are any.
+fn sum(one: Option<Expr>, other: Option<Expr>) -> Option<Expr> {
+    match (one, other) {
+        (Some(one), Some(other)) => Some(one + other),
+        (one, other) => one.or(other),
     }
 }
 

@@ -52,7 +52,7 @@ const HALF_PI: [Long; 3] = [
 const HALVINGS: i32 = 8;
 
 /// Beyond this an exponential leaves the range of binary64 by far, and is taken there.
-const LARGEST_EXPONENT: f64 = 1e5;
+const MAX_EXPONENT: f64 = 1e5;
 
 fn one() -> Long {
     Long::from(1.0)
@@ -75,9 +75,9 @@ impl Long {
     /// Exponential.
     #[must_use]
     pub fn exp(self) -> Self {
-        let rounded = self.to_f64().clamp(-LARGEST_EXPONENT, LARGEST_EXPONENT);
+        let rounded = self.to_f64().clamp(-MAX_EXPONENT, MAX_EXPONENT);
         let turns = (rounded / std::f64::consts::LN_2).round();
-        if self.abs() > Self::from(LARGEST_EXPONENT) {
+        if self.abs() > Self::from(MAX_EXPONENT) {
             return one().shifted(turns as i32);
         }
         let rest = self - LN_2 * Self::from(turns);

@@ -65,8 +65,8 @@ impl Scale {
     /// Whether the squares of all rates are within the exponent range.
     pub(crate) fn is_moderate(&self) -> bool {
         // Its square, 1e300, is still within the range of binary64.
-        const LARGEST: f64 = 1e150;
-        self.damping.hi() < LARGEST
+        const MAX_DAMPING: f64 = 1e150;
+        self.damping.hi() < MAX_DAMPING
     }
 
     pub(crate) fn oscillates(&self) -> bool {

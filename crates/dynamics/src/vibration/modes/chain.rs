@@ -15,12 +15,12 @@ pub(crate) struct Chain<'a> {
 impl<'a> Chain<'a> {
     pub(crate) fn of(masses: &'a [f64], springs: &[Link]) -> Option<Self> {
         // The sum of as many springs as are accepted, 100,000, is then still a finite number.
-        const LARGEST: f64 = 1e280;
+        const MAX_STIFFNESS: f64 = 1e280;
         let mut ground = vec![0.0; masses.len()];
         let mut couplings = vec![0.0; masses.len() - 1];
         for spring in springs {
             match spring.ends {
-                _ if spring.coefficient > LARGEST => return None,
+                _ if spring.coefficient > MAX_STIFFNESS => return None,
                 [0, node] | [node, 0] => ground[node - 1] += spring.coefficient,
                 [first, second] if first.abs_diff(second) == 1 => {
                     couplings[first.min(second) - 1] += spring.coefficient;

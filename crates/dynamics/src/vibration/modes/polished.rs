@@ -28,7 +28,7 @@ const MAX_SIZE: usize = 64;
 const CLOSEST: f64 = 1e-5;
 
 /// Largest part of one shape in another that is taken out in one step: its square is an error that stays.
-const LARGEST_STEP: f64 = 1e-9;
+const MAX_STEP: f64 = 1e-9;
 
 /// Modes whose frequencies and shapes are rounded once.
 ///
@@ -93,7 +93,7 @@ impl Polished {
         let largest = mixing
             .iter()
             .fold(0.0_f64, |largest, x| largest.max(x.abs()));
-        if largest.is_nan() || largest > LARGEST_STEP || !rates.is_sorted() {
+        if largest.is_nan() || largest > MAX_STEP || !rates.is_sorted() {
             return None;
         }
         let corrections = product(&shapes, &mixing, size);

@@ -107,10 +107,10 @@ impl Pendulum {
         angular_velocity: f64,
     ) -> Result<PendulumMotion, PendulumError> {
         // Its cube is still within the range of numbers.
-        const FASTEST: f64 = 1e100;
+        const MAX_RATIO: f64 = 1e100;
         let kappa = self.reduced_velocity(angular_velocity);
         let double_rate = (self.rate() * 2.0).hi();
-        let is_moderate = kappa.is_finite() && kappa.hi().abs() <= FASTEST;
+        let is_moderate = kappa.is_finite() && kappa.hi().abs() <= MAX_RATIO;
         if !(angle.is_finite() && is_moderate && double_rate.is_finite()) {
             return Err(PendulumError::Start {
                 angle,

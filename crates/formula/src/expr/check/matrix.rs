@@ -211,7 +211,7 @@ impl Checker<'_> {
                 span,
             });
         };
-        if rows != columns || rows > Self::LARGEST_DETERMINANT {
+        if rows != columns || rows > Self::MAX_DETERMINANT {
             let (found, span) = (found.form(), matrix.span());
             let due = "a square matrix of at most ten rows";
             return self.report(CheckError::ShapeDue {
@@ -236,7 +236,7 @@ impl Checker<'_> {
     }
 
     /// As far as a program computes determinants.
-    const LARGEST_DETERMINANT: usize = 10;
+    const MAX_DETERMINANT: usize = 10;
 }
 
 /// The dimension of the determinant of a matrix whose entries are in rᵢ cⱼ: the product of all rᵢ and cⱼ.

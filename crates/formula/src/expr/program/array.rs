@@ -8,7 +8,7 @@ use super::entry::Entry;
 use crate::expr::{Field, Form, Function, Operator, Shape};
 
 /// Largest order of a determinant: its minors are computed once each, 2ⁿ of them.
-const LARGEST_DETERMINANT: usize = 10;
+const MAX_DETERMINANT: usize = 10;
 
 /// The entries of a value, by rows; cheap to clone.
 #[derive(Clone, Debug)]
@@ -209,7 +209,7 @@ impl Array {
     /// The determinant by minors of the upper rows, each computed once; nothing is divided.
     pub(crate) fn determinant(&self, to: &mut Assembler) -> Result<Self> {
         let (order, columns) = self.shape.rows_and_columns();
-        if order != columns || order > LARGEST_DETERMINANT || self.is_boolean {
+        if order != columns || order > MAX_DETERMINANT || self.is_boolean {
             return Err(CompileError::Form { found: self.form() });
         }
         // The minor of the first rows and of the columns in the set of bits.

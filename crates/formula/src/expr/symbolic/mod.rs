@@ -1,7 +1,7 @@
 //! Formulas as objects of calculation: derivatives, substitution, a normal form.
 //!
 //! Everything here is exact (coefficients are fractions) and bounded: what would grow beyond
-//! [`LARGEST_SIZE`] nodes is refused with [`SymbolicError::TooLarge`] instead of being computed.
+//! [`MAX_SIZE`] nodes is refused with [`SymbolicError::TooLarge`] instead of being computed.
 //! Simplification is light; there is no general computer algebra and no guessing of domains.
 
 mod calls;
@@ -20,10 +20,10 @@ use super::Expr;
 use crate::work;
 
 /// Number of nodes, counted with repetition, beyond which a derived formula is refused.
-const LARGEST_SIZE: u32 = 50_000;
+const MAX_SIZE: u32 = 50_000;
 
 /// Depth beyond which a derived formula is refused; recursion over formulas stays within any stack.
-const LARGEST_DEPTH: u32 = 600;
+const MAX_DEPTH: u32 = 600;
 
 /// Units of work of a node of a derived formula: it is looked at, and written anew.
 const UNITS_OF_A_NODE: u64 = 10;
@@ -31,7 +31,7 @@ const UNITS_OF_A_NODE: u64 = 10;
 /// The formula, if it is not too large.
 fn bounded(expr: Expr) -> Result<Expr, SymbolicError> {
     work::spend(UNITS_OF_A_NODE)?;
-    if expr.size() > LARGEST_SIZE || expr.depth() > LARGEST_DEPTH {
+    if expr.size() > MAX_SIZE || expr.depth() > MAX_DEPTH {
         return Err(SymbolicError::TooLarge);
     }
     Ok(expr)

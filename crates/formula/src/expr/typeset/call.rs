@@ -5,18 +5,18 @@ use crate::expr::{Expr, Function, Kind, Name, Operator};
 use vibank_notation::Class;
 
 /// Exponentials of arguments up to this many nodes are set as powers of e.
-const LARGEST_EXPONENT: u32 = 16;
+const MAX_EXPONENT: u32 = 16;
 
 /// Numerators and denominators of exponents have up to this many nodes, as in −t/(2τ): a fraction in an exponent is set
 /// at half of the size of the letters around it.
-const LARGEST_SHARE: u32 = 4;
+const MAX_SHARE: u32 = 4;
 
 impl Setter<'_> {
     pub(crate) fn call(&self, function: Function, arguments: &[Expr]) -> Piece {
         let one = arguments.first();
         match (function, one) {
             (Function::Sqrt, Some(u)) => Piece::atom(Math::root(self.math(u))),
-            (Function::Exp, Some(u)) if u.size() <= LARGEST_EXPONENT && !is_tiny_as_exponent(u) => {
+            (Function::Exp, Some(u)) if u.size() <= MAX_EXPONENT && !is_tiny_as_exponent(u) => {
                 Piece::new(Math::upright("e").with_sup(self.math(u)), Hold::Power)
             }
             (Function::Abs, Some(u)) => Piece::atom(self.math(u).fenced("|", "|")),
@@ -215,7 +215,7 @@ fn is_tiny_as_exponent(expr: &Expr) -> bool {
     let mut found = false;
     expr.walk(&mut |node| {
         found |= matches!(node.kind(), Kind::If(..) | Kind::Array(_))
-            || matches!(node.kind(), Kind::Binary(Operator::Divide, a, b) if a.size().max(b.size()) > LARGEST_SHARE);
+            || matches!(node.kind(), Kind::Binary(Operator::Divide, a, b) if a.size().max(b.size()) > MAX_SHARE);
     });
     found
 }

@@ -33,7 +33,7 @@ use term::{Atom, Monomial, Polynomial};
 use vibank_dynamics::numerics::Rational;
 
 /// Elementary products and sums that one normal form may cost.
-const LARGEST_WORK: usize = 500_000;
+const MAX_WORK: usize = 500_000;
 
 /// Units of work of an elementary product: it allocates.
 const UNITS: u64 = 10;
@@ -46,7 +46,7 @@ struct Work {
 
 impl Work {
     fn new() -> Self {
-        Self { left: LARGEST_WORK }
+        Self { left: MAX_WORK }
     }
 
     fn spend(&mut self, amount: usize) -> Result<(), SymbolicError> {

@@ -7,10 +7,10 @@ use crate::expr::Constant;
 use vibank_dynamics::numerics::Rational;
 
 /// The largest whole exponent to which a sum is multiplied out.
-const LARGEST_EXPONENT: i128 = 64;
+const MAX_EXPONENT: i128 = 64;
 
 /// Numbers under roots are taken apart by divisors up to this one; what is left counts as a prime.
-const LARGEST_DIVISOR: i128 = 1_000;
+const MAX_DIVISOR: i128 = 1_000;
 
 impl Polynomial {
     /// The power with an exact exponent.
@@ -25,7 +25,7 @@ impl Polynomial {
                 Ok(self.clone())
             };
         }
-        if exponent.abs().numerator() > LARGEST_EXPONENT * exponent.denominator() {
+        if exponent.abs().numerator() > MAX_EXPONENT * exponent.denominator() {
             return Err(SymbolicError::TooLarge);
         }
         if let Some(number) = self.as_number() {
@@ -192,7 +192,7 @@ fn root_of(
 fn prime_factors(mut number: i128) -> Vec<(i128, i128)> {
     let mut factors = Vec::new();
     let mut divisor = 2;
-    while divisor <= LARGEST_DIVISOR && divisor * divisor <= number {
+    while divisor <= MAX_DIVISOR && divisor * divisor <= number {
         let mut count = 0;
         while number % divisor == 0 {
             number /= divisor;

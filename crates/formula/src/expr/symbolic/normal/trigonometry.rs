@@ -10,7 +10,7 @@ use crate::expr::{Constant, Function};
 use vibank_dynamics::numerics::Rational;
 
 /// Sines and cosines of whole multiples of an angle are taken apart up to this multiple.
-const LARGEST_MULTIPLE: i128 = 8;
+const MAX_MULTIPLE: i128 = 8;
 
 /// Sums are searched for terms that combine up to this number of terms.
 const MAX_TERMS_COMBINED: usize = 200;
@@ -433,7 +433,7 @@ fn sine_and_cosine(
     for (single, multiple) in &angle.0 {
         let unit = units.get(single).copied().unwrap_or(*multiple);
         let times = fits(multiple.checked_div(unit))?;
-        let (unit, times) = if times.is_integer() && times.abs().numerator() <= LARGEST_MULTIPLE {
+        let (unit, times) = if times.is_integer() && times.abs().numerator() <= MAX_MULTIPLE {
             (unit, times.numerator())
         } else {
             (*multiple, 1)

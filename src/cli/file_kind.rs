@@ -1,16 +1,17 @@
-//! What a file is that was given where another kind of file belongs, and the manifest of a folder.
-//!
-//! Looked at only where a file could not be read as what it should be: it words the failure and decides nothing.
+//! The kinds of files that a command is given: a file in the place of another kind is named, and a folder stands for the
+//! manifest in it.
 
 use std::path::{Path, PathBuf};
 
 use clap::builder::{PathBufValueParser, TypedValueParser};
 
+use vibank::source::Source;
+
 use super::{Failure, files};
 
 /// A kind of file that this program reads or writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum FileKind {
     /// The manifest of a run.
     Manifest,
     /// A blueprint, from which sheets are made.
@@ -23,7 +24,7 @@ pub(crate) enum Kind {
     Archive,
 }
 
-impl Kind {
+impl FileKind {
     /// What a file seems to be by its beginning.
     fn of(bytes: &[u8]) -> Option<Self> {
         /// Enough for the headings of any table and the first keys of any file.
@@ -72,15 +73,15 @@ impl Kind {
     }
 }
 
-/// A failure of a file that is no manifest.
-pub(crate) fn no_manifest(path: &Path, why: &str) -> Failure {
+/// A failure of a file that is not a manifest.
+pub(crate) fn not_a_manifest(path: &Path, why: &str) -> Failure {
     let shown = path.display();
-    match Kind::of_file(path) {
-        Some(Kind::Blueprint) => Failure::new(format!("`{shown}` is a blueprint, not a manifest"))
+    match FileKind::of_file(path) {
+        Some(FileKind::Blueprint) => Failure::new(format!("`{shown}` is a blueprint, not a manifest"))
             .help(format!(
                 "make the sheets with `vibank sheet {shown}`, and give the `manifest.json` that it writes"
             )),
-        Some(kind) if kind != Kind::Manifest => {
+        Some(kind) if kind != FileKind::Manifest => {
             Failure::new(format!("`{shown}` is {}, not a manifest", kind.words()))
                 .help("give the `manifest.json` that `vibank sheet` wrote, then the answers")
         }
@@ -89,11 +90,11 @@ pub(crate) fn no_manifest(path: &Path, why: &str) -> Failure {
     }
 }
 
-/// A failure of a file that is no list of answers.
-pub(crate) fn no_answers(path: &Path, why: &str) -> Failure {
+/// A failure of a file that is not a list of answers.
+pub(crate) fn not_answers(path: &Path, why: &str) -> Failure {
     let shown = path.display();
-    match Kind::of_file(path) {
-        Some(Kind::Manifest) => Failure::new(format!(
+    match FileKind::of_file(path) {
+        Some(FileKind::Manifest) => Failure::new(format!(
             "`{shown}` is the manifest of a run, not a list of answers"
         ))
         .help("give the manifest first and then the answers"),
@@ -102,17 +103,17 @@ pub(crate) fn no_answers(path: &Path, why: &str) -> Failure {
     }
 }
 
-/// The text of a blueprint; a file that is surely something else is a failure.
-pub(crate) fn blueprint(path: &Path) -> Result<String, Failure> {
+/// The text of a blueprint with its path; a file that is surely something else is a failure.
+pub(crate) fn blueprint(path: &Path) -> Result<Source, Failure> {
     let text = files::read(path)?;
-    match Kind::of(text.as_bytes()) {
-        Some(kind @ (Kind::Manifest | Kind::Answers | Kind::Table)) => {
+    match FileKind::of(text.as_bytes()) {
+        Some(kind @ (FileKind::Manifest | FileKind::Answers | FileKind::Table)) => {
             Err(
                 Failure::new(format!("`{}` is {}, not a blueprint", path.display(), kind.words()))
                     .help("give a blueprint, `exam.toml`, which names its class list under `students`; `vibank new exam exam.toml` begins one"),
             )
         }
-        _ => Ok(text),
+        _ => Ok(Source::new(path.display().to_string(), text)),
     }
 }
 
@@ -130,21 +131,21 @@ mod tests {
 
     #[test]
     fn files_are_known_by_their_beginning() {
-        let kind = |text: &str| Kind::of(text.as_bytes());
+        let kind = |text: &str| FileKind::of(text.as_bytes());
         assert_eq!(
             kind("\u{feff}code;student;response\nABC;;\n"),
-            Some(Kind::Answers)
+            Some(FileKind::Answers)
         );
-        assert_eq!(kind("Student ID,Name\n1,A\n"), Some(Kind::Table));
+        assert_eq!(kind("Student ID,Name\n1,A\n"), Some(FileKind::Table));
         assert_eq!(
             kind("# An exam\ntitle = \"Of 1, 2, 3\"\n[[question]]\nitem = \"a/b\"\n"),
-            Some(Kind::Blueprint)
+            Some(FileKind::Blueprint)
         );
         assert_eq!(
             kind("{\"format\":1,\"program\":\"vibank\"}"),
-            Some(Kind::Manifest)
+            Some(FileKind::Manifest)
         );
-        assert_eq!(kind("PK\u{3}\u{4}"), Some(Kind::Archive));
+        assert_eq!(kind("PK\u{3}\u{4}"), Some(FileKind::Archive));
         assert_eq!(kind(""), None);
         assert_eq!(kind("[{\"code\":\"A\"}]"), None);
         assert_eq!(kind("title = 'A'\n"), None);

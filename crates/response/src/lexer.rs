@@ -1,0 +1,588 @@
+//! From the [folded](super::Folded) signs of a response to tokens, its runs of letters split into words.
+
+use super::differential::{behind, called, leibniz, method};
+use super::digits::fraction;
+use super::letters::{Letters, combining, dotted, greek, greek_word};
+use super::token::{Item, Token};
+use super::vocabulary::{INITIAL, Piece, Powered, Sense};
+use super::words::MODULES;
+use super::{Lexicon, Manner, Trouble, TypedError};
+use vibank_dynamics::numerics::Rational;
+use vibank_formula::expr::{Constant, Expr, Function};
+use vibank_formula::unit::Unit;
+use vibank_source::Span;
+
+/// The tokens of `text[from..to]`.
+pub(crate) fn tokens(
+    text: &str,
+    from: usize,
+    to: usize,
+    lexicon: &Lexicon,
+    manner: Manner,
+) -> Result<Vec<Token>, TypedError> {
+    let mut lexer = Lexer {
+        text: &text[..to],
+        at: from,
+        lexicon,
+        manner,
+        is_spaced: false,
+        tokens: Vec::new(),
+    };
+    while let Some(char) = lexer.peek() {
+        let start = lexer.at;
+        let Err(error) = lexer.token(char) else {
+            continue;
+        };
+        if manner.values.is_none() {
+            return Err(error);
+        }
+        lexer.at = (lexer.at.max(error.span.range().end)).max(start + char.len_utf8());
+        lexer.push(Item::Unread(Box::new(error)), start);
+    }
+    Ok(lexer.tokens)
+}
+
+pub(crate) struct Lexer<'a> {
+    pub(crate) text: &'a str,
+    pub(crate) at: usize,
+    pub(crate) lexicon: &'a Lexicon,
+    pub(crate) manner: Manner,
+    pub(crate) is_spaced: bool,
+    pub(crate) tokens: Vec<Token>,
+}
+
+impl Lexer<'_> {
+    pub(crate) fn rest(&self) -> &str {
+        &self.text[self.at..]
+    }
+
+    pub(crate) fn peek(&self) -> Option<char> {
+        self.rest().chars().next()
+    }
+
+    pub(crate) fn push(&mut self, item: Item, start: usize) {
+        self.tokens.push(Token {
+            item,
+            span: Span::new(start, self.at),
+            is_spaced: std::mem::take(&mut self.is_spaced),
+            literal: None,
+        });
+    }
+
+    /// A token of the next `length` bytes.
+    pub(crate) fn take(&mut self, length: usize, item: Item) {
+        let start = self.at;
+        self.at += length;
+        self.push(item, start);
+    }
+
+    pub(crate) fn error<T>(&self, trouble: Trouble, start: usize) -> Result<T, TypedError> {
+        Err(TypedError::new(trouble, start, self.at))
+    }
+
+    fn token(&mut self, char: char) -> Result<(), TypedError> {
+        let width = char.len_utf8();
+        if self.value(char)? {
+            return Ok(());
+        }
+        if char.is_whitespace() {
+            self.at += width;
+            self.is_spaced = true;
+            return Ok(());
+        }
+        if self.derivative_over_time()
+            || self.manner.values.is_none() && self.degrees()
+            || self.end_of_sentence(char)
+        {
+            return Ok(());
+        }
+        if self.module()
+            || self.product_by_point(char)
+            || self.unknown_time(char)
+            || self.times_before_power_of_ten(char)
+            || self.base_of_exponential(char)
+        {
+            return Ok(());
+        }
+        match char {
+            '0'..='9' => return self.number(),
+            '.' if self.rest()[1..].starts_with(|next: char| next.is_ascii_digit()) => {
+                return self.number();
+            }
+            '\\' => return self.command(),
+            '⁰' | '¹' | '²' | '³' | '⁴'..='⁹' | '⁻' => return self.raised(),
+            '\'' | '"' => {
+                let start = self.at;
+                let primes = self.primes();
+                self.push(Item::Primes(primes), start);
+                return Ok(());
+            }
+            _ => {}
+        }
+        if char.is_ascii_alphabetic() || greek(char).is_some() || dotted(char).is_some() {
+            return self.run(None);
+        }
+        if char == ',' {
+            self.comma();
+            return Ok(());
+        }
+        let item = match char {
+            '+' | '/' | '^' | '(' | ')' | '[' | ']' | '{' | '}' | '|' | ';' | '=' | '<' | '>'
+            | '≤' | '≥' | '≠' | '&' => Item::Sign(char),
+            '*' | '-' => Item::Sign(char),
+            '≈' => Item::Sign('='),
+            '√' => Item::Root,
+            '°' => Item::Degree,
+            '∞' => Item::Leaf(Expr::constant(Constant::Infinity)),
+            _ if fraction(char).is_some() => Item::Number(fraction(char).unwrap_or(Rational::ONE)),
+            '±' => {
+                self.at += width;
+                return self.error(Trouble::TwoValues, self.at - width);
+            }
+            _ => {
+                self.at += width;
+                return self.error(Trouble::Sign, self.at - width);
+            }
+        };
+        self.take(width, item);
+        Ok(())
+    }
+
+    /// The point, comma or semicolon behind the last sign; whether it stands here.
+    fn end_of_sentence(&mut self, char: char) -> bool {
+        let is_last = (char == '.' || matches!(char, ',' | ';') && self.manner.values.is_none())
+            && self.rest()[1..].trim().is_empty();
+        let ends = is_last && !self.tokens.is_empty();
+        // The sentence may end within the braces of its last unit.
+        if char == '.' && !ends && self.rest()[1..].trim_matches([' ', '}']).is_empty() {
+            self.at += 1;
+            return true;
+        }
+        if ends {
+            self.at = self.text.len();
+        }
+        ends
+    }
+
+    /// `np.` and `math.` before the names of functions; whether one stands here.
+    fn module(&mut self) -> bool {
+        let is_word =
+            |length: usize| self.rest()[length..].starts_with(|next: char| next.is_alphabetic());
+        let found = MODULES
+            .iter()
+            .find(|module| self.rest().starts_with(**module) && is_word(module.len()));
+        self.at += found.map_or(0, |module| module.len());
+        // What programs call so is the natural one; alone, people mean the other as well.
+        let is_program = || {
+            let mut signs = [".*", "./", ".^"].iter();
+            found.is_some() || signs.any(|sign| self.text.contains(sign))
+        };
+        let is_natural = if self.rest().starts_with("log(") {
+            is_program()
+        } else {
+            self.rest().starts_with("Log[") && !is_program()
+        };
+        if is_natural {
+            self.take("log".len(), Item::Function(Function::Ln));
+        }
+        found.is_some() || is_natural
+    }
+
+    /// `1.4 x 10^-2`; whether the sign of times stands here as a letter.
+    fn times_before_power_of_ten(&mut self, char: char) -> bool {
+        let is_behind_number =
+            matches!(self.tokens.last(), Some(token) if matches!(token.item, Item::Number(_)));
+        let is_it = matches!(char, 'x' | 'X')
+            && is_behind_number
+            && self.rest()[1..].trim_start().starts_with("10^");
+        if is_it {
+            self.take(1, Item::Sign('*'));
+        }
+        is_it
+    }
+
+    /// `E^(-t)`, as Mathematica writes it, where E is no letter of the answer; whether it stands here.
+    fn base_of_exponential(&mut self, char: char) -> bool {
+        let is_it = char == 'E' && self.rest()[1..].starts_with('^') && !self.lexicon.knows("E");
+        if is_it {
+            let span = Span::new(self.at, self.at + 1);
+            let kind = vibank_formula::expr::Kind::Constant(Constant::E);
+            self.take(1, Item::Leaf(Expr::new(kind, span)));
+        }
+        is_it
+    }
+
+    /// `theta'(t)` and `x[t]` where the time is no letter of the answer; whether that time stands here.
+    fn unknown_time(&mut self, char: char) -> bool {
+        use vibank_formula::expr::Kind::{Name, Prime};
+        let is_moving = self.tokens.last().is_some_and(|token| {
+            matches!(&token.item, Item::Leaf(leaf) if matches!(leaf.kind(), Name(_) | Prime(..)))
+        });
+        let is_time = matches!(char, '(' | '[')
+            && is_moving
+            && !self.is_spaced
+            && !self.lexicon.knows("t")
+            && ["(t)", "[t]"]
+                .iter()
+                .any(|time| self.rest().starts_with(time));
+        self.at += if is_time { "(t)".len() } else { 0 };
+        is_time
+    }
+
+    /// `m.g.h`, and `.*` for entries; whether a point stands here between factors.
+    fn product_by_point(&mut self, char: char) -> bool {
+        if char != '.' || self.tokens.is_empty() {
+            return false;
+        }
+        let next = self.rest()[1..].chars().next();
+        let begins = |next: char| next.is_alphabetic() || next == '(';
+        let is_factor = !self.is_spaced && next.is_some_and(begins);
+        let is_entrywise = next.is_some_and(|next| matches!(next, '*' | '/' | '^'));
+        if is_factor {
+            self.take(1, Item::Sign('*'));
+        } else if is_entrywise {
+            self.at += 1;
+        }
+        is_factor || is_entrywise
+    }
+
+    fn primes(&mut self) -> u8 {
+        let mut primes = 0_u8;
+        while let Some(char) = self.peek() {
+            primes = primes.saturating_add(match char {
+                '\'' => 1,
+                '"' => 2,
+                _ => break,
+            });
+            self.at += char.len_utf8();
+        }
+        if primes == 0 {
+            self.raised_primes()
+        } else {
+            primes
+        }
+    }
+
+    /// `x1''` with its subscript last, `x''_1`, where only so it is a name.
+    fn late_subscript(&mut self, letters: &mut Letters, primes: u8) {
+        let is_known = |letters: &Letters| self.lexicon.split(letters, 0, primes, false).is_ok();
+        if is_known(letters) {
+            return;
+        }
+        let (start, mut whole) = (self.at, letters.clone());
+        self.subscripts(&mut whole);
+        if self.at > start && self.lexicon.split(&whole, 0, primes, false).is_ok() {
+            *letters = whole;
+        } else {
+            self.at = start;
+        }
+    }
+
+    /// Subscripts that stand behind dots or primes.
+    fn subscripts(&mut self, letters: &mut Letters) {
+        while let Some(char) = self
+            .peek()
+            .filter(|next| matches!(next, '_' | '0'..='9' | '₀'..='₉'))
+        {
+            if char == '_' {
+                self.subscript(letters);
+            } else {
+                letters.push(char, self.at, self.at);
+                self.at += char.len_utf8();
+            }
+        }
+    }
+
+    /// A run of letters, after a Greek letter that was written as a command.
+    pub(crate) fn run(&mut self, word: Option<(&'static str, usize)>) -> Result<(), TypedError> {
+        if word.is_none() && self.imaginary_unit() {
+            return Ok(());
+        }
+        let start = word.map_or(self.at, |(_, start)| start);
+        let mut letters = Letters::default();
+        let mut dots = 0;
+        if let Some((word, at)) = word {
+            letters.push_word(word, at);
+        }
+        while let Some(char) = self.peek() {
+            let at = self.at;
+            if let Some((plain, order)) = dotted(char) {
+                letters.push(plain, at, at);
+                dots = order;
+                self.at += char.len_utf8();
+                break;
+            }
+            if let Some(order) = combining(char) {
+                dots = order;
+                self.at += char.len_utf8();
+                break;
+            }
+            if char == '_' {
+                self.subscript(&mut letters);
+                continue;
+            }
+            if char == '\\' {
+                let name: String = self.rest()[1..]
+                    .chars()
+                    .take_while(char::is_ascii_alphabetic)
+                    .collect();
+                let Some(word) = greek_word(&name) else { break };
+                letters.push_word(word, at);
+                self.at += 1 + name.len();
+                self.skip_space_before_letter();
+                continue;
+            }
+            if char == 'd' && at > start && self.differential_quotient().is_some() {
+                break;
+            }
+            if char.is_ascii_digit() && self.lexicon.ends_with_function(&letters.text, self.rest())
+            {
+                break;
+            }
+            self.at += char.len_utf8();
+            if !letters.push(char, at, at) {
+                self.at = at;
+                break;
+            }
+        }
+        if dots > 0 {
+            // A subscript may stand behind the dot, as in ẋ₁.
+            self.subscripts(&mut letters);
+        }
+        let mut end = self.at;
+        let primes = if dots > 0 { dots } else { self.primes() };
+        if dots == 0 && primes > 0 {
+            let behind = self.at;
+            self.late_subscript(&mut letters, primes);
+            end = if self.at > behind { self.at } else { end };
+        }
+        self.words(&letters, start, end, primes)
+    }
+
+    /// `j100`, as engineers write it; whether it stands here.
+    fn imaginary_unit(&mut self) -> bool {
+        let rest = self.rest();
+        let is_alone = |next: char| !(next.is_alphanumeric() || next == '_');
+        let is_it = self.manner.has_imaginary_unit
+            && (rest.starts_with(['i', 'j'])
+                && rest[1..].starts_with(|next: char| next.is_ascii_digit())
+                // As Mathematica has it.
+                || rest.starts_with('I') && rest[1..].chars().next().is_none_or(is_alone) && !self.lexicon.knows("I"));
+        if is_it {
+            let kind = vibank_formula::expr::Kind::Constant(Constant::ImaginaryUnit);
+            let span = Span::new(self.at, self.at + 1);
+            self.take(1, Item::Leaf(Expr::new(kind, span)));
+        }
+        is_it
+    }
+
+    /// Passes the space that ends a command, where a letter follows.
+    pub(crate) fn skip_space_before_letter(&mut self) {
+        let spaces = self.rest().len() - self.rest().trim_start_matches(' ').len();
+        if self.rest()[spaces..].starts_with(|next: char| next.is_ascii_alphabetic()) {
+            self.at += spaces;
+        }
+    }
+
+    /// `_n`, `_{st}`, `_\mathrm{st}`; the subscript belongs to what stands before it.
+    pub(crate) fn subscript(&mut self, letters: &mut Letters) {
+        let length = letters.text.len();
+        self.at += 1;
+        for command in ["\\mathrm", "\\text", "\\mathit"] {
+            if self.rest().starts_with(command) {
+                self.at += command.len();
+            }
+        }
+        if self.rest().starts_with('\\') {
+            let name: String = self.rest()[1..]
+                .chars()
+                .take_while(char::is_ascii_alphabetic)
+                .collect();
+            if let Some(word) = greek_word(&name) {
+                letters.push_word(word, self.at);
+                self.at += 1 + name.len();
+            }
+            letters.join_from(length);
+            return;
+        }
+        if self.peek() != Some('{') {
+            // Without braces the letter or the digits that follow; a longer word is told by its names.
+            if let Some(char) = self.peek() {
+                let at = self.at;
+                self.at += char.len_utf8();
+                if !letters.push(char, at, at) {
+                    self.at = at;
+                }
+            }
+            letters.join_from(length);
+            return;
+        }
+        self.at += 1;
+        let mut inner = 0_u32;
+        while let Some(char) = self.peek() {
+            let at = self.at;
+            self.at += char.len_utf8();
+            match char {
+                '}' if inner == 0 => break,
+                '}' => inner -= 1,
+                '{' => inner += 1,
+                _ => {}
+            }
+            if matches!(char, '{' | '}' | ',' | ' ' | '_') {
+                continue;
+            }
+            if char == '\\' {
+                let name: String = self
+                    .rest()
+                    .chars()
+                    .take_while(char::is_ascii_alphabetic)
+                    .collect();
+                self.at += name.len();
+                if let Some(word) = greek_word(&name) {
+                    letters.push_word(word, at);
+                }
+                continue;
+            }
+            if !letters.push(char, at, at) {
+                self.at = at;
+                break;
+            }
+        }
+        letters.join_from(length);
+    }
+
+    /// Pushes the words of a run.
+    pub(crate) fn words(
+        &mut self,
+        letters: &Letters,
+        start: usize,
+        end: usize,
+        primes: u8,
+    ) -> Result<(), TypedError> {
+        let next = self.rest().trim_start();
+        let has_bracket = next.starts_with(['(', '{', '[']) || next.starts_with("\\left");
+        let initial = ["(0)", "\\left(0\\right)"]
+            .iter()
+            .find(|call| next.starts_with(**call));
+        if let Some(call) = initial
+            && let Ok(pieces) =
+                self.lexicon
+                    .split(letters, end, primes.saturating_add(INITIAL), false)
+            && pieces.last().is_some_and(|piece| piece.takes_primes)
+        {
+            self.at += self.rest().len() - next.len() + call.len();
+            return self.pieces(pieces, 0);
+        }
+        let pieces = match self.lexicon.split(letters, end, primes, has_bracket) {
+            Ok(pieces) => pieces,
+            Err(_) if self.manner.values.is_some() && primes == 0 => {
+                return self.unit_or_unknown(letters, start, end);
+            }
+            Err(_) if self.is_unit(start, end) => {
+                return Err(TypedError::new(Trouble::Unit, start, end));
+            }
+            Err(stuck) => {
+                let place = letters.unknown_from(stuck).unwrap_or(start);
+                let trouble = self.lexicon.unknown(&self.text[place..end]);
+                return Err(TypedError::new(trouble, place, end));
+            }
+        };
+        self.pieces(pieces, primes)
+    }
+
+    /// Whether a run of letters that are not names is a unit: only behind a number, and of one letter only the second.
+    fn is_unit(&self, start: usize, end: usize) -> bool {
+        let run = &self.text[start..end];
+        let is_behind_number =
+            matches!(self.tokens.last(), Some(token) if matches!(token.item, Item::Number(_)));
+        let is_word = run == "s" || run.len() > 1 && run.chars().all(char::is_alphabetic);
+        is_behind_number && is_word && Unit::read(run).is_ok()
+    }
+
+    fn pieces(&mut self, pieces: Vec<Piece>, primes: u8) -> Result<(), TypedError> {
+        let count = pieces.len();
+        for (position, piece) in pieces.into_iter().enumerate() {
+            let is_last = position + 1 == count;
+            let span = Span::new(piece.start, piece.end);
+            let trouble = |trouble| TypedError { trouble, span };
+            let item = match piece.sense {
+                Sense::Leaf(leaf) => {
+                    let order = if is_last && !piece.takes_primes {
+                        primes
+                    } else {
+                        0
+                    };
+                    let named = Expr::new(leaf.kind().clone(), span);
+                    Item::Leaf(primed(named, order, span))
+                }
+                Sense::Function(_) | Sense::Power(_) if is_last && primes > 0 => {
+                    return Err(trouble(Trouble::Sign));
+                }
+                Sense::Function(function) => Item::Function(function),
+                Sense::Power(Powered::Complex | Powered::Polar)
+                    if !self.manner.has_imaginary_unit =>
+                {
+                    return Err(trouble(self.lexicon.unknown("")));
+                }
+                Sense::Power(powered) => Item::Powered(powered),
+                Sense::Imaginary if is_last && primes > 0 => return Err(trouble(Trouble::Sign)),
+                Sense::Imaginary if self.manner.has_imaginary_unit => Item::Leaf(Expr::new(
+                    vibank_formula::expr::Kind::Constant(Constant::ImaginaryUnit),
+                    span,
+                )),
+                Sense::Imaginary => return Err(trouble(self.lexicon.unknown(""))),
+                Sense::Logarithm => return Err(trouble(Trouble::Logarithm)),
+                Sense::NotAllowed => {
+                    return Err(trouble(self.lexicon.not_allowed()));
+                }
+            };
+            self.tokens.push(Token {
+                item,
+                span,
+                is_spaced: std::mem::take(&mut self.is_spaced),
+                literal: None,
+            });
+        }
+        Ok(())
+    }
+
+    /// `dx/dt`, `d²x/dt²`, `\frac{d^2 x}{dt^2}`; whether one stands here.
+    fn derivative_over_time(&mut self) -> bool {
+        let may_begin = self.rest().starts_with(['d', 'D', '∂', '\\', '('])
+            || self.rest().starts_with(char::is_alphabetic) && method(self.text, self.at).is_some();
+        if !may_begin {
+            return false;
+        }
+        let Some((leaf, end)) = self.differential_quotient() else {
+            return false;
+        };
+        let start = self.at;
+        self.at = end;
+        self.push(Item::Leaf(leaf), start);
+        true
+    }
+
+    fn differential_quotient(&self) -> Option<(Expr, usize)> {
+        let found = leibniz(self.text, self.at)
+            .or_else(|| behind(self.text, self.at))
+            .or_else(|| {
+                let is_letter = self.rest().starts_with("D(") && self.lexicon.knows("D");
+                called(self.text, self.at).filter(|_| !is_letter)
+            })
+            .or_else(|| method(self.text, self.at));
+        let (spelling, order, end) = found?;
+        Some((self.lexicon.dotted(&spelling, order)?, end))
+    }
+}
+
+/// A name with primes.
+fn primed(leaf: Expr, order: u8, span: Span) -> Expr {
+    match leaf.kind() {
+        _ if order == 0 => leaf,
+        vibank_formula::expr::Kind::Prime(inner, lower) => Expr::new(
+            vibank_formula::expr::Kind::Prime(inner.clone(), lower.saturating_add(order)),
+            span,
+        ),
+        _ => Expr::new(vibank_formula::expr::Kind::Prime(leaf, order), span),
+    }
+}
