@@ -14,7 +14,7 @@ use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use vibank_fuzz::generate::{Stream, input};
@@ -113,6 +113,47 @@ enum Extent {
     Inputs(u64),
 }
 
+/// An input that runs, and since when.
+type Running = Mutex<Option<(Instant, Vec<u8>)>>;
+
+/// Ends the program at an input that does not come to an end, and keeps the input: a missing bound of work would
+/// otherwise only show as a run that never reports.
+struct Watch(Arc<Running>);
+
+impl Watch {
+    /// Longer than any input takes on a machine a hundred times as slow.
+    const LONGEST: Duration = Duration::from_secs(120);
+
+    fn over(target: &str) -> Self {
+        let (running, target) = (Arc::new(Running::default()), target.to_owned());
+        let seen = Arc::downgrade(&running);
+        std::thread::spawn(move || {
+            while let Some(running) = seen.upgrade() {
+                Self::check(&running, &target);
+                drop(running);
+                std::thread::sleep(Duration::from_secs(1));
+            }
+        });
+        Self(running)
+    }
+
+    fn begin(&self, bytes: &[u8]) {
+        *self.0.lock().unwrap_or_else(PoisonError::into_inner) = Some((Instant::now(), bytes.to_vec()));
+    }
+
+    fn check(running: &Running, target: &str) {
+        let running = running.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((begin, bytes)) = &*running
+            && begin.elapsed() > Self::LONGEST
+        {
+            write(&folder("findings", target), "endless", bytes);
+            let longest = Self::LONGEST.as_secs();
+            eprintln!("{target}: an input takes more than {longest} s; it stands in `findings/{target}/endless`");
+            std::process::exit(1);
+        }
+    }
+}
+
 /// Runs a target; whether nothing was found.
 fn run(target: &str, extent: Extent, seed: u64) -> bool {
     let mut pool = seeds::of(target);
@@ -121,6 +162,7 @@ fn run(target: &str, extent: Extent, seed: u64) -> bool {
     let (mut inputs, mut findings, mut slowest) = (0_u64, 0, Duration::ZERO);
     let mut messages = HashSet::new();
     targets::run(target, b"");
+    let watch = Watch::over(target);
     let start = used();
     let goes_on = |inputs: u64| match extent {
         Extent::Seconds(seconds) => used() - start < Duration::from_secs(seconds),
@@ -132,6 +174,7 @@ fn run(target: &str, extent: Extent, seed: u64) -> bool {
             None => input(&pool, &mut stream),
         };
         inputs += 1;
+        watch.begin(&bytes);
         let begin = used();
         let outcome = catch_unwind(AssertUnwindSafe(|| targets::run(target, &bytes)));
         let took = used() - begin;

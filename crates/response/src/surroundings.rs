@@ -105,11 +105,12 @@ fn number_of_item(text: &str) -> Option<usize> {
         unsigned.starts_with(|next: char| next.is_ascii_digit())
     };
     let (is_label, behind) = if let Some(behind) = behind.strip_prefix(')') {
-        // Of a choice, `a) static`, letters are answers. `(2) x` may be a product, `(1) x` is the same either way.
-        let is_letter = !is_number && (behind.contains('=') || begins_value(behind));
+        // Of a choice, `a) static`, letters are answers. `(2) x` may be a product; `(1) 5 m` is the same either way.
+        let is_statement = behind.contains('=') || begins_value(behind);
         // The brackets of `1) 5 m 2) 6 m` are of several answers.
         let is_one = behind.matches('(').count() == behind.matches(')').count();
-        let is_sure = is_letter || label == '1' || is_number && open == 0;
+        let may_be_label = !is_number || label == '1';
+        let is_sure = is_number && open == 0 || may_be_label && is_statement;
         (is_one && is_sure, behind)
     } else {
         let behind = behind.strip_prefix('.').filter(|_| open == 0)?;

@@ -97,6 +97,25 @@ fn a_number_that_is_marked_is_echoed_as_it_was_read() {
     assert!(grade::echo(&solution, 0, "five").is_err());
 }
 
+#[test]
+fn an_echo_is_read_as_it_stands() {
+    let catalogue = catalogue(ITEM);
+    let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));
+    let mut count = 0;
+    for response in ["1 m", "(1) m", "(1) k/m", "(2) m", "1) sqrt(k/m)"] {
+        for place in 0..solution.template().parts.len() {
+            let Ok(echo) = grade::echo(&solution, place, response) else {
+                continue;
+            };
+            let again = grade::echo(&solution, place, &echo.reading.text);
+            let again = again.map(|again| again.reading.text);
+            assert_eq!(again, Ok(echo.reading.text), "`{response}`");
+            count += 1;
+        }
+    }
+    assert!(count >= 10, "{count}");
+}
+
 /// What reads the parts of an item and knows no key, with the places of those that it reads.
 fn stripped(template: &Template) -> (Template, Vec<usize>) {
     let places = 0..template.parts.len();

@@ -79,6 +79,19 @@ fn functions_told_by_their_own_rates_are_answered() {
 }
 
 #[test]
+fn complex_numbers_multiplied_without_end_are_answered() {
+    let catalogue = catalogue();
+    let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));
+    let power = format!("{}A+i{}", "(".repeat(20), ")^4".repeat(20));
+    let inverse = format!("{}A+i{}", "1/(t+".repeat(40), ")".repeat(40));
+    for formula in ["(A+i*t)*".repeat(60), power, inverse] {
+        let formula = formula.trim_end_matches('*');
+        let verdicts = verdicts(&solution, &format!("x1 = {formula}; x2 = {formula}"));
+        assert!(!verdicts.contains(&Verdict::Right), "{formula}");
+    }
+}
+
+#[test]
 fn what_repeats_without_end_is_answered() {
     let catalogue = catalogue();
     let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use super::Function;
 use crate::unit::Unit;
+use crate::work;
 use vibank_dynamics::numerics::Rational;
 use vibank_source::Span;
 
@@ -189,8 +190,16 @@ impl Expr {
         Arc::as_ptr(&self.0) as usize
     }
 
-    /// Calls `visit` with each node, parents first.
+    /// Calls `visit` with each node, parents first, and with a shared one as often as it stands there.
+    ///
+    /// A tree of shared nodes may have more places than time allows: the walk is paid for by the budget that is open,
+    /// and does not begin where that holds too little.
     pub fn walk<'e>(&'e self, visit: &mut impl FnMut(&'e Expr)) {
+        // A visit takes a fraction of a unit.
+        const VISITS_A_UNIT: u32 = 8;
+        if work::spend(u64::from(self.size() / VISITS_A_UNIT)).is_err() {
+            return;
+        }
         let mut open = Vec::with_capacity(self.depth() as usize + 1);
         open.push(self);
         while let Some(expr) = open.pop() {

@@ -8,6 +8,10 @@ use std::collections::BTreeMap;
 
 use crate::expr::{Constant, Expr, Function, Kind, Name, Operator};
 
+/// Nodes of a part. A motion of three coordinates has some hundred; a product of sums has each factor in it four times, so
+/// that a short response could have more nodes than memory holds.
+const MAX_SIZE: u32 = 20_000;
+
 /// A formula as its real part and, where it is not real, its imaginary part.
 #[derive(Clone, Debug)]
 pub(crate) struct Parts {
@@ -46,7 +50,7 @@ impl Parts {
     /// function of a complex number has no such formula.
     pub(crate) fn of(expr: &Expr, complex: &BTreeMap<Name, Name>) -> Option<Self> {
         let part = |inner: &Expr| Self::of(inner, complex);
-        Some(match expr.kind() {
+        let parts = match expr.kind() {
             Kind::Constant(Constant::ImaginaryUnit) => {
                 Self::new(Expr::number(0), Some(Expr::number(1)))
             }
@@ -83,7 +87,9 @@ impl Parts {
             }
             _ if is_complex(expr) => return None,
             _ => Self::new(expr.clone(), None),
-        })
+        };
+        let size = parts.imaginary.as_ref().map_or(0, Expr::size);
+        (parts.real.size().max(size) <= MAX_SIZE).then_some(parts)
     }
 
     fn new(real: Expr, imaginary: Option<Expr>) -> Self {
