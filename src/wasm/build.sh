@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds the grader of the self-check page from the sources of the library: a WebAssembly module, deflated.
+# Builds the grader of the self-check page from the sources of the library: a WebAssembly module, taken apart and deflated.
 # Needs the target wasm32-unknown-unknown, Python, and zopfli, which deflates better than what a page could afford to run;
 # with binaryen's wasm-opt the module becomes a tenth smaller.
 # With `--fresh`, the module alone, for tests: without what panics say, but neither made smaller nor committed.
@@ -27,7 +27,8 @@ if command -v wasm-opt >/dev/null; then
     module="$module.small"
 fi
 python3 src/wasm/order.py "$module" "$module.ordered"
-zopfli --deflate --i60 -c "$module.ordered" >src/wasm/grader.deflate
+python3 src/wasm/streams.py "$module.ordered" "$module.streams"
+zopfli --deflate --i60 -c "$module.streams" >src/wasm/grader.deflate
 # What it was built from: `cargo test` says when that has changed since.
 src/wasm/digest.sh >src/wasm/grader.sources
 wc -c src/wasm/grader.deflate

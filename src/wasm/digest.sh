@@ -16,5 +16,5 @@ fi
     files | while read -r file; do
         awk '/^#\[cfg\(test\)\]$/ { held = 1; next } held { held = 0; if (/\{$/) exit; next } { print }' "$file"
     done
-    cat Cargo.lock src/wasm/build.sh src/wasm/{module,snip,order}.py
+    cat Cargo.lock src/wasm/build.sh src/wasm/{module,snip,order,streams}.py
 } | sha256sum | cut -c 1-64

@@ -17,7 +17,7 @@
 //! Texts are HTML with MathML, whatever they say: nothing in an item or a response becomes markup.
 //! A request that cannot be answered gives `{"error": …}`.
 //!
-//! In the module (`grader.deflate`, built and deflated by `build.sh`) the same is behind four functions on bytes; see `memory.rs`.
+//! In the module (`grader.deflate`, built, taken apart and deflated by `build.sh`) the same is behind four functions on bytes; see `memory.rs`.
 
 mod json;
 #[cfg(target_arch = "wasm32")]

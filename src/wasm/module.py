@@ -1,4 +1,4 @@
-"""The parts of a WebAssembly module: what `snip.py` and `order.py` read and write."""
+"""The parts of a WebAssembly module: what `snip.py`, `order.py` and `streams.py` read and write."""
 
 import sys
 
@@ -48,6 +48,34 @@ def number(value):
         out.append(byte | 0x80)
 
 
+def operands(reader, op):
+    """Reads over what an instruction has beside its opcode: the places of its numbers, or one of all its bytes."""
+    if op in (0x00, 0x01, 0x05, 0x0B, 0x0F, 0x1A, 0x1B, 0xD1) or 0x45 <= op <= 0xC4:
+        return ()
+    begin = reader.at
+    if op == 0x0E:
+        reader.skip_numbers(reader.number() + 1)
+    elif op == 0x1C:
+        reader.bytes(reader.number())
+    elif op == 0x43:
+        reader.bytes(4)
+    elif op == 0x44:
+        reader.bytes(8)
+    elif op == 0xFC:
+        further = reader.number()
+        reader.skip_numbers({8: 2, 9: 1, 10: 2, 11: 1, 12: 2, 13: 1, 14: 2, 15: 1, 16: 1, 17: 1}[further] if further > 7 else 0)
+    elif op in (0x02, 0x03, 0x04, 0x0C, 0x0D, 0x10, 0x12, 0xD0, 0xD2) or 0x20 <= op <= 0x26 or 0x3F <= op <= 0x42:
+        reader.skip_numbers()
+    elif op in (0x11, 0x13) or 0x28 <= op <= 0x3E:
+        reader.skip_numbers()
+        middle = reader.at
+        reader.skip_numbers()
+        return ((begin, middle), (middle, reader.at))
+    else:
+        sys.exit(f"this instruction is not known: {op:#04x}")
+    return ((begin, reader.at),)
+
+
 def calls(reader, end, is_expression=False):
     """The places of function indices in code, as (start, stop, index)."""
     found, depth = [], 0
@@ -55,38 +83,14 @@ def calls(reader, end, is_expression=False):
         op = reader.byte()
         if op in (0x02, 0x03, 0x04):
             depth += 1
-            reader.skip_numbers()
         elif op == 0x0B:
             if is_expression and depth == 0:
                 return found
             depth -= 1
-        elif op in (0x10, 0x12, 0xD2):
-            start = reader.at
-            index = reader.number()
-            found.append((start, reader.at, index))
-        elif op in (0x11, 0x13):
-            reader.skip_numbers(2)
-        elif op == 0x0E:
-            reader.skip_numbers(reader.number() + 1)
-        elif op == 0x1C:
-            reader.bytes(reader.number())
-        elif op in (0x0C, 0x0D, 0x41, 0x42, 0xD0) or 0x20 <= op <= 0x26:
-            reader.skip_numbers()
-        elif 0x28 <= op <= 0x3E:
-            reader.skip_numbers(2)
-        elif op in (0x3F, 0x40):
-            reader.byte()
-        elif op == 0x43:
-            reader.bytes(4)
-        elif op == 0x44:
-            reader.bytes(8)
-        elif op == 0xFC:
-            further = reader.number()
-            reader.skip_numbers({8: 2, 9: 1, 10: 2, 11: 1, 12: 2, 13: 1, 14: 2, 15: 1, 16: 1, 17: 1}[further] if further > 7 else 0)
-        elif op in (0x00, 0x01, 0x05, 0x0F, 0x1A, 0x1B, 0xD1) or 0x45 <= op <= 0xC4:
-            pass
-        else:
-            sys.exit(f"this instruction is not known: {op:#04x}")
+        places = operands(reader, op)
+        if op in (0x10, 0x12, 0xD2):
+            start, stop = places[0]
+            found.append((start, stop, Reader(reader.data, start).number()))
     return found
 
 

@@ -1,7 +1,8 @@
 """Puts functions of a WebAssembly module that are alike side by side, where a deflater finds that, and drops their names.
 
 What is compiled from one generic function for several types is nearly the same. The functions that are called most come
-first, since the first 128 take one byte to call; each further one is that which shares most with those just before it.
+first, since the first 128 take one byte to call; each further one is that whose opcodes are most like those just before it,
+since opcodes travel by themselves (`streams.py`) and are the longest stream.
 
     order.py MODULE OUT
 """
@@ -9,23 +10,35 @@ first, since the first 128 take one byte to call; each further one is that which
 import collections
 import sys
 
-from module import Reader, calls, number, section, sections
+from module import Reader, calls, number, operands, section, sections
 
 # A deflater looks back over 32 kB.
 WINDOW = 30_000
-# Pieces of so many bytes are looked for: of 3 to 12, six left the module smallest.
-PIECE = 6
+# Pieces of so many opcodes are looked for: eight leave the module as small.
+PIECE = 12
 # What more functions share than this is near at hand anywhere.
 COMMON = 400
 
 
-def pieces(data, bodies):
+def opcodes(data, begin, end):
+    """The opcodes of a function."""
+    reader, found = Reader(data, begin), bytearray()
+    for _ in range(reader.number()):
+        reader.number()
+        reader.byte()
+    while reader.at < end:
+        found.append(reader.byte())
+        operands(reader, found[-1])
+    return bytes(found)
+
+
+def pieces(codes):
     """For each function the pieces that it shares with others, and for each piece its functions."""
     holders = collections.defaultdict(list)
-    for index, (begin, end, _) in enumerate(bodies):
-        for piece in {data[at : at + PIECE] for at in range(begin, end - PIECE + 1)}:
+    for index, code in enumerate(codes):
+        for piece in {code[at : at + PIECE] for at in range(len(code) - PIECE + 1)}:
             holders[piece].append(index)
-    shared, of = [], [[] for _ in bodies]
+    shared, of = [], [[] for _ in codes]
     for functions in holders.values():
         if 1 < len(functions) <= COMMON:
             for index in functions:
@@ -34,14 +47,14 @@ def pieces(data, bodies):
     return of, shared
 
 
-def alike(data, bodies, first):
+def alike(codes, first):
     """All functions, those of `first` first, each next to what it is like."""
-    of, shared = pieces(data, bodies)
-    sizes = [end - begin for begin, end, _ in bodies]
+    of, shared = pieces(codes)
+    sizes = [len(code) for code in codes]
     # Between the share of a function that is known and the number of its pieces that are.
     weights = [(size + 8) ** -0.75 for size in sizes]
-    known, seen = [0] * len(bodies), [0] * len(shared)
-    window, order, left = collections.deque(), [], set(range(len(bodies)))
+    known, seen = [0] * len(codes), [0] * len(shared)
+    window, order, left = collections.deque(), [], set(range(len(codes)))
 
     def note(index, by):
         """Lets a function into the window, or out of it."""
@@ -118,7 +131,8 @@ def main():
     found, _ = sections(data)
     bodies = functions(data, next(begin for kind, begin, _ in found if kind == 10))
     called = collections.Counter(index for _, _, places in bodies for _, _, index in places)
-    order = alike(data, bodies, [index for index, _ in called.most_common(128)])
+    codes = [opcodes(data, begin, end) for begin, end, _ in bodies]
+    order = alike(codes, [index for index, _ in called.most_common(128)])
     new = {old: at for at, old in enumerate(order)}
 
     out = bytearray(data[:8])

@@ -247,7 +247,7 @@ class Form {
 
 async function begin() {
   if (!globalThis.DecompressionStream || !globalThis.WebAssembly) throw new Error("too old");
-  const code = unpacked("grader").then((bytes) => WebAssembly.compile(bytes));
+  const code = unpacked("grader").then((bytes) => WebAssembly.compile(joined(bytes)));
   document.fonts.add(new FontFace("Vibank Math", carried("font")));
   const items = await unpacked("items");
   const grader = new Grader(code, items);

@@ -49,6 +49,63 @@ async function unpacked(id) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
+/** A WebAssembly module out of the streams that src/wasm/streams.py took it apart into. */
+function joined(bytes) {
+  const places = [0];
+  /** The next number of a stream. */
+  const number = (stream) => {
+    for (let value = 0, shift = 0; ; shift += 7) {
+      const byte = bytes[places[stream]++];
+      value |= (byte & 127) << shift;
+      if (byte < 128) return value;
+    }
+  };
+  const functions = number(0);
+  const forms = Array.from({ length: number(0) }, () => number(0));
+  const lengths = Array.from({ length: 3 + 2 * forms.length }, () => number(0));
+  let begin = places[0];
+  lengths.forEach((length, stream) => {
+    places[stream] = begin;
+    begin += length;
+  });
+
+  // How long something is stands before it, in as many bytes as are kept for that.
+  const out = new Uint8Array(bytes.length + 3 * functions + 16);
+  const put = (place, value, width) => {
+    for (let left = width; left > 0; left--, value >>>= 7) out[place++] = (value & 127) | (left > 1 ? 128 : 0);
+  };
+  out.set(bytes.subarray(places[0], places[0] + lengths[0]));
+  const code = lengths[0] + 6;
+  out[code - 6] = 10;
+  put(code, functions, 4);
+  let to = code + 4;
+  for (let left = functions, next = places[2]; left > 0; left--) {
+    const body = (to += 3);
+    // Before its opcodes a function has its variables.
+    for (let op = 256, depth = 1; ; op = bytes[next++]) {
+      if (op < 256) out[to++] = op;
+      const form = forms[op];
+      let stream = 3 + 2 * op;
+      if (form < 3) {
+        for (let count = form; count > 0; count--, stream++) {
+          let from = places[stream];
+          do out[to++] = bytes[from];
+          while (bytes[from++] > 127);
+          places[stream] = from;
+        }
+      } else {
+        for (let count = number(stream + 1); count > 0; count--) out[to++] = bytes[places[stream]++];
+      }
+      if (op > 1 && op < 5) depth++;
+      else if (op === 11 && --depth === 0) break;
+    }
+    put(body - 3, to - body, 3);
+  }
+  put(code - 5, to - code, 5);
+  out.set(bytes.subarray(places[1], places[1] + lengths[1]), to);
+  return out.subarray(0, to + lengths[1]);
+}
+
 /** The marking program: JSON in, JSON out. */
 class Grader {
   constructor(module, items) {

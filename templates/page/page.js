@@ -682,7 +682,7 @@ async function begin() {
     element("stage").textContent = say("too_old");
     return;
   }
-  const code = unpacked("grader").then((bytes) => WebAssembly.compile(bytes));
+  const code = unpacked("grader").then((bytes) => WebAssembly.compile(joined(bytes)));
   document.fonts.add(new FontFace("Vibank Math", carried("font")));
   const items = await unpacked("items");
   const first = new TextDecoder().decode(items.subarray(0, items.indexOf(10)));

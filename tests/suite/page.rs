@@ -28,7 +28,7 @@ impl Sandbox {
     fn start(lines: &str) -> Self {
         let bytes = fresh().unwrap_or_else(|| {
             let deflated = fs::read("src/wasm/grader.deflate").expect("the module is committed");
-            miniz_oxide::inflate::decompress_to_vec(&deflated).expect("it is deflated")
+            joined(&miniz_oxide::inflate::decompress_to_vec(&deflated).expect("it is deflated"))
         });
         let mut config = Config::default();
         // Formulas nest: the depth that a browser allows.
@@ -72,6 +72,82 @@ impl Sandbox {
             .expect("given back");
         String::from_utf8(reply).expect("JSON")
     }
+}
+
+/// A module out of the streams of `src/wasm/streams.py`, as the page joins them.
+fn joined(bytes: &[u8]) -> Vec<u8> {
+    /// What follows an opcode is bytes, and their count is in the second of its streams.
+    const BYTES: usize = 3;
+    /// In place of an opcode, for the variables of a function.
+    const VARIABLES: usize = 256;
+    fn number(from: &mut &[u8]) -> usize {
+        let (mut value, mut shift) = (0, 0);
+        loop {
+            let byte = from.split_off_first().expect("a number goes on");
+            value |= usize::from(byte & 0x7f) << shift;
+            shift += 7;
+            if *byte < 0x80 {
+                return value;
+            }
+        }
+    }
+    fn put(out: &mut Vec<u8>, mut value: usize) {
+        while value >= 0x80 {
+            out.push(value as u8 | 0x80);
+            value >>= 7;
+        }
+        out.push(value as u8);
+    }
+    let rest = &mut &bytes[..];
+    let functions = number(rest);
+    let count = number(rest);
+    let forms: Vec<usize> = (0..count).map(|_| number(rest)).collect();
+    let lengths: Vec<usize> = (0..3 + 2 * count).map(|_| number(rest)).collect();
+    let mut streams: Vec<&[u8]> = lengths
+        .iter()
+        .map(|length| rest.split_off(..*length).expect("all of a stream"))
+        .collect();
+    assert!(rest.is_empty(), "nothing stands after the streams");
+
+    let mut code = Vec::new();
+    put(&mut code, functions);
+    for _ in 0..functions {
+        let (mut body, mut op, mut depth) = (Vec::new(), VARIABLES, 1);
+        while depth > 0 {
+            let [first, second] = [3 + 2 * op, 4 + 2 * op];
+            if forms[op] == BYTES {
+                let count = number(&mut streams[second]);
+                body.extend(streams[first].split_off(..count).expect("all of it"));
+            } else {
+                for stream in [first, second].into_iter().take(forms[op]) {
+                    let value = streams[stream];
+                    number(&mut streams[stream]);
+                    body.extend(&value[..value.len() - streams[stream].len()]);
+                }
+            }
+            let next = streams[2].split_off_first().expect("a function goes on");
+            body.push(*next);
+            op = usize::from(*next);
+            match op {
+                0x02..=0x04 => depth += 1,
+                0x0b => depth -= 1,
+                _ => {}
+            }
+        }
+        put(&mut code, body.len());
+        code.extend(body);
+    }
+    let [before, after] = [streams[0], streams[1]];
+    assert!(
+        streams.iter().skip(2).all(|stream| stream.is_empty()),
+        "all that was taken apart is joined"
+    );
+    let mut out = before.to_vec();
+    out.push(10);
+    put(&mut out, code.len());
+    out.extend(code);
+    out.extend(after);
+    out
 }
 
 /// Requests about a question: everything that a page asks, with right, wrong and unreadable responses.
@@ -311,6 +387,7 @@ fn is_current() -> bool {
         "src/wasm/module.py",
         "src/wasm/snip.py",
         "src/wasm/order.py",
+        "src/wasm/streams.py",
     ] {
         hash.update(content(Path::new(file)));
     }
