@@ -96,10 +96,14 @@ impl Known {
 
     /// The sheets that students have already, by identity, as far as they follow from the seed or secret of the plan.
     ///
-    /// Manifests of earlier runs count where later ones know nothing of a student.
-    pub(crate) fn fixed(&self, plan: &Plan<'_>, students: &[Student]) -> BTreeMap<String, Fixed> {
-        /// Attempts that a run makes for a student.
-        const MAX_TRIES: u64 = 400;
+    /// Manifests of earlier runs count where later ones know nothing of a student. A run tries at most `tries` seeds for
+    /// one.
+    pub(crate) fn fixed(
+        &self,
+        plan: &Plan<'_>,
+        students: &[Student],
+        tries: u64,
+    ) -> BTreeMap<String, Fixed> {
         let mut fixed = BTreeMap::new();
         for held in self.manifests.values().chain(&self.earlier) {
             let mut by_id = BTreeMap::new();
@@ -117,12 +121,12 @@ impl Known {
                 let found = match by_id.get(student.id.as_str()) {
                     Some((code, sheet, seat)) => {
                         // The first version drew variants by the place in the list.
-                        let mut variants = (0..MAX_TRIES)
+                        let mut variants = (0..tries)
                             .flat_map(|attempt| [own(attempt), plan.variant(sheet.place, attempt)]);
                         let variant = variants.find(|variant| variant.to_string() == **code);
                         variant.map(|variant| (variant, *sheet, *seat != student.seat))
                     }
-                    None if has_pseudonyms => (0..MAX_TRIES).map(own).find_map(|variant| {
+                    None if has_pseudonyms => (0..tries).map(own).find_map(|variant| {
                         let sheet = held.sheets.get(&variant.to_string())?;
                         Some((variant, sheet, false))
                     }),

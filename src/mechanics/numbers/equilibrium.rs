@@ -55,12 +55,11 @@ impl Numbers {
             if is_zero && step > 0 {
                 positions.push(angle.hi());
             }
-            if let Some((before, old)) = last.filter(|(_, old)| old * force < 0.0 && !is_zero) {
+            if let Some((before, _)) = last.filter(|(_, old)| old * force < 0.0 && !is_zero) {
                 let force = |at: f64| {
                     self.force_at(&[Precise::exact(at)])
                         .map_or(f64::NAN, |own| own.0)
                 };
-                let _ = old;
                 positions.extend(bracketed_root(force, before, angle.hi(), 0.0).ok());
             }
             last = (!is_zero).then_some((angle.hi(), force));
