@@ -114,6 +114,7 @@ impl HyperDual {
 }
 
 impl Scalar for HyperDual {
+    // Of the value, as in binary64: searches stop by it, and the work of a step is weighed by it.
     const ROUNDOFF: f64 = f64::EPSILON / 2.0;
 
     fn of(precise: &Precise) -> Self {
