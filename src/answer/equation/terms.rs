@@ -35,6 +35,7 @@ pub(crate) struct Coefficients {
 const DIFFERENT: f64 = 1e-9;
 /// A small motion, at which a sine is its angle to less than [`DIFFERENT`]; how far it may be from it all the same.
 const SMALL: f64 = 1e-5;
+// A slope over so small a step has lost five of its sixteen digits.
 const NEARLY: f64 = 1e-6;
 
 /// The terms that equations in these unknowns can have.
