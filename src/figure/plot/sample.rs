@@ -40,6 +40,7 @@ const MAX_DEPTH: u32 = 9;
 /// No curve is asked more often.
 const MAX_CALLS: u32 = 20_000;
 /// Step of the differences that give directions, as a share of the range.
+// Rounding leaves ten digits of a direction; print shows three.
 const STEP: f64 = 1e-6;
 /// No joined piece spans more of the pieces that were found.
 const MAX_JOIN_LENGTH: usize = 16;
@@ -103,6 +104,7 @@ impl<'a> Coarse<'a> {
             let other = self.at(variable + step)?;
             Some([(other[0] - at[0]) / step, (other[1] - at[1]) / step])
         };
+        // Beyond the range the function may have no value.
         let is_inside = variable + step <= self.range[1];
         let direction = is_inside.then(|| difference(step)).flatten();
         Some(Knot {
@@ -156,6 +158,7 @@ impl Refined<'_, '_> {
                 outside = middle;
             }
         }
+        // Counted like the rest: a function that comes and goes often asks for many edges.
         self.calls += HALVINGS;
         let knot = self.coarse.knot(inside)?;
         (knot.variable != from.variable).then_some(knot)
