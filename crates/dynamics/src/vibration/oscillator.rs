@@ -109,6 +109,7 @@ impl Oscillator {
         if scaled.damping < MAX_DAMPING {
             Ok(Self {
                 mass,
+                // A negative zero is no negative damping, and must not turn a sign later on.
                 damping: damping.abs(),
                 stiffness,
                 scaled,

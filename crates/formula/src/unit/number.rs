@@ -26,6 +26,7 @@ impl Digits {
             self.exponent -= i32::from(after_point);
             return;
         }
+        // Rounded up, 38 nines would take one digit more.
         if self.dropped == 0
             && digit >= 5
             && self.significand + 1 < 10_u128.pow(Decimal::MAX_DIGITS)

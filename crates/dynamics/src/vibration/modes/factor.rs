@@ -191,5 +191,6 @@ fn largest_above<T: Real>(rest: &DMatrix<T>, left: &[usize], floor: &[f64]) -> O
     left.iter()
         .copied()
         .filter(|&j| diagonal(j) > floor[j])
+        // Of equal pivots the first, where the maximum alone would take the last.
         .max_by(|&i, &j| diagonal(i).total_cmp(&diagonal(j)).then(j.cmp(&i)))
 }

@@ -151,6 +151,7 @@ impl<T: Real> Approx<T> {
         }
         let root = self.value.sqrt();
         let size = root.to_f64();
+        // The root of a square stays exact, so that `floor(sqrt(4))` is no doubt.
         if self.bound == 0.0 && root.exact_product(root) == (self.value, true) {
             return Ok(Self::certain(root));
         }

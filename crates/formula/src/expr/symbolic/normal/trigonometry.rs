@@ -41,6 +41,7 @@ pub(crate) fn call(
             _ => sign,
         }));
     }
+    // By the sign of the leading term, so that sin(a - b) and -sin(b - a) come to one form.
     let is_negative = argument
         .leading()
         .is_some_and(|(_, leading)| leading.is_negative());
