@@ -74,6 +74,7 @@ impl Coefficients {
                 let moved = value(program, &zero, &mut room);
                 zero[slot] = Precise::exact(0.0);
                 let difference = moved? - rest;
+                // Over a step of 1e-5 the rounding of a large rest would pass for a slope.
                 let is_rounding = difference.abs() <= 1e-13 * rest.abs();
                 Some(if is_rounding { 0.0 } else { difference / size })
             };

@@ -308,6 +308,7 @@ impl Scaled {
         let square = if self.damping < LARGE_DAMPING {
             Dd::product(self.damping, self.damping)
         } else {
+            // The square of the limit, of which 4 m k is below the last digit as well.
             Dd::from(1e60)
         };
         let product = Dd::product(4.0 * self.mass, self.stiffness);

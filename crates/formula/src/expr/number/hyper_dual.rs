@@ -193,6 +193,7 @@ impl Scalar for HyperDual {
 
     fn power(&self, exponent: &Self, _doubt: &mut Doubt) -> Result<Self, Undefined> {
         let whole = exponent.value;
+        // Also of numbers below zero, which have no other powers.
         if exponent.is_constant() && whole == whole.round() && whole.abs() < 1e9 {
             return self.power_whole(whole as i32);
         }
