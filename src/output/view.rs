@@ -206,6 +206,7 @@ impl<'p> View<'p> {
             group: self.placed(self.run.plain_name(&student.group)),
             seat: self.placed(&self.run.seat(&student)),
             extra_time: self.placed(self.run.plain_name(&student.extra_time)),
+            // A key is read by whoever marks.
             type_size: student.type_size.filter(|_| self.kind != PageKind::Key),
             count: format!(
                 "{}{}",

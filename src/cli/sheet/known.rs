@@ -165,6 +165,7 @@ impl Known {
             .chain(self.manifests.get_key_value(&own).map(|(own, _)| own))
         {
             for (file, digest) in self.manifests[name].all_files() {
+                // A file that somebody has written into is theirs by now.
                 if made.contains(file) || !out.is_intact(file, digest) {
                     continue;
                 }
@@ -190,6 +191,7 @@ impl Held {
     fn read(out: &Folder, name: &str) -> Option<Self> {
         let mut lines = BufReader::new(out.open(name).ok()?).lines();
         let head = lines.next()?.ok()?;
+        // The first line ends in the open list of sheets, and is made whole to be read alone.
         let head: Head = serde_json::from_str(&format!("{head}]}}")).ok()?;
         let mut held = Self {
             inputs: head.inputs,
@@ -270,6 +272,8 @@ impl Alike<'_> {
         let sheet = &self.0.iter().find(|held| same(held))?.sheets[&entry.code];
         let mut files = sheet.files.iter();
         let is_intact =
+            // A sheet without files of its own stands in files of the whole run, which are made anew in any
+            // case.
             !sheet.files.is_empty() && files.all(|(file, digest)| out.is_intact(file, digest));
         is_intact.then_some(&sheet.files)
     }
