@@ -44,6 +44,7 @@ pub enum TextbookError {
 
 /// What follows one another in a chapter.
 enum Piece<'t> {
+    /// Its level from 1, and its line as a whole.
     Heading(u8, &'t str),
     Text(&'t str),
     Picture {
@@ -109,13 +110,13 @@ impl Pages {
         let (mut pieces, mut examples) = (Vec::new(), 0);
         for (line, piece) in pieces_of(text)? {
             let view = match piece {
-                Piece::Heading(1, words) => {
-                    title = self.line(line, words)?;
+                Piece::Heading(1, text) => {
+                    title = self.line(line, text)?;
                     continue;
                 }
-                Piece::Heading(level, words) => PieceView {
+                Piece::Heading(level, text) => PieceView {
                     level: Some(level),
-                    text: self.line(line, words)?,
+                    text: self.line(line, text)?,
                     ..PieceView::default()
                 },
                 Piece::Text(text) => PieceView {
@@ -153,9 +154,15 @@ impl Pages {
         Ok(self.writer.texts(&[shown]))
     }
 
-    /// Words on one line, written.
+    /// Words on one line, or a heading without its rank, written.
     fn line(&self, line: usize, words: &str) -> Result<String, TextbookError> {
-        Ok(self.writer.line(&read(line, words)?))
+        let mut blocks = read(line, words)?.blocks().to_vec();
+        for block in &mut blocks {
+            if let Block::Heading { content, .. } = block {
+                *block = Block::Paragraph(std::mem::take(content));
+            }
+        }
+        Ok(self.writer.line(&Document::of(blocks, Vec::new())))
     }
 
     fn id(&self, item: &str) -> String {
@@ -255,10 +262,8 @@ fn pieces_of(text: &str) -> Result<Vec<(usize, Piece<'_>)>, TextbookError> {
 /// A heading, a picture or an example, where the line is one.
 fn own_line(line: &str, number: usize) -> Result<Option<Piece<'_>>, TextbookError> {
     let level = line.bytes().take_while(|byte| *byte == b'#').count();
-    if let Some(words) = line.get(level..).and_then(|rest| rest.strip_prefix(' '))
-        && (1..=6).contains(&level)
-    {
-        return Ok(Some(Piece::Heading(level as u8, words)));
+    if (1..=6).contains(&level) && line[level..].starts_with(' ') {
+        return Ok(Some(Piece::Heading(level as u8, line)));
     }
     let Some(inner) = line.strip_prefix("<!-- ") else {
         return Ok(None);

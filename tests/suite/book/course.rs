@@ -30,6 +30,18 @@ fn page(name: &str, text: &str) -> String {
     out
 }
 
+/// Where to go on from a chapter: its exercises, and the chapter behind it.
+fn onward(place: usize) -> &'static str {
+    const LINES: [&str; 5] = [
+        "[All exercises of this chapter](../exercises/ch1.md) · next: [free oscillations](2-free.md)",
+        "[All exercises of this chapter](../exercises/ch2.md) · next: [damped oscillations](3-damped.md)",
+        "[All exercises of this chapter](../exercises/ch3.md) · next: [forced oscillations](4-forced.md)",
+        "[All exercises of this chapter](../exercises/ch4.md) · next: [several degrees of freedom](5-several.md)",
+        "[All exercises of this chapter](../exercises/ch5.md)",
+    ];
+    LINES.get(place).copied().unwrap_or_default()
+}
+
 /// What a line of its own stands for.
 fn made(directive: &str) -> String {
     match directive.split_once(' ') {
@@ -44,9 +56,13 @@ fn made(directive: &str) -> String {
 fn the_pages_are_those_of_the_chapters() {
     let chapters = vibank::bank::course();
     assert_eq!(chapters.len(), 6);
-    for (path, text) in &chapters {
+    for (place, (path, text)) in chapters.iter().enumerate() {
         let name = path.rsplit('/').next().unwrap();
-        generated::compare(format!("{FOLDER}/{name}"), &page(name, text));
+        let page = format!("{}\n{}", page(name, text), onward(place));
+        generated::compare(
+            format!("{FOLDER}/{name}"),
+            &format!("{}\n", page.trim_end()),
+        );
     }
     let pages = fs::read_dir(FOLDER).unwrap();
     let strays: Vec<PathBuf> = pages

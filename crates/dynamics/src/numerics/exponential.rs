@@ -197,18 +197,18 @@ fn exact_powers(generator: &DMatrix<Dd>, base: f64, squarings: i32) -> Vec<DMatr
 fn taylor(matrix: &DMatrix<Dd>) -> DMatrix<Dd> {
     // Eighteen products and four squarings in place of the thirty products that the series of the whole would
     // take.
-    const SIXTEENTHS: i32 = 4;
+    const HALVINGS: i32 = 4;
     // The next term is at most (1/16)^19/19! = 1e-40, less than 2^-106 also after four squarings.
     const TERMS: i32 = 18;
     let size = matrix.nrows();
-    let small = matrix.map(|x| x.scale(-SIXTEENTHS));
+    let small = matrix.map(|x| x.scale(-HALVINGS));
     let one = DMatrix::from_fn(size, size, |i, j| if i == j { Dd::ONE } else { Dd::ZERO });
     let mut sum = one.clone();
     for order in (1..=TERMS).rev() {
         let inner = product(&small, &sum).map(|x| x / f64::from(order));
         sum = inner.zip_map(&one, |x, y| x + y);
     }
-    for _ in 0..SIXTEENTHS {
+    for _ in 0..HALVINGS {
         sum = product(&sum, &sum);
     }
     sum
