@@ -185,6 +185,12 @@ impl Run {
         Self { names, ..self }
     }
 
+    /// The same on paper of this size.
+    #[must_use]
+    pub fn with_paper(self, paper: Paper) -> Self {
+        Self { paper, ..self }
+    }
+
     /// The same with room for the seats of these students, if they have some.
     #[must_use]
     pub fn with_seats(self, students: &[Student]) -> Self {
