@@ -179,6 +179,12 @@ impl Run {
         }
     }
 
+    /// The same on this paper.
+    #[must_use]
+    pub fn with_paper(self, paper: Paper) -> Self {
+        Self { paper, ..self }
+    }
+
     /// The same with names printed in this way.
     #[must_use]
     pub fn with_names(self, names: Names) -> Self {
