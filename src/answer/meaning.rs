@@ -211,6 +211,7 @@ impl Meaning {
 
     /// Whether a formula keeps its meaning at complex values of its names, with those that are substituted for them.
     pub(crate) fn is_analytic(&self, expr: &Expr, replaced: &BTreeMap<Name, Expr>) -> bool {
+        // To give up is safe: the formula is then compared at real points alone.
         const MAX_NAMES: usize = 200;
         let mut open = vec![expr.clone()];
         let mut seen: Vec<Name> = Vec::new();
@@ -267,6 +268,7 @@ impl Meaning {
 
     /// A formula with all names substituted that an answer may not use.
     pub(crate) fn expanded(&self, expr: &Expr, keep: &[Name]) -> Expr {
+        // Each step goes down one level of definitions, which have no cycles.
         const MAX_STEPS: usize = 20;
         let mut result = expr.clone();
         for _ in 0..MAX_STEPS {

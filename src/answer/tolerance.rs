@@ -77,6 +77,7 @@ impl Tolerance {
         evaluation: &Evaluation<'_>,
     ) -> f64 {
         if self.0.is_empty() {
+            // Half a per cent: the most that rounding to three figures takes, of numbers that begin with 100.
             return 0.005 * power_of_ten(3 - figures as i32) * spread();
         }
         let width = |term: &Term| match term {

@@ -56,6 +56,7 @@ impl Catalogue {
             .into_iter()
             .map(|(path, text)| Source::new(path, text))
             .collect();
+        // Findings come in the same order, whatever the one in which a disk lists its files.
         sources.sort_by(|a, b| a.path.cmp(&b.path));
         let mut findings = Vec::new();
         let mut catalogue = Self::default();

@@ -38,7 +38,7 @@ pub use compiled::{Compiled, CompiledError};
 #[cfg(feature = "render")]
 pub use corrected::CorrectionError;
 #[cfg(feature = "render")]
-pub use embedded::embedded;
+pub use embedded::{course, embedded};
 pub use folder::{BankFile, Chapter, FORMAT};
 pub use identity::{ItemId, Revision};
 #[cfg(feature = "render")]

@@ -232,6 +232,7 @@ fn fix(entries: &mut Vec<Entry>, key: &str) {
 fn fixed(text: &str) -> Option<(String, String)> {
     let (number, unit) = text.trim().split_once(char::is_whitespace)?;
     let (number, unit) = (number.to_owned(), unit.trim().to_owned());
+    // What is a formula as well stays one.
     let is_fixed = Expr::read(text).is_err()
         && Quantity::parse(text).is_ok()
         && Expr::read(&format!("{number}[{unit}]")).is_ok();

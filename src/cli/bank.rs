@@ -16,7 +16,7 @@ use super::report::Reporter;
 use super::{Failure, Outcome, file_kind, files};
 
 /// The options that select the bank a command works on.
-#[derive(clap::Args)]
+#[derive(clap::Args, Default)]
 pub(crate) struct BankArgument {
     /// A folder with a bank of your own, in place of the one that comes with the program.
     #[arg(long, value_name = "FOLDER")]

@@ -26,6 +26,7 @@ pub(crate) fn read(path: &Path) -> Result<String, Failure> {
         Failure::new(format!("`{}` is not UTF-8 at line {line}", path.display()))
             .help("save the file as UTF-8")
     })?;
+    // Excel writes the mark before UTF-8, where it would become part of the first heading.
     Ok(text
         .strip_prefix('\u{feff}')
         .map_or_else(|| text.clone(), str::to_owned))
@@ -37,6 +38,7 @@ pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
         |error: io::Error| Failure::new(format!("cannot read `{}`: {error}", path.display()));
     let file = open(path)?;
     let mut bytes = Vec::new();
+    // One byte more tells a file that is too large from one that fits exactly.
     file.take(LIMIT + 1).read_to_end(&mut bytes).map_err(fail)?;
     if bytes.len() as u64 > LIMIT {
         return Err(Failure::new(format!(
@@ -94,8 +96,10 @@ pub(crate) fn write(path: &Path, content: &[u8], access: Access) -> Result<(), F
         .filter(|folder| !folder.as_os_str().is_empty())
         .unwrap_or(Path::new("."));
     fs::create_dir_all(folder).map_err(fail)?;
+    // In the same folder, since a file is moved in one step within a file system only.
     let mut draft = new_draft(folder, &file_name(path), access).map_err(fail)?;
     draft.write_all(content).map_err(fail)?;
+    // Else a crash after the move may leave the new name with nothing behind it.
     draft.as_file().sync_data().map_err(fail)?;
     draft
         .persist(path)
@@ -116,6 +120,7 @@ pub(crate) fn new_draft(
     {
         use std::os::unix::fs::PermissionsExt;
         let mode = match access {
+            // Less what the user's mask takes off.
             Access::Usual => 0o666,
             Access::Private => 0o600,
         };

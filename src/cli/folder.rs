@@ -95,6 +95,8 @@ impl Folder {
         make_private(folder).map_err(fail)?;
         let own = path.file_name().unwrap_or_default().to_string_lossy();
         let draft = files::new_draft(folder, &own, Access::Private).map_err(fail)?;
+        // Kept under its own name: whether it is removed is for the drop to say, as an interrupted run may go
+        // on with it.
         let (file, draft) = draft.keep().map_err(|error| fail(error.error))?;
         Ok(Draft {
             path,
@@ -121,7 +123,9 @@ impl Folder {
             .left(name, left)
             .ok_or_else(|| fail(io::Error::other("what an interrupted run has left is gone")))?;
         let mut file = open_own(&draft).map_err(fail)?;
+        // What was written behind the last note in the ledger may be half a sheet.
         file.set_len(left.length).map_err(fail)?;
+        // The state of a hash is nowhere kept, so that what is there is read once more.
         let digest = files::hash(&mut file).map_err(fail)?;
         file.seek(SeekFrom::End(0)).map_err(fail)?;
         Ok(Draft {
@@ -210,6 +214,7 @@ impl Folder {
             .flatten()
             .filter_map(|entry| entry.file_name().into_string().ok())
             .collect();
+        // In the order of names, and not that of the disk, which differs between machines.
         names.sort();
         names
     }
@@ -235,6 +240,7 @@ impl Folder {
         let path = self.path(name)?;
         let opened = make_private(&self.root).and_then(|()| own(&path));
         let file = opened.map_err(|error| unwritable(&path, &error))?;
+        // The system gives a lock back when its process ends, however that ends: nothing is left to clean up.
         Ok(file.try_lock().is_ok().then_some(file))
     }
 }
@@ -295,6 +301,8 @@ impl Draft {
         let done = file
             .into_inner()
             .map_err(io::IntoInnerError::into_error)
+            // On the disk before the name points to it: a crash in between must not leave an empty file under
+            // a good name.
             .and_then(|file| file.sync_data());
         done.and_then(|()| fs::rename(&self.draft, &self.path))
             .map_err(|error| unwritable(&self.path, &error))?;
@@ -318,7 +326,10 @@ pub(crate) fn is_plain(name: &str) -> bool {
     let is_step = |step: &str| {
         !matches!(step, "" | "." | "..")
             && step.len() <= MAX_LENGTH
+            // What Windows does not take in names is refused everywhere, so that a manifest serves on any
+            // machine.
             && !step.contains(|char: char| char.is_control() || "\\:*?\"<>|".contains(char))
+            // Windows drops these, and two names would be one file.
             && !step.ends_with(['.', ' '])
     };
     name.split('/').all(is_step)

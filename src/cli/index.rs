@@ -115,6 +115,7 @@ impl Index {
     /// The index of a folder whose `bank.toml` has this text, empty where there is none to go on from; none where there is
     /// no place for one.
     pub(crate) fn of(folder: &Path, bank: &str) -> Option<Self> {
+        // One index for a folder, by whatever way it is named.
         let folder = fs::canonicalize(folder).ok()?;
         let name = files::digest(folder.as_os_str().as_encoded_bytes());
         let mut index = Self {
@@ -140,6 +141,7 @@ impl Index {
     fn read(&mut self) -> Option<()> {
         let file = files::open(&self.path).ok()?;
         let metadata = file.metadata().ok()?;
+        // In a cache that others may write to, rows could say anything of the items.
         if !is_own(&metadata) || metadata.len() > MAX_LENGTH {
             return None;
         }

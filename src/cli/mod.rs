@@ -26,6 +26,7 @@ mod check;
 mod class_list;
 mod completions;
 mod compute;
+mod course;
 mod doubt;
 mod enter;
 mod explain;
@@ -115,6 +116,7 @@ enum Command {
     Explain(explain::Arguments),
     New(new::Arguments),
     Page(page::Arguments),
+    Course(course::Arguments),
     Export(export::Arguments),
     Schema(schema::Arguments),
     Completions(completions::Arguments),
@@ -184,6 +186,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Completions(arguments) => completions::run(&arguments),
         Command::New(arguments) => new::run(&arguments),
         Command::Page(arguments) => page::run(&arguments),
+        Command::Course(arguments) => course::run(&arguments),
         Command::Export(arguments) => export::run(&arguments),
         Command::Schema(arguments) => schema::run(&arguments),
     };

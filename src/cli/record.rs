@@ -222,6 +222,7 @@ impl Record {
             let what = "form for the answers, filled in and given to `vibank grade`";
             shown.push((FORM.to_owned(), what));
         }
+        // Last of all: a manifest with an end says that whatever it names is there.
         self.manifest.write(end(items, &digest, files).as_bytes())?;
         self.manifest.finish()?;
         shown.push((self.name, "what marking needs; keep it to yourself"));

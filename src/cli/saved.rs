@@ -93,10 +93,12 @@ fn paths(folder: &Path) -> Result<Vec<std::path::PathBuf>, Failure> {
     let mut paths = Vec::new();
     for entry in entries {
         let path = entry.map_err(fail)?.path();
+        // Systems leave files of their own in folders, such as `.DS_Store`.
         if path.is_file() && !name(&path).starts_with('.') {
             paths.push(path);
         }
     }
+    // By name: reports and the digest must not depend on the order in which a disk lists them.
     paths.sort();
     if paths.is_empty() {
         return Err(Failure::new(format!("`{}` has no files", folder.display()))

@@ -28,6 +28,7 @@ impl Document {
 /// The name of the file of a figure: the same picture has the same name.
 pub(crate) fn picture_name(svg: &str) -> String {
     let mut name = String::from("figure-");
+    // Sixty-four bits tell the figures of any run apart, and keep names short.
     for byte in &Sha256::digest(svg.as_bytes())[..8] {
         // Writing to a string cannot fail.
         let _ = write!(name, "{byte:02x}");
@@ -179,6 +180,7 @@ impl LatexWriter<'_> {
                     Some(first) if first != 1 => {
                         let _ = write!(writer.out, "[{}.] ", first.saturating_add(number as u64));
                     }
+                    // An item that begins with a bracket would be read as its own label.
                     _ => writer.out.push_str("{} "),
                 }
                 writer.blocks(item);
@@ -212,6 +214,7 @@ impl LatexWriter<'_> {
             }
             self.inlines(cells.get(column).map_or(&[][..], Vec::as_slice));
         }
+        // A bracket or an asterisk at the beginning of the next row would be read as an argument.
         self.out.push_str(" \\\\{}\n");
     }
 
@@ -272,6 +275,7 @@ impl LatexWriter<'_> {
         math.write_latex(self.out, &InMath(self.fills));
         let end = self.out.trim_end_matches(' ').len();
         self.out.truncate(end);
+        // The blank that was trimmed belonged to `\ `, which would escape the closing sign.
         if self.out.ends_with('\\') {
             self.out.push(' ');
         }

@@ -69,6 +69,7 @@ impl TypstWriter<'_> {
             Block::Figure(hole) => self.hole(*hole),
             Block::Rule => self
                 .out
+                // A line on the page is nothing to be read aloud.
                 .push_str("#pdf.artifact(line(length:100%,stroke:.5pt))"),
         }
     }

@@ -486,6 +486,7 @@ pub(crate) fn honestly(
     let figures = part.answer.figures().max(MIN_FIGURES);
     let graph = &template.graph;
     let mut steps = graph.steps(key);
+    // From the data on, so that each step takes the rounded values of those before it.
     steps.sort_by_key(|step| graph.steps(*step).len());
     let mut evaluation = solution.evaluation().replacing(Vec::new());
     for step in steps {
@@ -495,6 +496,7 @@ pub(crate) fn honestly(
         let Ok(value) = evaluation.value(step) else {
             continue;
         };
+        // Nobody rounds a number of coils or of periods.
         let is_exact = value.as_boolean().is_some()
             || value.numbers().iter().all(|number| number.fract() == 0.0);
         if is_exact {

@@ -135,6 +135,7 @@ impl Moodle {
                 (band, feedback, own)
             })
             .collect();
+        // What the marker gives for the number alone is what Moodle leaves of the points for a missing unit.
         let bare = words.scene.solution().marker(asked.place);
         let bare = bare.map_or(Credit::NONE, |marker| {
             marker.mark(&format!("{:e}", bands[0].value)).credit

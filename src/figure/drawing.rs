@@ -122,6 +122,7 @@ impl Anchor {
     /// The anchor of a label that stands in this direction from its point.
     pub(crate) fn facing(direction: Point) -> Self {
         let side = |part: f64| {
+            // sin 22.5°: each of the eight sides has an eighth of the directions.
             if part > 0.38 {
                 -1.0
             } else if part < -0.38 {

@@ -306,6 +306,7 @@ impl Setter {
             let Some(script) = script else { continue };
             self.gap += start - self.x;
             self.x = start;
+            // Scripts of scripts stop at 6.3 points, below which nobody reads them on paper.
             self.size = (size * SCRIPT).max(LETTER_SIZE * 0.6);
             self.rise = rise + shift * size;
             self.math(script, depth);
@@ -344,6 +345,7 @@ impl Setter {
             rise: self.rise,
         };
         let gap = std::mem::take(&mut self.gap);
+        // SVG joins blanks, and drops those at the ends of a run.
         let text = text.replace(' ', "\u{A0}");
         for letter in text.chars() {
             self.x += metrics::width(letter, is_italic) * self.size;

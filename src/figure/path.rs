@@ -100,6 +100,7 @@ impl Path {
             from,
             to,
         };
+        // By its ends and its sense an arc is known up to half a turn; the hundredth is for rounding.
         if (to - from).abs() > 1.01 * PI {
             let middle = f64::midpoint(from, to);
             self.steps.extend([arc(from, middle), arc(middle, to)]);

@@ -71,6 +71,8 @@ impl Drawing {
         const ANYTHING: f64 = 1e-9;
         let first = wish.spots.first()?;
         let others = self.others(wish);
+        // Most labels stay here; only the others are worth looking for the obstacles that any of their places
+        // may meet.
         if self.cost(wish, first, &others, &self.obstacles, ANYTHING) == 0.0 {
             return Some((true, *first));
         }
@@ -125,6 +127,7 @@ impl Drawing {
         let mut cost = 0.0;
         let near = bounds.grown(APART);
         for other in &self.labels {
+            // Letters over letters cannot be read; over an area they are only in the way.
             cost += 40.0 * near.overlap(other.bounds);
         }
         for area in areas {

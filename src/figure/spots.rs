@@ -134,9 +134,11 @@ pub(crate) fn inside(outline: &Outline, label: &Label, at: Option<Side>) -> Vec<
     };
     let directions = [Side::Above, Side::Right, Side::Left, Side::Below].map(Side::direction);
     match at {
-        Some(side) => [0.55, 0.65, 0.45, 0.75, 0.35].map(|share| add(side.direction(), share)),
-        None => [0.0; 5].map(|share| add(directions[0], share)),
-    };
+        Some(side) => [0.55, 0.65, 0.45, 0.75, 0.35]
+            .into_iter()
+            .for_each(|share| add(side.direction(), share)),
+        None => add(directions[0], 0.0),
+    }
     let diagonals =
         [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)].map(|(x, y)| Point::new(x, y));
     for share in [0.3, 0.45, 0.6, 0.72] {

@@ -156,6 +156,7 @@ fn is_name(formula: &str) -> bool {
 
 /// Whether a side is no more than a symbol: letters, digits, and what subscripts are written with.
 fn is_symbol(side: &str) -> bool {
+    // Symbols with their subscripts are shorter; a longer side is a formula.
     const MAX_LENGTH: usize = 30;
     let is_part = |char: char| char.is_alphanumeric() || "_{}\\()'|, ".contains(char);
     side.len() <= MAX_LENGTH && side.chars().all(is_part)

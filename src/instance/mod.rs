@@ -235,6 +235,7 @@ impl<'t> Instance<'t> {
                 if low == 0.0 {
                     0.0
                 } else {
+                    // 2⁻¹⁰⁶, rounded up.
                     high.abs() * 1.3e-32
                 },
             )

@@ -73,6 +73,7 @@ impl Balance {
         }
         let span = definition.potential.span();
         let symbolic = ModelError::symbolic(Key::Potential, span);
+        // First, since it settles pendulums and other systems that no linear solver does.
         if self.vanishes_at_zero(coordinates).map_err(&symbolic)? {
             return Ok(Equilibrium::Solved(vec![
                 Expr::number(0);
@@ -197,6 +198,7 @@ impl LinearSystem {
             }
             let simplest = candidates
                 .into_iter()
+                // The fewest terms keep the fractions of the result small.
                 .min_by_key(|row| self.matrix[*row][column].terms());
             let Some(pivot) = simplest else {
                 continue;
@@ -204,6 +206,7 @@ impl LinearSystem {
             rows.retain(|row| *row != pivot);
             pivots.push((pivot, column));
             for row in 0..size {
+                // In the rows above as well, so that each unknown is read off without putting others in.
                 if row != pivot && !self.matrix[row][column].is_zero() {
                     self.eliminate(row, pivot, column)?;
                 }

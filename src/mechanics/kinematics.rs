@@ -26,6 +26,7 @@ impl Kinematics {
         while !open.is_empty() {
             let waiting: BTreeSet<_> =
                 crate::numerics::gather(open.iter().map(|(name, _)| name.clone()));
+            // Authors write relations in any order: each round takes those that need none of the others.
             let (ready, rest): (Vec<_>, Vec<_>) = open
                 .into_iter()
                 .partition(|(_, formula)| !mentions_any(formula, &waiting));

@@ -37,6 +37,8 @@ impl Linear {
                 let mut row = Vec::new();
                 for name in coordinates {
                     let (slope, others) = rest.linear_in(&Variable::of(name, order))?;
+                    // A coefficient with time in it is that of parametric excitation, which has no natural
+                    // frequency.
                     if slope.mentions_any(&moving) || slope.mentions_any(&time) {
                         return None;
                     }
@@ -75,6 +77,8 @@ impl Linear {
         for (row, own) in stiffness.iter().zip(&balance.driving) {
             let mut right = own.negated();
             for (entry, rest) in row.iter().zip(position) {
+                // The equation counts coordinates from their own zero, so that K times the equilibrium stands
+                // on the right.
                 right = right.plus(&entry.times(&Normal::of(rest)?)?)?;
             }
             driving.push(right);
@@ -140,6 +144,8 @@ impl Place {
         let slope = |residual: &Normal, name: &Name| {
             let slope = residual.derivative(&Variable::of(name, order))?;
             let at_rest = at_rest(&slope, &self.moving)?;
+            // Most slopes are constant; writing them as formulas and reading them again would be most of the
+            // work.
             if !at_rest.mentions_any(&self.moving) {
                 return Ok(at_rest);
             }

@@ -32,6 +32,7 @@ struct Finder<'a> {
 
 impl Finder<'_> {
     fn of(&self, expr: &Expr) -> Option<Vec<Square>> {
+        // Linear terms move the equilibrium and stiffen nothing.
         if self.row(expr).is_some() {
             return Some(Vec::new());
         }
@@ -48,6 +49,7 @@ impl Finder<'_> {
             Kind::Binary(Operator::Multiply, a, b) if self.is_constant(b) => {
                 Some(scaled(self.of(a)?, b))
             }
+            // `(x1 - x2)*(x1 - x2)` is a square as well.
             Kind::Binary(Operator::Multiply, a, b) if a == b => self.square(a),
             Kind::Binary(Operator::Divide, a, b) if self.is_constant(b) => {
                 Some(scaled(self.of(a)?, &(Expr::number(1) / b.clone())))

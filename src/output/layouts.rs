@@ -186,6 +186,8 @@ pub(crate) fn base64(bytes: &[u8]) -> String {
 /// left at the end takes one digit if that is enough. The digits are the printed ASCII signs without `<`, so that they
 /// may stand in a `script` element.
 pub(crate) fn base93(bytes: &[u8]) -> String {
+    // Two digits reach 93² - 1 = 8,648. The fourteenth bit is worth 8,192, so that only 456 is left for the
+    // others.
     const LAST_OF_14: u32 = 93 * 93 - (1 << 13) - 1;
     let digit = |value: u32| char::from(b'!' + value as u8 + u8::from(value >= 27));
     let mut out = String::with_capacity(bytes.len() * 16 / 13 + 2);

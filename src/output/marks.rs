@@ -130,6 +130,7 @@ impl Marked {
         let x = |points: f64| round((points - low) * scale);
         let mut counts = vec![0; count];
         for own in points {
+            // What lies on an edge counts above it, whatever rounding has left of it.
             counts[(((own - low) / step + 1e-9) as usize).min(count - 1)] += 1;
         }
         let most = counts.iter().copied().max().unwrap_or(1).max(1) as f64;

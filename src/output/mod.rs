@@ -21,6 +21,7 @@ mod pdf;
 mod quoted;
 mod report;
 mod scorm;
+mod textbook;
 mod view;
 mod words;
 
@@ -33,6 +34,7 @@ pub use page::practice;
 pub use pages::{Names, Page, PageKind, Pages, Run};
 pub use report::{Analysed, Decided, DecidedMark, Lost, LostSheet};
 pub use scorm::{DESCRIPTION, Scorm, scorm};
+pub use textbook::TextbookError;
 
 use crate::document::{Block, Document};
 use crate::math::Math;

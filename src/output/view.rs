@@ -47,7 +47,7 @@ struct MarkView {
 const MARKS: usize = 13;
 
 #[derive(Default, Serialize)]
-struct QuestionView {
+pub(crate) struct QuestionView {
     number: usize,
     title: String,
     points: String,
@@ -206,6 +206,7 @@ impl<'p> View<'p> {
             group: self.placed(self.run.plain_name(&student.group)),
             seat: self.placed(&self.run.seat(&student)),
             extra_time: self.placed(self.run.plain_name(&student.extra_time)),
+            // A key is read by whoever marks.
             type_size: student.type_size.filter(|_| self.kind != PageKind::Key),
             count: format!(
                 "{}{}",
@@ -286,13 +287,34 @@ impl<'p> View<'p> {
         }
     }
 
+    /// A question of a text, which is worth no points.
+    pub(crate) fn example(&self, question: &SheetQuestion<'_>) -> QuestionView {
+        let scene = Scene::of(&question.solution, self.run.data).spoken(self.run.spoken());
+        let mut view = self.shown(&scene, question);
+        view.points.clear();
+        for part in &mut view.parts {
+            part.points.clear();
+            if let Some(group) = &mut part.group {
+                group.points.clear();
+            }
+        }
+        view
+    }
+
     fn question(&self, sheet: &Sheet<'_>, question: &SheetQuestion<'_>) -> QuestionView {
-        let template = question.solution.template();
         let scope = format!("s-{}-{}", sheet.variant, question.number);
         let scene = Scene::of(&question.solution, self.run.data)
             .within(scope)
             .spoken(self.run.spoken());
-        let texts = |passage| self.texts(&scene, passage);
+        let mut view = self.shown(&scene, question);
+        let size = sheet.student.as_ref().and_then(|student| student.type_size);
+        view.is_long = view.height() > size.map_or(LONG, |size| LONG * USUAL / usize::from(size));
+        view
+    }
+
+    fn shown(&self, scene: &Scene<'_, '_>, question: &SheetQuestion<'_>) -> QuestionView {
+        let template = question.solution.template();
+        let texts = |passage| self.texts(scene, passage);
         let mut view = QuestionView {
             number: question.number,
             title: self.placed(&template.about.title),
@@ -334,15 +356,13 @@ impl<'p> View<'p> {
             .map(|(heading, ((place, points), space))| PartView {
                 group: heading.opened().map(|(letter, group)| {
                     let points = question.points_of(group);
-                    self.group(&scene, letter, group, points)
+                    self.group(scene, letter, group, points)
                 }),
                 letter: heading.letter.clone(),
                 space: space.map(SpaceView::of),
-                ..self.part(&scene, *place, *points)
+                ..self.part(scene, *place, *points)
             })
             .collect();
-        let size = sheet.student.as_ref().and_then(|student| student.type_size);
-        view.is_long = view.height() > size.map_or(LONG, |size| LONG * USUAL / usize::from(size));
         view
     }
 

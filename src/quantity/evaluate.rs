@@ -225,6 +225,7 @@ impl<'g> Evaluation<'g> {
                 .zip(value.numbers())
             {
                 let part = (a - b).abs() / STEP;
+                // Beyond the step lies what does not exist; a tolerance without an end would accept anything.
                 *sum += if part.is_finite() { part } else { 0.0 };
             }
         }
@@ -269,6 +270,7 @@ impl<'g> Evaluation<'g> {
         self.exists(node)?;
         if let Role::Parameter(place) = node.role {
             let datum = &self.data[place as usize];
+            // What rounding to binary64 drops of a decimal is a part of its bound.
             return Ok(Value::real(datum.high(), datum.low().abs() + datum.rest()));
         }
         if let Role::Offered(offered) = &node.role {
@@ -319,6 +321,8 @@ impl<'g> Evaluation<'g> {
             computation,
             variables,
         };
+        // A value asks for others while it is computed: each takes a room of its own, and none is borrowed
+        // meanwhile.
         let mut room = self.rooms.borrow_mut().pop().unwrap_or_default();
         let result = run(&computation.program, &inputs, &mut room);
         self.rooms.borrow_mut().push(room);

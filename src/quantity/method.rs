@@ -123,6 +123,8 @@ impl Graph {
                 continue;
             };
             for (slip, changed) in variations(self.label(step), expr) {
+                // A formula of another dimension cannot stand in for the quantity, and units tell whoever
+                // made the slip.
                 let is_sound = methods.len() < MAX_FORMULAS && changed.check(self).is_ok();
                 if let Some(computation) = is_sound.then(|| self.link(&changed).ok()).flatten() {
                     let change = Change::Formula(Box::new(computation), changed);
@@ -135,6 +137,7 @@ impl Graph {
             let known = datum(step);
             let mut add = |slip, change| methods.push(Method::of(slip, step, change, &held));
             if known.is_gravity {
+                // The number of kilograms is then that of newtons.
                 add(Wrong::Weight(name), Change::Number(1.0));
                 continue;
             }

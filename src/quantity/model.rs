@@ -289,8 +289,8 @@ impl Graph {
         definition: &mut Definition,
         mut needed: BTreeSet<Name>,
     ) -> Result<BTreeSet<Name>, crate::expr::SymbolicError> {
-        const MAX_DEPTH: usize = 10;
-        for _ in 0..MAX_DEPTH {
+        // Each round opens one level, and no chain of quantities has more levels than there are quantities.
+        for _ in 0..self.nodes.len() {
             let mut substitution = Substitution::new();
             let mut any = false;
             for name in &needed {

@@ -246,6 +246,7 @@ impl Scene<'_, '_> {
             Decimal::rounded(unit.of_si(number), u32::from(info.digits)).unwrap_or(Decimal::ZERO)
         };
         let mark = self.solution.mark();
+        // A count is printed as one: 3 coils, not 3.00.
         let is_whole = info
             .units
             .as_ref()

@@ -166,6 +166,7 @@ fn course(run: Run, numbers: &Numbers) -> Option<Course> {
         .filter_map(|mode| modes.natural_angular_frequency(mode))
         .collect();
     let largest = highest(&natural);
+    // The frequency of a rigid motion may be the root of a rounding, 1e-8 of the largest.
     let vibrates = |frequency: f64| frequency > 1e-6 * largest;
     let driving = numbers.driving_frequencies().unwrap_or_default();
     let motions = |motion: &dyn Fn(usize) -> Result<Motion, Unavailable>| {

@@ -15,6 +15,7 @@
 use thiserror::Error;
 
 const ALPHABET: &[u8; 32] = b"0123456789ABCDEFGHJKMNPQRSTVWXYZ";
+// Eight characters of five bits hold a number of 40, the ninth is the check.
 const LENGTH: usize = 9;
 const GROUP: usize = 3;
 

@@ -211,6 +211,7 @@ impl<'t> Solution<'t> {
         let count = part.answer.options().len();
         match self.instance.seed().filter(|_| part.answer.shuffles()) {
             Some(seed) => Streams::of(seed, self.template().id.as_str())
+                // A stream for each part: one that is added or left out shuffles no other.
                 .named(&format!("part {}", part.id))
                 .permutation(count),
             None => (0..count).collect(),

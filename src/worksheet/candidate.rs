@@ -150,6 +150,7 @@ pub(crate) fn mark(place: &[u64], text: &str) -> u64 {
     first_word(hash)
 }
 
+// Sixty-four bits: among a million digests two are alike by chance with a probability of 3e-8.
 fn first_word(hash: Sha256) -> u64 {
     let bytes = hash.finalize();
     u64::from_be_bytes([

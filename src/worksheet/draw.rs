@@ -59,6 +59,7 @@ impl<'c> Sheet<'c> {
             let planned = &plan.questions[place];
             let template = pick(planned, place, variant, &taken);
             taken.push(template);
+            // By the item and not by its place: a question that is moved keeps its data.
             let seed = variant.item(template.id.as_str(), plan.secret.as_ref());
             let set: Vec<(&str, &str)> = planned
                 .set
@@ -97,6 +98,7 @@ impl<'c> Sheet<'c> {
 fn order(plan: &Plan<'_>, variant: Variant) -> Vec<usize> {
     let count = plan.questions.len();
     if plan.blueprint.shuffle {
+        // A stream of its own, so that the order changes no data.
         return Streams::of(Seed::new(variant.number()), "order")
             .named("questions")
             .permutation(count);

@@ -42,6 +42,7 @@ pub struct Alike {
 impl Fairness {
     /// Pairs of neighbours that are listed.
     #[cfg(feature = "render")]
+    // The page names the first ones; how many there are is counted beside.
     pub(crate) const MAX_LISTED: usize = 500;
 }
 

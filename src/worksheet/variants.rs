@@ -77,6 +77,11 @@ const MAX_TRIES: u64 = 400;
 const MAX_TRIES_APART: u64 = 20_000;
 
 impl<'p, 'c> Chooser<'p, 'c> {
+    /// The seeds that are tried for one variant at most, or for one that has nothing of an earlier sheet.
+    pub fn max_tries(is_apart: bool) -> u64 {
+        if is_apart { MAX_TRIES_APART } else { MAX_TRIES }
+    }
+
     /// A chooser at the first variant of a plan; `students` are those of the class list, if there is one, of whom some
     /// have a sheet already.
     pub fn new(
@@ -243,7 +248,7 @@ impl<'p, 'c> Chooser<'p, 'c> {
             return Ok(candidate);
         }
         let is_apart = self.barred.contains_key(&index);
-        let most = if is_apart { MAX_TRIES_APART } else { MAX_TRIES };
+        let most = Self::max_tries(is_apart);
         let mut shared: BTreeMap<String, u64> = BTreeMap::new();
         // What has a datum of the first sheet says nothing of fairness.
         let mut tries = if is_apart { 0 } else { from };

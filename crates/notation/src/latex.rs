@@ -100,6 +100,7 @@ impl LatexWriter<'_> {
             ),
             Math::Hole(hole) => match self.holes.filling(*hole) {
                 Some(filling) => {
+                    // A filling has no holes of its own: one that held itself would be written without end.
                     let holes = std::mem::replace(&mut self.holes, &Empty);
                     self.math(filling);
                     self.holes = holes;
@@ -219,6 +220,7 @@ impl LatexWriter<'_> {
         }
         self.raw(r"\operatorname{");
         name.chars()
+            // Names come from files: nothing in them may be read as LaTeX.
             .filter(char::is_ascii_alphanumeric)
             .for_each(|char| self.out.push(char));
         self.raw("}");
@@ -250,6 +252,7 @@ impl LatexWriter<'_> {
     fn root(&mut self, radicand: &Math, degree: Option<&Math>) {
         self.command(r"\sqrt");
         if let Some(degree) = degree {
+            // In braces, since a bracket within the degree would close the option.
             self.raw("[{");
             self.math(degree);
             self.raw("}]");
@@ -430,6 +433,7 @@ impl LatexWriter<'_> {
         self.command(size);
         match (sign, is_open) {
             ("", _) if size.is_empty() => {}
+            // `\left` needs a partner; a point draws none.
             ("", _) => self.raw("."),
             ("|", true) => self.command(r"\lvert"),
             ("|", false) => self.command(r"\rvert"),

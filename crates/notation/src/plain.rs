@@ -357,6 +357,7 @@ impl PlainWriter<'_> {
         let is_column = rows.iter().all(|row| row.len() < 2);
         self.push(open);
         for (number, row) in rows.iter().enumerate() {
+            let before = self.out.len();
             if number > 0 {
                 self.push(between);
             }
@@ -372,8 +373,23 @@ impl PlainWriter<'_> {
             if !is_column {
                 self.push(close);
             }
+            if number > 0 && kind == TableKind::Aligned {
+                self.join(before, between);
+            }
         }
         self.push(close);
+    }
+
+    /// Has a row that goes on with the relation of the one before, `a = b` and `= c` below it, stand behind it as one
+    /// chain.
+    fn join(&mut self, before: usize, between: &str) {
+        const RELATIONS: [char; 8] = ['=', '≈', '<', '>', '≤', '≥', '≡', '⇒'];
+        let row = &self.out[before + between.len()..];
+        let text = row.trim_start();
+        if text.starts_with(RELATIONS) {
+            let end = self.out.len() - text.len();
+            self.out.replace_range(before..end, " ");
+        }
     }
 }
 

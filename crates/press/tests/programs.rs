@@ -240,6 +240,20 @@ fn a_killed_run_goes_on_to_the_same_bytes() {
     }
 }
 
+/// Five chapters of 12 to 20 pages, with the notation and the contents.
+#[test]
+fn the_course_is_one_file() {
+    let folder = folder("course");
+    let out = folder.join("course.pdf");
+    for paper in ["a4", "letter"] {
+        run(&["course", "--out", &text_of(&out), "--paper", paper], 0);
+        let file = files(&folder).remove(&out).expect("it was written");
+        let text = String::from_utf8_lossy(&file);
+        let pages = text.matches("/Type/Page").count() - text.matches("/Type/Pages").count();
+        assert!((60..=105).contains(&pages), "{pages} pages");
+    }
+}
+
 #[test]
 fn feedback_is_printed() {
     let folder = folder("feedback");

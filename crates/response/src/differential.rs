@@ -32,7 +32,10 @@ pub(crate) fn leibniz(text: &str, at: usize) -> Option<(String, u8, usize)> {
 /// Reads a derivative whose name stands behind the quotient, `d/dt(x)`, `\frac{d}{dt}\left(\frac{dx}{dt}\right)`,
 /// `\frac{d^2}{dt^2} x`, `(d/dt) x`: spelling of the name, order, end.
 pub(crate) fn behind(text: &str, at: usize) -> Option<(String, u8, usize)> {
+    // Longer than any name with its subscripts: a bracket that closes later belongs to something else.
     const MAX_LENGTH: usize = 80;
+    // Equations of motion have accelerations and nothing above; markers have room for two derivatives of a
+    // name.
     const MAX_ORDER: u8 = 2;
     let mut scanner = Differentials { text, at };
     let is_bracketed = scanner.take("(");
@@ -94,6 +97,7 @@ fn spelling(name: &str) -> Option<String> {
 /// Reads a derivative that is written as a function at a place, `diff(x, t, 2)`, `ddot(x1)`: spelling of the name,
 /// order, end.
 pub(crate) fn called(text: &str, at: usize) -> Option<(String, u8, usize)> {
+    // As above, with the time and the order beside the name.
     const MAX_LENGTH: usize = 80;
     let rest = &text[at..];
     // `ddot x1`
@@ -243,6 +247,8 @@ impl Differentials<'_> {
 
     /// A name up to the slash, brace or bracket.
     fn name(&mut self) -> Option<String> {
+        // Each `d` of a response is tried as the beginning of a derivative: without a bound each would be
+        // read to the end.
         const MAX_LENGTH: usize = 80;
         let rest = &self.text[self.at..];
         let mut depth = 0_usize;

@@ -120,6 +120,7 @@ impl TypedError {
 
     /// Where that is in the `text` that was typed.
     pub fn at(&self, text: &str) -> At {
+        // The quote stands in the middle of a sentence.
         const MAX_QUOTE_LENGTH: usize = 40;
         let place = text.get(self.span.range()).unwrap_or_default().trim();
         let short: String = place.chars().take(MAX_QUOTE_LENGTH).collect();
@@ -133,6 +134,7 @@ impl TypedError {
 
 /// The end of a text, which begins with a word of it.
 fn last_signs(text: &str) -> &str {
+    // Enough to be found again in what was typed, as nothing stands at the place itself.
     const ABOUT: usize = 12;
     let text = text.trim();
     let Some((mut start, _)) = text.char_indices().rev().take(ABOUT).last() else {

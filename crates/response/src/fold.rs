@@ -46,6 +46,7 @@ impl<'t> Folded<'t> {
     ///
     /// Where a dollar sign encloses nothing.
     pub fn of(typed: &'t str) -> Result<Self, LoneDollar> {
+        // Most responses are plain, and are not copied.
         if is_plain(typed) {
             return Ok(Self {
                 typed,
@@ -53,6 +54,7 @@ impl<'t> Folded<'t> {
                 pieces: Vec::new(),
             });
         }
+        // `$$` is one sign in LaTeX, and `diff(x, t$2)` is Maple's second derivative.
         let dollars =
             typed.matches('$').count() - typed.matches("$$").count() - typed.matches("t$2").count();
         if dollars % 2 == 1 {
@@ -317,6 +319,9 @@ impl Folder<'_> {
             return;
         };
         let width = char.len_utf8();
+        // The order counts: what is said around the answer goes first, then what encloses and parts it, then
+        // words, then runs of signs. The table of single signs comes last, since all the others begin with
+        // one of these.
         if !self.answer.contains(&self.at) {
             return self.write("", width);
         }

@@ -90,6 +90,7 @@ impl Lexer<'_> {
             self.is_spaced = true;
             return Ok(());
         }
+        // First, or the `d` of a quotient would be a letter.
         if self.derivative_over_time()
             || self.manner.values.is_none() && self.degrees()
             || self.end_of_sentence(char)

@@ -166,6 +166,8 @@ impl<'a> Parser<'a> {
                     let right = self.signed()?;
                     left = Self::binary(Operator::Divide, left, right)?;
                 }
+                // `x 2` is asked back: numbers stand before what they multiply, so that a sign or an exponent
+                // may be lost here.
                 Some(Item::Number(_)) if !self.is_after_constant() => {
                     return self.error(Trouble::NumberAfter);
                 }
@@ -502,6 +504,7 @@ impl<'a> Parser<'a> {
 
     /// What stands in a bracket that is open.
     pub(crate) fn bracket(&mut self, open: char, span: Span) -> Result<Expr> {
+        // Within a bracket a bar opens a modulus again: `|a (|b|)|`.
         let bars = std::mem::take(&mut self.bars);
         let inner = self.sum();
         self.bars = bars;

@@ -135,6 +135,7 @@ pub(crate) const RUNS: &[(&str, &str)] = &[
 
 /// Whether a run may begin with a character: most do not, and each one of a response is asked.
 pub(crate) fn begins_run(char: char) -> bool {
+    // Made of the table when the program is compiled, so that a new run needs no second list.
     const FIRST: u128 = {
         let (mut mask, mut at) = (0, 0);
         while at < RUNS.len() {

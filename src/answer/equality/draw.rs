@@ -137,6 +137,7 @@ impl<'a> Around<'a> {
             let alike = self.state.integers.iter().filter(|other| *other == own);
             alike.count() >= MAX_ALIKE
         };
+        // Later draws are nearer to the data, at last where the integers are those of the instance.
         if spread > NARROW && own.iter().any(is_frequent) {
             return None;
         }

@@ -164,6 +164,7 @@ impl Points {
         // What is equal to something else is no variable of its own: then points alone decide.
         let is_tied = self.ties.is_some_equal;
         let residues = key.residues(other).filter(|same| *same || !is_tied);
+        // Modulo a prime nothing knows that two letters are tied.
         let is_certain = key.is_rational_beside(other) && !is_tied;
         let sampled = self.sample(key, other);
         let is_found_different = sampled.differs || sampled.is_close;

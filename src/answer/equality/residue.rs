@@ -21,6 +21,8 @@ use crate::unit::{Decimal, Quantity, Unit};
 const TRIALS: usize = 2;
 /// By how much the primes are less than 2^61.
 const BELOW: [u64; TRIALS] = [1, 31];
+// So near to a power of two that reduction is a shift and a sum, and so small that the sum of two residues
+// fits into 64 bits.
 const PRIMES: [u64; TRIALS] = [(1 << 61) - BELOW[0], (1 << 61) - BELOW[1]];
 /// Most nodes that are visited, substituted names included.
 const MAX_NODES: usize = 4_000;
@@ -137,6 +139,8 @@ impl Reader<'_> {
             let root = match below {
                 1 => base,
                 2 => self.irrational("sqrt", &[base]),
+                // The root as a letter of its own: `x^(2/3)` is its square, so that powers of one root still
+                // meet.
                 _ => self.irrational("root", &[base, whole(below)]),
             };
             return raised(root, above);
@@ -207,6 +211,7 @@ fn negated(a: Values) -> Values {
 
 /// The product; 2^61 is as much as the prime is below it.
 fn times(a: u64, b: u64, trial: usize) -> u64 {
+    // The low 61 bits. The first fold brings 122 bits to 66, the second one to less than twice the prime.
     const LOW: u128 = (1 << 61) - 1;
     let folded = |value: u128| (value & LOW) + (value >> 61) * u128::from(BELOW[trial]);
     let product = folded(folded(u128::from(a) * u128::from(b))) as u64;

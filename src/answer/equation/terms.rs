@@ -35,6 +35,7 @@ pub(crate) struct Coefficients {
 const DIFFERENT: f64 = 1e-9;
 /// A small motion, at which a sine is its angle to less than [`DIFFERENT`]; how far it may be from it all the same.
 const SMALL: f64 = 1e-5;
+// A slope over so small a step has lost five of its sixteen digits.
 const NEARLY: f64 = 1e-6;
 
 /// The terms that equations in these unknowns can have.
@@ -73,6 +74,7 @@ impl Coefficients {
                 let moved = value(program, &zero, &mut room);
                 zero[slot] = Precise::exact(0.0);
                 let difference = moved? - rest;
+                // Over a step of 1e-5 the rounding of a large rest would pass for a slope.
                 let is_rounding = difference.abs() <= 1e-13 * rest.abs();
                 Some(if is_rounding { 0.0 } else { difference / size })
             };

@@ -237,6 +237,7 @@ impl Pair<'_> {
             return false;
         };
         let mut later = self.point.to_vec();
+        // No simple multiple, at which a periodic force may be the same again, and another time than zero.
         later[time * ORDERS] = Precise::exact(1.37 * self.point[time * ORDERS].high() + 0.1);
         let rest = |point: &[Precise]| {
             Coefficients::of(program, self.terms, point)?

@@ -11,6 +11,7 @@ pub(crate) fn slip(
     typed: &Expr,
     dimension: Option<Dimension>,
 ) -> Option<Slip> {
+    // The commonest factor of all: ω for f, or f for ω.
     const TWO_PI: f64 = std::f64::consts::TAU;
     // A constant of three figures is off by at most half a percent; 9.8 for 9.81 is nearer.
     const NEAR: f64 = 5e-3;

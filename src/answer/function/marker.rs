@@ -170,6 +170,8 @@ impl Prepared<'_> {
 
     /// Whether one of these has the values of the key to rounding.
     fn is_exact(&self, found: &[Vec<f64>]) -> bool {
+        // Both are computed from the same data, and nothing was rounded by a person: what differs by more is
+        // another function.
         const ROUNDING: f64 = 1e-7;
         let limit = ROUNDING * largest(&self.values);
         found.iter().any(|values| {

@@ -207,6 +207,7 @@ impl Prepared<'_> {
             let (once, twice) = (bare(&found.bare)?, bare(&found.doubled)?);
             let (values, doubled) = (self.values_of(&once)?, self.values_of(&twice)?);
             let mut pairs = values.iter().zip(&doubled);
+            // With all units doubled the function doubles only if each of its terms has one.
             let is_whole = pairs.all(|(value, doubled)| {
                 (2.0 * value - doubled).abs() <= 1e-9 * doubled.abs().max(value.abs())
             });

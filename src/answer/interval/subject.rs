@@ -47,6 +47,7 @@ impl Ends<'_> {
 
     /// The place where a linear expression in the variable vanishes, and its slope.
     fn distance(&self, inner: &Expr) -> Option<Subject> {
+        // Three values of one formula, with a few roundings each; a curvature that is meant shows far more.
         const ROUNDING: f64 = 1e-9;
         let variable = &self.setup.variable;
         let at = |place: i32| {

@@ -99,6 +99,7 @@ impl Prepared {
     /// Whether a number is as near to a key as the tolerance of an entry has it. Beside a zero, what rounding in a
     /// computer leaves of it counts as zero.
     pub(crate) fn is_near(&self, place: usize, number: f64, key: f64) -> bool {
+        // Far above what sixteen digits leave, and far below any entry beside these.
         const DUST: f64 = 1e-9;
         let sizes = self.value.numbers().iter().map(|own| own.abs());
         let dust = if key == 0.0 {

@@ -94,6 +94,7 @@ impl Prepared {
         match self.setup.scale {
             Scale::Any => None,
             Scale::First => {
+                // Half a per cent is what rounding to three figures takes at most.
                 let is_one = typed.iter().all(|vector| (vector[0] - 1.0).abs() <= 0.005);
                 (!is_one).then_some(Scaling::First)
             }

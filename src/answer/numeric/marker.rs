@@ -98,6 +98,7 @@ impl Numbers {
                 None => self.right(reading, number),
             };
         }
+        // Before the slips that are diagnosed: an author knows better what a number comes from.
         if let Some(marking) = self.mistake(&reading, std::slice::from_ref(number), &[typed]) {
             return marking;
         }
@@ -137,6 +138,7 @@ impl Numbers {
             *quantity
         };
         let (high, low) = taken.conversion(&self.unit)?.apply_pair(&taken.value);
+        // To thirty digits: the ends of a tolerance are decided on the decimals that were typed.
         Ok(Dd::sum(high, low))
     }
 

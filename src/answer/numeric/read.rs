@@ -38,6 +38,7 @@ impl Number {
 
     /// Typeset; arithmetic with what it comes to.
     pub(crate) fn math(&self, mark: DecimalMark) -> Math {
+        // Two more than are asked for as a rule.
         const DIGITS: u32 = 5;
         let Some(expr) = &self.arithmetic else {
             return self.quantity.math(mark);

@@ -126,6 +126,8 @@ impl Desk<'_> {
     fn find(&self, typed: &str) -> Option<usize> {
         let variants = &self.manifest.variants;
         let code = typed.parse::<Variant>();
+        // The code as it is printed, whatever was typed: without hyphens, in small letters, with an O for a
+        // zero.
         let shown = code
             .as_ref()
             .map_or_else(|_| typed.to_uppercase(), ToString::to_string);

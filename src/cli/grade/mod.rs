@@ -148,6 +148,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     let handed = Handed::read(arguments, &catalogue, &decisions)?;
     faults.extend(handed.faults.iter().cloned());
     let names = handed.names.clone();
+    // Opened twice: the census has to see all sheets before the first one is marked, and memory holds a chunk
+    // of them.
     let open = || handed.sheets(&arguments.manifest);
     let census = Census::take(&mut open()?, &catalogue, arguments.accept_revisions)?;
     let platform = arguments.gradebook;
@@ -499,6 +501,7 @@ impl Job<'_> {
             Some(tables) => tables.finish(self.out)?,
             None => "",
         };
+        // Only now: until all tables are written, an interrupted run goes on from the parts.
         Parts::remove(self.out);
         let has_gradebook = match self.gradebook.take() {
             Some(gradebook) => {
@@ -508,6 +511,7 @@ impl Job<'_> {
             }
             None => false,
         };
+        // Behind all that was written from it: while the journal stands, everything can be made again.
         self.journal.finish();
         told(&self.analysis, &lost, faults);
         items_moved_on(changed, self.arguments.accept_revisions, earlier.is_some());

@@ -96,10 +96,14 @@ impl Known {
 
     /// The sheets that students have already, by identity, as far as they follow from the seed or secret of the plan.
     ///
-    /// Manifests of earlier runs count where later ones know nothing of a student.
-    pub(crate) fn fixed(&self, plan: &Plan<'_>, students: &[Student]) -> BTreeMap<String, Fixed> {
-        /// Attempts that a run makes for a student.
-        const MAX_TRIES: u64 = 400;
+    /// Manifests of earlier runs count where later ones know nothing of a student. A run tries at most `tries` seeds for
+    /// one.
+    pub(crate) fn fixed(
+        &self,
+        plan: &Plan<'_>,
+        students: &[Student],
+        tries: u64,
+    ) -> BTreeMap<String, Fixed> {
         let mut fixed = BTreeMap::new();
         for held in self.manifests.values().chain(&self.earlier) {
             let mut by_id = BTreeMap::new();
@@ -117,12 +121,12 @@ impl Known {
                 let found = match by_id.get(student.id.as_str()) {
                     Some((code, sheet, seat)) => {
                         // The first version drew variants by the place in the list.
-                        let mut variants = (0..MAX_TRIES)
+                        let mut variants = (0..tries)
                             .flat_map(|attempt| [own(attempt), plan.variant(sheet.place, attempt)]);
                         let variant = variants.find(|variant| variant.to_string() == **code);
                         variant.map(|variant| (variant, *sheet, *seat != student.seat))
                     }
-                    None if has_pseudonyms => (0..MAX_TRIES).map(own).find_map(|variant| {
+                    None if has_pseudonyms => (0..tries).map(own).find_map(|variant| {
                         let sheet = held.sheets.get(&variant.to_string())?;
                         Some((variant, sheet, false))
                     }),
@@ -161,6 +165,7 @@ impl Known {
             .chain(self.manifests.get_key_value(&own).map(|(own, _)| own))
         {
             for (file, digest) in self.manifests[name].all_files() {
+                // A file that somebody has written into is theirs by now.
                 if made.contains(file) || !out.is_intact(file, digest) {
                     continue;
                 }
@@ -186,6 +191,7 @@ impl Held {
     fn read(out: &Folder, name: &str) -> Option<Self> {
         let mut lines = BufReader::new(out.open(name).ok()?).lines();
         let head = lines.next()?.ok()?;
+        // The first line ends in the open list of sheets, and is made whole to be read alone.
         let head: Head = serde_json::from_str(&format!("{head}]}}")).ok()?;
         let mut held = Self {
             inputs: head.inputs,
@@ -266,6 +272,8 @@ impl Alike<'_> {
         let sheet = &self.0.iter().find(|held| same(held))?.sheets[&entry.code];
         let mut files = sheet.files.iter();
         let is_intact =
+            // A sheet without files of its own stands in files of the whole run, which are made anew in any
+            // case.
             !sheet.files.is_empty() && files.all(|(file, digest)| out.is_intact(file, digest));
         is_intact.then_some(&sheet.files)
     }

@@ -169,6 +169,7 @@ impl Job<'_, '_> {
             .then(|| self.known.files(self.out, &entry))
             .flatten()
             .filter(|files| are_named(files, &stem));
+        // Even a sheet that is kept is written for the files of the whole run, which hold all sheets.
         let is_kept = held.is_some();
         let formats = self.formats.iter();
         let written = formats
@@ -236,6 +237,8 @@ fn choose(chooser: &mut Chooser<'_, '_>, count: usize) -> Result<(), Failure> {
     };
     for places in order.chunks(CHUNK) {
         // One that repeats another of them gives way to the next attempt.
+        // Proposals of a chunk know nothing of each other; they are taken one by one, so that the number of
+        // cores does not matter.
         for mut own in propose(chooser, places)? {
             while !chooser.take(&own) {
                 own = candidate(chooser, own.index(), own.next_attempt())?;

@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::json;
 use vibank::seed::Secret;
-use vibank::worksheet::{Audience, Blueprint, Choice, Fairness, Plan, Student};
+use vibank::worksheet::{Audience, Blueprint, Choice, Chooser, Fairness, Plan, Student};
 
 pub(crate) use self::choice::FormatChoice;
 pub(crate) use self::guard::{KEPT, MANIFESTS, MARKS};
@@ -223,7 +223,11 @@ impl Run<'_, '_> {
             students: self.students,
             count,
             has_pseudonyms: self.arguments.pseudonyms.is_some(),
-            fixed: known.fixed(self.plan, self.students),
+            fixed: known.fixed(
+                self.plan,
+                self.students,
+                Chooser::max_tries(self.make_up.is_some()),
+            ),
             earlier: self
                 .make_up
                 .map(|own| own.earlier.clone())

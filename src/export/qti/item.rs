@@ -129,6 +129,7 @@ fn sum<'a>(parts: impl Iterator<Item = &'a Asked<'a>>) -> f64 {
 /// What each of the boxes of a part is worth: equal shares in thousandths of a point, of which the first ones get what is
 /// left. Players round scores to three decimals, so that thirds would not add up to the whole.
 fn shares(points: Rational, boxes: usize) -> Vec<f64> {
+    // Three decimals, as players round.
     const STEPS: i128 = 1000;
     let count = boxes.max(1) as i128;
     let steps = Rational::new(STEPS, 1).and_then(|steps| points.checked_mul(steps));

@@ -16,6 +16,7 @@ use crate::figure::{Drawing, Fill, Path, Point, Spot, Weight};
 pub(crate) struct Cart;
 
 const HEIGHT: f64 = 1.0;
+// The middle of the cart is then 0.9 above its ground, a number that authors type.
 const WHEEL: f64 = 0.2;
 
 impl Element for Cart {

@@ -16,6 +16,7 @@ pub(crate) static RESISTOR: Branch = Branch {
     symbol,
 };
 
+// Three times as long as wide, as IEC 60617 draws it.
 const HALF: f64 = 0.17;
 
 fn symbol(part: &Part<'_>, from: Point, to: Point, drawing: &mut Drawing) {

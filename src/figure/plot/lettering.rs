@@ -264,6 +264,7 @@ impl Candidate {
 
 /// Directions from a point, with what tells against them.
 fn directions() -> impl Iterator<Item = (Point, f64)> + Clone {
+    // All directions have the length one, so that labels are as far off in each.
     const SLANT: f64 = std::f64::consts::FRAC_1_SQRT_2;
     const ALL: [(f64, f64, f64); 8] = [
         (SLANT, SLANT, 0.0),

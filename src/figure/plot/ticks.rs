@@ -71,6 +71,7 @@ impl Ticks {
         while decade <= range[1] && ticks.len() < MAX_COUNT {
             for digit in 1..10 {
                 let at = decade + log10(f64::from(digit));
+                // In so short a range there are one or two powers of ten, by which nobody reads a scale.
                 let is_labelled = digit == 1 || (decades < 1.5 && [2, 5].contains(&digit));
                 if at >= range[0] - SLACK && at <= range[1] + SLACK && (decades < 4.0 || digit == 1)
                 {
@@ -99,6 +100,7 @@ fn multiples(range: [f64; 2], step: f64) -> impl Iterator<Item = f64> {
     };
     (0..count.min(MAX_COUNT)).map(move |place| {
         let at = (first + place as f64) * step;
+        // A multiple may come out as a negative zero, which would be printed with its sign.
         if at == 0.0 { 0.0 } else { at }
     })
 }
@@ -119,6 +121,7 @@ fn round_step(least: f64) -> f64 {
 /// The power of ten, a multiple of three, that labels are freed of where they would be long.
 fn common_power(largest: f64) -> i32 {
     if largest >= 1e4 || (largest < 0.02 && largest > 0.0) {
+        // By threes, so that the power with the unit is one with a prefix: 10⁻³ m is mm.
         3 * (log10(largest) / 3.0).floor() as i32
     } else {
         0

@@ -95,6 +95,8 @@ impl Answers {
         if are_right {
             equations.clear();
         }
+        // In this order, since what one of them finds the next ones leave alone: matrices say more than one
+        // number does, and formulas that have to be searched come last.
         system::extend(solution, &mut answers, &equations);
         shapes::extend(solution, &mut answers);
         related::extend(solution, &mut answers);
@@ -172,6 +174,7 @@ impl Answers {
     /// The student's own values of some quantities, and the right ones of those that were answered rightly.
     pub(crate) fn values(&self, own: &[&Own]) -> Vec<(NodeId, Value)> {
         // The last answer to a quantity comes first, and the first value for a node stands.
+        // A student who corrected an answer goes on from the last one.
         let own = own.iter().rev().map(|own| (own.node, own.value.clone()));
         own.chain(self.right.clone()).collect()
     }
@@ -298,6 +301,7 @@ fn as_written(right: &Value, si: &[f64]) -> Option<Value> {
 
 /// A formula in the data of the item alone.
 pub(crate) fn in_data(formula: &Expr, graph: &Graph) -> Option<Expr> {
+    // Each step goes down one level of the graph, which has no cycles.
     const MAX_STEPS: usize = 20;
     let mut formula = formula.clone();
     for _ in 0..MAX_STEPS {

@@ -129,6 +129,7 @@ impl Driven {
                 0.0
             };
             let (sine, cosine) = crate::numerics::sin_cos(of(&harmonic.phase)? - quarter);
+            // Under two frequencies there is no one amplitude.
             if frequency.is_some_and(|known| known != own) {
                 return None;
             }

@@ -46,6 +46,7 @@ fn by_parts(
     let (mut source, mut symbols, mut values) = (None, Substitution::new(), Vec::new());
     let mut has_formulas = true;
     for own in answers.own() {
+        // Where the graph shows that the key depends on the answer, this is put in anyway.
         let goes_on =
             !graph.depends(key, &own.name) && own.node != key && own.source != Source::Related;
         let (Some(value), Some(asked)) = (own.value.as_real(), graph.expr(own.node)) else {
@@ -132,6 +133,7 @@ impl Data {
             let moved = values.iter().enumerate().map(|(place, value)| {
                 // Irrational shares, so that no two data move alike.
                 let share = (0.618_034 * (1 + place) as f64 + 0.414_214 * number as f64).fract();
+                // Near the data, where the same branches of the formulas hold.
                 Precise::exact(value * (0.9 + 0.2 * share))
             });
             moved.collect()
@@ -231,6 +233,7 @@ impl Search<'_> {
 fn factor(number: f64) -> Option<Expr> {
     // Textbooks have small denominators, such as the 12 of a rod about its centre.
     const MAX_BELOW: i128 = 24;
+    // Frequencies bring in π, and their squares π², as in k = 4π² m/T².
     const PI_POWERS: [i32; 5] = [0, 1, -1, 2, -2];
     PI_POWERS.into_iter().find_map(|power| {
         let rest = number / crate::numerics::powi(std::f64::consts::PI, power);

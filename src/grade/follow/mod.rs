@@ -60,6 +60,7 @@ pub(crate) fn follow(
         .chain(alone)
         .filter(|own| !own.is_empty())
         .filter_map(|own| again(solution, place, response, &answers, &own, first))
+        // One that is worth no more than the first marking is not told.
         .find(|marking| marking.credit > first.credit)
 }
 
@@ -77,6 +78,8 @@ fn is_explained(first: &Marking) -> bool {
 /// Whether the numbers of a response are near those of a key by more than the width of its tolerance, which is wide
 /// where the steps cancel: within a quarter of it.
 fn is_close(other: &Solution<'_>, place: usize, marking: &Marking) -> bool {
+    // The tolerance allows for every step to be rounded in the worst way; who went on from the answer is
+    // nearer.
     const SHARE: f64 = 0.25;
     let (Ok(marker), Some(reading)) = (other.marker(place), &marking.reading) else {
         return true;

@@ -55,6 +55,7 @@ fn follow(
     target: &Known,
     rule: &str,
 ) -> Option<()> {
+    // Both come from the same data in a few roundings; a rule that does not hold for the item is off by more.
     const ROUNDING: f64 = 1e-9;
     let rule = Expr::read(rule).ok()?;
     let names: Vec<Name> = rule

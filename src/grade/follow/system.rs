@@ -63,6 +63,8 @@ fn from_equations(
         let best = (0..right.size())
             .filter(|at| !taken[*at])
             .filter_map(|at| Some((at, right.likeness(at, &row)?)))
+            // Of rows that agree as well the first: equations are mostly given in the order of the
+            // coordinates.
             .max_by_key(|(at, likeness)| (likeness.count, usize::MAX - at));
         let (at, likeness) = best?;
         taken[at] = true;
@@ -90,6 +92,7 @@ fn row(model: &Model, equation: &Equation, solution: &Solution<'_>) -> Option<Ve
             });
         }
     }
+    // Without an acceleration it is a constraint or a balance at rest.
     let has_inertia = row[..coordinates.len()]
         .iter()
         .any(|entry| entry.value != 0.0);
@@ -248,11 +251,13 @@ impl Derived<'_> {
 }
 
 fn frequency(square: f64) -> f64 {
+    // Rounding may leave the square of a rigid motion below zero.
     square.max(0.0).sqrt()
 }
 
 /// A shape with unit modal mass, its first component that is not zero positive.
 pub(crate) fn normalized(shape: &[f64], mass: &[f64]) -> Option<Vec<f64>> {
+    // What rounding leaves of a node of the shape.
     const ZERO: f64 = 1e-9;
     let rows = mass.chunks(shape.len());
     let modal: f64 = rows

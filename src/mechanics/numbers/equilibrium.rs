@@ -52,17 +52,18 @@ impl Numbers {
             let share = f64::from(2 * step - STEPS_OF_A_TURN) / f64::from(STEPS_OF_A_TURN);
             let angle = Dd::PI * share;
             let (force, is_zero) = self.force_at(&[Precise::of_dd(angle, PI_ERROR)])?;
+            // The first step is −π, which is the same place as the last one.
             if is_zero && step > 0 {
                 positions.push(angle.hi());
             }
-            if let Some((before, old)) = last.filter(|(_, old)| old * force < 0.0 && !is_zero) {
+            if let Some((before, _)) = last.filter(|(_, old)| old * force < 0.0 && !is_zero) {
                 let force = |at: f64| {
                     self.force_at(&[Precise::exact(at)])
                         .map_or(f64::NAN, |own| own.0)
                 };
-                let _ = old;
                 positions.extend(bracketed_root(force, before, angle.hi(), 0.0).ok());
             }
+            // Next to a zero that was met the sign is rounding, and would be found a second time as a change.
             last = (!is_zero).then_some((angle.hi(), force));
         }
         Ok(positions)
@@ -157,6 +158,7 @@ impl Numbers {
             let rounding: f64 = terms
                 .map(|(slope, (at, bound))| slope.abs() * (bound + 4.0 * f64::EPSILON * at.abs()))
                 .sum();
+            // Bounds add up the worst of each rounding, but the position was rounded to `f64` besides.
             if forces.numbers()[row].abs() > 4.0 * (rounding + forces.bounds()[row]) {
                 return Err(Unavailable::NotAtRest {
                     coordinate: name.clone(),
@@ -232,6 +234,7 @@ impl Place {
         let is_finite = |step: &DVector<f64>| step.iter().all(|x| x.is_finite());
         newton.filter(is_finite).or_else(|| {
             let scale = self.forces.norm();
+            // Of length one, in whatever units: shortened by halves it finds its size.
             Some(-self.forces.clone() / scale).filter(is_finite)
         })
     }

@@ -14,6 +14,7 @@ use crate::vibration::modal::{Damping, ForcedModalResponse, HarmonicForces, Moda
 use crate::vibration::modes::Modes;
 
 /// Two frequencies count as equal within this part of them.
+// Frequencies that are equal by symmetry come out equal to some 1e-15.
 const SAME_FREQUENCY: f64 = 1e-9;
 
 /// Damping couples two modes if its entry between them exceeds this part of their own.
@@ -150,6 +151,7 @@ impl Numbers {
             let largest = shape
                 .iter()
                 .fold(0.0, |largest: f64, own| largest.max(own.abs()));
+            // A node that rounding has moved off zero must not become the unit of the shape.
             let first = shape.iter().find(|own| own.abs() > 1e-12 * largest);
             first.map_or(f64::NAN, |first| 1.0 / (first * first))
         };

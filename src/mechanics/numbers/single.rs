@@ -55,6 +55,7 @@ impl Numbers {
             Sdof::Mass => Ok(entry(&matrices.mass)),
             Sdof::Damping => Ok(entry(&matrices.damping)),
             Sdof::Stiffness => Ok(entry(&matrices.stiffness)),
+            // A damped mass without a spring is no oscillator, and its motion decays all the same.
             Sdof::DecayRate if self.stiffness_matrix()?.numbers()[0] <= 0.0 => {
                 let rate = matrices.damping.numbers()[0] / (2.0 * matrices.mass.numbers()[0]);
                 Ok(self.with_relative_bound(rate))

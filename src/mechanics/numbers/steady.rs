@@ -38,6 +38,7 @@ impl Numbers {
     pub(crate) fn amplitudes(&self, drive: &Drive) -> Result<Vec<Complex>, Unavailable> {
         let forces = drive.cosine.iter().zip(&drive.sine);
         let forces: Vec<_> = forces.map(|(a, b)| Complex::new(*a, -*b)).collect();
+        // One coordinate has a closed form, which keeps its digits beside resonance.
         if let ([force], Ok(oscillator)) = (forces.as_slice(), self.oscillator()) {
             let response = FrequencyResponse::at(&oscillator, drive.frequency);
             if response.is_unbounded() {

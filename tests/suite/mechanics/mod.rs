@@ -1,5 +1,6 @@
 //! Mechanics from energies: what follows from what authors write.
 
+mod chains;
 mod derivatives;
 mod mistakes;
 mod systems;

@@ -59,7 +59,7 @@ pub(crate) const FORMULAS: &[(&str, &str)] = &[
     ),
     (
         r"\begin{aligned} m\ddot x &= -kx - c\dot x \\ &= -k\left(x + \frac{c}{k}\dot x\right) \end{aligned}",
-        "mẍ = −kx − cẋ; = −k(x + c/k ẋ)",
+        "mẍ = −kx − cẋ = −k(x + c/k ẋ)",
     ),
     (r"\sum_{i=1}^{n} m_i \dot x_i^2", "∑_(i = 1)^n mᵢ ẋᵢ²"),
     (r"\int_0^T F(t)\,\mathrm{d}t", "∫_0^T F(t) dt"),

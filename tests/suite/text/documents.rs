@@ -254,3 +254,10 @@ fn a_filled_base_keeps_its_meaning() {
         r"$\left(2.0\,\mathrm{kg}\right)^2$"
     );
 }
+
+#[test]
+fn a_chain_on_several_lines_is_one_chain_in_a_terminal() {
+    let chain = "\\begin{aligned} a &= b \\\\ &= c \\\\ d &= e \\end{aligned}";
+    let math = vibank::document::read_math(chain).expect("it can be read");
+    assert_eq!(math.plain(), "a = b = c; d = e");
+}

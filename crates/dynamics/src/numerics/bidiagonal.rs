@@ -48,6 +48,8 @@ struct Shift {
 
 impl Shift {
     fn plus(self, step: f64) -> Self {
+        // The shifts of later eigenvalues are ever smaller beside the sum: without the errors, roundings
+        // would pile up in it.
         let (high, error) = two_sum(self.high, step);
         Self {
             high,
@@ -130,6 +132,8 @@ impl Block {
                 self.shift = self.shift.plus(step);
                 return self.lower_bound();
             }
+            // A bound that rounding has pushed above the eigenvalue is cut down; a shift of zero always
+            // passes, as it subtracts nothing.
             step = if step > f64::MIN_POSITIVE {
                 step / 4.0
             } else {
@@ -168,6 +172,7 @@ impl Block {
             entry = (1.0 + coupling * entry) / next;
             trace += entry;
         }
+        // The sum of positive terms is off by a few u a term, and must not come out above the eigenvalue.
         let bound = (1.0 - 1e-14 * self.diagonal.len() as f64) / trace;
         if bound.is_finite() { bound } else { 0.0 }
     }

@@ -98,6 +98,7 @@ pub(crate) fn solve_lower_transposed<T: Real>(lower: &DMatrix<T>, x: &mut [T]) {
 pub(crate) fn congruent<T: Real>(lower: &DMatrix<T>, matrix: &DMatrix<T>) -> DMatrix<T> {
     let half = solved_columns(lower, matrix).transpose();
     let full = solved_columns(lower, &half);
+    // Rounding leaves both halves of the result different; rotations rely on their being the same.
     let two = T::from(2.0);
     DMatrix::from_fn(full.nrows(), full.ncols(), |i, j| {
         (full[(i, j)] + full[(j, i)]) / two

@@ -141,6 +141,7 @@ impl Complex {
         if modulus == 0.0 {
             return Self::ZERO;
         }
+        // Halved first: the sum of both may overflow.
         let large = (0.5 * modulus + 0.5 * self.re.abs()).sqrt();
         let small = 0.5 * self.im / large;
         if self.re >= 0.0 {

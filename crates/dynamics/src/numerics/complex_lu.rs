@@ -34,6 +34,7 @@ impl ComplexSystem {
             .collect();
         let mut rows: Vec<usize> = (0..size).collect();
         for k in 0..size {
+            // Rows may be equations in different units: an entry is large beside the others of its row.
             let weight = |i: usize| magnitude(factors[(i, k)]) / scales[rows[i]];
             let pivot =
                 (k..size).max_by(|&i, &j| weight(i).total_cmp(&weight(j)).then(j.cmp(&i)))?;

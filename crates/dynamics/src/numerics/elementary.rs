@@ -103,6 +103,7 @@ pub fn powi(x: f64, n: i32) -> f64 {
 /// ```
 #[inline]
 pub fn scale_by_power_of_two(x: f64, n: i32) -> f64 {
+    // The exponents of normal numbers: then 2^n is one of binary64, and the product rounds once.
     const BIAS: i32 = 1023;
     if (1 - BIAS..=BIAS).contains(&n) {
         x * f64::from_bits(((n + BIAS) as u64) << 52)

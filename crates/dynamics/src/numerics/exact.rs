@@ -94,6 +94,8 @@ fn product_error(a: f64, b: f64, product: f64) -> f64 {
 /// Veltkamp's split into two numbers of 26 bits.
 #[inline]
 fn halves(a: f64) -> (f64, f64) {
+    // Half of the 53 bits, rounded up. With its sign the low part needs 26 bits too, so that products of
+    // parts are exact.
     const SPLITTER: f64 = 134_217_729.0; // 2^27 + 1
     let scaled = SPLITTER * a;
     let high = scaled - (scaled - a);

@@ -64,6 +64,7 @@ impl ExactNumber {
 
     /// The value of a binary64 to its last bit; `None` for an infinity or no number.
     pub fn from_f64(value: f64) -> Option<Self> {
+        // The leading bit of a normal number is not stored.
         const FRACTION_BITS: u32 = f64::MANTISSA_DIGITS - 1;
         if !value.is_finite() {
             return None;
@@ -216,6 +217,7 @@ fn rounded_sign(terms: &[&[ExactNumber]]) -> Option<Ordering> {
     let (mut sum, mut size) = (Dd::ZERO, 0.0);
     let is_safe = |number: Dd| SAFE.contains(&number.hi().abs());
     for factors in terms {
+        // A zero is below the range that is safe, and would send the sum to long arithmetic for nothing.
         if factors.iter().any(|factor| factor.is_zero()) {
             continue;
         }
@@ -239,6 +241,7 @@ fn exact_sign(terms: &[&[ExactNumber]]) -> Ordering {
         lowest(|product| product.two),
         lowest(|product| product.five),
     );
+    // Long numbers have no sign here; both sides are collected apart and compared at the end.
     let mut positive = Natural::ZERO;
     let mut negative = Natural::ZERO;
     for (at, product) in products.iter().enumerate() {
@@ -306,6 +309,7 @@ fn dd_of(value: i128) -> Dd {
 fn scale_by_ten(mut value: Dd, exponent: i32) -> Dd {
     // 10^22 is the largest power of ten that binary64 holds exactly, as 5^22 is less than 2^53.
     const STEP: u32 = 22;
+    // Spares the power of 128-bit integers in all steps but the last.
     const EXACT_POWER: f64 = 1e22;
     let mut left = exponent.unsigned_abs();
     while left > 0 {

@@ -22,6 +22,7 @@ pub(crate) struct Propagator {
 }
 
 /// Up to this norm of `A t` squaring in `f64` is accurate enough.
+// These are seven squarings, which double the rounding of the first power to 1.4e-14.
 const SHORT: f64 = 64.0;
 
 /// Largest matrix that is squared in double-double arithmetic.
@@ -144,6 +145,8 @@ fn squares(first: DMatrix<f64>, squarings: i32) -> Vec<DMatrix<f64>> {
 
 /// The diagonal Padé approximant of order 13, for norms up to about 5.
 fn pade(matrix: &DMatrix<f64>) -> DMatrix<f64> {
+    // (26 - j)!/((13 - j)! j!), integers that binary64 holds exactly: the coefficients of both polynomials,
+    // times 26!/13! (Higham, SIAM J. Matrix Anal. 26 (2005) 1179).
     const B: [f64; 14] = [
         64_764_752_532_480_000.0,
         32_382_376_266_240_000.0,
@@ -174,6 +177,8 @@ fn pade(matrix: &DMatrix<f64>) -> DMatrix<f64> {
     denominator
         .lu()
         .solve(&numerator)
+        // The caller looks for powers that are not finite, and refuses them; there is no second kind of
+        // error.
         .unwrap_or_else(|| DMatrix::from_element(size, size, f64::NAN))
 }
 
@@ -190,18 +195,20 @@ fn exact_powers(generator: &DMatrix<Dd>, base: f64, squarings: i32) -> Vec<DMatr
 
 /// The exponential of a matrix of norm one: the Taylor series of a sixteenth of it, squared four times.
 fn taylor(matrix: &DMatrix<Dd>) -> DMatrix<Dd> {
-    const SIXTEENTHS: i32 = 4;
+    // Eighteen products and four squarings in place of the thirty products that the series of the whole would
+    // take.
+    const HALVINGS: i32 = 4;
     // The next term is at most (1/16)^19/19! = 1e-40, less than 2^-106 also after four squarings.
     const TERMS: i32 = 18;
     let size = matrix.nrows();
-    let small = matrix.map(|x| x.scale(-SIXTEENTHS));
+    let small = matrix.map(|x| x.scale(-HALVINGS));
     let one = DMatrix::from_fn(size, size, |i, j| if i == j { Dd::ONE } else { Dd::ZERO });
     let mut sum = one.clone();
     for order in (1..=TERMS).rev() {
         let inner = product(&small, &sum).map(|x| x / f64::from(order));
         sum = inner.zip_map(&one, |x, y| x + y);
     }
-    for _ in 0..SIXTEENTHS {
+    for _ in 0..HALVINGS {
         sum = product(&sum, &sum);
     }
     sum
@@ -213,6 +220,7 @@ fn product(left: &DMatrix<Dd>, right: &DMatrix<Dd>) -> DMatrix<Dd> {
     for (j, target) in result.as_mut_slice().chunks_exact_mut(size).enumerate() {
         for (k, column) in left.as_slice().chunks_exact(size).enumerate() {
             let factor = right[(k, j)];
+            // The series starts from the identity, whose zeros would cost as much as numbers.
             if factor != Dd::ZERO {
                 target
                     .iter_mut()

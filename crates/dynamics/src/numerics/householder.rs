@@ -173,6 +173,7 @@ fn reflection(x: &mut [f64]) -> (f64, f64) {
         return (0.0, alpha);
     }
     let length = (alpha * alpha + square).sqrt();
+    // Of the opposite sign, so that `alpha - beta` does not cancel.
     let beta = if alpha < 0.0 { length } else { -length };
     let scale = 1.0 / (alpha - beta);
     for entry in rest {

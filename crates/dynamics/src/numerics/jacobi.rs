@@ -71,6 +71,7 @@ impl ScaledColumns {
     }
 
     fn orthogonalize(&mut self) {
+        // A product of n terms is off by n u of both lengths: a smaller one cannot be told from zero.
         let tolerance = self.rows.max(4) as f64 * (f64::EPSILON / 2.0);
         for _ in 0..MAX_SWEEPS {
             if !self.sweep(tolerance * tolerance) {
@@ -83,6 +84,7 @@ impl ScaledColumns {
     fn sweep(&mut self, tolerance_squared: f64) -> bool {
         let mut squares = self.squared_lengths();
         self.balance(&mut squares);
+        // The longest first, which takes fewer sweeps (de Rijk, SIAM J. Sci. Stat. Comput. 10 (1989) 359).
         let mut order = ascending(squares.len(), &|j| -(self.scales[j] * squares[j].sqrt()));
         let mut rotated = false;
         for p in 0..order.len() {
@@ -181,6 +183,7 @@ impl Rotation {
         let difference = square * short - long;
         let twice = 2.0 * product;
         let root = (difference * difference + square * twice * twice).sqrt();
+        // The smaller of both angles: its denominator is a sum of positive terms.
         let into_short = -twice / (difference.abs() + root);
         let into_long = square * into_short;
         let squared_tangent = into_long * into_short;

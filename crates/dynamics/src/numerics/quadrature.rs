@@ -64,6 +64,8 @@ pub fn integral(
     let mut pieces = vec![Piece::over(&mut f, lower, upper)?];
     loop {
         let total = Piece::total(&pieces);
+        // Where positive and negative parts cancel, no number of cuts makes the sum better than the rounding
+        // of its parts.
         let rounding = 2.0 * f64::EPSILON * pieces.iter().map(|piece| piece.magnitude).sum::<f64>();
         if total.error <= (tolerance * total.value.abs()).max(rounding) {
             return Ok(Integral {
@@ -71,6 +73,7 @@ pub fn integral(
                 ..total
             });
         }
+        // A heap would save little: each cut costs 42 evaluations, and there are two thousand at most.
         let worst = (0..pieces.len())
             .max_by(|&a, &b| pieces[a].error.total_cmp(&pieces[b].error))
             .unwrap_or(0);
@@ -95,6 +98,7 @@ struct Piece {
 
 impl Piece {
     fn over(f: &mut impl FnMut(f64) -> f64, lower: f64, upper: f64) -> Result<Self, IntegralError> {
+        // Halved before they are added, so that ends near the largest number do not overflow.
         let (middle, half) = (0.5 * lower + 0.5 * upper, 0.5 * upper - 0.5 * lower);
         let mut value = |at: f64| {
             Some(f(at))
@@ -145,6 +149,8 @@ impl Piece {
 
 /// The difference of both rules overestimates the error of the better one; QUADPACK's power law, above rounding.
 fn estimate(difference: f64, spread: f64, magnitude: f64) -> f64 {
+    // Both numbers, 200 and the power 3/2, are those of QK21. The spread about the mean makes it independent
+    // of a constant that is added to the integrand.
     let ratio = (200.0 * difference / spread).min(1.0);
     let truncation = if spread > 0.0 {
         spread * ratio * ratio.sqrt()
@@ -154,6 +160,7 @@ fn estimate(difference: f64, spread: f64, magnitude: f64) -> f64 {
     truncation.max(0.5 * f64::EPSILON * magnitude)
 }
 
+// Columns of `RULE`, whose first one has the nodes.
 const KRONROD: usize = 1;
 const GAUSS: usize = 2;
 

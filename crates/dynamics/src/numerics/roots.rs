@@ -105,11 +105,14 @@ impl Bracket {
         } else {
             (end, start)
         };
+        // Halved first: the length of an interval across all numbers would overflow.
         let half = 0.5 * high.x - 0.5 * low.x;
         Self {
             low,
             high,
             tolerance: tolerance.max(0.0),
+            // The authors' parameters: κ1 = 0.2/(b - a), κ2 = 2, and n0 = 1, the one step more than bisection
+            // takes.
             truncation: 0.1 / half,
             radius: 2.0 * half,
         }
@@ -120,6 +123,7 @@ impl Bracket {
         let half = 0.5 * self.high.x - 0.5 * self.low.x;
         let middle = self.low.x + half;
         self.radius *= 0.5;
+        // With neighbouring numbers the middle rounds to an end, and no tolerance would ever be met.
         if half <= self.tolerance || middle <= self.low.x || middle >= self.high.x {
             return None;
         }
@@ -148,6 +152,8 @@ impl Bracket {
     fn secant(&self) -> Option<f64> {
         let share = self.low.y / (self.low.y - self.high.y);
         let x = self.low.x + share * (self.high.x - self.low.x);
+        // A function may be infinite at an end, as a tangent is; then the chord says nothing, and the middle
+        // serves.
         x.is_finite().then_some(x)
     }
 

@@ -45,6 +45,7 @@ fn sweep(matrix: &mut DMatrix<f64>, vectors: &mut DMatrix<f64>) -> bool {
     for p in 0..matrix.nrows() {
         for q in p + 1..matrix.nrows() {
             let (first, second, coupling) = (matrix[(p, p)], matrix[(q, q)], matrix[(p, q)]);
+            // Beside both, so that a small eigenvalue keeps the digits that its entries determine.
             let negligible = f64::EPSILON / 8.0 * (first.abs() * second.abs()).sqrt();
             if coupling.abs() <= negligible || is_swallowed(coupling, first, second) {
                 continue;

@@ -54,6 +54,8 @@ pub(crate) fn eigenvalues(diagonal: &[f64], off_diagonal: &[f64]) -> Option<Vec<
 /// One pass of the root-free QL algorithm, which makes the first square small.
 fn pass(diagonal: &mut [f64], squares: &mut [f64]) {
     let last = squares.len();
+    // Wilkinson's shift, the eigenvalue of the first corner next to its first entry; the sign is copied so
+    // that nothing cancels in the denominator.
     let root = squares[0].sqrt();
     let ratio = (diagonal[1] - diagonal[0]) / (2.0 * root);
     let length = (ratio * ratio + 1.0).sqrt();
@@ -73,6 +75,7 @@ fn pass(diagonal: &mut [f64], squares: &mut [f64]) {
         sine = square * inverse;
         gamma = cosine * (alpha - shift) - sine * old;
         diagonal[i + 1] = old + (alpha - gamma);
+        // Where the pivot vanished, r/p is 0/0; this is its limit.
         p = if cosine == 0.0 {
             before * square
         } else {
@@ -110,6 +113,7 @@ type Lanes = [f64; LANES];
 const MAX_STEPS: usize = 8;
 
 /// A pivot that came out zero is this instead.
+// Entries are about one, so that their quotients by it stay finite.
 const TINY: f64 = 1e-280;
 
 impl Factored {
@@ -167,6 +171,8 @@ impl Factored {
             values.extend(found.iter().map(|pair| pair.value));
             residuals.extend(found.iter().map(|pair| pair.residual));
         }
+        // Each residual bounds how far its value is from an eigenvalue. Intervals that overlap may hold the
+        // same one twice.
         let are_apart = (1..values.len()).all(|i| {
             let rounding = residuals[i] + residuals[i - 1] + 4.0 * U * values[i].abs();
             values[i] - values[i - 1] > rounding
@@ -275,6 +281,7 @@ impl Twisted {
             }
         }
         let mut p: Lanes = std::array::from_fn(|lane| matrix.diagonal[last] - values[lane]);
+        // An index as a number, so that it is selected as the pivots are, without a branch in each lane.
         let mut row = [last as f64; LANES];
         let mut smallest: Lanes = std::array::from_fn(|lane| rest[lane] + p[lane]);
         for i in (0..last).rev() {

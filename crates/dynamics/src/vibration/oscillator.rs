@@ -109,6 +109,7 @@ impl Oscillator {
         if scaled.damping < MAX_DAMPING {
             Ok(Self {
                 mass,
+                // A negative zero is no negative damping, and must not turn a sign later on.
                 damping: damping.abs(),
                 stiffness,
                 scaled,
@@ -307,6 +308,7 @@ impl Scaled {
         let square = if self.damping < LARGE_DAMPING {
             Dd::product(self.damping, self.damping)
         } else {
+            // The square of the limit, of which 4 m k is below the last digit as well.
             Dd::from(1e60)
         };
         let product = Dd::product(4.0 * self.mass, self.stiffness);

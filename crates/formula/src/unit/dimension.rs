@@ -13,6 +13,7 @@ use super::rational::{Rational, gcd};
 pub(crate) const PARTS: i32 = 2520;
 
 /// The largest exponent that a power may give.
+// Times the parts it is 2.5 million, which leaves room for sums in 32 bits.
 const MAX_EXPONENT: i32 = 1000;
 
 /// The dimension of a quantity: rational exponents of the seven base quantities.

@@ -10,6 +10,7 @@ use super::table::{Found, PREFIXES, ROWS, bare_symbol, symbol, word};
 const MAX_COUNT: usize = 4;
 
 /// The longest run of letters that may be several units.
+// Twelve letters can be cut in 2¹¹ ways.
 const MAX_LENGTH: usize = 12;
 
 /// Several units in a row.
@@ -104,6 +105,7 @@ pub(crate) fn units(name: &str, span: Range<usize>) -> Result<Joined, Error> {
     }
     if let Some(stem) = name
         .strip_suffix('s')
+        // English plurals of symbols: `5 kgs` may be kilograms or kilogram seconds.
         .filter(|stem| ["g", "kg", "mm", "cm", "km"].contains(stem))
     {
         let kind = ErrorKind::AmbiguousUnit {
@@ -137,6 +139,7 @@ pub(crate) fn units(name: &str, span: Range<usize>) -> Result<Joined, Error> {
 /// `KN`, `Khz`: a kilo that should be small. Kelvin stands alone.
 fn capital_kilo(name: &str) -> Option<Found> {
     let rest = name.strip_prefix('K')?;
+    // `KN` is typed for kN; a kelvin newton is in no textbook of vibrations.
     let row = bare_symbol(rest).or_else(|| {
         word(rest)
             .filter(|found| found.prefix == 0 && rest == "hz")

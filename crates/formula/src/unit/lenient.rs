@@ -25,6 +25,7 @@ const MAX_DEPTH: usize = 8;
 /// Reads the unit after a number, which may be joined to it by a sign of multiplication.
 pub(crate) fn after_number(text: &str) -> Result<Unit, Error> {
     let unspaced = text.trim_start();
+    // `3 1` is two numbers, though `1` alone is a unit.
     if unspaced.trim_end() == "1" {
         let at = text.len() - unspaced.len();
         return Err(Error::new(ErrorKind::NumberWithinUnit, at..at + 1));
@@ -144,6 +145,7 @@ impl<'a> UnitReader<'a> {
             (Some(Between::Slash), None) => return self.divisor().map(Some),
             (Some(Between::Slash), Some(first)) => {
                 let second = self.divisor()?;
+                // `m/s/s` is the same either way.
                 if !self.builder.are_equal(first, second) {
                     return Err(place.error(ErrorKind::SecondSlash));
                 }
@@ -196,6 +198,7 @@ impl<'a> UnitReader<'a> {
 
     fn product_sign(&mut self) -> bool {
         match self.scanner.peek() {
+            // Hyphen and full stop join units for many, `N-m` and `N.m`.
             Some('·' | '⋅' | '•' | '∙' | '×' | '*' | '.' | '-' | '‐' | '‑') => {
                 self.scanner.skip()
             }
@@ -246,6 +249,7 @@ impl<'a> UnitReader<'a> {
         let behind = self.scanner;
         self.power(self.builder.len() - 1)?;
         // `3 m-2 m` is a difference.
+        // Read as a power, the minus would make a wrong unit in silence.
         let is_less = behind.rest().starts_with(['-', '−']) && behind.at() < self.scanner.at();
         if is_less && self.scanner.rest().trim_start().starts_with(name) {
             return Err(behind.error(ErrorKind::Unexpected { found: '-' }));

@@ -26,6 +26,7 @@ impl Digits {
             self.exponent -= i32::from(after_point);
             return;
         }
+        // Rounded up, 38 nines would take one digit more.
         if self.dropped == 0
             && digit >= 5
             && self.significand + 1 < 10_u128.pow(Decimal::MAX_DIGITS)
@@ -101,6 +102,7 @@ fn power(text: &str) -> i32 {
     let size = text
         .bytes()
         .filter(u8::is_ascii_digit)
+        // Bounded on the way, as digits without end would overflow.
         .fold(0_i32, |power, digit| {
             (power * 10 + i32::from(digit - b'0')).min(100_000)
         });
@@ -185,6 +187,7 @@ fn body(text: &str) -> &str {
     let mut end = digits(0);
     while let Some(space) = next(end).filter(|char| GROUP_SIGNS.contains(char)) {
         let group = end + space.len_utf8();
+        // `12 345` is one number, `2024 365` are two.
         if digits(0) == 0 || digits(0) > 3 || digits(group) != 3 {
             break;
         }
@@ -215,6 +218,8 @@ fn decimal_point(body: &str, mark: DecimalMark) -> Result<Option<usize>, ErrorKi
     let (separator, decimal) = match (points, commas) {
         (0, 0) => return Ok(None),
         (1, 0) => return Ok(body.find('.')),
+        // `1,234` is more than a thousand for some and little more than one for others; `0,234` is a decimal
+        // for all.
         (0, 1) if mark == DecimalMark::Point && grouped(body, ',') && !body.starts_with('0') => {
             return Err(ErrorKind::AmbiguousComma {
                 found: excerpt(body),
@@ -241,6 +246,7 @@ fn grouped(whole: &str, separator: char) -> bool {
     let mut groups = whole.split(separator);
     groups
         .next()
+        // `1.5.2` is a section of a book or a date, and no number of thousands.
         .is_some_and(|first| (1..=3).contains(&first.len()))
         && groups.all(|group| group.len() == 3)
 }

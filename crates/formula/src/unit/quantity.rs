@@ -104,6 +104,7 @@ impl Quantity {
 
     /// This quantity, if its SI value is a finite number, and zero only if it is.
     pub(crate) fn checked(self, text: &str) -> Result<Self, Error> {
+        // Four bits for each decimal digit: most quantities are seen to be in range without being converted.
         let is_moderate =
             || self.unit.scale().most_bits() + 4 * i64::from(self.value.magnitude().abs()) < 1000;
         let is_in_range = |si: f64| si.is_finite() && (si != 0.0 || self.value.is_zero());

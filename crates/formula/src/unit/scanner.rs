@@ -145,6 +145,7 @@ impl<'a> Scanner<'a> {
         } else {
             ""
         };
+        // More digits than any exponent has, and few enough for 32 bits.
         if whole.len() > 3 || tenths.len() > 3 || whole.is_empty() && tenths.is_empty() {
             return None;
         }

@@ -395,6 +395,7 @@ impl Prepared {
             10.0
         };
         (0..16)
+            // None of them is a simple share of the period, at which sines vanish or meet cosines.
             .map(|place| span * (f64::from(place) + 0.37) / 16.0)
             .collect()
     }

@@ -9,6 +9,7 @@ const SHEET: [&[u8]; 2] = [b"dimension", b"sheetData"];
 
 /// Letters and digits of the last place that a sheet has, `XFD1048576`.
 const LETTERS: usize = 3;
+// 1,048,576 rows, 2^20.
 const DIGITS: usize = 7;
 
 /// What would mislead the reader of a workbook in one of its files.

@@ -84,6 +84,7 @@ impl Dd {
     /// Angle in [-π/2, π/2] whose sine is x; NaN outside [-1, 1].
     #[must_use]
     pub fn asin(self) -> Self {
+        // 1 - x² would lose its digits beside 1.
         Self::atan2(self, ((1.0 - self) * (1.0 + self)).sqrt())
     }
 
@@ -109,6 +110,7 @@ impl Dd {
         if y.hi == 0.0 || x.hi == 0.0 || largest == i32::MAX {
             return Self::on_axis(start);
         }
+        // The quotient of the step is the same, and its products stay within the range of numbers.
         let (y, x) = (y.scale(-largest), x.scale(-largest));
         let (sine, cosine) = Self::from(start).sin_cos();
         let step = (y * cosine - x * sine) / (x * cosine + y * sine);
@@ -121,6 +123,7 @@ impl Dd {
 
     /// The multiple of π/4 that was rounded to this angle, or the angle itself.
     fn on_axis(angle: f64) -> Self {
+        // On an axis the angle is known: a rounded π would be carried on with 53 bits.
         let eighths = angle / Self::FRAC_PI_4.hi;
         if eighths == eighths.trunc() {
             Self::FRAC_PI_4 * eighths
@@ -142,6 +145,8 @@ impl Dd {
 
     /// -1/n! + x/(n+2)! - x²/(n+4)! + ... to 1/29!. Terms below u of the sum are formed in `f64`.
     fn alternating<const FIRST: usize>(self) -> Self {
+        // At π/4 the term of 1/17! is 6e-17 of the sine, less than 2^-53; that of 1/18! is 2e-18 of the
+        // cosine.
         const SHORT: usize = 17;
         let odd = FIRST & 1;
         let sign = |n: usize| if (n - odd) & 2 == 0 { 1.0 } else { -1.0 };

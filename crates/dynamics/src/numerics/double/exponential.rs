@@ -10,6 +10,7 @@ use crate::numerics::exact::two_sum;
 /// The integer next to a number below 2^51: the sum rounds to its unit.
 #[inline]
 fn nearest_integer(x: f64) -> f64 {
+    // Halfway up the numbers whose unit is one, so that a negative number does not leave them either.
     const UNIT_ONE: f64 = 6_755_399_441_055_744.0; // 3/2 2^52
     (x + UNIT_ONE) - UNIT_ONE
 }
@@ -61,6 +62,8 @@ impl Dd {
         }
         let n = crate::numerics::elementary::binary_exponent(self.hi);
         let mantissa = self.scale(-n);
+        // So the rest is half of ln 2 at most: with a mantissa up to 2 it would cancel with n ln 2 just below
+        // 1.
         let (n, mantissa) = if mantissa.hi > Self::SQRT_2.hi {
             (n + 1, mantissa.scale(-1))
         } else {

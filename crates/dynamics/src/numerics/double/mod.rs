@@ -69,6 +69,7 @@ impl Dd {
     /// The integer `n`, exactly.
     #[inline]
     pub fn from_integer(n: i64) -> Self {
+        // Halves of 32 bits are exact in binary64; a conversion of all 64 would round.
         let high = (n >> 32) as f64 * 4_294_967_296.0;
         Self::sum(high, (n & 0xffff_ffff) as f64)
     }

@@ -10,6 +10,9 @@
 use super::Dd;
 use super::constants::TWO_OVER_PI;
 
+// A mantissa of 53 bits spoils as many of the 320, which leaves 267. There are fewer than 2^128
+// double-doubles, so that none is to be expected much closer than 2^-128 to a multiple of a quarter turn: the
+// remainder still has its 106 bits.
 const WORDS: usize = 5;
 
 /// A fraction of a turn in two's complement, the leading word first; turns wrap around.

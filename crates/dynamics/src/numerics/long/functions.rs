@@ -287,6 +287,7 @@ impl Long {
     #[must_use]
     pub fn acosh(self) -> Self {
         let root = ((self - one()) * (self + one())).sqrt();
+        // Near 1 the sum is near 1, and its logarithm would lose digits.
         if self < Self::from(1.5) {
             return (root / self).atanh();
         }

@@ -322,6 +322,8 @@ impl FromRest {
     fn of(scaled: &Scaled, kind: Kind, force: HarmonicForce) -> Self {
         let exponent = binary_exponent(force.cosine)
             .max(binary_exponent(force.sine))
+            // A force that is zero has the smallest integer for an exponent, which must not overflow when it
+            // is subtracted.
             .clamp(-1100, 1100);
         let unit = PowerOfTwo::new(-exponent);
         let position = exponent - scaled.mass_exponent - 2 * scaled.rate_exponent;

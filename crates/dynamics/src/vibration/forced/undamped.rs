@@ -107,6 +107,7 @@ impl Beat {
 
 /// sin(ω t)/ω from the sine.
 fn over(sine: f64, frequency: Dd, t: f64) -> f64 {
+    // At resonance the detuning is zero, and this is the limit of the quotient.
     if sine == 0.0 && frequency.hi().abs() * t < 1.0 {
         t
     } else {

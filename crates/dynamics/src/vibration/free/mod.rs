@@ -62,6 +62,7 @@ struct Units {
 }
 
 /// Exponents below this are lifted by [`LIFT`], so that a large amplitude can decay through the whole range of numbers.
+// e^-600 is 3e-261: products with the factors of a motion still have all digits.
 const LOWEST_EXPONENT: f64 = -600.0;
 /// How far exponents are lifted: by 1024 factors of two.
 const LIFT: i32 = 1024;
@@ -159,6 +160,7 @@ impl Units {
         let position_exponent = binary_exponent(initial.position);
         let velocity_exponent = binary_exponent(initial.velocity).saturating_sub(rate_exponent);
         let exponent = match position_exponent.max(velocity_exponent) {
+            // What lies beyond are the marks of zero and of infinity, which have no exponent.
             exponent @ -4000..=4000 => exponent,
             _ => 0,
         };

@@ -42,6 +42,8 @@ impl Launch {
         let across = w * scale.root;
         let along = scale.stiffness * y * 2.0 + scale.damping * w;
         let amplitude = across.hypot(along) / (scale.stiffness * 2.0);
+        // Without damping the turning point does not depend on the time, whose inverse tangent is the dearest
+        // part.
         if scale.regime == Regime::Undamped {
             return Self {
                 duration: Duration::Angle { across, along },

@@ -114,6 +114,8 @@ impl FrictionMotion {
         if velocity.is_zero() {
             motion.end_from_rest(given, position)?;
         } else {
+            // A throw first goes to a turning point; from there on it is a release from rest, whose rules
+            // serve for both.
             motion.launch(velocity);
             motion.end_from_throw(given, position, velocity)?;
         }
@@ -370,6 +372,8 @@ impl FrictionMotion {
         let side = Dd::from(self.side);
         match self.ending {
             Ending::Rest(half_cycles) => {
+                // The last distance is kept from when it was tested: formed anew it might round to the other
+                // side of the hold.
                 let offset = self.last_reach * self.side_after(half_cycles as f64);
                 // What is left of a long difference is rounding: it rests at the equilibrium.
                 Some(if is_decided(offset, self.reach.hi()) {

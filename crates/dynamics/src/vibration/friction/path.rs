@@ -102,6 +102,8 @@ impl FrictionPath {
         }
         let motion = &self.motion;
         let scaled = scaled_time(time, motion.system.scale.rate_exponent);
+        // In double-double from here on: after a billion half-cycles a rounded time would have lost nine
+        // digits of the phase.
         let since_turning = scaled - self.launch_duration;
         let is_launching = match motion.opening {
             Opening::Released => false,
@@ -131,6 +133,8 @@ impl FrictionPath {
         };
         Arc {
             response: self.slide,
+            // Each slide starts from the closed form of its turning point, not from the end of the one
+            // before: errors do not add up.
             amplitude: (motion.turning_point(steps) - shift).hi(),
             centre: motion.system.equilibrium + shift,
             // After so many turns that their number is rounded, the phase is lost; it must not go backwards.
@@ -154,6 +158,7 @@ impl FrictionPath {
 
 /// A time in units of the scale, kept so short that the phases stay finite.
 fn scaled_time(time: Dd, rate_exponent: i32) -> Dd {
+    // As times of a free response: phases are a few times as large and still finite.
     const MAX_SCALED: f64 = 1e300;
     let scaled = time.scale(rate_exponent);
     if scaled.hi().abs() < MAX_SCALED {

@@ -100,11 +100,13 @@ pub(crate) fn is_decided(difference: Dd, size: f64) -> bool {
 
 /// A product over a number, without leaving the exponent range on the way.
 pub(crate) fn ratio(factors: &[ExactNumber], divisor: ExactNumber) -> Dd {
+    // Three of these over a fourth stay within 1e±240.
     const ORDINARY: std::ops::Range<f64> = 1e-60..1e60;
     let is_ordinary = |number: &ExactNumber| ORDINARY.contains(&number.to_f64().abs());
     if factors.iter().all(is_ordinary) && is_ordinary(&divisor) {
         return product(factors, |factor| factor.to_dd()) / divisor.to_dd();
     }
+    // A zero has the smallest integer for an exponent, and sums of these would overflow.
     let exponent = |number: &ExactNumber| binary_exponent(number.to_f64()).clamp(-1100, 1100);
     let mantissa = |number: &ExactNumber| number.to_dd().scale(-exponent(number));
     let total: i32 = factors.iter().map(exponent).sum();

@@ -241,6 +241,8 @@ impl Coupled {
             matrix[(size + mode, 2 * size)] = part[0] / unit;
             matrix[(size + mode, 2 * size + 1)] = part[1] / unit;
         }
+        // A cosine and a sine are the state of an oscillator of their own, so that the exponential moves the
+        // force along.
         matrix[(2 * size, 2 * size + 1)] = Dd::from(-forces.angular_frequency);
         matrix[(2 * size + 1, 2 * size)] = Dd::from(forces.angular_frequency);
         let propagator = propagator(&matrix, horizon)?;

@@ -88,6 +88,8 @@ impl<'a> Initial<'a> {
     fn modal_state(&self, mode: usize) -> State {
         let part = |vector: &[Dd]| {
             let pairs = self.modes.shape(mode).iter().zip(vector);
+            // Most textbook systems are displaced at one mass, and a product of double-doubles takes twenty
+            // operations.
             let moved = pairs.filter(|(_, y)| y.hi() != 0.0);
             moved.map(|(x, y)| *x * *y).sum::<Dd>().hi()
         };
@@ -152,6 +154,7 @@ impl ModalResponse {
         self.check_length(velocities.len())?;
         check_time(time, self.horizon)?;
         if time == 0.0 {
+            // The sum over the modes would give the start back with a rounding.
             displacements.copy_from_slice(&self.displacements);
             velocities.copy_from_slice(&self.velocities);
             return Ok(());
@@ -211,6 +214,7 @@ impl ModalResponse {
             });
         }
         let intervals = (displacements.len() / size).saturating_sub(1) as f64;
+        // A step that is the horizon over a number of intervals may come out a rounding beyond it at the end.
         let rounding = 1.0 + 4.0 * f64::EPSILON;
         check_time(start, self.horizon)?;
         check_time(step, self.horizon * rounding)?;
@@ -262,6 +266,8 @@ fn check_time(time: f64, horizon: f64) -> Result<(), ModesError> {
 
 /// The modal damping coefficients, if no pair of modes is coupled by more than the rounding of the data.
 fn uncoupled(damping: &DMatrix<Dd>) -> Option<Vec<Dd>> {
+    // What shapes of thirty digits leave of the largest coefficient between modes that are hardly damped at
+    // all: there the unit of the pair is next to nothing.
     const ROUNDING: f64 = 1e-28;
     let size = damping.nrows();
     let diagonal: Vec<Dd> = damping.diagonal().iter().copied().collect();

@@ -95,6 +95,8 @@ impl Modes {
             if shape.iter().any(|x| !x.is_finite()) {
                 return Err(ModesError::NotFinite);
             }
+            // Before the weights and behind them: shapes are typed in any unit, and neither products nor
+            // squares are to overflow.
             entries.extend(normalized(self.root.weighted(&normalized(shape.clone()))));
         }
         let span =
@@ -103,6 +105,8 @@ impl Modes {
             .values
             .iter()
             .zip(span.vectors.chunks_exact(self.count()))
+            // Columns have a largest entry of one: less than this is what rounding leaves of a shape that
+            // depends on the others.
             .filter(|(value, _)| **value > 1e-12);
         let mut residuals = Vec::new();
         for (_, direction) in independent {

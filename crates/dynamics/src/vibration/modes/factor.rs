@@ -78,8 +78,11 @@ impl<'a> Elimination<'a> {
         let mut best: Option<(usize, f64, f64)> = None;
         for (position, &node) in self.left.iter().enumerate() {
             let row = &self.couplings[node * self.masses.len()..][..self.masses.len()];
+            // Summed anew for each pivot: keeping it up to date would subtract.
             let diagonal = self.ground[node] + self.left.iter().map(|&j| row[j]).sum::<f64>();
             let ratio = diagonal / self.masses[node];
+            // The largest first leaves columns that are well conditioned once they are scaled, on which the
+            // relative accuracy of the rotations depends.
             if diagonal > 0.0 && best.is_none_or(|(_, _, largest)| ratio > largest) {
                 best = Some((position, diagonal, ratio));
             }
@@ -127,7 +130,9 @@ fn excess_exponent(springs: &[Link]) -> i32 {
         .iter()
         .map(|spring| spring.coefficient)
         .fold(0.0, f64::max);
+    // Sums of a hundred thousand smaller ones are finite.
     if largest > 1e280 {
+        // Even, so that its root is a power of two, which rounds nothing.
         binary_exponent(largest) / 2 * 2
     } else {
         0
@@ -173,6 +178,7 @@ pub(crate) fn of_matrix<T: Real>(mut rest: DMatrix<T>, floor: &[f64]) -> Option<
         }
         scales.push(diagonal.rounded().sqrt());
     }
+    // Beside a zero of the diagonal every entry has to vanish, or the matrix is indefinite.
     let vanishes =
         |i: usize, j: usize| rest[(i, j)].rounded().abs() <= (floor[i] * floor[j]).sqrt();
     let semidefinite = left.iter().all(|&i| left.iter().all(|&j| vanishes(i, j)));
@@ -185,5 +191,6 @@ fn largest_above<T: Real>(rest: &DMatrix<T>, left: &[usize], floor: &[f64]) -> O
     left.iter()
         .copied()
         .filter(|&j| diagonal(j) > floor[j])
+        // Of equal pivots the first, where the maximum alone would take the last.
         .max_by(|&i, &j| diagonal(i).total_cmp(&diagonal(j)).then(j.cmp(&i)))
 }

@@ -96,6 +96,8 @@ fn rounding_floor<T: Real>(system: &System, weighted: &DMatrix<T>) -> Vec<f64> {
     let coupled = matches!(system.inertia, Inertia::Matrix(_));
     diagonal
         .into_iter()
+        // A mass matrix mixes the entries, so that each bears the rounding of the largest; masses only scale
+        // them.
         .map(|entry| size * unit * if coupled { largest } else { entry })
         .collect()
 }

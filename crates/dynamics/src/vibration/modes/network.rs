@@ -7,6 +7,7 @@ use crate::numerics::jacobi::dot;
 use crate::numerics::{Dd, ascending};
 
 pub(crate) fn solve(masses: &[f64], springs: &[Link]) -> Result<Solution, ModesError> {
+    // The cheapest first; each gives way where it would lose digits.
     if let Some(solution) = pair(masses, springs) {
         return Ok(solution);
     }
@@ -51,6 +52,7 @@ fn rigid_motions(masses: &[f64], springs: &[Link]) -> Vec<Vec<f64>> {
         .map(|free| {
             let largest = (1..part.len())
                 .filter(|&node| part[node] == free)
+                // Over the largest of its masses, so that the sum of the squares below stays in range.
                 .map(|node| masses[node - 1])
                 .fold(0.0, f64::max);
             let mut motion: Vec<f64> = (1..part.len())
@@ -82,6 +84,7 @@ fn parts(nodes: usize, springs: &[Link]) -> Vec<usize> {
     };
     for spring in springs.iter().filter(|spring| spring.coefficient != 0.0) {
         let [first, second] = spring.ends.map(|node| root(&parent, node));
+        // The smaller node is the root: so all that is tied to the ground has the ground, node 0, for it.
         parent[first.max(second)] = first.min(second);
     }
     (0..=nodes).map(|node| root(&parent, node)).collect()
@@ -142,6 +145,8 @@ fn displacement(weighted: &[f64], roots: &[f64]) -> Vec<f64> {
 /// is seen in mass-weighted displacements; but it is known much better from the forces. One step of the correction of Ogita
 /// and Aishima for these pairs of modes. Skipped for densely coupled networks, where it would cost as much as all the rest.
 fn remove_stiff_motions(masses: &[f64], springs: &[Link], solution: &mut Solution) {
+    // On like springs a motion that is r times as fast is one of masses r² times lighter: u of it,
+    // mass-weighted, moves them by r u. Up to this ratio that is 1e-14 and left as it is.
     const STIFFER: f64 = 100.0;
     let Solution { rates, vectors } = solution;
     let size = masses.len();
@@ -153,6 +158,8 @@ fn remove_stiff_motions(masses: &[f64], springs: &[Link], solution: &mut Solutio
         return;
     }
     let displacements = Displacements::of(masses, springs, vectors);
+    // All steps start from the same shapes, as one product of matrices does: the order of the pairs must not
+    // matter.
     let before = vectors.clone();
     let weighted = |mode: usize| &before[mode * size..][..size];
     for soft in 0..size {
@@ -165,6 +172,7 @@ fn remove_stiff_motions(masses: &[f64], springs: &[Link], solution: &mut Solutio
         for (stiff, stiff_rate) in rates.iter().enumerate().skip(first) {
             let (soft_square, stiff_square) = (rate * rate, stiff_rate * stiff_rate);
             let overlap = dot(weighted(soft), weighted(stiff));
+            // Elongations are those of shapes times the root of the first mass.
             let coupling = displacements.coupling(soft, stiff) / masses[0];
             let share = (coupling - soft_square * overlap) / (soft_square - stiff_square);
             let target = &mut vectors[soft * size..][..size];
@@ -177,6 +185,7 @@ fn remove_stiff_motions(masses: &[f64], springs: &[Link], solution: &mut Solutio
 }
 
 /// Frequencies this far below the largest, over the size, are left as they are; see [`are_spread`].
+// At this ratio r a shape that is off by 10 n u spoils its quotient by (10 u r)² = 1e-17, a tenth of u.
 const WIDEST: f64 = 3e6;
 
 /// Whether some elastic frequency is so far below the largest that the error of its Rayleigh quotient, the square of the
@@ -262,6 +271,8 @@ fn exact_rayleigh_rate(masses: &[f64], springs: &[Link], shape: &[f64]) -> f64 {
 
 /// Whether sums over the springs of all modes cost little beside the rotations, and none of them leaves the range of numbers.
 fn is_sparse_and_in_range(masses: &[f64], springs: &[Link], stiffest: f64) -> bool {
+    // The sums for n²/2 pairs of modes then have 8 n³ terms; a sweep of rotations takes about 3 n³, and
+    // several are made.
     const SPARSE: usize = 16;
     // Products of four of these numbers stay within 1e±280.
     const RANGE: std::ops::Range<f64> = 1e-70..1e70;
@@ -271,6 +282,7 @@ fn is_sparse_and_in_range(masses: &[f64], springs: &[Link], stiffest: f64) -> bo
 }
 
 fn sort(size: usize, solution: &mut Solution) {
+    // Quotients of frequencies that are equal to rounding may have changed places.
     if solution.rates.is_sorted() {
         return;
     }

@@ -94,6 +94,7 @@ impl Pair {
             };
         }
         let root = (h * h + b * b).sqrt();
+        // The smaller angle of rotation, whose denominator does not cancel.
         let tangent = b / (h + root.copysign(h));
         let cosine = 1.0 / (1.0 + tangent * tangent).sqrt();
         let sine = cosine * tangent;

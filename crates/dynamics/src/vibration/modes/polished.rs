@@ -61,6 +61,8 @@ impl Polished {
         }
         let scaled = Scaled::of(&modes.system)?;
         let shapes = scaled.shapes(modes);
+        // The splitting takes numbers below two; larger ones would have leading parts of more bits than sums
+        // have room for.
         if !shapes.iter().all(|x| x.abs() < 2.0) {
             return None;
         }
@@ -93,6 +95,7 @@ impl Polished {
         let largest = mixing
             .iter()
             .fold(0.0_f64, |largest, x| largest.max(x.abs()));
+        // Modes that changed places were closer than the correction tells apart.
         if largest.is_nan() || largest > MAX_STEP || !rates.is_sorted() {
             return None;
         }

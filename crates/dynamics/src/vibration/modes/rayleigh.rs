@@ -92,6 +92,7 @@ impl<'a> Motion<'a> {
         for (lane, shape) in weighted.chunks_exact(self.masses.len()).enumerate() {
             let nodes = self.displacements[1..].iter_mut();
             for (node, (y, root)) in nodes.zip(shape.iter().zip(&self.roots)) {
+                // In units of the root of the first mass, which cancels in the quotient.
                 node[lane] = y / root;
             }
         }

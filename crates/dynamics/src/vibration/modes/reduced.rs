@@ -31,6 +31,7 @@ const SPREAD: f64 = 1e4;
 
 /// The modes of a network of attractive springs, if they can be proven.
 pub(crate) fn of_network(masses: &[f64], springs: &[Link]) -> Option<Solution> {
+    // As in `network`: products of four of these numbers stay within 1e±280.
     const RANGE: std::ops::Range<f64> = 1e-70..1e70;
     let in_range = |x: f64| RANGE.contains(&x) || x == 0.0;
     let coefficients = springs.iter().map(|spring| spring.coefficient);
@@ -53,6 +54,7 @@ fn of_chain(chain: &Chain, masses: &[f64], springs: &[Link]) -> Option<Solution>
     if !chain.is_free() {
         return Some(elastic);
     }
+    // The rigid motion is known: all masses move alike.
     let total: f64 = masses.iter().sum();
     let rigid = masses.iter().map(|m| (m / total).sqrt());
     Some(Solution {
@@ -64,6 +66,8 @@ fn of_chain(chain: &Chain, masses: &[f64], springs: &[Link]) -> Option<Solution>
 /// By the matrix of the springs; the springs themselves give the quotients of soft modes, of which the matrix loses digits, and
 /// of all modes if they are few.
 fn of_any(masses: &[f64], springs: &[Link]) -> Option<Solution> {
+    // A mode takes 8 n terms by its springs and n² by the matrix, of which n is 17 at least; the springs lose
+    // nothing.
     const FEW: usize = 8;
     /// Of the largest eigenvalue: the matrix gives others to a few units in the last place.
     const SOFT: f64 = 1.0 / 16.0;
@@ -165,6 +169,8 @@ fn eigenpairs(mut entries: Vec<f64>, size: usize) -> Option<Eigenpairs> {
     if largest == 0.0 || !largest.is_finite() {
         return None;
     }
+    // The squares of the QL algorithm stay in range when the largest entry is near one; a power of two rounds
+    // nothing.
     let exponent = binary_exponent(largest);
     for entry in &mut entries {
         *entry = scale_by_power_of_two(*entry, -exponent);

@@ -207,6 +207,8 @@ impl Basis<'_> {
         let inertia = inertia_products(self.system, &self.shapes, &self.mixed);
         let mut stiffness = stiffness_products(self.system, &self.shapes, &self.mixed);
         for mode in (0..size).filter(|&mode| self.is_rigid[mode]) {
+            // A rigid motion stretches no spring: what stands here is rounding, and would be taken for a
+            // coupling.
             stiffness.row_mut(mode).fill(Dd::ZERO);
             stiffness.column_mut(mode).fill(Dd::ZERO);
         }
@@ -222,12 +224,15 @@ impl Basis<'_> {
                 let mix = (stiffness[(i, j)] - eigenvalues[j] * overlap).hi();
                 // Within a repeated eigenvalue both are rounding.
                 let is_told = gap.abs() > TOLD_APART * eigenvalues[j].abs().hi();
+                // The step is the first term of a series in mix/gap; from a hundredth on a rotation has to do
+                // it.
                 let is_separate = is_told && mix.abs() <= 0.01 * gap.abs();
                 if i == j {
                     correction[(i, i)] = (1.0 - overlap).hi() / 2.0;
                 } else if is_separate {
                     correction[(i, j)] = mix / gap;
                 } else {
+                    // Half for each of the pair makes them orthogonal, whatever rotation follows.
                     correction[(i, j)] = -overlap.hi() / 2.0;
                     entangled[i.max(j)] |= !(self.is_rigid[i] && self.is_rigid[j]);
                 }
@@ -238,6 +243,7 @@ impl Basis<'_> {
         let largest = correction
             .iter()
             .fold(0.0_f64, |largest, x| largest.max(x.abs()));
+        // The next step would be the square of this one, 1e-30.
         largest < 1e-15 * size as f64 && !rotated
     }
 
@@ -277,8 +283,11 @@ impl Basis<'_> {
                 let centre = eigenvalues[start];
                 let inner = DMatrix::from_fn(end - start, end - start, |i, j| {
                     let (i, j) = (start + i, start + j);
+                    // Less what all of them have in common, so that their small differences survive the
+                    // rounding to `f64`.
                     (stiffness[(i, j)] - centre * inertia[(i, j)]).hi()
                 });
+                // Below this it is one repeated frequency, and any rotation of its shapes is as good.
                 if inner.amax() > 1e-28 * centre.hi().abs() {
                     rotated = true;
                     self.rotate(start, &Symmetric::of(inner).vectors);
@@ -330,6 +339,8 @@ impl Basis<'_> {
 
     /// The Rayleigh quotient, or the plain eigenvalue where that of a network is below the last of thirty digits.
     fn eigenvalue(&self, modes: &Modes, mode: usize, inertia: Dd) -> Dd {
+        // A network's plain eigenvalue is right to fourteen digits. A quotient that differs by more is what a
+        // trace of a stiffer motion has left of it.
         const AGREEMENT: f64 = 1e-10;
         if self.is_rigid[mode] {
             return Dd::ZERO;

@@ -45,6 +45,8 @@ impl Modes {
     ///
     /// Larger systems may lose more, and refining them takes longer.
     fn refine_spread(&mut self) {
+        // A product of two matrices of double-doubles then has 4,096 terms, and a correction takes three of
+        // them.
         const SMALL: usize = 16;
         // The eigenvalues, squares of these rates, then spread by 900: a matrix has lost three digits of the
         // smallest.
@@ -53,6 +55,7 @@ impl Modes {
             return;
         }
         let is_network = matches!(&self.system.stiffness, Stiffness::Springs(springs) if are_attractive(springs));
+        // Two masses come from a closed form that was rounded once.
         if is_network && self.count() > 2 && network::are_spread(&self.rates) {
             self.take_rates(&self.refined());
         }
@@ -64,6 +67,8 @@ impl Modes {
         };
         let smallest = magnitudes().fold(f64::INFINITY, f64::min);
         let is_spread = magnitudes().fold(0.0, f64::max) > SPREAD * smallest;
+        // Rotations leave each eigenvalue of a matrix off by the last digit of the largest; its entries,
+        // taken as exact, determine more. A network is eliminated without that loss.
         if !is_network && (is_spread || self.is_unstable()) {
             let refined = self.fully_refined();
             if refined.is_finite() {
@@ -161,6 +166,7 @@ fn springs_of(stiffnesses: &[f64], rows: &DMatrix<f64>) -> Option<Vec<Link>> {
                 _ => return None,
             };
             let coefficient = Dd::product(factor, factor) * stiffness;
+            // A coefficient that had to be rounded would make another system of it.
             (coefficient.lo() == 0.0).then(|| Link {
                 ends,
                 coefficient: coefficient.hi(),
@@ -182,6 +188,7 @@ pub(crate) fn completed(
     let missing = size - values.len();
     if missing > 0 {
         let rigid = rigid();
+        // An underflow may leave more motions without stiffness than there are free parts.
         let first = if rigid.len() == missing {
             rigid.concat()
         } else {
@@ -206,11 +213,14 @@ fn complement(size: usize, given: &[f64]) -> Vec<f64> {
                 .map(|v| v[axis] * v[axis])
                 .sum::<f64>()
         };
+        // The axis that is farthest from what is spanned: least of it is taken away, so that what is left is
+        // no rounding.
         let axis = (0..size)
             .min_by(|&i, &j| reach(i).total_cmp(&reach(j)))
             .unwrap_or_default();
         let mut vector = vec![0.0; size];
         vector[axis] = 1.0;
+        // The second pass takes out what the rounding of the first one left; a third finds nothing.
         for _ in 0..2 {
             for other in basis.chunks_exact(size) {
                 let overlap = dot(&vector, other);

@@ -49,6 +49,8 @@ impl Pendulum {
         Ok(if !small.is_finite() {
             small.hi()
         } else if versine <= 1.0 - STEEP {
+            // The rounding of the sum is the only one of its size: the series is the smaller part of the
+            // period.
             small.hi() + (small.hi() * series(versine) + small.lo())
         } else {
             (small * reciprocal_mean(cos(half))).hi()

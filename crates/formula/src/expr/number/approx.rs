@@ -43,6 +43,7 @@ const SLACK: f64 = 1.0 + 1e-9;
 /// Products below this may have lost digits to underflow.
 const UNDERFLOW: f64 = 1e-280;
 /// Whole powers up to this are repeated products.
+// As products they keep exact numbers exact.
 const MAX_PRODUCT_LENGTH: u32 = 4;
 /// The natural logarithm of 10, rounded down.
 const LN_10: f64 = 2.302_585_092_994_045;
@@ -150,9 +151,11 @@ impl<T: Real> Approx<T> {
         }
         let root = self.value.sqrt();
         let size = root.to_f64();
+        // The root of a square stays exact, so that `floor(sqrt(4))` is no doubt.
         if self.bound == 0.0 && root.exact_product(root) == (self.value, true) {
             return Ok(Self::certain(root));
         }
+        // √(x + b) - √x is below b/√x, and also below √b, which is less near zero.
         let inherited = (self.bound / size).min(self.bound.sqrt());
         Ok(Self::new(root, inherited + T::ROUNDOFF * size))
     }
@@ -326,6 +329,7 @@ impl<T: Real> Approx<T> {
 }
 
 impl<T: Real> Scalar for Approx<T> {
+    // That of the numbers beneath; what bounds themselves lose to rounding is in `SLACK`.
     const ROUNDOFF: f64 = T::ROUNDOFF;
     const SEARCHES: bool = T::SEARCHES;
 
@@ -363,6 +367,7 @@ impl<T: Real> Scalar for Approx<T> {
             self.size() * other.bound + other.size() * self.bound + self.bound * other.bound;
         Self::new(
             product,
+            // What underflow takes is no part of the product.
             inherited + T::ROUNDOFF * product.to_f64().abs() + f64::MIN_POSITIVE,
         )
     }

@@ -162,6 +162,7 @@ fn sqrt<S: Scalar>(z: &Pair<S>, doubt: &mut Doubt) -> Result<Pair<S>> {
         return Ok((large, small));
     }
     let is_below = z.1.to_f64() < -z.1.bound();
+    // On the cut the sign of the root hangs on the side, which more digits may tell.
     if !is_below && z.1.to_f64() <= z.1.bound() {
         doubt.note(z.1.bound());
     }

@@ -114,6 +114,7 @@ impl HyperDual {
 }
 
 impl Scalar for HyperDual {
+    // Of the value, as in binary64: searches stop by it, and the work of a step is weighed by it.
     const ROUNDOFF: f64 = f64::EPSILON / 2.0;
 
     fn of(precise: &Precise) -> Self {
@@ -192,6 +193,7 @@ impl Scalar for HyperDual {
 
     fn power(&self, exponent: &Self, _doubt: &mut Doubt) -> Result<Self, Undefined> {
         let whole = exponent.value;
+        // Also of numbers below zero, which have no other powers.
         if exponent.is_constant() && whole == whole.round() && whole.abs() < 1e9 {
             return self.power_whole(whole as i32);
         }

@@ -127,6 +127,7 @@ macro_rules! forward {
 }
 
 impl Real for f64 {
+    // Rounding to nearest leaves half a unit in the last place.
     const ROUNDOFF: f64 = f64::EPSILON / 2.0;
     /// One unit in the last place.
     const FUNCTION: f64 = f64::EPSILON;

@@ -222,6 +222,7 @@ impl Array {
                 let entry = self.entries[row * order + column];
                 let term = match minors[set & !(1 << column)] {
                     Some(minor) => entry.multiply(minor, to)?,
+                    // The minor of no rows is 1.
                     None => entry,
                 };
                 sum = Some(match (sum, is_odd) {

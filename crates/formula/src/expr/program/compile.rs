@@ -107,6 +107,7 @@ impl Compiler<'_> {
         let value = self.node(expr)?;
         self.assembler.return_to(around);
         self.depth -= 1;
+        // A node to which one way leads is not met again, and would only fill the table.
         if is_shared {
             self.kept.push(expr.clone());
             self.known.insert(key, value.clone());

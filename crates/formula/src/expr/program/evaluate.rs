@@ -97,6 +97,7 @@ impl<S: Scalar> Registers<S> {
     /// Those of a program.
     pub(crate) fn of(&mut self, program: &Program) -> &mut [S] {
         let size = program.registers as usize;
+        // Never shorter: what a longer program left behind is written before it is read.
         if self.0.len() < size {
             self.0.resize(size, S::exact(0.0));
         }
@@ -224,6 +225,8 @@ impl Program {
                 value
             }
             Err(absence) if absence.reason == Undefined::TooLong => return first,
+            // A divisor that thirty digits do not tell from zero may be told by more; what else has no value
+            // has none.
             Err(absence) if absence.reason != Undefined::DivisionByZero => return Err(absence),
             Err(absence) => Err(absence),
         };

@@ -30,6 +30,8 @@ pub(crate) fn integral<S: Scalar>(curve: &mut impl Curve<S>) -> Result<S, Stop> 
     let mut pieces = 0;
     while let Some((low, high)) = open.pop() {
         let rule = settled(curve, &low, &high, scale)?;
+        // Errors count beside the whole integral: a piece on which the function is nearly zero need not
+        // settle by itself.
         scale = scale.max(rule.magnitude);
         pieces += 1;
         if rule.error <= tolerance::<S>(scale) {
@@ -72,6 +74,7 @@ fn settled<S: Scalar>(
     let mut rule = nodes.rule(curve, 0, &S::exact(0.0))?;
     for level in 1..=FINEST {
         rule = nodes.rule(curve, level, &rule.value)?;
+        // The first rules have a handful of nodes, and may agree by accident.
         if level > 2 && rule.error <= tolerance::<S>(scale.max(rule.magnitude)) {
             break;
         }
@@ -140,6 +143,7 @@ impl<'a, S: Scalar> Nodes<'a, S> {
                 self.high.subtract(&from_end)
             };
             let end = if is_low { self.low } else { self.high };
+            // A node that rounds to the end itself, where the function may be singular.
             if x.subtract(end).to_f64() == 0.0 {
                 break;
             }
@@ -147,6 +151,8 @@ impl<'a, S: Scalar> Nodes<'a, S> {
             let size = term.to_f64().abs();
             self.sum = self.sum.add(&term);
             self.magnitude += size;
+            // A term may be small because the function vanishes there; where the weight is small, the rest is
+            // as well.
             if weight.to_f64() < 1e-3 && size <= 1e-2 * S::ROUNDOFF * self.magnitude {
                 break;
             }

@@ -50,9 +50,11 @@ pub(crate) fn root<S: Scalar>(curve: &mut impl Curve<S>) -> Result<S, Stop> {
         let scale = bracket.x[0].to_f64().abs().max(bracket.x[1].to_f64().abs());
         let size = width.to_f64().abs();
         let smallest = 4.0 * S::ROUNDOFF * scale;
+        // A root at zero has no size; there the interval that was given is the scale.
         if size <= smallest || size <= S::ROUNDOFF * S::ROUNDOFF * start {
             break;
         }
+        // Nearer to an end the place would round to it, and the bracket would not shrink.
         let part = part.clamp(0.5 * smallest / size, 1.0 - 0.5 * smallest / size);
         let x = bracket.x[0].add(&width.multiply(&S::exact(part))).centre();
         let f = curve.value(&x)?;

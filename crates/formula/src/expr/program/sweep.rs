@@ -161,6 +161,7 @@ impl<S: Scalar> Lap<S> {
                 let mut machine = Machine::new(program, &inputs, self.registers.of(program));
                 machine.doubt.is_open = *is_open;
                 machine.repeat(steps)?;
+                // The steps are taken by now; whoever spends next finds that nothing is left.
                 let _ = work::spend(taken * weight::<S>());
                 machine.doubt.is_open
             }

@@ -30,6 +30,7 @@ pub(crate) fn of_one_argument(
         Function::Cosh => du * of(Function::Sinh),
         Function::Tanh => du / of(Function::Cosh).squared(),
         Function::Asinh => du / square_root(u.squared() + one()),
+        // Not √(u² - 1), which is real below -1 as well, where acosh has no value.
         Function::Acosh => du / (square_root(u.clone() - one()) * square_root(u + one())),
         Function::Atanh => du / (one() - u.squared()),
         Function::Abs if is_complex(&u) => {

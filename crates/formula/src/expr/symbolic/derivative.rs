@@ -183,6 +183,7 @@ impl Rules<'_> {
             Operator::Add => da + db,
             Operator::Subtract => da - db,
             Operator::Multiply => da * b.clone() + a.clone() * db,
+            // The rule would square the divisor, which no light simplification takes back.
             Operator::Divide if db.is_zero() => da / b.clone(),
             Operator::Divide => (da * b.clone() - a.clone() * db) / b.clone().squared(),
             Operator::Power => power_rule(a, b, da, db),
@@ -311,6 +312,7 @@ fn power_rule(base: &Expr, exponent: &Expr, du: Expr, dv: Expr) -> Expr {
         let lower = exponent.clone() - Expr::number(1);
         exponent.clone() * base.clone().power(lower) * du
     };
+    // A constant exponent needs no logarithm, which a base below zero does not have.
     if dv.is_zero() {
         return by_base;
     }

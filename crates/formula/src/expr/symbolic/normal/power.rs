@@ -118,6 +118,7 @@ impl Polynomial {
 }
 
 fn is_positive(atom: &Atom) -> bool {
+    // Names may have any sign, and the root of a product is that of its factors for positive ones alone.
     matches!(atom, Atom::Constant(Constant::Pi | Constant::E))
 }
 

@@ -16,6 +16,7 @@ pub(crate) fn polynomial(expr: &Expr, work: &mut Work) -> Result<Polynomial, Sym
     Ok(match expr.kind() {
         Kind::Number(value) => Polynomial::number(*value),
         Kind::Measure(value, unit) => {
+            // The number apart from its unit, so that 2 kg and 3 kg are terms that add up.
             let one = Expr::derived(Kind::Measure(Rational::ONE, unit.clone()));
             opaque(&one).scaled(*value)?
         }
@@ -61,6 +62,7 @@ fn binary(
         Operator::Divide => left.times(&right.power(-Rational::ONE, work)?, work),
         Operator::Power => match right.as_number() {
             Some(exponent) => left.power(exponent, work),
+            // `e^x` and `exp(x)` are one function.
             None if matches!(a.kind(), Kind::Constant(Constant::E)) => {
                 trigonometry::call(Function::Exp, right, work)
             }
@@ -78,6 +80,7 @@ fn call(
     let half = Rational::new(1, 2).unwrap_or(Rational::ONE);
     match (function, arguments) {
         (Function::Sqrt, [u]) => polynomial(u, work)?.power(half, work),
+        // As the root that it is, so that both spellings are one function.
         (Function::Hypot, [u, v]) => {
             let two = Rational::from(2);
             let u = polynomial(u, work)?.power(two, work)?;

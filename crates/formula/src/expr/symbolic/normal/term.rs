@@ -147,6 +147,8 @@ impl Monomial {
                 factors.push((atom.clone(), least));
             }
         }
+        // What stands below in the other term alone has the exponent 0 here, and the smaller one is the
+        // negative.
         for (atom, theirs) in &other.0 {
             if theirs.is_negative() && self.exponent(atom).is_zero() {
                 factors.push((atom.clone(), *theirs));
@@ -300,6 +302,8 @@ impl Polynomial {
 
     /// The power with a whole exponent that is not negative.
     pub(crate) fn raised(&self, exponent: u32, work: &mut Work) -> Result<Self, SymbolicError> {
+        // One factor after the other: squaring would multiply two long sums, which takes more products of
+        // terms.
         let mut power = Self::one();
         for _ in 0..exponent {
             power = power.times(self, work)?;
@@ -367,6 +371,7 @@ pub(crate) fn settle(
                 }
             }
             Atom::Base(base) => {
+                // A root times itself may be a sum again, `√(a + b)²`, which then has to be multiplied out.
                 let whole = whole_part(base, exponent);
                 if let Some(number) = base.as_number() {
                     let power = i32::try_from(whole)

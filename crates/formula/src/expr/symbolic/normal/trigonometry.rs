@@ -13,6 +13,7 @@ use vibank_dynamics::numerics::Rational;
 const MAX_MULTIPLE: i128 = 8;
 
 /// Sums are searched for terms that combine up to this number of terms.
+// The search begins anew with each pair that was joined, so that its time grows with the square.
 const MAX_TERMS_COMBINED: usize = 200;
 
 /// A function of one argument in normal form, with signs and constants taken out.
@@ -40,6 +41,7 @@ pub(crate) fn call(
             _ => sign,
         }));
     }
+    // By the sign of the leading term, so that sin(a - b) and -sin(b - a) come to one form.
     let is_negative = argument
         .leading()
         .is_some_and(|(_, leading)| leading.is_negative());
@@ -178,6 +180,7 @@ impl Polynomial {
 
     /// Sines and cosines of sums and of multiples written in those of single angles.
     pub(crate) fn with_angles_apart(&self, work: &mut Work) -> Result<Self, SymbolicError> {
+        // In one unit: with sin 2x and sin x as atoms of their own, sin 2x - 2 sin x cos x would not vanish.
         let mut units = BTreeMap::new();
         self.collect_angles(&mut units);
         self.with_angles_in(&units, work)
@@ -382,6 +385,7 @@ fn pairs_of_angles(monomial: &Monomial) -> Vec<[Factor; 2]> {
             }),
             _ => None,
         })
+        // Six make fifteen pairs, each of which takes a look-up of its partner.
         .take(6)
         .collect();
     let mut pairs = Vec::new();

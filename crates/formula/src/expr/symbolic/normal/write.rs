@@ -232,6 +232,8 @@ fn parted(group: &Polynomial) -> (Rational, Monomial, Polynomial) {
     let Ok((content, common, _)) = group.primitive() else {
         return whole();
     };
+    // A number before a bracket has to leave bare names in it, or be whole: `2*x/3 + y/2` is read more easily
+    // than `(4*x + 3*y)/6`.
     let is_worth_it = group.0.values().all(|own| own.abs() == content.abs())
         || content.is_integer() && content.abs() != Rational::ONE;
     let content = if is_worth_it {
@@ -383,6 +385,7 @@ fn measure(number: Rational, atom: &Atom, exponent: Rational) -> Option<Expr> {
     let Kind::Measure(one, unit) = opaque.expr.kind() else {
         return None;
     };
+    // A unit stands behind a decimal, and a third of a kilogram has none that ends.
     let ends = [2, 5]
         .into_iter()
         .fold(number.denominator(), |mut rest, prime| {
@@ -456,6 +459,7 @@ fn atom_expr(atom: &Atom, writer: &NormalWriter<'_>) -> Expr {
         Atom::Call(function, arguments) => {
             let is_even = matches!(function, Function::Cos | Function::Cosh | Function::Abs);
             let argument = |own: &Inner| {
+                // The cosine of an angle is that of its opposite, of which one begins without a sign.
                 if is_even && begins_with_sign(&writer.inner(own)) {
                     let opposite = (**own).clone().negated();
                     return unsigned(&opposite, collected_sum(&opposite, writer), writer);

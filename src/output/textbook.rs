@@ -1,0 +1,361 @@
+//! The course as one book for print: chapters of text with figures, plots and worked examples of the bank.
+//!
+//! A chapter is Markdown as item texts are. On a line of its own, `<!-- plot ITEM NAME | WORDS -->` and
+//! `<!-- figure ITEM | WORDS -->` stand for a picture with words under it, `<!-- item ITEM -->` for a worked example.
+//! All are made of the data in the items' files.
+
+use serde::Serialize;
+
+use super::layouts::OutputError;
+use super::pages::{PageKind, Pages};
+use super::view::{QuestionView, View};
+use crate::bank::{Catalogue, Space, Template};
+use crate::document::{Block, Document, Filling, Inline, TextError};
+use crate::instance::Instance;
+use crate::numerics::Rational;
+use crate::scene::{Data, Scene, Undrawn};
+use crate::solution::Solution;
+use crate::worksheet::SheetQuestion;
+
+/// Why a chapter cannot be printed.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum TextbookError {
+    /// A text that cannot be set.
+    #[error("line {line}: {error}")]
+    Text {
+        /// From 1.
+        line: usize,
+        /// What is wrong with it.
+        error: TextError,
+    },
+    /// A line that asks for what there is not.
+    #[error("line {line}: {message}")]
+    Line {
+        /// From 1.
+        line: usize,
+        /// What is wrong with it, and what was expected.
+        message: String,
+    },
+    /// The layout.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+}
+
+/// What follows one another in a chapter.
+enum Piece<'t> {
+    /// Its level from 1, and its line as a whole.
+    Heading(u8, &'t str),
+    Text(&'t str),
+    Picture {
+        item: &'t str,
+        /// The figure of the item, if none is named.
+        plot: Option<&'t str>,
+        words: &'t str,
+    },
+    Example(&'t str),
+}
+
+#[derive(Serialize)]
+struct ChapterView {
+    /// The words of its title.
+    title: String,
+    pieces: Vec<PieceView>,
+}
+
+#[derive(Default, Serialize)]
+struct PieceView {
+    /// The level of a heading, from 2.
+    level: Option<u8>,
+    /// Its words, a text, or the words under a picture.
+    text: String,
+    picture: String,
+    question: Option<QuestionView>,
+}
+
+#[derive(Serialize)]
+struct Content<'a> {
+    run: &'a super::Run,
+    chapters: Vec<ChapterView>,
+}
+
+impl Pages {
+    /// The chapters of a course, each a text, as the body of one file.
+    ///
+    /// # Errors
+    ///
+    /// [`TextbookError`], with the place of the chapter.
+    pub fn textbook(
+        &self,
+        chapters: &[&str],
+        catalogue: &Catalogue,
+    ) -> Result<String, (usize, TextbookError)> {
+        let chapters = chapters.iter().enumerate();
+        let chapters = chapters
+            .map(|(place, text)| {
+                let chapter = self.chapter(text, catalogue);
+                chapter.map_err(|error| (place, error))
+            })
+            .collect::<Result<_, _>>()?;
+        let content = Content {
+            run: &self.run,
+            chapters,
+        };
+        let filled = self.layouts.fill("course", &content);
+        filled.map_err(|error| (0, error.into()))
+    }
+
+    fn chapter(&self, text: &str, catalogue: &Catalogue) -> Result<ChapterView, TextbookError> {
+        let mut title = String::new();
+        let (mut pieces, mut examples) = (Vec::new(), 0);
+        for (line, piece) in pieces_of(text)? {
+            let view = match piece {
+                Piece::Heading(1, text) => {
+                    title = self.line(line, text)?;
+                    continue;
+                }
+                Piece::Heading(level, text) => PieceView {
+                    level: Some(level),
+                    text: self.line(line, text)?,
+                    ..PieceView::default()
+                },
+                Piece::Text(text) => PieceView {
+                    text: self.set(line, text)?,
+                    ..PieceView::default()
+                },
+                Piece::Picture { item, plot, words } => {
+                    let template = known(catalogue, line, item)?;
+                    PieceView {
+                        picture: self.picture(line, template, plot)?,
+                        text: format!("{} ({})", self.line(line, words)?, self.id(item)),
+                        ..PieceView::default()
+                    }
+                }
+                Piece::Example(item) => {
+                    examples += 1;
+                    PieceView {
+                        question: Some(self.example(examples, known(catalogue, line, item)?)),
+                        ..PieceView::default()
+                    }
+                }
+            };
+            pieces.push(view);
+        }
+        Ok(ChapterView { title, pieces })
+    }
+
+    /// A text of some blocks, written.
+    fn set(&self, line: usize, text: &str) -> Result<String, TextbookError> {
+        let document = read(line, text)?;
+        let shown = crate::scene::Shown {
+            document: &document,
+            fillings: Vec::<Filling>::new(),
+        };
+        Ok(self.writer.texts(&[shown]))
+    }
+
+    /// Words on one line, or a heading without its rank, written.
+    fn line(&self, line: usize, words: &str) -> Result<String, TextbookError> {
+        let mut blocks = read(line, words)?.blocks().to_vec();
+        for block in &mut blocks {
+            if let Block::Heading { content, .. } = block {
+                *block = Block::Paragraph(std::mem::take(content));
+            }
+        }
+        Ok(self.writer.line(&Document::of(blocks, Vec::new())))
+    }
+
+    fn id(&self, item: &str) -> String {
+        let code = vec![Inline::Code(item.to_owned())];
+        let document = Document::of(vec![Block::Paragraph(code)], Vec::new());
+        self.writer.line(&document)
+    }
+
+    fn picture(
+        &self,
+        line: usize,
+        template: &Template,
+        plot: Option<&str>,
+    ) -> Result<String, TextbookError> {
+        let solution = Solution::of(Instance::of_source(template));
+        let scene = Scene::of(&solution, Data::Both).spoken(self.run.spoken());
+        let fail = |message: String| TextbookError::Line { line, message };
+        let svg = match plot {
+            Some(name) => {
+                let picture = scene.plot(name);
+                let picture = picture.map_err(|error: Undrawn| fail(error.to_string()))?;
+                picture.svg("plot", &self.run.spoken())
+            }
+            None => {
+                let picture = scene.picture();
+                let missing = || fail(format!("`{}` has no figure", template.id));
+                picture.ok_or_else(missing)?.svg.clone()
+            }
+        };
+        Ok(self.writer.figure(&svg))
+    }
+
+    /// An item with the data of its file and its worked solution.
+    fn example(&self, number: usize, template: &Template) -> QuestionView {
+        let solution = Solution::of(Instance::of_source(template));
+        let parts = (0..template.parts.len()).filter(|place| solution.asks(*place));
+        let parts: Vec<usize> = parts.collect();
+        let question = SheetQuestion {
+            number,
+            place: number,
+            points: vec![Rational::ZERO; parts.len()],
+            spaces: vec![Space::None; parts.len()],
+            bonus: false,
+            section: String::new(),
+            parts,
+            solution,
+        };
+        View::new(self.writer, &self.run, PageKind::Solutions).example(&question)
+    }
+}
+
+fn known<'c>(
+    catalogue: &'c Catalogue,
+    line: usize,
+    item: &str,
+) -> Result<&'c Template, TextbookError> {
+    let message = || format!("there is no item `{item}` in the bank");
+    catalogue.find(item).ok_or_else(|| TextbookError::Line {
+        line,
+        message: message(),
+    })
+}
+
+/// A text whose lines begin at `line`.
+fn read(line: usize, text: &str) -> Result<Document, TextbookError> {
+    let reading = Document::read(text);
+    if let Some(error) = reading.errors.into_iter().next() {
+        let before = text.get(..error.span().range().start).unwrap_or_default();
+        let line = line + before.matches('\n').count();
+        return Err(TextbookError::Text { line, error });
+    }
+    let blocks = reading.document.blocks().iter().cloned().map(for_paper);
+    Ok(Document::of(blocks.collect(), Vec::new()))
+}
+
+/// A chapter in pieces, each with the line where it begins, from 1.
+fn pieces_of(text: &str) -> Result<Vec<(usize, Piece<'_>)>, TextbookError> {
+    let mut pieces = Vec::new();
+    // Where the text begins that no piece holds yet, and on which line.
+    let (mut from, mut first) = (0, 1);
+    let mut at = 0;
+    for (place, raw) in text.split_inclusive('\n').enumerate() {
+        let (line, start) = (place + 1, at);
+        at += raw.len();
+        let Some(piece) = own_line(raw.trim_end(), line)? else {
+            continue;
+        };
+        pieces.push((first, Piece::Text(&text[from..start])));
+        pieces.push((line, piece));
+        (from, first) = (at, line + 1);
+    }
+    pieces.push((first, Piece::Text(&text[from..])));
+    pieces.retain(|(_, piece)| !matches!(piece, Piece::Text(text) if text.trim().is_empty()));
+    Ok(pieces)
+}
+
+/// A heading, a picture or an example, where the line is one.
+fn own_line(line: &str, number: usize) -> Result<Option<Piece<'_>>, TextbookError> {
+    let level = line.bytes().take_while(|byte| *byte == b'#').count();
+    if (1..=6).contains(&level) && line[level..].starts_with(' ') {
+        return Ok(Some(Piece::Heading(level as u8, line)));
+    }
+    let Some(inner) = line.strip_prefix("<!-- ") else {
+        return Ok(None);
+    };
+    let inner = inner.strip_suffix(" -->").unwrap_or(inner);
+    let (place, words) = inner.split_once(" | ").unwrap_or((inner, ""));
+    let asked: Vec<&str> = place.split(' ').collect();
+    let piece = match asked[..] {
+        ["plot", item, plot] => Piece::Picture {
+            item,
+            plot: Some(plot),
+            words,
+        },
+        ["figure", item] => Piece::Picture {
+            item,
+            plot: None,
+            words,
+        },
+        ["item", item] => Piece::Example(item),
+        _ => {
+            let expected = "`plot ITEM NAME | WORDS`, `figure ITEM | WORDS` or `item ITEM`";
+            return Err(TextbookError::Line {
+                line: number,
+                message: format!("found `{inner}`, expected {expected}"),
+            });
+        }
+    };
+    Ok(Some(piece))
+}
+
+/// A block whose links are words: where they lead to an exercise, with its name behind.
+fn for_paper(block: Block) -> Block {
+    match block {
+        Block::Paragraph(content) => Block::Paragraph(unlinked(content)),
+        Block::Heading { level, content } => Block::Heading {
+            level,
+            content: unlinked(content),
+        },
+        Block::List {
+            start,
+            tight,
+            items,
+        } => Block::List {
+            start,
+            tight,
+            items: items
+                .into_iter()
+                .map(|blocks| blocks.into_iter().map(for_paper).collect())
+                .collect(),
+        },
+        Block::Table {
+            columns,
+            head,
+            rows,
+        } => Block::Table {
+            columns,
+            head: head.into_iter().map(unlinked).collect(),
+            rows: rows
+                .into_iter()
+                .map(|row| row.into_iter().map(unlinked).collect())
+                .collect(),
+        },
+        Block::Quote(blocks) => Block::Quote(blocks.into_iter().map(for_paper).collect()),
+        other => other,
+    }
+}
+
+fn unlinked(content: Vec<Inline>) -> Vec<Inline> {
+    let mut out = Vec::with_capacity(content.len());
+    for inline in content {
+        let Inline::Link { to, content } = inline else {
+            out.push(inline);
+            continue;
+        };
+        if to.contains("://") {
+            out.push(Inline::Link { to, content });
+            continue;
+        }
+        out.extend(content);
+        if let Some(item) = exercise(&to) {
+            out.extend([
+                Inline::Text(" (".to_owned()),
+                Inline::Code(item),
+                Inline::Text(")".to_owned()),
+            ]);
+        }
+    }
+    out
+}
+
+/// The item that a link to the pages of exercises leads to: `../exercises/ch1.md#t2-…`.
+fn exercise(to: &str) -> Option<String> {
+    let (chapter, slug) = to.strip_prefix("../exercises/")?.split_once(".md#")?;
+    Some(format!("{chapter}/{slug}"))
+}

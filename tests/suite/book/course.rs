@@ -1,0 +1,78 @@
+//! The pages of the course, made of the chapters that the bank carries and `vibank course` prints.
+
+use std::fs;
+use std::path::PathBuf;
+
+use super::{items, pictures};
+use crate::generated;
+
+const FOLDER: &str = "book/src/course";
+
+/// A chapter as a page of the book.
+fn page(name: &str, text: &str) -> String {
+    let mut out = format!(
+        "<!-- Made of bank/course/{name}: `UPDATE_BOOK=1 cargo test --test suite` writes it anew. -->\n\n"
+    );
+    for line in text.split_inclusive('\n') {
+        let words = line.trim_end();
+        let directive = words
+            .strip_prefix("<!-- ")
+            .and_then(|rest| rest.strip_suffix(" -->"));
+        let display = words
+            .strip_prefix("$$")
+            .and_then(|rest| rest.strip_suffix("$$"));
+        match (directive, display) {
+            (Some(directive), _) => out.push_str(&format!("{}\n", made(directive))),
+            (_, Some(latex)) => out.push_str(&format!("{}\n", items::math(latex))),
+            _ => out.push_str(&pictures::typeset(line)),
+        }
+    }
+    out
+}
+
+/// Where to go on from a chapter: its exercises, and the chapter behind it.
+fn onward(place: usize) -> &'static str {
+    const LINES: [&str; 5] = [
+        "[All exercises of this chapter](../exercises/ch1.md) · next: [free oscillations](2-free.md)",
+        "[All exercises of this chapter](../exercises/ch2.md) · next: [damped oscillations](3-damped.md)",
+        "[All exercises of this chapter](../exercises/ch3.md) · next: [forced oscillations](4-forced.md)",
+        "[All exercises of this chapter](../exercises/ch4.md) · next: [several degrees of freedom](5-several.md)",
+        "[All exercises of this chapter](../exercises/ch5.md)",
+    ];
+    LINES.get(place).copied().unwrap_or_default()
+}
+
+/// What a line of its own stands for.
+fn made(directive: &str) -> String {
+    match directive.split_once(' ') {
+        Some(("plot", argument)) => pictures::plot(argument),
+        Some(("figure", argument)) => pictures::figure(argument),
+        Some(("item", argument)) => items::worked(argument),
+        _ => panic!("there is no directive `{directive}`"),
+    }
+}
+
+#[test]
+fn the_pages_are_those_of_the_chapters() {
+    let chapters = vibank::bank::course();
+    assert_eq!(chapters.len(), 6);
+    for (place, (path, text)) in chapters.iter().enumerate() {
+        let name = path.rsplit('/').next().unwrap();
+        let page = format!("{}\n{}", page(name, text), onward(place));
+        generated::compare(
+            format!("{FOLDER}/{name}"),
+            &format!("{}\n", page.trim_end()),
+        );
+    }
+    let pages = fs::read_dir(FOLDER).unwrap();
+    let strays: Vec<PathBuf> = pages
+        .map(|page| page.unwrap().path())
+        .filter(|page| {
+            let name = page.file_name().unwrap().to_str().unwrap();
+            chapters
+                .iter()
+                .all(|(path, _)| !path.ends_with(&format!("/{name}")))
+        })
+        .collect();
+    assert!(strays.is_empty(), "no chapter makes {strays:?}");
+}
