@@ -88,7 +88,12 @@ pub(crate) fn write(path: &Path, content: &[u8], access: Access) -> Result<(), F
             let failure = Failure::new(format!("`{}` is a folder, not a file", path.display()));
             return Err(failure.help("name a file in it"));
         }
-        Ok(there) if !there.is_file() => return fs::write(path, content).map_err(fail),
+        Ok(there) if !there.is_file() => {
+            let file = fs::OpenOptions::new().write(true).open(path);
+            return file
+                .and_then(|mut file| file.write_all(content))
+                .map_err(fail);
+        }
         _ => {}
     }
     let folder = path

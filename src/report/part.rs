@@ -142,7 +142,7 @@ impl Tally {
     }
 
     /// Where it first stands on a sheet, for the order of the report.
-    pub(crate) fn first_place(&self) -> Option<(usize, (usize, &str, usize, &str))> {
+    pub(crate) fn first_place(&self) -> Option<(usize, super::Order<'_>)> {
         let places = self.places.iter();
         let places = places.map(|(question, letter)| (*question, super::order(letter)));
         places.min()

@@ -152,10 +152,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     // of them.
     let open = || handed.sheets(&arguments.manifest);
     let census = Census::take(&mut open()?, &catalogue, arguments.accept_revisions)?;
-    let platform = arguments.gradebook;
-    let gradebook =
-        platform.map(|own| Gradebook::new(own, &arguments.gradebook_id, &census.known_by));
-    let gradebook = gradebook.transpose()?;
+    let book = |own| Gradebook::new(own, &arguments.gradebook_id, &census.known_by);
+    let gradebook = arguments.gradebook.map(book).transpose()?;
     let is_known = |code: &str| census.handed_out.codes.contains(code);
     faults.extend(Saved::foreign(&names, is_known));
     decisions.check(&census.handed_out.questions)?;
