@@ -16,7 +16,7 @@ use vibank::worksheet::{Blueprint, Plan};
 
 use super::bank::{self, BankArgument};
 use super::watch::{self, Watch};
-use super::{Failure, Format, Outcome, files, preview, progress, survey};
+use super::{Failure, Format, Outcome, counted, file_kind, files, preview, progress, survey};
 
 /// Look over a bank, or blueprints: form, names, dimensions, texts, known results; and examine each item as its
 /// students meet it: mistakes, wrong methods and honest work typed and marked over many draws.
@@ -74,7 +74,11 @@ impl Wanted {
                 .transpose()?;
             match source {
                 Some(source) if Blueprint::is_meant(&source) => blueprints.push(source),
-                _ => items.push(name.clone()),
+                Some(source) => match file_kind::not_of_authors(path, &source.text) {
+                    Some(failure) => return Err(failure),
+                    None => items.push(name.clone()),
+                },
+                None => items.push(name.clone()),
             }
         }
         Ok(Self {
@@ -345,10 +349,4 @@ struct Looks<'a> {
     /// With `--report`, one for each item.
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     examined: &'a [Examination],
-}
-
-/// A number of things, in words.
-fn counted(number: usize, thing: &str) -> String {
-    let plural = if number == 1 { "" } else { "s" };
-    format!("{number} {thing}{plural}")
 }

@@ -22,6 +22,8 @@ pub(crate) enum FileKind {
     Table,
     /// An archive: a package or a workbook.
     Archive,
+    /// A page for browsers.
+    Page,
 }
 
 impl FileKind {
@@ -36,6 +38,9 @@ impl FileKind {
         let beginning = beginning.trim_start_matches('\u{feff}').trim_start();
         if beginning.starts_with('{') && beginning.contains("\"program\"") {
             return Some(Self::Manifest);
+        }
+        if beginning.starts_with('<') {
+            return Some(Self::Page);
         }
         let is_statement = |line: &str| line.starts_with('[') || line.contains('=');
         let mut lines = beginning.lines().map(str::trim);
@@ -69,6 +74,7 @@ impl FileKind {
             Self::Answers => "a table of answers",
             Self::Table => "a table",
             Self::Archive => "an archive",
+            Self::Page => "a page",
         }
     }
 }
@@ -98,6 +104,11 @@ pub(crate) fn not_answers(path: &Path, why: &str) -> Failure {
             "`{shown}` is the manifest of a run, not a list of answers"
         ))
         .help("give the manifest first and then the answers"),
+        Some(kind @ (FileKind::Blueprint | FileKind::Page)) => Failure::new(format!(
+            "`{shown}` is {}, not a list of answers",
+            kind.words()
+        ))
+        .help("give the `responses.csv` that `vibank sheet` wrote, filled in"),
         _ => Failure::new(format!("`{shown}` is not a list of responses: {why}"))
             .help("give an array of objects with `code`, `question`, `part` and `response`"),
     }
@@ -107,7 +118,9 @@ pub(crate) fn not_answers(path: &Path, why: &str) -> Failure {
 pub(crate) fn blueprint(path: &Path) -> Result<Source, Failure> {
     let text = files::read(path)?;
     match FileKind::of(text.as_bytes()) {
-        Some(kind @ (FileKind::Manifest | FileKind::Answers | FileKind::Table)) => {
+        Some(
+            kind @ (FileKind::Manifest | FileKind::Answers | FileKind::Table | FileKind::Page),
+        ) => {
             Err(
                 Failure::new(format!("`{}` is {}, not a blueprint", path.display(), kind.words()))
                     .help("give a blueprint, `exam.toml`, which names its class list under `students`; `vibank new exam exam.toml` begins one"),
@@ -117,11 +130,26 @@ pub(crate) fn blueprint(path: &Path) -> Result<Source, Failure> {
     }
 }
 
+/// A failure where a text is surely neither an item nor a blueprint.
+pub(crate) fn not_of_authors(path: &Path, text: &str) -> Option<Failure> {
+    let kind = FileKind::of(text.as_bytes()).filter(|kind| *kind != FileKind::Blueprint)?;
+    let shown = path.display();
+    let what = kind.words();
+    let failure = Failure::new(format!("`{shown}` is {what}, not an item or a blueprint"));
+    Some(failure.help("give files of items, chapters and blueprints, which end with `.toml`"))
+}
+
 /// Reads the path of a manifest from the command line: of the folder of a run the manifest in it.
 pub(crate) fn manifest() -> impl TypedValueParser<Value = PathBuf> {
     PathBufValueParser::new().map(|path| {
         let within = path.join("manifest.json");
-        if within.is_file() { within } else { path }
+        // Of a folder that may not be looked into, the reader says so.
+        let is_missing = matches!(within.try_exists(), Ok(false));
+        if path.is_dir() && !is_missing {
+            within
+        } else {
+            path
+        }
     })
 }
 
@@ -145,6 +173,7 @@ mod tests {
             kind("{\"format\":1,\"program\":\"vibank\"}"),
             Some(FileKind::Manifest)
         );
+        assert_eq!(kind("<!DOCTYPE html>\n<html>"), Some(FileKind::Page));
         assert_eq!(kind("PK\u{3}\u{4}"), Some(FileKind::Archive));
         assert_eq!(kind(""), None);
         assert_eq!(kind("[{\"code\":\"A\"}]"), None);

@@ -79,9 +79,23 @@ pub(crate) enum Access {
     Private,
 }
 
-/// Writes a file so that it is there whole or not at all; its folder is made.
+/// Writes a file so that it is there whole or not at all; its folder is made. A pipe or a device, such as `/dev/null`,
+/// takes the bytes and stays what it is.
 pub(crate) fn write(path: &Path, content: &[u8], access: Access) -> Result<(), Failure> {
     let fail = |error: io::Error| unwritable(path, &error);
+    match fs::metadata(path) {
+        Ok(there) if there.is_dir() => {
+            let failure = Failure::new(format!("`{}` is a folder, not a file", path.display()));
+            return Err(failure.help("name a file in it"));
+        }
+        Ok(there) if !there.is_file() => {
+            let file = fs::OpenOptions::new().write(true).open(path);
+            return file
+                .and_then(|mut file| file.write_all(content))
+                .map_err(fail);
+        }
+        _ => {}
+    }
     let folder = path
         .parent()
         .filter(|folder| !folder.as_os_str().is_empty())
@@ -173,6 +187,20 @@ pub(crate) fn hexadecimal(hash: Sha256) -> String {
         .collect()
 }
 
+/// A failure to write a file.
 pub(crate) fn unwritable(path: &Path, error: &io::Error) -> Failure {
-    Failure::new(format!("cannot write `{}`: {error}", path.display()))
+    let shown = path.display();
+    let fail = |why: &str| Failure::new(format!("cannot write `{shown}`: {why}"));
+    match error.kind() {
+        io::ErrorKind::PermissionDenied => {
+            fail("you may not write there").help("choose a folder of your own")
+        }
+        io::ErrorKind::ReadOnlyFilesystem => {
+            fail("nothing can be written there").help("choose a folder of your own")
+        }
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
+            fail("there is no room left").help("make room, and give the same command again")
+        }
+        _ => fail(&error.to_string()),
+    }
 }

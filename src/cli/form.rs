@@ -20,7 +20,7 @@ use super::bank::BankArgument;
 use super::folder::Folder;
 use super::grade::{RunItems, manifest};
 use super::sheet::PROGRAM;
-use super::{Failure, Outcome, file_kind, files};
+use super::{Failure, Outcome, counted, file_kind, files};
 
 /// Write each sheet of a run as a page on which it is answered: one file, which works without a network.
 ///
@@ -59,7 +59,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         &folder,
         "",
     )?;
-    println!("{} pages in {}", written.sheets, out.display());
+    println!("{} in {}", counted(written.sheets, "page"), out.display());
     if !written.unread.is_empty() {
         let parts: Vec<String> = written.unread.into_iter().collect();
         eprintln!(

@@ -7,6 +7,7 @@ use std::io::{self, BufRead, BufReader, BufWriter, Seek, SeekFrom, Write};
 use serde::Serialize;
 
 use super::Failure;
+use super::files::unwritable;
 use super::folder::Folder;
 
 /// A journal; while it is open no other run has it.
@@ -109,8 +110,7 @@ impl JournalFile {
     }
 
     fn unwritable(&self, error: &io::Error) -> Failure {
-        let (name, root) = (&self.name, self.folder.root().display());
-        Failure::new(format!("cannot write `{name}` in `{root}`: {error}"))
+        unwritable(&self.folder.root().join(&self.name), error)
     }
 }
 

@@ -204,3 +204,13 @@ pub(crate) fn run() -> ExitCode {
         }
     }
 }
+
+/// A number of things, in words.
+pub(crate) fn counted(number: usize, thing: &str) -> String {
+    let plural = match number {
+        1 => "",
+        _ if thing.ends_with('x') => "es",
+        _ => "s",
+    };
+    format!("{number} {thing}{plural}")
+}

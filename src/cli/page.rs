@@ -12,7 +12,7 @@ use super::bank::{self, BankArgument};
 use super::doubt::doubt;
 use super::files::{self, Access};
 use super::filter::Filter;
-use super::{Failure, Outcome, file_kind};
+use super::{Failure, Outcome, counted, file_kind};
 
 /// Write a page on which students practise and check themselves: one file, which works without a network.
 ///
@@ -88,9 +88,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let out = arguments.out.clone().unwrap_or_else(|| usual.into());
     files::write(&out, &written, Access::Usual)?;
     println!(
-        "{}: {} questions, {} kB",
+        "{}: {}, {} kB",
         out.display(),
-        offered.practice.questions.len(),
+        counted(offered.practice.questions.len(), "question"),
         written.len().div_ceil(1000)
     );
     Ok(Outcome::Done)

@@ -8,8 +8,8 @@ use vibank::bank::Catalogue;
 use vibank::numerics::Rational;
 use vibank::scene::Data;
 use vibank::worksheet::{
-    BankStamp, Csv, FORMAT, FileStamp, Heading, Manifest, PartEntry, Plan, QuestionEntry, Sheet,
-    SheetQuestion, VariantEntry, headings,
+    BankStamp, Csv, FORMAT, FileStamp, Heading, Manifest, Paper, PartEntry, Plan, QuestionEntry,
+    Sheet, SheetQuestion, VariantEntry, headings,
 };
 
 use serde_json::json;
@@ -135,6 +135,7 @@ pub(crate) fn without_sheets(catalogue: &Catalogue) -> Manifest {
         other_form: None,
         marks: None,
         csv: Csv::default(),
+        paper: Paper::default(),
         keyed: false,
         shard: "1/1".to_owned(),
         inputs: String::new(),
@@ -286,6 +287,7 @@ fn head(origin: Origin<'_>) -> String {
         other_form: blueprint.other_form.map(|share| share.share().to_f64()),
         marks: blueprint.marks.clone(),
         csv: blueprint.csv,
+        paper: blueprint.paper,
         keyed: plan.secret.is_some(),
         shard: shard.to_string(),
         inputs: stamp.inputs.clone(),

@@ -9,6 +9,7 @@ use vibank::grade::{Responses, Row};
 use vibank::seed::Variant;
 use vibank::source::nearest;
 
+use super::file_kind::FileKind;
 use super::platform::Report;
 use super::saved;
 use super::scanner::Scan;
@@ -106,6 +107,9 @@ fn report(path: &Path, table: Table) -> Result<Handed, Failure> {
 /// A table whose headings say nothing of answers: what they are, and which may have been mistyped.
 fn no_columns(path: &Path, table: &Table) -> Failure {
     const NEEDED: [&str; 4] = ["code", "question", "part", "response"];
+    if let Some(FileKind::Blueprint | FileKind::Page) = FileKind::of_file(path) {
+        return file_kind::not_answers(path, "");
+    }
     let shown = path.display();
     let headings = small(table);
     let lacking = NEEDED

@@ -179,16 +179,16 @@ impl Run {
         }
     }
 
+    /// The same on this paper.
+    #[must_use]
+    pub fn with_paper(self, paper: Paper) -> Self {
+        Self { paper, ..self }
+    }
+
     /// The same with names printed in this way.
     #[must_use]
     pub fn with_names(self, names: Names) -> Self {
         Self { names, ..self }
-    }
-
-    /// The same on paper of this size.
-    #[must_use]
-    pub fn with_paper(self, paper: Paper) -> Self {
-        Self { paper, ..self }
     }
 
     /// The same with room for the seats of these students, if they have some.

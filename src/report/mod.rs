@@ -24,7 +24,19 @@ pub use part::PartSummary;
 use self::part::Tally;
 use self::statistics::{Moments, alpha, quantile};
 use crate::answer::Verdict;
-use crate::bank::Catalogue;
+use crate::bank::Template;
+
+/// Where the letter of a part stands on a sheet: how long its letters are, these, and the same of its number.
+pub type Order<'a> = (usize, &'a str, usize, &'a str);
+
+/// By what the letters of parts are put into the order of a sheet: `b`, `c1`, `c2`, `c10`, `d`, `aa`.
+pub fn order(letter: &str) -> Order<'_> {
+    let end = letter
+        .find(|sign: char| sign.is_ascii_digit())
+        .unwrap_or(letter.len());
+    let (own, blank) = letter.split_at(end);
+    (own.len(), own, blank.len(), blank)
+}
 
 /// A marked response, as far as statistics need it.
 #[derive(Clone, Copy, Debug)]
@@ -120,7 +132,7 @@ impl Report {
     ///     vec![part("a", 1.0), part("b", 0.0)],
     ///     vec![part("a", 0.0), part("b", 0.0)],
     /// ];
-    /// let summary = Report::over(sheets.iter().map(Vec::as_slice)).summary(None);
+    /// let summary = Report::over(sheets.iter().map(Vec::as_slice)).summary(|_| None);
     /// let near = |a: Option<f64>, b: f64| (a.unwrap() - b).abs() < 1e-12;
     /// assert!(near(summary.parts[0].facility, 2.0 / 3.0));
     /// assert!(near(summary.parts[0].discrimination, 0.5));
@@ -163,11 +175,10 @@ impl Report {
         }
     }
 
-    /// What came out; titles of items and texts of mistakes are those of the bank.
-    pub fn summary(&self, catalogue: Option<&Catalogue>) -> Summary {
-        let template = |item: &str| catalogue.and_then(|catalogue| catalogue.find(item));
+    /// What came out; titles and texts of mistakes are those of the items that `template` finds by identity.
+    pub fn summary<'t>(&self, template: impl Fn(&str) -> Option<&'t Template>) -> Summary {
         let mut parts: Vec<(&(String, String), &Tally)> = self.parts.iter().collect();
-        parts.sort_by_key(|(_, tally)| tally.first_place().map(|(a, b, c)| (a, b, c.to_owned())));
+        parts.sort_by_cached_key(|(_, tally)| tally.first_place());
         let reliability = self.reliability();
         let has_one_max = self.max.variance().is_none_or(|variance| variance < 1e-18);
         Summary {

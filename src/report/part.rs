@@ -115,14 +115,15 @@ impl Tally {
     ) -> PartSummary {
         let found = template.and_then(|template| template.part(part));
         let mistakes = self.mistakes.commonest(1, TOLD).into_iter();
+        let mut places: Vec<&(usize, String)> = self.places.iter().collect();
+        places.sort_by_key(|(question, letter)| (*question, super::order(letter)));
         let of = |verdict: Verdict| self.verdicts[verdict as usize];
         PartSummary {
             item: item.to_owned(),
             title: template.map_or_else(String::new, |template| template.about.title.clone()),
             part: part.to_owned(),
-            places: self
-                .places
-                .iter()
+            places: places
+                .into_iter()
                 .map(|(question, letter)| format!("{question}{letter}"))
                 .collect(),
             asked: self.asked,
@@ -141,8 +142,9 @@ impl Tally {
     }
 
     /// Where it first stands on a sheet, for the order of the report.
-    pub(crate) fn first_place(&self) -> Option<(usize, usize, &str)> {
-        let (question, letter) = self.places.first()?;
-        Some((*question, letter.len(), letter))
+    pub(crate) fn first_place(&self) -> Option<(usize, super::Order<'_>)> {
+        let places = self.places.iter();
+        let places = places.map(|(question, letter)| (*question, super::order(letter)));
+        places.min()
     }
 }

@@ -145,7 +145,7 @@ pub struct Blueprint {
 }
 
 /// Size of the paper.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Paper {
     /// 210 mm by 297 mm.

@@ -388,13 +388,7 @@ impl Reader<'_> {
     fn decision(&mut self, table: &Table<'_>) -> Option<Decision> {
         let span = table.span();
         let effect = self.effect(table);
-        let [who, why] = ["who", "why"].map(|key| {
-            let text = table.required_text(key)?;
-            if text.value.trim().is_empty() {
-                return self.find(&DecisionError::Empty(key, text.span));
-            }
-            Some(text.value)
-        });
+        let [who, why] = ["who", "why"].map(|key| table.required_text(key).map(|text| text.value));
         let decision = Decision {
             span,
             line: self.source.position(span.start as usize).0,

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use super::blueprint::Paper;
 use super::marks::Marks;
 use crate::answer::Doubt;
 use crate::bank::{ItemId, Revision};
@@ -56,6 +57,9 @@ pub struct Manifest {
     /// How its tables are written.
     #[serde(default)]
     pub csv: Csv,
+    /// The paper of its sheets, on which feedback and report are printed, too.
+    #[serde(default)]
+    pub paper: Paper,
     /// Whether the seeds are keyed with a secret.
     pub keyed: bool,
     /// Which part of the run this is, `1/1` for all of it.

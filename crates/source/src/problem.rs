@@ -23,6 +23,14 @@ pub enum Problem {
         /// Its header.
         span: Span,
     },
+    /// A text that has to say something, without a word in it.
+    #[error("`{key}` is empty")]
+    Blank {
+        /// The key, as the reader asks for it.
+        key: &'static str,
+        /// The text.
+        span: Span,
+    },
     /// A key that nothing reads.
     #[error("`{key}` is not a key of {}", called(table))]
     Unknown {
@@ -32,6 +40,8 @@ pub enum Problem {
         key: String,
         /// The keys that the table may have.
         known: Vec<&'static str>,
+        /// Whether the whole file has a key of this name, so that it may stand below a header by mistake.
+        is_of_file: bool,
         /// The key.
         span: Span,
     },
@@ -64,6 +74,7 @@ impl Problem {
         match self {
             Self::Syntax { span, .. }
             | Self::Missing { span, .. }
+            | Self::Blank { span, .. }
             | Self::Unknown { span, .. }
             | Self::Kind { span, .. } => *span,
         }
@@ -74,7 +85,15 @@ impl Problem {
         match self {
             Self::Syntax { .. } => None,
             Self::Kind { key, expected, .. } => Some(format!("give `{key}` as {expected}")),
+            Self::Blank { key, .. } => Some(format!("write the {key} between the quotes")),
             Self::Missing { table, key, .. } => Some(format!("add `{key}` to {}", called(table))),
+            Self::Unknown {
+                key,
+                is_of_file: true,
+                ..
+            } => Some(format!(
+                "`{key}` is a key of the whole file: move it above the first `[header]`, for what stands below a header belongs to that"
+            )),
             Self::Unknown { key, known, .. } => Some(match nearest(key, known.iter().copied()) {
                 Some(name) => format!("did you mean `{name}`?"),
                 None => format!("the keys are {}", known.join(", ")),

@@ -6,7 +6,11 @@ use super::{Data, Entry, Problem, Source, Span, Text, Value};
 
 /// What a reader notices on its way through a file; tables share it.
 #[derive(Debug, Default)]
-pub struct Problems(RefCell<Vec<Problem>>);
+pub struct Problems {
+    noted: RefCell<Vec<Problem>>,
+    /// The keys that the table of the whole file may have.
+    of_file: RefCell<Vec<&'static str>>,
+}
 
 /// A table that is being read: it notices wrong kinds and, in the end, keys that nobody asked for.
 #[derive(Debug)]
@@ -22,12 +26,25 @@ pub struct Table<'s> {
 impl Problems {
     /// Notes one.
     pub fn add(&self, problem: Problem) {
-        self.0.borrow_mut().push(problem);
+        self.noted.borrow_mut().push(problem);
     }
 
     /// All that were noted, and none is left.
     pub fn take(&self) -> Vec<Problem> {
-        self.0.take()
+        let of_file = self.of_file.take();
+        let mut noted = self.noted.take();
+        for problem in &mut noted {
+            if let Problem::Unknown {
+                table,
+                key,
+                is_of_file,
+                ..
+            } = problem
+            {
+                *is_of_file &= !table.is_empty() && of_file.contains(&key.as_str());
+            }
+        }
+        noted
     }
 
     fn kind(&self, key: &str, expected: &'static str, value: &Value) {
@@ -113,10 +130,15 @@ impl<'s> Table<'s> {
         self.value(key).and_then(|value| self.as_text(key, value))
     }
 
-    /// A text that has to be there.
+    /// A text that has to be there and to say something.
     pub fn required_text(&self, key: &'static str) -> Option<Text> {
-        self.required(key)
-            .and_then(|value| self.as_text(key, value))
+        let text = self.as_text(key, self.required(key)?)?;
+        if text.value.trim().is_empty() {
+            let span = text.span;
+            self.problems.add(Problem::Blank { key, span });
+            return None;
+        }
+        Some(text)
     }
 
     /// A value that has to be there, whatever its kind.
@@ -282,6 +304,9 @@ impl<'s> Table<'s> {
     /// Notes every key that was not asked for so far.
     pub fn finish_ref(&self) {
         let asked = self.asked.borrow();
+        if self.name.is_empty() {
+            self.problems.of_file.borrow_mut().extend(&*asked);
+        }
         let is_asked = |entry: &&Entry| asked.contains(&entry.key.as_str());
         for entry in self.entries.iter().filter(|entry| !is_asked(entry)) {
             let mut known = Vec::new();
@@ -295,6 +320,8 @@ impl<'s> Table<'s> {
                 table,
                 key,
                 known,
+                // Whether the file has it shows when all is read. A table has a header of its own.
+                is_of_file: !matches!(entry.value.data, Data::Table(_)),
                 span: entry.span,
             });
         }

@@ -17,7 +17,7 @@ use self::journal::{Journal, Place};
 use super::bank::BankArgument;
 use super::grade::{RunItems, manifest, solution};
 use super::screen::{Screen, Tone};
-use super::{Failure, Outcome, file_kind, show};
+use super::{Failure, Outcome, counted, file_kind, show};
 
 /// Type the answers on paper sheets into a file that `vibank grade` takes, sheet by sheet.
 ///
@@ -162,7 +162,7 @@ impl Desk<'_> {
         } else {
             who(sheet)
         };
-        let words = format!("{whose}{parts} parts{known}");
+        let words = format!("{whose}{}{known}", counted(parts, "part"));
         self.screen.say(Tone::Faint, "   ", &words);
         let solutions: Vec<Solution<'_>> = sheet
             .questions

@@ -17,7 +17,7 @@ use self::manifest::Record;
 use super::bank::{self, BankArgument};
 use super::files::{self, Access};
 use super::filter::Filter;
-use super::{Failure, Outcome, file_kind};
+use super::{Failure, Outcome, counted, file_kind};
 
 /// Variants of each item where no blueprint says how many.
 const VARIANTS: usize = 10;
@@ -273,20 +273,25 @@ fn sheets<'c>(plan: &Plan<'c>, count: usize) -> Result<Vec<Sheet<'c>>, Failure> 
 fn report(export: &dyn Export, out: &Path, has_essays: bool) {
     let tally = export.tally();
     println!(
-        "{}: {} questions with {} boxes that are marked there",
+        "{}: {} with {} to be marked there",
         out.display(),
-        tally.questions,
-        tally.boxes
+        counted(tally.questions, "question"),
+        counted(tally.boxes, "box"),
     );
     if tally.unfit.is_empty() {
         return;
     }
-    let what = if has_essays {
-        "are essays, which a person marks"
-    } else {
-        "are not exported, since platforms cannot mark them; `--essay` makes them essays"
+    let what = match (tally.unfit.len(), has_essays) {
+        (1, true) => "is an essay, which a person marks",
+        (_, true) => "are essays, which a person marks",
+        (1, false) => {
+            "is not exported, since platforms cannot mark it; `--essay` makes it an essay"
+        }
+        (_, false) => {
+            "are not exported, since platforms cannot mark them; `--essay` makes them essays"
+        }
     };
-    eprintln!("{} parts {what}:", tally.unfit.len());
+    eprintln!("{} {what}:", counted(tally.unfit.len(), "part"));
     for unfit in &tally.unfit {
         eprintln!("  {}/{}  {}", unfit.item, unfit.part, unfit.reason);
     }

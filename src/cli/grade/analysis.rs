@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use serde_json::json;
 use vibank::answer::Verdict;
-use vibank::bank::Catalogue;
 use vibank::output::Analysed;
 use vibank::report::{Observation, PartSummary, Report};
 
+use super::items::Items;
 use super::outcome::Outcome;
 use super::{Findings, Layout};
 use crate::cli::Failure;
@@ -98,12 +98,12 @@ impl Analysis {
     pub(crate) fn write(
         &self,
         out: &Folder,
-        catalogue: &Catalogue,
+        items: &Items<'_>,
         layout: &Layout,
         dialect: Dialect,
         findings: &Findings<'_>,
     ) -> Result<(), Failure> {
-        let summary = self.report.summary(Some(catalogue));
+        let summary = self.report.summary(|item| items.named(item));
         let unreadable = self.count(Verdict::Unreadable);
         let json = json!({
             "program": PROGRAM,

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use vibank::bank::{Catalogue, ItemId, Revision};
+use vibank::report::order;
 use vibank::worksheet::{HandedOut, QuestionEntry, Student, VariantEntry};
 
 use super::items::Items;
@@ -26,6 +27,8 @@ pub(crate) struct Census<'c> {
     pub(crate) used: BTreeSet<(ItemId, Revision)>,
     /// The students by `id` and name.
     pub(crate) students: Vec<Student>,
+    /// The columns of the class list.
+    pub(crate) known_by: BTreeSet<String>,
     /// Items whose text in the bank is another one than when the sheets were made.
     pub(crate) changed: Vec<String>,
 }
@@ -45,6 +48,7 @@ impl<'c> Census<'c> {
             handed_out: HandedOut::default(),
             used: BTreeSet::new(),
             students: Vec::new(),
+            known_by: BTreeSet::new(),
             changed: Vec::new(),
         };
         let mut columns = BTreeSet::new();
@@ -71,6 +75,9 @@ impl<'c> Census<'c> {
             }
             for student in chunk.iter().filter_map(|variant| variant.student.as_ref()) {
                 let column = |name: &str| student.get(name).cloned().unwrap_or_default();
+                if census.known_by.len() < student.len() {
+                    census.known_by.extend(student.keys().cloned());
+                }
                 census.students.push(Student {
                     id: column("id"),
                     name: column("name"),
@@ -79,19 +86,19 @@ impl<'c> Census<'c> {
             }
             for question in chunk.iter().flat_map(|variant| &variant.questions) {
                 for part in &question.parts {
-                    columns.insert((question.number, part.letter.len(), part.letter.clone()));
+                    columns.insert((question.number, part.letter.clone()));
                 }
-                columns.insert((question.number, 0, String::new()));
+                columns.insert((question.number, String::new()));
                 census.note(question);
                 let parts = used.entry((question.item.clone(), question.revision));
                 let ids = question.parts.iter().map(|part| part.id.clone());
                 parts.or_default().extend(ids);
             }
         }
-        census.columns = columns
-            .into_iter()
-            .map(|(question, _, letter)| (question, letter))
-            .collect();
+        census.columns = columns.into_iter().collect();
+        census
+            .columns
+            .sort_by(|(a, first), (b, second)| (a, order(first)).cmp(&(b, order(second))));
         census.items = Items::of(&sheets.items, catalogue, accepts);
         for ((item, revision), parts) in &used {
             let template = census.items.find(item, *revision)?;

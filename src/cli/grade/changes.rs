@@ -115,7 +115,13 @@ impl Changes {
             } else {
                 &format!(" ({student})")
             };
-            format!("{code}{student} {question}{part}: {before} {points} -> {verdict} {now}")
+            let before = format!("{before} {points}");
+            let now = format!("{verdict} {now}");
+            format!(
+                "{code}{student} {question}{part}: {} → {}",
+                before.trim_end(),
+                now.trim_end()
+            )
         };
         Ok(self.changed.iter().map(line).collect())
     }

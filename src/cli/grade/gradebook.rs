@@ -5,8 +5,11 @@
 //! import. Canvas: the columns of its own export in their order, with the points that are possible in the second row; an
 //! empty cell changes nothing (`lib/gradebook_importer.rb`).
 
+use std::collections::BTreeSet;
+
 use vibank::grade;
 use vibank::numerics::Rational;
+use vibank::source::nearest;
 use vibank::worksheet::Csv;
 
 use super::outcome::Outcome;
@@ -46,14 +49,34 @@ struct Row {
 pub(crate) const FILE: &str = "gradebook.csv";
 
 impl Gradebook {
-    pub(crate) fn new(platform: Platform, column: &str) -> Self {
-        Self {
+    /// One of students who are known by a column of their list, which has to be one of `columns`.
+    pub(crate) fn new(
+        platform: Platform,
+        column: &str,
+        columns: &BTreeSet<String>,
+    ) -> Result<Self, Failure> {
+        let column = column.to_lowercase();
+        if columns.is_empty() {
+            let failure = Failure::new("the sheets have no names, so that no gradebook takes them");
+            return Err(failure.help(
+                "remove `--gradebook`; where a blueprint names a class list with `students`, each sheet has its student",
+            ));
+        }
+        if !columns.contains(&column) {
+            let near = nearest(&column, columns.iter().map(String::as_str));
+            let near = near.map_or_else(String::new, |near| format!("did you mean `{near}`? "));
+            let all = columns.iter().map(String::as_str).collect::<Vec<_>>();
+            let failure = Failure::new(format!("the class list has no column `{column}`"));
+            let help = format!("{near}`--gradebook-id` can be {}", all.join(", "));
+            return Err(failure.help(help));
+        }
+        Ok(Self {
             platform,
-            column: column.to_lowercase(),
+            column,
             rows: Vec::new(),
             most: Rational::ZERO,
             unknown: Vec::new(),
-        }
+        })
     }
 
     pub(crate) fn add(&mut self, sheet: &Outcome) {

@@ -17,7 +17,7 @@ use super::manifest::{Sheets, manifest};
 use super::marking::Marker;
 use crate::cli::platform::{self, Known, Report, Taken, Which};
 use crate::cli::shard::Shard;
-use crate::cli::{Failure, files, package, responses};
+use crate::cli::{Failure, counted, files, package, responses};
 
 /// What is marked.
 pub(crate) struct Handed {
@@ -122,8 +122,8 @@ impl Handed {
         let attempts = which.choose(attempts, &points);
         if attempts.len() < count {
             println!(
-                "{count} attempts of {} students; of several the {} counts (`--attempt`)",
-                attempts.len(),
+                "{count} attempts of {}; of several the {} counts (`--attempt`)",
+                counted(attempts.len(), "student"),
                 which.name()
             );
         }

@@ -59,6 +59,16 @@ impl<'c> Items<'c> {
         .help("mark with the bank of that time (`--bank`), or add `--accept-revisions`"))
     }
 
+    /// An item of this name, as it was handed out if that is known: for its title and the texts of its mistakes.
+    pub(crate) fn named(&self, id: &str) -> Option<&Template> {
+        let mut kept = self.kept.iter().filter_map(|items| items.find(id));
+        let bank = || self.bank.find(id);
+        if self.prefers_bank {
+            return bank().or_else(|| kept.next());
+        }
+        kept.next().or_else(bank)
+    }
+
     /// Whether the bank has another text of an item; questions of a blueprint's own it never had.
     pub(crate) fn has_moved_on(&self, id: &ItemId, revision: Revision) -> bool {
         let bank = self.bank.find(id.as_str());

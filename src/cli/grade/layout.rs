@@ -35,7 +35,9 @@ impl Layout {
         if let Some(line) = faces.remark() {
             eprintln!("warning: {line}");
         }
-        let run = Run::plain(&head.title, &head.language, head.decimal).with_names(faces.names);
+        let run = Run::plain(&head.title, &head.language, head.decimal)
+            .with_paper(head.paper)
+            .with_names(faces.names);
         let pages = Pages::new(writer, run, &[]).map_err(fail)?;
         let (press, missing) = match writer.is_bound().then(Press::find) {
             Some(Ok(press)) => (Some(press), None),

@@ -60,7 +60,7 @@ use super::saved::{self, Saved};
 use super::shard::Shard;
 use super::table::Dialect;
 use super::table::workbook::{self, XLSX};
-use super::{Failure, file_kind, files, progress};
+use super::{Failure, counted, file_kind, files, progress};
 
 /// Mark the responses to the sheets of a run: marks, reasons, a feedback page for each sheet, item analysis.
 ///
@@ -152,6 +152,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     // of them.
     let open = || handed.sheets(&arguments.manifest);
     let census = Census::take(&mut open()?, &catalogue, arguments.accept_revisions)?;
+    let book = |own| Gradebook::new(own, &arguments.gradebook_id, &census.known_by);
+    let gradebook = arguments.gradebook.map(book).transpose()?;
     let is_known = |code: &str| census.handed_out.codes.contains(code);
     faults.extend(Saved::foreign(&names, is_known));
     decisions.check(&census.handed_out.questions)?;
@@ -201,13 +203,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
         dialect,
         changes,
         analysis: Analysis::default(),
-        gradebook: arguments
-            .gradebook
-            .map(|platform| Gradebook::new(platform, &arguments.gradebook_id)),
+        gradebook,
         unprinted: Mutex::default(),
         undecided: Undecided::default(),
         arguments,
-        catalogue: &catalogue,
         items: &census.items,
         corrected: &corrected,
         marks: &marks,
@@ -286,7 +285,6 @@ fn anonymous(variant: &VariantEntry) -> VariantEntry {
 /// One run.
 struct Job<'a> {
     arguments: &'a Arguments,
-    catalogue: &'a vibank::bank::Catalogue,
     items: &'a Items<'a>,
     corrected: &'a Corrected,
     marks: &'a Marks,
@@ -329,9 +327,14 @@ impl Job<'_> {
     fn mark(&mut self) -> Result<(), Failure> {
         let bar = progress::bar(self.share.len() as u64, "sheets");
         if self.journal.done() > 0 {
+            let were = if self.journal.done() == 1 {
+                "was"
+            } else {
+                "were"
+            };
             eprintln!(
-                "{} sheets were marked before the interruption",
-                self.journal.done()
+                "{} {were} marked before the interruption",
+                counted(self.journal.done(), "sheet")
             );
         }
         let mut begin = 0;
@@ -456,7 +459,8 @@ impl Job<'_> {
     fn finish_part(self, shard: Shard) -> Result<super::Outcome, Failure> {
         let unprinted = std::mem::take(&mut *self.unprinted());
         let part = self.journal.become_part(self.share.len())?;
-        println!("{} sheets marked, part {shard}", self.share.len());
+        let sheets = counted(self.share.len(), "sheet");
+        println!("{sheets} marked, part {shard}");
         println!(
             "  {:<28} joined with the other parts by the same command without `--shard`",
             self.out.root().join(part).display()
@@ -489,13 +493,8 @@ impl Job<'_> {
             marks: marked.as_ref(),
             decided: &decided,
         };
-        self.analysis.write(
-            self.out,
-            self.catalogue,
-            &self.pages,
-            self.dialect,
-            &findings,
-        )?;
+        self.analysis
+            .write(self.out, self.items, &self.pages, self.dialect, &findings)?;
         let marks = match self.tables.take() {
             Some(tables) => tables.finish(self.out)?,
             None => "",

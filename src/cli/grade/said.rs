@@ -6,10 +6,10 @@ use vibank::output::{Decided, Lost};
 use super::analysis::Analysis;
 use super::changes::Changes;
 use super::{gradebook, standings};
-use crate::cli::Failure;
 use crate::cli::folder::Folder;
 use crate::cli::sheet::PROGRAM;
 use crate::cli::table::Dialect;
+use crate::cli::{Failure, counted};
 
 /// Changed marks that are printed; all are in `changes.csv`.
 const MAX_CHANGES: usize = 40;
@@ -30,11 +30,14 @@ impl Earlier {
     }
 
     pub(crate) fn tell(&self) {
-        let before = self.program.as_ref().map_or_else(String::new, |before| {
+        let other = self.program.as_ref().filter(|before| *before != PROGRAM);
+        let before = other.map_or_else(String::new, |before| {
             format!(", which {before} marked; this is {PROGRAM}")
         });
         let count = self.rows.len();
-        println!("{count} marks differ from the earlier run{before}");
+        let differ = if count == 1 { "differs" } else { "differ" };
+        let marks = counted(count, "mark");
+        println!("{marks} {differ} from the earlier run{before}");
         for row in self.rows.iter().take(MAX_CHANGES) {
             println!("  {row}");
         }
@@ -50,7 +53,9 @@ pub(crate) fn decided(decided: &[Decided]) {
         return;
     }
     let changed: usize = decided.iter().map(|own| own.changed.len()).sum();
-    println!("{} decisions have changed {changed} marks", decided.len());
+    let have = if decided.len() == 1 { "has" } else { "have" };
+    let decisions = counted(decided.len(), "decision");
+    println!("{decisions} {have} changed {}", counted(changed, "mark"));
     // Each has room for some of its marks, however many the first of them has changed.
     let room = (MAX_CHANGES / decided.len()).max(3);
     let mut left = MAX_CHANGES;
@@ -137,7 +142,8 @@ impl Written<'_> {
             .filter(|(count, _)| *count > 0)
             .map(|(count, name)| format!("{count} {name}"))
             .collect();
-        println!("{} sheets: {}", self.analysis.sheets(), counts.join(", "));
+        let sheets = counted(self.analysis.sheets(), "sheet");
+        println!("{sheets}: {}", counts.join(", "));
         if self.analysis.count(Verdict::Unreadable) > 0 {
             file(
                 "unreadable.csv",
@@ -192,14 +198,20 @@ pub(crate) fn told(analysis: &Analysis, lost: &[Lost], faults: &[String]) {
         }
     };
     let unreadable = analysis.count(Verdict::Unreadable) - analysis.open();
-    let title = format!("{unreadable} could not be read, and are not yet decided:");
+    let are = |count: u64| if count == 1 { "is" } else { "are" };
+    let title = format!(
+        "{unreadable} could not be read, and {} not yet decided:",
+        are(unreadable)
+    );
     let of = |by_hand: bool| lost.iter().filter(move |lost| lost.by_hand == by_hand);
     list(&title, &mut of(false).map(line_of), of(false).count());
     let open = analysis.open();
     let wrong = || of(true).filter(|lost| !lost.response.is_empty());
     if open > 0 {
         eprintln!(
-            "{open} parts are open: a person marks them, and gives the points with the responses"
+            "{} {} open: a person marks them, and gives the points with the responses",
+            counted(open as usize, "part"),
+            are(open)
         );
     }
     list(

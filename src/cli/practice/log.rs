@@ -9,6 +9,7 @@ use vibank::answer::Marking;
 use vibank::instance::Instance;
 
 use crate::cli::Failure;
+use crate::cli::files::unwritable;
 
 /// A log, or none.
 pub(crate) struct Log(Option<File>);
@@ -18,9 +19,7 @@ impl Log {
     pub(crate) fn open(path: Option<&Path>) -> Result<Self, Failure> {
         let open = |path: &Path| {
             let file = OpenOptions::new().append(true).create(true).open(path);
-            file.map_err(|error| {
-                Failure::new(format!("cannot write `{}`: {error}", path.display()))
-            })
+            file.map_err(|error| unwritable(path, &error))
         };
         path.map(open).transpose().map(Self)
     }

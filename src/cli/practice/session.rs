@@ -9,8 +9,8 @@ use vibank::solution::Solution;
 use vibank::worksheet::{headings, letter};
 
 use super::log::Log;
-use crate::cli::Failure;
 use crate::cli::screen::{Screen, Tone};
+use crate::cli::{Failure, counted};
 
 /// A session and what came out so far.
 pub(crate) struct Session {
@@ -59,10 +59,8 @@ impl Session {
     }
 
     pub(crate) fn welcome(&self, items: usize, seed: u64) {
-        let plural = if items == 1 { "" } else { "s" };
-        let words = format!(
-            "{items} exercise{plural} to choose from (session {seed}). Type your answer, or:"
-        );
+        let exercises = counted(items, "exercise");
+        let words = format!("{exercises} to choose from (session {seed}). Type your answer, or:");
         self.screen.say(Tone::Faint, "", &words);
         self.screen.say(Tone::Faint, "  ", HELP);
     }
@@ -70,8 +68,10 @@ impl Session {
     pub(crate) fn finish(&self) {
         if self.asked > 0 {
             let words = format!(
-                "{} of {} parts right, {} of them at once.",
-                self.right, self.asked, self.right_at_once
+                "{} of {} right, {} of them at once.",
+                self.right,
+                counted(self.asked, "part"),
+                self.right_at_once
             );
             Screen::gap();
             self.screen.say(Tone::Bold, "", &words);

@@ -17,7 +17,7 @@ use super::duration;
 use crate::cli::bank;
 use crate::cli::report::Reporter;
 use crate::cli::sheet::{secret, students};
-use crate::cli::{Failure, file_kind, files};
+use crate::cli::{Failure, counted, file_kind, files};
 
 /// A sheet, made.
 pub(crate) struct Made {
@@ -128,9 +128,9 @@ impl Made {
         } else {
             format!(" of {duration}")
         };
-        let count = questions.len();
-        let plural = if count == 1 { "" } else { "s" };
-        format!("{count} question{plural}, {points}, {minutes} minutes{of}")
+        let questions = counted(questions.len(), "question");
+        let minutes = counted(*minutes as usize, "minute");
+        format!("{questions}, {points}, {minutes}{of}")
     }
 }
 

@@ -37,7 +37,7 @@ use super::folder::Folder;
 use super::record::{Origin, Record};
 use super::shard::Shard;
 use super::table::Dialect;
-use super::{Failure, Format, Outcome, class_list, file_kind, files, form};
+use super::{Failure, Format, Outcome, class_list, counted, file_kind, files, form};
 
 /// Make the sheets of a blueprint, with keys, worked solutions, a response form and a manifest.
 ///
@@ -410,10 +410,6 @@ impl Summary {
             });
             return println!("{summary}");
         }
-        let counted = |count: usize, thing: &str| {
-            let plural = if count == 1 { "" } else { "s" };
-            format!("{count} {thing}{plural}")
-        };
         println!(
             "{} of {} in {}",
             counted(self.sheets, "sheet"),

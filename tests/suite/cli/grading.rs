@@ -288,11 +288,6 @@ fn marks_go_to_the_gradebook_of_a_platform_and_what_is_undecided_is_no_mark() {
     assert!((rows[1][5].parse::<f64>().expect("points") - most).abs() < 0.01);
     assert_eq!(rows[2][2], "1");
     assert_eq!([&rows[3][2], &rows[3][5]], ["2", ""]);
-    // A column that the class list does not have for anybody.
-    let options = ["--gradebook", "moodle", "--gradebook-id", "email"];
-    let (_, rows, _, _) = book(&exam, &options);
-    assert_eq!(rows.len(), 1);
-    assert_eq!(rows[0][0], "Email address");
 }
 
 #[test]

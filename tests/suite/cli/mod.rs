@@ -15,6 +15,7 @@ mod hostile;
 mod index;
 mod marks;
 mod mistaken;
+mod newcomer;
 mod platforms;
 mod practice;
 mod press;

@@ -24,7 +24,7 @@ fn answers_from_a_pipe_are_marked_with_hints_and_solutions() {
         .says("✗ Not right")
         .says("With ω")
         .says("b) Find its natural frequency.")
-        .says("0 of 1 parts right");
+        .says("0 of 1 part right");
 }
 
 #[test]

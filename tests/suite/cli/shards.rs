@@ -155,7 +155,7 @@ fn a_part_that_was_interrupted_goes_on() {
         .complains("2/2");
     mark(&desk, "parts", &["--no-feedback", "--shard", "2/2"])
         .ends(0)
-        .complains("1 sheets were marked before");
+        .complains("1 sheet was marked before");
     assert_eq!(content(path.join("marked-2of2.jsonl")), part);
     mark(&desk, "parts", &["--no-feedback"]).ends(1);
     assert_eq!(files(&desk, "parts"), files(&desk, "whole"));

@@ -287,7 +287,7 @@ fn practice_shows_work_with_its_solution_and_leaves_it_out_of_the_score() {
         .says("it is not marked here")
         .says("The weight mg acts downwards")
         .says("2: weight and force of the spring")
-        .says("0 of 1 parts right");
+        .says("0 of 1 part right");
 }
 
 #[test]

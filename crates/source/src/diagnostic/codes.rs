@@ -32,7 +32,7 @@ macro_rules! codes {
 codes! {
     TOML_SYNTAX "bank::syntax" "The file is not valid TOML."
         "The reader of TOML stopped at the marked place.\nTypical causes: a quote that is not closed, a backslash in double quotes (write `\\\\` or use single quotes), a table header that is written twice."
-    MISSING_KEY "bank::missing-key" "A key that has to be there is not."
+    MISSING_KEY "bank::missing-key" "A key that has to be there is not, or there is no word in its text."
         "The named table needs this key.\nThe reference of the item file lists the keys of each table and which of them are required."
     UNKNOWN_KEY "bank::unknown-key" "A key that nothing reads."
         "Keys are checked so that a misspelt one is not silently without effect.\nThe help names the nearest key that the table may have."

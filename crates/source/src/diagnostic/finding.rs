@@ -208,7 +208,7 @@ impl Diagnose for Problem {
     fn code(&self) -> Code {
         match self {
             Self::Syntax { .. } => Code::TOML_SYNTAX,
-            Self::Missing { .. } => Code::MISSING_KEY,
+            Self::Missing { .. } | Self::Blank { .. } => Code::MISSING_KEY,
             Self::Unknown { .. } => Code::UNKNOWN_KEY,
             Self::Kind { .. } => Code::WRONG_KIND,
         }
