@@ -23,10 +23,10 @@ use crate::unit::{Quantity, Unit};
 
 /// How far a number may be from the key, as declared; empty is derived.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Tolerance(Vec<Term>);
+pub struct Tolerance(Vec<ErrorTerm>);
 
 #[derive(Clone, Debug, PartialEq)]
-enum Term {
+enum ErrorTerm {
     /// A share of the key, or of another quantity.
     Share(Rational, Option<NodeId>),
     /// A half-width in SI units.
@@ -80,13 +80,13 @@ impl Tolerance {
             // Half a per cent: the most that rounding to three figures takes, of numbers that begin with 100.
             return 0.005 * power_of_ten(3 - figures as i32) * spread();
         }
-        let width = |term: &Term| match term {
-            Term::Share(share, None) => share.to_f64() * key.abs(),
-            Term::Share(share, Some(of)) => evaluation
+        let width = |term: &ErrorTerm| match term {
+            ErrorTerm::Share(share, None) => share.to_f64() * key.abs(),
+            ErrorTerm::Share(share, Some(of)) => evaluation
                 .real(*of)
                 .map_or(0.0, |of| share.to_f64() * of.abs()),
-            Term::Width(width) => *width,
-            Term::Figures(figures) => half_unit(key, *figures),
+            ErrorTerm::Width(width) => *width,
+            ErrorTerm::Figures(figures) => half_unit(key, *figures),
         };
         self.0.iter().map(width).fold(0.0, f64::max)
     }
@@ -108,14 +108,18 @@ fn power_of_ten(exponent: i32) -> f64 {
     crate::numerics::powi(10.0, exponent)
 }
 
-fn term(text: &str, unit: &Unit, declare: &mut dyn Declare) -> Result<Term, Option<AnswerError>> {
+fn term(
+    text: &str,
+    unit: &Unit,
+    declare: &mut dyn Declare,
+) -> Result<ErrorTerm, Option<AnswerError>> {
     if let Some(figures) = text.strip_suffix("sf") {
         let figures = figures
             .trim()
             .parse()
             .ok()
             .filter(|figures| (1..=12).contains(figures));
-        return figures.map(Term::Figures).ok_or(None);
+        return figures.map(ErrorTerm::Figures).ok_or(None);
     }
     if let Some((share, of)) = text.split_once('%') {
         let hundredth = Rational::new(1, 100).expect("a fraction");
@@ -123,7 +127,7 @@ fn term(text: &str, unit: &Unit, declare: &mut dyn Declare) -> Result<Term, Opti
             Rational::from_decimal(share.trim()).and_then(|share| share.checked_mul(hundredth));
         let share = share.filter(|share| !share.is_negative()).ok_or(None)?;
         return match of.trim().strip_prefix("of ") {
-            None if of.trim().is_empty() => Ok(Term::Share(share, None)),
+            None if of.trim().is_empty() => Ok(ErrorTerm::Share(share, None)),
             None => Err(None),
             Some(name) => {
                 let text = Text {
@@ -135,7 +139,7 @@ fn term(text: &str, unit: &Unit, declare: &mut dyn Declare) -> Result<Term, Opti
                 }
                 declare
                     .formula("scale of a tolerance", &text)
-                    .map(|of| Term::Share(share, Some(of)))
+                    .map(|of| ErrorTerm::Share(share, Some(of)))
                     .ok_or(None)
             }
         };
@@ -147,5 +151,7 @@ fn term(text: &str, unit: &Unit, declare: &mut dyn Declare) -> Result<Term, Opti
             found: error.found.describe(),
         })
     })?;
-    Ok(Term::Width(conversion.apply_decimal(&quantity.value).abs()))
+    Ok(ErrorTerm::Width(
+        conversion.apply_decimal(&quantity.value).abs(),
+    ))
 }

@@ -20,7 +20,7 @@ pub struct Catalogue {
     pub bank: BankFile,
     /// Its chapters by number.
     pub chapters: Vec<Chapter>,
-    pub(crate) entries: Vec<Entry>,
+    pub(crate) entries: Vec<CatalogueEntry>,
     pub(crate) by_id: BTreeMap<Arc<str>, usize>,
     /// Whether its items were taken out of their bank, so that nobody knows its topics.
     pub(crate) is_loose: bool,
@@ -31,7 +31,7 @@ pub struct Catalogue {
 
 /// The file of an item, and what came of reading it.
 #[derive(Debug)]
-pub(crate) struct Entry {
+pub(crate) struct CatalogueEntry {
     pub(crate) id: ItemId,
     pub(crate) file: File,
     /// Made out when it is asked for: a digest of all items takes longer than reading one.
@@ -62,7 +62,7 @@ pub(crate) struct Reading {
 }
 
 #[cfg(feature = "render")]
-impl Entry {
+impl CatalogueEntry {
     pub(crate) fn new(id: ItemId, file: File) -> Self {
         Self {
             id,
@@ -73,7 +73,7 @@ impl Entry {
     }
 }
 
-impl Entry {
+impl CatalogueEntry {
     /// The revision of its text; one that cannot be read has that of no text.
     pub(crate) fn revision(&self) -> Revision {
         *self.revision.get_or_init(|| {
@@ -167,7 +167,7 @@ impl Catalogue {
         findings.cloned().collect()
     }
 
-    fn reading<'c>(&'c self, entry: &'c Entry) -> &'c Reading {
+    fn reading<'c>(&'c self, entry: &'c CatalogueEntry) -> &'c Reading {
         entry
             .reading
             .get_or_init(|| read(entry, (!self.is_loose).then_some(&self.bank)))
@@ -200,6 +200,6 @@ impl Catalogue {
 
 /// Without the readers of texts no catalogue has an entry.
 #[cfg(not(feature = "render"))]
-fn read(_: &Entry, _: Option<&BankFile>) -> Reading {
+fn read(_: &CatalogueEntry, _: Option<&BankFile>) -> Reading {
     Reading::default()
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::catalogue::{Catalogue, Entry, File, Open, Reading};
+use super::catalogue::{Catalogue, CatalogueEntry, File, Open, Reading};
 use super::folder::{BankFile, Chapter};
 use super::{ItemId, Revision, Template, bounds, own, read};
 use crate::diagnostic::{Code, Diagnose, Finding, Label, Severity};
@@ -77,7 +77,7 @@ impl Catalogue {
         let unopened = unopened.into_iter().map(|id| {
             let path = format!("{id}.toml").into();
             let open = Arc::clone(open);
-            Entry::new(id, File::Unopened { path, open })
+            CatalogueEntry::new(id, File::Unopened { path, open })
         });
         catalogue.entries.extend(unopened);
         catalogue.arrange(&mut findings);
@@ -132,7 +132,7 @@ impl Catalogue {
             match ItemId::of_path(&source.path) {
                 Some(id) => self
                     .entries
-                    .push(Entry::new(id, File::Text(source.clone()))),
+                    .push(CatalogueEntry::new(id, File::Text(source.clone()))),
                 None => findings.push(Finding::of(
                     &FolderError::Path(source.path.to_string()),
                     source,
@@ -173,7 +173,7 @@ impl Catalogue {
 }
 
 /// Reads the file of an item.
-pub(crate) fn read(entry: &Entry, bank: Option<&BankFile>) -> Reading {
+pub(crate) fn read(entry: &CatalogueEntry, bank: Option<&BankFile>) -> Reading {
     let source = match entry.file.source() {
         Ok(source) => source,
         Err(finding) => {

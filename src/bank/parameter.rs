@@ -171,7 +171,7 @@ pub(crate) struct Texts<'t> {
 
 /// Which of the texts an error is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Field {
+pub(crate) enum ParameterField {
     Value,
     Range,
     Step,
@@ -189,9 +189,9 @@ impl Parameter {
         title: Option<Arc<str>>,
         symbol: Arc<Math>,
         texts: &Texts<'_>,
-    ) -> Result<Self, (Field, ParameterError)> {
+    ) -> Result<Self, (ParameterField, ParameterError)> {
         let of = |field| move |error| (field, ParameterError::Quantity(error));
-        let value = Quantity::parse(texts.value).map_err(of(Field::Value))?;
+        let value = Quantity::parse(texts.value).map_err(of(ParameterField::Value))?;
         let Some(range) = texts.range else {
             let domain = Domain::from(&value.value);
             return Ok(Self {
@@ -204,18 +204,19 @@ impl Parameter {
                 domain,
             });
         };
-        let range = Range::parse(range).map_err(of(Field::Range))?;
+        let range = Range::parse(range).map_err(of(ParameterField::Range))?;
         let step = texts
             .step
-            .ok_or_else(|| (Field::Range, ParameterError::NoStep(name.clone())))?;
-        let step = step_of(name, step, &range).map_err(|error| (Field::Step, error))?;
+            .ok_or_else(|| (ParameterField::Range, ParameterError::NoStep(name.clone())))?;
+        let step = step_of(name, step, &range).map_err(|error| (ParameterField::Step, error))?;
         let unit = range.unit();
         if value.conversion(&unit).is_err() {
-            return Err((Field::Value, mismatch(name, &unit, &value.unit)));
+            return Err((ParameterField::Value, mismatch(name, &unit, &value.unit)));
         }
         let (lo, hi) = (range.lo().value, range.hi().value);
         let grid = Grid::new(lo, hi, step).filter(|grid| grid.count() <= MAX_VALUES);
-        let grid = grid.ok_or_else(|| (Field::Step, ParameterError::TooMany(name.clone())))?;
+        let grid =
+            grid.ok_or_else(|| (ParameterField::Step, ParameterError::TooMany(name.clone())))?;
         let domain = Domain::from(&lo);
         Ok(Self {
             name: name.clone(),

@@ -108,8 +108,8 @@ impl BankArgument {
         all
     }
 
-    fn found(&self) -> Result<Found, Failure> {
-        let mut found = Found::default();
+    fn found(&self) -> Result<BankFiles, Failure> {
+        let mut found = BankFiles::default();
         match &self.bank {
             Some(folder) => {
                 found.folder.clone_from(folder);
@@ -125,7 +125,7 @@ impl BankArgument {
         Ok(found)
     }
 
-    fn index(&self, found: &Found) -> Option<Index> {
+    fn index(&self, found: &BankFiles) -> Option<Index> {
         let mut texts = found.texts.iter();
         let bank = texts.find(|(path, _)| path == "bank.toml");
         (!self.no_index)
@@ -135,7 +135,7 @@ impl BankArgument {
 }
 
 /// The catalogue of what was found, with further files.
-fn open(found: &Found, further: &[(String, String)]) -> (Catalogue, Vec<Finding>) {
+fn open(found: &BankFiles, further: &[(String, String)]) -> (Catalogue, Vec<Finding>) {
     let is_given = |path: &str| further.iter().any(|(given, _)| given == path);
     let texts = found.texts.iter();
     let known: Vec<(&str, &str)> = texts
@@ -161,7 +161,7 @@ fn open(found: &Found, further: &[(String, String)]) -> (Catalogue, Vec<Finding>
 }
 
 /// Reads the items of a folder that its index does not know, on all cores, and notes them; how many errors they have.
-fn look(catalogue: &Catalogue, found: &Found, index: &mut Index) -> usize {
+fn look(catalogue: &Catalogue, found: &BankFiles, index: &mut Index) -> usize {
     let unknown = found.items.iter();
     let unknown: Vec<&ItemId> = unknown
         .filter(|(id, stamp)| !index.knows(id, stamp))
@@ -228,7 +228,7 @@ const CHAPTER: &str = "title = \"Files\"\nnumber = 99\n";
 
 /// The TOML files of a folder.
 #[derive(Default)]
-struct Found {
+struct BankFiles {
     folder: PathBuf,
     /// What is no item, each with its path inside the folder; of the bank that comes with the program, everything.
     texts: Vec<(String, Cow<'static, str>)>,
@@ -238,7 +238,7 @@ struct Found {
     unreadable: Vec<Finding>,
 }
 
-impl Found {
+impl BankFiles {
     /// The TOML files below a folder that stands at `inside`; what is hidden is left out.
     fn collect(&mut self, folder: &Path, inside: &str) -> Result<(), Failure> {
         // Each takes some hundred bytes of memory.

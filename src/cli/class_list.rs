@@ -12,7 +12,7 @@ use vibank::worksheet::{Columns, Student};
 use self::headings::HeadingError;
 pub(crate) use self::headings::Places;
 use super::Failure;
-use super::table::{Fault, Row, Table};
+use super::table::{RowFault, Table, TableRow};
 
 /// The students of a class list, in its order.
 pub(crate) fn read(path: &Path, columns: &Columns) -> Result<Vec<Student>, Failure> {
@@ -40,7 +40,7 @@ pub(crate) fn read(path: &Path, columns: &Columns) -> Result<Vec<Student>, Failu
     let mut students = Vec::new();
     let mut seen = BTreeMap::new();
     let headings = table.headings.len();
-    let begins_row = |row: &Row<'_>| row.cells.len() == headings && headings > 1;
+    let begins_row = |row: &TableRow<'_>| row.cells.len() == headings && headings > 1;
     for row in table.rows(&begins_row) {
         let row = row.map_err(|broken| refuse(&fail, &broken.fault))?;
         let line = row.line;
@@ -83,12 +83,12 @@ pub(crate) fn read(path: &Path, columns: &Columns) -> Result<Vec<Student>, Failu
 }
 
 /// A row that cannot be read would lose a student.
-fn refuse(fail: &dyn Fn(String) -> Failure, fault: &Fault) -> Failure {
+fn refuse(fail: &dyn Fn(String) -> Failure, fault: &RowFault) -> Failure {
     let failure = fail(format!(", {fault}"));
     match fault {
-        Fault::Open { .. } => {
+        RowFault::Open { .. } => {
             failure.help("close it, or write `\"\"` for a quote inside of a cell")
         }
-        Fault::Wide { .. } | Fault::Behind { .. } | Fault::Unheaded { .. } => failure,
+        RowFault::Wide { .. } | RowFault::Behind { .. } | RowFault::Unheaded { .. } => failure,
     }
 }

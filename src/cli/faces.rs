@@ -36,7 +36,7 @@ pub(crate) struct Faces {
 
 /// A font, with those letters of the run that it has.
 #[derive(Clone, Debug, PartialEq, Eq)]
-struct Candidate {
+struct FontCandidate {
     family: String,
     path: PathBuf,
     signs: BTreeSet<char>,
@@ -71,7 +71,7 @@ impl Faces {
         Self::chosen(students, &candidates(&fonts, &needed))
     }
 
-    fn chosen(students: &[Student], candidates: &[Candidate]) -> Result<Self, Failure> {
+    fn chosen(students: &[Student], candidates: &[FontCandidate]) -> Result<Self, Failure> {
         let mut faces = Self::default();
         let mut taken: BTreeSet<&Path> = BTreeSet::new();
         for (student, words) in students
@@ -154,8 +154,8 @@ fn wanting(name: &str) -> impl Iterator<Item = char> {
 }
 
 /// Upright fonts of normal weight that have some of the signs, best first.
-fn candidates(fonts: &Database, needed: &BTreeSet<char>) -> Vec<Candidate> {
-    let mut candidates: Vec<Candidate> = Vec::new();
+fn candidates(fonts: &Database, needed: &BTreeSet<char>) -> Vec<FontCandidate> {
+    let mut candidates: Vec<FontCandidate> = Vec::new();
     for face in fonts.faces() {
         let is_plain = face.style == Style::Normal
             && face.weight == Weight::NORMAL
@@ -184,7 +184,7 @@ fn candidates(fonts: &Database, needed: &BTreeSet<char>) -> Vec<Candidate> {
             .flatten()
             .unwrap_or_default();
         if !signs.is_empty() {
-            candidates.push(Candidate {
+            candidates.push(FontCandidate {
                 family: family.clone(),
                 path: path.clone(),
                 signs,
@@ -222,7 +222,10 @@ fn rank(family: &str) -> u8 {
 }
 
 /// The best font that has all signs, else few that have them together; nothing where a sign is in none.
-fn cover<'c>(signs: &BTreeSet<char>, candidates: &'c [Candidate]) -> Option<Vec<&'c Candidate>> {
+fn cover<'c>(
+    signs: &BTreeSet<char>,
+    candidates: &'c [FontCandidate],
+) -> Option<Vec<&'c FontCandidate>> {
     if let Some(whole) = candidates
         .iter()
         .find(|candidate| signs.is_subset(&candidate.signs))
@@ -244,8 +247,8 @@ fn cover<'c>(signs: &BTreeSet<char>, candidates: &'c [Candidate]) -> Option<Vec<
 mod tests {
     use super::*;
 
-    fn candidate(family: &str, signs: &str) -> Candidate {
-        Candidate {
+    fn candidate(family: &str, signs: &str) -> FontCandidate {
+        FontCandidate {
             family: family.to_owned(),
             path: PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml")),
             signs: signs.chars().collect(),

@@ -102,7 +102,7 @@ fn codes(stated: &[String], manifest: &Manifest) -> Result<BTreeSet<String>, Fai
 }
 
 /// What was written.
-pub(crate) struct Written {
+pub(crate) struct WrittenPages {
     pub(crate) sheets: usize,
     /// Parts whose answers no page can read, by item and part.
     unread: BTreeSet<String>,
@@ -115,7 +115,7 @@ pub(crate) fn pages(
     wanted: &(dyn Fn(&str) -> bool + Sync),
     out: &Folder,
     below: &str,
-) -> Result<Written, Failure> {
+) -> Result<WrittenPages, Failure> {
     let kept = std::slice::from_ref(&manifest.items);
     let items = RunItems::of(kept, catalogue, false);
     let sheets: Vec<&VariantEntry> = manifest
@@ -143,14 +143,14 @@ pub(crate) fn pages(
         let name = format!("{below}{}.html", sheet.code);
         out.write(&name, page.as_bytes()).map(drop)
     })?;
-    Ok(Written {
+    Ok(WrittenPages {
         sheets: sheets.len(),
         unread: writer.unread(),
     })
 }
 
 /// An item as it was handed out, and the parts of it that are asked together.
-type Asked = (ItemId, Revision, Vec<String>);
+type AskedParts = (ItemId, Revision, Vec<String>);
 
 /// What reads the answers to an item, and the parts that it reads.
 struct Reader {
@@ -162,7 +162,7 @@ struct Writer<'m> {
     manifest: &'m Manifest,
     run: Run,
     grader: Grader,
-    readers: BTreeMap<Asked, Reader>,
+    readers: BTreeMap<AskedParts, Reader>,
 }
 
 impl<'m> Writer<'m> {
@@ -300,7 +300,7 @@ impl Reader {
 fn reader(
     sheet: &VariantEntry,
     manifest: &Manifest,
-    readers: &BTreeMap<Asked, Reader>,
+    readers: &BTreeMap<AskedParts, Reader>,
 ) -> (Practice, Vec<Compiled>) {
     let (mut questions, mut items) = (Vec::new(), Vec::new());
     for question in &sheet.questions {
@@ -325,7 +325,7 @@ fn reader(
     (practice, items)
 }
 
-fn asked(question: &QuestionEntry) -> Asked {
+fn asked(question: &QuestionEntry) -> AskedParts {
     let parts = question.parts.iter().map(|part| part.id.clone());
     (question.item.clone(), question.revision, parts.collect())
 }

@@ -44,7 +44,7 @@ pub(crate) struct Index {
     head: Head,
     /// The rows of an earlier run.
     text: String,
-    rows: BTreeMap<String, Row>,
+    rows: BTreeMap<String, IndexRow>,
     /// Those of this one.
     noted: BTreeMap<ItemId, String>,
     /// When the earlier run wrote it.
@@ -52,7 +52,7 @@ pub(crate) struct Index {
 }
 
 /// A row of an earlier run: its listing is read when somebody asks for it.
-struct Row {
+struct IndexRow {
     stamp: Stamp,
     listing: Range<usize>,
 }
@@ -157,7 +157,7 @@ impl Index {
             let mut cells = line.splitn(3, '\t');
             let (id, stamp, listing) = (cells.next()?, cells.next()?, cells.next()?);
             let end = start + line.len();
-            let row = Row {
+            let row = IndexRow {
                 stamp: Stamp::read(stamp)?,
                 listing: end - listing.len()..end,
             };

@@ -24,12 +24,12 @@ const MAX_LENGTH: u64 = 8_000_000;
 #[derive(Deserialize)]
 struct Described {
     id: String,
-    questions: Vec<Asked>,
+    questions: Vec<AskedQuestion>,
     practice: Practice,
 }
 
 #[derive(Deserialize)]
-struct Asked {
+struct AskedQuestion {
     key: String,
     revision: String,
     /// What its parts are worth.

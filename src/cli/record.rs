@@ -18,7 +18,7 @@ use super::Failure;
 use super::files;
 use super::folder::{Draft, Folder, Left};
 use super::shard::Shard;
-use super::sheet::{FormatChoice, Mark, PROGRAM, Stamp};
+use super::sheet::{FormatChoice, PROGRAM, RunMark, Stamp};
 use super::table::Dialect;
 
 /// The two files of a run that grow with each sheet.
@@ -155,7 +155,7 @@ impl Record {
     pub(crate) fn open(
         out: &Folder,
         origin: Origin<'_>,
-        mark: &Mark,
+        mark: &RunMark,
         kept_form: Option<String>,
     ) -> Result<Self, Failure> {
         let Origin { plan, shard, .. } = origin;

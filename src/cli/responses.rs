@@ -21,7 +21,7 @@ const COLUMNS: [&str; 4] = ["code", "question", "part", "response"];
 
 /// What is read of a file.
 #[derive(Default)]
-struct Reading {
+struct FileReading {
     responses: Responses,
     faults: Vec<String>,
 }
@@ -56,7 +56,7 @@ pub(crate) fn read(path: &Path) -> Result<Handed, Failure> {
     if path.is_dir() {
         return saved::folder(path).map(Handed::Saved);
     }
-    let mut reading = Reading::default();
+    let mut reading = FileReading::default();
     let is_json = path
         .extension()
         .is_some_and(|end| end.eq_ignore_ascii_case("json"));
@@ -68,7 +68,7 @@ pub(crate) fn read(path: &Path) -> Result<Handed, Failure> {
         reading.json(path, text.as_bytes())?;
     } else {
         let table = Table::read(path)?;
-        match Layout::of(&small(&table)) {
+        match LineLayout::of(&small(&table)) {
             Some(layout) => reading.table(&layout, &table),
             None => return report(path, table),
         }
@@ -127,17 +127,17 @@ fn no_columns(path: &Path, table: &Table) -> Failure {
     ))
 }
 
-impl Reading {
+impl FileReading {
     fn add(&mut self, row: &Row<'_>) {
         let error = self.responses.add(row);
         self.faults.extend(error.map(|error| error.to_string()));
     }
 
-    fn table(&mut self, layout: &Layout, table: &Table) {
+    fn table(&mut self, layout: &LineLayout, table: &Table) {
         if let Some(doubt) = &table.doubt {
             eprintln!("{doubt}");
         }
-        let begins_row = |row: &table::Row<'_>| begins_sheet(row, layout.code());
+        let begins_row = |row: &table::TableRow<'_>| begins_sheet(row, layout.code());
         for row in table.rows(&begins_row) {
             match row {
                 Ok(row) => layout.rows(&row, &mut |at, response| match table.spoilt(row.line, at) {
@@ -216,14 +216,14 @@ fn written(value: &Json) -> Option<String> {
 }
 
 /// Where in a line the answers stand.
-enum Layout {
+enum LineLayout {
     /// One row a part: places of [`COLUMNS`].
     Parts([usize; 4]),
     /// One row a sheet: place of the code, and of each part.
     Sheets(usize, Vec<(usize, String, String)>),
 }
 
-impl Layout {
+impl LineLayout {
     fn of(names: &[String]) -> Option<Self> {
         let place = |name: &str| names.iter().position(|found| found == name);
         let places = COLUMNS.map(place);
@@ -246,7 +246,7 @@ impl Layout {
     }
 
     /// Hands on the answers of a row, each with its column.
-    fn rows(&self, row: &table::Row<'_>, take: &mut dyn FnMut(usize, &Row<'_>)) {
+    fn rows(&self, row: &table::TableRow<'_>, take: &mut dyn FnMut(usize, &Row<'_>)) {
         match self {
             Self::Parts([code, question, part, response]) => take(
                 *response,
@@ -275,7 +275,7 @@ impl Layout {
 }
 
 /// Whether cells look like a row of their own: several, with the code of a sheet where codes stand.
-pub(crate) fn begins_sheet(row: &table::Row<'_>, code: usize) -> bool {
+pub(crate) fn begins_sheet(row: &table::TableRow<'_>, code: usize) -> bool {
     row.cells.len() > 1 && row.cell(code).parse::<Variant>().is_ok()
 }
 

@@ -21,12 +21,12 @@ const FORMAT: &str = "vibank answers 1";
 struct File {
     format: String,
     code: String,
-    answers: Vec<Answer>,
+    answers: Vec<SavedAnswer>,
     sum: String,
 }
 
 #[derive(Deserialize)]
-struct Answer {
+struct SavedAnswer {
     question: usize,
     part: String,
     response: String,
@@ -49,14 +49,14 @@ pub(crate) fn is_saved(text: &str) -> bool {
 
 /// The answers of one file.
 pub(crate) fn file(path: &Path, text: &str) -> Saved {
-    let mut reading = Reading::default();
+    let mut reading = SavedReading::default();
     reading.add(&name(path), text);
     reading.finish()
 }
 
 /// The answers of all files in a folder; those in folders below it are not looked at.
 pub(crate) fn folder(path: &Path) -> Result<Saved, Failure> {
-    let mut reading = Reading::default();
+    let mut reading = SavedReading::default();
     for path in paths(path)? {
         match files::read(&path) {
             Ok(text) => reading.add(&name(&path), &text),
@@ -115,7 +115,7 @@ fn name(path: &Path) -> String {
 }
 
 #[derive(Default)]
-struct Reading {
+struct SavedReading {
     saved: Saved,
     /// The answers of each sheet so far, by place.
     known: BTreeMap<String, BTreeMap<String, String>>,
@@ -123,7 +123,7 @@ struct Reading {
     count: usize,
 }
 
-impl Reading {
+impl SavedReading {
     fn add(&mut self, name: &str, text: &str) {
         self.count += 1;
         let shown: String = name.chars().flat_map(char::escape_debug).collect();
@@ -222,7 +222,7 @@ impl Reading {
 fn summed(file: &File) -> String {
     let mut text = format!("{}\n", file.code);
     for answer in &file.answers {
-        let Answer {
+        let SavedAnswer {
             question,
             part,
             response,

@@ -60,7 +60,7 @@ const QUESTION: [&str; 4] = ["question", "quest", "item", "q"];
 
 /// A column of answers.
 #[derive(Clone, Debug, PartialEq, Eq)]
-enum Asked {
+enum AnswerColumn {
     /// The choice with this number on the sheet, from 1.
     Choice(usize),
     /// A part by its number and letter.
@@ -71,11 +71,11 @@ enum Asked {
 pub(crate) struct Scan {
     table: Table,
     who: Vec<(usize, Who)>,
-    answers: Vec<(usize, Asked)>,
+    answers: Vec<(usize, AnswerColumn)>,
 }
 
 /// What is known of a sheet.
-struct Sheet<'m> {
+struct KnownSheet<'m> {
     code: &'m str,
     /// Its choices, in order, with the numbers of their questions.
     choices: Vec<(usize, &'m PartEntry)>,
@@ -104,7 +104,7 @@ impl Scan {
         who.sort_by_key(|(at, who)| (*who == Who::Picture, *at));
         // Where what was ticked is there, the columns before it are scores.
         let are_ticked = names.iter().any(|name| name.starts_with(TICKED));
-        let answers: Vec<(usize, Asked)> = places
+        let answers: Vec<(usize, AnswerColumn)> = places
             .filter(|(at, name)| {
                 who.iter().all(|(own, _)| own != at) && name.starts_with(TICKED) == are_ticked
             })
@@ -125,7 +125,7 @@ impl Scan {
 
     /// The responses to the sheets of a run, and what is wrong with single rows.
     pub(crate) fn taken(&self, sheets: &[VariantEntry]) -> (Responses, Vec<String>) {
-        let known = Known::of(sheets);
+        let known = RunSheets::of(sheets);
         let (mut responses, mut faults) = (Responses::default(), Vec::new());
         let code = self.who.iter().find(|(_, who)| *who == Who::Code);
         let code = code.map_or(usize::MAX, |(at, _)| *at);
@@ -148,8 +148,8 @@ impl Scan {
             for (at, asked) in &self.answers {
                 let response = boxes(row.cell(*at));
                 let place = match asked {
-                    Asked::Part(question, part) => Some((question.clone(), part.clone())),
-                    Asked::Choice(number) => {
+                    AnswerColumn::Part(question, part) => Some((question.clone(), part.clone())),
+                    AnswerColumn::Choice(number) => {
                         let choice = number.checked_sub(1).and_then(|at| sheet.choices.get(at));
                         choice.map(|(number, part)| (number.to_string(), part.letter.clone()))
                     }
@@ -186,13 +186,13 @@ impl Scan {
 }
 
 /// The sheets of a run, by code and student.
-struct Known<'m> {
-    sheets: Vec<Sheet<'m>>,
+struct RunSheets<'m> {
+    sheets: Vec<KnownSheet<'m>>,
     codes: BTreeMap<&'m str, usize>,
     students: BTreeMap<&'m str, Vec<usize>>,
 }
 
-impl<'m> Known<'m> {
+impl<'m> RunSheets<'m> {
     fn of(entries: &'m [VariantEntry]) -> Self {
         let mut known = Self {
             sheets: Vec::new(),
@@ -211,7 +211,7 @@ impl<'m> Known<'m> {
             if let Some(id) = id {
                 known.students.entry(id).or_default().push(at);
             }
-            known.sheets.push(Sheet {
+            known.sheets.push(KnownSheet {
                 code: &entry.code,
                 choices: choices.collect(),
             });
@@ -224,7 +224,7 @@ impl<'m> Known<'m> {
         &self,
         who: &[(usize, Who)],
         cell: &dyn Fn(usize) -> &'r str,
-    ) -> Result<&Sheet<'m>, String> {
+    ) -> Result<&KnownSheet<'m>, String> {
         let mut tried = Vec::new();
         for (at, who) in who {
             let text = cell(*at).trim();
@@ -280,13 +280,13 @@ fn stem(path: &str) -> &str {
 }
 
 /// What a heading asks for: `q3`, `Question 07`, `Group.q12`, `TICKED:2b`.
-fn asked(heading: &str) -> Option<Asked> {
+fn asked(heading: &str) -> Option<AnswerColumn> {
     let ticked = heading.strip_prefix(TICKED).map(str::trim);
     let name = ticked.unwrap_or(heading);
     // FormScanner puts the name of the group before that of the question.
     let name = name.rsplit('.').next().unwrap_or(name).trim();
     if let Some((question, part)) = part_column(name) {
-        return Some(Asked::Part(question.to_owned(), part.to_owned()));
+        return Some(AnswerColumn::Part(question.to_owned(), part.to_owned()));
     }
     let stated = QUESTION.iter().find_map(|word| name.strip_prefix(word));
     let rest = stated.map(|rest| rest.trim_start_matches([' ', '_', '-', ':']));
@@ -297,10 +297,10 @@ fn asked(heading: &str) -> Option<Asked> {
         (None, None) => return None,
     };
     if let Some((question, part)) = part_column(rest) {
-        return Some(Asked::Part(question.to_owned(), part.to_owned()));
+        return Some(AnswerColumn::Part(question.to_owned(), part.to_owned()));
     }
     let number = rest.parse::<usize>().ok().filter(|number| *number > 0)?;
-    Some(Asked::Choice(number))
+    Some(AnswerColumn::Choice(number))
 }
 
 /// What was ticked, as it is typed: `AC` and `A|C` are `a, c`. What are no letters stays as it is.
@@ -323,13 +323,13 @@ mod tests {
 
     #[test]
     fn headings_name_choices_by_their_number_or_parts() {
-        let choice = |number| Some(Asked::Choice(number));
+        let choice = |number| Some(AnswerColumn::Choice(number));
         assert_eq!(asked("q1"), choice(1));
         assert_eq!(asked("question007"), choice(7));
         assert_eq!(asked("block 1.question 12"), choice(12));
         assert_eq!(asked("ticked:q03"), choice(3));
         assert_eq!(asked("ticked:4"), choice(4));
-        let part = Some(Asked::Part("2".to_owned(), "b".to_owned()));
+        let part = Some(AnswerColumn::Part("2".to_owned(), "b".to_owned()));
         assert_eq!(asked("2b"), part);
         assert_eq!(asked("ticked:2b"), part);
         assert_eq!(asked("q2b"), part);

@@ -6,7 +6,7 @@
 //! distance from the equilibrium within which friction can hold the mass. Where it only creeps towards its rest `t_stop`
 //! is `null`; where it swings for ever, so are `n_half`, and without damping `x_stop` and `path`.
 
-use super::{Parameters, Reply, RequestError, Task};
+use super::{Parameters, RequestError, ResultReply, Task};
 use crate::numerics::{Dd, ExactNumber};
 use crate::vibration::{DryFriction, FrictionMotion, FrictionOscillator};
 
@@ -21,7 +21,7 @@ impl Task for CoulombStop {
         &["m", "k", "mu", "g", "x0", "c", "t", "v0", "mu_s", "F"]
     }
 
-    fn solve(&self, parameters: &Parameters) -> Result<Reply, RequestError> {
+    fn solve(&self, parameters: &Parameters) -> Result<ResultReply, RequestError> {
         let system = system(parameters)?;
         let motion = system
             .motion(parameters.exact("x0")?, or_zero(parameters, "v0")?)
@@ -55,8 +55,8 @@ fn system(parameters: &Parameters) -> Result<FrictionOscillator, RequestError> {
         .map_err(RequestError::domain)
 }
 
-fn describe(motion: &FrictionMotion) -> Reply {
-    Reply::default()
+fn describe(motion: &FrictionMotion) -> ResultReply {
+    ResultReply::default()
         .count("n_half", motion.slides())
         .optional("t_stop", Some(motion.stop_time()))
         .optional("x_stop", motion.rest_position())

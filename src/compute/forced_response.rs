@@ -2,7 +2,7 @@
 //!
 //! `m c k F0 Omega x0 v0 t` give `x v`. Times are not negative.
 
-use super::{Parameters, Reply, RequestError, Task};
+use super::{Parameters, RequestError, ResultReply, Task};
 use crate::vibration::{self, HarmonicForce};
 
 pub(crate) struct ForcedResponse;
@@ -16,7 +16,7 @@ impl Task for ForcedResponse {
         &["m", "c", "k", "F0", "Omega", "x0", "v0", "t"]
     }
 
-    fn solve(&self, parameters: &Parameters) -> Result<Reply, RequestError> {
+    fn solve(&self, parameters: &Parameters) -> Result<ResultReply, RequestError> {
         let oscillator = parameters.oscillator()?;
         let force = HarmonicForce::cosine(parameters.number("F0")?, parameters.number("Omega")?);
         let times = parameters.times("t")?;
@@ -26,6 +26,6 @@ impl Task for ForcedResponse {
             });
         }
         let motion = vibration::ForcedResponse::of(&oscillator, force, parameters.initial_state()?);
-        Ok(Reply::default().states(["x", "v"], &times, |time| motion.state(time)))
+        Ok(ResultReply::default().states(["x", "v"], &times, |time| motion.state(time)))
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! `m c k x0 v0 t` give `x v omega0 zeta regime omega_d r_slow r_fast`.
 
-use super::{Parameters, Reply, RequestError, Task};
+use super::{Parameters, RequestError, ResultReply, Task};
 use crate::vibration::{self, Oscillator};
 
 pub(crate) struct FreeResponse;
@@ -16,10 +16,10 @@ impl Task for FreeResponse {
         &["m", "c", "k", "x0", "v0", "t"]
     }
 
-    fn solve(&self, parameters: &Parameters) -> Result<Reply, RequestError> {
+    fn solve(&self, parameters: &Parameters) -> Result<ResultReply, RequestError> {
         let oscillator = parameters.oscillator()?;
         let motion = vibration::FreeResponse::of(&oscillator, parameters.initial_state()?);
-        let reply = Reply::default().states(["x", "v"], &parameters.times("t")?, |time| {
+        let reply = ResultReply::default().states(["x", "v"], &parameters.times("t")?, |time| {
             motion.state(time)
         });
         Ok(describe(reply, &oscillator))
@@ -27,7 +27,7 @@ impl Task for FreeResponse {
 }
 
 /// Adds what belongs to the oscillator alone.
-fn describe(reply: Reply, oscillator: &Oscillator) -> Reply {
+fn describe(reply: ResultReply, oscillator: &Oscillator) -> ResultReply {
     let (slow, fast) = oscillator.decay_roots().unzip();
     reply
         .optional("omega0", Some(oscillator.natural_angular_frequency()))

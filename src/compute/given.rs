@@ -49,7 +49,7 @@ impl<'a> Object<'a> {
 
 /// The members of a line that is a request; `Other` for JSON that is not an object.
 #[derive(Debug)]
-pub(crate) enum Line<'a> {
+pub(crate) enum RequestLine<'a> {
     Request {
         /// What is given back with the reply.
         id: serde_json::Value,
@@ -291,42 +291,42 @@ impl<'a> Deserialize<'a> for Key<'a> {
 struct OfLine;
 
 impl<'a> Visitor<'a> for OfLine {
-    type Value = Line<'a>;
+    type Value = RequestLine<'a>;
 
     fn expecting(&self, text: &mut fmt::Formatter) -> fmt::Result {
         text.write_str("a request")
     }
 
-    fn visit_unit<E>(self) -> Result<Line<'a>, E> {
-        Ok(Line::Other)
+    fn visit_unit<E>(self) -> Result<RequestLine<'a>, E> {
+        Ok(RequestLine::Other)
     }
 
-    fn visit_bool<E>(self, _: bool) -> Result<Line<'a>, E> {
-        Ok(Line::Other)
+    fn visit_bool<E>(self, _: bool) -> Result<RequestLine<'a>, E> {
+        Ok(RequestLine::Other)
     }
 
-    fn visit_f64<E>(self, _: f64) -> Result<Line<'a>, E> {
-        Ok(Line::Other)
+    fn visit_f64<E>(self, _: f64) -> Result<RequestLine<'a>, E> {
+        Ok(RequestLine::Other)
     }
 
-    fn visit_u64<E>(self, _: u64) -> Result<Line<'a>, E> {
-        Ok(Line::Other)
+    fn visit_u64<E>(self, _: u64) -> Result<RequestLine<'a>, E> {
+        Ok(RequestLine::Other)
     }
 
-    fn visit_i64<E>(self, _: i64) -> Result<Line<'a>, E> {
-        Ok(Line::Other)
+    fn visit_i64<E>(self, _: i64) -> Result<RequestLine<'a>, E> {
+        Ok(RequestLine::Other)
     }
 
-    fn visit_str<E>(self, _: &str) -> Result<Line<'a>, E> {
-        Ok(Line::Other)
+    fn visit_str<E>(self, _: &str) -> Result<RequestLine<'a>, E> {
+        Ok(RequestLine::Other)
     }
 
-    fn visit_seq<A: SeqAccess<'a>>(self, mut entries: A) -> Result<Line<'a>, A::Error> {
+    fn visit_seq<A: SeqAccess<'a>>(self, mut entries: A) -> Result<RequestLine<'a>, A::Error> {
         while entries.next_element::<IgnoredAny>()?.is_some() {}
-        Ok(Line::Other)
+        Ok(RequestLine::Other)
     }
 
-    fn visit_map<A: MapAccess<'a>>(self, mut entries: A) -> Result<Line<'a>, A::Error> {
+    fn visit_map<A: MapAccess<'a>>(self, mut entries: A) -> Result<RequestLine<'a>, A::Error> {
         let mut id = serde_json::Value::Null;
         let mut members = Vec::new();
         while let Some(Key(key)) = entries.next_key()? {
@@ -337,11 +337,11 @@ impl<'a> Visitor<'a> for OfLine {
             }
         }
         let rest = Object { members };
-        Ok(Line::Request { id, rest })
+        Ok(RequestLine::Request { id, rest })
     }
 }
 
-impl<'a> Deserialize<'a> for Line<'a> {
+impl<'a> Deserialize<'a> for RequestLine<'a> {
     fn deserialize<D: Deserializer<'a>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(OfLine)
     }

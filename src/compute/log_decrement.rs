@@ -2,7 +2,7 @@
 //!
 //! `x1 xn1 n Td [m]` give `delta zeta lambda omega0`, and with the mass `c k`, else `null`.
 
-use super::{Parameters, Reply, RequestError, Task};
+use super::{Parameters, RequestError, ResultReply, Task};
 use crate::vibration::LogarithmicDecrement;
 
 pub(crate) struct LogDecrement;
@@ -16,7 +16,7 @@ impl Task for LogDecrement {
         &["x1", "xn1", "n", "Td", "m"]
     }
 
-    fn solve(&self, parameters: &Parameters) -> Result<Reply, RequestError> {
+    fn solve(&self, parameters: &Parameters) -> Result<ResultReply, RequestError> {
         let (first, last) = (parameters.number("x1")?, parameters.number("xn1")?);
         let decrement = LogarithmicDecrement::of(first, last, parameters.count("n")?)
             .map_err(RequestError::domain)?;
@@ -25,7 +25,7 @@ impl Task for LogDecrement {
             .optional_number("m")?
             .map(|mass| positive("mass", mass))
             .transpose()?;
-        Ok(Reply::default()
+        Ok(ResultReply::default()
             .number("delta", decrement.value())
             .number("zeta", decrement.damping_ratio())
             .optional("lambda", Some(decrement.decay_rate(period)))

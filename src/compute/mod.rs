@@ -34,9 +34,9 @@ pub use error::RequestError;
 
 use serde::Deserialize;
 
-use given::{Line, Object, Value};
+use given::{Object, RequestLine, Value};
 use parameters::Parameters;
-use reply::Reply;
+use reply::ResultReply;
 
 /// A kind of request.
 trait Task: Sync {
@@ -47,7 +47,7 @@ trait Task: Sync {
     fn keys(&self) -> &'static [&'static str];
 
     /// The result for checked parameters.
-    fn solve(&self, parameters: &Parameters) -> Result<Reply, RequestError>;
+    fn solve(&self, parameters: &Parameters) -> Result<ResultReply, RequestError>;
 }
 
 static TASKS: &[&dyn Task] = &[
@@ -109,8 +109,8 @@ fn read(line: &str) -> Result<(serde_json::Value, Object<'_>), RequestError> {
         return Err(RequestError::LineTooLong { bytes: line.len() });
     }
     match serde_json::from_str(line) {
-        Ok(Line::Request { id, rest }) => Ok((id, rest)),
-        Ok(Line::Other) => Err(RequestError::NotAnObject),
+        Ok(RequestLine::Request { id, rest }) => Ok((id, rest)),
+        Ok(RequestLine::Other) => Err(RequestError::NotAnObject),
         Err(error) => Err(RequestError::NotJson {
             reason: error.to_string(),
         }),

@@ -5,7 +5,7 @@
 //! `x` and `v` at the time `t`, or a list of vectors for a list of times.
 
 use super::parameters::Times;
-use super::{Parameters, Reply, RequestError, Task, network};
+use super::{Parameters, RequestError, ResultReply, Task, network};
 use crate::vibration::modal::{Damping, ModalResponse as Motion};
 use crate::vibration::modes::{MAX_WITHOUT_PROOF, Modes, ModesError};
 
@@ -29,7 +29,7 @@ impl Task for ModalResponse {
         ]
     }
 
-    fn solve(&self, parameters: &Parameters) -> Result<Reply, RequestError> {
+    fn solve(&self, parameters: &Parameters) -> Result<ResultReply, RequestError> {
         let system = network::system(parameters)?;
         let count = system.degrees_of_freedom();
         if count > MAX_WITHOUT_PROOF {
@@ -63,8 +63,8 @@ impl Task for ModalResponse {
             }
         }
         Ok(match times {
-            Times::One(_) => Reply::default().list("x", x).list("v", v),
-            Times::Many(_) => Reply::default()
+            Times::One(_) => ResultReply::default().list("x", x).list("v", v),
+            Times::Many(_) => ResultReply::default()
                 .vectors("x", x.chunks_exact(size))
                 .vectors("v", v.chunks_exact(size)),
         })

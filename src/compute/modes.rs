@@ -5,7 +5,7 @@
 //! is also a list `growth` of the rates, `null` for the others. `shapes` = k asks for the k lowest shapes only; up to 256
 //! degrees of freedom all are given by default, beyond that none.
 
-use super::{Parameters, Reply, RequestError, Task, network};
+use super::{Parameters, RequestError, ResultReply, Task, network};
 use crate::numerics::Dd;
 use crate::vibration::modes as solver;
 
@@ -26,7 +26,7 @@ impl Task for Modes {
         &["masses", "springs", "M", "K", "shapes"]
     }
 
-    fn solve(&self, parameters: &Parameters) -> Result<Reply, RequestError> {
+    fn solve(&self, parameters: &Parameters) -> Result<ResultReply, RequestError> {
         let system = network::system(parameters)?;
         let modes = solver::Modes::of(system).map_err(RequestError::domain)?;
         let count = modes.count();
@@ -41,7 +41,7 @@ impl Task for Modes {
 }
 
 /// Modes to the last digit, up to a size.
-fn described_modes(modes: &solver::Modes, shown: usize) -> Reply {
+fn described_modes(modes: &solver::Modes, shown: usize) -> ResultReply {
     let count = modes.count();
     if count > SMALL
         && let Some(polished) = modes.polished()
@@ -73,10 +73,10 @@ fn described(
     frequency: impl Fn(usize) -> Option<f64>,
     growth: impl Fn(usize) -> Option<f64>,
     shape: impl Fn(usize) -> Vec<f64>,
-) -> Reply {
+) -> ResultReply {
     let shapes: Vec<Vec<f64>> = (0..shown).map(shape).collect();
     let growths: Vec<Option<f64>> = (0..count).map(growth).collect();
-    let reply = Reply::default()
+    let reply = ResultReply::default()
         .optional_list("omega", (0..count).map(frequency))
         .vectors("shapes", shapes.iter().map(Vec::as_slice));
     if growths.iter().any(Option::is_some) {

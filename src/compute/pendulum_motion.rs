@@ -3,7 +3,7 @@
 //! `L g t` and, 0 if they are absent, the angle `theta0` and the angular velocity `omega0` at the start give `theta
 //! omega`. The angle is unwrapped: a pendulum that turns over counts its turns.
 
-use super::{Parameters, Reply, RequestError, Task};
+use super::{Parameters, RequestError, ResultReply, Task};
 use crate::vibration::Pendulum;
 use crate::vibration::State;
 
@@ -18,7 +18,7 @@ impl Task for PendulumMotion {
         &["L", "g", "theta0", "omega0", "t"]
     }
 
-    fn solve(&self, parameters: &Parameters) -> Result<Reply, RequestError> {
+    fn solve(&self, parameters: &Parameters) -> Result<ResultReply, RequestError> {
         let pendulum = Pendulum::new(parameters.number("L")?, parameters.number("g")?)
             .map_err(RequestError::domain)?;
         let angle = parameters.optional_number("theta0")?.unwrap_or(0.0);
@@ -27,7 +27,7 @@ impl Task for PendulumMotion {
             .motion(angle, velocity)
             .map_err(RequestError::domain)?;
         Ok(
-            Reply::default().states(["theta", "omega"], &parameters.times("t")?, |time| {
+            ResultReply::default().states(["theta", "omega"], &parameters.times("t")?, |time| {
                 let (position, velocity) = motion.state(time);
                 State { position, velocity }
             }),

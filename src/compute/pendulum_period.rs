@@ -2,7 +2,7 @@
 //!
 //! `L g theta0` give `T T_small excess`, the period, that of small swings and `T/T_small - 1`.
 
-use super::{Parameters, Reply, RequestError, Task};
+use super::{Parameters, RequestError, ResultReply, Task};
 use crate::vibration::Pendulum;
 
 pub(crate) struct PendulumPeriod;
@@ -16,7 +16,7 @@ impl Task for PendulumPeriod {
         &["L", "g", "theta0"]
     }
 
-    fn solve(&self, parameters: &Parameters) -> Result<Reply, RequestError> {
+    fn solve(&self, parameters: &Parameters) -> Result<ResultReply, RequestError> {
         let pendulum = Pendulum::new(parameters.number("L")?, parameters.number("g")?)
             .map_err(RequestError::domain)?;
         let amplitude = parameters.number("theta0")?;
@@ -24,7 +24,7 @@ impl Task for PendulumPeriod {
         let excess = pendulum
             .period_excess(amplitude)
             .map_err(RequestError::domain)?;
-        Ok(Reply::default()
+        Ok(ResultReply::default()
             .number("T", period)
             .number("T_small", pendulum.small_period())
             .number("excess", excess))

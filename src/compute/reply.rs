@@ -6,7 +6,7 @@ use crate::vibration::State;
 
 /// A result in the making, as JSON. Numbers that are not finite are found when it is finished.
 #[derive(Default)]
-pub(crate) struct Reply {
+pub(crate) struct ResultReply {
     /// The members of the object so far.
     text: Vec<u8>,
     /// The first result that is not a finite number.
@@ -17,7 +17,7 @@ pub(crate) struct Reply {
 // The longest, `-2.2250738585072014e-308`, has 24.
 const MAX_NUMBER_LENGTH: usize = 26;
 
-impl Reply {
+impl ResultReply {
     /// Adds a number.
     pub(crate) fn number(mut self, name: &'static str, value: f64) -> Self {
         self.key(name);

@@ -3,7 +3,7 @@
 //! `m c k` give `omega_r gain_peak omega1 omega2 bandwidth` of the displacement, `null` where there are none, and
 //! `Q vel_omega1 vel_omega2 vel_bandwidth`.
 
-use super::{Parameters, Reply, RequestError, Task};
+use super::{Parameters, RequestError, ResultReply, Task};
 use crate::vibration::{DisplacementResonance, VelocityResonance};
 
 pub(crate) struct ResonanceBandwidth;
@@ -17,14 +17,14 @@ impl Task for ResonanceBandwidth {
         &["m", "c", "k"]
     }
 
-    fn solve(&self, parameters: &Parameters) -> Result<Reply, RequestError> {
+    fn solve(&self, parameters: &Parameters) -> Result<ResultReply, RequestError> {
         let oscillator = parameters.oscillator()?;
         let displacement = DisplacementResonance::of(&oscillator);
         let velocity = VelocityResonance::of(&oscillator);
         let of = |quantity: fn(&DisplacementResonance) -> Option<f64>| {
             displacement.as_ref().and_then(quantity)
         };
-        Ok(Reply::default()
+        Ok(ResultReply::default()
             .optional(
                 "omega_r",
                 of(|resonance| Some(resonance.angular_frequency())),

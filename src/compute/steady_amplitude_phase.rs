@@ -2,7 +2,7 @@
 //!
 //! `m c k F0 Omega` give `X phi power transmissibility`, all of them `null` where an undamped oscillator resonates.
 
-use super::{Parameters, Reply, RequestError, Task};
+use super::{Parameters, RequestError, ResultReply, Task};
 use crate::vibration::FrequencyResponse;
 
 pub(crate) struct SteadyAmplitudePhase;
@@ -16,12 +16,12 @@ impl Task for SteadyAmplitudePhase {
         &["m", "c", "k", "F0", "Omega"]
     }
 
-    fn solve(&self, parameters: &Parameters) -> Result<Reply, RequestError> {
+    fn solve(&self, parameters: &Parameters) -> Result<ResultReply, RequestError> {
         let response =
             FrequencyResponse::at(&parameters.oscillator()?, parameters.number("Omega")?);
         let force = parameters.number("F0")?;
         let steady = |value: f64| (!response.is_unbounded()).then_some(value);
-        Ok(Reply::default()
+        Ok(ResultReply::default()
             .optional("X", steady(response.amplitude(force)))
             .optional("phi", steady(response.phase_lag()))
             .optional("power", steady(response.mean_power(force)))

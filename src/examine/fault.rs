@@ -6,7 +6,7 @@ use crate::source::Span;
 
 /// What is wrong with an item as a question.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub(crate) enum Fault {
+pub(crate) enum QuestionFault {
     #[error("mistake {number} of part `{part}` is right: `{typed}`, seed {seed}")]
     MistakeRight {
         part: String,
@@ -115,7 +115,7 @@ pub(crate) enum Fault {
     Work { draws: u64, limit: u64 },
 }
 
-impl Fault {
+impl QuestionFault {
     /// The part that it is about.
     pub(crate) fn part(&self) -> Option<&str> {
         match self {
@@ -210,7 +210,7 @@ fn line(text: &str, is_it: impl Fn(&str) -> bool) -> Span {
     Span::NONE
 }
 
-impl Diagnose for Fault {
+impl Diagnose for QuestionFault {
     fn code(&self) -> Code {
         match self {
             Self::MistakeRight { .. } => Code::CHECK_MISTAKE_RIGHT,

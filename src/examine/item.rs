@@ -1,6 +1,6 @@
 //! What is wrong with an item whatever is drawn: data without use, answers that are printed, what is missing.
 
-use super::fault::Fault;
+use super::fault::QuestionFault;
 use crate::answer::{Answer, AnswerKind, Choosing};
 use crate::bank::{Part, Passage, Target, Template};
 use crate::document::{Document, Filling, Form};
@@ -12,13 +12,13 @@ use crate::solution::Solution;
 const MAX_QUESTIONS: usize = 8;
 
 /// All of it.
-pub(crate) fn faults(template: &Template, solution: &Solution<'_>) -> Vec<Fault> {
+pub(crate) fn faults(template: &Template, solution: &Solution<'_>) -> Vec<QuestionFault> {
     let mut faults = unused(template, solution);
     faults.extend(disclosed(template));
     let count = template.questions();
     if count > MAX_QUESTIONS {
         let most = MAX_QUESTIONS;
-        faults.push(Fault::ManyQuestions { count, most });
+        faults.push(QuestionFault::ManyQuestions { count, most });
     }
     for part in &template.parts {
         faults.extend(option_form(part));
@@ -28,7 +28,7 @@ pub(crate) fn faults(template: &Template, solution: &Solution<'_>) -> Vec<Fault>
 }
 
 /// Data on which no key depends. What work on paper takes is not known: where it is asked, none is found.
-fn unused(template: &Template, solution: &Solution<'_>) -> Vec<Fault> {
+fn unused(template: &Template, solution: &Solution<'_>) -> Vec<QuestionFault> {
     let mut parts = template.parts.iter();
     if parts.any(|part| part.answer.kind().is_by_hand()) {
         return Vec::new();
@@ -52,7 +52,7 @@ fn unused(template: &Template, solution: &Solution<'_>) -> Vec<Fault> {
             let node = template.graph.find(&parameter.name);
             node.is_some_and(|node| !is_used(&parameter.name, node))
         })
-        .map(|parameter| Fault::UnusedDatum {
+        .map(|parameter| QuestionFault::UnusedDatum {
             datum: parameter.name.to_string(),
         })
         .collect()
@@ -81,7 +81,7 @@ fn is_in_equations(solution: &Solution<'_>, place: usize, name: &Name) -> bool {
 }
 
 /// Parts whose answers are printed before they are due, or in a later question.
-fn disclosed(template: &Template) -> Vec<Fault> {
+fn disclosed(template: &Template) -> Vec<QuestionFault> {
     let mut faults = Vec::new();
     for (place, part) in template.parts.iter().enumerate() {
         let keys = part.answer.keys();
@@ -98,7 +98,7 @@ fn disclosed(template: &Template) -> Vec<Fault> {
             continue;
         }
         if shows(&template.statement) {
-            faults.push(Fault::Disclosed {
+            faults.push(QuestionFault::Disclosed {
                 part: part.id.clone(),
                 place: "the statement".to_owned(),
             });
@@ -114,7 +114,7 @@ fn disclosed(template: &Template) -> Vec<Fault> {
         };
         if let Some((_, other)) = others.into_iter().find(|(_, other)| is_shown(other)) {
             let place = format!("the question of part `{}`", other.id);
-            faults.push(Fault::Disclosed {
+            faults.push(QuestionFault::Disclosed {
                 part: part.id.clone(),
                 place,
             });
@@ -142,7 +142,7 @@ fn prints(passage: &Passage, key: NodeId, in_letters: bool) -> bool {
 }
 
 /// A right option that its form gives away.
-fn option_form(part: &Part) -> Option<Fault> {
+fn option_form(part: &Part) -> Option<QuestionFault> {
     let answer: &dyn Answer = &*part.answer;
     if answer.choosing() != Some(Choosing::One) || !answer.keys().is_empty() {
         return None;
@@ -173,7 +173,7 @@ fn option_form(part: &Part) -> Option<Fault> {
     } else {
         return None;
     };
-    Some(Fault::OptionForm {
+    Some(QuestionFault::OptionForm {
         part: part.id.clone(),
         how,
     })
@@ -209,7 +209,7 @@ fn has_route(template: &Template, key: NodeId) -> bool {
 }
 
 /// What a part should have and does not.
-fn missing(template: &Template, part: &Part) -> Vec<Fault> {
+fn missing(template: &Template, part: &Part) -> Vec<QuestionFault> {
     let own = || part.id.clone();
     let mut faults = Vec::new();
     let asks_number = matches!(
@@ -221,13 +221,13 @@ fn missing(template: &Template, part: &Part) -> Vec<Fault> {
         && !keys.iter().all(|key| has_route(template, *key))
         && !template.about.allows("single-route")
     {
-        faults.push(Fault::NoSecondRoute { part: own() });
+        faults.push(QuestionFault::NoSecondRoute { part: own() });
     }
     if part.hints.iter().all(Passage::is_empty) {
-        faults.push(Fault::NoHint { part: own() });
+        faults.push(QuestionFault::NoHint { part: own() });
     }
     if part.worked().next().is_none() {
-        faults.push(Fault::NoSolution { part: own() });
+        faults.push(QuestionFault::NoSolution { part: own() });
     }
     faults
 }

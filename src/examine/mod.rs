@@ -15,7 +15,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Serialize;
 
-use self::fault::Fault;
+use self::fault::QuestionFault;
 pub use self::part::PartExamined;
 use self::part::Tally;
 use crate::answer::{AnswerKind, KeyValue};
@@ -44,7 +44,7 @@ pub struct Examination {
 }
 
 /// Whether a fault is about the part of this name, or about a blank of the group of this name.
-fn is_about(template: &Template, fault: &Fault, name: &str) -> bool {
+fn is_about(template: &Template, fault: &QuestionFault, name: &str) -> bool {
     let part = fault.part().and_then(|part| template.part(part));
     part.is_some_and(|part| part.is_named(name))
 }
@@ -75,7 +75,7 @@ impl Examination {
     /// # }
     /// ```
     pub fn of(template: &Template, seeds: u64) -> Self {
-        let mut course = Course::of(template);
+        let mut course = ItemDraws::of(template);
         let mut allowance = instance::DRAWS;
         for seed in 0..seeds {
             let Ok(instance) = Instance::draw(template, Seed::new(seed)) else {
@@ -83,9 +83,9 @@ impl Examination {
             };
             if allowance.take(|| course.add(instance, seed)).is_none() {
                 // What was seen until then is not complete.
-                course = Course::of(template);
+                course = ItemDraws::of(template);
                 let limit = instance::DRAWS.after(seed + 1) / 1_000_000;
-                course.costly = Some(Fault::Work {
+                course.costly = Some(QuestionFault::Work {
                     draws: seed + 1,
                     limit,
                 });
@@ -97,7 +97,7 @@ impl Examination {
 }
 
 /// The draws of an item so far.
-struct Course<'t> {
+struct ItemDraws<'t> {
     template: &'t Template,
     tallies: Vec<Tally>,
     draws: u64,
@@ -109,7 +109,7 @@ struct Course<'t> {
     shapes: BTreeSet<(Vec<usize>, Rational)>,
     coincidences: BTreeMap<(usize, usize), u64>,
     /// Why there are no draws.
-    costly: Option<Fault>,
+    costly: Option<QuestionFault>,
 }
 
 /// Draws that are refused for one reason.
@@ -123,7 +123,7 @@ struct Refused {
 /// More than this share of refused draws makes variants alike.
 const MAX_REFUSED: f64 = 0.5;
 
-impl<'t> Course<'t> {
+impl<'t> ItemDraws<'t> {
     fn of(template: &'t Template) -> Self {
         let parts = template.parts.iter().enumerate();
         Self {
@@ -229,7 +229,7 @@ impl<'t> Course<'t> {
         for ((first, second), count) in &self.coincidences {
             let share = *count as f64 / self.fit as f64;
             if share >= 0.5 {
-                faults.push(Fault::AnswersCoincide {
+                faults.push(QuestionFault::AnswersCoincide {
                     first: template.parts[*first].id.clone(),
                     second: template.parts[*second].id.clone(),
                     figures: template.parts[*first].answer.figures(),
@@ -284,13 +284,13 @@ impl<'t> Course<'t> {
     }
 
     /// Constraints, mistakes and methods for which too many draws are refused.
-    fn refusals(&self) -> Vec<Fault> {
+    fn refusals(&self) -> Vec<QuestionFault> {
         let mut faults = Vec::new();
         let all = self.redraws + self.draws;
         let redrawn = self.redraws as f64 / all.max(1) as f64;
         let worst = self.broken.iter().max_by_key(|(_, count)| **count);
         if let Some((constraint, count)) = worst.filter(|_| redrawn > MAX_REFUSED) {
-            faults.push(Fault::Redrawn {
+            faults.push(QuestionFault::Redrawn {
                 constraint: (*constraint).to_owned(),
                 percent: 100.0 * *count as f64 / all as f64,
                 left: 100.0 * (1.0 - redrawn),
@@ -300,7 +300,7 @@ impl<'t> Course<'t> {
         let share = unfit as f64 / self.draws.max(1) as f64;
         let worst = self.unfit.iter().max_by_key(|(_, own)| own.count);
         if let Some((reason, own)) = worst.filter(|_| share > MAX_REFUSED) {
-            faults.push(Fault::Unfit {
+            faults.push(QuestionFault::Unfit {
                 percent: 100.0 * share,
                 reason: reason.clone(),
                 count: own.count,
@@ -311,7 +311,7 @@ impl<'t> Course<'t> {
         faults
     }
 
-    fn differences(&self) -> Option<Fault> {
+    fn differences(&self) -> Option<QuestionFault> {
         let mut shapes = self.shapes.iter();
         let (first, points) = shapes.next()?;
         let (other, others) = shapes.next()?;
@@ -325,7 +325,7 @@ impl<'t> Course<'t> {
         } else {
             "the points differ".to_owned()
         };
-        Some(Fault::VariantsDiffer { what })
+        Some(QuestionFault::VariantsDiffer { what })
     }
 }
 

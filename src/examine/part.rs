@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Serialize;
 
-use super::fault::Fault;
+use super::fault::QuestionFault;
 use super::{route, typed};
 use crate::answer::{AnswerKind, Credit, KeyValue, Marking, Reason, Verdict};
 use crate::bank::Units;
@@ -44,11 +44,11 @@ pub(crate) struct Tally {
     mistakes: Vec<MistakeTally>,
     /// The methods that gave another answer, by their words.
     applied: BTreeSet<String>,
-    right_method: Option<Fault>,
+    right_method: Option<QuestionFault>,
     honest: u64,
     honest_wrong: u64,
     first_wrong: Option<(&'static str, String, u64)>,
-    component: Option<Fault>,
+    component: Option<QuestionFault>,
     /// The answers of a choice.
     chosen: Vec<String>,
 }
@@ -59,7 +59,7 @@ struct MistakeTally {
     applied: u64,
     typed: u64,
     met: u64,
-    right: Option<Fault>,
+    right: Option<QuestionFault>,
     /// How often another mistake answered it.
     taken: BTreeMap<usize, u64>,
     unreadable: Option<String>,
@@ -150,7 +150,7 @@ impl Tally {
                 _ if marking.verdict == Verdict::Right
                     && part.mistakes[number].credit < Credit::FULL =>
                 {
-                    tally.right.get_or_insert(Fault::MistakeRight {
+                    tally.right.get_or_insert(QuestionFault::MistakeRight {
                         part: part.id.clone(),
                         number: number + 1,
                         typed: text,
@@ -226,7 +226,7 @@ impl Tally {
                 if is_equal && !self.is_worth_telling(solution, &typed) {
                     return;
                 }
-                self.right_method.get_or_insert(Fault::MethodRight {
+                self.right_method.get_or_insert(QuestionFault::MethodRight {
                     item: solution.template().id.to_string(),
                     part: part.id.clone(),
                     method: method.to_owned(),
@@ -293,7 +293,7 @@ impl Tally {
                         own.abs() < MIN_COMPONENT * largest && own.abs() > NODE * largest
                     });
                     if let Some(component) = small {
-                        self.component.get_or_insert(Fault::SmallComponent {
+                        self.component.get_or_insert(QuestionFault::SmallComponent {
                             part: part.id.clone(),
                             component: component + 1,
                             percent: 100.0 * shape[component].abs() / largest,
@@ -341,7 +341,7 @@ impl Tally {
     }
 
     /// What is wrong.
-    pub(crate) fn faults(self, solution: &Solution<'_>) -> Vec<Fault> {
+    pub(crate) fn faults(self, solution: &Solution<'_>) -> Vec<QuestionFault> {
         let template = solution.template();
         let part = &template.parts[self.place];
         let mut faults = Vec::new();
@@ -363,7 +363,7 @@ impl Tally {
             AnswerKind::Numeric | AnswerKind::Function | AnswerKind::Equation
         );
         if needs && count < MIN_METHODS && self.draws >= FEW_DRAWS {
-            faults.push(Fault::FewMethods {
+            faults.push(QuestionFault::FewMethods {
                 part: part.id.clone(),
                 count,
                 least: MIN_METHODS,
@@ -373,7 +373,7 @@ impl Tally {
         if self.honest_wrong * 1000 > self.honest
             && let Some((verdict, typed, seed)) = self.first_wrong
         {
-            faults.push(Fault::HonestWork {
+            faults.push(QuestionFault::HonestWork {
                 item: template.id.to_string(),
                 part: part.id.clone(),
                 verdict,
@@ -388,7 +388,7 @@ impl Tally {
             && follows_from_data
             && self.draws >= FEW_DRAWS
         {
-            faults.push(Fault::SameChoice {
+            faults.push(QuestionFault::SameChoice {
                 part: part.id.clone(),
                 answer: answer.clone(),
             });
@@ -407,14 +407,14 @@ const MIN_COMPONENT: f64 = 0.05;
 const NODE: f64 = 1e-9;
 
 impl MistakeTally {
-    fn faults(self, part: &str, number: usize, draws: u64) -> Vec<Fault> {
+    fn faults(self, part: &str, number: usize, draws: u64) -> Vec<QuestionFault> {
         let mut faults = Vec::new();
         let part = || part.to_owned();
         faults.extend(self.right);
         let most = self.taken.iter().max_by_key(|(_, count)| **count);
         let alike = most.filter(|(_, count)| 2 * **count > self.typed);
         if let Some((other, count)) = alike {
-            faults.push(Fault::MistakesAlike {
+            faults.push(QuestionFault::MistakesAlike {
                 part: part(),
                 first: other + 1,
                 second: number + 1,
@@ -429,7 +429,7 @@ impl MistakeTally {
                 (Some(text), ..) => Some(format!("`{text}` is answered otherwise")),
                 _ => None,
             };
-            faults.push(Fault::MistakeUnmet {
+            faults.push(QuestionFault::MistakeUnmet {
                 part: part(),
                 number: number + 1,
                 why,

@@ -117,9 +117,9 @@ fn flatten(math: &Math, atoms: &mut Vec<Math>) {
 }
 
 /// Letters in the places of values.
-struct Letters(Vec<Math>);
+struct ValueLetters(Vec<Math>);
 
-impl Holes for Letters {
+impl Holes for ValueLetters {
     fn filling(&self, hole: u32) -> Option<&Math> {
         self.0.get(hole as usize)
     }
@@ -134,7 +134,7 @@ fn computed(solution: &Solution<'_>, piece: &Piece, side: &[Math]) -> Option<Val
     for name in &names {
         lexicon.allow(&Name::new(name.as_str()), symbol(name), false);
     }
-    let letters = Letters(names.iter().map(|name| symbol(name)).collect());
+    let letters = ValueLetters(names.iter().map(|name| symbol(name)).collect());
     let mut text = String::new();
     Math::row(side.iter().cloned()).write_latex(&mut text, &letters);
     let folded = Folded::of(&text);

@@ -10,7 +10,7 @@ use crate::worksheet::{SheetQuestion, headings};
 
 /// A part of a question.
 #[derive(Clone, Debug)]
-pub(crate) struct Asked<'t> {
+pub(crate) struct HeldPart<'t> {
     /// What it is called: `a`, or `c2` for a blank of a group.
     pub(crate) letter: String,
     /// The group whose blank it is.
@@ -44,12 +44,12 @@ pub(crate) struct Choosable {
 #[derive(Default)]
 pub(crate) struct Sorted<'t> {
     /// Those that a platform marks.
-    pub(crate) fit: Vec<(Asked<'t>, Held)>,
+    pub(crate) fit: Vec<(HeldPart<'t>, Held)>,
     /// Those that it cannot mark.
-    pub(crate) unfit: Vec<Asked<'t>>,
+    pub(crate) unfit: Vec<HeldPart<'t>>,
 }
 
-impl<'t> Asked<'t> {
+impl<'t> HeldPart<'t> {
     /// The letter of its group.
     pub(crate) fn group_letter(&self) -> &str {
         self.letter
@@ -70,7 +70,7 @@ impl<'t> Asked<'t> {
     }
 
     /// Whether it is a blank of the group of another part.
-    fn is_beside(&self, other: &Asked<'_>) -> bool {
+    fn is_beside(&self, other: &HeldPart<'_>) -> bool {
         self.group.is_some() && self.group_letter() == other.group_letter()
     }
 }
@@ -97,7 +97,7 @@ impl<'t> Sorted<'t> {
         let parts = question.parts.iter().zip(&question.points);
         let headings = headings(template, &question.parts);
         for (heading, (place, points)) in headings.into_iter().zip(parts) {
-            let mut asked = Asked {
+            let mut asked = HeldPart {
                 letter: heading.letter,
                 group: heading.group,
                 opens: true,
@@ -130,7 +130,7 @@ impl<'t> Sorted<'t> {
     }
 
     /// Those that become essays: what a person marks anyway, and where it is wished all that do not fit.
-    pub(crate) fn essays(&self, all: bool) -> Vec<Asked<'t>> {
+    pub(crate) fn essays(&self, all: bool) -> Vec<HeldPart<'t>> {
         let essays = self.unfit.iter();
         essays
             .filter(|asked| all || asked.is_by_hand)

@@ -11,7 +11,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 
 use super::cloze::{self, Alternative};
-use super::held::{Asked, Held, Sorted};
+use super::held::{Held, HeldPart, Sorted};
 use super::pictures::Pictures;
 use super::units::accepted;
 use super::words::Words;
@@ -96,7 +96,7 @@ impl Moodle {
         }
         let origin = words.origin(&sorted.letters());
         let _ = write!(body, "<p><small>{origin}</small></p>");
-        let asked: Vec<&Asked<'c>> = sorted.fit.iter().map(|(asked, _)| asked).collect();
+        let asked: Vec<&HeldPart<'c>> = sorted.fit.iter().map(|(asked, _)| asked).collect();
         let (mut of_worked, mut of_hints) = (Pictures::default(), Pictures::default());
         let worked = words.worked(asked.iter().copied(), &mut of_worked);
         let hints = words.hints(&asked, &mut of_hints);
@@ -114,7 +114,7 @@ impl Moodle {
     fn numerical<'c>(
         &mut self,
         words: &Words<'_, 'c>,
-        asked: &Asked<'c>,
+        asked: &HeldPart<'c>,
         bands: &[Band],
         unit: &Unit,
     ) {
@@ -167,7 +167,7 @@ impl Moodle {
     }
 
     /// The parts that ranges and options cannot mark, as one essay with the keys for whoever marks it.
-    fn essay<'c>(&mut self, words: &Words<'_, 'c>, parts: &[Asked<'c>]) {
+    fn essay<'c>(&mut self, words: &Words<'_, 'c>, parts: &[HeldPart<'c>]) {
         let mut pictures = Pictures::default();
         let mut body = words.statement(&mut pictures);
         let mut points = Rational::ZERO;
@@ -234,7 +234,7 @@ impl Moodle {
 fn single<'w, 'c>(
     words: &Words<'_, 'c>,
     sorted: &'w Sorted<'c>,
-) -> Option<(&'w Asked<'c>, &'w [Band], Unit)> {
+) -> Option<(&'w HeldPart<'c>, &'w [Band], Unit)> {
     let [(asked, Held::Numbers(values))] = &sorted.fit[..] else {
         return None;
     };

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::Wish;
-use super::held::Asked;
+use super::held::HeldPart;
 use super::pictures::Pictures;
 use crate::answer::{Band, Criterion};
 use crate::bank::share_in_group;
@@ -116,7 +116,7 @@ impl<'s, 'c> Words<'s, 'c> {
     }
 
     /// The letter of a part and its question; before the first one of a group, what its blanks have in common.
-    pub(crate) fn ask(&self, asked: &Asked<'c>, pictures: &mut Pictures) -> String {
+    pub(crate) fn ask(&self, asked: &HeldPart<'c>, pictures: &mut Pictures) -> String {
         let mut out = String::new();
         if let Some(group) = asked.opened() {
             let words = self.html(pictures, &self.scene.passage(&group.text));
@@ -174,7 +174,7 @@ impl<'s, 'c> Words<'s, 'c> {
     /// The worked solution, with the key of each part.
     pub(crate) fn worked<'a>(
         &self,
-        parts: impl Iterator<Item = &'a Asked<'c>>,
+        parts: impl Iterator<Item = &'a HeldPart<'c>>,
         pictures: &mut Pictures,
     ) -> String
     where
@@ -193,7 +193,7 @@ impl<'s, 'c> Words<'s, 'c> {
     /// The solutions of parts, with their keys.
     pub(crate) fn worked_parts<'a>(
         &self,
-        parts: impl Iterator<Item = &'a Asked<'c>>,
+        parts: impl Iterator<Item = &'a HeldPart<'c>>,
         pictures: &mut Pictures,
     ) -> String
     where
@@ -218,9 +218,9 @@ impl<'s, 'c> Words<'s, 'c> {
     }
 
     /// The first hints of all parts, then the second ones, and so on; those of a group once.
-    pub(crate) fn hints(&self, parts: &[&Asked<'c>], pictures: &mut Pictures) -> Vec<String> {
+    pub(crate) fn hints(&self, parts: &[&HeldPart<'c>], pictures: &mut Pictures) -> Vec<String> {
         let template = self.scene.solution().template();
-        let count = |asked: &&Asked<'_>| template.parts[asked.place].hints.len();
+        let count = |asked: &&HeldPart<'_>| template.parts[asked.place].hints.len();
         let most = parts.iter().map(count).max().unwrap_or(0);
         (0..most)
             .map(|number| {

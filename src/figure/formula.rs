@@ -26,7 +26,7 @@ pub(crate) enum Amount {
 
 /// A pair of numbers.
 #[derive(Clone, Debug)]
-pub(crate) enum Pair {
+pub(crate) enum FigurePair {
     /// Known.
     Fixed(Point),
     /// Computed from others.
@@ -37,7 +37,7 @@ pub(crate) enum Pair {
 
 /// The names that the formulas of a figure may use.
 #[derive(Debug, Default)]
-pub(crate) struct Names {
+pub(crate) struct FigureNames {
     /// Name, slot, and the dimension of a number; a point has none.
     own: Vec<(Name, u32, Option<Dimension>)>,
     /// What the formulas take from the item, with their slots.
@@ -47,14 +47,14 @@ pub(crate) struct Names {
 
 /// The names of a figure before those of the item.
 pub(crate) struct Local<'a> {
-    pub(crate) names: &'a Names,
+    pub(crate) names: &'a FigureNames,
     pub(crate) item: &'a dyn Scope,
 }
 
 /// Where the errors of a formula go.
-type Report<'r> = dyn FnMut(&dyn Diagnose, &Text) + 'r;
+type ErrorReport<'r> = dyn FnMut(&dyn Diagnose, &Text) + 'r;
 
-impl Names {
+impl FigureNames {
     /// Adds a name of the figure; its first slot is returned.
     pub(crate) fn add(&mut self, name: &str, is_point: bool) -> u32 {
         let slot = self.slots.get();
@@ -152,14 +152,14 @@ impl Binder for Local<'_> {
 
 impl Local<'_> {
     /// Reads a formula for one number.
-    pub(crate) fn amount(&self, text: &Text, report: &mut Report<'_>) -> Option<Amount> {
+    pub(crate) fn amount(&self, text: &Text, report: &mut ErrorReport<'_>) -> Option<Amount> {
         let expr = read(text, report)?;
         if let Some(value) = fold(&expr) {
             return Some(Amount::Fixed(value.to_f64()));
         }
         let program = self.compile(&expr, Shape::Scalar, text, report)?;
         if program.slots().is_empty() {
-            let value = Values::new(0).amount(&Amount::Computed(Box::new(program)));
+            let value = FigureValues::new(0).amount(&Amount::Computed(Box::new(program)));
             return Some(Amount::Fixed(value));
         }
         Some(Amount::Computed(Box::new(program)))
@@ -170,7 +170,7 @@ impl Local<'_> {
         &self,
         expr: &Expr,
         text: &Text,
-        report: &mut Report<'_>,
+        report: &mut ErrorReport<'_>,
     ) -> Option<(Amount, Dimension)> {
         let found = match expr.check(self) {
             Ok(found) => found,
@@ -185,20 +185,20 @@ impl Local<'_> {
     }
 
     /// Reads a formula for a point.
-    pub(crate) fn pair(&self, text: &Text, report: &mut Report<'_>) -> Option<Pair> {
+    pub(crate) fn pair(&self, text: &Text, report: &mut ErrorReport<'_>) -> Option<FigurePair> {
         let expr = read(text, report)?;
         if let Kind::Array(entries) = expr.kind()
             && let [x, y] = entries.as_slice()
             && let (Some(x), Some(y)) = (fold(x), fold(y))
         {
-            return Some(Pair::Fixed(Point::new(x.to_f64(), y.to_f64())));
+            return Some(FigurePair::Fixed(Point::new(x.to_f64(), y.to_f64())));
         }
         let program = self.compile(&expr, Shape::Vector(2), text, report)?;
         if program.slots().is_empty() {
-            let value = Values::new(0).pair(&Pair::Computed(Box::new(program)));
-            return Some(Pair::Fixed(value));
+            let value = FigureValues::new(0).pair(&FigurePair::Computed(Box::new(program)));
+            return Some(FigurePair::Fixed(value));
         }
-        Some(Pair::Computed(Box::new(program)))
+        Some(FigurePair::Computed(Box::new(program)))
     }
 
     fn compile(
@@ -206,7 +206,7 @@ impl Local<'_> {
         expr: &Expr,
         shape: Shape,
         text: &Text,
-        report: &mut Report<'_>,
+        report: &mut ErrorReport<'_>,
     ) -> Option<Program> {
         let found = match expr.check(self) {
             Ok(found) => found,
@@ -242,7 +242,7 @@ impl Local<'_> {
     }
 }
 
-fn read(text: &Text, report: &mut Report<'_>) -> Option<Expr> {
+fn read(text: &Text, report: &mut ErrorReport<'_>) -> Option<Expr> {
     match Expr::read(&text.value) {
         Ok(expr) => Some(expr),
         Err(error) => {
@@ -254,12 +254,12 @@ fn read(text: &Text, report: &mut Report<'_>) -> Option<Expr> {
 
 /// The numbers in the slots while a figure is drawn. What has no value is not a number, and so is all that needs it.
 #[derive(Debug)]
-pub(crate) struct Values {
+pub(crate) struct FigureValues {
     slots: Vec<f64>,
     room: RefCell<Registers<Approx<f64>>>,
 }
 
-impl Values {
+impl FigureValues {
     pub(crate) fn new(slots: u32) -> Self {
         Self {
             slots: vec![f64::NAN; slots as usize],
@@ -283,14 +283,14 @@ impl Values {
     }
 
     /// A pair of numbers.
-    pub(crate) fn pair(&self, pair: &Pair) -> Point {
+    pub(crate) fn pair(&self, pair: &FigurePair) -> Point {
         match pair {
-            Pair::Fixed(point) => *point,
-            Pair::Computed(program) => {
+            FigurePair::Fixed(point) => *point,
+            FigurePair::Computed(program) => {
                 let [x, y] = self.run(program);
                 Point::new(x, y)
             }
-            Pair::Each(each) => Point::new(self.amount(&each[0]), self.amount(&each[1])),
+            FigurePair::Each(each) => Point::new(self.amount(&each[0]), self.amount(&each[1])),
         }
     }
 
@@ -312,7 +312,7 @@ impl Values {
     }
 }
 
-impl Inputs<Approx<f64>> for Values {
+impl Inputs<Approx<f64>> for FigureValues {
     fn input(&self, slot: u32) -> Result<Approx<f64>, Undefined> {
         let number = self.slots.get(slot as usize).copied().unwrap_or(f64::NAN);
         if number.is_nan() {

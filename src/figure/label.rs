@@ -19,7 +19,7 @@ const MAX_DEPTH: u32 = 40;
 /// A formula or words, set as one line.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Label {
-    pub(crate) runs: Vec<Run>,
+    pub(crate) runs: Vec<LetterRun>,
     pub(crate) marks: Vec<Above>,
     width: f64,
     ascent: f64,
@@ -28,7 +28,7 @@ pub struct Label {
 
 /// Letters of one look at one height.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Run {
+pub(crate) struct LetterRun {
     pub(crate) text: String,
     pub(crate) look: Look,
     /// Space before it; negative where a superscript stands above a subscript.
@@ -365,7 +365,7 @@ impl Setter {
         self.label.width = self.label.width.max(self.x);
         match self.label.runs.last_mut() {
             Some(last) if last.look == look && gap == 0.0 => last.text.push_str(&text),
-            _ => self.label.runs.push(Run { text, look, gap }),
+            _ => self.label.runs.push(LetterRun { text, look, gap }),
         }
     }
 }

@@ -7,12 +7,12 @@ use super::{Bounds, Point};
 /// A line of a drawing, in figure units.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Path {
-    steps: Vec<Step>,
+    steps: Vec<PathStep>,
 }
 
 /// One step of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Step {
+pub(crate) enum PathStep {
     /// Begins anew at a point.
     Move(Point),
     /// Straight to a point.
@@ -73,28 +73,28 @@ impl Path {
     /// Begins anew at a point.
     #[must_use]
     pub(crate) fn move_to(mut self, to: Point) -> Self {
-        self.steps.push(Step::Move(to));
+        self.steps.push(PathStep::Move(to));
         self
     }
 
     /// Goes straight to a point.
     #[must_use]
     pub(crate) fn line_to(mut self, to: Point) -> Self {
-        self.steps.push(Step::Line(to));
+        self.steps.push(PathStep::Line(to));
         self
     }
 
     /// Goes to a point by a cubic curve.
     #[must_use]
     pub(crate) fn curve_to(mut self, first: Point, second: Point, to: Point) -> Self {
-        self.steps.push(Step::Curve(first, second, to));
+        self.steps.push(PathStep::Curve(first, second, to));
         self
     }
 
     /// Goes along a circle, from one angle to another, in radians; more than half a turn is cut in two.
     #[must_use]
     pub(crate) fn arc_on(mut self, centre: Point, radius: f64, from: f64, to: f64) -> Self {
-        let arc = |from, to| Step::Arc {
+        let arc = |from, to| PathStep::Arc {
             centre,
             radius,
             from,
@@ -113,7 +113,7 @@ impl Path {
     /// Goes straight back to where it began.
     #[must_use]
     pub fn close(mut self) -> Self {
-        self.steps.push(Step::Close);
+        self.steps.push(PathStep::Close);
         self
     }
 
@@ -127,21 +127,23 @@ impl Path {
     /// The line with each point at another place, turned by an angle in radians on the way.
     pub(crate) fn mapped(&self, place: impl Fn(Point) -> Point, turn: f64) -> Self {
         let steps = self.steps.iter().map(|step| match *step {
-            Step::Move(to) => Step::Move(place(to)),
-            Step::Line(to) => Step::Line(place(to)),
-            Step::Curve(first, second, to) => Step::Curve(place(first), place(second), place(to)),
-            Step::Arc {
+            PathStep::Move(to) => PathStep::Move(place(to)),
+            PathStep::Line(to) => PathStep::Line(place(to)),
+            PathStep::Curve(first, second, to) => {
+                PathStep::Curve(place(first), place(second), place(to))
+            }
+            PathStep::Arc {
                 centre,
                 radius,
                 from,
                 to,
-            } => Step::Arc {
+            } => PathStep::Arc {
                 centre: place(centre),
                 radius,
                 from: from + turn,
                 to: to + turn,
             },
-            Step::Close => Step::Close,
+            PathStep::Close => PathStep::Close,
         });
         Self {
             steps: steps.collect(),
@@ -153,7 +155,7 @@ impl Path {
         self.steps.is_empty()
     }
 
-    pub(crate) fn steps(&self) -> &[Step] {
+    pub(crate) fn steps(&self) -> &[PathStep] {
         &self.steps
     }
 
@@ -162,12 +164,12 @@ impl Path {
         let (mut start, mut at) = (Point::default(), Point::default());
         for step in &self.steps {
             match *step {
-                Step::Move(to) => (start, at) = (to, to),
-                Step::Line(to) => {
+                PathStep::Move(to) => (start, at) = (to, to),
+                PathStep::Line(to) => {
                     visit(at, to);
                     at = to;
                 }
-                Step::Curve(first, second, to) => {
+                PathStep::Curve(first, second, to) => {
                     // Chords serve to keep labels clear, not to draw: a few are enough.
                     const PIECES: usize = 6;
                     let from = at;
@@ -177,7 +179,7 @@ impl Path {
                         at = next;
                     }
                 }
-                Step::Arc {
+                PathStep::Arc {
                     centre,
                     radius,
                     from,
@@ -193,7 +195,7 @@ impl Path {
                         at = next;
                     }
                 }
-                Step::Close => {
+                PathStep::Close => {
                     visit(at, start);
                     at = start;
                 }
@@ -206,10 +208,10 @@ impl Path {
         let mut bounds = Bounds::NOTHING;
         for step in &self.steps {
             bounds = match *step {
-                Step::Move(to) | Step::Line(to) => bounds.with(to),
-                Step::Curve(first, second, to) => bounds.with(first).with(second).with(to),
-                Step::Close => bounds,
-                Step::Arc {
+                PathStep::Move(to) | PathStep::Line(to) => bounds.with(to),
+                PathStep::Curve(first, second, to) => bounds.with(first).with(second).with(to),
+                PathStep::Close => bounds,
+                PathStep::Arc {
                     centre,
                     radius,
                     from,

@@ -3,11 +3,11 @@
 use super::Label;
 use super::element::{self, Element, Holds, Role, Takes};
 use super::error::FigureError;
-use super::formula::{self, Amount, Names, Pair};
+use super::formula::{self, Amount, FigureNames, FigurePair};
 use super::free::Acting;
 use super::outline::Side;
 use super::part::{Setting, Style};
-use super::schematic::{Figure, Item, Labels, Local, Place, Value, Written};
+use super::schematic::{DeclaredLabel, ElementPlace, Figure, Item, KeyValue, Labels, Local};
 use crate::diagnostic::{Diagnose, Finding};
 use crate::expr::{Expr, Kind, Name, Scope};
 use crate::math::Math;
@@ -44,7 +44,7 @@ const MAX_COUNT: usize = 300;
 pub(crate) struct FigureReader<'a, 's> {
     pub(crate) table: &'a Table<'s>,
     pub(crate) item: &'a dyn Subject,
-    pub(crate) names: Names,
+    pub(crate) names: FigureNames,
     pub(crate) findings: Vec<Finding>,
     /// Points whose bodies are referred to, with what is wanted and the text that does.
     wanted: Vec<(u32, bool, Text)>,
@@ -56,7 +56,7 @@ impl Figure {
         let mut reader = FigureReader {
             table,
             item,
-            names: Names::default(),
+            names: FigureNames::default(),
             findings: Vec::new(),
             wanted: Vec::new(),
         };
@@ -174,7 +174,7 @@ impl<'s> FigureReader<'_, 's> {
             .and_then(|(text, is_symbol)| self.written(&text, is_symbol));
         let usual = kind.usual_label();
         let label = label.or_else(|| {
-            (!usual.is_empty()).then(|| Written {
+            (!usual.is_empty()).then(|| DeclaredLabel {
                 label: Label::words(usual),
                 math: Math::text(usual),
                 name: None,
@@ -205,7 +205,7 @@ impl<'s> FigureReader<'_, 's> {
         takes: Takes,
         table: &Table<'s>,
         value: &'s Node,
-    ) -> Option<Vec<Place>> {
+    ) -> Option<Vec<ElementPlace>> {
         let fits = |count: usize| match takes {
             Takes::Two => count == 2,
             Takes::Three => count == 3,
@@ -237,13 +237,13 @@ impl<'s> FigureReader<'_, 's> {
         kind: &'static dyn Element,
         table: &Table<'s>,
         value: &'s Node,
-        settings: &mut Vec<(&'static str, Value)>,
-    ) -> Option<Vec<Place>> {
+        settings: &mut Vec<(&'static str, KeyValue)>,
+    ) -> Option<Vec<ElementPlace>> {
         if let Data::List(items) = &value.data
             && let [centre, degrees] = items.as_slice()
         {
             let text = table.as_formula(kind.name(), degrees)?;
-            settings.push(("degrees", Value::Number(self.amount(&text)?)));
+            settings.push(("degrees", KeyValue::Number(self.amount(&text)?)));
             return Some(vec![self.place(table, kind.name(), centre)?]);
         }
         self.find(&FigureError::Place {
@@ -255,38 +255,43 @@ impl<'s> FigureReader<'_, 's> {
         None
     }
 
-    fn setting(&mut self, table: &Table<'s>, key: &element::Key) -> Option<Value> {
+    fn setting(&mut self, table: &Table<'s>, key: &element::Key) -> Option<KeyValue> {
         let value = || table.value(key.name);
         match key.holds {
             Holds::Flag => table
                 .boolean(key.name)
-                .map(|flag| Value::Known(Setting::Flag(flag))),
+                .map(|flag| KeyValue::Known(Setting::Flag(flag))),
             Holds::Word(words) => self
                 .word(table, key.name, words)
-                .map(|word| Value::Known(Setting::Word(word))),
+                .map(|word| KeyValue::Known(Setting::Word(word))),
             Holds::Number => {
                 let text = table.as_formula(key.name, value()?)?;
-                self.amount(&text).map(Value::Number)
+                self.amount(&text).map(KeyValue::Number)
             }
-            Holds::Vector => self.pair(table, key.name, value()?).map(Value::Vector),
-            Holds::Point => self.place(table, key.name, value()?).map(Value::Point),
+            Holds::Vector => self.pair(table, key.name, value()?).map(KeyValue::Vector),
+            Holds::Point => self.place(table, key.name, value()?).map(KeyValue::Point),
         }
     }
 
     /// A point: by its name, a side of the body there, a pulley that is passed, or a formula.
-    pub(crate) fn place(&mut self, table: &Table<'s>, key: &str, value: &'s Node) -> Option<Place> {
+    pub(crate) fn place(
+        &mut self,
+        table: &Table<'s>,
+        key: &str,
+        value: &'s Node,
+    ) -> Option<ElementPlace> {
         let Data::Text(written) = &value.data else {
-            return self.pair(table, key, value).map(Place::Free);
+            return self.pair(table, key, value).map(ElementPlace::Free);
         };
         let text = table.as_text(key, value)?;
         let (words, written) = (written.split_whitespace(), written.trim());
         if let Some(slot) = self.names.point(written) {
-            return Some(Place::Named(slot));
+            return Some(ElementPlace::Named(slot));
         }
         if let [name, sense @ ("cw" | "ccw")] = words.collect::<Vec<_>>()[..] {
             let slot = self.named(name, &text)?;
             self.wanted.push((slot, true, text));
-            return Some(Place::Pass(slot, sense == "ccw"));
+            return Some(ElementPlace::Pass(slot, sense == "ccw"));
         }
         if let Some((name, side)) = written.split_once('.')
             && is_name(name)
@@ -303,9 +308,9 @@ impl<'s> FigureReader<'_, 's> {
                 return None;
             };
             self.wanted.push((slot, false, text));
-            return Some(Place::Side(slot, side));
+            return Some(ElementPlace::Side(slot, side));
         }
-        self.pair(table, key, value).map(Place::Free)
+        self.pair(table, key, value).map(ElementPlace::Free)
     }
 
     pub(crate) fn named(&mut self, name: &str, text: &Text) -> Option<u32> {
@@ -321,15 +326,20 @@ impl<'s> FigureReader<'_, 's> {
     }
 
     /// Two numbers, `[x, y]`, or a formula for both.
-    pub(crate) fn pair(&mut self, table: &Table<'s>, key: &str, value: &'s Node) -> Option<Pair> {
+    pub(crate) fn pair(
+        &mut self,
+        table: &Table<'s>,
+        key: &str,
+        value: &'s Node,
+    ) -> Option<FigurePair> {
         if let Data::List(items) = &value.data
             && let [x, y] = items.as_slice()
         {
             let x = table.as_formula(key, x).and_then(|text| self.amount(&text));
             let y = table.as_formula(key, y).and_then(|text| self.amount(&text));
             return Some(match (x?, y?) {
-                (Amount::Fixed(x), Amount::Fixed(y)) => Pair::Fixed(super::Point::new(x, y)),
-                (x, y) => Pair::Each(Box::new([x, y])),
+                (Amount::Fixed(x), Amount::Fixed(y)) => FigurePair::Fixed(super::Point::new(x, y)),
+                (x, y) => FigurePair::Each(Box::new([x, y])),
             });
         }
         if let Data::Text(_) = value.data {
@@ -358,13 +368,13 @@ impl<'s> FigureReader<'_, 's> {
     }
 
     /// A label: a formula in the symbols of the item, or words between single quotes.
-    pub(crate) fn written(&mut self, text: &Text, is_symbol: bool) -> Option<Written> {
+    pub(crate) fn written(&mut self, text: &Text, is_symbol: bool) -> Option<DeclaredLabel> {
         let words = text
             .value
             .strip_prefix('\'')
             .and_then(|rest| rest.strip_suffix('\''));
         if let Some(words) = words {
-            return Some(Written {
+            return Some(DeclaredLabel {
                 label: Label::words(words),
                 math: Math::text(words),
                 name: None,
@@ -388,7 +398,7 @@ impl<'s> FigureReader<'_, 's> {
             Kind::Name(name) => Some(name.clone()),
             _ => None,
         };
-        Some(Written {
+        Some(DeclaredLabel {
             label: Label::of(&math),
             math,
             name,
@@ -419,7 +429,7 @@ impl<'s> FigureReader<'_, 's> {
         for (slot, is_pass, text) in std::mem::take(&mut self.wanted) {
             let is_there = items.iter().any(|item| {
                 matches!(item.kind.role(), Role::Body(_))
-                    && matches!(item.ends.first(), Some(Place::Named(known)) if *known == slot)
+                    && matches!(item.ends.first(), Some(ElementPlace::Named(known)) if *known == slot)
             });
             let found = text
                 .value

@@ -1,7 +1,7 @@
 //! A schematic as an item declares it, and its drawing for certain data.
 
 use super::element::{Element, Role};
-use super::formula::{Amount, Pair, Values};
+use super::formula::{Amount, FigurePair, FigureValues};
 use super::free::Free;
 use super::motion::Motion;
 use super::outline::{Outline, Side};
@@ -53,7 +53,7 @@ pub enum Labels {
 #[derive(Debug)]
 pub(crate) enum Local {
     Number(Amount),
-    Point(Pair),
+    Point(FigurePair),
 }
 
 /// An element as it is declared.
@@ -61,17 +61,17 @@ pub(crate) struct Item {
     pub(crate) kind: &'static dyn Element,
     /// By which a free-body diagram refers to it.
     pub(crate) id: Option<String>,
-    pub(crate) ends: Vec<Place>,
-    pub(crate) settings: Vec<(&'static str, Value)>,
-    pub(crate) label: Option<Written>,
+    pub(crate) ends: Vec<ElementPlace>,
+    pub(crate) settings: Vec<(&'static str, KeyValue)>,
+    pub(crate) label: Option<DeclaredLabel>,
     pub(crate) at: Option<Side>,
     pub(crate) style: Style,
 }
 
 /// The place of an element.
 #[derive(Clone, Debug)]
-pub(crate) enum Place {
-    Free(Pair),
+pub(crate) enum ElementPlace {
+    Free(FigurePair),
     /// A point with a name, by its slot.
     Named(u32),
     Side(u32, Side),
@@ -81,16 +81,16 @@ pub(crate) enum Place {
 
 /// The value of a key.
 #[derive(Debug)]
-pub(crate) enum Value {
+pub(crate) enum KeyValue {
     Number(Amount),
-    Vector(Pair),
-    Point(Place),
+    Vector(FigurePair),
+    Point(ElementPlace),
     Known(Setting),
 }
 
 /// A label as it is declared.
 #[derive(Debug)]
-pub(crate) struct Written {
+pub(crate) struct DeclaredLabel {
     pub(crate) label: Label,
     pub(crate) math: Math,
     /// The name of the item that it is, if it is one.
@@ -194,8 +194,8 @@ impl Figure {
     }
 
     /// The numbers of all names.
-    pub(crate) fn values(&self, given: &dyn Given) -> Values {
-        let mut values = Values::new(self.slots);
+    pub(crate) fn values(&self, given: &dyn Given) -> FigureValues {
+        let mut values = FigureValues::new(self.slots);
         for (name, slot) in &self.taken {
             values.set(*slot, given.number(name).unwrap_or(f64::NAN));
         }
@@ -212,10 +212,10 @@ impl Figure {
         values
     }
 
-    fn part<'f>(&self, item: &'f Item, values: &Values, given: &dyn Given) -> Part<'f> {
+    fn part<'f>(&self, item: &'f Item, values: &FigureValues, given: &dyn Given) -> Part<'f> {
         let ends = item.ends.iter().map(|place| {
             let pass = match place {
-                Place::Pass(_, is_left) => Some(*is_left),
+                ElementPlace::Pass(_, is_left) => Some(*is_left),
                 _ => None,
             };
             End {
@@ -227,10 +227,10 @@ impl Figure {
         });
         let settings = item.settings.iter().map(|(key, value)| {
             let setting = match value {
-                Value::Number(amount) => Setting::Number(values.amount(amount)),
-                Value::Vector(pair) => Setting::Vector(values.pair(pair)),
-                Value::Point(place) => Setting::Vector(place.point(values)),
-                Value::Known(setting) => *setting,
+                KeyValue::Number(amount) => Setting::Number(values.amount(amount)),
+                KeyValue::Vector(pair) => Setting::Vector(values.pair(pair)),
+                KeyValue::Point(place) => Setting::Vector(place.point(values)),
+                KeyValue::Known(setting) => *setting,
             };
             (*key, setting)
         });
@@ -248,7 +248,7 @@ impl Figure {
         }
     }
 
-    fn label(&self, written: &Written, given: &dyn Given) -> Label {
+    fn label(&self, written: &DeclaredLabel, given: &dyn Given) -> Label {
         let value = match (self.labels, &written.name) {
             (Labels::Symbol, _) | (_, None) => None,
             (_, Some(name)) => given.value(name),
@@ -264,7 +264,7 @@ impl Figure {
     }
 }
 
-impl Place {
+impl ElementPlace {
     /// The point of the figure to which it belongs.
     pub(crate) fn slot(&self) -> Option<u32> {
         match self {
@@ -273,7 +273,7 @@ impl Place {
         }
     }
 
-    pub(crate) fn point(&self, values: &Values) -> Point {
+    pub(crate) fn point(&self, values: &FigureValues) -> Point {
         match self {
             Self::Free(pair) => values.pair(pair),
             Self::Named(slot) | Self::Side(slot, _) | Self::Pass(slot, _) => values.point(*slot),
@@ -285,7 +285,7 @@ impl Place {
 fn join(items: &[&Item], parts: &mut [Part<'_>]) {
     let mut bodies: Vec<(u32, Outline)> = Vec::new();
     for (item, part) in items.iter().zip(parts.iter()) {
-        let (Some(Place::Named(slot)), Some(outline)) =
+        let (Some(ElementPlace::Named(slot)), Some(outline)) =
             (item.ends.first(), item.kind.outline(part))
         else {
             continue;
@@ -309,16 +309,16 @@ fn join(items: &[&Item], parts: &mut [Part<'_>]) {
         let is_body = matches!(item.kind.role(), Role::Body(_));
         for (place, end) in item.ends.iter().zip(&mut part.ends) {
             match place {
-                Place::Named(slot) if !is_body => end.body = body(slot),
-                Place::Pass(slot, _) => end.body = body(slot),
-                Place::Side(slot, side) => {
+                ElementPlace::Named(slot) if !is_body => end.body = body(slot),
+                ElementPlace::Pass(slot, _) => end.body = body(slot),
+                ElementPlace::Side(slot, side) => {
                     end.body = body(slot);
                     if let Some(body) = end.body {
                         let (point, out) = body.side(*side);
                         (end.point, end.out) = (point, Some(out));
                     }
                 }
-                Place::Named(_) | Place::Free(_) => {}
+                ElementPlace::Named(_) | ElementPlace::Free(_) => {}
             }
         }
     }

@@ -4,8 +4,8 @@
 //! share one element. Letters name the fonts that the pages and the PDF have, and stay text.
 
 use super::drawing::{Drawing, Lettering, Mark};
-use super::label::{Above, Look, Run};
-use super::path::{Path, Step};
+use super::label::{Above, LetterRun, Look};
+use super::path::{Path, PathStep};
 use super::{Bounds, Fill, LETTER_SIZE, Pen, Point};
 
 /// Picture units in a figure unit.
@@ -194,15 +194,15 @@ impl SvgWriter<'_> {
     fn path(&mut self, path: &Path) {
         for step in path.steps() {
             match *step {
-                Step::Move(to) => {
+                PathStep::Move(to) => {
                     self.out.push('M');
                     self.point(to);
                 }
-                Step::Line(to) => {
+                PathStep::Line(to) => {
                     self.out.push('L');
                     self.point(to);
                 }
-                Step::Curve(first, second, to) => {
+                PathStep::Curve(first, second, to) => {
                     self.out.push('C');
                     self.point(first);
                     self.out.push(' ');
@@ -210,7 +210,7 @@ impl SvgWriter<'_> {
                     self.out.push(' ');
                     self.point(to);
                 }
-                Step::Arc {
+                PathStep::Arc {
                     centre,
                     radius,
                     from,
@@ -226,7 +226,7 @@ impl SvgWriter<'_> {
                     self.text(if to > from { "0 " } else { "1 " });
                     self.point(centre + Point::at_angle(to) * radius);
                 }
-                Step::Close => self.out.push('Z'),
+                PathStep::Close => self.out.push('Z'),
             }
         }
     }
@@ -308,7 +308,7 @@ impl SvgWriter<'_> {
         self.text("\"/>\n");
     }
 
-    fn run(&mut self, run: &Run, rise: f64) {
+    fn run(&mut self, run: &LetterRun, rise: f64) {
         let Look {
             is_italic,
             is_bold,

@@ -7,14 +7,14 @@ use crate::expr::{Name, SymbolicError};
 /// All harmonics that drive a model: which equation each acts on, and its numbers.
 #[derive(Clone, Debug)]
 pub(crate) struct Driving {
-    pub(crate) terms: Vec<Term>,
+    pub(crate) terms: Vec<HarmonicTerm>,
     /// Factor, angular frequency and phase of each term, one after the other.
     pub(crate) numbers: Compiled,
 }
 
 /// One harmonic on the right side of one equation.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Term {
+pub(crate) struct HarmonicTerm {
     pub(crate) equation: usize,
     pub(crate) is_sine: bool,
 }
@@ -28,7 +28,7 @@ impl Driving {
                 return Ok(None);
             };
             for harmonic in harmonics {
-                terms.push(Term {
+                terms.push(HarmonicTerm {
                     equation,
                     is_sine: harmonic.is_sine,
                 });

@@ -20,7 +20,7 @@ use crate::expr::{
 pub(crate) struct Evaluation {
     pub(crate) slots: Slots,
     /// The energies as they are written.
-    pub(crate) written: Written,
+    pub(crate) written: WrittenModel,
     /// The forces at rest as functions of the position, and their derivatives where the position is sought.
     pub(crate) restoring: Compiled,
     pub(crate) slopes: Option<Compiled>,
@@ -38,7 +38,7 @@ pub(crate) struct Evaluation {
 }
 
 /// What a model is evaluated from.
-pub(crate) struct Given<'a> {
+pub(crate) struct ModelGiven<'a> {
     pub(crate) energies: &'a Energies,
     pub(crate) residuals: &'a [Normal],
     pub(crate) balance: &'a Balance,
@@ -48,7 +48,10 @@ pub(crate) struct Given<'a> {
 }
 
 impl Evaluation {
-    pub(crate) fn of(given: &Given<'_>, linear: Option<&Linear>) -> Result<Self, SymbolicError> {
+    pub(crate) fn of(
+        given: &ModelGiven<'_>,
+        linear: Option<&Linear>,
+    ) -> Result<Self, SymbolicError> {
         let names = &given.energies.coordinates;
         let slopes = match given.equilibrium {
             Equilibrium::Sought => {
@@ -64,7 +67,7 @@ impl Evaluation {
             .flat_map(|own| [&own.position, &own.velocity]);
         Ok(Self {
             slots: slots(given),
-            written: Written::of(given.energies),
+            written: WrittenModel::of(given.energies),
             restoring: Compiled::sums(given.balance.restoring.clone()),
             slopes,
             position: position.map(|own| Compiled::list(own.iter().cloned())),
@@ -102,7 +105,7 @@ pub(crate) struct Tangent {
 
 /// The energies and forces as they are written, for evaluation.
 #[derive(Clone, Debug)]
-pub(crate) struct Written {
+pub(crate) struct WrittenModel {
     pub(crate) kinetic: Compiled,
     pub(crate) potential: Compiled,
     pub(crate) dissipation: Compiled,
@@ -110,7 +113,7 @@ pub(crate) struct Written {
     pub(crate) forces: Vec<Option<Compiled>>,
 }
 
-impl Written {
+impl WrittenModel {
     fn of(energies: &Energies) -> Self {
         let compiled = |formula: &Expr| Compiled::new(formula.clone());
         let forces = energies.forces.iter();
@@ -194,8 +197,8 @@ fn compiled_friction(friction: &[Option<Friction>]) -> Option<Compiled> {
 }
 
 /// All names of a model that are constants, sorted, and its coordinates.
-fn slots(given: &Given<'_>) -> Slots {
-    let Given {
+fn slots(given: &ModelGiven<'_>) -> Slots {
+    let ModelGiven {
         energies,
         friction,
         initial,

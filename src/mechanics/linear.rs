@@ -65,7 +65,7 @@ impl Linear {
         if !balance.is_autonomous {
             return Ok(None);
         }
-        let place = Place::new(coordinates, position);
+        let place = RestPoint::new(coordinates, position);
         let matrix = |order| place.slopes(residuals, coordinates, order);
         let (mass, damping, stiffness) = (matrix(2)?, matrix(1)?, matrix(0)?);
         let time = Name::new("t");
@@ -96,7 +96,7 @@ impl Linear {
         restoring: &[Normal],
         coordinates: &[Name],
     ) -> Result<Matrix, SymbolicError> {
-        Place::new(&[], &[]).slopes(restoring, coordinates, 0)
+        RestPoint::new(&[], &[]).slopes(restoring, coordinates, 0)
     }
 
     /// The sum of one row on the left.
@@ -118,12 +118,12 @@ impl Linear {
 }
 
 /// An equilibrium, ready to be put into derivatives.
-struct Place {
+struct RestPoint {
     moving: BTreeSet<Name>,
     position: Substitution,
 }
 
-impl Place {
+impl RestPoint {
     fn new(coordinates: &[Name], position: &[Expr]) -> Self {
         let values = coordinates.iter().zip(position);
         Self {

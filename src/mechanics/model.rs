@@ -6,7 +6,7 @@ use super::definition::{Body, Definition, Friction, Initial};
 use super::energy::written;
 use super::equilibrium::{Balance, Equilibrium};
 use super::error::{Key, ModelError};
-use super::evaluation::{Evaluation, Given};
+use super::evaluation::{Evaluation, ModelGiven};
 use super::kinematics::Kinematics;
 use super::lagrange::{Energies, position};
 use super::linear::{Linear, Matrix};
@@ -115,7 +115,7 @@ impl Model {
                 (None, about(&anywhere)?)
             }
         };
-        let given = Given {
+        let given = ModelGiven {
             energies: &energies,
             residuals: &residuals,
             balance: &balance,

@@ -15,14 +15,14 @@ pub(crate) fn textbook(definition: &Definition) -> Order {
         definition
             .dimensions
             .get(name)
-            .map_or(Class::Unknown, class_of)
+            .map_or(FactorClass::Unknown, class_of)
     });
     Order::new().moving(moving).ranked(names)
 }
 
 /// What comes first in a product.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
-enum Class {
+enum FactorClass {
     /// Masses, stiffnesses, forces, inductances.
     Inertial,
     /// Accelerations and velocities.
@@ -33,14 +33,14 @@ enum Class {
     Unknown,
 }
 
-fn class_of(dimension: &Dimension) -> Class {
+fn class_of(dimension: &Dimension) -> FactorClass {
     let [mass, length, time, current, ..] = dimension.exponents().map(|own| own.numerator() != 0);
     match (mass || current, length, time) {
-        (true, ..) => Class::Inertial,
-        (_, true, true) => Class::Kinematic,
-        (_, true, false) => Class::Length,
-        (_, false, true) => Class::Time,
-        (_, false, false) => Class::Pure,
+        (true, ..) => FactorClass::Inertial,
+        (_, true, true) => FactorClass::Kinematic,
+        (_, true, false) => FactorClass::Length,
+        (_, false, true) => FactorClass::Time,
+        (_, false, false) => FactorClass::Pure,
     }
 }
 

@@ -12,19 +12,19 @@ use crate::expr::{
 /// A formula and its program.
 #[derive(Clone, Debug)]
 pub(crate) struct Compiled {
-    formula: Formula,
+    formula: PendingFormula,
     program: OnceLock<Result<Ready, Unavailable>>,
 }
 
 /// What is to be compiled; sums are written as formulas only then.
 #[derive(Clone, Debug)]
-enum Formula {
+enum PendingFormula {
     Written(Expr),
     List(Vec<Normal>),
     Rows(Matrix),
 }
 
-impl Formula {
+impl PendingFormula {
     fn written(&self) -> Expr {
         let order = Order::new();
         let list = |sums: &[Normal]| {
@@ -62,20 +62,20 @@ impl Ready {
 
 impl Compiled {
     pub(crate) fn new(formula: Expr) -> Self {
-        Self::of(Formula::Written(formula))
+        Self::of(PendingFormula::Written(formula))
     }
 
     /// Sums of products as a list.
     pub(crate) fn sums(sums: Vec<Normal>) -> Self {
-        Self::of(Formula::List(sums))
+        Self::of(PendingFormula::List(sums))
     }
 
     /// Sums of products by rows.
     pub(crate) fn matrix(matrix: &Matrix) -> Self {
-        Self::of(Formula::Rows(matrix.clone()))
+        Self::of(PendingFormula::Rows(matrix.clone()))
     }
 
-    fn of(formula: Formula) -> Self {
+    fn of(formula: PendingFormula) -> Self {
         Self {
             formula,
             program: OnceLock::new(),
@@ -100,7 +100,7 @@ impl Compiled {
     }
 
     /// Its value for these data.
-    pub(crate) fn value(&self, names: &Slots, data: &Data<'_>) -> Result<Value, Unavailable> {
+    pub(crate) fn value(&self, names: &Slots, data: &ModelData<'_>) -> Result<Value, Unavailable> {
         let program = &self.ready(names)?.program;
         Ok(program.evaluate(data, &mut Workspace::default())?)
     }
@@ -135,12 +135,12 @@ impl Binder for Slots {
 
 /// The numbers for one evaluation; coordinates, velocities and time that are not given are zero.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Data<'a> {
+pub(crate) struct ModelData<'a> {
     pub(crate) constants: &'a [Result<Precise, Undefined>],
     pub(crate) position: &'a [Precise],
 }
 
-impl Data<'_> {
+impl ModelData<'_> {
     pub(crate) fn precise(&self, slot: u32) -> Result<Precise, Undefined> {
         let slot = slot as usize;
         match slot.checked_sub(self.constants.len()) {
@@ -154,7 +154,7 @@ impl Data<'_> {
     }
 }
 
-impl<T> Inputs<Approx<T>> for Data<'_>
+impl<T> Inputs<Approx<T>> for ModelData<'_>
 where
     Approx<T>: Scalar,
 {

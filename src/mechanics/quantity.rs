@@ -108,7 +108,7 @@ pub enum QuantityError {
 
 /// How a name becomes a quantity.
 #[derive(Clone, Copy)]
-enum Row {
+enum QuantityRow {
     /// Of the model as a whole.
     Whole(Quantity),
     /// Of a model of one coordinate.
@@ -119,9 +119,9 @@ enum Row {
     Only(Quantity),
 }
 
-use Row::{Alone, Each, Only, Whole};
+use QuantityRow::{Alone, Each, Only, Whole};
 
-const TABLE: &[(&str, Row)] = &[
+const TABLE: &[(&str, QuantityRow)] = &[
     ("kinetic", Whole(Quantity::Kinetic)),
     ("potential", Whole(Quantity::Potential)),
     ("dissipation", Whole(Quantity::Dissipation)),

@@ -18,11 +18,11 @@ pub(crate) struct FairnessView<'f> {
     /// Pairs of neighbours who share something, a line each.
     alike: Vec<String>,
     gave_way: String,
-    questions: Vec<QuestionView<'f>>,
+    questions: Vec<FairnessQuestionView<'f>>,
 }
 
 #[derive(Serialize)]
-struct QuestionView<'f> {
+struct FairnessQuestionView<'f> {
     number: usize,
     /// What to look at, a sentence each.
     remarks: Vec<String>,
@@ -86,13 +86,15 @@ impl<'f> FairnessView<'f> {
                 names => filled(&words.gave_way, &[("names", names)]),
             },
             questions: questions
-                .map(|(place, one)| QuestionView::of(place + 1, one, fairness.variants, run))
+                .map(|(place, one)| {
+                    FairnessQuestionView::of(place + 1, one, fairness.variants, run)
+                })
                 .collect(),
         }
     }
 }
 
-impl<'f> QuestionView<'f> {
+impl<'f> FairnessQuestionView<'f> {
     fn of(number: usize, question: &'f QuestionFairness, variants: u64, run: &Run) -> Self {
         let words = &run.words.fairness;
         let counted = |phrase: &str, count: u64| {

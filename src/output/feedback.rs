@@ -10,7 +10,7 @@ use crate::numerics::Rational;
 use crate::scene::Shown;
 
 #[derive(Serialize)]
-struct Page<'a> {
+struct FeedbackPage<'a> {
     run: &'a Run,
     sheet: SheetView,
 }
@@ -21,19 +21,19 @@ struct SheetView {
     name: String,
     student: String,
     total: String,
-    questions: Vec<QuestionView>,
+    questions: Vec<FeedbackQuestionView>,
 }
 
 #[derive(Serialize)]
-struct QuestionView {
+struct FeedbackQuestionView {
     number: usize,
     title: String,
     points: String,
-    parts: Vec<PartView>,
+    parts: Vec<FeedbackPartView>,
 }
 
 #[derive(Serialize)]
-struct PartView {
+struct FeedbackPartView {
     letter: String,
     /// Name of the verdict, for the style.
     verdict: &'static str,
@@ -64,11 +64,11 @@ impl Pages {
                 .collect(),
         };
         let run = &self.run;
-        self.layouts.fill("feedback", &Page { run, sheet })
+        self.layouts.fill("feedback", &FeedbackPage { run, sheet })
     }
 
-    fn answered(&self, question: &QuestionFeedback) -> QuestionView {
-        QuestionView {
+    fn answered(&self, question: &QuestionFeedback) -> FeedbackQuestionView {
+        FeedbackQuestionView {
             number: question.number,
             title: self.placed(&question.title),
             points: self.reached(question.points, question.open, question.max),
@@ -80,14 +80,14 @@ impl Pages {
         }
     }
 
-    fn marked(&self, part: &PartFeedback) -> PartView {
+    fn marked(&self, part: &PartFeedback) -> FeedbackPartView {
         let remark = |remark: &Comment| {
             self.writer.texts(&[Shown {
                 document: &remark.document,
                 fillings: remark.fillings.clone(),
             }])
         };
-        PartView {
+        FeedbackPartView {
             letter: part.letter.clone(),
             verdict: part.verdict.name(),
             words: match part.verdict {

@@ -45,7 +45,7 @@ pub struct FormQuestion {
 
 /// What a layout shows of a question.
 #[derive(Serialize)]
-struct QuestionView<'a> {
+struct FormQuestionView<'a> {
     number: usize,
     title: &'a str,
     points: &'a str,
@@ -86,7 +86,7 @@ pub fn form(
     let words: serde_json::Value =
         serde_json::from_str(said).map_err(|error| fail(error.to_string()))?;
     let json = serde_json::to_string(sheet).map_err(|error| fail(error.to_string()))?;
-    let questions: Vec<QuestionView<'_>> = sheet.questions.iter().map(view).collect();
+    let questions: Vec<FormQuestionView<'_>> = sheet.questions.iter().map(view).collect();
     let lines = practice.lines(readers);
     let items = miniz_oxide::deflate::compress_to_vec(lines.as_bytes(), LEVEL);
 
@@ -115,8 +115,8 @@ pub fn form(
         .map_err(|error| fail(error.to_string()))
 }
 
-fn view(question: &FormQuestion) -> QuestionView<'_> {
-    QuestionView {
+fn view(question: &FormQuestion) -> FormQuestionView<'_> {
+    FormQuestionView {
         number: question.number,
         title: &question.title,
         points: &question.points,

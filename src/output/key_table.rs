@@ -54,12 +54,12 @@ struct Column {
 #[derive(Serialize)]
 pub(crate) struct Panel<'a> {
     codes: Vec<&'a str>,
-    lines: Vec<Line<'a>>,
+    lines: Vec<KeyLine<'a>>,
 }
 
 /// The answers to a part.
 #[derive(Serialize)]
-struct Line<'a> {
+struct KeyLine<'a> {
     part: &'a str,
     /// The answer that all variants of the panel have.
     same: &'a str,
@@ -113,9 +113,9 @@ impl KeyTable {
         };
         let shared = items.iter().flat_map(|item| {
             let parts = item.parts().filter(|part| is_shared(item, *part));
-            parts.map(|part| Line::of(&item.variants[..1], part, Some(all)))
+            parts.map(|part| KeyLine::of(&item.variants[..1], part, Some(all)))
         });
-        let shared: Vec<Line<'a>> = shared.collect();
+        let shared: Vec<KeyLine<'a>> = shared.collect();
         let mut panels = Vec::new();
         if !shared.is_empty() {
             panels.push(Panel {
@@ -184,7 +184,7 @@ impl ItemKeys {
                 codes: panel.iter().map(|own| own.code.as_str()).collect(),
                 lines: parts
                     .iter()
-                    .map(|part| Line::of(panel, *part, None))
+                    .map(|part| KeyLine::of(panel, *part, None))
                     .collect(),
             });
             rest = later;
@@ -193,7 +193,7 @@ impl ItemKeys {
     }
 }
 
-impl<'a> Line<'a> {
+impl<'a> KeyLine<'a> {
     /// The answers of variants to a part; with `heading` the one that all have.
     fn of(variants: &'a [Column], part: usize, heading: Option<&'a str>) -> Self {
         let first = &variants[0].keys;
@@ -206,7 +206,7 @@ impl<'a> Line<'a> {
             code: heading.unwrap_or(&own.code),
             text: &own.keys.cells[part],
         };
-        Line {
+        KeyLine {
             part: &first.parts[part],
             same: if is_same { &first.cells[part] } else { "" },
             wide: variants.len() > 1 && is_wide,
@@ -239,7 +239,7 @@ mod tests {
 
     /// The parts of a panel with their answers, those of several variants with a bar between them.
     fn lines(panel: &Panel<'_>) -> Vec<String> {
-        let line = |line: &Line<'_>| {
+        let line = |line: &KeyLine<'_>| {
             let cells: Vec<&str> = line.cells.iter().map(|cell| cell.text).collect();
             format!("{} {}", line.part, cells.join("|"))
         };

@@ -4,15 +4,15 @@ use serde::Serialize;
 
 /// A piece of a message.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub(crate) struct Piece<'m> {
+pub(crate) struct MessagePiece<'m> {
     text: &'m str,
     is_code: bool,
 }
 
 /// The pieces of a message; a backtick without a second one is itself.
-pub(crate) fn pieces(message: &str) -> Vec<Piece<'_>> {
+pub(crate) fn pieces(message: &str) -> Vec<MessagePiece<'_>> {
     let (mut pieces, mut rest) = (Vec::new(), message);
-    let mut add = |text, is_code| pieces.push(Piece { text, is_code });
+    let mut add = |text, is_code| pieces.push(MessagePiece { text, is_code });
     while let Some((before, behind)) = rest.split_once('`')
         && let Some((quoted, after)) = behind.split_once('`')
     {

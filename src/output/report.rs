@@ -113,7 +113,7 @@ impl LostSheet {
 struct LostView<'a> {
     place: String,
     response: String,
-    why: Vec<quoted::Piece<'a>>,
+    why: Vec<quoted::MessagePiece<'a>>,
     times: usize,
     who: Vec<String>,
 }
@@ -136,20 +136,20 @@ impl<'a> LostView<'a> {
 }
 
 #[derive(Serialize)]
-struct Page<'a> {
+struct ReportPage<'a> {
     run: &'a Run,
     sheets: usize,
     lost: Vec<LostView<'a>>,
     unreadable: u64,
     undecided: String,
-    undecided_note: Vec<quoted::Piece<'a>>,
-    faults: Vec<Vec<quoted::Piece<'a>>>,
+    undecided_note: Vec<quoted::MessagePiece<'a>>,
+    faults: Vec<Vec<quoted::MessagePiece<'a>>>,
     marks: Option<MarksView>,
     decided: Vec<DecidedView<'a>>,
-    more_decided: Vec<quoted::Piece<'a>>,
+    more_decided: Vec<quoted::MessagePiece<'a>>,
     facts: Vec<[String; 2]>,
     bars: Vec<Bar>,
-    parts: Vec<PartView<'a>>,
+    parts: Vec<ReportPartView<'a>>,
 }
 
 /// A bar of the histogram, in the units of its picture.
@@ -163,14 +163,14 @@ struct Bar {
 }
 
 #[derive(Serialize)]
-struct PartView<'a> {
+struct ReportPartView<'a> {
     places: String,
     item: &'a str,
     part: &'a str,
     title: &'a str,
     asked: u64,
     /// Widths of the pieces of the bar in percent: right, partial, wrong, unreadable, missing.
-    pieces: Vec<Piece<'a>>,
+    pieces: Vec<ReportPiece<'a>>,
     facility: String,
     discrimination: String,
     hint: &'a str,
@@ -180,7 +180,7 @@ struct PartView<'a> {
 }
 
 #[derive(Serialize)]
-struct Piece<'a> {
+struct ReportPiece<'a> {
     verdict: &'static str,
     /// The verdict in words.
     words: &'a str,
@@ -209,7 +209,7 @@ impl Pages {
         let words = &self.run.words.report;
         let more_decided = analysed.decided.len().saturating_sub(MAX_DECIDED);
         let more = filled(&words.more_decided, &[("count", &more_decided.to_string())]);
-        let page = Page {
+        let page = ReportPage {
             run: &self.run,
             sheets: summary.sheets,
             lost: analysed.lost.iter().map(LostView::of).collect(),
@@ -309,7 +309,7 @@ impl Pages {
         facts
     }
 
-    fn part<'a>(&'a self, part: &'a PartSummary) -> PartView<'a> {
+    fn part<'a>(&'a self, part: &'a PartSummary) -> ReportPartView<'a> {
         let words = &self.run.words.report;
         let counts = [
             ("right", &*words.right, part.right),
@@ -325,7 +325,7 @@ impl Pages {
                 .filter(|(_, _, count)| *count > 0)
                 .map(|(verdict, words, count)| {
                     let width = (count as f64 / part.asked as f64 * 1000.0).round() / 10.0;
-                    let piece = Piece {
+                    let piece = ReportPiece {
                         verdict,
                         words,
                         x,
@@ -337,7 +337,7 @@ impl Pages {
                 });
         let none = || "–".to_owned();
         let discrimination = part.discrimination.map(|own| self.run.marked(&signed(own)));
-        PartView {
+        ReportPartView {
             places: part.places.join(", "),
             item: &part.item,
             part: &part.part,
@@ -376,8 +376,8 @@ const MAX_CHANGES: usize = 6;
 #[derive(Serialize)]
 struct DecidedView<'a> {
     place: &'a str,
-    subject: Vec<quoted::Piece<'a>>,
-    words: Vec<quoted::Piece<'a>>,
+    subject: Vec<quoted::MessagePiece<'a>>,
+    words: Vec<quoted::MessagePiece<'a>>,
     who: &'a str,
     why: &'a str,
     times: usize,

@@ -43,7 +43,7 @@ pub enum TextbookError {
 }
 
 /// What follows one another in a chapter.
-enum Piece<'t> {
+enum ChapterPiece<'t> {
     /// Its level from 1, and its line as a whole.
     Heading(u8, &'t str),
     Text(&'t str),
@@ -110,20 +110,20 @@ impl Pages {
         let (mut pieces, mut examples) = (Vec::new(), 0);
         for (line, piece) in pieces_of(text)? {
             let view = match piece {
-                Piece::Heading(1, text) => {
+                ChapterPiece::Heading(1, text) => {
                     title = self.line(line, text)?;
                     continue;
                 }
-                Piece::Heading(level, text) => PieceView {
+                ChapterPiece::Heading(level, text) => PieceView {
                     level: Some(level),
                     text: self.line(line, text)?,
                     ..PieceView::default()
                 },
-                Piece::Text(text) => PieceView {
+                ChapterPiece::Text(text) => PieceView {
                     text: self.set(line, text)?,
                     ..PieceView::default()
                 },
-                Piece::Picture { item, plot, words } => {
+                ChapterPiece::Picture { item, plot, words } => {
                     let template = known(catalogue, line, item)?;
                     PieceView {
                         picture: self.picture(line, template, plot)?,
@@ -131,7 +131,7 @@ impl Pages {
                         ..PieceView::default()
                     }
                 }
-                Piece::Example(item) => {
+                ChapterPiece::Example(item) => {
                     examples += 1;
                     PieceView {
                         question: Some(self.example(examples, known(catalogue, line, item)?)),
@@ -239,7 +239,7 @@ fn read(line: usize, text: &str) -> Result<Document, TextbookError> {
 }
 
 /// A chapter in pieces, each with the line where it begins, from 1.
-fn pieces_of(text: &str) -> Result<Vec<(usize, Piece<'_>)>, TextbookError> {
+fn pieces_of(text: &str) -> Result<Vec<(usize, ChapterPiece<'_>)>, TextbookError> {
     let mut pieces = Vec::new();
     // Where the text begins that no piece holds yet, and on which line.
     let (mut from, mut first) = (0, 1);
@@ -250,20 +250,21 @@ fn pieces_of(text: &str) -> Result<Vec<(usize, Piece<'_>)>, TextbookError> {
         let Some(piece) = own_line(raw.trim_end(), line)? else {
             continue;
         };
-        pieces.push((first, Piece::Text(&text[from..start])));
+        pieces.push((first, ChapterPiece::Text(&text[from..start])));
         pieces.push((line, piece));
         (from, first) = (at, line + 1);
     }
-    pieces.push((first, Piece::Text(&text[from..])));
-    pieces.retain(|(_, piece)| !matches!(piece, Piece::Text(text) if text.trim().is_empty()));
+    pieces.push((first, ChapterPiece::Text(&text[from..])));
+    pieces
+        .retain(|(_, piece)| !matches!(piece, ChapterPiece::Text(text) if text.trim().is_empty()));
     Ok(pieces)
 }
 
 /// A heading, a picture or an example, where the line is one.
-fn own_line(line: &str, number: usize) -> Result<Option<Piece<'_>>, TextbookError> {
+fn own_line(line: &str, number: usize) -> Result<Option<ChapterPiece<'_>>, TextbookError> {
     let level = line.bytes().take_while(|byte| *byte == b'#').count();
     if (1..=6).contains(&level) && line[level..].starts_with(' ') {
-        return Ok(Some(Piece::Heading(level as u8, line)));
+        return Ok(Some(ChapterPiece::Heading(level as u8, line)));
     }
     let Some(inner) = line.strip_prefix("<!-- ") else {
         return Ok(None);
@@ -272,17 +273,17 @@ fn own_line(line: &str, number: usize) -> Result<Option<Piece<'_>>, TextbookErro
     let (place, words) = inner.split_once(" | ").unwrap_or((inner, ""));
     let asked: Vec<&str> = place.split(' ').collect();
     let piece = match asked[..] {
-        ["plot", item, plot] => Piece::Picture {
+        ["plot", item, plot] => ChapterPiece::Picture {
             item,
             plot: Some(plot),
             words,
         },
-        ["figure", item] => Piece::Picture {
+        ["figure", item] => ChapterPiece::Picture {
             item,
             plot: None,
             words,
         },
-        ["item", item] => Piece::Example(item),
+        ["item", item] => ChapterPiece::Example(item),
         _ => {
             let expected = "`plot ITEM NAME | WORDS`, `figure ITEM | WORDS` or `item ITEM`";
             return Err(TextbookError::Line {

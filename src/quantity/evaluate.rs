@@ -12,8 +12,8 @@ use crate::mechanics::{Model, Motion, Numbers, TurningPoints, Unavailable};
 use crate::numerics::Dd;
 use crate::work;
 
-use super::given::Given;
-use super::graph::{Computation, Graph, Node, NodeId, Role};
+use super::given::SlotValues;
+use super::graph::{Computation, Graph, Node, NodeId, NodeRole};
 use super::model::Offered;
 use super::trace::Trace;
 
@@ -58,15 +58,15 @@ type Wide = Arc<[Approx<Dd>]>;
 const MAX_WORK: u64 = 20_000_000;
 
 /// A place for each node, filled when it is first asked for.
-type Slots<T> = Box<[OnceCell<Result<T, Absent>>]>;
+type NodeSlots<T> = Box<[OnceCell<Result<T, Absent>>]>;
 
 /// The values of an item's graph for certain data.
 pub struct Evaluation<'g> {
     graph: &'g Graph,
     data: Arc<[Precise]>,
-    values: Slots<Value>,
+    values: NodeSlots<Value>,
     /// The same with twice the digits, where formulas asked for them.
-    wide: OnceCell<Slots<Wide>>,
+    wide: OnceCell<NodeSlots<Wide>>,
     /// Values that stand in for what a formula would give.
     replaced: Vec<(NodeId, Value)>,
     rooms: RefCell<Vec<Workspace>>,
@@ -268,12 +268,12 @@ impl<'g> Evaluation<'g> {
     fn compute(&self, id: NodeId) -> Result<Value, Absent> {
         let node = self.graph.node(id);
         self.exists(node)?;
-        if let Role::Parameter(place) = node.role {
+        if let NodeRole::Parameter(place) = node.role {
             let datum = &self.data[place as usize];
             // What rounding to binary64 drops of a decimal is a part of its bound.
             return Ok(Value::real(datum.high(), datum.low().abs() + datum.rest()));
         }
-        if let Role::Offered(offered) = &node.role {
+        if let NodeRole::Offered(offered) = &node.role {
             let value = self.numbers(offered).value_of(offered.quantity);
             return value.map_err(|lack| Absent::Unavailable {
                 label: node.label.clone(),
@@ -314,9 +314,9 @@ impl<'g> Evaluation<'g> {
         node: &Node,
         computation: &Computation,
         variables: &[Precise],
-        run: impl FnOnce(&Program, &Given<'_, '_>, &mut Workspace) -> Result<T, Absence>,
+        run: impl FnOnce(&Program, &SlotValues<'_, '_>, &mut Workspace) -> Result<T, Absence>,
     ) -> Result<T, Absent> {
-        let inputs = Given {
+        let inputs = SlotValues {
             evaluation: self,
             computation,
             variables,
@@ -363,10 +363,10 @@ impl<'g> Evaluation<'g> {
         }
         let node = self.graph.node(id);
         self.exists(node)?;
-        if let Role::Parameter(place) = node.role {
+        if let NodeRole::Parameter(place) = node.role {
             return Ok([Approx::of(&self.data[place as usize])].into());
         }
-        if let Role::Offered(_) = node.role {
+        if let NodeRole::Offered(_) = node.role {
             // A solver gives binary64; its bound goes along.
             let value = self.value(id)?;
             let pairs = value.numbers().iter().zip(value.bounds());
@@ -378,7 +378,7 @@ impl<'g> Evaluation<'g> {
             .graph
             .computation(id)
             .ok_or_else(|| self.undefined(id, Undefined::NotReal))?;
-        let inputs = Given {
+        let inputs = SlotValues {
             evaluation: self,
             computation,
             variables: &[],
@@ -436,7 +436,7 @@ impl<'g> Evaluation<'g> {
             return motion.clone();
         }
         let node = self.graph.node(id);
-        let Role::Offered(offered) = &node.role else {
+        let NodeRole::Offered(offered) = &node.role else {
             return Err(self.undefined(id, Undefined::NotReal));
         };
         let motion = self.numbers(offered).motion_of(offered.quantity);
@@ -501,12 +501,12 @@ impl Function<'_, '_> {
         accuracy: f64,
     ) -> Result<Vec<f64>, Absent> {
         let varied = self.computation.variables.iter().map(|(slot, _)| *slot);
-        let inputs = places.map(|variables| Given {
+        let inputs = places.map(|variables| SlotValues {
             evaluation: self.evaluation,
             computation: self.computation,
             variables,
         });
-        let inputs: Vec<Given<'_, '_>> = inputs.collect();
+        let inputs: Vec<SlotValues<'_, '_>> = inputs.collect();
         let mut sweep = self.computation.program.sweep(varied.collect());
         let values = sweep.reals(accuracy, &inputs);
         values.map_err(|absence| Absent::Undefined {

@@ -6,7 +6,7 @@ use crate::expr::{Approx, Inputs, Precise, Scalar, Undefined};
 use crate::numerics::Dd;
 
 /// What the slots of a program hold.
-pub(crate) struct Given<'a, 'g> {
+pub(crate) struct SlotValues<'a, 'g> {
     pub(crate) evaluation: &'a Evaluation<'g>,
     pub(crate) computation: &'a Computation,
     pub(crate) variables: &'a [Precise],
@@ -18,7 +18,7 @@ enum Slot {
     Variable(usize),
 }
 
-impl Given<'_, '_> {
+impl SlotValues<'_, '_> {
     fn slot(&self, slot: u32) -> Result<Slot, Undefined> {
         let variables = &self.computation.variables;
         if let Some(position) = variables.iter().position(|(own, _)| *own == slot) {
@@ -55,7 +55,7 @@ impl Given<'_, '_> {
 /// Bound on the relative error of a motion of a model.
 const MOTION_ERROR: f64 = 1e-14;
 
-impl Inputs<Approx<f64>> for Given<'_, '_> {
+impl Inputs<Approx<f64>> for SlotValues<'_, '_> {
     fn motion(&self, index: u32, order: u8, time: &Approx<f64>) -> Result<Approx<f64>, Undefined> {
         let value = self.moved(index, order, time.value)?;
         Ok(Approx::new(value, MOTION_ERROR * value.abs()))
@@ -73,7 +73,7 @@ impl Inputs<Approx<f64>> for Given<'_, '_> {
     }
 }
 
-impl Inputs<Approx<Dd>> for Given<'_, '_> {
+impl Inputs<Approx<Dd>> for SlotValues<'_, '_> {
     fn motion(&self, index: u32, order: u8, time: &Approx<Dd>) -> Result<Approx<Dd>, Undefined> {
         let value = self.moved(index, order, time.value.hi())?;
         Ok(Approx::new(Dd::from(value), MOTION_ERROR * value.abs()))

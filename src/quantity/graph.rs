@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 
 use super::error::GraphError;
-use super::model::{Offered, System};
+use super::model::{DeclaredSystem, Offered};
 use super::settle::Uses;
 use crate::expr::{Expr, Kind, Name, Path, Program, Type};
 use crate::unit::Dimension;
@@ -17,7 +17,7 @@ pub struct NodeId(u32);
 #[derive(Debug, Default)]
 pub struct Graph {
     pub(crate) nodes: Vec<Node>,
-    pub(crate) names: BTreeMap<Name, Entry>,
+    pub(crate) names: BTreeMap<Name, NameEntry>,
     /// The models by their beginning in paths, `model` or `models.relative`.
     pub(crate) models: BTreeMap<Box<str>, NodeId>,
     /// The quantities of models that formulas ask for.
@@ -26,7 +26,7 @@ pub struct Graph {
 
 /// What a name stands for.
 #[derive(Clone, Debug)]
-pub(crate) enum Entry {
+pub(crate) enum NameEntry {
     /// A parameter or quantity.
     Node(NodeId),
     /// The time, a coordinate or a symbol: free in every formula.
@@ -38,7 +38,7 @@ pub(crate) enum Entry {
 pub(crate) struct Node {
     /// Its name, or what it is for.
     pub(crate) label: Box<str>,
-    pub(crate) role: Role,
+    pub(crate) role: NodeRole,
     /// The type, once it is known.
     pub(crate) kind: Option<Type>,
     /// The condition without which it does not exist.
@@ -53,7 +53,7 @@ pub(crate) struct Node {
 }
 
 #[derive(Debug)]
-pub(crate) enum Role {
+pub(crate) enum NodeRole {
     /// Given, at this place of the data.
     Parameter(u32),
     /// A named formula.
@@ -61,7 +61,7 @@ pub(crate) enum Role {
     /// A formula without a name.
     Formula(Expr),
     /// A mechanical system.
-    Model(Box<System>),
+    Model(Box<DeclaredSystem>),
     /// A quantity that a model offers.
     Offered(Offered),
 }
@@ -84,7 +84,7 @@ impl Graph {
         let mut graph = Self::default();
         graph
             .names
-            .insert(Name::new("t"), Entry::Free(Type::real(Dimension::TIME)));
+            .insert(Name::new("t"), NameEntry::Free(Type::real(Dimension::TIME)));
         graph
     }
 
@@ -97,9 +97,9 @@ impl Graph {
         let place = self
             .nodes
             .iter()
-            .filter(|node| matches!(node.role, Role::Parameter(_)))
+            .filter(|node| matches!(node.role, NodeRole::Parameter(_)))
             .count() as u32;
-        self.named(name, Role::Parameter(place), Some(kind))
+        self.named(name, NodeRole::Parameter(place), Some(kind))
     }
 
     /// Adds a coordinate or symbol, free in every formula; a quantity of the same name goes before it.
@@ -109,10 +109,10 @@ impl Graph {
     /// If the name is that of a parameter.
     pub fn free(&mut self, name: &Name, kind: Type) -> Result<(), GraphError> {
         match self.names.get(name) {
-            Some(Entry::Node(_)) => Err(GraphError::Taken { name: name.clone() }),
-            Some(Entry::Free(_)) => Ok(()),
+            Some(NameEntry::Node(_)) => Err(GraphError::Taken { name: name.clone() }),
+            Some(NameEntry::Free(_)) => Ok(()),
             None => {
-                self.names.insert(name.clone(), Entry::Free(kind));
+                self.names.insert(name.clone(), NameEntry::Free(kind));
                 Ok(())
             }
         }
@@ -131,12 +131,12 @@ impl Graph {
         declared: Option<Type>,
         when: Option<Expr>,
     ) -> Result<NodeId, GraphError> {
-        let id = self.named(name, Role::Quantity(expr), declared)?;
+        let id = self.named(name, NodeRole::Quantity(expr), declared)?;
         if let Some(condition) = when {
             let label = format!("condition of {name}").into();
             let when = self.push(Node::new(
                 label,
-                Role::Formula(condition),
+                NodeRole::Formula(condition),
                 Some(Type::boolean()),
             ));
             self.nodes[id.index()].when = Some(when);
@@ -157,7 +157,7 @@ impl Graph {
         if let Some(list) = self.list(&expr) {
             return Ok(list);
         }
-        let id = self.push(Node::new(label.into(), Role::Formula(expr), None));
+        let id = self.push(Node::new(label.into(), NodeRole::Formula(expr), None));
         let errors = self.settle(id);
         if errors.is_empty() {
             Ok(id)
@@ -191,7 +191,7 @@ impl Graph {
             let expr = Expr::new(Kind::At(expr, vec![(variable.clone(), put)]), span);
             return self.formula_over(label, expr, &free, kind);
         }
-        let hidden = self.names.insert(variable.clone(), Entry::Free(kind));
+        let hidden = self.names.insert(variable.clone(), NameEntry::Free(kind));
         let result = self.formula(label, expr);
         match hidden {
             Some(entry) => self.names.insert(variable.clone(), entry),
@@ -203,7 +203,7 @@ impl Graph {
     /// The node of a name, if it is a parameter or quantity.
     pub fn find(&self, name: &Name) -> Option<NodeId> {
         match self.names.get(name) {
-            Some(Entry::Node(id)) => Some(*id),
+            Some(NameEntry::Node(id)) => Some(*id),
             _ => None,
         }
     }
@@ -268,7 +268,7 @@ impl Graph {
             .filter_map(|name| self.find(name))
             .filter(|step| *step != id);
         nodes
-            .filter(|step| matches!(self.node(*step).role, Role::Quantity(_)))
+            .filter(|step| matches!(self.node(*step).role, NodeRole::Quantity(_)))
             .collect()
     }
 
@@ -276,7 +276,7 @@ impl Graph {
     pub fn parameters(&self, id: NodeId) -> Vec<NodeId> {
         let nodes = self.reach(id).iter().filter_map(|name| self.find(name));
         nodes
-            .filter(|datum| matches!(self.node(*datum).role, Role::Parameter(_)))
+            .filter(|datum| matches!(self.node(*datum).role, NodeRole::Parameter(_)))
             .collect()
     }
 
@@ -284,12 +284,17 @@ impl Graph {
         &self.nodes[id.index()]
     }
 
-    fn named(&mut self, name: &Name, role: Role, kind: Option<Type>) -> Result<NodeId, GraphError> {
-        if let Some(Entry::Node(_)) = self.names.get(name) {
+    fn named(
+        &mut self,
+        name: &Name,
+        role: NodeRole,
+        kind: Option<Type>,
+    ) -> Result<NodeId, GraphError> {
+        if let Some(NameEntry::Node(_)) = self.names.get(name) {
             return Err(GraphError::Taken { name: name.clone() });
         }
         let id = self.push(Node::new(name.as_str().into(), role, kind));
-        self.names.insert(name.clone(), Entry::Node(id));
+        self.names.insert(name.clone(), NameEntry::Node(id));
         Ok(id)
     }
 
@@ -306,7 +311,7 @@ impl NodeId {
 }
 
 impl Node {
-    pub(crate) fn new(label: Box<str>, role: Role, kind: Option<Type>) -> Self {
+    pub(crate) fn new(label: Box<str>, role: NodeRole, kind: Option<Type>) -> Self {
         Self {
             label,
             role,
@@ -321,8 +326,8 @@ impl Node {
 
     pub(crate) fn expr(&self) -> Option<&Expr> {
         match &self.role {
-            Role::Parameter(_) | Role::Model(_) | Role::Offered(_) => None,
-            Role::Quantity(expr) | Role::Formula(expr) => Some(expr),
+            NodeRole::Parameter(_) | NodeRole::Model(_) | NodeRole::Offered(_) => None,
+            NodeRole::Quantity(expr) | NodeRole::Formula(expr) => Some(expr),
         }
     }
 }

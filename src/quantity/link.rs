@@ -4,12 +4,12 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use super::error::GraphError;
-use super::graph::{Entry, Graph, NodeId, Role};
+use super::graph::{Graph, NameEntry, NodeId, NodeRole};
 use crate::expr::{Binder, Binding, Form, Name, Path, Scope, Type, Variable};
 use crate::mechanics::QuantityType;
 
 /// Sorts nodes so that each comes after those that it needs.
-pub(crate) struct Order<'g> {
+pub(crate) struct NodeOrder<'g> {
     graph: &'g Graph,
     /// The nodes that have their place, each with the length of the longest chain that ends with it.
     done: BTreeMap<NodeId, usize>,
@@ -21,7 +21,7 @@ pub(crate) struct Order<'g> {
 /// No chain of quantities is longer: evaluation recurs along it.
 const MAX_CHAIN_LENGTH: usize = 200;
 
-impl<'g> Order<'g> {
+impl<'g> NodeOrder<'g> {
     pub(crate) fn of(graph: &'g Graph) -> Self {
         Self {
             graph,
@@ -62,7 +62,7 @@ impl<'g> Order<'g> {
         let node = self.graph.node(id);
         let mut needed: Vec<NodeId> = node.when.into_iter().collect();
         match (&node.role, node.expr()) {
-            (Role::Model(system), _) => {
+            (NodeRole::Model(system), _) => {
                 needed.extend(
                     system
                         .needs()
@@ -180,7 +180,7 @@ impl Binder for Linker<'_> {
     fn path(&self, path: &Path, _local: &[Name]) -> Option<Binding> {
         let id = *self.graph.paths.get(path)?;
         let node = self.graph.node(id);
-        let Role::Offered(offered) = &node.role else {
+        let NodeRole::Offered(offered) = &node.role else {
             return None;
         };
         match &offered.quantity_type {
@@ -199,8 +199,8 @@ impl Binder for Linker<'_> {
             return None;
         }
         match self.graph.names.get(&variable.name)? {
-            Entry::Free(kind) => Some(self.variable(&variable.name, kind.form())),
-            Entry::Node(id) => {
+            NameEntry::Free(kind) => Some(self.variable(&variable.name, kind.form())),
+            NameEntry::Node(id) => {
                 let node = self.graph.node(*id);
                 let is_open = self.graph.is_function(*id)
                     || local.iter().any(|name| self.graph.depends(*id, name));
@@ -217,8 +217,8 @@ impl Binder for Linker<'_> {
 impl Scope for Graph {
     fn name(&self, name: &Name) -> Option<Type> {
         match self.names.get(name)? {
-            Entry::Free(kind) => Some(kind.clone()),
-            Entry::Node(id) => self.node(*id).kind.clone(),
+            NameEntry::Free(kind) => Some(kind.clone()),
+            NameEntry::Node(id) => self.node(*id).kind.clone(),
         }
     }
 

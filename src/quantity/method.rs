@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use super::evaluate::{Absent, Evaluation, Function};
-use super::graph::{Computation, Graph, NodeId, Role};
+use super::graph::{Computation, Graph, NodeId, NodeRole};
 use crate::expr::{Constant, Expr, Function as Elementary, Kind, Operator, Value};
 use crate::numerics::Rational;
 
@@ -189,10 +189,10 @@ impl Graph {
         let (mut formulas, mut data, mut held) = (Vec::new(), Vec::new(), Vec::new());
         while let Some(node) = open.pop() {
             match self.node(node).role {
-                Role::Parameter(_) => data.push(node),
-                Role::Quantity(_) | Role::Formula(_) => formulas.push(node),
+                NodeRole::Parameter(_) => data.push(node),
+                NodeRole::Quantity(_) | NodeRole::Formula(_) => formulas.push(node),
                 // A model takes the data of its energies.
-                Role::Model(_) | Role::Offered(_) => {}
+                NodeRole::Model(_) | NodeRole::Offered(_) => {}
             }
             for next in self.needs(node) {
                 if seen.contains(&next) {

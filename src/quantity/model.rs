@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::error::GraphError;
-use super::graph::{Graph, Node, NodeId, Role};
+use super::graph::{Graph, Node, NodeId, NodeRole};
 use crate::expr::{CheckError, Expr, Kind, Name, Names, Path, Substitution, Type};
 use crate::mechanics::{
     Definition, Model, Quantity, QuantityError, QuantityType, Step, Unavailable, Way,
@@ -13,7 +13,7 @@ use crate::source::nearest;
 
 /// A system as it is written, and once its names are settled, as it was derived.
 #[derive(Debug)]
-pub(crate) struct System {
+pub(crate) struct DeclaredSystem {
     definition: Definition,
     pub(crate) model: Option<Arc<Model>>,
 }
@@ -28,7 +28,7 @@ pub(crate) struct Offered {
     pub(crate) quantity_type: QuantityType,
 }
 
-impl System {
+impl DeclaredSystem {
     /// The names that it takes from the item.
     pub(crate) fn needs(&self) -> BTreeSet<Name> {
         needs(&self.definition)
@@ -133,11 +133,11 @@ fn formulas_mut(definition: &mut Definition) -> Vec<&mut Expr> {
 impl Graph {
     /// Adds a system under the beginning of its paths, `model` or `models.relative`.
     pub fn model(&mut self, beginning: &str, definition: Definition) -> NodeId {
-        let system = Box::new(System {
+        let system = Box::new(DeclaredSystem {
             definition,
             model: None,
         });
-        let id = self.push(Node::new(beginning.into(), Role::Model(system), None));
+        let id = self.push(Node::new(beginning.into(), NodeRole::Model(system), None));
         self.models.insert(beginning.into(), id);
         id
     }
@@ -203,9 +203,9 @@ impl Graph {
         self.models.get(beginning(path).as_str()).copied()
     }
 
-    pub(crate) fn system(&self, id: NodeId) -> Option<&System> {
+    pub(crate) fn system(&self, id: NodeId) -> Option<&DeclaredSystem> {
         match &self.node(id).role {
-            Role::Model(system) => Some(system),
+            NodeRole::Model(system) => Some(system),
             _ => None,
         }
     }
@@ -213,7 +213,7 @@ impl Graph {
     /// Whether a node is a number of a model, no formula or function of time.
     pub(crate) fn is_offered_number(&self, id: NodeId) -> bool {
         let role = &self.node(id).role;
-        matches!(role, Role::Offered(offered) if matches!(offered.quantity_type, QuantityType::Number(_)))
+        matches!(role, NodeRole::Offered(offered) if matches!(offered.quantity_type, QuantityType::Number(_)))
     }
 
     /// Derives a system whose names are settled.
@@ -246,7 +246,7 @@ impl Graph {
             Err(errors) => errors.into_iter().map(GraphError::Model).collect(),
             Ok(model) => {
                 self.set_uses(id, names.into_iter().collect(), Vec::new());
-                if let Role::Model(system) = &mut self.nodes[id.index()].role {
+                if let NodeRole::Model(system) = &mut self.nodes[id.index()].role {
                     system.model = Some(Arc::new(model));
                 }
                 Vec::new()
@@ -255,7 +255,7 @@ impl Graph {
     }
 
     /// A name that a system needs and the item does not have.
-    fn unknown(&self, system: &System, name: &Name) -> Option<GraphError> {
+    fn unknown(&self, system: &DeclaredSystem, name: &Name) -> Option<GraphError> {
         if self.find(name).is_some() {
             return None;
         }
@@ -321,7 +321,7 @@ impl Graph {
         };
         let id = self.offer(path).ok()?;
         match &self.node(id).role {
-            Role::Offered(Offered {
+            NodeRole::Offered(Offered {
                 quantity_type: QuantityType::List(_),
                 ..
             }) => Some(id),
@@ -375,7 +375,7 @@ impl Graph {
         };
         let node = Node::new(
             path.to_string().into(),
-            Role::Offered(Offered {
+            NodeRole::Offered(Offered {
                 system,
                 model,
                 quantity,

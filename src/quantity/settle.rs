@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use super::error::GraphError;
-use super::graph::{Computation, Graph, NodeId, Role};
-use super::link::{Linked, Linker, Order};
+use super::graph::{Computation, Graph, NodeId, NodeRole};
+use super::link::{Linked, Linker, NodeOrder};
 use crate::expr::{CompileError, Expr, Kind, Name, Names, Path, Program, Shape, Type, Variable};
 
 /// What a settled node takes: names, and nodes that bring along theirs.
@@ -17,7 +17,7 @@ pub(crate) struct Uses {
 impl Graph {
     /// Checks all quantities, in an order in which each comes after those that it needs.
     pub fn resolve(&mut self) -> Vec<(NodeId, GraphError)> {
-        let mut order = Order::of(self);
+        let mut order = NodeOrder::of(self);
         for id in self.ids() {
             order.visit(id);
         }
@@ -30,7 +30,7 @@ impl Graph {
 
     /// Checks and compiles a node whose dependencies are settled.
     pub(crate) fn settle(&mut self, id: NodeId) -> Vec<GraphError> {
-        if let Role::Model(_) = self.node(id).role {
+        if let NodeRole::Model(_) = self.node(id).role {
             return self.derive(id);
         }
         let Some(expr) = self.node(id).expr().cloned() else {
@@ -51,7 +51,7 @@ impl Graph {
         let declared = node
             .kind
             .as_ref()
-            .filter(|_| matches!(node.role, Role::Formula(_)));
+            .filter(|_| matches!(node.role, NodeRole::Formula(_)));
         match declared.filter(|declared| !found.fits(declared)) {
             Some(declared) => {
                 let (what, declared) = (format!("`{}`", node.label), describe(declared));
@@ -129,7 +129,7 @@ impl Graph {
             let mut reach = BTreeSet::new();
             while let Some(id) = open.pop() {
                 let node = self.node(id);
-                if matches!(node.role, Role::Parameter(_) | Role::Quantity(_)) {
+                if matches!(node.role, NodeRole::Parameter(_) | NodeRole::Quantity(_)) {
                     reach.insert(Name::new(&*node.label));
                 }
                 if let Some(uses) = &node.uses {

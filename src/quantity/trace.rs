@@ -1,6 +1,6 @@
 //! What an evaluation computed, and what nobody asked for.
 
-use super::graph::{Graph, NodeId, Role};
+use super::graph::{Graph, NodeId, NodeRole};
 
 /// The names of what was computed and of what was skipped, in the order of the item.
 ///
@@ -18,7 +18,7 @@ impl Trace {
         let mut trace = Self::default();
         for id in graph.ids() {
             let node = graph.node(id);
-            if matches!(node.role, Role::Parameter(_)) {
+            if matches!(node.role, NodeRole::Parameter(_)) {
                 continue;
             }
             let list = if is_computed(&id) {

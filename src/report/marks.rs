@@ -24,13 +24,13 @@ pub struct Standing<'a> {
 /// The marks of a run, gathered one sheet at a time.
 #[derive(Clone, Debug, Default)]
 pub struct Standings {
-    all: Tally,
-    groups: BTreeMap<String, Tally>,
+    all: MarksTally,
+    groups: BTreeMap<String, MarksTally>,
     grades: BTreeMap<String, u64>,
 }
 
 #[derive(Clone, Debug, Default)]
-struct Tally {
+struct MarksTally {
     sheets: u64,
     points: Vec<f64>,
     passed: [u64; 2],
@@ -125,7 +125,7 @@ impl Standings {
     }
 }
 
-impl Tally {
+impl MarksTally {
     fn add(&mut self, standing: &Standing<'_>) {
         self.sheets += 1;
         self.points.extend(standing.points);

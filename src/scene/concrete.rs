@@ -6,7 +6,7 @@
 use std::cell::RefCell;
 use std::convert::Infallible;
 
-use super::notation::{Numbers, Symbols, symbol_of};
+use super::notation::{NumberNotation, Symbols, symbol_of};
 use crate::expr::{
     Expr, Kind, Name, Notation, Operator, Path, Precise, Program, Slots, Symbol, Value, Workspace,
 };
@@ -153,7 +153,7 @@ impl Folded<'_, '_> {
     fn number(&self, expr: &Expr) -> Option<Decimal> {
         let number = value(self.solution, expr)?.as_real()?;
         match expr.kind() {
-            Kind::Name(name) => Numbers(self.solution).decimal(name),
+            Kind::Name(name) => NumberNotation(self.solution).decimal(name),
             _ => Decimal::rounded(number, self.digits + 1),
         }
     }

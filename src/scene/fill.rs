@@ -1,7 +1,7 @@
 //! What fills the holes of a text.
 
 use super::concrete;
-use super::notation::{Numbers, Symbols};
+use super::notation::{NumberNotation, Symbols};
 use super::{Data, Scene};
 use crate::bank::{Part, QuantityInfo, Target, Units};
 use crate::document::{Filling, Form};
@@ -179,7 +179,7 @@ impl Scene<'_, '_> {
     fn substituted(&self, node: NodeId) -> Math {
         let expr = self.solution.template().graph.expr(node);
         expr.map_or_else(nothing, |expr| {
-            concrete::concrete(self.solution, expr).typeset(&Numbers(self.solution))
+            concrete::concrete(self.solution, expr).typeset(&NumberNotation(self.solution))
         })
     }
 

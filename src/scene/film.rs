@@ -54,13 +54,13 @@ pub struct Moving {
 }
 
 /// The coordinates as functions of time, each with its value at rest, how long they are shown, and the shortest period.
-struct Course {
+struct CoordinateCourse {
     motions: Vec<(Motion, f64)>,
     seconds: f64,
     shortest: f64,
 }
 
-impl Course {
+impl CoordinateCourse {
     /// The coordinates at a time, counted from rest.
     fn at(&self, time: f64) -> Option<Vec<f64>> {
         let motions = self.motions.iter();
@@ -159,7 +159,7 @@ impl Scene<'_, '_> {
 }
 
 /// A motion with what has to be known to show it; nothing where there is none.
-fn course(run: Run, numbers: &Numbers) -> Option<Course> {
+fn course(run: Run, numbers: &Numbers) -> Option<CoordinateCourse> {
     let count = numbers.model().degrees_of_freedom();
     let modes = numbers.modes().ok()?;
     let natural: Vec<f64> = (0..count)
@@ -179,13 +179,13 @@ fn course(run: Run, numbers: &Numbers) -> Option<Course> {
         Run::Mode(mode) => {
             let frequency = modes.natural_angular_frequency(mode)?;
             let shortest = vibrates(frequency).then(|| period(frequency))?;
-            Some(Course {
+            Some(CoordinateCourse {
                 motions: motions(&|place| numbers.mode_motion(mode, place))?,
                 seconds: LOOPS * shortest,
                 shortest,
             })
         }
-        Run::Steady if !driving.is_empty() => Some(Course {
+        Run::Steady if !driving.is_empty() => Some(CoordinateCourse {
             motions: motions(&|place| numbers.steady_motion(place))?,
             seconds: LOOPS * period(lowest(&driving)),
             shortest: period(highest(&driving)),
@@ -205,7 +205,7 @@ fn course(run: Run, numbers: &Numbers) -> Option<Course> {
                     }
                 }
             }
-            Some(Course {
+            Some(CoordinateCourse {
                 motions: motions(&|place| numbers.motion(place))?,
                 seconds,
                 shortest: period(highest(&all)),

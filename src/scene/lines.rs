@@ -12,15 +12,15 @@ const MIN_RIGHT: usize = 4;
 const MAX_LEFT_LENGTH: usize = 12;
 
 /// A chain of sides as it is set.
-pub(crate) struct Chain {
+pub(crate) struct SetChain {
     pub(crate) sides: Vec<Math>,
     /// Whether the last one is an approximation.
     pub(crate) is_approximate: bool,
 }
 
 /// The lines, aligned at their relations where the left sides are short; long sums continue on the next line.
-pub(crate) fn aligned(lines: &[Chain]) -> Vec<[Math; 2]> {
-    let is_short = |line: &Chain| {
+pub(crate) fn aligned(lines: &[SetChain]) -> Vec<[Math; 2]> {
+    let is_short = |line: &SetChain| {
         line.sides
             .first()
             .is_none_or(|left| width(left) <= MAX_LEFT_LENGTH)

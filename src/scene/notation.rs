@@ -11,7 +11,7 @@ use crate::unit::Decimal;
 pub(crate) struct Symbols<'a, 't>(pub(crate) &'a Solution<'t>);
 
 /// Names as the numbers that they have, in SI units; what has no number keeps its symbol.
-pub(crate) struct Numbers<'a, 't>(pub(crate) &'a Solution<'t>);
+pub(crate) struct NumberNotation<'a, 't>(pub(crate) &'a Solution<'t>);
 
 impl Notation for Symbols<'_, '_> {
     fn name(&self, name: &Name) -> Symbol {
@@ -28,7 +28,7 @@ impl Notation for Symbols<'_, '_> {
     }
 }
 
-impl Notation for Numbers<'_, '_> {
+impl Notation for NumberNotation<'_, '_> {
     fn name(&self, name: &Name) -> Symbol {
         self.number(name)
             .unwrap_or_else(|| Symbols(self.0).name(name))
@@ -64,7 +64,7 @@ impl Notation for Quantities<'_, '_, '_> {
     }
 }
 
-impl Numbers<'_, '_> {
+impl NumberNotation<'_, '_> {
     fn number(&self, name: &Name) -> Option<Symbol> {
         Some(symbol_of(self.decimal(name)?, self.0))
     }

@@ -2,7 +2,7 @@
 
 use super::Scene;
 use super::concrete;
-use super::lines::{Chain, aligned};
+use super::lines::{SetChain, aligned};
 use super::notation::{Quantities, Symbols};
 use crate::bank::QuantityInfo;
 use crate::document::{Filling, Step as Shown};
@@ -26,7 +26,7 @@ impl Scene<'_, '_> {
     }
 
     fn step(&self, step: &Step) -> Shown {
-        let mut lines: Vec<Chain> = step.lines.iter().map(|line| self.line(line)).collect();
+        let mut lines: Vec<SetChain> = step.lines.iter().map(|line| self.line(line)).collect();
         // What differs in its order alone is printed once.
         lines.dedup_by(|line, before| line.sides == before.sides);
         Shown {
@@ -35,7 +35,7 @@ impl Scene<'_, '_> {
         }
     }
 
-    fn line(&self, line: &Line) -> Chain {
+    fn line(&self, line: &Line) -> SetChain {
         let notation = Symbols(self.solution);
         let mut sides: Vec<Math> = Vec::new();
         for side in &line.sides {
@@ -45,7 +45,7 @@ impl Scene<'_, '_> {
                 sides.push(math);
             }
         }
-        Chain {
+        SetChain {
             sides,
             is_approximate: line.is_approximate,
         }
@@ -122,7 +122,7 @@ impl Scene<'_, '_> {
         sides.push(self.value(node, info));
         sides.extend(self.value_as_asked(node, info));
         sides.dedup();
-        let line = Chain {
+        let line = SetChain {
             sides,
             is_approximate: false,
         };

@@ -2,7 +2,7 @@
 //! holds.
 
 use super::Scene;
-use super::lines::{Chain, aligned};
+use super::lines::{SetChain, aligned};
 use super::notation::Symbols;
 use crate::document::{Filling, Inline, Step as Shown};
 use crate::expr::{Notation, Path};
@@ -47,7 +47,7 @@ impl Scene<'_, '_> {
                     value(turns.holding, force),
                 ]),
             ];
-            Chain {
+            SetChain {
                 sides: vec![coordinate.clone().with_sub(number), Math::row(sides)],
                 is_approximate: false,
             }

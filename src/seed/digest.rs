@@ -64,19 +64,19 @@ impl fmt::Debug for Secret {
 
 /// One field of what is hashed.
 #[derive(Clone, Copy)]
-pub(crate) enum Field<'a> {
+pub(crate) enum HashedField<'a> {
     Text(&'a str),
     Number(u64),
 }
 
 /// Feeds a field, preceded by its length, to a hash.
-pub(crate) fn feed(field: Field<'_>, mut update: impl FnMut(&[u8])) {
+pub(crate) fn feed(field: HashedField<'_>, mut update: impl FnMut(&[u8])) {
     match field {
-        Field::Text(text) => {
+        HashedField::Text(text) => {
             update(&(text.len() as u64).to_be_bytes());
             update(text.as_bytes());
         }
-        Field::Number(number) => {
+        HashedField::Number(number) => {
             update(&8_u64.to_be_bytes());
             update(&number.to_be_bytes());
         }
@@ -84,7 +84,7 @@ pub(crate) fn feed(field: Field<'_>, mut update: impl FnMut(&[u8])) {
 }
 
 /// The first eight bytes of the hash of some fields, as a number; keyed if there is a secret.
-pub(crate) fn derive(fields: &[Field<'_>], secret: Option<&Secret>) -> u64 {
+pub(crate) fn derive(fields: &[HashedField<'_>], secret: Option<&Secret>) -> u64 {
     let hash: [u8; 32] = match secret {
         None => {
             let mut hash = Sha256::new();

@@ -5,7 +5,7 @@ use rand_chacha::ChaCha8Rng;
 use sha2::{Digest, Sha256};
 
 use super::Seed;
-use super::digest::{Field, feed};
+use super::digest::{HashedField, feed};
 
 /// All streams of one item: for each name an independent one.
 ///
@@ -30,9 +30,9 @@ impl Streams {
     pub fn of(seed: Seed, item: &str) -> Self {
         let mut prefix = Sha256::new();
         for field in [
-            Field::Text("vibank 1"),
-            Field::Number(seed.number()),
-            Field::Text(item),
+            HashedField::Text("vibank 1"),
+            HashedField::Number(seed.number()),
+            HashedField::Text(item),
         ] {
             feed(field, |bytes| prefix.update(bytes));
         }
@@ -42,7 +42,7 @@ impl Streams {
     /// The stream of one name, at its beginning.
     pub fn named(&self, name: &str) -> Stream {
         let mut hash = self.prefix.clone();
-        feed(Field::Text(name), |bytes| hash.update(bytes));
+        feed(HashedField::Text(name), |bytes| hash.update(bytes));
         Stream(ChaCha8Rng::from_seed(hash.finalize().into()))
     }
 }

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Seed;
 use super::code::{self, CodeError};
-use super::digest::{Field, Secret, derive};
+use super::digest::{HashedField, Secret, derive};
 
 /// The seed of one variant: what its sheet's code says.
 ///
@@ -45,10 +45,10 @@ impl Variant {
     /// Each further `attempt`, from 0, gives another one, for those who choose among variants.
     pub fn of(seed: Seed, index: u64, attempt: u64, secret: Option<&Secret>) -> Self {
         let fields = [
-            Field::Text("vibank 1 variant"),
-            Field::Number(seed.number()),
-            Field::Number(index),
-            Field::Number(attempt),
+            HashedField::Text("vibank 1 variant"),
+            HashedField::Number(seed.number()),
+            HashedField::Number(index),
+            HashedField::Number(attempt),
         ];
         Self(derive(&fields, secret) >> 24)
     }
@@ -65,10 +65,10 @@ impl Variant {
     /// ```
     pub fn of_student(seed: Seed, id: &str, attempt: u64, secret: Option<&Secret>) -> Self {
         let fields = [
-            Field::Text("vibank 1 student"),
-            Field::Number(seed.number()),
-            Field::Text(id),
-            Field::Number(attempt),
+            HashedField::Text("vibank 1 student"),
+            HashedField::Number(seed.number()),
+            HashedField::Text(id),
+            HashedField::Number(attempt),
         ];
         Self(derive(&fields, secret) >> 24)
     }
@@ -78,9 +78,9 @@ impl Variant {
     /// It follows from the identity, so that the order of the rows means nothing.
     pub fn rank(seed: Seed, id: &str, secret: Option<&Secret>) -> u64 {
         let fields = [
-            Field::Text("vibank 1 rank"),
-            Field::Number(seed.number()),
-            Field::Text(id),
+            HashedField::Text("vibank 1 rank"),
+            HashedField::Number(seed.number()),
+            HashedField::Text(id),
         ];
         derive(&fields, secret)
     }
@@ -94,9 +94,9 @@ impl Variant {
     pub fn item(self, item: &str, secret: Option<&Secret>) -> Seed {
         Seed::new(derive(
             &[
-                Field::Text("vibank 1 item"),
-                Field::Number(self.0),
-                Field::Text(item),
+                HashedField::Text("vibank 1 item"),
+                HashedField::Number(self.0),
+                HashedField::Text(item),
             ],
             secret,
         ))

@@ -32,7 +32,7 @@ const MAX_DATA_LENGTH: usize = 4096;
 /// ```
 pub struct Session<'c> {
     catalogue: &'c Catalogue,
-    kept: BTreeMap<Data, Kept<'c>>,
+    kept: BTreeMap<SessionKey, Kept<'c>>,
     /// Requests so far.
     count: u64,
     /// Whether the last item that was asked for does not exist; then the next one is not searched for either.
@@ -41,7 +41,7 @@ pub struct Session<'c> {
 
 /// What makes a solution: the item, the seed, what is set as it was written, and how doubts are settled.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
-struct Data {
+struct SessionKey {
     item: String,
     seed: Option<u64>,
     set: String,
@@ -98,7 +98,7 @@ impl<'c> Session<'c> {
         doubt: Doubt,
     ) -> Result<Rc<Solution<'c>>, Refusal> {
         self.count += 1;
-        let data = Data {
+        let data = SessionKey {
             item: template.id.to_string(),
             seed,
             set: if set.is_empty() {
@@ -120,7 +120,7 @@ impl<'c> Session<'c> {
     }
 
     /// Keeps a solution in place of the one that was not asked for for longest.
-    fn keep(&mut self, data: Data, solution: Rc<Solution<'c>>) {
+    fn keep(&mut self, data: SessionKey, solution: Rc<Solution<'c>>) {
         if self.kept.len() >= MAX_KEPT {
             let oldest = self.kept.values().map(|kept| kept.last).min();
             self.kept.retain(|_, kept| Some(kept.last) != oldest);

@@ -44,7 +44,7 @@ use self::request::{Reply, Request};
 /// Answers the requests of one page.
 pub struct Grader {
     practice: Practice,
-    items: Vec<Item>,
+    items: Vec<PageItem>,
     /// What the last request was about, so that a key is prepared once for many answers.
     last: RefCell<Option<Last>>,
 }
@@ -57,7 +57,7 @@ struct Last {
 }
 
 /// An item of a page, built when it is asked for.
-struct Item {
+struct PageItem {
     line: String,
     /// It lives as long as the page, which has one grader.
     template: OnceCell<Result<&'static Template, String>>,
@@ -74,7 +74,7 @@ impl Grader {
     /// [`PracticeError`] if the first line cannot be read; items are read when they are asked for.
     pub fn of(lines: &str) -> Result<Self, PracticeError> {
         let (practice, items) = Practice::read(lines)?;
-        let item = |line: &str| Item {
+        let item = |line: &str| PageItem {
             line: line.to_owned(),
             template: OnceCell::new(),
         };
@@ -202,7 +202,7 @@ impl Grader {
     }
 }
 
-impl Item {
+impl PageItem {
     fn template(&self) -> Result<&'static Template, String> {
         let build = || -> Result<&'static Template, String> {
             let compiled: Compiled =

@@ -226,7 +226,7 @@ pub(crate) struct ShownPart {
 }
 
 /// An instance of a question that is being asked about.
-struct Asked<'g> {
+struct AskedInstance<'g> {
     grader: &'g Grader,
     solution: Rc<Solution<'static>>,
     /// The parts that are asked, as places in the item.
@@ -275,11 +275,11 @@ impl Grader {
         }
     }
 
-    fn asked(&self, number: usize, code: &str) -> Result<Asked<'_>, String> {
+    fn asked(&self, number: usize, code: &str) -> Result<AskedInstance<'_>, String> {
         let variant: Variant = code.parse().map_err(|error| format!("`{code}`: {error}"))?;
         let solution = self.solution(number, variant)?;
         let parts = asked(self.question(number)?.0, &solution);
-        Ok(Asked {
+        Ok(AskedInstance {
             grader: self,
             solution,
             parts,
@@ -287,7 +287,7 @@ impl Grader {
     }
 }
 
-impl Asked<'_> {
+impl AskedInstance<'_> {
     fn template(&self) -> &'static Template {
         self.solution.template()
     }

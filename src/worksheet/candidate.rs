@@ -45,12 +45,12 @@ pub struct Candidate {
     /// The items whose data were not suitable in earlier attempts.
     pub(crate) unsuitable: Vec<String>,
     /// By place in the plan.
-    pub(crate) questions: Vec<Asked>,
+    pub(crate) questions: Vec<AskedQuestion>,
 }
 
 /// What has to be known of a question of a candidate.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Asked {
+pub(crate) struct AskedQuestion {
     /// Which of the items that can be picked.
     pub(crate) item: usize,
     /// Digest of its data.
@@ -73,7 +73,7 @@ impl Candidate {
             is_fixed: false,
             gave_way: false,
             unsuitable: Vec::new(),
-            questions: vec![Asked::default(); sheet.questions.len()],
+            questions: vec![AskedQuestion::default(); sheet.questions.len()],
         };
         for question in &sheet.questions {
             candidate.questions[question.place].data = digest(&question.solution);
@@ -100,7 +100,7 @@ impl Candidate {
     ///
     /// The same item may be asked by different questions, so each is compared with all.
     pub(crate) fn shared(&self, marks: &[BTreeSet<u64>]) -> Vec<usize> {
-        let is_shared = |asked: &Asked| {
+        let is_shared = |asked: &AskedQuestion| {
             let mut own = asked.marks.iter();
             own.any(|mark| marks.iter().any(|other| other.contains(mark)))
         };

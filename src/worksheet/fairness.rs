@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 #[cfg(feature = "render")]
-use super::candidate::Asked;
+use super::candidate::AskedQuestion;
 #[cfg(feature = "render")]
 use crate::bank::Template;
 use crate::bank::{ItemId, Revision};
@@ -100,7 +100,7 @@ impl Fairness {
 impl QuestionFairness {
     /// Counts a variant.
     #[cfg(feature = "render")]
-    pub(crate) fn add(&mut self, item: &Template, asked: &Asked, is_new: bool) {
+    pub(crate) fn add(&mut self, item: &Template, asked: &AskedQuestion, is_new: bool) {
         self.repeats += u64::from(!is_new);
         self.unusual += u64::from(asked.is_unusual);
         let count = asked.parts.len();

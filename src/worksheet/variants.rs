@@ -7,7 +7,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 
-use super::candidate::{Asked, Candidate, Fixed, mark, question_mark};
+use super::candidate::{AskedQuestion, Candidate, Fixed, mark, question_mark};
 use super::draw::SheetError;
 use super::fairness::{Alike, Fairness, QuestionFairness};
 use super::manifest::QuestionEntry;
@@ -22,7 +22,7 @@ use crate::suitability::{self, Unfit};
 pub struct Chooser<'p, 'c> {
     plan: &'p Plan<'c>,
     /// By place in the plan.
-    questions: Vec<Taken>,
+    questions: Vec<TakenData>,
     codes: BTreeSet<Variant>,
     /// By place in the run.
     taken: BTreeMap<u64, Variant>,
@@ -47,7 +47,7 @@ pub struct Chooser<'p, 'c> {
 }
 
 /// What was taken for one question of the plan.
-struct Taken {
+struct TakenData {
     /// How many different data there are, constraints aside.
     instances: u64,
     /// Digests of those that were taken.
@@ -89,7 +89,7 @@ impl<'p, 'c> Chooser<'p, 'c> {
         students: &[Student],
         mut fixed: BTreeMap<String, Fixed>,
     ) -> Self {
-        let taken = |planned: &Planned<'_>| Taken {
+        let taken = |planned: &Planned<'_>| TakenData {
             instances: planned.instances(),
             data: BTreeSet::new(),
             usual: planned.candidates.iter().map(|_| OnceLock::new()).collect(),
@@ -394,7 +394,7 @@ impl<'p, 'c> Chooser<'p, 'c> {
         tries: u64,
         question: &SheetQuestion<'_>,
         data: u64,
-    ) -> Result<Asked, Objection> {
+    ) -> Result<AskedQuestion, Objection> {
         suitability::judge(&question.solution, &question.parts)?;
         let asked = self.asked(question, data);
         if tries < TRIES_FOR_FAIRNESS {
@@ -436,7 +436,7 @@ impl<'p, 'c> Chooser<'p, 'c> {
             .filter_map(|place| Some((*place as u64, self.marks.get(&(*place as u64))?)))
     }
 
-    fn asked(&self, question: &SheetQuestion<'_>, data: u64) -> Asked {
+    fn asked(&self, question: &SheetQuestion<'_>, data: u64) -> AskedQuestion {
         let usual = self.usual(question);
         let solution = &question.solution;
         let sizes = question
@@ -451,7 +451,7 @@ impl<'p, 'c> Chooser<'p, 'c> {
             ))
         };
         let answers = question.parts.iter().filter_map(answer);
-        Asked {
+        AskedQuestion {
             item: self.item(question),
             data,
             parts: sizes.collect(),
@@ -481,7 +481,7 @@ impl<'p, 'c> Chooser<'p, 'c> {
     }
 }
 
-impl Taken {
+impl TakenData {
     /// Whether data were taken before, while there are others.
     fn repeats(&self, data: u64) -> bool {
         self.data.contains(&data) && (self.data.len() as u64) < self.instances

@@ -59,7 +59,7 @@ fn open<T>(units: u64, is_for_one: bool, task: impl FnOnce() -> T) -> Spent<T> {
     let outer = BUDGET.get();
     let limit = units.min(outer.left);
     OUTER.with_borrow_mut(|budgets| budgets.push(outer));
-    let scope = Scope { limit };
+    let scope = BudgetScope { limit };
     BUDGET.set(Budget {
         left: limit,
         is_exhausted: false,
@@ -156,11 +156,11 @@ impl Allowance {
 }
 
 /// Gives the outer budget back, less what was spent, also where the task panics.
-struct Scope {
+struct BudgetScope {
     limit: u64,
 }
 
-impl Drop for Scope {
+impl Drop for BudgetScope {
     fn drop(&mut self) {
         let inner = BUDGET.get();
         let outer = OUTER.with_borrow_mut(Vec::pop).unwrap_or(inner);

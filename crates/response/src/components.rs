@@ -133,7 +133,11 @@ fn one_in_each_term(tokens: &[Token], vectors: &[Vector]) -> Result<(), TypedErr
             matches!(before, Some(Item::Sign('/' | '^')))
         };
         let own: Vec<&Vector> = vectors.iter().filter(within).collect();
-        let is_sound = matches!(own[..], [vector] if !divides(vector));
+        let is_sound = match own[..] {
+            [vector] => !divides(vector),
+            // `+ c.c.` is of all components.
+            _ => at == start + 1 && tokens[start].item == Item::Conjugates,
+        };
         if start < at && !is_sound {
             let span = tokens[start].span.join(tokens[at - 1].span);
             return Err(TypedError {

@@ -190,9 +190,11 @@ fn is_plain(typed: &str) -> bool {
     });
     is_kept_all
         && !(may_run && (RUNS.iter().any(|(run, _)| typed.contains(run)) || typed.contains("*^")))
-        && !["..", "->", "_]", "_C", "C[", " 10^", "> =", "< =", "|"]
-            .iter()
-            .any(|sign| typed.contains(sign))
+        && ![
+            "..", "->", "_]", "_C", "C[", " 10^", "> =", "< =", "|", "+-", "-+", "+/-", "-/+",
+        ]
+        .iter()
+        .any(|sign| typed.contains(sign))
         && !typed.contains('\n')
         && !TURNS.iter().any(|(turn, _)| typed.contains(turn))
         && !typed
@@ -407,9 +409,10 @@ impl Folder<'_> {
         }
         let rest = self.rest();
         let of_words = |rest: &str| {
-            let found = WORDS.iter().find(|(words, _)| {
+            let found = WORDS.iter().find(|(words, plain)| {
                 rest.strip_prefix(words).is_some_and(|rest| {
-                    rest.starts_with(' ') || *words == PERCENT && rest.is_empty()
+                    rest.starts_with(' ')
+                        || *plain == PERCENT && !rest.starts_with(char::is_alphanumeric)
                 })
             });
             found.map(|(words, plain)| (words.len(), *plain))

@@ -96,18 +96,48 @@ fn is_computed(label: &str) -> bool {
         || FUNCTIONS.iter().any(is_called)
 }
 
-/// The columns of a matrix whose entries have symbols with two indices, `K11 = 2k, K12 = -k, K21 = …`, row by row.
-pub(crate) fn columns(text: &str, labels: &[Option<Span>]) -> Option<usize> {
-    let indices = |label: &Option<Span>| {
-        let number = number(&text[label.as_ref()?.range()])?;
-        (11..=99)
-            .contains(&number)
-            .then_some((number / 10, number % 10))
-    };
-    let places: Vec<(u32, u32)> = labels.iter().map(indices).collect::<Option<_>>()?;
-    let (rows, columns) = *places.last()?;
+/// The rows of a matrix whose entries have symbols with two indices, in any order and several for one value,
+/// `K22 = k, K12 = K21 = -k, K11 = 2k`; nothing where not each entry is given once.
+pub(crate) fn by_indices(
+    text: &str,
+    pieces: &[Span],
+    labels: &[Option<Span>],
+) -> Option<Vec<Vec<Span>>> {
+    let mut entries = std::collections::BTreeMap::new();
+    for (piece, label) in pieces.iter().zip(labels) {
+        let symbols = text[label.as_ref()?.range()]
+            .trim_end()
+            .strip_suffix(['=', '≈'])?;
+        for symbol in symbols.split('=') {
+            if entries.insert(indices(symbol)?, *piece).is_some() {
+                return None;
+            }
+        }
+    }
+    let (rows, columns) = *entries.last_key_value()?.0;
+    let is_whole = rows > 1 && entries.len() == (rows * columns) as usize;
     let due = (1..=rows).flat_map(|row| (1..=columns).map(move |column| (row, column)));
-    (rows > 1 && due.eq(places)).then_some(columns as usize)
+    if !is_whole || !due.eq(entries.keys().copied()) {
+        return None;
+    }
+    let places: Vec<Span> = entries.into_values().collect();
+    Some(
+        places
+            .chunks(columns as usize)
+            .map(<[Span]>::to_vec)
+            .collect(),
+    )
+}
+
+/// The two indices of a symbol of an entry, `K12`, `K_{12}`, `k_{1,2}`, `K₁₂`.
+fn indices(symbol: &str) -> Option<(u32, u32)> {
+    let name = symbol.trim().trim_start_matches(char::is_alphabetic);
+    let is_of_indices = |char: char| {
+        char.is_ascii_digit() || ('₀'..='₉').contains(&char) || "_{},() ".contains(char)
+    };
+    let is_named = name.len() < symbol.trim().len() && name.chars().all(is_of_indices);
+    let both = number(name).filter(|both| is_named && (11..=99).contains(both) && both % 10 > 0)?;
+    Some((both / 10, both % 10))
 }
 
 /// The number in a symbol, `2` of `x_2` and `ω₂`; a ratio of symbols has none.

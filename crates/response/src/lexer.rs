@@ -4,7 +4,7 @@ use super::differential::{behind, called, leibniz, method};
 use super::digits::fraction;
 use super::letters::{Letters, combining, dotted, greek, greek_word};
 use super::token::{Item, Token};
-use super::vocabulary::{INITIAL, Piece, Powered, Sense};
+use super::vocabulary::{INITIAL, Powered, WordPiece, WordSense};
 use super::words::MODULES;
 use super::{Lexicon, Manner, Trouble, TypedError};
 use vibank_dynamics::numerics::Rational;
@@ -91,7 +91,9 @@ impl Lexer<'_> {
             return Ok(());
         }
         // First, or the `d` of a quotient would be a letter.
-        if self.derivative_over_time()
+        if self.determinant()
+            || self.conjugate_terms()
+            || self.derivative_over_time()
             || self.manner.values.is_none() && self.degrees()
             || self.end_of_sentence(char)
         {
@@ -500,14 +502,14 @@ impl Lexer<'_> {
         is_behind_number && is_word && Unit::read(run).is_ok()
     }
 
-    fn pieces(&mut self, pieces: Vec<Piece>, primes: u8) -> Result<(), TypedError> {
+    fn pieces(&mut self, pieces: Vec<WordPiece>, primes: u8) -> Result<(), TypedError> {
         let count = pieces.len();
         for (position, piece) in pieces.into_iter().enumerate() {
             let is_last = position + 1 == count;
             let span = Span::new(piece.start, piece.end);
             let trouble = |trouble| TypedError { trouble, span };
             let item = match piece.sense {
-                Sense::Leaf(leaf) => {
+                WordSense::Leaf(leaf) => {
                     let order = if is_last && !piece.takes_primes {
                         primes
                     } else {
@@ -516,24 +518,26 @@ impl Lexer<'_> {
                     let named = Expr::new(leaf.kind().clone(), span);
                     Item::Leaf(primed(named, order, span))
                 }
-                Sense::Function(_) | Sense::Power(_) if is_last && primes > 0 => {
+                WordSense::Function(_) | WordSense::Power(_) if is_last && primes > 0 => {
                     return Err(trouble(Trouble::Sign));
                 }
-                Sense::Function(function) => Item::Function(function),
-                Sense::Power(Powered::Complex | Powered::Polar)
+                WordSense::Function(function) => Item::Function(function),
+                WordSense::Power(Powered::Complex | Powered::Polar)
                     if !self.manner.has_imaginary_unit =>
                 {
                     return Err(trouble(self.lexicon.unknown("")));
                 }
-                Sense::Power(powered) => Item::Powered(powered),
-                Sense::Imaginary if is_last && primes > 0 => return Err(trouble(Trouble::Sign)),
-                Sense::Imaginary if self.manner.has_imaginary_unit => Item::Leaf(Expr::new(
+                WordSense::Power(powered) => Item::Powered(powered),
+                WordSense::Imaginary if is_last && primes > 0 => {
+                    return Err(trouble(Trouble::Sign));
+                }
+                WordSense::Imaginary if self.manner.has_imaginary_unit => Item::Leaf(Expr::new(
                     vibank_formula::expr::Kind::Constant(Constant::ImaginaryUnit),
                     span,
                 )),
-                Sense::Imaginary => return Err(trouble(self.lexicon.unknown(""))),
-                Sense::Logarithm => return Err(trouble(Trouble::Logarithm)),
-                Sense::NotAllowed => {
+                WordSense::Imaginary => return Err(trouble(self.lexicon.unknown(""))),
+                WordSense::Logarithm => return Err(trouble(Trouble::Logarithm)),
+                WordSense::NotAllowed => {
                     return Err(trouble(self.lexicon.not_allowed()));
                 }
             };

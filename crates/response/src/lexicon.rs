@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::letters::Letters;
 use super::near::typable;
-use super::vocabulary::{Piece, Words};
+use super::vocabulary::{WordPiece, Words};
 use super::{Manner, Trouble};
 use vibank_formula::expr::{Expr, Kind, Name, Notation, Substitution, Symbol};
 use vibank_notation::{Math, symbol};
@@ -13,7 +13,7 @@ use vibank_notation::{Math, symbol};
 /// The names that a response may use.
 #[derive(Debug, Default)]
 pub struct Lexicon {
-    entries: Vec<Entry>,
+    entries: Vec<LexiconEntry>,
     symbols: BTreeMap<Name, Arc<Math>>,
     moving: Vec<Name>,
     /// Only a response asks for them.
@@ -21,8 +21,8 @@ pub struct Lexicon {
 }
 
 /// A name of the item.
-#[derive(Debug)]
-pub(crate) enum Entry {
+#[derive(Clone, Debug)]
+pub(crate) enum LexiconEntry {
     /// It may be used; with its symbol, and whether it moves with time.
     Allowed(Name, Arc<Math>, bool),
     /// It may not.
@@ -42,15 +42,28 @@ impl Lexicon {
         if is_moving {
             self.moving.push(name.clone());
         }
-        self.add(Entry::Allowed(name.clone(), math, is_moving));
+        self.add(LexiconEntry::Allowed(name.clone(), math, is_moving));
+    }
+
+    /// The same with one name more, which does not move with time.
+    #[must_use]
+    pub fn with(&self, name: &Name, math: impl Into<Arc<Math>>) -> Self {
+        let mut lexicon = Self {
+            entries: self.entries.clone(),
+            symbols: self.symbols.clone(),
+            moving: self.moving.clone(),
+            words: OnceLock::new(),
+        };
+        lexicon.allow(name, math, false);
+        lexicon
     }
 
     /// Adds a name of the item that the answer may not use, so that it can be said.
     pub fn forbid(&mut self, name: &Name) {
-        self.add(Entry::Forbidden(name.clone()));
+        self.add(LexiconEntry::Forbidden(name.clone()));
     }
 
-    fn add(&mut self, entry: Entry) {
+    fn add(&mut self, entry: LexiconEntry) {
         self.entries.push(entry);
         self.words.take();
     }
@@ -170,7 +183,7 @@ impl Lexicon {
         end: usize,
         primes: u8,
         has_bracket: bool,
-    ) -> Result<Vec<Piece>, usize> {
+    ) -> Result<Vec<WordPiece>, usize> {
         self.words().split(letters, end, primes, has_bracket)
     }
 }

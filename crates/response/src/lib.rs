@@ -36,10 +36,14 @@
 
 mod amount;
 mod behind;
+mod both_signs;
 mod calls;
 mod components;
+mod conjugates;
+mod determinant;
 mod differential;
 mod digits;
+mod equations;
 mod error;
 mod fold;
 mod frame;
@@ -68,6 +72,7 @@ mod words;
 pub use amount::{Amount, Number, has_pi};
 pub use behind::with_unit;
 pub use components::components;
+pub use equations::{equations, is_initial_state, number_of_equation};
 pub use error::TypedError;
 pub use error::{At, Trouble, ValueTrouble};
 pub use fold::{Folded, LoneDollar};
@@ -147,6 +152,10 @@ pub fn chain(
     lexicon: &Lexicon,
     manner: Manner,
 ) -> Result<Typed<Chain>, TypedError> {
+    let place = text.get(from..to).unwrap_or_default();
+    if let Some(two) = both_signs::Two::of(text, from, place) {
+        return two.chain(|text| chain(text, from, to, lexicon, manner));
+    }
     read(text, from, to, lexicon, manner, |parser| {
         parser.whole_chain()
     })

@@ -2,7 +2,7 @@
 
 use super::behind::with_unit;
 use super::frame::{balanced, groups, is_transposed_name};
-use super::labels::{columns, in_order};
+use super::labels::{by_indices, in_order};
 use super::layout::{has_signed_gap, laid_out, spaced};
 use super::parser::Parser;
 use super::vocabulary::is_function;
@@ -335,6 +335,9 @@ impl Reader<'_> {
     fn body(&self, span: Span, depth: u32) -> Result<Listed, TypedError> {
         let pieces = self.pieces(span, SEPARATORS);
         let labels: Vec<_> = pieces.iter().map(|piece| self.labelled(*piece).0).collect();
+        if let Some(rows) = by_indices(self.text, &pieces, &labels) {
+            return self.placed(&rows);
+        }
         in_order(self.text, &labels)?;
         let is_boxed = |piece: &Span| {
             let inner = self.text[piece.range()].trim();
@@ -377,10 +380,6 @@ impl Reader<'_> {
                 rows.push(read);
             }
             unit = common(&entry_units)?;
-            if let Some(columns) = columns(self.text, &labels) {
-                let entries = rows.concat();
-                rows = entries.chunks(columns).map(<[Expr]>::to_vec).collect();
-            }
         }
         if rows.iter().map(Vec::len).sum::<usize>() > MAX_ENTRIES {
             return Err(TypedError {
@@ -394,6 +393,20 @@ impl Reader<'_> {
                 span,
             });
         }
+        Ok(Listed { rows, unit })
+    }
+
+    /// The rows of entries that stand at these places.
+    fn placed(&self, rows: &[Vec<Span>]) -> Result<Listed, TypedError> {
+        let mut units = Vec::new();
+        let mut read = |place: &Span| {
+            let (entry, own) = self.entry(*place)?;
+            units.push((own.filter(|_| !entry.is_zero()), entry.is_zero(), *place));
+            Ok(entry)
+        };
+        let mut row = |places: &Vec<Span>| places.iter().map(&mut read).collect();
+        let rows = rows.iter().map(&mut row).collect::<Result<_, _>>()?;
+        let unit = common(&units)?;
         Ok(Listed { rows, unit })
     }
 

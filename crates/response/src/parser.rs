@@ -131,21 +131,7 @@ impl<'a> Parser<'a> {
         result
     }
 
-    pub(crate) fn sum(&mut self) -> Result<Expr> {
-        let mut sum = self.term()?;
-        loop {
-            let operator = match self.item() {
-                Some(Item::Sign('+')) => Operator::Add,
-                Some(Item::Sign('-')) => Operator::Subtract,
-                _ => return Ok(sum),
-            };
-            self.at += 1;
-            let term = self.term()?;
-            sum = Self::binary(operator, sum, term)?;
-        }
-    }
-
-    fn term(&mut self) -> Result<Expr> {
+    pub(crate) fn term(&mut self) -> Result<Expr> {
         let mut left = self.signed()?;
         loop {
             match self.item() {

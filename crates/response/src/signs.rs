@@ -110,6 +110,13 @@ pub(crate) const RUNS: &[(&str, &str)] = &[
     ("!=", "≠"),
     ("/=", "≠"),
     ("~=", "≈"),
+    // Both signs, as keyboards have them.
+    ("+/-", "±"),
+    ("+-", "±"),
+    ("+\u{2212}", "±"),
+    ("-/+", "∓"),
+    ("-+", "∓"),
+    ("\u{2212}+", "∓"),
     // At most and nearly: whether the bound belongs to it is open.
     (">~", "≳"),
     ("~>", "≳"),

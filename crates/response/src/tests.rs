@@ -43,6 +43,51 @@ fn reads(text: &str, expected: &str) {
 }
 
 #[test]
+fn determinants_are_written_out() {
+    for (text, expected) in [
+        ("det([[k, m], [c, l]])", "k*l - m*c"),
+        ("det(k, m; c, l)/2", "(k*l - m*c)/2"),
+        (
+            "\\begin{vmatrix} k & m \\\\ c & l \\end{vmatrix} r",
+            "(k*l - m*c)*r",
+        ),
+        (
+            "Det[{{k, 0, m}, {0, l, 0}, {c, 0, r}}]",
+            "k*(l*r) + m*(-(l*c))",
+        ),
+    ] {
+        reads(text, expected);
+    }
+    for text in [
+        "det([[k, m], [c]])",
+        "det(k)",
+        "det([[k, m, c], [c, l, r]])",
+        "det([[det([[k, m], [c, l]]), m], [c, l]])",
+        "\\begin{pmatrix} k & m \\\\ c & l \\end{pmatrix}",
+    ] {
+        assert!(formula(text, &lexicon(), MANNER).is_err(), "{text}");
+    }
+}
+
+#[test]
+fn conjugates_are_of_what_stands_before_them() {
+    for (text, expected) in [
+        ("k e^(i t) + c.c.", "2*re(k*e^(i*t))"),
+        ("k + m i + c.c. - c i + c.c.", "2*re(k + m*i) + 2*re(-c*i)"),
+        ("k (m i + c.c.) + r", "k*(2*re(m*i)) + r"),
+        ("k i + c.c. + r", "2*re(k*i) + r"),
+        ("k + c c", "k + c*c"),
+    ] {
+        reads(text, expected);
+    }
+    let real = Manner {
+        has_imaginary_unit: false,
+        ..MANNER
+    };
+    assert!(formula("k + c.c.", &lexicon(), real).is_err());
+}
+
+#[test]
 fn products_need_no_sign() {
     for (text, expected) in [
         ("mgl", "m*g*l"),

@@ -18,6 +18,8 @@ pub(crate) enum Item {
     Powered(Powered),
     /// A superscript integer, `²`.
     Power(i128),
+    /// `c.c.`, the complex conjugates of the terms before it.
+    Conjugates,
     /// Primes behind a bracket.
     Primes(u8),
     /// `√`.

@@ -15,6 +15,7 @@ mod amounts;
 use std::ops::Range;
 use std::sync::LazyLock;
 
+use super::both_signs::Two;
 use super::lexer::tokens;
 use super::token::{Item, Token};
 use super::{Lexicon, Manner, Trouble, TypedError};
@@ -233,6 +234,25 @@ impl<'t> Values<'t> {
         None
     }
 
+    /// What stands before the bracket with which a part ends, and what that holds; only behind a value.
+    pub fn back_bracket(&self, part: &Part) -> Option<(Part, Part)> {
+        let mut depth = 0_usize;
+        let open = part.clone().rev().find(|at| {
+            match &self.tokens[*at].item {
+                Item::Sign(')' | ']' | '}') => depth += 1,
+                Item::Sign('(' | '[' | '{') => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            depth == 0
+        })?;
+        let is_value = |token: &Token| matches!(token.item, Item::Number(_) | Item::Unit(_));
+        let before = open
+            .checked_sub(1)
+            .filter(|at| part.contains(at) && is_value(&self.tokens[*at]))?;
+        let last = part.end.checked_sub(1).filter(|last| *last > open)?;
+        Some((part.start..before + 1, open + 1..last))
+    }
+
     /// The unit that makes up a part.
     pub fn unit(&self, part: &Part) -> Option<Unit> {
         match &self.tokens[part.clone()] {
@@ -296,25 +316,11 @@ impl<'t> Values<'t> {
             .then_some(parts)
     }
 
-    /// What stands behind `±`, where that is the first sign of a part.
-    pub fn both_signs(&self, part: &Part) -> Option<Part> {
-        match self.items(part).next()? {
-            Item::Sign('±') => Some(part.start + 1..part.end),
-            _ => {
-                let mut items = self.items(part);
-                let signs = [items.next(), items.next(), items.next()];
-                let plus_minus = [Some(&Item::Sign('+')), Some(&Item::Sign('-'))];
-                if signs[..2] == plus_minus {
-                    return Some(part.start + 2..part.end);
-                }
-                let slashed = [
-                    Some(&Item::Sign('+')),
-                    Some(&Item::Sign('/')),
-                    Some(&Item::Sign('-')),
-                ];
-                (signs == slashed).then(|| part.start + 3..part.end)
-            }
-        }
+    /// A part with the upper and with the lower one of its signs `±`, and whether such is its first sign.
+    pub fn both_signs(&self, part: &Part) -> Option<([String; 2], bool)> {
+        let is_first = self.items(part).next() == Some(&Item::Sign('±'));
+        let two = Two::of(self.text(part), 0, self.text(part))?;
+        Some((two.texts(), is_first))
     }
 
     /// The modulus and the angle around `∠`, `at` or `cis`.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::letters::{Letters, combining, dotted};
-use super::lexicon::Entry;
+use super::lexicon::LexiconEntry;
 use super::near::typable;
 use vibank_formula::expr::{Constant, Expr, Function, Kind, Name};
 use vibank_notation::{Math, symbol};
@@ -22,7 +22,7 @@ pub(crate) struct Words {
 #[derive(Debug)]
 struct Word {
     spelling: String,
-    sense: Sense,
+    sense: WordSense,
     /// The number of primes with which it is written.
     primes: u8,
 }
@@ -32,7 +32,7 @@ pub(crate) const INITIAL: u8 = 100;
 
 /// What a word means.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Sense {
+pub(crate) enum WordSense {
     /// A name, or a time derivative of it.
     Leaf(Expr),
     /// A function of the formula language, such as `sin`.
@@ -63,8 +63,8 @@ pub(crate) enum Powered {
 }
 
 /// A word within a run of letters.
-pub(crate) struct Piece {
-    pub(crate) sense: Sense,
+pub(crate) struct WordPiece {
+    pub(crate) sense: WordSense,
     /// Places in the source.
     pub(crate) start: usize,
     pub(crate) end: usize,
@@ -165,12 +165,14 @@ pub(crate) const BARE: &[Function] = &[
 
 impl Words {
     /// Functions, constants and the names of a part, in the order in which they were given.
-    pub(crate) fn of(entries: &[Entry]) -> Self {
+    pub(crate) fn of(entries: &[LexiconEntry]) -> Self {
         let mut words = Self::common();
         for entry in entries {
             match entry {
-                Entry::Allowed(name, symbol, is_moving) => words.allow(name, symbol, *is_moving),
-                Entry::Forbidden(name) => words.forbid(name),
+                LexiconEntry::Allowed(name, symbol, is_moving) => {
+                    words.allow(name, symbol, *is_moving)
+                }
+                LexiconEntry::Forbidden(name) => words.forbid(name),
             }
         }
         words
@@ -187,15 +189,15 @@ impl Words {
             (Constant::Pi, "MPI"),
             (Constant::E, "e"),
         ] {
-            words.add(spelling, Sense::Leaf(Expr::constant(constant)), 0);
+            words.add(spelling, WordSense::Leaf(Expr::constant(constant)), 0);
         }
-        words.add("i", Sense::Imaginary, 0);
-        words.add("j", Sense::Imaginary, 0);
-        words.add("log", Sense::Logarithm, 0);
+        words.add("i", WordSense::Imaginary, 0);
+        words.add("j", WordSense::Imaginary, 0);
+        words.add("log", WordSense::Logarithm, 0);
         for (name, powered) in POWERS {
-            words.add(name, Sense::Power(*powered), 0);
+            words.add(name, WordSense::Power(*powered), 0);
         }
-        let infinity = Sense::Leaf(Expr::constant(Constant::Infinity));
+        let infinity = WordSense::Leaf(Expr::constant(Constant::Infinity));
         for name in INFINITY {
             words.add(name, infinity.clone(), 0);
         }
@@ -231,7 +233,7 @@ impl Words {
         if !self.allowed.contains(&shown) {
             self.allowed.push(shown);
         }
-        let sense = Sense::Leaf(Expr::name(name.clone()));
+        let sense = WordSense::Leaf(Expr::name(name.clone()));
         let own = Letters::spelling(name.as_str()).unwrap_or_default();
         self.replace(&own, sense.clone());
         if is_moving {
@@ -307,9 +309,9 @@ impl Words {
             return;
         };
         if self.latin.contains(&own) {
-            self.replace(&own, Sense::NotAllowed);
+            self.replace(&own, WordSense::NotAllowed);
         } else if !self.knows(&own) {
-            self.add(&own, Sense::NotAllowed, 0);
+            self.add(&own, WordSense::NotAllowed, 0);
         }
     }
 
@@ -325,7 +327,7 @@ impl Words {
             .iter()
             .find(|word| word.spelling == spelling && word.primes == 0)?;
         match &word.sense {
-            Sense::Leaf(leaf) => match leaf.kind() {
+            WordSense::Leaf(leaf) => match leaf.kind() {
                 Kind::Name(name) => Some(name),
                 _ => None,
             },
@@ -337,7 +339,7 @@ impl Words {
     pub(crate) fn dotted_word(&self, spelling: &str, primes: u8) -> Option<Expr> {
         let own = |word: &&Word| word.spelling == spelling && word.primes == primes;
         match &self.words.iter().find(own)?.sense {
-            Sense::Leaf(leaf) => Some(leaf.clone()),
+            WordSense::Leaf(leaf) => Some(leaf.clone()),
             _ => None,
         }
     }
@@ -349,7 +351,7 @@ impl Words {
         end: usize,
         primes: u8,
         has_bracket: bool,
-    ) -> Result<Vec<Piece>, usize> {
+    ) -> Result<Vec<WordPiece>, usize> {
         let text = &letters.text;
         let places: Vec<(usize, usize)> = letters
             .cuts
@@ -384,8 +386,10 @@ impl Words {
                 };
                 let is_last = to + 1 == places.len();
                 let is_bare = match sense {
-                    Sense::Function(function) => BARE.contains(function) || is_last && has_bracket,
-                    Sense::Power(_) => is_last && has_bracket,
+                    WordSense::Function(function) => {
+                        BARE.contains(function) || is_last && has_bracket
+                    }
+                    WordSense::Power(_) => is_last && has_bracket,
                     _ => true,
                 };
                 if !is_bare || *own > 0 && !(is_last && *own == primes) {
@@ -407,7 +411,7 @@ impl Words {
             let Some((_, from, word)) = best[to] else {
                 break;
             };
-            pieces.push(Piece {
+            pieces.push(WordPiece {
                 sense: self.words[word].sense.clone(),
                 start: places[from].1,
                 end: places[to].1,
@@ -432,13 +436,13 @@ impl Words {
             .iter()
             .find(own)
             .is_some_and(|word| match &word.sense {
-                Sense::Leaf(leaf) => *leaf.kind() != Kind::Constant(Constant::E),
-                Sense::Imaginary | Sense::NotAllowed => false,
+                WordSense::Leaf(leaf) => *leaf.kind() != Kind::Constant(Constant::E),
+                WordSense::Imaginary | WordSense::NotAllowed => false,
                 _ => true,
             })
     }
 
-    fn add(&mut self, spelling: &str, sense: Sense, primes: u8) {
+    fn add(&mut self, spelling: &str, sense: WordSense, primes: u8) {
         let Some(&first) = spelling.as_bytes().first() else {
             return;
         };
@@ -454,7 +458,7 @@ impl Words {
     }
 
     /// Adds a word in place of others of its spelling: the item's own names go before constants.
-    fn replace(&mut self, spelling: &str, sense: Sense) {
+    fn replace(&mut self, spelling: &str, sense: WordSense) {
         let found = self
             .words
             .iter_mut()
@@ -467,7 +471,7 @@ impl Words {
 
     fn add_function(&mut self, name: &str, function: Function) {
         let spelling = name.replace('_', "");
-        self.add(&spelling, Sense::Function(function), 0);
+        self.add(&spelling, WordSense::Function(function), 0);
     }
 
     /// `xdot`, `xddot`, and with a subscript `xdot1`.
@@ -475,7 +479,7 @@ impl Words {
         let stem = spelling.trim_end_matches(|last: char| last.is_ascii_digit());
         let digits = &spelling[stem.len()..];
         // As people call them in programs: `ddx1`, `xdd1`, `x1dd`, `D2x1`, `x1pp`; `dx` and `xp` mean other things, too.
-        let second = Sense::Leaf(Expr::name(name.clone()).prime(2));
+        let second = WordSense::Leaf(Expr::name(name.clone()).prime(2));
         for word in [
             format!("dd{spelling}"),
             format!("D2{spelling}"),
@@ -489,8 +493,8 @@ impl Words {
                 self.add(&word, second.clone(), 0);
             }
         }
-        for (word, order) in [("dot", 1), ("ddot", 2)] {
-            let sense = Sense::Leaf(Expr::name(name.clone()).prime(order));
+        for (word, order) in [("dot", 1), ("ddot", 2), ("dotdot", 2)] {
+            let sense = WordSense::Leaf(Expr::name(name.clone()).prime(order));
             self.add(&format!("{spelling}{word}"), sense.clone(), 0);
             if !digits.is_empty() {
                 self.add(&format!("{stem}{word}{digits}"), sense, 0);
@@ -515,10 +519,10 @@ fn undotted(symbol: &str) -> Option<(String, u8)> {
 }
 
 /// What a word costs in a split; the least sum wins.
-fn price(sense: &Sense) -> u32 {
+fn price(sense: &WordSense) -> u32 {
     match sense {
-        Sense::Leaf(leaf) if *leaf.kind() == Kind::Constant(Constant::E) => 3,
-        Sense::Imaginary | Sense::NotAllowed => 3,
+        WordSense::Leaf(leaf) if *leaf.kind() == Kind::Constant(Constant::E) => 3,
+        WordSense::Imaginary | WordSense::NotAllowed => 3,
         _ => 2,
     }
 }

@@ -1,7 +1,7 @@
 //! The tables of words that join, measure or count, other languages beside English.
 
-/// The one of them that may stand last.
-pub(crate) const PERCENT: &str = "per cent";
+/// What a word stands for that may stand last.
+pub(crate) const PERCENT: &str = "%";
 
 /// Words that stand for others or for signs, between spaces; the longer ones before those with which they begin.
 pub(crate) const WORDS: &[(&str, &str)] = &[
@@ -54,7 +54,13 @@ pub(crate) const WORDS: &[(&str, &str)] = &[
     ("kleiner als", "<"),
     ("mindestens", "≥"),
     ("höchstens", "≤"),
-    (PERCENT, "%"),
+    ("per cent", PERCENT),
+    ("pour cent", PERCENT),
+    ("Prozent", PERCENT),
+    ("i.e.", "="),
+    ("that is", "="),
+    ("d.h.", "="),
+    ("c.-à-d.", "="),
     ("minus", "-"),
     ("is", "="),
     ("equals", "="),
@@ -410,5 +416,28 @@ pub(crate) const JOINING: &[&str] = &["and", "or", "et", "ou", "und", "oder", "i
 
 /// Modules and objects of programs before the names of functions.
 pub(crate) const MODULES: &[&str] = &[
-    "np.", "numpy.", "math.", "cmath.", "Math.", "sp.", "sympy.", "sym.", "torch.",
+    "np.linalg.",
+    "np.",
+    "numpy.",
+    "math.",
+    "cmath.",
+    "Math.",
+    "sp.",
+    "sympy.",
+    "sym.",
+    "torch.",
+];
+
+/// The complex conjugates of what stands before them, the longer ones before those with which they begin.
+pub(crate) const CONJUGATES: &[&str] = &[
+    "\\text{c.c.}",
+    "\\mathrm{c.c.}",
+    "\\text{cc}",
+    "\\mathrm{cc}",
+    "c.c.",
+    "c. c.",
+    "c.c",
+    "C.C.",
+    "cc",
+    "k.k.",
 ];

@@ -28,7 +28,7 @@ use crate::quantity::{Absent, NodeId};
 use crate::source::{Data, Table, Text, Value};
 
 #[derive(Debug)]
-struct Choice {
+struct ChoiceAnswer {
     options: Vec<Choosable>,
     rights: Vec<Right>,
     feedback: Vec<Option<Document>>,
@@ -82,7 +82,7 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         declare.find(&AnswerError::Options("no option is right"), &place);
         return None;
     }
-    Some(Box::new(Choice {
+    Some(Box::new(ChoiceAnswer {
         options,
         rights,
         feedback,
@@ -106,7 +106,7 @@ fn right(table: &Table<'_>, declare: &mut dyn Declare) -> Option<Right> {
     }
 }
 
-impl Choice {
+impl ChoiceAnswer {
     fn manner(&self) -> Choosing {
         match (self.is_ranking, self.is_several) {
             (true, _) => Choosing::Ranking,
@@ -116,7 +116,7 @@ impl Choice {
     }
 }
 
-impl Answer for Choice {
+impl Answer for ChoiceAnswer {
     fn kind(&self) -> crate::answer::AnswerKind {
         crate::answer::AnswerKind::Choice
     }

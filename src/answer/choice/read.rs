@@ -39,9 +39,11 @@ fn only<T>(mut found: impl Iterator<Item = T>) -> Option<T> {
 /// Words as one, `under-damped` and `under damped`; a formula keeps its signs.
 fn joined(text: &str) -> Option<String> {
     let is_gap = |char: char| " -_".contains(char);
-    let is_of_words = text
-        .chars()
-        .all(|char| char.is_alphabetic() || is_gap(char));
+    // `a periodic` has an article.
+    let is_of_words = !text.starts_with("a ")
+        && text
+            .chars()
+            .all(|char| char.is_alphabetic() || is_gap(char));
     let word: String = text.chars().filter(|char| !is_gap(*char)).collect();
     (is_of_words && word.chars().count() >= MIN_LETTERS).then_some(word)
 }
@@ -141,6 +143,7 @@ impl Chosen {
             .or_else(|| self.of_words(&bare))
             .or_else(|| self.of_first_words(&bare))
             .or_else(|| self.of_words_within(&bare))
+            .or_else(|| self.of_words_within(&joined(&bare)?))
             .or_else(|| self.of_words_beside(&bare))
             .or_else(|| self.of_assent(&bare))
             .or_else(|| self.of_formula(typed))

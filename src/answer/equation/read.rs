@@ -4,8 +4,7 @@ use super::{Setup, written};
 use crate::answer::{Answered, Reading, Unreadable, Why};
 use crate::expr::{Equation, Expr, Relation};
 use crate::math::Math;
-use crate::response::{self, Chain, Manner, Trouble, cut};
-use crate::source::Span;
+use crate::response::{self, Chain, Manner, Trouble, equations};
 
 impl Setup {
     /// The equations that a response is.
@@ -16,7 +15,7 @@ impl Setup {
             values: None,
         };
         let mut found = Vec::new();
-        for place in pieces(response) {
+        for place in equations(response) {
             let (from, to) = (place.range().start, place.range().end);
             if let Some(why) = beside_the_point(&response[place.range()]) {
                 return Err(why);
@@ -76,82 +75,11 @@ fn of_chain(chain: &Chain) -> Result<Vec<Equation>, Unreadable> {
     Ok(chain.sides.windows(2).map(pair).collect())
 }
 
-/// The equations of a text, cut at semicolons, line ends, and commas or `and` between equations.
-fn pieces(text: &str) -> Vec<Span> {
-    const RELATIONS: [char; 6] = ['=', '<', '>', '≤', '≥', '≠'];
-    let all = Span::new(0, text.len());
-    let mut found = Vec::new();
-    for line in cut(text, all, &[';', '\n']) {
-        let commas = cut(text, line, &[',']).into_iter();
-        let parts: Vec<Span> = commas.flat_map(|part| cut_at_and(text, part)).collect();
-        let is_relation = |part: &Span| text[part.range()].contains(RELATIONS);
-        found.extend(if parts.iter().all(is_relation) {
-            parts
-        } else {
-            vec![line]
-        });
-    }
-    found.retain(|place| !text[place.range()].trim().is_empty());
-    if found.is_empty() {
-        found.push(all);
-    }
-    found
-}
-
-fn cut_at_and(text: &str, place: Span) -> Vec<Span> {
-    const AND: &str = " and ";
-    let mut from = place.range().start;
-    let mut found = Vec::new();
-    while let Some(at) = text[from..place.range().end].find(AND) {
-        found.push(Span::new(from, from + at));
-        from += at + AND.len();
-    }
-    found.push(Span::new(from, place.range().end));
-    found
-}
-
 /// What is said about a number of an equation, which could be a factor, and about the state at the start.
 fn beside_the_point(equation: &str) -> Option<Unreadable> {
     let equation = equation.trim();
-    if let Some(number) = number_of(equation) {
+    if let Some(number) = response::number_of_equation(equation) {
         return Some(Unreadable::at(number, Why::EquationNumber));
     }
-    let (left, _) = equation.split_once('=')?;
-    let name = left.trim_end().strip_suffix("(0)")?;
-    let is_name = name.starts_with(char::is_alphabetic)
-        && name
-            .chars()
-            .all(|char| char.is_alphanumeric() || "_'\"".contains(char));
-    is_name.then(|| Unreadable::at(equation, Why::InitialState))
-}
-
-/// A number that an equation bears, `(2) m x'' = …`, `2. m x'' = …` or `m x'' = … (2)`.
-fn number_of(equation: &str) -> Option<&str> {
-    let digits = |text: &str| {
-        let end = text.find(|char: char| !char.is_ascii_digit());
-        end.unwrap_or(text.len())
-    };
-    let open = usize::from(equation.starts_with('('));
-    let count = digits(&equation[open..]);
-    let behind = open + count;
-    let sign = equation[behind..].chars().next()?;
-    let rest = &equation[behind + sign.len_utf8()..];
-    let is_closed = match sign {
-        ')' => true,
-        '.' => open == 0 && rest.starts_with(' '),
-        _ => false,
-    };
-    let begins_term = |char: char| char.is_alphanumeric() || "\\-√".contains(char);
-    if count > 0 && is_closed && rest.trim_start().starts_with(begins_term) {
-        return Some(&equation[..=behind]);
-    }
-    let (before, last) = equation.rsplit_once(" (")?;
-    let is_number = last.len() == digits(last) + 1 && last.len() > 1 && last.ends_with(')');
-    let ends_term = before.ends_with(|char: char| char.is_alphanumeric() || ")]}'".contains(char));
-    // Zero times a number is zero.
-    let is_zero = before
-        .rsplit('=')
-        .next()
-        .is_some_and(|side| side.trim() == "0");
-    (is_number && ends_term && !is_zero).then(|| &equation[before.len() + 1..])
+    response::is_initial_state(equation).then(|| Unreadable::at(equation, Why::InitialState))
 }

@@ -76,19 +76,19 @@ impl Rows {
 }
 
 /// A row of values with a bound on their errors, both divided by the largest value.
-struct Row {
+struct ScaledRow {
     values: Vec<f64>,
     bound: f64,
 }
 
-fn rows(programs: &[&Program], points: &[Vec<Precise>]) -> Option<Vec<Row>> {
+fn rows(programs: &[&Program], points: &[Vec<Precise>]) -> Option<Vec<ScaledRow>> {
     programs
         .iter()
         .map(|program| row(program, points))
         .collect()
 }
 
-fn row(program: &Program, points: &[Vec<Precise>]) -> Option<Row> {
+fn row(program: &Program, points: &[Vec<Precise>]) -> Option<ScaledRow> {
     let mut room = Registers::<Approx<f64>>::default();
     let (mut values, mut bound) = (Vec::with_capacity(points.len()), 0.0_f64);
     for point in points {
@@ -101,12 +101,12 @@ fn row(program: &Program, points: &[Vec<Precise>]) -> Option<Row> {
         .iter()
         .fold(0.0_f64, |largest, value| largest.max(value.abs()));
     if largest == 0.0 {
-        return Some(Row { values, bound: 0.0 });
+        return Some(ScaledRow { values, bound: 0.0 });
     }
     for value in &mut values {
         *value /= largest;
     }
-    Some(Row {
+    Some(ScaledRow {
         values,
         bound: bound / largest,
     })
@@ -120,7 +120,7 @@ struct Basis {
 
 impl Basis {
     /// What is left of a row, and whether that is more than rounding.
-    fn rest(&self, row: &Row) -> (Vec<f64>, bool) {
+    fn rest(&self, row: &ScaledRow) -> (Vec<f64>, bool) {
         let mut rest = row.values.clone();
         // Twice, so that what cancels leaves no rounding behind.
         for _ in 0..2 {
@@ -136,7 +136,7 @@ impl Basis {
         (rest, is_more)
     }
 
-    fn add(&mut self, row: &Row) {
+    fn add(&mut self, row: &ScaledRow) {
         let (mut rest, is_more) = self.rest(row);
         if is_more {
             let length = dot(&rest, &rest).sqrt();

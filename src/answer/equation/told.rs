@@ -40,7 +40,7 @@ pub(crate) fn terms(
         let Some((nearest, matched)) = best(place) else {
             continue;
         };
-        let pair = Pair {
+        let pair = EquationPair {
             setup,
             terms: &all,
             point,
@@ -64,7 +64,7 @@ pub(crate) fn terms(
 }
 
 /// An equation of the key and a typed one that is like it.
-struct Pair<'a> {
+struct EquationPair<'a> {
     setup: &'a Setup,
     terms: &'a [Term],
     point: &'a [Precise],
@@ -72,7 +72,7 @@ struct Pair<'a> {
     typed: (&'a Program, &'a Coefficients),
 }
 
-impl Pair<'_> {
+impl EquationPair<'_> {
     /// How the two differ if they agree for small motions alone.
     fn linearity(&self) -> Option<Linearity> {
         let (own, found) = (self.key.1, self.typed.1);
@@ -100,7 +100,7 @@ impl Pair<'_> {
     /// What is wrong with an equation for small motions, which has still to be linearized besides.
     fn besides_curves(&self) -> Option<(Faults, Option<Linearity>)> {
         let flat = self.typed.1.linearized();
-        let pair = Pair {
+        let pair = EquationPair {
             typed: (self.typed.0, &flat),
             ..*self
         };

@@ -219,6 +219,10 @@ impl Marker for Prepared {
                 self.right_before_unit(response).unwrap_or(marking)
             }
             Ok(marking) => marking,
+            // No unit makes it shorter by much, and each that is tried would be read as far.
+            Err(error) if matches!(error.trouble, Trouble::TooDeep | Trouble::TooLong) => {
+                Marking::unreadable(Unreadable::typed(&error, response))
+            }
             Err(error) => self.mark_before_unit(response).unwrap_or_else(|| {
                 let is_unknown = matches!(error.trouble, Trouble::Unknown { .. } | Trouble::Unit);
                 let is_number = is_unknown && self.has_names() && self.is_number(response);

@@ -13,14 +13,14 @@ pub(crate) const MANNER: Manner = Manner {
 
 /// A function with the times for which it holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Piece<'r> {
+pub(crate) struct FunctionPiece<'r> {
     pub(crate) formula: &'r str,
     pub(crate) condition: Option<&'r str>,
 }
 
 /// The pieces of a function, each on a line or behind a semicolon, `…, t < 1; …, t >= 1` or `… if t < 1 otherwise …`;
 /// one piece with its times, if there is no more.
-pub(crate) fn pieces(response: &str) -> Vec<Piece<'_>> {
+pub(crate) fn pieces(response: &str) -> Vec<FunctionPiece<'_>> {
     if let Some(pieces) = conditional(response) {
         return pieces;
     }
@@ -28,7 +28,7 @@ pub(crate) fn pieces(response: &str) -> Vec<Piece<'_>> {
     let all = Span::new(0, response.len());
     let lines = cut(response, all, &[';', '\n']).into_iter();
     let texts = lines.flat_map(|line| response[line.range()].split(OTHERWISE));
-    let mut pieces: Vec<Piece<'_>> = texts
+    let mut pieces: Vec<FunctionPiece<'_>> = texts
         .map(piece)
         .filter(|piece| !piece.formula.is_empty())
         .collect();
@@ -44,14 +44,14 @@ pub(crate) fn pieces(response: &str) -> Vec<Piece<'_>> {
 }
 
 /// `if t < 1 then … otherwise …`.
-fn conditional(text: &str) -> Option<Vec<Piece<'_>>> {
+fn conditional(text: &str) -> Option<Vec<FunctionPiece<'_>>> {
     let (condition, rest) = text.trim().strip_prefix("if ")?.split_once(" then ")?;
     let (formula, otherwise) = rest.split_once(" otherwise ")?;
-    let last = Piece {
+    let last = FunctionPiece {
         formula: otherwise.trim(),
         condition: None,
     };
-    let first = Piece {
+    let first = FunctionPiece {
         formula: formula.trim(),
         condition: Some(condition.trim()),
     };
@@ -60,7 +60,7 @@ fn conditional(text: &str) -> Option<Vec<Piece<'_>>> {
 }
 
 /// A function and the times behind it: `…, t >= 0` or `… for t > 0`.
-fn piece(text: &str) -> Piece<'_> {
+fn piece(text: &str) -> FunctionPiece<'_> {
     let text = text.trim().trim_end_matches([',', '.']);
     let is_condition = |text: &str| text.contains(['<', '>', '≤', '≥']);
     // The comma of `atan2(y, x)` parts nothing.
@@ -79,12 +79,12 @@ fn piece(text: &str) -> Piece<'_> {
     match cut {
         Some((at, sign)) => {
             let condition = text[at + sign.len()..].trim();
-            Piece {
+            FunctionPiece {
                 formula: text[..at].trim_end().trim_end_matches(',').trim_end(),
                 condition: Some(condition.trim_matches(['(', ')', ' '])),
             }
         }
-        None => Piece {
+        None => FunctionPiece {
             formula: text,
             condition: None,
         },

@@ -72,7 +72,7 @@ use crate::unit::Unit;
 const SAMPLES: usize = 48;
 
 #[derive(Debug)]
-struct Motion {
+struct ComparedTimes {
     key: NodeId,
     span: Extent,
     tolerance: Tolerance,
@@ -155,7 +155,7 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
     let formula = symbolic::formula(declare.graph(), key);
     let shown = meaning.expanded(&formula, &allowed.names);
     let in_data = meaning.expanded(&formula, std::slice::from_ref(&variable));
-    Some(Box::new(Motion {
+    Some(Box::new(ComparedTimes {
         key,
         span,
         tolerance,
@@ -175,7 +175,7 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
     }))
 }
 
-impl Answer for Motion {
+impl Answer for ComparedTimes {
     fn kind(&self) -> crate::answer::AnswerKind {
         crate::answer::AnswerKind::Function
     }

@@ -1,6 +1,6 @@
 //! Reads a function: with numbers in SI units, with units, or in letters.
 
-use super::around::{MANNER, Piece, condition, pieces};
+use super::around::{FunctionPiece, MANNER, condition, pieces};
 use super::marker::{Prepared, Response};
 use super::slip::without_waves;
 use super::units::{contains_letter, measured, without_rates, without_words};
@@ -24,11 +24,12 @@ impl Prepared<'_> {
         };
         let (last, forms) = labels.forms(first)?;
         let mut read = self.function(last.trim())?;
-        if let (Some(Piece { condition, .. }), false) = (pieces.first(), others.is_empty()) {
+        if let (Some(FunctionPiece { condition, .. }), false) = (pieces.first(), others.is_empty())
+        {
             read = self.by_pieces(read, *condition, others)?;
         }
         if let [
-            Piece {
+            FunctionPiece {
                 condition: Some(condition),
                 ..
             },
@@ -78,7 +79,7 @@ impl Prepared<'_> {
         &self,
         first: Response,
         holds: Option<&str>,
-        others: &[Piece<'_>],
+        others: &[FunctionPiece<'_>],
     ) -> Result<Response, Unreadable> {
         let lexicon = &self.setup.lexicon;
         let Some((next, rest)) = others.split_first() else {

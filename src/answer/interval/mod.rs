@@ -25,7 +25,7 @@ use std::cell::Cell;
 use std::sync::Arc;
 
 use self::read::{Ends, Refusal};
-use self::set::{End, Piece, Set};
+use self::set::{End, Set, SetPiece};
 use super::letters::Allowed;
 use super::matrix::Written;
 use super::meaning::{Meaning, Prefer};
@@ -44,19 +44,19 @@ use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
 
 #[derive(Debug)]
 struct Interval {
-    key: Vec<Declared>,
-    within: Option<Declared>,
+    key: Vec<DeclaredInterval>,
+    within: Option<DeclaredInterval>,
     tolerance: Tolerance,
     /// Significant figures of the work.
     figures: u32,
     digits: u32,
     setup: Arc<Setup>,
-    mistakes: Vec<(usize, Vec<Declared>)>,
+    mistakes: Vec<(usize, Vec<DeclaredInterval>)>,
 }
 
 /// An interval as it is declared; an end without a node is no bound.
 #[derive(Clone, Debug)]
-struct Declared {
+struct DeclaredInterval {
     ends: [Option<NodeId>; 2],
     open: [bool; 2],
 }
@@ -81,7 +81,7 @@ struct Prepared {
     key: Set,
     /// Half-widths around the ends of the key, piece by piece.
     halves: Vec<[f64; 2]>,
-    within: Option<Piece>,
+    within: Option<SetPiece>,
     digits: u32,
     mistakes: Vec<(usize, Set, Credit)>,
     /// The inputs of formulas for these data.
@@ -160,11 +160,11 @@ fn texts(part: &Table<'_>, key: &str, value: &Value) -> Vec<Text> {
     }
 }
 
-fn pieces(texts: &[Text], declare: &mut dyn Declare) -> Option<Vec<Declared>> {
+fn pieces(texts: &[Text], declare: &mut dyn Declare) -> Option<Vec<DeclaredInterval>> {
     texts.iter().map(|text| piece(text, declare)).collect()
 }
 
-fn piece(text: &Text, declare: &mut dyn Declare) -> Option<Declared> {
+fn piece(text: &Text, declare: &mut dyn Declare) -> Option<DeclaredInterval> {
     let Ok(interval) = crate::expr::Interval::read(&text.value) else {
         declare.find(&AnswerError::Unread(text.value.clone(), "interval"), text);
         return None;
@@ -182,7 +182,7 @@ fn piece(text: &Text, declare: &mut dyn Declare) -> Option<Declared> {
             .map(Some)
     };
     let ends = [end(&interval.from)?, end(&interval.to)?];
-    Some(Declared {
+    Some(DeclaredInterval {
         ends,
         open: interval.open,
     })
@@ -197,8 +197,8 @@ fn is_infinite(expr: &Expr) -> bool {
     }
 }
 
-impl Declared {
-    fn value(&self, context: &Context<'_>) -> Result<Piece, Absent> {
+impl DeclaredInterval {
+    fn value(&self, context: &Context<'_>) -> Result<SetPiece, Absent> {
         let end = |place: usize| -> Result<End, Absent> {
             let Some(node) = self.ends[place] else {
                 return Ok(End::none(place));
@@ -208,7 +208,7 @@ impl Declared {
                 is_open: self.open[place],
             })
         };
-        Ok(Piece([end(0)?, end(1)?]))
+        Ok(SetPiece([end(0)?, end(1)?]))
     }
 }
 
@@ -276,7 +276,7 @@ impl Answer for Interval {
             .as_ref()
             .map(|within| within.value(context))
             .transpose()?;
-        let set = |pieces: &[Declared]| -> Result<Set, Absent> {
+        let set = |pieces: &[DeclaredInterval]| -> Result<Set, Absent> {
             let pieces = pieces.iter().map(|piece| piece.value(context));
             Ok(Set::of(pieces.collect::<Result<_, _>>()?).cut(within.as_ref()))
         };

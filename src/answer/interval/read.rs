@@ -3,9 +3,9 @@
 use std::cell::Cell;
 
 use super::Setup;
-use super::set::{End, Piece, Set};
+use super::set::{End, Set, SetPiece};
 use super::spelling::{normalized, spelt, unbracketed};
-use super::subject::Subject;
+use super::subject::BoundedSubject;
 use crate::answer::{Example, Misfit, Unreadable, Why};
 use crate::expr::Precise;
 use crate::response::cut;
@@ -152,7 +152,7 @@ impl Ends<'_> {
         if place > 1 || place + 2 < sides.len() {
             return Err(like_interval(Why::LongChain).into());
         }
-        let mut piece = Piece([End::none(0), End::none(1)]);
+        let mut piece = SetPiece([End::none(0), End::none(1)]);
         for (at, sign) in signs.iter().enumerate().rev() {
             // Each sign bounds the subject by what stands on its other side.
             let (bound, is_less) = if at >= place {
@@ -181,7 +181,7 @@ impl Ends<'_> {
             .ok_or_else(|| Unreadable::at(text, Why::NoInterval).like(Example::Interval))?;
         let lead = text[..start].trim();
         let subject = match lead.trim_end_matches(['∈', '=', ':']).trim() {
-            "" if lead.is_empty() => Subject::Variable,
+            "" if lead.is_empty() => BoundedSubject::Variable,
             name => self.subject(name).ok_or_else(|| {
                 let symbol = self.setup.symbol.plain();
                 Unreadable::at(spelt(lead), Why::BeforeInterval(symbol))
@@ -216,7 +216,7 @@ impl Ends<'_> {
         };
         let high = self.side(body[high.range()].trim(), unit)?;
         let low = self.side(body[low.range()].trim(), unit)?;
-        let piece = Piece([
+        let piece = SetPiece([
             End {
                 value: low,
                 is_open: is_open_low || !low.is_finite(),
@@ -259,7 +259,7 @@ impl Ends<'_> {
 }
 
 /// One interval; bounds in the wrong order are none.
-fn one(piece: Piece) -> Result<Piece, Unreadable> {
+fn one(piece: SetPiece) -> Result<SetPiece, Unreadable> {
     let [low, high] = piece.0;
     if low.value > high.value {
         return Err(like_interval(Why::BoundsOrder));

@@ -15,11 +15,11 @@ pub(crate) struct End {
 
 /// An interval by its lower and upper end.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Piece(pub(crate) [End; 2]);
+pub(crate) struct SetPiece(pub(crate) [End; 2]);
 
 /// Intervals without common points, ascending.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Set(pub(crate) Vec<Piece>);
+pub(crate) struct Set(pub(crate) Vec<SetPiece>);
 
 impl End {
     /// No bound below (0) or above (1).
@@ -53,7 +53,7 @@ impl End {
     }
 }
 
-impl Piece {
+impl SetPiece {
     /// What both have in common, if that is more than nothing.
     fn common(&self, other: &Self) -> Option<Self> {
         let tighter = |a: End, b: End, is_lower: bool| {
@@ -85,7 +85,7 @@ impl Piece {
 
 impl Set {
     /// The union of intervals.
-    pub(crate) fn of(mut pieces: Vec<Piece>) -> Self {
+    pub(crate) fn of(mut pieces: Vec<SetPiece>) -> Self {
         pieces.retain(|piece| piece.common(piece).is_some());
         crate::numerics::sort_by(&mut pieces, |a, b| {
             a.0[0]
@@ -93,7 +93,7 @@ impl Set {
                 .total_cmp(&b.0[0].value)
                 .then(a.0[0].is_open.cmp(&b.0[0].is_open))
         });
-        let mut joined: Vec<Piece> = Vec::new();
+        let mut joined: Vec<SetPiece> = Vec::new();
         for piece in pieces {
             match joined.last_mut() {
                 Some(last) if last.touches(&piece) => {
@@ -111,7 +111,7 @@ impl Set {
     }
 
     /// What lies within an interval.
-    pub(crate) fn cut(self, within: Option<&Piece>) -> Self {
+    pub(crate) fn cut(self, within: Option<&SetPiece>) -> Self {
         match within {
             None => self,
             Some(within) => Self(
@@ -135,7 +135,7 @@ impl Set {
     /// The ends of its pieces, as programs get them.
     pub(crate) fn bounds(&self) -> Vec<Bounds> {
         let bound = |end: End| end.value.is_finite().then_some(end.value);
-        let bounds = |piece: &Piece| (piece.0.map(bound), piece.0.map(|end| end.is_open));
+        let bounds = |piece: &SetPiece| (piece.0.map(bound), piece.0.map(|end| end.is_open));
         self.0.iter().map(bounds).collect()
     }
 
@@ -162,7 +162,7 @@ impl Set {
         if self.0.is_empty() {
             return (Math::text("no value"), "none".to_owned());
         }
-        for Piece([low, high]) in &self.0 {
+        for SetPiece([low, high]) in &self.0 {
             if !row.is_empty() {
                 row.push(Math::text(" or "));
                 text.push_str(" or ");

@@ -1,21 +1,21 @@
 //! What an inequality bounds: the variable, or a distance such as `|x - a|`.
 
 use super::read::Ends;
-use super::set::{End, Piece, Set};
+use super::set::{End, Set, SetPiece};
 use crate::expr::{Expr, Function, Kind, Substitution};
 use crate::numerics::Rational;
 
 /// What an inequality bounds.
-pub(crate) enum Subject {
+pub(crate) enum BoundedSubject {
     /// The bare variable, as in `x < 2`.
     Variable,
     /// Its distance from a place, times a slope.
     Distance { centre: f64, slope: f64 },
 }
 
-impl Subject {
+impl BoundedSubject {
     /// The values of the variable for which it lies in a piece.
-    pub(crate) fn where_it_is_in(&self, piece: Piece) -> Set {
+    pub(crate) fn where_it_is_in(&self, piece: SetPiece) -> Set {
         let Self::Distance { centre, slope } = self else {
             return Set::of(vec![piece]);
         };
@@ -24,11 +24,11 @@ impl Subject {
             value: centre + side * end.value / slope,
             ..end
         };
-        let above = Piece([moved(low, 1.0), moved(high, 1.0)]);
-        let below = Piece([moved(high, -1.0), moved(low, -1.0)]);
+        let above = SetPiece([moved(low, 1.0), moved(high, 1.0)]);
+        let below = SetPiece([moved(high, -1.0), moved(low, -1.0)]);
         // A distance is never negative.
         if low.value < 0.0 {
-            return Set::of(vec![Piece([below.0[0], above.0[1]])]);
+            return Set::of(vec![SetPiece([below.0[0], above.0[1]])]);
         }
         Set::of(vec![below, above])
     }
@@ -36,17 +36,17 @@ impl Subject {
 
 impl Ends<'_> {
     /// What a side speaks of, if it is the variable or a distance on its axis.
-    pub(crate) fn subject(&self, side: &str) -> Option<Subject> {
+    pub(crate) fn subject(&self, side: &str) -> Option<BoundedSubject> {
         let expr = self.formula(side).ok()?;
         match expr.kind() {
-            Kind::Name(name) if *name == self.setup.variable => Some(Subject::Variable),
+            Kind::Name(name) if *name == self.setup.variable => Some(BoundedSubject::Variable),
             Kind::Call(Function::Abs, arguments) => self.distance(arguments.first()?),
             _ => None,
         }
     }
 
     /// The place where a linear expression in the variable vanishes, and its slope.
-    fn distance(&self, inner: &Expr) -> Option<Subject> {
+    fn distance(&self, inner: &Expr) -> Option<BoundedSubject> {
         // Three values of one formula, with a few roundings each; a curvature that is meant shows far more.
         const ROUNDING: f64 = 1e-9;
         let variable = &self.setup.variable;
@@ -61,7 +61,7 @@ impl Ends<'_> {
         }
         let (start, slope) = (at(0)?, at(1)? - at(0)?);
         let is_linear = (at(2)? - at(1)? - slope).abs() <= ROUNDING * slope.abs();
-        (is_linear && slope != 0.0).then_some(Subject::Distance {
+        (is_linear && slope != 0.0).then_some(BoundedSubject::Distance {
             centre: -start / slope,
             slope: slope.abs(),
         })

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::modes::Modes;
 use super::read::Shapes;
 use super::span::{are_independent, away, independent, length, lies_in};
-use super::{Scale, Setup};
+use super::{AskedScale, Setup};
 use crate::answer::matrix::Written;
 use crate::answer::trial::typed as typed_number;
 use crate::answer::{
@@ -35,7 +35,7 @@ pub(crate) struct Prepared {
 }
 
 /// Why shapes are not right.
-enum Fault {
+enum ShapeFault {
     /// These places are wrong.
     Places(Vec<usize>),
     /// They are multiples of one another.
@@ -51,9 +51,9 @@ impl Prepared {
     fn scaled(&self) -> Vec<Vec<f64>> {
         let scaled = |vector: &Vec<f64>| {
             let one = match self.setup.scale {
-                Scale::First => vector[0],
-                Scale::Any => simple_scale(vector),
-                Scale::Mass => 1.0,
+                AskedScale::First => vector[0],
+                AskedScale::Any => simple_scale(vector),
+                AskedScale::Mass => 1.0,
             };
             vector.iter().map(|value| value / one).collect()
         };
@@ -69,14 +69,14 @@ impl Prepared {
         }
     }
 
-    fn fault(&self, typed: &[Vec<f64>]) -> Option<Fault> {
+    fn fault(&self, typed: &[Vec<f64>]) -> Option<ShapeFault> {
         let wrong: Vec<usize> = (0..typed.len())
             .filter(|place| !lies_in(&typed[*place], &self.space(*place), self.angle))
             .collect();
         if !wrong.is_empty() {
-            return Some(Fault::Places(wrong));
+            return Some(ShapeFault::Places(wrong));
         }
-        (!are_independent(typed)).then_some(Fault::Dependent)
+        (!are_independent(typed)).then_some(ShapeFault::Dependent)
     }
 
     /// Whether vectors are those of a mistake, up to scale, or span the same.
@@ -92,13 +92,13 @@ impl Prepared {
     fn other_scale(&self, typed: &[Vec<f64>]) -> Option<Scaling> {
         let margin = self.angle.max(0.005);
         match self.setup.scale {
-            Scale::Any => None,
-            Scale::First => {
+            AskedScale::Any => None,
+            AskedScale::First => {
                 // Half a per cent is what rounding to three figures takes at most.
                 let is_one = typed.iter().all(|vector| (vector[0] - 1.0).abs() <= 0.005);
                 (!is_one).then_some(Scaling::First)
             }
-            Scale::Mass => {
+            AskedScale::Mass => {
                 let is_one = typed.iter().enumerate().all(|(place, vector)| {
                     let modal = self
                         .modes
@@ -116,10 +116,10 @@ impl Prepared {
     }
 
     /// What shapes are worth that are not right, and what is wrong with them.
-    fn slip(&self, typed: &[Vec<f64>], fault: &Fault) -> (Credit, Option<Slip>) {
+    fn slip(&self, typed: &[Vec<f64>], fault: &ShapeFault) -> (Credit, Option<Slip>) {
         let wrong = match fault {
-            Fault::Dependent => &[][..],
-            Fault::Places(places) => &places[..],
+            ShapeFault::Dependent => &[][..],
+            ShapeFault::Places(places) => &places[..],
         };
         // Independent right shapes count one by one.
         let right: Vec<Vec<f64>> = (0..typed.len())
@@ -185,7 +185,7 @@ impl Marker for Prepared {
             return trials;
         }
         trials.push(Trial::new(Nature::Right, shown(&self.scaled())));
-        if self.setup.scale != Scale::Any {
+        if self.setup.scale != AskedScale::Any {
             return trials;
         }
         let turned = |share: f64| {

@@ -26,7 +26,7 @@ mod span;
 use std::sync::Arc;
 
 use self::marker::Prepared;
-use self::modes::Asked;
+use self::modes::AskedModes;
 use self::span::{lies_in, vectors};
 use super::letters::Allowed;
 use super::matrix::Written;
@@ -40,16 +40,16 @@ use crate::unit::Unit;
 
 /// Which scale is asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Scale {
+enum AskedScale {
     Any,
     Mass,
     First,
 }
 
 #[derive(Debug)]
-struct Mode {
+struct AskedMode {
     key: NodeId,
-    asked: Asked,
+    asked: AskedModes,
     tolerance: Option<Tolerance>,
     /// Significant figures of the work.
     figures: u32,
@@ -59,7 +59,7 @@ struct Mode {
 
 #[derive(Debug)]
 pub(crate) struct Setup {
-    scale: Scale,
+    scale: AskedScale,
     written: Written,
     units: Vec<Unit>,
     meaning: Meaning,
@@ -73,7 +73,7 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
     let text = part
         .required("key")
         .and_then(|key| part.as_formula("key", key));
-    let asked = Asked::read(part, declare);
+    let asked = AskedModes::read(part, declare);
     let (normalization, tolerance) = (part.text("normalization"), part.text("tolerance"));
     let written = Written::read(part, declare);
     let text = text?;
@@ -92,9 +92,9 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         return None;
     }
     let scale = match normalization.as_ref().map(|text| text.value.as_str()) {
-        None | Some("any") => Scale::Any,
-        Some("mass") => Scale::Mass,
-        Some("first") => Scale::First,
+        None | Some("any") => AskedScale::Any,
+        Some("mass") => AskedScale::Mass,
+        Some("first") => AskedScale::First,
         Some(_) => {
             let text = normalization.unwrap_or(text);
             declare.find(
@@ -115,7 +115,7 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
     let own = Name::new(text.value.as_str());
     let named = declare.graph().find(&own).map(|_| own);
     let allowed = Allowed::read(part, declare, named.as_ref(), false)?;
-    Some(Box::new(Mode {
+    Some(Box::new(AskedMode {
         key,
         asked: asked?,
         tolerance,
@@ -132,7 +132,7 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
     }))
 }
 
-impl Answer for Mode {
+impl Answer for AskedMode {
     fn kind(&self) -> crate::answer::AnswerKind {
         crate::answer::AnswerKind::ModeShape
     }
@@ -147,9 +147,9 @@ impl Answer for Mode {
         let form = super::Asked::ModeShape {
             entries: written.entries(),
             scale: match self.setup.scale {
-                Scale::Any => ShapeScale::Any,
-                Scale::Mass => ShapeScale::Mass,
-                Scale::First => ShapeScale::First,
+                AskedScale::Any => ShapeScale::Any,
+                AskedScale::Mass => ShapeScale::Mass,
+                AskedScale::First => ShapeScale::First,
             },
             are_several: self.asked.numbers.len() > 1,
         };

@@ -8,7 +8,7 @@ use crate::source::{Data, Span, Table, Text};
 
 /// Which modes are asked, counted from 1, and where those of the model are to be had.
 #[derive(Clone, Debug)]
-pub(crate) struct Asked {
+pub(crate) struct AskedModes {
     pub(crate) numbers: Vec<usize>,
     frequencies: Option<NodeId>,
     shapes: Option<NodeId>,
@@ -25,7 +25,7 @@ pub(crate) struct Modes {
 /// Frequencies that differ by less than this part of the highest are one.
 const REPEATED: f64 = 1e-9;
 
-impl Asked {
+impl AskedModes {
     /// Reads the keys `mode` and `model`.
     pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Self> {
         let value = part.required("mode")?;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::Scale;
+use super::AskedScale;
 use super::marker::Prepared;
 use super::relation::components_of;
 use super::span::vectors;
@@ -25,12 +25,12 @@ impl Prepared {
         let setup = &self.setup;
         let (width, count) = (self.width(), self.keys.len());
         // Relations say nothing of the size.
-        let related = (count == 1 && setup.scale == Scale::Any)
+        let related = (count == 1 && setup.scale == AskedScale::Any)
             .then(|| components_of(response, width))
             .flatten();
         let response = &related.unwrap_or_else(|| components(response));
         let fits = |listed: &Listed| !arrangements(&listed.rows, width, count).is_empty();
-        let wanted = if setup.scale == Scale::Any {
+        let wanted = if setup.scale == AskedScale::Any {
             Wanted::Direction
         } else {
             Wanted::Vector
@@ -55,7 +55,7 @@ impl Prepared {
                 for (place, number) in numbers.iter_mut().enumerate() {
                     let own = setup.units.get(place).copied();
                     // A unit is only a scale, where any will do.
-                    let stated = unit.filter(|_| setup.scale == Scale::Mass);
+                    let stated = unit.filter(|_| setup.scale == AskedScale::Mass);
                     *number = stated.or(own).unwrap_or(Unit::ONE).to_si(*number);
                 }
             }
@@ -77,7 +77,7 @@ impl Prepared {
         if own.any(|other| other.dimension() != first.dimension()) {
             return Err(Unreadable::at(unit.text(), Why::UnitOfComponents));
         }
-        if self.setup.scale == Scale::Mass && unit.dimension() != first.dimension() {
+        if self.setup.scale == AskedScale::Mass && unit.dimension() != first.dimension() {
             return Err(Unreadable::at(unit.text(), Why::UnitOfShape(*first)));
         }
         Ok(())

@@ -40,7 +40,7 @@ pub(crate) struct Numbers {
 }
 
 /// A typed number in SI units; without a unit that of the answer was taken.
-struct Given {
+struct GivenNumber {
     value: Complex,
     math: Math,
     text: String,
@@ -65,17 +65,17 @@ fn is_off_by_ten(target: &Target, typed: Complex) -> bool {
 }
 
 /// A complex number as it was typed: before its unit, with the unit where one is written, and as a formula.
-type Written = (Complex, Option<Unit>, Expr);
+type WrittenComplex = (Complex, Option<Unit>, Expr);
 
 /// Which reading is taken of numbers that may be meant otherwise: one convention holds for the whole response.
 #[derive(Clone, Copy, PartialEq)]
-enum Way {
+enum Convention {
     Conventional,
     Other,
 }
 
 /// The complex number that a part of a response is.
-fn number(values: &Values<'_>, part: &Part, way: Way) -> Result<Written, Unreadable> {
+fn number(values: &Values<'_>, part: &Part, way: Convention) -> Result<WrittenComplex, Unreadable> {
     // `(5∠53°) ohm`
     if let Some((inner, behind)) = values.front_bracket(part)
         && values.polar(&inner).is_some()
@@ -94,11 +94,11 @@ fn number(values: &Values<'_>, part: &Part, way: Way) -> Result<Written, Unreada
 }
 
 /// The amount that a part is.
-fn amount(values: &Values<'_>, part: &Part, way: Way) -> Result<Amount, Unreadable> {
+fn amount(values: &Values<'_>, part: &Part, way: Convention) -> Result<Amount, Unreadable> {
     let mut amount = values
         .amount(part)
         .map_err(|error| explained(&error, values, values.text(part)).like(Example::Complex))?;
-    if way == Way::Other && !amount.others.is_empty() {
+    if way == Convention::Other && !amount.others.is_empty() {
         amount = amount.others.swap_remove(0);
     }
     Ok(amount)
@@ -127,7 +127,7 @@ pub(crate) fn complex_number(text: &str) -> Option<(Complex, Option<Unit>)> {
         is_complex: true,
     };
     let values = Values::read(folded.text(), style).ok()?;
-    let (value, unit, _) = number(&values, &values.all(), Way::Conventional).ok()?;
+    let (value, unit, _) = number(&values, &values.all(), Convention::Conventional).ok()?;
     Some((value, unit))
 }
 
@@ -136,8 +136,8 @@ fn of_polar(
     values: &Values<'_>,
     modulus: &Part,
     angle: &Part,
-    way: Way,
-) -> Result<Written, Unreadable> {
+    way: Convention,
+) -> Result<WrittenComplex, Unreadable> {
     let (angle, behind) = values.unit_behind_angle(angle);
     let size = amount(values, modulus, way)?;
     let turn = amount(values, &angle, way)?;
@@ -200,7 +200,7 @@ fn unclear<'s>(values: &Values<'_>, sides: &'s [Part], last: &Part) -> Option<&'
             || MADE.iter().any(|made| rest(made).is_some())
     };
     let is_name = |side: &Part| values.is_name(side) && !is_made(values.text(side).trim());
-    let value = |side: &Part| number(values, side, Way::Conventional).ok();
+    let value = |side: &Part| number(values, side, Convention::Conventional).ok();
     let is_led = sides.first().is_some_and(is_name);
     sides.iter().enumerate().find_map(|(at, side)| {
         let is_clear = is_name(side)
@@ -214,7 +214,12 @@ fn unclear<'s>(values: &Values<'_>, sides: &'s [Part], last: &Part) -> Option<&'
 }
 
 impl Numbers {
-    fn read(&self, values: &Values<'_>, part: &Part, way: Way) -> Result<Given, Box<Marking>> {
+    fn read(
+        &self,
+        values: &Values<'_>,
+        part: &Part,
+        way: Convention,
+    ) -> Result<GivenNumber, Box<Marking>> {
         let (value, stated, expr) =
             number(values, part, way).map_err(|words| Box::new(Marking::unreadable(words)))?;
         let unit = stated.unwrap_or(self.unit);
@@ -236,7 +241,7 @@ impl Numbers {
         }
         let value = Complex::new(unit.to_si(value.re), unit.to_si(value.im));
         let is_bare = stated.is_none() && !self.unit.is_one() && value != Complex::new(0.0, 0.0);
-        Ok(Given {
+        Ok(GivenNumber {
             value,
             math,
             text,
@@ -370,7 +375,7 @@ impl Marker for Numbers {
         let values = self.values(response)?;
         let parts = self.parts(&values)?;
         let of = |way| Echo::of_marking(self.judged(&values, &parts, way));
-        let (first, other) = (of(Way::Conventional)?, of(Way::Other)?);
+        let (first, other) = (of(Convention::Conventional)?, of(Convention::Other)?);
         let other = Some(other.reading.math).filter(|other| *other != first.reading.math);
         Ok(Echo { other, ..first })
     }
@@ -388,8 +393,8 @@ impl Marker for Numbers {
             let shown = read.map_or_else(String::new, |reading| reading.math.plain());
             Candidate { shown, marking }
         };
-        let first = candidate(Way::Conventional);
-        let other = candidate(Way::Other);
+        let first = candidate(Convention::Conventional);
+        let other = candidate(Convention::Other);
         let is_doubtful = other.shown != first.shown;
         settle(self.doubt, Rule::None, first, is_doubtful.then_some(other))
     }
@@ -409,7 +414,7 @@ impl Numbers {
     }
 
     /// The marking of one reading of the parts of a response.
-    fn judged(&self, values: &Values<'_>, parts: &[Part], way: Way) -> Marking {
+    fn judged(&self, values: &Values<'_>, parts: &[Part], way: Convention) -> Marking {
         let mut items = Vec::new();
         for part in parts {
             match self.read(values, part, way) {

@@ -1,13 +1,13 @@
 //! Lists of numbers as people type them, and how they are marked: `5; 8.7 rad/s`, `0, ±180°`, `ω1 = 5, ω2 = 8.7`.
 
 use super::marker::Numbers;
-use super::read::{Number, amount, statement};
+use super::read::{TypedNumber, number, statement};
 use super::target::{Typed, pair};
 use super::words::angles;
 use crate::answer::{Credit, Example, Marking, Remark, Slip, Unreadable, Why};
 use crate::numerics::Rational;
 use crate::response::{Label, Part, Style, Trouble, Values};
-use crate::unit::{DecimalMark, Quantity, Unit};
+use crate::unit::{DecimalMark, Unit};
 
 /// The most numbers of a list.
 const MAX_ITEMS: usize = 100;
@@ -24,7 +24,7 @@ pub(crate) fn list(
     count: usize,
     is_ordered: bool,
     mark: DecimalMark,
-) -> Result<Vec<Number>, Unreadable> {
+) -> Result<Vec<TypedNumber>, Unreadable> {
     let values = parted(response, mark, false)?;
     if let Some(bracket) = values.lone_bracket() {
         return Err(Unreadable::at(bracket, Why::Formula(Trouble::Bracket)));
@@ -72,7 +72,7 @@ pub(crate) fn list(
         .map(first_of)
         .chain(labels.first().cloned())
         .any(|name| is_of_frequency(values.text(&name)));
-    let mut items: Vec<(Option<u32>, Number)> = Vec::new();
+    let mut items: Vec<(Option<u32>, TypedNumber)> = Vec::new();
     let mut named = Vec::new();
     for piece in &pieces {
         let first = &values.statement(piece).sides[0];
@@ -84,7 +84,7 @@ pub(crate) fn list(
             }
             named.push(name);
         }
-        let both = both_signs(&values, piece)?;
+        let both = both_signs(&values, piece, pieces.len() == 1 && count == 2, mark)?;
         items.extend(both.into_iter().map(|item| (label, item)));
     }
     if values.has_tight_comma(&inner)
@@ -160,20 +160,20 @@ pub(crate) fn parted(
     read(false)
 }
 
-/// The number that an item of a list is, or the two that it is with `±`.
-fn both_signs(values: &Values<'_>, piece: &Part) -> Result<Vec<Number>, Unreadable> {
+/// The number that an item of a list is, or the two that it is with `±`, which only a list of one may have within: of
+/// several `5 ± 0.1` would be a spread.
+fn both_signs(
+    values: &Values<'_>,
+    piece: &Part,
+    is_alone: bool,
+    mark: DecimalMark,
+) -> Result<Vec<TypedNumber>, Unreadable> {
     let sides = values.statement(piece).sides;
-    let size = sides.last().and_then(|value| values.both_signs(value));
-    let Some(size) = size else {
-        return Ok(vec![statement(values, piece)?]);
-    };
-    let plus = amount(values, &size)?;
-    let minus = Number {
-        quantity: Quantity::new(plus.quantity.value.negated(), plus.quantity.unit),
-        arithmetic: plus.arithmetic.clone().map(|expr| -expr),
-        others: Vec::new(),
-    };
-    Ok(vec![plus, minus])
+    let signs = sides.last().and_then(|value| values.both_signs(value));
+    match signs.filter(|(_, is_first)| *is_first || is_alone) {
+        Some((texts, _)) => texts.iter().map(|text| number(text, mark)).collect(),
+        None => Ok(vec![statement(values, piece)?]),
+    }
 }
 
 /// Without the brackets around a whole list, `([5, 8.7])` included, and the unit that stands behind them.
@@ -205,7 +205,7 @@ fn unbracketed(values: &Values<'_>, part: &Part) -> (Part, Option<Unit>) {
 
 impl Numbers {
     /// Marks the numbers of a list.
-    pub(crate) fn mark_list(&self, items: &[Number]) -> Marking {
+    pub(crate) fn mark_list(&self, items: &[TypedNumber]) -> Marking {
         let mut typed = Vec::with_capacity(items.len());
         for item in items {
             match self.si(&item.quantity) {
@@ -224,7 +224,8 @@ impl Numbers {
         let reading = Self::reading(items, &numbers, self.mark);
         let matched = pair(&self.targets, &typed, self.modulo, self.is_ordered);
         let (expected, given) = (self.targets.len(), typed.len());
-        let is_bare = |item: &Number| item.quantity.unit.is_one() && !item.quantity.value.is_zero();
+        let is_bare =
+            |item: &TypedNumber| item.quantity.unit.is_one() && !item.quantity.value.is_zero();
         if matched == expected && given == expected {
             let mut marking = Marking::right(reading);
             if !self.unit.is_one() && items.iter().any(is_bare) {

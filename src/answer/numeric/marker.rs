@@ -1,7 +1,7 @@
 //! Marks numbers: right, a named mistake, or a slip that can be diagnosed from the number alone.
 
 use super::list::list;
-use super::read::{self, Number};
+use super::read::{self, TypedNumber};
 use super::slip::mixes_energy_and_moment;
 use super::target::{Target, Typed, pair};
 use super::words::{angles, counts, miswritten};
@@ -79,7 +79,7 @@ impl Numbers {
             .min_by(f64::total_cmp)
     }
 
-    fn mark_one(&self, number: &Number) -> Marking {
+    fn mark_one(&self, number: &TypedNumber) -> Marking {
         let (target, quantity) = (&self.targets[0], &number.quantity);
         let Ok(typed) = self.si(quantity) else {
             return self.wrong_dimension(number);
@@ -153,7 +153,7 @@ impl Numbers {
         (typed.hi().abs() > f64::from(times) * period).then_some(Why::TooManyTurns { times, turn })
     }
 
-    fn right(&self, reading: Reading, number: &Number) -> Marking {
+    fn right(&self, reading: Reading, number: &TypedNumber) -> Marking {
         let quantity = &number.quantity;
         let mut marking = Marking::right(reading);
         if let Some(asked) = self
@@ -181,16 +181,18 @@ impl Numbers {
     pub(crate) fn mistake(
         &self,
         reading: &Reading,
-        items: &[Number],
+        items: &[TypedNumber],
         typed: &[Typed],
     ) -> Option<Marking> {
         let is_it = |mistake: &&Mistake| match mistake.unit {
             None => self.equals(mistake, typed),
             Some(unit) => {
-                let of = |item: &Number| Dd::from(Quantity::new(item.quantity.value, unit).si());
+                let of =
+                    |item: &TypedNumber| Dd::from(Quantity::new(item.quantity.value, unit).si());
                 let numbers: Vec<Typed> = items.iter().map(of).collect();
-                let is_plain =
-                    |item: &Number| item.quantity.unit.is_one() || item.quantity.unit == self.unit;
+                let is_plain = |item: &TypedNumber| {
+                    item.quantity.unit.is_one() || item.quantity.unit == self.unit
+                };
                 items.iter().all(is_plain) && self.equals(mistake, &numbers)
             }
         };
@@ -232,7 +234,7 @@ impl Numbers {
         }
     }
 
-    pub(crate) fn wrong_dimension(&self, number: &Number) -> Marking {
+    pub(crate) fn wrong_dimension(&self, number: &TypedNumber) -> Marking {
         let quantity = &number.quantity;
         let si = quantity.si();
         let reading = Self::reading(std::slice::from_ref(number), &[si], self.mark);
@@ -258,15 +260,15 @@ impl Numbers {
     /// The marking of numbers that may be meant otherwise.
     fn settled(
         &self,
-        items: &[Number],
-        other: Option<&[Number]>,
-        mark: impl Fn(&[Number]) -> Marking,
+        items: &[TypedNumber],
+        other: Option<&[TypedNumber]>,
+        mark: impl Fn(&[TypedNumber]) -> Marking,
     ) -> Marking {
         let first = mark(items);
         let Some(other) = other else {
             return first;
         };
-        let candidate = |items: &[Number], marking| Candidate {
+        let candidate = |items: &[TypedNumber], marking| Candidate {
             shown: Self::reading(items, &[], self.mark).math.plain(),
             marking,
         };
@@ -276,8 +278,8 @@ impl Numbers {
 
     /// A number as it is meant where this is asked: the one reading that has the dimension; radians for its unit, where
     /// degrees are asked and it has none, but π in it.
-    fn meant(&self, mut number: Number) -> Number {
-        let fits = |number: &Number| self.si(&number.quantity).is_ok();
+    fn meant(&self, mut number: TypedNumber) -> TypedNumber {
+        let fits = |number: &TypedNumber| self.si(&number.quantity).is_ok();
         if !fits(&number)
             && let Some(at) = number.others.iter().position(fits)
         {
@@ -293,14 +295,14 @@ impl Numbers {
     }
 
     /// How numbers with units were read.
-    pub(crate) fn reading(items: &[Number], si: &[f64], mark: DecimalMark) -> Reading {
+    pub(crate) fn reading(items: &[TypedNumber], si: &[f64], mark: DecimalMark) -> Reading {
         let math = match items {
             [one] => one.math(mark),
             many => listed(many.iter().map(|item| item.math(mark))),
         };
         let text = items
             .iter()
-            .map(Number::text)
+            .map(TypedNumber::text)
             .collect::<Vec<_>>()
             .join(", ");
         let answered = match (items, si) {
@@ -363,8 +365,8 @@ impl Marker for Numbers {
         } else {
             vec![read::number(response, self.mark)?]
         };
-        let items: Vec<Number> = items.into_iter().map(|item| self.meant(item)).collect();
-        let otherwise: Vec<Number> = items.iter().map(Number::otherwise).collect();
+        let items: Vec<TypedNumber> = items.into_iter().map(|item| self.meant(item)).collect();
+        let otherwise: Vec<TypedNumber> = items.iter().map(TypedNumber::otherwise).collect();
         let readings = [items, otherwise].map(|items| Self::reading(&items, &[], self.mark));
         Echo::of(readings).ok_or_else(|| Why::Form.into())
     }
@@ -373,10 +375,11 @@ impl Marker for Numbers {
         if self.is_list {
             return match list(response, self.targets.len(), self.is_ordered, self.mark) {
                 Ok(items) => {
-                    let items: Vec<Number> =
+                    let items: Vec<TypedNumber> =
                         items.into_iter().map(|item| self.meant(item)).collect();
                     // One convention holds for the whole list.
-                    let otherwise: Vec<Number> = items.iter().map(Number::otherwise).collect();
+                    let otherwise: Vec<TypedNumber> =
+                        items.iter().map(TypedNumber::otherwise).collect();
                     let is_doubtful = items.iter().any(|item| !item.others.is_empty());
                     let other = is_doubtful.then_some(&otherwise[..]);
                     self.settled(&items, other, |items| self.mark_list(items))

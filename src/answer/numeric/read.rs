@@ -10,7 +10,7 @@ use crate::unit::{Decimal, DecimalMark, Quantity};
 
 /// A number with its unit as it was typed.
 #[derive(Clone, Debug)]
-pub(crate) struct Number {
+pub(crate) struct TypedNumber {
     pub(crate) quantity: Quantity,
     /// What was typed instead of a decimal.
     pub(crate) arithmetic: Option<Expr>,
@@ -18,7 +18,7 @@ pub(crate) struct Number {
     pub(crate) others: Vec<Self>,
 }
 
-impl Number {
+impl TypedNumber {
     /// The number that an amount is, if it has a real value.
     fn of(amount: &Amount) -> Option<Self> {
         let (value, arithmetic) = match &amount.number {
@@ -81,7 +81,7 @@ impl Number {
 /// # Errors
 ///
 /// What cannot be read, and why.
-pub(crate) fn number(response: &str, mark: DecimalMark) -> Result<Number, Unreadable> {
+pub(crate) fn number(response: &str, mark: DecimalMark) -> Result<TypedNumber, Unreadable> {
     let style = Style {
         mark,
         comma_is_decimal: true,
@@ -90,14 +90,62 @@ pub(crate) fn number(response: &str, mark: DecimalMark) -> Result<Number, Unread
     let values =
         Values::read(response, style).map_err(|error| Unreadable::typed(&error, response))?;
     let all = values.all();
-    if values.statements(&all).len() > 1 {
-        return Err(Unreadable::at(short(response), Why::Inequality).like(Example::OneValue));
+    let mut restated = values.statements(&all);
+    if restated.len() > 1 {
+        return said_once(&values, &restated).ok_or_else(|| {
+            Unreadable::at(short(response), Why::Inequality).like(Example::OneValue)
+        });
+    }
+    if let Some((value, inner)) = values.back_bracket(&all) {
+        restated = vec![value, inner];
+        if let Some(number) = said_once(&values, &restated) {
+            return Ok(number);
+        }
     }
     statement(&values, &all)
 }
 
+/// The first of several statements that give one value, each in another unit: `0.314 (31.4 %)`, `2 Hz or 12.57 rad/s`.
+fn said_once(values: &Values<'_>, statements: &[Part]) -> Option<TypedNumber> {
+    let read = |part: &Part| {
+        statement(values, part)
+            .ok()
+            .filter(|number| number.others.is_empty())
+    };
+    let numbers: Vec<TypedNumber> = statements.iter().map(read).collect::<Option<_>>()?;
+    let (first, others) = numbers.split_first()?;
+    let is_restated = |other: &TypedNumber| {
+        first.quantity.unit.text() != other.quantity.unit.text()
+            && is_same_but_for_rounding(first, other)
+    };
+    others.iter().all(is_restated).then(|| first.clone())
+}
+
+/// Whether two numbers can be one value that was rounded twice.
+fn is_same_but_for_rounding(one: &TypedNumber, other: &TypedNumber) -> bool {
+    // A value of one figure restates nothing.
+    const COARSEST: f64 = 0.02;
+    let half = |number: &TypedNumber| match &number.arithmetic {
+        Some(_) => 0.0,
+        None => 0.5 * number.quantity.value.last_place().to_f64(),
+    };
+    other
+        .quantity
+        .conversion(&one.quantity.unit)
+        .is_ok_and(|conversion| {
+            let (value, restated) = (
+                one.quantity.si(),
+                conversion.apply_decimal(&other.quantity.value),
+            );
+            let rounding =
+                one.quantity.unit.to_si(half(one)).abs() + conversion.apply(half(other)).abs();
+            let most = (1.000_001 * rounding).min(COARSEST * value.abs());
+            (value - restated).abs() <= most + 1e-9 * value.abs()
+        })
+}
+
 /// The number that a statement gives.
-pub(crate) fn statement(values: &Values<'_>, part: &Part) -> Result<Number, Unreadable> {
+pub(crate) fn statement(values: &Values<'_>, part: &Part) -> Result<TypedNumber, Unreadable> {
     let statement = values.statement(part);
     if let Some(sign) = statement.unequal {
         return Err(Unreadable::at(sign.to_string(), Why::Inequality).like(Example::OneValue));
@@ -121,7 +169,7 @@ pub(crate) fn statement(values: &Values<'_>, part: &Part) -> Result<Number, Unre
     for (at, side) in others.filter(|(at, side)| *at != value && !values.is_name(side)) {
         let is_between = 0 < at && at < value && is_named;
         let step = values.amount_of_step(side).ok();
-        match step.as_ref().and_then(Number::of) {
+        match step.as_ref().and_then(TypedNumber::of) {
             Some(other) if are_equal(&number, &other) => {}
             Some(_) => {
                 let (one, other) = (values.text(side), values.text(&sides[value]));
@@ -137,12 +185,12 @@ pub(crate) fn statement(values: &Values<'_>, part: &Part) -> Result<Number, Unre
 }
 
 /// The number that a part is.
-pub(crate) fn amount(values: &Values<'_>, part: &Part) -> Result<Number, Unreadable> {
+pub(crate) fn amount(values: &Values<'_>, part: &Part) -> Result<TypedNumber, Unreadable> {
     let typed = values.text(part);
     let amount = values
         .amount(part)
         .map_err(|error| explained(&error, values, typed))?;
-    Number::of(&amount).ok_or_else(|| Why::NoValue(short(typed)).into())
+    TypedNumber::of(&amount).ok_or_else(|| Why::NoValue(short(typed)).into())
 }
 
 /// Why a number cannot be read.
@@ -234,10 +282,10 @@ fn counted(value: &str) -> Option<&str> {
 }
 
 /// Whether two numbers differ by no more than their rounding.
-fn are_equal(one: &Number, other: &Number) -> bool {
+fn are_equal(one: &TypedNumber, other: &TypedNumber) -> bool {
     // Two values that were each rounded to three figures differ by no more than one percent.
     const SHARE: f64 = 0.01;
-    let last_place = |number: &Number| match &number.arithmetic {
+    let last_place = |number: &TypedNumber| match &number.arithmetic {
         Some(_) => 0.0,
         None => number.quantity.value.last_place().to_f64(),
     };

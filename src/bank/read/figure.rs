@@ -15,13 +15,13 @@ use crate::source::Table;
 use crate::unit::Dimension;
 
 /// The names of an item as its figure and its plots see them.
-pub(crate) struct Names<'a> {
+pub(crate) struct ItemNames<'a> {
     graph: &'a Graph,
     quantities: &'a BTreeMap<NodeId, QuantityInfo>,
     free: &'a [Known],
 }
 
-impl Names<'_> {
+impl ItemNames<'_> {
     /// The symbol of a quantity, or else of a free variable.
     pub(crate) fn symbol(&self, name: &Name) -> Math {
         let quantity = self
@@ -36,13 +36,13 @@ impl Names<'_> {
     }
 }
 
-impl Notation for Names<'_> {
+impl Notation for ItemNames<'_> {
     fn name(&self, name: &Name) -> Symbol {
         Symbol::letter(self.symbol(name))
     }
 }
 
-impl Subject for Names<'_> {
+impl Subject for ItemNames<'_> {
     fn scope(&self) -> &dyn Scope {
         self.graph
     }
@@ -90,7 +90,7 @@ impl Subject for Names<'_> {
     }
 }
 
-impl Names<'_> {
+impl ItemNames<'_> {
     fn model(&self) -> Option<&Model> {
         self.graph.derived("model").map(AsRef::as_ref)
     }
@@ -114,8 +114,8 @@ impl<'s> ItemReader<'s> {
         (Some(figure), caption)
     }
 
-    pub(crate) fn names(&self) -> Names<'_> {
-        Names {
+    pub(crate) fn names(&self) -> ItemNames<'_> {
+        ItemNames {
             graph: &self.graph,
             quantities: &self.quantities,
             free: &self.free,

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{ItemError, ItemReader};
 use crate::answer::{Known, Role};
-use crate::bank::parameter::{Field, Parameter, Texts};
+use crate::bank::parameter::{Parameter, ParameterField, Texts};
 use crate::bank::template::{QuantityInfo, Units};
 use crate::expr::{Name, Type};
 use crate::quantity::{GraphError, NodeId};
@@ -12,7 +12,7 @@ use crate::source::{Data, Entry, Span, Table, Text, Value};
 use crate::unit::Unit;
 
 /// A quantity as declared, until all names are known.
-struct Declared {
+struct DeclaredQuantity {
     node: NodeId,
     name: Name,
     formula: Text,
@@ -86,9 +86,9 @@ impl<'s> ItemReader<'s> {
             Ok(parameter) => self.take_parameter(parameter, entry.span),
             Err((field, error)) => {
                 let about = match field {
-                    Field::Value => &value,
-                    Field::Range => range.as_ref().unwrap_or(&value),
-                    Field::Step => step.as_ref().unwrap_or(&value),
+                    ParameterField::Value => &value,
+                    ParameterField::Range => range.as_ref().unwrap_or(&value),
+                    ParameterField::Step => step.as_ref().unwrap_or(&value),
                 };
                 self.find(&error, about);
             }
@@ -171,7 +171,7 @@ impl<'s> ItemReader<'s> {
     pub(crate) fn quantities(&mut self, table: &Table<'s>) {
         let models = self.models(table);
         let quantities = table.table("quantities");
-        let declared: Vec<Declared> = match &quantities {
+        let declared: Vec<DeclaredQuantity> = match &quantities {
             Some(own) => own
                 .entries()
                 .iter()
@@ -214,7 +214,7 @@ impl<'s> ItemReader<'s> {
     }
 
     /// Whether a second route leads to what the first one does: truth or numbers, of the same dimension.
-    fn is_route(&mut self, declared: &Declared, route: NodeId, text: &Text) -> bool {
+    fn is_route(&mut self, declared: &DeclaredQuantity, route: NodeId, text: &Text) -> bool {
         let (Some(own), Some(other)) = (self.graph.kind(declared.node), self.graph.kind(route))
         else {
             return true;
@@ -240,7 +240,7 @@ impl<'s> ItemReader<'s> {
         is_alike
     }
 
-    fn declare(&mut self, table: &Table<'s>, entry: &'s Entry) -> Option<Declared> {
+    fn declare(&mut self, table: &Table<'s>, entry: &'s Entry) -> Option<DeclaredQuantity> {
         let name = self.name(&entry.key, entry.span)?;
         if let Data::Text(_) | Data::Number { .. } = entry.value.data {
             let formula = table.as_formula(&entry.key, &entry.value)?;
@@ -308,7 +308,7 @@ impl<'s> ItemReader<'s> {
         symbol: Arc<crate::math::Math>,
         digits: Option<u8>,
         span: Span,
-    ) -> Option<Declared> {
+    ) -> Option<DeclaredQuantity> {
         let assumed = match &units {
             Some((Units::One(unit), _)) => Some(Type::real(unit.dimension())),
             _ => None,
@@ -330,7 +330,7 @@ impl<'s> ItemReader<'s> {
                     parameter: None,
                 };
                 self.quantities.insert(node, info);
-                Some(Declared {
+                Some(DeclaredQuantity {
                     node,
                     name,
                     formula,
@@ -389,7 +389,7 @@ impl<'s> ItemReader<'s> {
     }
 
     /// Holds the declared unit against the dimension of the formula.
-    fn hold_unit(&mut self, declared: &Declared) {
+    fn hold_unit(&mut self, declared: &DeclaredQuantity) {
         let Some((units, text)) = &declared.units else {
             return;
         };

@@ -5,11 +5,11 @@ use std::collections::BTreeMap;
 use vibank::math::is_invisible;
 use vibank::worksheet::{Columns, Student};
 
-use crate::cli::table::Row;
+use crate::cli::table::TableRow;
 
 /// What is known of a student.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Role {
+enum ColumnRole {
     Id,
     Given,
     Family,
@@ -23,9 +23,9 @@ enum Role {
 }
 
 /// Words for headings, without accents and signs; of several columns for one thing the one of the earliest word counts.
-const WORDS: [(Role, &[&str]); 10] = [
+const WORDS: [(ColumnRole, &[&str]); 10] = [
     (
-        Role::Id,
+        ColumnRole::Id,
         &[
             "id",
             "student id",
@@ -68,7 +68,7 @@ const WORDS: [(Role, &[&str]); 10] = [
         ],
     ),
     (
-        Role::Given,
+        ColumnRole::Given,
         &[
             "first name",
             "firstname",
@@ -88,7 +88,7 @@ const WORDS: [(Role, &[&str]); 10] = [
         ],
     ),
     (
-        Role::Family,
+        ColumnRole::Family,
         &[
             "last name",
             "lastname",
@@ -109,7 +109,7 @@ const WORDS: [(Role, &[&str]); 10] = [
         ],
     ),
     (
-        Role::Name,
+        ColumnRole::Name,
         &[
             "name",
             "full name",
@@ -137,7 +137,7 @@ const WORDS: [(Role, &[&str]); 10] = [
         ],
     ),
     (
-        Role::Group,
+        ColumnRole::Group,
         &[
             "group",
             "groupe",
@@ -159,7 +159,7 @@ const WORDS: [(Role, &[&str]); 10] = [
         ],
     ),
     (
-        Role::Room,
+        ColumnRole::Room,
         &[
             "room",
             "exam room",
@@ -177,7 +177,7 @@ const WORDS: [(Role, &[&str]); 10] = [
         ],
     ),
     (
-        Role::Seat,
+        ColumnRole::Seat,
         &[
             "seat",
             "seat number",
@@ -194,11 +194,11 @@ const WORDS: [(Role, &[&str]); 10] = [
         ],
     ),
     (
-        Role::Language,
+        ColumnRole::Language,
         &["language", "langue", "sprache", "idioma", "lingua", "taal"],
     ),
     (
-        Role::LargePrint,
+        ColumnRole::LargePrint,
         &[
             "large print",
             "enlarged print",
@@ -208,7 +208,7 @@ const WORDS: [(Role, &[&str]); 10] = [
         ],
     ),
     (
-        Role::ExtraTime,
+        ColumnRole::ExtraTime,
         &[
             "extra time",
             "additional time",
@@ -260,7 +260,7 @@ impl Places {
             let missing = || HeadingError::Missing(heading.to_owned());
             place(heading)?.ok_or_else(missing)
         };
-        let known = |role: Role| -> Result<Option<usize>, HeadingError> {
+        let known = |role: ColumnRole| -> Result<Option<usize>, HeadingError> {
             let words = WORDS.iter().find(|(own, _)| *own == role);
             for word in words.map_or(&[] as &[&str], |(_, words)| words) {
                 if let Some(at) = place(word)? {
@@ -271,14 +271,14 @@ impl Places {
         };
         let mut given = Vec::new();
         for (what, role) in [
-            ("id", Role::Id),
-            ("name", Role::Name),
-            ("group", Role::Group),
-            ("room", Role::Room),
-            ("seat", Role::Seat),
-            ("language", Role::Language),
-            ("large_print", Role::LargePrint),
-            ("extra_time", Role::ExtraTime),
+            ("id", ColumnRole::Id),
+            ("name", ColumnRole::Name),
+            ("group", ColumnRole::Group),
+            ("room", ColumnRole::Room),
+            ("seat", ColumnRole::Seat),
+            ("language", ColumnRole::Language),
+            ("large_print", ColumnRole::LargePrint),
+            ("extra_time", ColumnRole::ExtraTime),
         ] {
             let own = columns.headings.iter().find(|(own, _)| *own == what);
             let places = match (own, role) {
@@ -286,9 +286,9 @@ impl Places {
                     let places = headings.iter().map(|heading| stated(&heading.value));
                     places.collect::<Result<Vec<_>, _>>()?
                 }
-                (None, Role::Name) => {
-                    let whole = known(Role::Name)?;
-                    let (first, last) = (known(Role::Given)?, known(Role::Family)?);
+                (None, ColumnRole::Name) => {
+                    let whole = known(ColumnRole::Name)?;
+                    let (first, last) = (known(ColumnRole::Given)?, known(ColumnRole::Family)?);
                     // `Nom` is the family name beside `Prénom`, and `Nome` the given name beside `Cognome`.
                     match (first, last) {
                         (None, None) => whole.into_iter().collect(),
@@ -310,7 +310,7 @@ impl Places {
     }
 
     /// The student of a row; columns that mean nothing here are kept under their headings.
-    pub(crate) fn student(&self, headings: &[String], row: &Row<'_>) -> Student {
+    pub(crate) fn student(&self, headings: &[String], row: &TableRow<'_>) -> Student {
         let is_used = |at: usize| self.given.iter().any(|(_, places)| places.contains(&at));
         let mut columns: BTreeMap<String, String> = headings
             .iter()
@@ -383,7 +383,7 @@ mod tests {
         let headings: Vec<String> = headings.split(';').map(str::to_owned).collect();
         let places = Places::of(&headings, &Columns::default())?;
         let cells = (0..headings.len()).map(|at| at.to_string().into());
-        let row = Row {
+        let row = TableRow {
             line: 2,
             cells: cells.collect(),
         };

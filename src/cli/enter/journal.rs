@@ -21,7 +21,7 @@ pub(crate) struct Place {
 
 /// An answer, in the journal and in the file.
 #[derive(Serialize, Deserialize)]
-struct Entry {
+struct JournalEntry {
     #[serde(flatten)]
     place: Place,
     response: String,
@@ -54,7 +54,7 @@ impl Journal {
         let mut answers = BTreeMap::new();
         match file.head()? {
             Some(head) if head == HEAD => {
-                file.go_on(|line| match serde_json::from_str::<Entry>(line) {
+                file.go_on(|line| match serde_json::from_str::<JournalEntry>(line) {
                     Ok(entry) => {
                         answers.insert(entry.place, entry.response);
                         true
@@ -85,7 +85,7 @@ impl Journal {
 
     /// Keeps an answer; an empty one is no answer.
     pub(crate) fn set(&mut self, place: Place, response: String) -> Result<(), Failure> {
-        let entry = Entry { place, response };
+        let entry = JournalEntry { place, response };
         self.file.add(std::slice::from_ref(&entry))?;
         self.file.sync()?;
         self.answers.insert(entry.place, entry.response);
@@ -118,7 +118,7 @@ impl Journal {
         let lines: Vec<String> = self
             .given()
             .map(|(place, response)| {
-                let entry = Entry {
+                let entry = JournalEntry {
                     place: place.clone(),
                     response: response.clone(),
                 };

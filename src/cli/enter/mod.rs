@@ -186,7 +186,7 @@ impl Desk<'_> {
                 question: entry.number,
                 part: entry.parts[part].letter.clone(),
             };
-            let asked = Asked {
+            let asked = AskedPart {
                 place: &place,
                 solution: &solutions[question],
                 part: &entry.parts[part],
@@ -229,13 +229,13 @@ fn who(sheet: &VariantEntry) -> String {
 }
 
 /// A part that is asked for.
-struct Asked<'a, 't> {
+struct AskedPart<'a, 't> {
     place: &'a Place,
     solution: &'a Solution<'t>,
     part: &'a PartEntry,
 }
 
-impl Asked<'_, '_> {
+impl AskedPart<'_, '_> {
     /// `1a ωₙ = … rad/s [5.2]> `, with what was typed before.
     fn prompt(&self, known: Option<&str>) -> String {
         let Place { question, part, .. } = self.place;

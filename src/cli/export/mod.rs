@@ -125,7 +125,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 }
 
 /// What was made and its manifest, or what is wrong with the blueprint.
-type Made = Result<(Box<dyn Export>, Record), Vec<Finding>>;
+type MadeExport = Result<(Box<dyn Export>, Record), Vec<Finding>>;
 
 /// A file with nothing in it yet.
 fn begin(arguments: &Arguments, wish: Wish) -> Box<dyn Export> {
@@ -157,7 +157,7 @@ fn of_blueprint(
     path: &Path,
     arguments: &Arguments,
     catalogue: &Catalogue,
-) -> Result<Made, Failure> {
+) -> Result<MadeExport, Failure> {
     let source = file_kind::blueprint(path)?;
     let blueprint = match Blueprint::read(&source) {
         Ok(blueprint) => blueprint,
@@ -203,7 +203,7 @@ fn of_blueprint(
 }
 
 /// The items that pass the filter, a category each.
-fn of_filter(arguments: &Arguments, catalogue: &Catalogue) -> Result<Made, Failure> {
+fn of_filter(arguments: &Arguments, catalogue: &Catalogue) -> Result<MadeExport, Failure> {
     let items = arguments.filter.items(catalogue)?;
     let language = &catalogue.bank.language;
     let mut export = begin(

@@ -7,7 +7,7 @@ use super::Task;
 use crate::cli::folder::Folder;
 use crate::cli::record::FORM;
 use crate::cli::sheet::PRINTS;
-use crate::cli::table::{Dialect, Edit, Row, Table};
+use crate::cli::table::{Dialect, Edit, Table, TableRow};
 use crate::cli::{Failure, files, grade};
 
 /// The tables of a run and of its marks.
@@ -75,7 +75,7 @@ impl Task {
         Ok(())
     }
 
-    fn edit(&self, row: &Row<'_>, places: &Places, table: &Table) -> Result<Edit, Failure> {
+    fn edit(&self, row: &TableRow<'_>, places: &Places, table: &Table) -> Result<Edit, Failure> {
         let cell = |place: Option<usize>| place.map_or("", |at| row.cell(at));
         let (code, student) = (cell(places.code), cell(places.student));
         if self.is_own(code, student) {

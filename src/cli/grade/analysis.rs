@@ -8,7 +8,7 @@ use vibank::output::Analysed;
 use vibank::report::{Observation, PartSummary, Report};
 
 use super::items::Items;
-use super::outcome::Outcome;
+use super::outcome::SheetOutcome;
 use super::{Findings, Layout};
 use crate::cli::Failure;
 use crate::cli::folder::Folder;
@@ -46,7 +46,7 @@ const COLUMNS: [&str; 16] = [
 ];
 
 impl Analysis {
-    pub(crate) fn add(&mut self, sheet: &Outcome) {
+    pub(crate) fn add(&mut self, sheet: &SheetOutcome) {
         self.sheets += 1;
         let reasons: Vec<Vec<&str>> = sheet
             .parts

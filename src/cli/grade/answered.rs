@@ -7,7 +7,7 @@ use vibank::worksheet::{PartEntry, QuestionEntry};
 
 use super::decisions::{Decision, Ruling};
 use super::marking::Marker;
-use super::undecided::Alike;
+use super::undecided::AlikeAnswers;
 use crate::cli::Failure;
 
 /// A part as it was handed out and answered.
@@ -84,7 +84,7 @@ impl Marker<'_> {
             };
             let open = self.responses.open(&at);
             let given = open.or_else(|| self.responses.get(&at)).unwrap_or_default();
-            let alike = Alike::new(template.id.as_str(), &entry.id, given);
+            let alike = AlikeAnswers::new(template.id.as_str(), &entry.id, given);
             Answered {
                 entry,
                 place,

@@ -7,7 +7,7 @@ use std::path::Path;
 use serde::Deserialize;
 use vibank::grade;
 
-use super::outcome::{Outcome, PartOutcome};
+use super::outcome::{PartOutcome, SheetOutcome};
 use crate::cli::folder::Folder;
 use crate::cli::table::Dialect;
 use crate::cli::{Failure, files};
@@ -21,7 +21,7 @@ pub(crate) struct Changes {
 }
 
 #[derive(Deserialize)]
-struct Entry {
+struct MarkEntry {
     code: String,
     question: usize,
     part: String,
@@ -68,7 +68,7 @@ impl Changes {
             let line = line.map_err(|error| fail(&error))?;
             let line = line.trim().trim_end_matches(',');
             if line.len() > 1 {
-                let entry: Entry = serde_json::from_str(line).map_err(|error| fail(&error))?;
+                let entry: MarkEntry = serde_json::from_str(line).map_err(|error| fail(&error))?;
                 let place = (entry.code, entry.question, entry.part);
                 earlier.insert(place, (entry.points, entry.verdict));
             }
@@ -80,7 +80,7 @@ impl Changes {
         })
     }
 
-    pub(crate) fn add(&mut self, sheet: &Outcome) {
+    pub(crate) fn add(&mut self, sheet: &SheetOutcome) {
         for part in &sheet.parts {
             let place = (sheet.code.clone(), part.question, part.letter.clone());
             let Some((points, verdict)) = self.earlier.remove(&place) else {
@@ -127,7 +127,12 @@ impl Changes {
     }
 }
 
-fn row(sheet: &Outcome, part: &PartOutcome, points: Option<f64>, verdict: String) -> [String; 8] {
+fn row(
+    sheet: &SheetOutcome,
+    part: &PartOutcome,
+    points: Option<f64>,
+    verdict: String,
+) -> [String; 8] {
     [
         sheet.code.clone(),
         sheet.column("id").to_owned(),

@@ -12,7 +12,7 @@ use vibank::numerics::Rational;
 use vibank::source::nearest;
 use vibank::worksheet::Csv;
 
-use super::outcome::Outcome;
+use super::outcome::SheetOutcome;
 use crate::cli::Failure;
 use crate::cli::folder::Folder;
 use crate::cli::platform::CANVAS_ID;
@@ -79,7 +79,7 @@ impl Gradebook {
         })
     }
 
-    pub(crate) fn add(&mut self, sheet: &Outcome) {
+    pub(crate) fn add(&mut self, sheet: &SheetOutcome) {
         let id = sheet.column(&self.column);
         if id.is_empty() {
             self.unknown.push(sheet.code.clone());

@@ -15,7 +15,7 @@ use super::decisions::{Corrected, Decisions};
 use super::items::Items;
 use super::manifest::{Sheets, manifest};
 use super::marking::Marker;
-use crate::cli::platform::{self, Known, Report, Taken, Which};
+use crate::cli::platform::{self, KnownQuestions, Report, TakenAttempt, Which};
 use crate::cli::shard::Shard;
 use crate::cli::{Failure, counted, files, package, responses};
 
@@ -87,8 +87,8 @@ impl Handed {
             None => manifest(path)?,
         };
         let known = match &package {
-            Some(package) => Known::Package(package),
-            None => Known::of(&head),
+            Some(package) => KnownQuestions::Package(package),
+            None => KnownQuestions::of(&head),
         };
         let kept = std::slice::from_ref(&head.items);
         let items = Items::of(kept, catalogue, arguments.accept_revisions);
@@ -111,7 +111,7 @@ impl Handed {
                 decisions,
                 takes_points: false,
             };
-            let points = |taken: &Taken| Ok(marker.sheet(&taken.entry)?.0.points());
+            let points = |taken: &TakenAttempt| Ok(marker.sheet(&taken.entry)?.0.points());
             attempts
                 .par_iter()
                 .map(points)

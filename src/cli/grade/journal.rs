@@ -7,8 +7,8 @@ use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::{BufRead, BufReader};
 
-use super::outcome::Outcome;
-use super::parts::{self, End};
+use super::outcome::SheetOutcome;
+use super::parts::{self, PartEnd};
 use crate::cli::Failure;
 use crate::cli::folder::Folder;
 use crate::cli::journal_file::JournalFile;
@@ -45,7 +45,7 @@ impl Journal {
             folder.sweep(&["", "feedback"], &BTreeSet::new());
         }
         let done = if file.head()?.is_some_and(|head| head == input) {
-            file.go_on(|line| serde_json::from_str::<Outcome>(line).is_ok())?
+            file.go_on(|line| serde_json::from_str::<SheetOutcome>(line).is_ok())?
         } else {
             file.begin(input)?;
             0
@@ -69,7 +69,7 @@ impl Journal {
     }
 
     /// The next sheet that an earlier run marked.
-    pub(crate) fn next(&mut self) -> Option<Outcome> {
+    pub(crate) fn next(&mut self) -> Option<SheetOutcome> {
         let mut line = String::new();
         if self.done == 0 {
             return None;
@@ -80,7 +80,7 @@ impl Journal {
     }
 
     /// Notes sheets that were marked and whose pages are written.
-    pub(crate) fn note(&mut self, outcomes: &[Outcome]) -> Result<(), Failure> {
+    pub(crate) fn note(&mut self, outcomes: &[SheetOutcome]) -> Result<(), Failure> {
         self.file.add(outcomes)
     }
 
@@ -91,7 +91,7 @@ impl Journal {
 
     /// Makes the journal of this many sheets the part that was marked, in place of an earlier one; its name is returned.
     pub(crate) fn become_part(mut self, sheets: usize) -> Result<String, Failure> {
-        self.file.add(&[End { end: sheets }])?;
+        self.file.add(&[PartEnd { end: sheets }])?;
         self.file.sync()?;
         let name = parts::name(self.shard);
         self.file.rename(&name)?;

@@ -13,8 +13,8 @@ use super::answered::Answered;
 use super::decisions::{Corrected, Decisions};
 use super::items::Items;
 use super::manifest::solution_of;
-use super::outcome::{Fraction, Outcome, QuestionOutcome, Standing, sum};
-use super::part::Marked;
+use super::outcome::{Fraction, QuestionOutcome, SheetOutcome, Standing, sum};
+use super::part::MarkedPart;
 use crate::cli::Failure;
 
 /// What all sheets of a run are marked with.
@@ -38,7 +38,10 @@ pub(crate) struct Marker<'a> {
 
 impl Marker<'_> {
     /// What came out for a sheet, and what its student is told.
-    pub(crate) fn sheet(&self, variant: &VariantEntry) -> Result<(Outcome, Feedback), Failure> {
+    pub(crate) fn sheet(
+        &self,
+        variant: &VariantEntry,
+    ) -> Result<(SheetOutcome, Feedback), Failure> {
         let (mut parts, mut feedback, mut questions) = (Vec::new(), Vec::new(), Vec::new());
         let mut scored = Vec::new();
         for question in &variant.questions {
@@ -71,7 +74,7 @@ impl Marker<'_> {
         }
         let total = self.marks.total(&scored);
         let worth = self.marks.worth(&total);
-        let outcome = Outcome {
+        let outcome = SheetOutcome {
             code: variant.code.clone(),
             student: variant.student.clone().unwrap_or_default(),
             parts,
@@ -100,7 +103,7 @@ impl Marker<'_> {
     }
 
     /// The parts of a question, marked by what was decided; each that is otherwise without it says so.
-    fn question(&self, code: &str, question: &QuestionEntry) -> Result<Vec<Marked>, Failure> {
+    fn question(&self, code: &str, question: &QuestionEntry) -> Result<Vec<MarkedPart>, Failure> {
         let template = self.item(question)?;
         let answered = self.answered(code, question, template)?;
         if answered.iter().all(|part| part.ruling.is_empty()) {
@@ -135,7 +138,7 @@ impl Marker<'_> {
         template: &Template,
         question: &QuestionEntry,
         answered: &[Answered<'_>],
-    ) -> Result<Vec<Marked>, Failure> {
+    ) -> Result<Vec<MarkedPart>, Failure> {
         let solution = solution_of(template, question, self.decimal, self.doubt)?;
         let responses = answered.iter().map(|part| {
             let response = if part.is_by_hand { "" } else { part.response() };
@@ -154,7 +157,7 @@ impl Marker<'_> {
     }
 
     /// What a question came to: not below zero, unless that is asked for.
-    fn standing(&self, parts: &[Marked]) -> Standing {
+    fn standing(&self, parts: &[MarkedPart]) -> Standing {
         let parts = parts.iter().map(|part| Standing::of(&part.outcome));
         let parts: Vec<Standing> = parts.collect();
         let all = |value: fn(&Standing) -> Rational| sum(parts.iter().map(value));
@@ -177,7 +180,7 @@ impl Marker<'_> {
 }
 
 /// Takes away the points of parts that do not count, and gives those that are to be shared to the other parts.
-fn rescale(marked: &mut [Marked], answered: &[Answered<'_>]) {
+fn rescale(marked: &mut [MarkedPart], answered: &[Answered<'_>]) {
     let void = |part: &Answered<'_>| part.ruling.void.map(|(_, void)| void);
     let of = |wanted: Void| {
         let parts = answered.iter().filter(|part| void(part) == Some(wanted));

@@ -47,12 +47,12 @@ use self::journal::Journal;
 use self::layout::Layout;
 use self::manifest::Sheets;
 use self::marking::Marker;
-use self::outcome::Outcome;
+use self::outcome::SheetOutcome;
 use self::parts::Parts;
-use self::said::{Earlier, Written, gradebook_lacks, items_moved_on, told};
+use self::said::{Earlier, WrittenFiles, gradebook_lacks, items_moved_on, told};
 use self::standings::Class;
 use self::tables::Tables;
-use self::undecided::{Alike, Undecided};
+use self::undecided::{AlikeAnswers, Undecided};
 use super::bank::BankArgument;
 use super::folder::Folder;
 use super::platform::Which;
@@ -191,7 +191,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
             has_book,
         )
     };
-    let mut job = Job {
+    let mut job = GradeJob {
         journal,
         parts: parts.transpose()?.flatten(),
         share,
@@ -283,7 +283,7 @@ fn anonymous(variant: &VariantEntry) -> VariantEntry {
 }
 
 /// One run.
-struct Job<'a> {
+struct GradeJob<'a> {
     arguments: &'a Arguments,
     items: &'a Items<'a>,
     corrected: &'a Corrected,
@@ -323,7 +323,7 @@ struct Findings<'a> {
     decided: &'a [Decided],
 }
 
-impl Job<'_> {
+impl GradeJob<'_> {
     fn mark(&mut self) -> Result<(), Failure> {
         let bar = progress::bar(self.share.len() as u64, "sheets");
         if self.journal.done() > 0 {
@@ -365,7 +365,7 @@ impl Job<'_> {
     }
 
     /// What comes out for sheets, of which an interrupted run may have marked the first ones.
-    fn marked(&mut self, chunk: &[VariantEntry]) -> Result<Vec<Outcome>, Failure> {
+    fn marked(&mut self, chunk: &[VariantEntry]) -> Result<Vec<SheetOutcome>, Failure> {
         let mut outcomes = Vec::with_capacity(chunk.len());
         while outcomes.len() < chunk.len()
             && let Some(outcome) = self.journal.next()
@@ -379,7 +379,7 @@ impl Job<'_> {
     }
 
     /// Marks sheets and writes their pages.
-    fn chunk(&self, variants: &[VariantEntry]) -> Result<Vec<Outcome>, Failure> {
+    fn chunk(&self, variants: &[VariantEntry]) -> Result<Vec<SheetOutcome>, Failure> {
         let marker = Marker {
             items: self.items,
             decimal: self.sheets.decimal,
@@ -428,7 +428,7 @@ impl Job<'_> {
             .unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn count(&mut self, outcome: &Outcome) -> Result<(), Failure> {
+    fn count(&mut self, outcome: &SheetOutcome) -> Result<(), Failure> {
         let Some(tables) = &mut self.tables else {
             return Ok(());
         };
@@ -450,7 +450,8 @@ impl Job<'_> {
                 part: part.letter.clone(),
             };
             self.responses.claim(&place);
-            self.decisions.claim(&place, &Alike::of(part), part.max.0);
+            self.decisions
+                .claim(&place, &AlikeAnswers::of(part), part.max.0);
         }
         Ok(())
     }
@@ -518,7 +519,7 @@ impl Job<'_> {
             earlier.tell();
         }
         let has_changes = earlier.is_some_and(|earlier| !earlier.rows.is_empty());
-        Written {
+        WrittenFiles {
             out: self.out,
             analysis: &self.analysis,
             marks,

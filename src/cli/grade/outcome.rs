@@ -10,7 +10,7 @@ use vibank::worksheet::Total;
 
 /// A sheet that was marked.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(crate) struct Outcome {
+pub(crate) struct SheetOutcome {
     pub(crate) code: String,
     pub(crate) student: BTreeMap<String, String>,
     pub(crate) parts: Vec<PartOutcome>,
@@ -69,7 +69,7 @@ pub(crate) struct PartOutcome {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Fraction(pub(crate) Rational);
 
-impl Outcome {
+impl SheetOutcome {
     /// A column of the class list.
     pub(crate) fn column(&self, name: &str) -> &str {
         self.student.get(name).map_or("", String::as_str)

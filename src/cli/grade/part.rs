@@ -14,12 +14,12 @@ use super::marking::Marker;
 use super::outcome::{Fraction, PartOutcome};
 
 /// What came out for a part, and what its student is told.
-pub(crate) struct Marked {
+pub(crate) struct MarkedPart {
     pub(crate) outcome: PartOutcome,
     pub(crate) feedback: PartFeedback,
 }
 
-impl Marked {
+impl MarkedPart {
     /// Changes what the part is worth.
     pub(crate) fn scale(&mut self, factor: Rational) {
         let scaled = |points: Rational| points.checked_mul(factor).unwrap_or(points);
@@ -32,7 +32,7 @@ impl Marked {
 }
 
 /// What a part is worth so far, and what is said about it.
-struct Standing {
+struct PartStanding {
     verdict: Verdict,
     credit: Rational,
     points: Rational,
@@ -45,7 +45,7 @@ struct Standing {
 }
 
 /// What a person gave for a part: the points, if it is marked, and what the student is told.
-struct Given {
+struct AwardedPoints {
     points: Option<Rational>,
     remarks: Vec<Comment>,
     /// Why it is open, for the teacher.
@@ -60,13 +60,13 @@ impl Marker<'_> {
         number: usize,
         part: &Answered<'_>,
         grade: &Grade,
-    ) -> Marked {
+    ) -> MarkedPart {
         let marking = grade.part(part.place).expect("its response was marked");
         let answer = &solution.template().parts[part.place].answer;
         let mut standing = if part.is_by_hand {
             self.by_hand(number, part, answer.rubric())
         } else {
-            Standing {
+            PartStanding {
                 verdict: marking.verdict,
                 credit: marking.credit.share(),
                 points: grade::of_marking(marking, part.max),
@@ -102,7 +102,7 @@ impl Marker<'_> {
         let other = matches!(standing.verdict, Verdict::Wrong)
             .then(|| grade::pattern(solution, part.place, marking))
             .flatten();
-        Marked {
+        MarkedPart {
             feedback: PartFeedback {
                 letter: part.entry.letter.clone(),
                 verdict: standing.verdict,
@@ -126,7 +126,7 @@ impl Marker<'_> {
     }
 
     /// What a person has marked.
-    fn by_hand(&self, number: usize, part: &Answered<'_>, criteria: &[Criterion]) -> Standing {
+    fn by_hand(&self, number: usize, part: &Answered<'_>, criteria: &[Criterion]) -> PartStanding {
         let given = self.given(number, part, criteria);
         let reason = if given.points.is_some() {
             "by-hand"
@@ -137,7 +137,7 @@ impl Marker<'_> {
             Some(points) => worth(points, part.max),
             None => (Verdict::Unreadable, Rational::ZERO),
         };
-        Standing {
+        PartStanding {
             verdict,
             credit,
             points: given.points.unwrap_or(Rational::ZERO),
@@ -149,10 +149,10 @@ impl Marker<'_> {
     }
 
     /// What a person gave for work on paper.
-    fn given(&self, number: usize, part: &Answered<'_>, criteria: &[Criterion]) -> Given {
+    fn given(&self, number: usize, part: &Answered<'_>, criteria: &[Criterion]) -> AwardedPoints {
         let sheet = hand::Sheet::of(criteria, part.max, self.decimal);
         let unmarked = self.language.by_hand(&ByHand::Open);
-        let open = |why: String| Given {
+        let open = |why: String| AwardedPoints {
             points: None,
             remarks: vec![Comment::sentence(&unmarked)],
             why: Some(why),
@@ -163,7 +163,7 @@ impl Marker<'_> {
             ""
         };
         match sheet.read(text) {
-            Ok(Some(hand)) => Given {
+            Ok(Some(hand)) => AwardedPoints {
                 points: Some(hand.points),
                 remarks: sheet.told(&hand, self.language),
                 why: None,
@@ -179,7 +179,7 @@ impl Marker<'_> {
     }
 
     /// Takes off what a wrong choice costs; where nothing is decided yet, it may still turn out to be wrong.
-    fn charge(&self, standing: &mut Standing, max: Rational) {
+    fn charge(&self, standing: &mut PartStanding, max: Rational) {
         let penalty = self.marks.penalty(max);
         if penalty.is_zero() {
             return;
@@ -200,7 +200,7 @@ impl Marker<'_> {
     }
 }
 
-impl Standing {
+impl PartStanding {
     fn leave_open(&mut self, language: Language) {
         self.verdict = Verdict::Unreadable;
         self.reasons = vec!["unreadable".to_owned()];

@@ -10,7 +10,7 @@ use std::io::{BufRead, BufReader};
 use serde::{Deserialize, Serialize};
 use vibank::worksheet::VariantEntry;
 
-use super::outcome::Outcome;
+use super::outcome::SheetOutcome;
 use crate::cli::Failure;
 use crate::cli::folder::Folder;
 use crate::cli::shard::Shard;
@@ -20,7 +20,7 @@ const NAME: (&str, &str) = ("marked", "jsonl");
 
 /// The last line of a part.
 #[derive(Serialize, Deserialize)]
-pub(crate) struct End {
+pub(crate) struct PartEnd {
     /// How many sheets stand before it.
     pub(crate) end: usize,
 }
@@ -40,11 +40,11 @@ pub(crate) struct Parts {
     folder: Folder,
     of: usize,
     rest: VecDeque<Shard>,
-    now: Option<Part>,
+    now: Option<OpenPart>,
 }
 
 /// A part that is being read.
-struct Part {
+struct OpenPart {
     shard: Shard,
     file: BufReader<File>,
     read: usize,
@@ -103,7 +103,7 @@ impl Parts {
     }
 
     /// What came out for these sheets, which are the next ones.
-    pub(crate) fn take(&mut self, sheets: &[VariantEntry]) -> Result<Vec<Outcome>, Failure> {
+    pub(crate) fn take(&mut self, sheets: &[VariantEntry]) -> Result<Vec<SheetOutcome>, Failure> {
         let outcome = |sheet: &VariantEntry| match self.next()? {
             Some(outcome) if outcome.code == sheet.code => Ok(outcome),
             found => {
@@ -134,7 +134,7 @@ impl Parts {
         }
     }
 
-    fn next(&mut self) -> Result<Option<Outcome>, Failure> {
+    fn next(&mut self) -> Result<Option<SheetOutcome>, Failure> {
         loop {
             let part = match &mut self.now {
                 Some(part) => part,
@@ -143,7 +143,7 @@ impl Parts {
                         return Ok(None);
                     };
                     let (file, _) = open(&self.folder, shard)?;
-                    self.now.insert(Part {
+                    self.now.insert(OpenPart {
                         shard,
                         file,
                         read: 0,
@@ -156,7 +156,7 @@ impl Parts {
                 part.read += 1;
                 return Ok(Some(outcome));
             }
-            let end = serde_json::from_str::<End>(&line).ok();
+            let end = serde_json::from_str::<PartEnd>(&line).ok();
             if length == 0 || end.is_none_or(|end| end.end != part.read) {
                 return Err(self.broken("is cut off, or was edited"));
             }

@@ -113,7 +113,7 @@ pub(crate) fn items_moved_on(changed: &[String], accepts: bool, has_earlier: boo
 }
 
 /// The files of a run.
-pub(crate) struct Written<'a> {
+pub(crate) struct WrittenFiles<'a> {
     pub(crate) out: &'a Folder,
     pub(crate) analysis: &'a Analysis,
     /// The name of the table of marks.
@@ -125,7 +125,7 @@ pub(crate) struct Written<'a> {
     pub(crate) makes_feedback: bool,
 }
 
-impl Written<'_> {
+impl WrittenFiles<'_> {
     /// How many verdicts of each kind there are, and what is in which file.
     pub(crate) fn tell(&self) {
         let file = |name: &str, what: &str| {

@@ -5,7 +5,7 @@ use vibank::output::Marked;
 use vibank::report::{GroupSummary, Standing, Standings};
 use vibank::worksheet::Marks;
 
-use super::outcome::Outcome;
+use super::outcome::SheetOutcome;
 use crate::cli::Failure;
 use crate::cli::folder::Folder;
 use crate::cli::table::Dialect;
@@ -47,7 +47,7 @@ impl Class {
         }
     }
 
-    pub(crate) fn add(&mut self, sheet: &Outcome) {
+    pub(crate) fn add(&mut self, sheet: &SheetOutcome) {
         let total = sheet.total.total();
         let worth = self.marks.worth(&total);
         let group = sheet.column("group");

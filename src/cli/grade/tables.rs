@@ -5,7 +5,7 @@ use vibank::grade;
 use vibank::numerics::Rational;
 use vibank::worksheet::{Csv, Marks};
 
-use super::outcome::{Outcome, PartOutcome};
+use super::outcome::{PartOutcome, SheetOutcome};
 use crate::cli::Failure;
 use crate::cli::folder::{Draft, Folder};
 use crate::cli::table::Dialect;
@@ -99,7 +99,7 @@ impl Tables {
         })
     }
 
-    pub(crate) fn add(&mut self, sheet: &Outcome) -> Result<(), Failure> {
+    pub(crate) fn add(&mut self, sheet: &SheetOutcome) -> Result<(), Failure> {
         self.mark(sheet)?;
         for part in &sheet.parts {
             self.detail(sheet, part)?;
@@ -109,7 +109,7 @@ impl Tables {
     }
 
     /// A row of the marks, its numbers written in a dialect.
-    fn row(&self, sheet: &Outcome, dialect: Dialect) -> Vec<String> {
+    fn row(&self, sheet: &SheetOutcome, dialect: Dialect) -> Vec<String> {
         let points = |points| dialect.number(&grade::rounded(points));
         let cell = |(question, letter): &Column| {
             if letter.is_empty() {
@@ -144,7 +144,7 @@ impl Tables {
     }
 
     /// Percent, grade and whether it passes, where `[marks]` says it.
-    fn worth(&self, sheet: &Outcome, dialect: Dialect) -> Vec<String> {
+    fn worth(&self, sheet: &SheetOutcome, dialect: Dialect) -> Vec<String> {
         if !is_worth(&self.rules) {
             return Vec::new();
         }
@@ -172,7 +172,7 @@ impl Tables {
         vec![dialect.number(&percent), grade, passed.to_owned()]
     }
 
-    fn mark(&mut self, sheet: &Outcome) -> Result<(), Failure> {
+    fn mark(&mut self, sheet: &SheetOutcome) -> Result<(), Failure> {
         if self.book.is_some() {
             let row = self.row(sheet, Dialect::new(Csv::Plain, '.'));
             let cell = |(at, text): (usize, String)| {
@@ -192,7 +192,7 @@ impl Tables {
         self.marks.write(&self.dialect.line(&row)?)
     }
 
-    fn detail(&mut self, sheet: &Outcome, part: &PartOutcome) -> Result<(), Failure> {
+    fn detail(&mut self, sheet: &SheetOutcome, part: &PartOutcome) -> Result<(), Failure> {
         let max = self.dialect.number(&grade::rounded(part.max.0));
         let points = part_points(part, self.dialect);
         let credit = part.credit.0.to_f64().to_string();
@@ -219,7 +219,7 @@ impl Tables {
         ])?)
     }
 
-    fn result(&mut self, sheet: &Outcome, part: &PartOutcome) -> Result<(), Failure> {
+    fn result(&mut self, sheet: &SheetOutcome, part: &PartOutcome) -> Result<(), Failure> {
         let settled = |number: f64| (!part.is_undecided()).then_some(number);
         let mut entry = json!({
             "code": sheet.code,

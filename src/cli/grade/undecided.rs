@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use vibank::answer::Verdict;
 use vibank::output::{Lost, LostSheet};
 
-use super::outcome::{Outcome, PartOutcome};
+use super::outcome::{PartOutcome, SheetOutcome};
 use crate::cli::Failure;
 use crate::cli::folder::Folder;
 use crate::cli::table::Dialect;
@@ -18,13 +18,13 @@ const COLUMNS: [&str; 13] = [
 
 /// The same words to the same part of an item, whatever the data of the sheet are.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Alike {
+pub(crate) struct AlikeAnswers {
     pub(crate) item: String,
     pub(crate) id: String,
     given: String,
 }
 
-impl Alike {
+impl AlikeAnswers {
     /// Blanks do not count, nor does the apostrophe that keeps a spreadsheet from running a cell.
     pub(crate) fn new(item: &str, id: &str, given: &str) -> Self {
         let given = match given.strip_prefix('\'') {
@@ -46,13 +46,13 @@ impl Alike {
 /// The answers that could not be read, in the order in which the first of them came.
 #[derive(Debug, Default)]
 pub(crate) struct Undecided {
-    places: BTreeMap<Alike, usize>,
+    places: BTreeMap<AlikeAnswers, usize>,
     groups: Vec<Lost>,
 }
 
 impl Undecided {
     /// Adds those of a sheet.
-    pub(crate) fn add(&mut self, sheet: &Outcome) {
+    pub(crate) fn add(&mut self, sheet: &SheetOutcome) {
         let lost = sheet.parts.iter();
         for part in lost.filter(|part| part.verdict == Verdict::Unreadable) {
             let new = self.groups.len();
@@ -60,7 +60,7 @@ impl Undecided {
             let place = if part.by_hand {
                 new
             } else {
-                *self.places.entry(Alike::of(part)).or_insert(new)
+                *self.places.entry(AlikeAnswers::of(part)).or_insert(new)
             };
             if place == new {
                 self.groups.push(Lost {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::sheets::Taken;
+use super::sheets::TakenAttempt;
 
 /// Which of several attempts of a student counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -26,9 +26,13 @@ impl Which {
     }
 
     /// The attempts that count, in the order in which their students come first; `points` are asked for the best only.
-    pub(crate) fn choose<P: PartialOrd>(self, attempts: Vec<Taken>, points: &[P]) -> Vec<Taken> {
+    pub(crate) fn choose<P: PartialOrd>(
+        self,
+        attempts: Vec<TakenAttempt>,
+        points: &[P],
+    ) -> Vec<TakenAttempt> {
         let mut students: BTreeMap<String, usize> = BTreeMap::new();
-        let mut chosen: Vec<(usize, Taken)> = Vec::new();
+        let mut chosen: Vec<(usize, TakenAttempt)> = Vec::new();
         for (at, taken) in attempts.into_iter().enumerate() {
             let Some(place) = students.get(taken.student()).copied() else {
                 students.insert(taken.student().to_owned(), chosen.len());

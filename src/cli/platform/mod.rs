@@ -16,14 +16,14 @@ use std::ops::Range;
 use std::path::Path;
 
 pub(crate) use self::attempts::Which;
-pub(crate) use self::sheets::{Known, Taken, responses};
+pub(crate) use self::sheets::{KnownQuestions, TakenAttempt, responses};
 
 use self::cells::decoded;
 use self::moment::{Moment, moment};
-use self::origin::{Interaction, Origin};
+use self::origin::{Interaction, QuestionOrigin};
 use super::Failure;
 use super::class_list::Places;
-use super::table::{Row, Table};
+use super::table::{Table, TableRow};
 
 /// The column of students with the numbers by which Canvas knows them.
 pub(crate) const CANVAS_ID: &str = "canvas id";
@@ -44,29 +44,29 @@ struct Attempt {
     line: usize,
     student: BTreeMap<String, String>,
     moment: Option<Moment>,
-    answers: Vec<Answer>,
+    answers: Vec<ColumnAnswer>,
 }
 
 /// What was answered in one column.
-struct Answer {
+struct ColumnAnswer {
     /// Its heading.
     column: String,
-    asked: Asked,
+    asked: AnswerTarget,
     text: String,
     /// Why the cell does not hold what was typed.
     spoilt: Option<String>,
 }
 
 /// What an answer belongs to.
-enum Asked {
-    Boxes(Origin),
+enum AnswerTarget {
+    Boxes(QuestionOrigin),
     Interaction(Interaction),
 }
 
 /// Where in a report the answers are.
-enum Layout {
+enum ReportLayout {
     /// The headings are the texts of the questions; the points follow in the next column.
-    Headings(Vec<(usize, Origin)>),
+    Headings(Vec<(usize, QuestionOrigin)>),
     /// The columns of the question and of the response.
     Pairs(Vec<(usize, usize)>),
 }
@@ -79,13 +79,14 @@ impl Report {
             .collect();
         let mut foreign = BTreeSet::new();
         let (name, layout, first) = if let Some(first) = canvas.first() {
-            let asked = |at: &usize| Some((*at, Origin::read(&decoded(&table.headings[*at]))?));
-            let found: Vec<(usize, Origin)> = canvas.iter().filter_map(asked).collect();
+            let asked =
+                |at: &usize| Some((*at, QuestionOrigin::read(&decoded(&table.headings[*at]))?));
+            let found: Vec<(usize, QuestionOrigin)> = canvas.iter().filter_map(asked).collect();
             let others = canvas
                 .iter()
                 .filter(|at| found.iter().all(|(own, _)| own != *at));
             foreign.extend(others.map(|at| shown(&table.headings[*at])));
-            ("student analysis", Layout::Headings(found), *first)
+            ("student analysis", ReportLayout::Headings(found), *first)
         } else {
             let Some(groups) = groups(&table.headings) else {
                 return Ok(None);
@@ -95,7 +96,7 @@ impl Report {
             let is_own = |group: &Range<usize>| pairs.iter().any(|(own, _)| group.contains(own));
             let others = groups.iter().filter(|group| !is_own(group));
             foreign.extend(others.map(|group| table.headings[group.start].clone()));
-            ("report of responses", Layout::Pairs(pairs), first)
+            ("report of responses", ReportLayout::Pairs(pairs), first)
         };
         let mut report = Self {
             name,
@@ -105,7 +106,7 @@ impl Report {
         };
         let who = Who::of(path, table, first)?;
         let width = table.headings.len();
-        let begins_row = |row: &Row<'_>| row.cells.len() == width;
+        let begins_row = |row: &TableRow<'_>| row.cells.len() == width;
         for row in table.rows(&begins_row) {
             match row {
                 Ok(row) => report.attempt(table, &layout, &who, &row),
@@ -126,11 +127,11 @@ impl Report {
         self.faults.len()
     }
 
-    fn attempt(&mut self, table: &Table, layout: &Layout, who: &Who, row: &Row<'_>) {
+    fn attempt(&mut self, table: &Table, layout: &ReportLayout, who: &Who, row: &TableRow<'_>) {
         let mut answers = Vec::new();
-        let mut add = |at: usize, asked: Asked| {
+        let mut add = |at: usize, asked: AnswerTarget| {
             let spoilt = table.spoilt(row.line, at).map(|spoilt| spoilt.to_string());
-            answers.push(Answer {
+            answers.push(ColumnAnswer {
                 column: shown(&table.headings[at]),
                 asked,
                 text: decoded(row.cell(at)).trim().to_owned(),
@@ -138,14 +139,14 @@ impl Report {
             });
         };
         match layout {
-            Layout::Headings(columns) => {
+            ReportLayout::Headings(columns) => {
                 // Questions that were not drawn for this student have no points.
                 let drawn = columns
                     .iter()
                     .filter(|(at, _)| !row.cell(at + 1).is_empty());
-                drawn.for_each(|(at, origin)| add(*at, Asked::Boxes(origin.clone())));
+                drawn.for_each(|(at, origin)| add(*at, AnswerTarget::Boxes(origin.clone())));
             }
-            Layout::Pairs(pairs) => {
+            ReportLayout::Pairs(pairs) => {
                 for (question, response) in pairs {
                     match asked(row.cell(*question)) {
                         Some(asked) => add(*response, asked),
@@ -175,11 +176,11 @@ fn shown(heading: &str) -> String {
 }
 
 /// What the text of a question, or the identity of an interaction, says.
-fn asked(cell: &str) -> Option<Asked> {
+fn asked(cell: &str) -> Option<AnswerTarget> {
     let text = decoded(cell);
     Interaction::read(&text)
-        .map(Asked::Interaction)
-        .or_else(|| Origin::read(&text).map(Asked::Boxes))
+        .map(AnswerTarget::Interaction)
+        .or_else(|| QuestionOrigin::read(&text).map(AnswerTarget::Boxes))
 }
 
 fn nothing(path: &Path, name: &str) -> Failure {
@@ -271,7 +272,7 @@ fn pairs(
     table: &Table,
     groups: &[Range<usize>],
 ) -> Result<Vec<(usize, usize)>, Failure> {
-    let none = |_: &Row<'_>| false;
+    let none = |_: &TableRow<'_>| false;
     let mut questions = BTreeSet::new();
     for row in table.rows(&none).flatten() {
         let columns = groups.iter().flat_map(Clone::clone);
@@ -315,8 +316,8 @@ struct Who {
 
 impl Who {
     fn of(path: &Path, table: &Table, first: usize) -> Result<Self, Failure> {
-        let none = |_: &Row<'_>| false;
-        let rows: Vec<Row<'_>> = table.rows(&none).flatten().collect();
+        let none = |_: &TableRow<'_>| false;
+        let rows: Vec<TableRow<'_>> = table.rows(&none).flatten().collect();
         let filled = |at: usize| {
             let cells = rows.iter().map(move |row| row.cell(at));
             cells.filter(|cell| !matches!(*cell, "" | "-"))
@@ -370,9 +371,9 @@ impl Who {
     }
 
     /// The student of a row, by the identity, else by the address, the name, the line.
-    fn student(&self, row: &Row<'_>) -> BTreeMap<String, String> {
+    fn student(&self, row: &TableRow<'_>) -> BTreeMap<String, String> {
         let width = row.cells.len().min(self.headings.len() - 1);
-        let own = Row {
+        let own = TableRow {
             line: row.line,
             cells: row.cells[..width].to_vec(),
         };
@@ -404,7 +405,7 @@ impl Who {
         columns
     }
 
-    fn moment(&self, row: &Row<'_>) -> Option<Moment> {
+    fn moment(&self, row: &TableRow<'_>) -> Option<Moment> {
         match self.attempt.map(|at| row.cell(at).parse()) {
             Some(Ok(number)) => Some([number, 0, 0, 0, 0, 0]),
             _ => moment(row.cell(self.date?)),

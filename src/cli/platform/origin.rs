@@ -4,30 +4,30 @@ use vibank::seed::Variant;
 
 /// What the last line of an exported question says: its item, its code, and the part of each box.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Origin {
+pub(crate) struct QuestionOrigin {
     /// A word that ends in the identity of the item; platforms that drop line breaks glue the word before to it.
     pub(crate) item: String,
     pub(crate) code: Variant,
-    pub(crate) boxes: Vec<Asked>,
+    pub(crate) boxes: Vec<BoxAnswer>,
 }
 
 /// What a box asks for.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Asked {
+pub(crate) struct BoxAnswer {
     /// The letter of the part.
     pub(crate) letter: String,
     /// The power of ten of the unit behind the box: -3 where millimetres are asked in place of metres.
     pub(crate) power: i32,
 }
 
-impl Origin {
+impl QuestionOrigin {
     /// Reads the text of a question; none if it is not one of an export.
     pub(crate) fn read(text: &str) -> Option<Self> {
         let words: Vec<&str> = text.split_whitespace().collect();
         let at = words.iter().rposition(|word| code(word).is_some())?;
-        let boxes: Vec<Asked> = words[at + 1..]
+        let boxes: Vec<BoxAnswer> = words[at + 1..]
             .iter()
-            .map_while(|word| Asked::read(word))
+            .map_while(|word| BoxAnswer::read(word))
             .collect();
         let item = words[..at].last()?;
         let is_item = item.contains('/') && !boxes.is_empty();
@@ -39,7 +39,7 @@ impl Origin {
     }
 }
 
-impl Asked {
+impl BoxAnswer {
     fn read(word: &str) -> Option<Self> {
         let (letter, power) = match word.split_once("*1e") {
             Some((letter, power)) => (letter, power.parse().ok()?),
@@ -96,18 +96,18 @@ mod tests {
     fn the_last_line_of_a_question_names_its_boxes() {
         let code = Variant::new(7).expect("it is a variant");
         let text = format!("A block of 2 kg. ω = _____ rad/s\n\nch1/e2-block {code} a b1 b2");
-        let origin = Origin::read(&text).expect("it is exported");
+        let origin = QuestionOrigin::read(&text).expect("it is exported");
         let letters: Vec<&str> = origin.boxes.iter().map(|own| own.letter.as_str()).collect();
         assert_eq!((origin.item.as_str(), origin.code), ("ch1/e2-block", code));
         assert_eq!(letters, ["a", "b1", "b2"]);
-        let canvas = Origin::read(&format!("How far?ch1/e2-block {code} c*1e-3"));
+        let canvas = QuestionOrigin::read(&format!("How far?ch1/e2-block {code} c*1e-3"));
         let origin = canvas.expect("it is exported");
         assert_eq!(origin.item, "far?ch1/e2-block");
         assert_eq!(origin.boxes[0].power, -3);
         for text in ["", "What is 2 + 2?", "ch1/e2-block XXX-XXX-XXX a"] {
-            assert_eq!(Origin::read(text), None, "{text}");
+            assert_eq!(QuestionOrigin::read(text), None, "{text}");
         }
-        assert_eq!(Origin::read(&format!("ch1/e2-block {code}")), None);
+        assert_eq!(QuestionOrigin::read(&format!("ch1/e2-block {code}")), None);
     }
 
     #[test]

@@ -10,8 +10,8 @@ use vibank::worksheet::{Manifest, PartEntry, QuestionEntry, VariantEntry, letter
 use super::cells::{boxes, essay};
 use super::moment::Moment;
 use super::options::chosen;
-use super::origin::{Asked as Boxed, Interaction, Origin};
-use super::{Answer, Asked, Attempt, Report};
+use super::origin::{BoxAnswer as Boxed, Interaction, QuestionOrigin};
+use super::{AnswerTarget, Attempt, ColumnAnswer, Report};
 use crate::cli::Failure;
 use crate::cli::package::ReadPackage;
 
@@ -22,7 +22,7 @@ const MAX_LENGTH: usize = 255;
 const ATTEMPTS: u64 = 0x6174_7465_6d70_7473;
 
 /// What may have been asked.
-pub(crate) enum Known<'a> {
+pub(crate) enum KnownQuestions<'a> {
     /// The questions of a manifest, by code.
     Manifest(BTreeMap<String, Vec<QuestionEntry>>),
     /// A package, which draws them when they are asked for.
@@ -30,16 +30,16 @@ pub(crate) enum Known<'a> {
 }
 
 /// An attempt as a sheet.
-pub(crate) struct Taken {
+pub(crate) struct TakenAttempt {
     /// The sheet, under a code of its own.
     pub(crate) entry: VariantEntry,
     line: usize,
     moment: Option<Moment>,
-    rows: Vec<Given>,
+    rows: Vec<AnsweredPart>,
 }
 
 /// What was answered to one part.
-struct Given {
+struct AnsweredPart {
     question: usize,
     part: String,
     response: String,
@@ -47,7 +47,7 @@ struct Given {
     is_open: bool,
 }
 
-impl Taken {
+impl TakenAttempt {
     /// The identity of the student.
     pub(crate) fn student(&self) -> &str {
         let student = self.entry.student.as_ref();
@@ -66,7 +66,7 @@ impl Taken {
 }
 
 /// The answers of attempts, by the codes of their sheets.
-pub(crate) fn responses(attempts: &[Taken]) -> Responses {
+pub(crate) fn responses(attempts: &[TakenAttempt]) -> Responses {
     let mut responses = Responses::default();
     for taken in attempts {
         for given in &taken.rows {
@@ -88,7 +88,7 @@ pub(crate) fn responses(attempts: &[Taken]) -> Responses {
     responses
 }
 
-impl Known<'_> {
+impl KnownQuestions<'_> {
     /// The questions of a manifest.
     pub(crate) fn of(manifest: &Manifest) -> Self {
         let variants = manifest.variants.iter();
@@ -111,7 +111,7 @@ impl Known<'_> {
     }
 
     /// The question with the boxes of an exported one.
-    fn boxed(&self, origin: &Origin) -> Option<QuestionEntry> {
+    fn boxed(&self, origin: &QuestionOrigin) -> Option<QuestionEntry> {
         let Self::Manifest(variants) = self else {
             return None;
         };
@@ -150,9 +150,9 @@ impl Report {
     /// faults.
     pub(crate) fn taken<'t>(
         mut self,
-        known: &Known<'_>,
+        known: &KnownQuestions<'_>,
         template: &dyn Fn(&QuestionEntry) -> Result<&'t Template, Failure>,
-    ) -> Result<(Vec<Taken>, Vec<String>), Failure> {
+    ) -> Result<(Vec<TakenAttempt>, Vec<String>), Failure> {
         for column in &self.foreign {
             eprintln!("not marked: `{column}`, which is not a question of this program");
         }
@@ -160,7 +160,7 @@ impl Report {
         let mut unanswered = BTreeMap::new();
         let (mut taken, mut codes) = (Vec::new(), BTreeSet::new());
         for attempt in &self.attempts {
-            let mut sheet = Sheet {
+            let mut sheet = AttemptSheet {
                 questions: Vec::new(),
                 rows: Vec::new(),
                 faults: &mut self.faults,
@@ -170,7 +170,7 @@ impl Report {
                 next: known.most() + 1,
             };
             sheet.fill(attempt, known, template)?;
-            let Sheet {
+            let AttemptSheet {
                 questions, rows, ..
             } = sheet;
             if questions.is_empty() {
@@ -182,7 +182,7 @@ impl Report {
             let Some(code) = codes_of.find(|code| codes.insert(*code)) else {
                 continue;
             };
-            taken.push(Taken {
+            taken.push(TakenAttempt {
                 entry: VariantEntry {
                     code: code.to_string(),
                     seed: code.number(),
@@ -214,9 +214,9 @@ impl Report {
 }
 
 /// The sheet of an attempt while it is put together.
-struct Sheet<'f> {
+struct AttemptSheet<'f> {
     questions: Vec<QuestionEntry>,
-    rows: Vec<Given>,
+    rows: Vec<AnsweredPart>,
     faults: &'f mut Vec<String>,
     /// Questions that are not known.
     lost: &'f mut BTreeSet<String>,
@@ -227,17 +227,17 @@ struct Sheet<'f> {
     next: usize,
 }
 
-impl Sheet<'_> {
+impl AttemptSheet<'_> {
     fn fill<'t>(
         &mut self,
         attempt: &Attempt,
-        known: &Known<'_>,
+        known: &KnownQuestions<'_>,
         template: &dyn Fn(&QuestionEntry) -> Result<&'t Template, Failure>,
     ) -> Result<(), Failure> {
-        let mut tries: Vec<(&Interaction, &Answer)> = Vec::new();
+        let mut tries: Vec<(&Interaction, &ColumnAnswer)> = Vec::new();
         for answer in &attempt.answers {
             match &answer.asked {
-                Asked::Boxes(origin) => match known.boxed(origin) {
+                AnswerTarget::Boxes(origin) => match known.boxed(origin) {
                     Some(question) => {
                         let question = self.numbered(question);
                         self.boxes(&question, origin, answer, template(&question)?);
@@ -249,8 +249,8 @@ impl Sheet<'_> {
                     }
                 },
                 // Each try is reported; the last one counts.
-                Asked::Interaction(own) => {
-                    let is_same = |(known, _): &(&Interaction, &Answer)| {
+                AnswerTarget::Interaction(own) => {
+                    let is_same = |(known, _): &(&Interaction, &ColumnAnswer)| {
                         (&known.item, &known.part, known.code) == (&own.item, &own.part, own.code)
                     };
                     match tries.iter().position(is_same) {
@@ -282,7 +282,7 @@ impl Sheet<'_> {
             };
             self.interaction(at, own, answer);
         }
-        if let Known::Package(package) = known
+        if let KnownQuestions::Package(package) = known
             && !self.questions.is_empty()
         {
             self.unanswered(package, &attempt.student["id"])?;
@@ -324,7 +324,7 @@ impl Sheet<'_> {
     }
 
     fn add(&mut self, question: &QuestionEntry, part: &PartEntry, response: String, is_open: bool) {
-        self.rows.push(Given {
+        self.rows.push(AnsweredPart {
             question: question.number,
             part: part.letter.clone(),
             response,
@@ -333,8 +333,8 @@ impl Sheet<'_> {
     }
 
     /// What a cell cannot say is left to the teacher.
-    fn open(&mut self, question: &QuestionEntry, answer: &Answer, why: &str) {
-        let Answer { column, text, .. } = answer;
+    fn open(&mut self, question: &QuestionEntry, answer: &ColumnAnswer, why: &str) {
+        let ColumnAnswer { column, text, .. } = answer;
         let line = self.line;
         self.faults.push(format!(
             "line {line}, column `{column}`: {why}; what it answers is not decided"
@@ -348,8 +348,8 @@ impl Sheet<'_> {
     fn boxes(
         &mut self,
         question: &QuestionEntry,
-        origin: &Origin,
-        answer: &Answer,
+        origin: &QuestionOrigin,
+        answer: &ColumnAnswer,
         template: &Template,
     ) {
         if let Some(why) = &answer.spoilt {
@@ -428,7 +428,7 @@ impl Sheet<'_> {
     }
 
     /// The answer that a package reports.
-    fn interaction(&mut self, at: usize, own: &Interaction, answer: &Answer) {
+    fn interaction(&mut self, at: usize, own: &Interaction, answer: &ColumnAnswer) {
         let question = self.questions[at].clone();
         let Some(part) = question.parts.iter().find(|part| part.id == own.part) else {
             self.lost
@@ -454,7 +454,7 @@ impl Sheet<'_> {
     }
 }
 
-impl Answer {
+impl ColumnAnswer {
     /// Whether the heading is the text of the question.
     fn is_canvas(&self) -> bool {
         self.column.starts_with(|char: char| char.is_ascii_digit())

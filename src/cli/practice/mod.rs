@@ -15,7 +15,7 @@ use vibank::solution::Solution;
 use vibank::suitability;
 
 use self::log::Log;
-use self::session::{End, Session};
+use self::session::{Session, SessionEnd};
 use super::bank::{self, BankArgument};
 use super::doubt::doubt;
 use super::filter::Filter;
@@ -73,7 +73,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             let item =
                 item.ok_or_else(|| Failure::new(format!("`{}` cannot be used", items[at])))?;
             let solution = instance(item, seed, number)?.settling(arguments.doubt);
-            if let End::Session = session.exercise(&solution)? {
+            if let SessionEnd::Session = session.exercise(&solution)? {
                 break 'rounds;
             }
             number += 1;

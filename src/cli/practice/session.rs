@@ -25,14 +25,14 @@ pub(crate) struct Session {
 
 /// Where to go on after a part or an exercise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum End {
+pub(crate) enum SessionEnd {
     Part,
     Exercise,
     Session,
 }
 
 /// What was typed.
-enum Typed {
+enum TypedLine {
     Answer(String),
     Hint,
     Solution,
@@ -79,7 +79,7 @@ impl Session {
     }
 
     /// Asks an exercise part by part, marks what is typed, and shows the solution.
-    pub(crate) fn exercise(&mut self, solution: &Solution<'_>) -> Result<End, Failure> {
+    pub(crate) fn exercise(&mut self, solution: &Solution<'_>) -> Result<SessionEnd, Failure> {
         let template = solution.template();
         let scene = Scene::of(solution, Data::Both).in_words();
         self.is_principle_due = !template.solution.is_empty();
@@ -106,12 +106,12 @@ impl Session {
                 continue;
             }
             match self.part(&scene, &heading.letter, place, &mut answered)? {
-                End::Part => {}
-                End::Exercise => return Ok(End::Exercise),
-                End::Session => return Ok(End::Session),
+                SessionEnd::Part => {}
+                SessionEnd::Exercise => return Ok(SessionEnd::Exercise),
+                SessionEnd::Session => return Ok(SessionEnd::Session),
             }
         }
-        Ok(End::Exercise)
+        Ok(SessionEnd::Exercise)
     }
 
     fn question(&self, scene: &Scene<'_, '_>, own: &str, place: usize) {
@@ -141,24 +141,24 @@ impl Session {
         letter: &str,
         place: usize,
         answered: &mut Vec<(usize, String)>,
-    ) -> Result<End, Failure> {
+    ) -> Result<SessionEnd, Failure> {
         let solution = scene.solution();
         let part = &solution.template().parts[place];
         let (mut hints, mut attempts) = (0, 0);
         loop {
             match self.read(letter)? {
-                Typed::Nothing => {}
-                Typed::Help => self.screen.say(Tone::Faint, "   ", HELP),
-                Typed::Hint => hints = self.hint(scene, part, hints),
-                Typed::Pass => return Ok(End::Part),
-                Typed::PassExercise => return Ok(End::Exercise),
-                Typed::Quit => return Ok(End::Session),
-                Typed::Solution => {
+                TypedLine::Nothing => {}
+                TypedLine::Help => self.screen.say(Tone::Faint, "   ", HELP),
+                TypedLine::Hint => hints = self.hint(scene, part, hints),
+                TypedLine::Pass => return Ok(SessionEnd::Part),
+                TypedLine::PassExercise => return Ok(SessionEnd::Exercise),
+                TypedLine::Quit => return Ok(SessionEnd::Session),
+                TypedLine::Solution => {
                     self.solution(scene, part, place);
                     self.asked += usize::from(attempts == 0);
-                    return Ok(End::Part);
+                    return Ok(SessionEnd::Part);
                 }
-                Typed::Answer(response) => {
+                TypedLine::Answer(response) => {
                     let earlier = answered.iter().map(|(place, own)| (*place, own.as_str()));
                     let grade = Grade::mark(solution, earlier.chain([(place, response.as_str())]));
                     let marking = grade.part(place).expect("the response was marked");
@@ -175,7 +175,7 @@ impl Session {
                     if marking.verdict == Verdict::Right {
                         self.right += 1;
                         self.right_at_once += usize::from(attempts == 1 && hints == 0);
-                        return Ok(End::Part);
+                        return Ok(SessionEnd::Part);
                     }
                 }
             }
@@ -259,19 +259,19 @@ impl Session {
         }
     }
 
-    fn read(&self, letter: &str) -> Result<Typed, Failure> {
+    fn read(&self, letter: &str) -> Result<TypedLine, Failure> {
         let Some(text) = self.screen.ask(&format!("{letter}> "))? else {
-            return Ok(Typed::Quit);
+            return Ok(TypedLine::Quit);
         };
         Ok(match text.as_str() {
-            "" => Typed::Nothing,
-            "?" | "hint" => Typed::Hint,
-            "!" | "solution" => Typed::Solution,
-            ">" | "next" | "skip" => Typed::Pass,
-            ">>" => Typed::PassExercise,
-            "help" => Typed::Help,
-            "quit" | "exit" | ":q" => Typed::Quit,
-            answer => Typed::Answer(answer.to_owned()),
+            "" => TypedLine::Nothing,
+            "?" | "hint" => TypedLine::Hint,
+            "!" | "solution" => TypedLine::Solution,
+            ">" | "next" | "skip" => TypedLine::Pass,
+            ">>" => TypedLine::PassExercise,
+            "help" => TypedLine::Help,
+            "quit" | "exit" | ":q" => TypedLine::Quit,
+            answer => TypedLine::Answer(answer.to_owned()),
         })
     }
 }

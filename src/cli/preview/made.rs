@@ -48,11 +48,11 @@ struct Question {
     item: String,
     points: String,
     minutes: u32,
-    parts: Vec<Part>,
+    parts: Vec<PreviewPart>,
 }
 
 #[derive(Serialize)]
-struct Part {
+struct PreviewPart {
     letter: String,
     kind: &'static str,
     points: String,
@@ -158,7 +158,7 @@ impl Question {
         let template = question.solution.template();
         let called = headings(template, &question.parts).into_iter();
         let asked = called.zip(question.parts.iter().zip(&question.points));
-        let parts = asked.map(|(heading, (place, points))| Part {
+        let parts = asked.map(|(heading, (place, points))| PreviewPart {
             letter: heading.letter,
             kind: template.parts[*place].answer.kind().name(),
             points: pages.points(*points),

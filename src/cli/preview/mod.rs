@@ -17,7 +17,7 @@ use vibank::diagnostic::Finding;
 pub(crate) use self::made::beside;
 
 use self::made::{Made, Trouble};
-use self::server::{Reply, Request, Server};
+use self::server::{HttpReply, Request, Server};
 use super::bank::{self, BankArgument};
 use super::watch::{self, Watch};
 use super::{Failure, Outcome};
@@ -190,10 +190,10 @@ impl Bench {
         Some(made)
     }
 
-    fn answer(&self, request: &Request) -> Option<Reply> {
+    fn answer(&self, request: &Request) -> Option<HttpReply> {
         let place = request.number("variant").unwrap_or(0);
         let place = usize::try_from(place).ok()?;
-        let file = |kind, text: &str| Reply {
+        let file = |kind, text: &str| HttpReply {
             kind,
             policy: PAGE,
             body: text.as_bytes().to_vec(),
@@ -215,7 +215,7 @@ impl Bench {
             name => {
                 let made = self.made(place)?;
                 let pane = made.pane(name)?;
-                Reply {
+                HttpReply {
                     kind: "text/html; charset=utf-8",
                     policy: PANE,
                     body: pane.as_bytes().to_vec(),
@@ -225,7 +225,7 @@ impl Bench {
     }
 
     /// What the page shows beside the panes, once it is another than that of a version.
-    fn state(&self, place: usize, since: Option<u64>) -> Reply {
+    fn state(&self, place: usize, since: Option<u64>) -> HttpReply {
         let board = self.board();
         let is_seen = |board: &mut Board| since == Some(board.version);
         let waited = self.changed.wait_timeout_while(board, PATIENCE, is_seen);
@@ -239,7 +239,7 @@ impl Bench {
             "trouble": trouble,
             "sheet": made.as_ref().map(|made| &made.summary),
         });
-        Reply {
+        HttpReply {
             kind: "application/json",
             policy: "default-src 'none'",
             body: state.to_string().into_bytes(),

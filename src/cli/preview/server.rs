@@ -30,7 +30,7 @@ pub(crate) struct Request {
 }
 
 /// What is sent.
-pub(crate) struct Reply {
+pub(crate) struct HttpReply {
     pub(crate) kind: &'static str,
     pub(crate) policy: &'static str,
     pub(crate) body: Vec<u8>,
@@ -82,7 +82,10 @@ impl Server {
     }
 
     /// Answers requests for as long as the program runs.
-    pub(crate) fn serve(self, answer: impl Fn(&Request) -> Option<Reply> + Send + Sync + 'static) {
+    pub(crate) fn serve(
+        self,
+        answer: impl Fn(&Request) -> Option<HttpReply> + Send + Sync + 'static,
+    ) {
         let shared = Arc::new((self.word, self.port, answer));
         let busy = Arc::new(AtomicUsize::new(0));
         for stream in self.listener.incoming() {
@@ -111,7 +114,7 @@ fn exchange(
     mut stream: &TcpStream,
     word: &str,
     port: u16,
-    answer: &impl Fn(&Request) -> Option<Reply>,
+    answer: &impl Fn(&Request) -> Option<HttpReply>,
 ) -> io::Result<()> {
     stream.set_read_timeout(Some(PATIENCE))?;
     stream.set_write_timeout(Some(PATIENCE))?;
@@ -125,10 +128,10 @@ fn exchange(
         Err(status) => {
             let body = format!("{status}\n").into_bytes();
             let (kind, policy) = ("text/plain; charset=utf-8", "default-src 'none'");
-            (status, Reply { kind, policy, body })
+            (status, HttpReply { kind, policy, body })
         }
     };
-    let Reply { kind, policy, body } = reply;
+    let HttpReply { kind, policy, body } = reply;
     let length = body.len();
     write!(
         stream,

@@ -51,7 +51,7 @@ pub(crate) struct Laid {
 pub(crate) const UNPRINTED: &str = "";
 
 /// What one sheet gives in one format.
-pub(crate) enum Written {
+pub(crate) enum WrittenSheet {
     /// Its pages, and a row of the table of keys.
     Pages(Vec<Leaf>, Option<KeyRow>),
     /// Its files are there already; the row of the table.
@@ -146,25 +146,25 @@ impl Format {
         stem: &str,
         is_kept: bool,
         out: &Folder,
-    ) -> Result<Written, Failure> {
+    ) -> Result<WrittenSheet, Failure> {
         let laid = match self {
             Self::Json(language) => {
                 let line = format!("{}\n", output::json(sheet, *language));
-                return Ok(Written::Line(line));
+                return Ok(WrittenSheet::Line(line));
             }
             Self::Workbook(Some(language)) => {
-                return Ok(Written::Line(key_book::line(sheet, *language)));
+                return Ok(WrittenSheet::Line(key_book::line(sheet, *language)));
             }
-            Self::Workbook(None) => return Ok(Written::Nothing),
+            Self::Workbook(None) => return Ok(WrittenSheet::Nothing),
             Self::Pages(laid) => laid,
         };
         let row = laid.table.as_ref().map(|_| laid.pages.key_row(sheet));
         if is_kept && laid.is_split {
-            return Ok(Written::Kept(row));
+            return Ok(WrittenSheet::Kept(row));
         }
         let kinds = laid.kinds.iter();
         let leaves = kinds.map(|(kind, begin)| laid.leaf(*kind, begin, sheet, stem, out));
-        Ok(Written::Pages(leaves.collect::<Result<_, _>>()?, row))
+        Ok(WrittenSheet::Pages(leaves.collect::<Result<_, _>>()?, row))
     }
 }
 

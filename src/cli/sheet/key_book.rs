@@ -13,7 +13,7 @@ use crate::cli::table::workbook::{self, Cell};
 const HEAD: [&str; 4] = ["code", "student", "name", "group"];
 
 /// The row of a sheet: its first cells, and each part with its key as it is printed.
-type Row = ([String; HEAD.len()], Vec<(String, String)>);
+type KeyRowCells = ([String; HEAD.len()], Vec<(String, String)>);
 
 /// The line of a sheet.
 pub(crate) fn line(sheet: &Sheet<'_>, language: Language) -> String {
@@ -42,14 +42,14 @@ pub(crate) fn line(sheet: &Sheet<'_>, language: Language) -> String {
             keys.push((format!("{}{}", question.number, heading.letter), key));
         }
     }
-    let row: Row = (first, keys);
+    let row: KeyRowCells = (first, keys);
     format!("{}\n", serde_json::json!(row))
 }
 
 /// The workbook of these lines.
 pub(crate) fn bound(lines: &str) -> Result<Vec<u8>, Failure> {
     let broken = |error: serde_json::Error| Failure::new(format!("a draft of the run: {error}"));
-    let rows: Vec<Row> = lines
+    let rows: Vec<KeyRowCells> = lines
         .lines()
         .map(|line| serde_json::from_str(line).map_err(broken))
         .collect::<Result<_, _>>()?;
@@ -67,7 +67,7 @@ pub(crate) fn bound(lines: &str) -> Result<Vec<u8>, Failure> {
         .chain(parts.iter().copied())
         .map(str::to_owned)
         .collect();
-    let cells = |(first, keys): &Row| {
+    let cells = |(first, keys): &KeyRowCells| {
         let key = |part: &&str| {
             let mut keys = keys.iter();
             let found = keys.find(|(own, _)| own == part);

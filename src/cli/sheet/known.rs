@@ -14,7 +14,7 @@ use crate::cli::shard::Shard;
 
 /// What the manifests of a folder say.
 #[derive(Default)]
-pub(crate) struct Known {
+pub(crate) struct KnownFiles {
     manifests: BTreeMap<String, Held>,
     /// Of earlier runs, kept in a folder of their own.
     earlier: Vec<Held>,
@@ -46,7 +46,7 @@ pub(crate) struct HeldSheet {
 }
 
 /// The sheets that look as those of a run.
-pub(crate) struct Alike<'k>(Vec<&'k Held>);
+pub(crate) struct AlikeSheets<'k>(Vec<&'k Held>);
 
 #[derive(Deserialize)]
 struct Head {
@@ -64,7 +64,7 @@ struct Foot {
     form: String,
 }
 
-impl Known {
+impl KnownFiles {
     /// What the manifests of a folder say; one that cannot be read says nothing.
     pub(crate) fn in_folder(out: &Folder) -> Self {
         let mut known = Self::default();
@@ -142,9 +142,9 @@ impl Known {
     }
 
     /// The sheets whose pages depend on nothing but their entries, if these are the same.
-    pub(crate) fn for_look(&self, look: &str) -> Alike<'_> {
+    pub(crate) fn for_look(&self, look: &str) -> AlikeSheets<'_> {
         let alike = self.manifests.values().filter(|held| held.look == look);
-        Alike(alike.collect())
+        AlikeSheets(alike.collect())
     }
 
     /// Removes what earlier runs made here and this one did not, unless somebody has changed it: sheets that are
@@ -257,7 +257,7 @@ impl Held {
     }
 }
 
-impl Alike<'_> {
+impl AlikeSheets<'_> {
     /// The files of a sheet with this entry, if they are all intact.
     pub(crate) fn files(
         &self,

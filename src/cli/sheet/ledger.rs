@@ -13,14 +13,14 @@ use crate::cli::shard::Shard;
 
 /// How far a run has come.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) struct Mark {
+pub(crate) struct RunMark {
     /// Sheets of its share that are written.
     pub(crate) done: usize,
     /// What is left of each file then, by its name.
     pub(crate) files: BTreeMap<String, Left>,
 }
 
-impl Mark {
+impl RunMark {
     /// What is left of a file.
     pub(crate) fn left(&self, name: &str) -> Option<&Left> {
         self.files.get(name)
@@ -49,16 +49,16 @@ impl Ledger {
         folder: &Folder,
         shard: Shard,
         inputs: &str,
-    ) -> Result<(Self, Mark), Failure> {
+    ) -> Result<(Self, RunMark), Failure> {
         let Some(mut file) = JournalFile::claim(folder, shard.named(".sheet", "run"))? else {
             let shown = folder.root().display();
             return Err(Failure::new(format!("another run writes to `{shown}`"))
                 .help("wait for it, or give another folder with `--out`"));
         };
         let is_same = file.head()?.is_some_and(|head| head == inputs);
-        let mut last = Mark::default();
+        let mut last = RunMark::default();
         file.go_on(|line| serde_json::from_str(line).map(|mark| last = mark).is_ok())?;
-        let is_whole = |mark: &Mark| {
+        let is_whole = |mark: &RunMark| {
             let mut files = mark.files.iter();
             files.all(|(name, left)| folder.left(name, left).is_some())
         };
@@ -66,7 +66,7 @@ impl Ledger {
             last
         } else {
             discard(folder, &last);
-            Mark::default()
+            RunMark::default()
         };
         file.begin(inputs)?;
         let is_ledger = |name: &str| name.starts_with(".sheet-") && name.ends_with(".run");
@@ -80,7 +80,7 @@ impl Ledger {
     }
 
     /// Notes how far the run has come; its drafts have been flushed.
-    pub(crate) fn note(&mut self, mark: &Mark) -> Result<(), Failure> {
+    pub(crate) fn note(&mut self, mark: &RunMark) -> Result<(), Failure> {
         self.0.add(&[mark])
     }
 
@@ -91,7 +91,7 @@ impl Ledger {
 }
 
 /// Removes what a run with other inputs has left, however long it is.
-fn discard(folder: &Folder, mark: &Mark) {
+fn discard(folder: &Folder, mark: &RunMark) {
     for (name, left) in &mark.files {
         let any = Left {
             length: 0,

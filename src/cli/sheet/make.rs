@@ -15,9 +15,9 @@ use vibank::worksheet::{
     Student, VariantEntry, file_stem,
 };
 
-use super::format::{Format, Written};
-use super::known::Alike;
-use super::ledger::{Ledger, Mark};
+use super::format::{Format, WrittenSheet};
+use super::known::AlikeSheets;
+use super::ledger::{Ledger, RunMark};
 use super::outputs::{Finished, Outputs, write_fairness};
 use super::print::{PrintJob, Prints};
 use crate::cli::folder::Folder;
@@ -40,7 +40,7 @@ pub(crate) struct Job<'a, 'c> {
     /// What students had on an earlier sheet and do not get again, by identity.
     pub(crate) earlier: BTreeMap<String, Vec<QuestionEntry>>,
     pub(crate) formats: &'a [Format],
-    pub(crate) known: Alike<'a>,
+    pub(crate) known: AlikeSheets<'a>,
     pub(crate) out: &'a Folder,
     pub(crate) layouts: Option<&'a Path>,
     /// Whether it is the whole run, so that it can be reported how alike the variants are, and all can be printed.
@@ -73,7 +73,7 @@ pub(crate) struct Made {
 struct Page {
     entry: VariantEntry,
     is_kept: bool,
-    written: Vec<Written>,
+    written: Vec<WrittenSheet>,
 }
 
 impl Job<'_, '_> {
@@ -83,7 +83,7 @@ impl Job<'_, '_> {
     pub(crate) fn make(
         &self,
         share: Range<usize>,
-        mark: &Mark,
+        mark: &RunMark,
         mut store: Store<'_>,
     ) -> Result<Made, Failure> {
         // What is taken depends on what was taken before: with a list on all of it, else on what comes before.
@@ -269,7 +269,7 @@ impl Store<'_> {
         self.outputs.add_tables(&tables)?;
         let mut files = self.outputs.flush()?;
         files.extend(self.record.flush()?);
-        self.ledger.note(&Mark { done, files })
+        self.ledger.note(&RunMark { done, files })
     }
 
     /// Completes all files, the manifest last.

@@ -22,11 +22,11 @@ use vibank::worksheet::{Audience, Blueprint, Choice, Chooser, Fairness, Plan, St
 
 pub(crate) use self::choice::FormatChoice;
 pub(crate) use self::guard::{KEPT, MANIFESTS, MARKS};
-pub(crate) use self::ledger::Mark;
+pub(crate) use self::ledger::RunMark;
 pub(crate) use self::print::FOLDER as PRINTS;
 pub(crate) use self::stamp::{PROGRAM, Stamp};
 
-use self::known::Known;
+use self::known::KnownFiles;
 use self::ledger::Ledger;
 use self::make::{Job, Made};
 use self::make_up::MakeUp;
@@ -140,7 +140,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         .num_threads(arguments.threads.map_or(0, usize::from))
         .build();
     let pool = pool.map_err(|error| Failure::new(format!("cannot start threads: {error}")))?;
-    let run = Run {
+    let run = SheetRun {
         arguments,
         plan: &plan,
         choice: &choice,
@@ -165,7 +165,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 }
 
 /// One run: what it makes of what, and where.
-struct Run<'a, 'c> {
+struct SheetRun<'a, 'c> {
     arguments: &'a Arguments,
     plan: &'a Plan<'c>,
     choice: &'a FormatChoice,
@@ -175,8 +175,12 @@ struct Run<'a, 'c> {
     is_split: bool,
 }
 
-impl Run<'_, '_> {
-    fn make(&self, catalogue: &vibank::bank::Catalogue, count: usize) -> Result<Summary, Failure> {
+impl SheetRun<'_, '_> {
+    fn make(
+        &self,
+        catalogue: &vibank::bank::Catalogue,
+        count: usize,
+    ) -> Result<RunSummary, Failure> {
         let shard = self.arguments.shard;
         let layouts = self.arguments.layouts.as_deref();
         let named = match self.arguments.pseudonyms {
@@ -190,14 +194,14 @@ impl Run<'_, '_> {
             self.arguments.pseudonyms.is_some(),
             self.make_up.map(|own| own.digest.as_str()),
         );
-        let known = Known::in_folder(self.out);
+        let known = KnownFiles::in_folder(self.out);
         let has_key = self
             .arguments
             .pseudonyms
             .as_ref()
             .is_none_or(|path| path.is_file());
         if has_key && known.is_current(self.out, shard, &stamp) {
-            return Ok(Summary::unchanged(self.out, shard.share(count).len()));
+            return Ok(RunSummary::unchanged(self.out, shard.share(count).len()));
         }
         let share = shard.share(count);
         // Not before: a run that is refused leaves no empty folder.
@@ -251,11 +255,11 @@ impl Run<'_, '_> {
         if let Some(path) = &self.arguments.pseudonyms {
             self.write_key(path, &made)?;
         }
-        Ok(Summary::of(self.out, made, kept))
+        Ok(RunSummary::of(self.out, made, kept))
     }
 }
 
-impl Run<'_, '_> {
+impl SheetRun<'_, '_> {
     /// Makes the sheets of students whose class list says `format = screen` as pages on which they are answered.
     fn screens(
         &self,
@@ -347,7 +351,7 @@ fn check_pseudonyms(arguments: &Arguments, blueprint: &Blueprint) -> Result<(), 
 }
 
 /// What a run tells in the end.
-struct Summary {
+struct RunSummary {
     folder: PathBuf,
     sheets: usize,
     /// Sheets whose files were there and are left as they are.
@@ -365,7 +369,7 @@ struct Summary {
     kept: usize,
 }
 
-impl Summary {
+impl RunSummary {
     fn of(out: &Folder, made: Made, kept: usize) -> Self {
         Self {
             folder: out.root().to_owned(),
@@ -465,7 +469,7 @@ impl Summary {
     }
 }
 
-impl Summary {
+impl RunSummary {
     /// Reports what was not printed; whether all that was named is there.
     fn report_unprinted(&self, choice: &FormatChoice) -> bool {
         /// Lines of one kind: with them a teacher sees what is wrong, the rest is counted.

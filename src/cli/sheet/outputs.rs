@@ -7,9 +7,9 @@ use rayon::prelude::*;
 use vibank::output::{KeyTable, PageKind};
 use vibank::worksheet::{Fairness, Plan, VariantEntry};
 
-use super::format::{Format, Laid, UNPRINTED, Written, unfilled};
+use super::format::{Format, Laid, UNPRINTED, WrittenSheet, unfilled};
 use super::key_book;
-use super::ledger::Mark;
+use super::ledger::RunMark;
 use crate::cli::Failure;
 use crate::cli::folder::{Draft, Folder, Left};
 use crate::cli::shard::Shard;
@@ -71,7 +71,7 @@ impl<'f> Outputs<'f> {
         formats: &'f [Format],
         out: &Folder,
         shard: Shard,
-        mark: &Mark,
+        mark: &RunMark,
     ) -> Result<Self, Failure> {
         let open = |format: &'f Format| {
             let laid = match format {
@@ -112,7 +112,7 @@ impl<'f> Outputs<'f> {
     /// `unprinted`.
     pub(crate) fn add(
         &mut self,
-        written: Vec<Written>,
+        written: Vec<WrittenSheet>,
         entry: &mut VariantEntry,
         tables: &mut [KeyTable],
         unprinted: &mut Vec<String>,
@@ -120,13 +120,13 @@ impl<'f> Outputs<'f> {
         let formats = self.formats.iter_mut().zip(written).zip(tables);
         for ((files, written), collected) in formats {
             match (files, written) {
-                (Files::Json(stream), Written::Line(line)) => {
+                (Files::Json(stream), WrittenSheet::Line(line)) => {
                     stream.add(line.as_bytes(), entry)?;
                 }
-                (Files::Workbook(Some(stream)), Written::Line(line)) => {
+                (Files::Workbook(Some(stream)), WrittenSheet::Line(line)) => {
                     stream.draft.write(line.as_bytes())?;
                 }
-                (Files::Pages { streams, .. }, Written::Pages(leaves, row)) => {
+                (Files::Pages { streams, .. }, WrittenSheet::Pages(leaves, row)) => {
                     row.into_iter().for_each(|row| collected.add(row));
                     for (stream, leaf) in streams.iter_mut().zip(leaves) {
                         entry.files.extend(leaf.files);
@@ -136,7 +136,7 @@ impl<'f> Outputs<'f> {
                         }
                     }
                 }
-                (_, Written::Kept(row)) => row.into_iter().for_each(|row| collected.add(row)),
+                (_, WrittenSheet::Kept(row)) => row.into_iter().for_each(|row| collected.add(row)),
                 // A format gives what it keeps; a workbook that is not made, nothing.
                 (Files::Json(_) | Files::Workbook(_) | Files::Pages { .. }, _) => {}
             }
@@ -247,7 +247,7 @@ impl Files<'_> {
 
 impl Stream {
     /// The file of this name, with its beginning where it is new.
-    fn open(out: &Folder, name: String, begin: &str, mark: &Mark) -> Result<Self, Failure> {
+    fn open(out: &Folder, name: String, begin: &str, mark: &RunMark) -> Result<Self, Failure> {
         let mut draft = out.go_on(&name, mark.left(&name))?;
         if draft.length() == 0 {
             draft.write(begin.as_bytes())?;

@@ -6,12 +6,12 @@ use std::borrow::Cow;
 
 /// A row of a table: where it begins, and its cells without the blanks around them.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Row<'t> {
+pub(crate) struct TableRow<'t> {
     pub(crate) line: usize,
     pub(crate) cells: Vec<Cow<'t, str>>,
 }
 
-impl Row<'_> {
+impl TableRow<'_> {
     /// A cell; empty where the row has no more.
     pub(crate) fn cell(&self, at: usize) -> &str {
         self.cells.get(at).map_or("", |cell| &**cell)
@@ -26,7 +26,7 @@ impl Row<'_> {
 
 /// What is wrong with a row.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub(crate) enum Fault {
+pub(crate) enum RowFault {
     /// A quote that is not closed, or that swallows a row.
     #[error("line {line}: a quote is not closed")]
     Open {
@@ -65,8 +65,8 @@ pub(crate) enum Fault {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{fault}")]
 pub(crate) struct Broken<'t> {
-    pub(crate) fault: Fault,
-    pub(crate) row: Row<'t>,
+    pub(crate) fault: RowFault,
+    pub(crate) row: TableRow<'t>,
 }
 
 /// A place in a text table.
@@ -103,8 +103,8 @@ impl<'t> Cursor<'t> {
     /// was not closed.
     pub(crate) fn row(
         &mut self,
-        begins_row: &dyn Fn(&Row<'_>) -> bool,
-    ) -> Option<Result<Row<'t>, Broken<'t>>> {
+        begins_row: &dyn Fn(&TableRow<'_>) -> bool,
+    ) -> Option<Result<TableRow<'t>, Broken<'t>>> {
         if self.at >= self.text.len() {
             return None;
         }
@@ -128,17 +128,17 @@ impl<'t> Cursor<'t> {
         };
         let read = match read {
             Ok(()) if self.line > line + 1 && swallows(&self.text[start..self.at]) => {
-                Err(Fault::Open { line })
+                Err(RowFault::Open { line })
             }
             other => other,
         };
         Some(match read {
-            Ok(()) => Ok(Row { line, cells }),
+            Ok(()) => Ok(TableRow { line, cells }),
             Err(fault) => {
                 (self.at, self.line) = (start, line);
                 self.end_of_row();
                 let cells = self.pieces(&self.text[start..self.at]);
-                let row = Row { line, cells };
+                let row = TableRow { line, cells };
                 Err(Broken { fault, row })
             }
         })
@@ -153,13 +153,13 @@ impl<'t> Cursor<'t> {
     }
 
     /// Whether one of the lines that follow is a row.
-    fn swallows(&mut self, begins_row: &dyn Fn(&Row<'_>) -> bool) -> bool {
+    fn swallows(&mut self, begins_row: &dyn Fn(&TableRow<'_>) -> bool) -> bool {
         while self.at < self.text.len() {
             let rest = &self.text[self.at..];
             let length = rest.find(['\n', '\r']).unwrap_or(rest.len());
             // A line on its own: quotes that it leaves open end with it.
             let mut own = Cursor::new(&rest[..length], self.delimiter);
-            let none = |_: &Row<'_>| false;
+            let none = |_: &TableRow<'_>| false;
             if let Some(Ok(row)) = own.row(&none)
                 && begins_row(&row)
             {
@@ -175,7 +175,7 @@ impl<'t> Cursor<'t> {
     }
 
     /// Reads a cell, of a row that begins in line `first`, up to the delimiter or the end of its line.
-    fn cell(&mut self, first: usize) -> Result<Cow<'t, str>, Fault> {
+    fn cell(&mut self, first: usize) -> Result<Cow<'t, str>, RowFault> {
         self.blanks();
         if self.peek() == Some(b'"') {
             return self.quoted(first);
@@ -187,14 +187,14 @@ impl<'t> Cursor<'t> {
         Ok(Cow::Borrowed(rest[..length].trim()))
     }
 
-    fn quoted(&mut self, first: usize) -> Result<Cow<'t, str>, Fault> {
+    fn quoted(&mut self, first: usize) -> Result<Cow<'t, str>, RowFault> {
         let line = self.line;
         let mut words = String::new();
         self.at += 1;
         loop {
             let rest = &self.text[self.at..];
             let Some(length) = rest.find(['"', '\n', '\r']) else {
-                return Err(Fault::Open { line });
+                return Err(RowFault::Open { line });
             };
             words.push_str(&rest[..length]);
             self.at += length;
@@ -202,7 +202,7 @@ impl<'t> Cursor<'t> {
                 words.push('\n');
                 self.end_of_line();
                 if self.line - first > MAX_LINES {
-                    return Err(Fault::Open { line: first });
+                    return Err(RowFault::Open { line: first });
                 }
                 continue;
             }
@@ -217,11 +217,11 @@ impl<'t> Cursor<'t> {
         match self.peek() {
             None | Some(b'\n' | b'\r') => {}
             Some(byte) if byte == self.delimiter => {}
-            Some(_) if self.line > line => return Err(Fault::Open { line }),
+            Some(_) if self.line > line => return Err(RowFault::Open { line }),
             Some(_) => {
                 let rest = self.text[self.at..].lines().next().unwrap_or_default();
                 let found = rest.chars().take(20).collect();
-                return Err(Fault::Behind { line, found });
+                return Err(RowFault::Behind { line, found });
             }
         }
         Ok(match words.trim() {
@@ -263,7 +263,7 @@ mod tests {
     /// Rows with their lines, cells between bars; faults as they are reported.
     fn rows(text: &str) -> Vec<String> {
         let mut cursor = Cursor::new(text, b',');
-        let begins_row = |row: &Row<'_>| row.cells.len() == 3;
+        let begins_row = |row: &TableRow<'_>| row.cells.len() == 3;
         std::iter::from_fn(|| cursor.row(&begins_row))
             .map(|row| match row {
                 Ok(row) => format!("{} {}", row.line, row.cells.join("|")),

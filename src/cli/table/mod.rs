@@ -5,7 +5,7 @@ mod decode;
 mod dialect;
 pub(crate) mod workbook;
 
-pub(crate) use self::cells::{Broken, Fault, Row};
+pub(crate) use self::cells::{Broken, RowFault, TableRow};
 pub(crate) use self::dialect::Dialect;
 pub(crate) use self::workbook::Spoilt;
 
@@ -137,8 +137,8 @@ impl Table {
     /// not closed.
     pub(crate) fn rows<'t>(
         &'t self,
-        begins_row: &'t dyn Fn(&Row<'_>) -> bool,
-    ) -> impl Iterator<Item = Result<Row<'t>, Broken<'t>>> {
+        begins_row: &'t dyn Fn(&TableRow<'_>) -> bool,
+    ) -> impl Iterator<Item = Result<TableRow<'t>, Broken<'t>>> {
         let delimiter = self.delimiter().map(char::from);
         let is_headed = |(at, cell): (usize, &Cow<'_, str>)| {
             let heading = self.headings.get(at);
@@ -150,7 +150,7 @@ impl Table {
                 return Ok(row);
             }
             let line = row.line;
-            let fault = delimiter.map_or(Fault::Unheaded { line }, |delimiter| Fault::Wide {
+            let fault = delimiter.map_or(RowFault::Unheaded { line }, |delimiter| RowFault::Wide {
                 line,
                 delimiter,
             });
@@ -170,7 +170,7 @@ impl Table {
     /// that cannot be read stays.
     pub(crate) fn edited(
         &self,
-        edit: &mut dyn FnMut(&Row<'_>) -> Result<Edit, Failure>,
+        edit: &mut dyn FnMut(&TableRow<'_>) -> Result<Edit, Failure>,
     ) -> Result<(String, usize), Failure> {
         let Body::Text { text, delimiter } = &self.body else {
             return Err(Failure::new("a table of the run is a workbook now")
@@ -200,8 +200,8 @@ impl Table {
     /// All rows that are not blank.
     fn all<'t>(
         &'t self,
-        begins_row: &'t dyn Fn(&Row<'_>) -> bool,
-    ) -> impl Iterator<Item = Result<Row<'t>, Broken<'t>>> {
+        begins_row: &'t dyn Fn(&TableRow<'_>) -> bool,
+    ) -> impl Iterator<Item = Result<TableRow<'t>, Broken<'t>>> {
         let (text, rows): (_, &[(usize, Vec<String>)]) = match &self.body {
             Body::Text { text, delimiter } => (Some((text, *delimiter)), &[]),
             Body::Rows(rows) => (None, rows),
@@ -211,7 +211,7 @@ impl Table {
         let typed = rows.iter().map(|(line, cells)| {
             let cells = cells.iter().map(|cell| Cow::Borrowed(cell.as_str()));
             let cells = cells.collect();
-            Ok(Row { line: *line, cells })
+            Ok(TableRow { line: *line, cells })
         });
         let rows = std::iter::from_fn(next).chain(typed);
         rows.filter(|row| !matches!(row, Ok(row) if row.width() == 0))

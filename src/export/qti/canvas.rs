@@ -10,7 +10,7 @@ use super::xml::Xml;
 use crate::answer::{Band, Credit};
 use crate::course::archive;
 use crate::export::cloze::number;
-use crate::export::held::{Asked, Choosable, Held, Sorted};
+use crate::export::held::{Choosable, Held, HeldPart, Sorted};
 use crate::export::pictures::Pictures;
 use crate::export::words::Words;
 use crate::export::{Export, Tally, Unfit, Wish};
@@ -50,7 +50,7 @@ struct Group {
 }
 
 /// How small values are asked: how often they are divided by a thousand, and the unit for that.
-struct Scale {
+struct UnitScale {
     thousandths: usize,
     /// Of what is printed behind the box, as HTML.
     unit: String,
@@ -85,8 +85,8 @@ impl Canvas {
         &mut self,
         words: &Words<'_, 'c>,
         common: &Common,
-        asked: &Asked<'c>,
-        marked: &Marked<'_>,
+        asked: &HeldPart<'c>,
+        marked: &CanvasMarking<'_>,
         pictures: &mut Pictures,
     ) {
         let asked = &asked.alone();
@@ -96,7 +96,7 @@ impl Canvas {
         body.push_str(&words.ask(asked, pictures));
         let mut named = letter.clone();
         let kind = match marked {
-            Marked::Number(_, scale) => {
+            CanvasMarking::Number(_, scale) => {
                 let lead = words.lead(asked.place);
                 let _ = write!(body, "<p>{lead}…{}</p>", words.behind(&scale.unit));
                 if scale.thousandths > 0 {
@@ -104,8 +104,8 @@ impl Canvas {
                 }
                 "numerical_question"
             }
-            Marked::Choice(_) => "multiple_choice_question",
-            Marked::Essay => "essay_question",
+            CanvasMarking::Choice(_) => "multiple_choice_question",
+            CanvasMarking::Essay => "essay_question",
         };
         let origin = words.origin(&named);
         let _ = write!(body, "<p><small>{origin}</small></p>");
@@ -219,8 +219,8 @@ impl Common {
 }
 
 /// How a question is marked.
-enum Marked<'h> {
-    Number(&'h [Band], Scale),
+enum CanvasMarking<'h> {
+    Number(&'h [Band], UnitScale),
     Choice(&'h [Choosable]),
     Essay,
 }
@@ -241,9 +241,11 @@ impl Export for Canvas {
         let mut common = None;
         for (asked, held) in &sorted.fit {
             let marked = match held {
-                Held::Choice(options) => Marked::Choice(options),
+                Held::Choice(options) => CanvasMarking::Choice(options),
                 Held::Numbers(values) => match &values[..] {
-                    [bands] => Marked::Number(bands, Scale::of(&words, asked.place, bands)),
+                    [bands] => {
+                        CanvasMarking::Number(bands, UnitScale::of(&words, asked.place, bands))
+                    }
                     _ => {
                         let template = words.scene.solution().template();
                         let found = Unfit {
@@ -265,7 +267,7 @@ impl Export for Canvas {
         }
         for asked in &sorted.essays(self.wish.has_essays) {
             let common = common.get_or_insert_with(|| Common::of(&words, &mut pictures));
-            self.question(&words, common, asked, &Marked::Essay, &mut pictures);
+            self.question(&words, common, asked, &CanvasMarking::Essay, &mut pictures);
         }
         self.pictures.extend(pictures.files);
     }
@@ -290,7 +292,7 @@ impl Export for Canvas {
     }
 }
 
-impl Scale {
+impl UnitScale {
     /// The scale at which all digits of what is right survive the rounding.
     fn of(words: &Words<'_, '_>, place: usize, bands: &[Band]) -> Self {
         let part = &words.scene.solution().template().parts[place];
@@ -340,7 +342,7 @@ fn smaller(own: &Unit, thousandths: usize) -> Option<Unit> {
     })
 }
 
-fn metadata(xml: &mut Xml, kind: &str, asked: &Asked<'_>) {
+fn metadata(xml: &mut Xml, kind: &str, asked: &HeldPart<'_>) {
     let points = number(asked.points.to_f64());
     xml.open("itemmetadata", &[]);
     xml.open("qtimetadata", &[]);
@@ -360,10 +362,10 @@ fn material(xml: &mut Xml, html: &str) {
     xml.close();
 }
 
-fn present(xml: &mut Xml, words: &Words<'_, '_>, asked: &Asked<'_>, marked: &Marked<'_>) {
+fn present(xml: &mut Xml, words: &Words<'_, '_>, asked: &HeldPart<'_>, marked: &CanvasMarking<'_>) {
     let response = [("ident", "response1"), ("rcardinality", "Single")];
     match marked {
-        Marked::Choice(options) => {
+        CanvasMarking::Choice(options) => {
             xml.open("response_lid", &response);
             xml.open("render_choice", &[]);
             for own in *options {
@@ -372,9 +374,9 @@ fn present(xml: &mut Xml, words: &Words<'_, '_>, asked: &Asked<'_>, marked: &Mar
                 xml.close();
             }
         }
-        Marked::Number(..) | Marked::Essay => {
+        CanvasMarking::Number(..) | CanvasMarking::Essay => {
             xml.open("response_str", &response);
-            let is_number = matches!(marked, Marked::Number(..));
+            let is_number = matches!(marked, CanvasMarking::Number(..));
             let kind = [("fibtype", "Decimal")];
             xml.open("render_fib", &kind[..usize::from(is_number)]);
             xml.empty("response_label", &[("ident", "answer1")]);
@@ -388,15 +390,15 @@ fn option(own: &Choosable) -> String {
     format!("option.{}", own.place + 1)
 }
 
-fn process(xml: &mut Xml, marked: &Marked<'_>) {
+fn process(xml: &mut Xml, marked: &CanvasMarking<'_>) {
     let response = [("respident", "response1")];
     match marked {
-        Marked::Choice(options) => {
+        CanvasMarking::Choice(options) => {
             for own in options.iter().filter(|own| own.is_right) {
                 condition(xml, |xml| xml.words("varequal", &response, &option(own)));
             }
         }
-        Marked::Number(bands, scale) => {
+        CanvasMarking::Number(bands, scale) => {
             let factor = scale.factor();
             for band in bands.iter().filter(|band| band.credit == Credit::FULL) {
                 condition(xml, |xml| {
@@ -406,7 +408,7 @@ fn process(xml: &mut Xml, marked: &Marked<'_>) {
                 });
             }
         }
-        Marked::Essay => {}
+        CanvasMarking::Essay => {}
     }
 }
 

@@ -7,23 +7,23 @@ use super::Version;
 use super::xml::Xml;
 use crate::answer::{Band, Credit};
 use crate::export::cloze::number;
-use crate::export::held::{Asked, Choosable, Held, Sorted};
+use crate::export::held::{Choosable, Held, HeldPart, Sorted};
 use crate::export::pictures::Pictures;
 use crate::export::words::Words;
 use crate::numerics::Rational;
 
 /// A box of an item.
-struct Field<'h> {
+struct ItemBox<'h> {
     /// Its identifier in the item: `a`, or `a.2` where a part has several.
     identifier: String,
-    asked: &'h Asked<'h>,
+    asked: &'h HeldPart<'h>,
     /// What it is worth.
     points: f64,
-    marked: Marked<'h>,
+    marked: BoxMarking<'h>,
 }
 
 /// How a box is marked.
-enum Marked<'h> {
+enum BoxMarking<'h> {
     Number(&'h [Band]),
     Choice(&'h [Choosable]),
 }
@@ -86,7 +86,7 @@ pub(crate) fn marked<'c>(
 /// The item with parts that a person marks.
 pub(crate) fn essay<'c>(
     words: &Words<'_, 'c>,
-    parts: &[Asked<'c>],
+    parts: &[HeldPart<'c>],
     identifier: &str,
     version: Version,
     pictures: &mut Pictures,
@@ -121,8 +121,8 @@ pub(crate) fn essay<'c>(
     xml.out
 }
 
-fn sum<'a>(parts: impl Iterator<Item = &'a Asked<'a>>) -> f64 {
-    let add = |sum: Rational, asked: &Asked<'_>| sum.checked_add(asked.points).unwrap_or(sum);
+fn sum<'a>(parts: impl Iterator<Item = &'a HeldPart<'a>>) -> f64 {
+    let add = |sum: Rational, asked: &HeldPart<'_>| sum.checked_add(asked.points).unwrap_or(sum);
     parts.fold(Rational::ZERO, add).to_f64()
 }
 
@@ -141,13 +141,13 @@ fn shares(points: Rational, boxes: usize) -> Vec<f64> {
     (0..count).map(share).collect()
 }
 
-fn fields<'h>(sorted: &'h Sorted<'_>) -> Vec<Field<'h>> {
+fn fields<'h>(sorted: &'h Sorted<'_>) -> Vec<ItemBox<'h>> {
     let mut fields = Vec::new();
     for (asked, held) in &sorted.fit {
         let letter = asked.letter.clone();
         let mut shares = shares(asked.points, held.boxes()).into_iter();
         let mut add = |identifier: String, marked| {
-            fields.push(Field {
+            fields.push(ItemBox {
                 identifier,
                 asked,
                 points: shares.next().unwrap_or_default(),
@@ -155,12 +155,12 @@ fn fields<'h>(sorted: &'h Sorted<'_>) -> Vec<Field<'h>> {
             });
         };
         match held {
-            Held::Choice(options) => add(letter, Marked::Choice(options)),
+            Held::Choice(options) => add(letter, BoxMarking::Choice(options)),
             Held::Numbers(values) => match &values[..] {
-                [bands] => add(letter, Marked::Number(bands)),
+                [bands] => add(letter, BoxMarking::Number(bands)),
                 values => {
                     for (place, bands) in values.iter().enumerate() {
-                        add(format!("{letter}.{}", place + 1), Marked::Number(bands));
+                        add(format!("{letter}.{}", place + 1), BoxMarking::Number(bands));
                     }
                 }
             },
@@ -186,10 +186,10 @@ fn begin(identifier: &str, title: &str, language: &str, version: Version) -> Xml
     xml
 }
 
-fn declare(xml: &mut Xml, field: &Field<'_>) {
+fn declare(xml: &mut Xml, field: &ItemBox<'_>) {
     let (kind, right) = match &field.marked {
-        Marked::Number(bands) => ("float", bands.first().map(|band| number(band.value))),
-        Marked::Choice(options) => {
+        BoxMarking::Number(bands) => ("float", bands.first().map(|band| number(band.value))),
+        BoxMarking::Choice(options) => {
             let right = options.iter().find(|own| own.is_right);
             ("identifier", right.map(|own| option(own.place)))
         }
@@ -238,11 +238,11 @@ fn option(place: usize) -> String {
     format!("option.{}", place + 1)
 }
 
-fn write_boxes(xml: &mut Xml, words: &Words<'_, '_>, asked: &Asked<'_>, fields: &[Field<'_>]) {
-    let own = |field: &&Field<'_>| field.asked.place == asked.place;
-    let own: Vec<&Field<'_>> = fields.iter().filter(own).collect();
+fn write_boxes(xml: &mut Xml, words: &Words<'_, '_>, asked: &HeldPart<'_>, fields: &[ItemBox<'_>]) {
+    let own = |field: &&ItemBox<'_>| field.asked.place == asked.place;
+    let own: Vec<&ItemBox<'_>> = fields.iter().filter(own).collect();
     if let [field] = own[..]
-        && let Marked::Choice(options) = field.marked
+        && let BoxMarking::Choice(options) = field.marked
     {
         let attributes = [
             ("responseIdentifier", field.identifier.as_str()),
@@ -280,12 +280,12 @@ fn write_boxes(xml: &mut Xml, words: &Words<'_, '_>, asked: &Asked<'_>, fields: 
 /// The remarks on named mistakes, by identifier.
 fn remarks(
     words: &Words<'_, '_>,
-    fields: &[Field<'_>],
+    fields: &[ItemBox<'_>],
     pictures: &mut Pictures,
 ) -> Vec<(String, String)> {
     let mut all = Vec::new();
     for field in fields {
-        let Marked::Number(bands) = field.marked else {
+        let BoxMarking::Number(bands) = field.marked else {
             continue;
         };
         for (place, band) in bands.iter().enumerate() {
@@ -298,16 +298,16 @@ fn remarks(
     all
 }
 
-fn remark(field: &Field<'_>, band: usize) -> String {
+fn remark(field: &ItemBox<'_>, band: usize) -> String {
     format!("{}.remark.{band}", field.identifier)
 }
 
 /// Adds what a box is worth to the score: the first range that fits counts.
-fn process(xml: &mut Xml, field: &Field<'_>, remarks: &[(String, String)]) {
+fn process(xml: &mut Xml, field: &ItemBox<'_>, remarks: &[(String, String)]) {
     xml.open("responseCondition", &[]);
     let variable = [("identifier", field.identifier.as_str())];
     match &field.marked {
-        Marked::Choice(_) => {
+        BoxMarking::Choice(_) => {
             xml.open("responseIf", &[]);
             xml.open("match", &[]);
             xml.empty("variable", &variable);
@@ -316,7 +316,7 @@ fn process(xml: &mut Xml, field: &Field<'_>, remarks: &[(String, String)]) {
             score(xml, field.points);
             xml.close();
         }
-        Marked::Number(bands) => {
+        BoxMarking::Number(bands) => {
             for (place, band) in bands.iter().enumerate() {
                 let test = if place == 0 {
                     "responseIf"

@@ -3,9 +3,11 @@
 use super::drawn::{Arrow, Drawn, Way};
 use super::error::{FreeError, FreeFault};
 use super::work::{Moved, SQUARE, agrees, fault, sense, twisted, works};
-use super::{Body, Contact, Force, Heading, Letter, Motion, Origin, Sense, Strand, Written};
+use super::{
+    Body, BodyMotion, Contact, Force, ForceOrigin, Heading, Letter, Strand, TurnSense, WrittenArrow,
+};
 use crate::figure::element::{Role, turn};
-use crate::figure::formula::Values;
+use crate::figure::formula::FigureValues;
 use crate::figure::part::Part;
 use crate::figure::schematic::Item;
 use crate::figure::story::{self, Action, FreeBody, Thing};
@@ -25,11 +27,11 @@ const NEAR: f64 = 0.12;
 const CLOSE: f64 = 0.4;
 
 /// A figure with numbers: the parts of its elements, then those of the arrows that are written.
-struct Scene<'f> {
+struct NumberedFigure<'f> {
     figure: &'f Figure,
     items: Vec<&'f Item>,
     parts: Vec<Part<'f>>,
-    values: Values,
+    values: FigureValues,
 }
 
 /// Where a link was fastened to a body.
@@ -60,7 +62,7 @@ impl Figure {
             fault: FreeFault::Undrawable(error),
             span: span.unwrap_or(crate::source::Span::NONE),
         })?;
-        let scene = Scene {
+        let scene = NumberedFigure {
             figure: self,
             parts,
             values: self.values(given),
@@ -86,16 +88,16 @@ impl Figure {
 }
 
 impl Body {
-    fn written(&self) -> impl Iterator<Item = &Written> {
+    fn written(&self) -> impl Iterator<Item = &WrittenArrow> {
         let origins = self.forces.iter().filter_map(|force| match &force.source {
-            Origin::Written(written) => Some(written),
-            Origin::Links { .. } | Origin::Shown(_) => None,
+            ForceOrigin::Written(written) => Some(written),
+            ForceOrigin::Links { .. } | ForceOrigin::Shown(_) => None,
         });
         origins.chain(&self.idle)
     }
 }
 
-impl<'f> Scene<'f> {
+impl<'f> NumberedFigure<'f> {
     fn arrows(&self, body: &'f Body) -> Result<Drawn<'f>, FreeFault> {
         let moved: Vec<Moved> = body
             .motions
@@ -105,13 +107,13 @@ impl<'f> Scene<'f> {
         let mut drawn = Drawn::default();
         for force in &body.forces {
             match &force.source {
-                Origin::Links { links, letter } => {
+                ForceOrigin::Links { links, letter } => {
                     self.linked(body, force, &moved, (links.as_slice(), letter), &mut drawn)?;
                 }
-                Origin::Shown(item) => {
+                ForceOrigin::Shown(item) => {
                     self.shown(body, force, &moved, *item, &mut drawn)?;
                 }
-                Origin::Written(written) => {
+                ForceOrigin::Written(written) => {
                     let part = self.written(written);
                     let base = self.direction(written, part, &moved);
                     let at = part.point();
@@ -254,10 +256,12 @@ impl<'f> Scene<'f> {
         Ok(())
     }
 
-    fn moved(&self, motion: &Motion) -> Moved {
+    fn moved(&self, motion: &BodyMotion) -> Moved {
         match motion {
-            Motion::Along(Heading::Written(pair)) => Moved::Along(self.values.pair(pair).unit()),
-            Motion::Along(Heading::Shown(item)) => {
+            BodyMotion::Along(Heading::Written(pair)) => {
+                Moved::Along(self.values.pair(pair).unit())
+            }
+            BodyMotion::Along(Heading::Shown(item)) => {
                 let part = &self.parts[*item];
                 let direction = match part.ends.as_slice() {
                     [from, to] => to.point - from.point,
@@ -268,10 +272,10 @@ impl<'f> Scene<'f> {
                 };
                 Moved::Along(direction.unit())
             }
-            Motion::Turn(about, sense) => {
+            BodyMotion::Turn(about, sense) => {
                 let is_left = match sense {
-                    Sense::Written(is_left) => *is_left,
-                    Sense::Shown(item) => {
+                    TurnSense::Written(is_left) => *is_left,
+                    TurnSense::Shown(item) => {
                         let part = &self.parts[*item];
                         let (from, to) = turn::degrees(part);
                         let sign = if to > from { 1.0 } else { -1.0 };
@@ -341,8 +345,8 @@ impl<'f> Scene<'f> {
     fn hold_links(&self, body: &Body) -> Result<(), FreeFault> {
         let is_cut = |place: &usize| {
             body.forces.iter().any(|force| match &force.source {
-                Origin::Links { links, .. } => links.iter().any(|(item, _)| item == place),
-                Origin::Shown(_) | Origin::Written(_) => false,
+                ForceOrigin::Links { links, .. } => links.iter().any(|(item, _)| item == place),
+                ForceOrigin::Shown(_) | ForceOrigin::Written(_) => false,
             })
         };
         let reactions: Vec<Point> = body
@@ -371,7 +375,7 @@ impl<'f> Scene<'f> {
     }
 
     /// The part of an arrow that is written.
-    fn written(&self, written: &Written) -> &Part<'f> {
+    fn written(&self, written: &WrittenArrow) -> &Part<'f> {
         let place = self
             .items
             .iter()
@@ -379,7 +383,7 @@ impl<'f> Scene<'f> {
         &self.parts[place.unwrap_or_default()]
     }
 
-    fn direction(&self, written: &Written, part: &Part<'_>, moved: &[Moved]) -> Point {
+    fn direction(&self, written: &WrittenArrow, part: &Part<'_>, moved: &[Moved]) -> Point {
         if let Some(direction) = &written.direction {
             return self.values.pair(direction).unit();
         }
@@ -397,7 +401,7 @@ impl<'f> Scene<'f> {
         }
     }
 
-    fn contact<'w>(written: &'w Written, part: &Part<'_>, direction: Point) -> Arrow<'w> {
+    fn contact<'w>(written: &'w WrittenArrow, part: &Part<'_>, direction: Point) -> Arrow<'w> {
         let at = part.point();
         let is_push = written.kind == Contact::Normal;
         let (from, to) = match written.kind {

@@ -14,8 +14,8 @@ mod work;
 
 pub use error::{FreeError, FreeFault};
 
-use super::formula::{Amount, Pair};
-use super::schematic::{Item, Place};
+use super::formula::{Amount, FigurePair};
+use super::schematic::{ElementPlace, Item};
 use super::story::{Caption, Speaker, Story};
 use super::{Drawing, Figure, Given, Label, Picture};
 use crate::expr::Name;
@@ -55,21 +55,21 @@ struct Body {
     /// Its elements, as places among the items of the figure.
     kept: Vec<usize>,
     /// How far it is moved aside in the drawing.
-    shift: Option<Pair>,
-    motions: Vec<Motion>,
+    shift: Option<FigurePair>,
+    motions: Vec<BodyMotion>,
     forces: Vec<Force>,
     /// Arrows of forces that the model does not have, since they do no work.
-    idle: Vec<Written>,
+    idle: Vec<WrittenArrow>,
     span: Span,
 }
 
 /// A way in which a body can move.
 #[derive(Debug)]
-enum Motion {
+enum BodyMotion {
     /// All its points along a direction.
     Along(Heading),
     /// About a point, counterclockwise if true.
-    Turn(Place, Sense),
+    Turn(ElementPlace, TurnSense),
 }
 
 /// A direction.
@@ -77,12 +77,12 @@ enum Motion {
 enum Heading {
     /// That of a coordinate or arrow of the figure.
     Shown(usize),
-    Written(Pair),
+    Written(FigurePair),
 }
 
 /// The positive sense of an angle.
 #[derive(Debug)]
-enum Sense {
+enum TurnSense {
     /// That of a turn of the figure.
     Shown(usize),
     /// Counterclockwise if true.
@@ -95,14 +95,14 @@ struct Force {
     name: Name,
     /// For each motion whether the component is negative; nothing if there is none.
     signs: Vec<Option<bool>>,
-    source: Origin,
+    source: ForceOrigin,
     /// The velocity whose sign it has, if it is dry friction.
     velocity: Option<Math>,
 }
 
 /// Where the arrow of a force comes from.
 #[derive(Debug)]
-enum Origin {
+enum ForceOrigin {
     /// Links that are cut.
     Links {
         links: Vec<(usize, Strand)>,
@@ -111,7 +111,7 @@ enum Origin {
     /// A force or moment that the figure shows.
     Shown(usize),
     /// Written in the diagram.
-    Written(Written),
+    Written(WrittenArrow),
 }
 
 /// Which ends of a link at a body are meant.
@@ -131,12 +131,12 @@ struct Letter {
 
 /// An arrow that is written.
 #[derive(Debug)]
-struct Written {
+struct WrittenArrow {
     kind: Contact,
     /// It stands in the figure as if it were an element, so that it knows the side of the body.
     item: Item,
     label: (Label, Math),
-    direction: Option<Pair>,
+    direction: Option<FigurePair>,
     /// The share of it along the first motion, where its letter is not that of the model.
     share: Option<Amount>,
 }

@@ -3,8 +3,8 @@
 use super::error::FreeFault;
 use super::letter::Product;
 use super::{
-    Acting, Body, Contact, Force, Free, FreeError, Heading, Letter, Motion, Origin, Sense, Strand,
-    Written,
+    Acting, Body, BodyMotion, Contact, Force, ForceOrigin, Free, FreeError, Heading, Letter,
+    Strand, TurnSense, WrittenArrow,
 };
 use crate::diagnostic::Finding;
 use crate::expr::{Expr, Name};
@@ -13,7 +13,7 @@ use crate::figure::element::{self, Role};
 use crate::figure::formula::Amount;
 use crate::figure::part::Style;
 use crate::figure::read::FigureReader;
-use crate::figure::schematic::{Item, Place};
+use crate::figure::schematic::{ElementPlace, Item};
 use crate::math::Math;
 use crate::source::{Data, Entry, Span, Table, Text, Value, nearest};
 
@@ -31,7 +31,7 @@ struct Stated {
     /// The links of a force, by its name.
     links: Vec<(String, Vec<Text>)>,
     arms: Vec<(String, Expr)>,
-    arrows: Vec<(Option<Text>, Option<Expr>, Written)>,
+    arrows: Vec<(Option<Text>, Option<Expr>, WrittenArrow)>,
 }
 
 impl<'s> FigureReader<'_, 's> {
@@ -151,7 +151,7 @@ impl<'s> FigureReader<'_, 's> {
         kept: &[usize],
         slots: &[u32],
         span: Span,
-    ) -> Option<Vec<Motion>> {
+    ) -> Option<Vec<BodyMotion>> {
         let along = table
             .value("along")
             .and_then(|value| self.pair(table, "along", value));
@@ -177,25 +177,25 @@ impl<'s> FigureReader<'_, 's> {
                 let motion = if own.is_turn || is_divided {
                     let shown = shows(&["turn"]);
                     let sense = turn
-                        .map(|word| Sense::Written(word == "ccw"))
-                        .or(shown.map(Sense::Shown));
+                        .map(|word| TurnSense::Written(word == "ccw"))
+                        .or(shown.map(TurnSense::Shown));
                     let centre = about
                         .clone()
                         .or_else(|| shown.and_then(|item| items[item].ends.first().cloned()))
-                        .or_else(|| slots.first().map(|slot| Place::Named(*slot)))
+                        .or_else(|| slots.first().map(|slot| ElementPlace::Named(*slot)))
                         .or_else(|| {
                             kept.first()
                                 .and_then(|item| items[*item].ends.first().cloned())
                         });
                     sense
                         .zip(centre)
-                        .map(|(sense, centre)| Motion::Turn(centre, sense))
+                        .map(|(sense, centre)| BodyMotion::Turn(centre, sense))
                 } else {
                     along
                         .clone()
                         .map(Heading::Written)
                         .or(shows(&["coordinate", "arrow"]).map(Heading::Shown))
-                        .map(Motion::Along)
+                        .map(BodyMotion::Along)
                 };
                 if motion.is_none() {
                     let fault = FreeFault::Direction {
@@ -255,7 +255,7 @@ impl<'s> FigureReader<'_, 's> {
         &mut self,
         outer: &Table<'s>,
         row: &'s Value,
-    ) -> Option<(Option<Text>, Option<Expr>, Written)> {
+    ) -> Option<(Option<Text>, Option<Expr>, WrittenArrow)> {
         let table = Table::of(outer.source(), outer.problems(), "figure.free.arrows", row)?;
         let kinds = || Contact::ALL.iter().map(|(name, _)| *name);
         let first = table.entries().first();
@@ -307,7 +307,7 @@ impl<'s> FigureReader<'_, 's> {
             at,
             style: Style::default(),
         };
-        let written = Written {
+        let written = WrittenArrow {
             kind,
             item,
             label,
@@ -388,7 +388,7 @@ impl<'s> FigureReader<'_, 's> {
     fn letter(&mut self, force: &Components, arm: Option<&Expr>, body: &Body) -> Option<Product> {
         let first = force.all.iter().position(Option::is_some)?;
         let component = force.all[first].as_ref()?.clone();
-        let is_turn = matches!(body.motions[first], Motion::Turn(..));
+        let is_turn = matches!(body.motions[first], BodyMotion::Turn(..));
         let letter = match arm.filter(|_| is_turn) {
             None => Some(component),
             Some(arm) => Product::of(arm).and_then(|arm| component.over(&arm)),
@@ -416,10 +416,10 @@ impl<'s> FigureReader<'_, 's> {
         &mut self,
         product: &Product,
         formula: Option<&Expr>,
-        mut written: Written,
+        mut written: WrittenArrow,
         body: &Body,
         force: &str,
-    ) -> Option<Origin> {
+    ) -> Option<ForceOrigin> {
         match formula.and_then(Product::of) {
             None => written.label = self.set(product),
             Some(own) => match product.clone().over(&own) {
@@ -435,7 +435,7 @@ impl<'s> FigureReader<'_, 's> {
                 }
             },
         }
-        Some(Origin::Written(written))
+        Some(ForceOrigin::Written(written))
     }
 
     fn share(&mut self, formula: &Expr, span: Span) -> Option<Amount> {
@@ -454,14 +454,14 @@ impl<'s> FigureReader<'_, 's> {
         name: &str,
         product: &Product,
         span: Span,
-    ) -> Option<Origin> {
+    ) -> Option<ForceOrigin> {
         let linked = links.iter().find(|(own, _)| own == name);
         let Some((_, ids)) = linked else {
             let item = items
                 .iter()
                 .position(|item| item.id.as_deref() == Some(name))?;
             return match items[item].kind.role() {
-                Role::Thing(_) => Some(Origin::Shown(item)),
+                Role::Thing(_) => Some(ForceOrigin::Shown(item)),
                 Role::Link(_) => Some(self.links(vec![(item, Strand::All)], product)),
                 _ => None,
             };
@@ -482,12 +482,12 @@ impl<'s> FigureReader<'_, 's> {
         (!cut.is_empty()).then(|| self.links(cut, product))
     }
 
-    fn links(&self, links: Vec<(usize, Strand)>, product: &Product) -> Origin {
+    fn links(&self, links: Vec<(usize, Strand)>, product: &Product) -> ForceOrigin {
         let letter = Letter {
             one: self.set(product),
             each: self.set(&product.clone().shared(2)),
         };
-        Origin::Links { links, letter }
+        ForceOrigin::Links { links, letter }
     }
 
     fn set(&self, product: &Product) -> (Label, Math) {
@@ -522,9 +522,9 @@ fn has_id(row: &Value, id: &str) -> bool {
 
 /// Adds what belongs to kept elements: bodies at the same centre, and coordinates and turns that start from them.
 fn with_company(items: &[Item], kept: &mut Vec<usize>) -> Vec<u32> {
-    let slot = |place: &Place| match place {
-        Place::Named(slot) | Place::Side(slot, _) => Some(*slot),
-        Place::Free(_) | Place::Pass(..) => None,
+    let slot = |place: &ElementPlace| match place {
+        ElementPlace::Named(slot) | ElementPlace::Side(slot, _) => Some(*slot),
+        ElementPlace::Free(_) | ElementPlace::Pass(..) => None,
     };
     let mut slots = Vec::new();
     let mut ends = Vec::new();

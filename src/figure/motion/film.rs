@@ -21,10 +21,10 @@ pub struct Film {
 }
 
 /// A figure at rest, with its labels at their places.
-struct Scene<'f> {
+struct RestingFigure<'f> {
     figure: &'f Figure,
     motion: &'f Motion,
-    values: super::Values,
+    values: super::FigureValues,
     parts: Vec<Part<'f>>,
     labels: Vec<Lettering>,
     places: Vec<Point>,
@@ -141,7 +141,7 @@ impl Figure {
         }))
     }
 
-    fn scene(&self, given: &dyn Given) -> Result<Option<Scene<'_>>, Undrawable> {
+    fn scene(&self, given: &dyn Given) -> Result<Option<RestingFigure<'_>>, Undrawable> {
         let Some(motion) = &self.motion else {
             return Ok(None);
         };
@@ -150,7 +150,7 @@ impl Figure {
         let labels = drawn(&parts, &self.items, &self.order).labels;
         let places = motion.points.iter();
         let places = places.map(|point| point.at(&values)).collect();
-        Ok(Some(Scene {
+        Ok(Some(RestingFigure {
             figure: self,
             motion,
             values,
@@ -162,7 +162,7 @@ impl Figure {
     }
 }
 
-impl Scene<'_> {
+impl RestingFigure<'_> {
     /// Where the points of a motion are, in the scale that shows all of it.
     fn scaled(&self, all: &[Displacements]) -> Vec<Vec<Rigid>> {
         let scales = self.motion.scales(&self.values, all);
@@ -286,7 +286,8 @@ impl Scene<'_> {
             }
             let own = self.figure.items.iter().zip(&self.parts);
             let outlines = own.filter_map(|(item, part)| {
-                let [crate::figure::schematic::Place::Named(at)] = item.ends.as_slice() else {
+                let [crate::figure::schematic::ElementPlace::Named(at)] = item.ends.as_slice()
+                else {
                     return None;
                 };
                 let outline = item

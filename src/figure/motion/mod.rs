@@ -11,7 +11,7 @@ mod read;
 
 pub use film::Film;
 
-use super::formula::{Amount, Pair, Values};
+use super::formula::{Amount, FigurePair, FigureValues};
 use super::{Figure, Given, Point};
 use crate::expr::Name;
 use pose::Rigid;
@@ -32,17 +32,17 @@ pub(crate) struct Motion {
     taken: Vec<(Name, u32)>,
     scale: Option<Amount>,
     metre: Option<Amount>,
-    points: Vec<Moved>,
+    points: Vec<MovedPoint>,
 }
 
 /// A point that moves.
 #[derive(Debug)]
-struct Moved {
+struct MovedPoint {
     place: Spot,
     /// In metres.
     shift: Option<[Amount; 2]>,
     /// The shift with which the figure shows it, in figure units.
-    drawn: Option<Pair>,
+    drawn: Option<FigurePair>,
     turn: Option<Turn>,
 }
 
@@ -52,7 +52,7 @@ enum Spot {
     /// A point of the figure, by its slot.
     Named(u32),
     /// Said by the motion itself.
-    Own(Pair),
+    Own(FigurePair),
 }
 
 /// A turn, counterclockwise.
@@ -87,7 +87,7 @@ impl Figure {
 
 impl Motion {
     /// The numbers of the names, with those that the motion takes.
-    fn values(&self, figure: &Figure, given: &dyn Given) -> Values {
+    fn values(&self, figure: &Figure, given: &dyn Given) -> FigureValues {
         let mut values = figure.values(given);
         for (name, slot) in &self.taken {
             values.set(*slot, given.number(name).unwrap_or(f64::NAN));
@@ -96,7 +96,7 @@ impl Motion {
     }
 
     /// The displacements in metres and radians at a state.
-    fn displacements(&self, values: &mut Values, state: &State) -> Displacements {
+    fn displacements(&self, values: &mut FigureValues, state: &State) -> Displacements {
         for (slot, number) in self.coordinates.iter().zip(&state.coordinates) {
             values.set(*slot, *number);
         }
@@ -112,7 +112,7 @@ impl Motion {
     }
 
     /// Figure units for a metre, and drawn radians for a radian, so that the largest displacements of a motion are seen.
-    fn scales(&self, values: &Values, all: &[Displacements]) -> (f64, f64) {
+    fn scales(&self, values: &FigureValues, all: &[Displacements]) -> (f64, f64) {
         let (mut longest, mut widest) = (0.0_f64, 0.0_f64);
         for (shift, turn) in all.iter().flatten() {
             longest = longest.max(shift.length());
@@ -144,7 +144,7 @@ impl Motion {
     /// The displacements as they are drawn; from where the figure shows them, if `shows` is true.
     fn drawn(
         &self,
-        values: &Values,
+        values: &FigureValues,
         displacements: &Displacements,
         (along, around): (f64, f64),
         shows: bool,
@@ -175,7 +175,7 @@ impl Motion {
     }
 }
 
-impl Moved {
+impl MovedPoint {
     fn slot(&self) -> Option<u32> {
         match self.place {
             Spot::Named(slot) => Some(slot),
@@ -184,7 +184,7 @@ impl Moved {
     }
 
     /// The shift and the turn with which the figure shows it.
-    fn shown(&self, values: &Values) -> (Point, f64) {
+    fn shown(&self, values: &FigureValues) -> (Point, f64) {
         let shift = self.drawn.as_ref().map(|drawn| values.pair(drawn));
         let turn = self.turn.as_ref().and_then(|turn| turn.drawn.as_ref());
         (
@@ -194,7 +194,7 @@ impl Moved {
     }
 
     /// Where it is in the figure.
-    fn at(&self, values: &Values) -> Point {
+    fn at(&self, values: &FigureValues) -> Point {
         match &self.place {
             Spot::Named(slot) => values.point(*slot),
             Spot::Own(pair) => values.pair(pair),

@@ -3,7 +3,7 @@
 use crate::figure::element::{Layer, Role};
 use crate::figure::outline::{Form, Outline, turned};
 use crate::figure::part::{Part, Setting};
-use crate::figure::schematic::{Item, Place};
+use crate::figure::schematic::{ElementPlace, Item};
 use crate::figure::{Mark, Path, Point};
 
 /// How far from the outline of a body a link may end that is fastened to it.
@@ -106,13 +106,13 @@ impl<'f> Poses<'_, 'f> {
     }
 
     /// How a place moves that says itself where it belongs.
-    fn of_place(&self, place: &Place) -> Option<&Rigid> {
+    fn of_place(&self, place: &ElementPlace) -> Option<&Rigid> {
         let slot = place.slot()?;
         self.moved.iter().find(|rigid| rigid.slot == Some(slot))
     }
 
     /// How a place moves by its name, or since a moving point lies there.
-    fn of_point(&self, place: &Place, rest: Point) -> Option<&Rigid> {
+    fn of_point(&self, place: &ElementPlace, rest: Point) -> Option<&Rigid> {
         self.of_place(place).or_else(|| {
             let mut points = self.places.iter().zip(self.moved);
             let found = points.find(|(own, _)| own.distance(rest) < 1e-6);
@@ -129,7 +129,7 @@ impl<'f> Poses<'_, 'f> {
                 (Role::Body(_), Some(rigid)) => Pose::Rigid(rigid),
                 (Role::Measure, _) if item.kind.name() != "radius" => Pose::Still,
                 (_, Some(rigid)) => Pose::Rigid(rigid.carrying(part.point())),
-                (Role::Thing(_) | Role::Mark, None) if matches!(place, Place::Free(_)) => {
+                (Role::Thing(_) | Role::Mark, None) if matches!(place, ElementPlace::Free(_)) => {
                     match self.touched(part.point(), false) {
                         Some(rigid) => Pose::Rigid(rigid.carrying(part.point())),
                         None => Pose::Still,

@@ -1,6 +1,6 @@
 //! From the table `[figure.motion]` to a motion.
 
-use super::{Motion, Moved, Spot, Turn};
+use super::{Motion, MovedPoint, Spot, Turn};
 use crate::diagnostic::Finding;
 use crate::expr::{Expr, Kind, Name, fold};
 use crate::figure::FigureError;
@@ -52,7 +52,7 @@ impl<'s> FigureReader<'_, 's> {
         })
     }
 
-    fn moved(&mut self, table: &Table<'s>, entry: &'s Entry) -> Option<Moved> {
+    fn moved(&mut self, table: &Table<'s>, entry: &'s Entry) -> Option<MovedPoint> {
         let name = entry.name();
         let is_table = matches!(entry.value.data, Data::Table(_));
         let (place, shift, turn, drawn) = if is_table {
@@ -92,7 +92,7 @@ impl<'s> FigureReader<'_, 's> {
                 None,
             )
         };
-        Some(Moved {
+        Some(MovedPoint {
             place: place?,
             shift,
             turn,

@@ -1,6 +1,6 @@
 //! Draws a plot: axes, curves, marks, and the labels at them.
 
-use super::course::{Line, area, lines, place};
+use super::course::{CurveLine, area, lines, place};
 use super::frame::Frame;
 use super::lettering::{Letterer, Named};
 use super::{DASHES, Picture, Plot, PlotError, Style, axis, description};
@@ -25,7 +25,7 @@ pub(crate) fn draw(plot: &Plot<'_>) -> Result<Picture, PlotError> {
     let ends = axis::draw(&mut drawing, &frame, plot, &up);
     let pens = pens(plot);
     // Thin lines first: what moves stands out over its limits.
-    let mut order: Vec<&Line> = lines.iter().collect();
+    let mut order: Vec<&CurveLine> = lines.iter().collect();
     crate::numerics::sort_by_key(&mut order, |line| is_guide(plot, line));
     for line in order.into_iter().rev() {
         drawing.stroke(line.path(&frame), pens[line.curve]);
@@ -49,7 +49,7 @@ pub(crate) fn draw(plot: &Plot<'_>) -> Result<Picture, PlotError> {
     })
 }
 
-fn is_guide(plot: &Plot<'_>, line: &Line) -> bool {
+fn is_guide(plot: &Plot<'_>, line: &CurveLine) -> bool {
     matches!(plot.curves[line.curve].style, Style::Limit | Style::Band)
 }
 

@@ -1,7 +1,7 @@
 //! The courses of curves: from functions to runs of cubic pieces, and to lines on paper.
 
 use super::frame::Frame;
-use super::sample::{Coarse, Function, Knot, Run, cubic};
+use super::sample::{Coarse, CurveRun, Knot, SampledFunction, cubic};
 use super::{Course, Plot, PlotError};
 use crate::figure::{Path, Point};
 
@@ -13,14 +13,14 @@ const MILLIMETRES: f64 = 10.0;
 const FLAT: usize = 6;
 
 /// A line of a curve; a band has two.
-pub(crate) struct Line {
+pub(crate) struct CurveLine {
     /// The number of its curve.
     pub(crate) curve: usize,
-    pub(crate) runs: Vec<Run>,
+    pub(crate) runs: Vec<CurveRun>,
 }
 
 /// The lines of all curves and the frame that shows them.
-pub(crate) fn lines(plot: &Plot<'_>) -> Result<(Vec<Line>, Frame), PlotError> {
+pub(crate) fn lines(plot: &Plot<'_>) -> Result<(Vec<CurveLine>, Frame), PlotError> {
     let functions = functions(plot);
     let variable = if is_plane(plot) {
         plot.range
@@ -42,10 +42,10 @@ pub(crate) fn lines(plot: &Plot<'_>) -> Result<(Vec<Line>, Frame), PlotError> {
     let extents: Vec<_> = coarse.iter().filter_map(Coarse::extent).collect();
     let mut frame = frame(plot, variable, &extents)?;
     let size = frame.size().map(|size| size * MILLIMETRES);
-    let lines: Vec<Line> = functions
+    let lines: Vec<CurveLine> = functions
         .iter()
         .zip(&coarse)
-        .map(|((curve, _), coarse)| Line {
+        .map(|((curve, _), coarse)| CurveLine {
             curve: *curve,
             runs: coarse.refine(size, ERROR),
         })
@@ -105,7 +105,7 @@ fn is_plane(plot: &Plot<'_>) -> bool {
 }
 
 /// A function of the variable whose values are coordinates.
-type Coordinates<'p> = Box<Function<'p>>;
+type Coordinates<'p> = Box<SampledFunction<'p>>;
 
 /// The lines of all curves as functions of the variable, with the numbers of their curves.
 fn functions<'p>(plot: &'p Plot<'_>) -> Vec<(usize, Coordinates<'p>)> {
@@ -143,7 +143,7 @@ fn shown(plot: &Plot<'_>, value: f64) -> Option<f64> {
     plot.y.coordinate(value)
 }
 
-impl Line {
+impl CurveLine {
     /// The line on paper.
     pub(crate) fn path(&self, frame: &Frame) -> Path {
         self.runs
@@ -153,7 +153,7 @@ impl Line {
 
     /// Its points on paper, dense enough to stand for the line, run by run.
     pub(crate) fn flat(&self, frame: &Frame) -> Vec<Vec<Point>> {
-        let flat = |run: &Run| {
+        let flat = |run: &CurveRun| {
             let mut points = vec![frame.place(run[0].at)];
             for pair in run.windows(2) {
                 points.extend((1..=FLAT).map(|piece| {
@@ -166,7 +166,7 @@ impl Line {
     }
 }
 
-fn run_path(run: &Run, frame: &Frame) -> Path {
+fn run_path(run: &CurveRun, frame: &Frame) -> Path {
     append(Path::new().move_to(frame.place(run[0].at)), run, frame)
 }
 
@@ -188,7 +188,7 @@ fn append(path: Path, run: &[Knot], frame: &Frame) -> Path {
 }
 
 /// The area between two lines, where neither is interrupted.
-pub(crate) fn area(low: &Line, high: &Line, frame: &Frame) -> Option<Path> {
+pub(crate) fn area(low: &CurveLine, high: &CurveLine, frame: &Frame) -> Option<Path> {
     let ([low], [high]) = (low.runs.as_slice(), high.runs.as_slice()) else {
         return None;
     };
@@ -197,7 +197,7 @@ pub(crate) fn area(low: &Line, high: &Line, frame: &Frame) -> Option<Path> {
         direction: knot.direction.map(|part| -part),
         ..*knot
     };
-    let back: Run = high.iter().rev().map(turned).collect();
+    let back: CurveRun = high.iter().rev().map(turned).collect();
     let path = run_path(low, frame).line_to(frame.place(back[0].at));
     Some(append(path, &back, frame).close())
 }

@@ -1,6 +1,6 @@
 //! What a plot shows, as data.
 
-use super::course::Line;
+use super::course::CurveLine;
 use super::sample::cubic;
 use super::{Axis, Plot, Style};
 use crate::figure::story::{self, Behaviour, Curves, Tendency};
@@ -13,7 +13,7 @@ const TURN: f64 = 0.02;
 const POINTS: usize = 4;
 
 /// Axes, curves and marks.
-pub(crate) fn of(plot: &Plot<'_>, lines: &[Line], up: &Math) -> Curves {
+pub(crate) fn of(plot: &Plot<'_>, lines: &[CurveLine], up: &Math) -> Curves {
     let mark = plot.decimal;
     let is_plane = plot
         .curves
@@ -48,7 +48,7 @@ pub(crate) fn of(plot: &Plot<'_>, lines: &[Line], up: &Math) -> Curves {
     }
 }
 
-fn curve(plot: &Plot<'_>, line: &Line) -> Option<story::Curve> {
+fn curve(plot: &Plot<'_>, line: &CurveLine) -> Option<story::Curve> {
     let curve = &plot.curves[line.curve];
     let kind = match curve.style {
         Style::Limit => story::Line::Limit,

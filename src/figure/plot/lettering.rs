@@ -4,7 +4,7 @@
 //! the frame. What finds no room at its curve is named at the right end too, with a hairline to it.
 
 use super::Plot;
-use super::course::{Line, place};
+use super::course::{CurveLine, place};
 use super::frame::{Frame, HEIGHT, WIDTH};
 use super::room::Room;
 use crate::figure::{Anchor, Bounds, Drawing, Label, Path, Pen, Point, Weight};
@@ -44,7 +44,7 @@ pub(crate) struct Letterer {
 }
 
 /// A place for a label, and how bad it is.
-struct Candidate {
+struct LabelCandidate {
     cost: f64,
     at: Point,
     anchor: Anchor,
@@ -52,7 +52,12 @@ struct Candidate {
 }
 
 impl Letterer {
-    pub(crate) fn of(frame: &Frame, lines: &[Line], plot: &Plot<'_>, boxes: Vec<Bounds>) -> Self {
+    pub(crate) fn of(
+        frame: &Frame,
+        lines: &[CurveLine],
+        plot: &Plot<'_>,
+        boxes: Vec<Bounds>,
+    ) -> Self {
         let lines: Vec<_> = lines
             .iter()
             .map(|line| (line.curve, line.flat(frame)))
@@ -86,17 +91,19 @@ impl Letterer {
             };
             let (label, at) = (Label::of(label), frame.place(at));
             let near = directions()
-                .map(|(direction, cost)| Candidate::beside(at, direction, AT_DOT, cost));
+                .map(|(direction, cost)| LabelCandidate::beside(at, direction, AT_DOT, cost));
             let far = FAR.iter().flat_map(|distance| {
                 directions().chain(between()).map(move |(direction, cost)| {
-                    Candidate::beside(at, direction, *distance, cost + 10.0 * distance).led(at)
+                    LabelCandidate::beside(at, direction, *distance, cost + 10.0 * distance).led(at)
                 })
             });
             let best = self.best(&label, near.chain(far));
             self.put(
                 drawing,
                 label,
-                &best.unwrap_or_else(|| Candidate::beside(at, Point::new(0.0, 1.0), AT_DOT, 0.0)),
+                &best.unwrap_or_else(|| {
+                    LabelCandidate::beside(at, Point::new(0.0, 1.0), AT_DOT, 0.0)
+                }),
             );
         }
     }
@@ -120,7 +127,7 @@ impl Letterer {
     }
 
     /// The best place along a curve.
-    fn at_curve(&self, label: &Label, curve: usize) -> Option<Candidate> {
+    fn at_curve(&self, label: &Label, curve: usize) -> Option<LabelCandidate> {
         let mut others = Room::of(Frame::bounds().grown(0.5));
         for (own, runs) in &self.lines {
             if *own != curve {
@@ -133,7 +140,7 @@ impl Letterer {
         let candidates = points.iter().flat_map(|at| {
             let others = &others;
             directions().map(move |(direction, cost)| {
-                let mut candidate = Candidate::beside(*at, direction, NEAR, cost);
+                let mut candidate = LabelCandidate::beside(*at, direction, NEAR, cost);
                 let around = candidate.bounds(label).grown(ALONE);
                 candidate.cost += f64::from(others.taken(around).min(40)) * 0.25;
                 candidate.cost += 3.0 * (at.x / WIDTH - 0.7).abs();
@@ -147,9 +154,9 @@ impl Letterer {
     fn best(
         &self,
         label: &Label,
-        candidates: impl Iterator<Item = Candidate>,
-    ) -> Option<Candidate> {
-        let mut best: Option<Candidate> = None;
+        candidates: impl Iterator<Item = LabelCandidate>,
+    ) -> Option<LabelCandidate> {
+        let mut best: Option<LabelCandidate> = None;
         for candidate in candidates {
             let is_better = best.as_ref().is_none_or(|best| candidate.cost < best.cost);
             let is_free = || self.is_free(candidate.bounds(label)) && self.leads(&candidate, label);
@@ -179,7 +186,7 @@ impl Letterer {
     }
 
     /// Whether no label stands between a label and what it names.
-    fn leads(&self, candidate: &Candidate, label: &Label) -> bool {
+    fn leads(&self, candidate: &LabelCandidate, label: &Label) -> bool {
         let Some((from, to)) = candidate.line(label) else {
             return true;
         };
@@ -189,7 +196,7 @@ impl Letterer {
             .any(|other| other.grown(GAP).chord(from, to).is_some())
     }
 
-    fn put(&mut self, drawing: &mut Drawing, label: Label, candidate: &Candidate) {
+    fn put(&mut self, drawing: &mut Drawing, label: Label, candidate: &LabelCandidate) {
         if let Some((from, to)) = candidate.line(&label) {
             drawing.stroke(Path::line(from, to), Pen::new(Weight::Hair));
             self.leaders.push((from, to));
@@ -231,7 +238,7 @@ impl Letterer {
     }
 }
 
-impl Candidate {
+impl LabelCandidate {
     /// The place in a direction from a point.
     fn beside(point: Point, direction: Point, distance: f64, cost: f64) -> Self {
         Self {

@@ -6,7 +6,7 @@
 //! well are joined. Where the function has no value, or jumps, the curve is interrupted.
 
 /// A curve: the point at each value of its variable, where there is one.
-pub(crate) type Function<'a> = dyn Fn(f64) -> Option<[f64; 2]> + 'a;
+pub(crate) type SampledFunction<'a> = dyn Fn(f64) -> Option<[f64; 2]> + 'a;
 
 /// A point of a curve with its direction, the derivative by the variable.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,18 +17,18 @@ pub(crate) struct Knot {
 }
 
 /// A piece of a curve without interruption; between neighbours it is the cubic that they determine.
-pub(crate) type Run = Vec<Knot>;
+pub(crate) type CurveRun = Vec<Knot>;
 
 /// A curve at evenly spaced places.
 pub(crate) struct Coarse<'a> {
-    path: &'a Function<'a>,
+    path: &'a SampledFunction<'a>,
     range: [f64; 2],
-    places: Vec<Place>,
+    places: Vec<SampledPoint>,
 }
 
 /// A value of the variable, and the point of the curve there, if it has one.
 #[derive(Clone, Copy)]
-struct Place {
+struct SampledPoint {
     variable: f64,
     knot: Option<Knot>,
 }
@@ -49,7 +49,7 @@ const JUMP: f64 = 1.0;
 
 impl<'a> Coarse<'a> {
     /// The curve over a range of its variable.
-    pub(crate) fn of(path: &'a Function<'a>, range: [f64; 2]) -> Self {
+    pub(crate) fn of(path: &'a SampledFunction<'a>, range: [f64; 2]) -> Self {
         let mut coarse = Self {
             path,
             range,
@@ -69,7 +69,7 @@ impl<'a> Coarse<'a> {
     }
 
     /// The curve to an error of at most `error` in print, where a unit of each axis measures `size`.
-    pub(crate) fn refine(&self, size: [f64; 2], error: f64) -> Vec<Run> {
+    pub(crate) fn refine(&self, size: [f64; 2], error: f64) -> Vec<CurveRun> {
         // Pieces and their joining have half of it each.
         let error = error / 2.0;
         let mut refined = Refined {
@@ -90,8 +90,8 @@ impl<'a> Coarse<'a> {
         (self.path)(variable).filter(|point| point.iter().all(|number| number.is_finite()))
     }
 
-    fn place(&self, variable: f64) -> Place {
-        Place {
+    fn place(&self, variable: f64) -> SampledPoint {
+        SampledPoint {
             variable,
             knot: self.knot(variable),
         }
@@ -121,12 +121,12 @@ struct Refined<'c, 'a> {
     size: [f64; 2],
     error: f64,
     calls: u32,
-    runs: Vec<Run>,
+    runs: Vec<CurveRun>,
 }
 
 impl Refined<'_, '_> {
     /// Appends what lies between two places; the first of them stands already.
-    fn piece(&mut self, from: Place, to: Place, halvings: u32) {
+    fn piece(&mut self, from: SampledPoint, to: SampledPoint, halvings: u32) {
         match (from.knot, to.knot) {
             (Some(from), Some(to)) => self.between(from, to, halvings),
             (Some(from), None) => {
@@ -175,7 +175,7 @@ impl Refined<'_, '_> {
         } else if halvings == 0 || self.calls > MAX_CALLS {
             self.end(&from, to);
         } else {
-            let ends = [from, to].map(|knot| Place {
+            let ends = [from, to].map(|knot| SampledPoint {
                 variable: knot.variable,
                 knot: Some(knot),
             });
@@ -227,7 +227,7 @@ pub(crate) fn extent<'k>(knots: impl Iterator<Item = &'k Knot>) -> Option<[[f64;
 }
 
 /// Joins neighbouring pieces that one cubic serves as well.
-fn joined(run: &[Knot], size: [f64; 2], error: f64) -> Run {
+fn joined(run: &[Knot], size: [f64; 2], error: f64) -> CurveRun {
     let mut joined = vec![run[0]];
     let mut start = 0;
     while start + 1 < run.len() {

@@ -42,7 +42,7 @@ fn by_parts(
 ) -> Option<(Own, Value, Option<Expr>)> {
     let graph = &solution.template().graph;
     let mut formula = in_data(graph.expr(key)?, graph)?;
-    let data = Data::of(solution, &formula)?;
+    let data = NearbyData::of(solution, &formula)?;
     let (mut source, mut symbols, mut values) = (None, Substitution::new(), Vec::new());
     let mut has_formulas = true;
     for own in answers.own() {
@@ -60,7 +60,7 @@ fn by_parts(
         };
         // No formula can write this name.
         let letter = Name::new(&*format!("own {}", own.name));
-        let mut search = Search {
+        let mut search = PartSearch {
             data: &data,
             asked,
             letter: letter.clone(),
@@ -78,7 +78,7 @@ fn by_parts(
         }
     }
     let source = source?;
-    let value = Data::at(solution, &formula, &values)?;
+    let value = NearbyData::at(solution, &formula, &values)?;
     let formula = has_formulas.then(|| symbols.apply(&formula).ok()).flatten();
     Some((source, Value::real(value, 0.0), formula))
 }
@@ -103,12 +103,12 @@ fn by_route(
 }
 
 /// Data at a few points around those of the instance.
-struct Data {
+struct NearbyData {
     names: Vec<Name>,
     points: Vec<Vec<Precise>>,
 }
 
-impl Data {
+impl NearbyData {
     fn of(solution: &Solution<'_>, formula: &Expr) -> Option<Self> {
         let graph = &solution.template().graph;
         let mut names: Vec<Name> = solution
@@ -177,8 +177,8 @@ impl Data {
 }
 
 /// A search for the parts of a formula that are powers of what was asked.
-struct Search<'a> {
-    data: &'a Data,
+struct PartSearch<'a> {
+    data: &'a NearbyData,
     /// The values of what was asked.
     asked: Vec<f64>,
     letter: Name,
@@ -186,7 +186,7 @@ struct Search<'a> {
     nodes: usize,
 }
 
-impl Search<'_> {
+impl PartSearch<'_> {
     /// The formula with these parts replaced, the largest ones.
     fn replaced(&mut self, formula: &Expr) -> Expr {
         self.nodes += 1;

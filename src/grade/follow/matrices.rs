@@ -7,7 +7,7 @@ use crate::solution::Solution;
 
 /// An entry of a matrix.
 #[derive(Clone, Debug)]
-pub(crate) struct Entry {
+pub(crate) struct MatrixEntry {
     pub(crate) value: f64,
     pub(crate) formula: Option<Expr>,
 }
@@ -15,13 +15,13 @@ pub(crate) struct Entry {
 /// The rows of M, C and K side by side.
 #[derive(Clone, Debug)]
 pub(crate) struct Matrices {
-    rows: Vec<Vec<Entry>>,
+    rows: Vec<Vec<MatrixEntry>>,
 }
 
 /// In how many entries two rows agree when one is multiplied.
 pub(crate) struct Likeness {
     pub(crate) count: usize,
-    factor: Entry,
+    factor: MatrixEntry,
 }
 
 /// Entries that differ by less than this part are the same.
@@ -46,7 +46,7 @@ impl Matrices {
                 for entry in entries {
                     let formula = in_data(entry, &solution.template().graph)?;
                     let value = number(&formula, solution.evaluation())?;
-                    row.push(Entry {
+                    row.push(MatrixEntry {
                         value,
                         formula: Some(formula),
                     });
@@ -96,20 +96,20 @@ impl Matrices {
     }
 
     /// The factor under which a row agrees best with the one at a place; none where it agrees nowhere.
-    pub(crate) fn likeness(&self, at: usize, row: &[Entry]) -> Option<Likeness> {
+    pub(crate) fn likeness(&self, at: usize, row: &[MatrixEntry]) -> Option<Likeness> {
         let right = &self.rows[at];
         let candidates = right.iter().zip(row).filter_map(|(right, own)| {
             if right.value == 0.0 || own.value == 0.0 {
                 return None;
             }
             let value = right.value / own.value;
-            let agrees = |(right, own): &(&Entry, &Entry)| {
+            let agrees = |(right, own): &(&MatrixEntry, &MatrixEntry)| {
                 right.value != 0.0 && is_same(right.value, value * own.value)
             };
             let formula = right.formula.clone().zip(own.formula.clone());
             Some(Likeness {
                 count: right_count(&self.rows[at], row, agrees),
-                factor: Entry {
+                factor: MatrixEntry {
                     value,
                     formula: formula.map(|(right, own)| right / own),
                 },
@@ -126,7 +126,7 @@ impl Matrices {
     }
 
     /// Puts a row in the place of another.
-    pub(crate) fn set_row(&mut self, at: usize, row: Vec<Entry>) {
+    pub(crate) fn set_row(&mut self, at: usize, row: Vec<MatrixEntry>) {
         self.rows[at] = row;
     }
 
@@ -148,7 +148,7 @@ impl Matrices {
             .as_ref()
             .and_then(|formula| entries(formula, size));
         for (place, value) in numbers.iter().enumerate() {
-            self.rows[place / size][block * size + place % size] = Entry {
+            self.rows[place / size][block * size + place % size] = MatrixEntry {
                 value: *value,
                 formula: formulas.as_ref().map(|formulas| formulas[place].clone()),
             };
@@ -158,18 +158,18 @@ impl Matrices {
 }
 
 fn right_count(
-    right: &[Entry],
-    own: &[Entry],
-    agrees: impl Fn(&(&Entry, &Entry)) -> bool,
+    right: &[MatrixEntry],
+    own: &[MatrixEntry],
+    agrees: impl Fn(&(&MatrixEntry, &MatrixEntry)) -> bool,
 ) -> usize {
     right.iter().zip(own).filter(|pair| agrees(pair)).count()
 }
 
 impl Likeness {
     /// An entry with the factor.
-    pub(crate) fn scaled(&self, entry: &Entry) -> Entry {
+    pub(crate) fn scaled(&self, entry: &MatrixEntry) -> MatrixEntry {
         let formula = entry.formula.clone().zip(self.factor.formula.clone());
-        Entry {
+        MatrixEntry {
             value: entry.value * self.factor.value,
             formula: formula.map(|(own, factor)| own * factor),
         }

@@ -10,7 +10,7 @@ use crate::quantity::NodeId;
 use crate::solution::Solution;
 
 /// A number of an oscillator that the item has a quantity for.
-struct Known {
+struct KnownNumber {
     node: NodeId,
     coordinate: Name,
     single: Sdof,
@@ -21,8 +21,8 @@ pub(crate) fn extend(solution: &Solution<'_>, answers: &mut Answers) {
     if answers.own().next().is_none() {
         return;
     }
-    let known: Vec<Known> = oscillator::numbers(solution.template())
-        .map(|(node, coordinate, single)| Known {
+    let known: Vec<KnownNumber> = oscillator::numbers(solution.template())
+        .map(|(node, coordinate, single)| KnownNumber {
             node,
             coordinate,
             single,
@@ -51,8 +51,8 @@ pub(crate) fn extend(solution: &Solution<'_>, answers: &mut Answers) {
 fn follow(
     solution: &Solution<'_>,
     answers: &mut Answers,
-    known: &[Known],
-    target: &Known,
+    known: &[KnownNumber],
+    target: &KnownNumber,
     rule: &str,
 ) -> Option<()> {
     // Both come from the same data in a few roundings; a rule that does not hold for the item is off by more.
@@ -66,12 +66,12 @@ fn follow(
         .collect();
     let taken = names
         .iter()
-        .map(|name| Taken::of(solution, answers, known, target, name))
+        .map(|name| TakenNumber::of(solution, answers, known, target, name))
         .collect::<Option<Vec<_>>>()?;
     let source = taken.iter().find_map(|taken| taken.own.clone())?;
     let texts: Vec<&str> = names.iter().map(Name::as_str).collect();
     let program = Program::compile(&rule, &Slots(&texts)).ok()?;
-    let value = |number: fn(&Taken) -> f64| {
+    let value = |number: fn(&TakenNumber) -> f64| {
         let data: Vec<Precise> = taken.iter().map(number).map(Precise::exact).collect();
         program
             .evaluate(&data[..], &mut Workspace::default())
@@ -102,24 +102,25 @@ fn follow(
 }
 
 /// What a rule takes for a letter: the student's own answer, or the right number of the item or of its model.
-struct Taken {
+struct TakenNumber {
     number: f64,
     right: f64,
     formula: Option<Expr>,
     own: Option<Own>,
 }
 
-impl Taken {
+impl TakenNumber {
     fn of(
         solution: &Solution<'_>,
         answers: &Answers,
-        known: &[Known],
-        target: &Known,
+        known: &[KnownNumber],
+        target: &KnownNumber,
         name: &Name,
     ) -> Option<Self> {
         let evaluation = solution.evaluation();
         let single = Sdof::of_letter(name.as_str())?;
-        let is_it = |own: &&Known| own.coordinate == target.coordinate && own.single == single;
+        let is_it =
+            |own: &&KnownNumber| own.coordinate == target.coordinate && own.single == single;
         let Some(quantity) = known.iter().find(is_it) else {
             let formula = oscillator::right(solution.template(), &target.coordinate, single)?;
             let number = answers::number(&formula, evaluation)?;

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use super::answers::{Answers, Own, Source, in_data, number};
 use super::guard;
-use super::matrices::{Entry, Matrices};
+use super::matrices::{Matrices, MatrixEntry};
 use crate::answer::AnswerKind;
 use crate::expr::{Equation, Expr, Function, Path, Substitution, Value, Variable, differentiate};
 use crate::mechanics::{Model, Quantity};
@@ -74,7 +74,7 @@ fn from_equations(
 }
 
 /// The coefficients of an equation, accelerations, velocities, then positions; none where they are not constant.
-fn row(model: &Model, equation: &Equation, solution: &Solution<'_>) -> Option<Vec<Entry>> {
+fn row(model: &Model, equation: &Equation, solution: &Solution<'_>) -> Option<Vec<MatrixEntry>> {
     let difference = equation.difference();
     let coordinates = model.coordinates();
     let mut row = Vec::new();
@@ -86,7 +86,7 @@ fn row(model: &Model, equation: &Equation, solution: &Solution<'_>) -> Option<Ve
             }
             let formula = in_data(&slope, &solution.template().graph)?;
             let value = number(&formula, solution.evaluation())?;
-            row.push(Entry {
+            row.push(MatrixEntry {
                 value,
                 formula: Some(formula),
             });

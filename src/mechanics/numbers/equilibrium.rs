@@ -171,7 +171,7 @@ impl Numbers {
     /// Newton's method from zero, each step halved until the forces get smaller.
     fn sought_position(&self) -> Result<Vec<f64>, Unavailable> {
         let size = self.model.degrees_of_freedom();
-        let mut at = Place::of(self, DVector::zeros(size))?;
+        let mut at = Trial::of(self, DVector::zeros(size))?;
         for _ in 0..MAX_STEPS {
             if at.is_at_rest() {
                 return Ok(at.position.as_slice().to_vec());
@@ -194,14 +194,14 @@ impl Numbers {
 }
 
 /// A position with the forces there.
-struct Place {
+struct Trial {
     position: DVector<f64>,
     forces: DVector<f64>,
     bounds: DVector<f64>,
     slopes: DMatrix<f64>,
 }
 
-impl Place {
+impl Trial {
     fn of(numbers: &Numbers, position: DVector<f64>) -> Result<Self, Unavailable> {
         let at: Vec<_> = position.iter().copied().map(Precise::exact).collect();
         let forces = numbers.value(&numbers.model.evaluation.restoring, &at)?;

@@ -11,7 +11,7 @@ const DIGITS: usize = 6;
 const NOTHING: f64 = 1e-12;
 
 /// How one mode moves, with two free constants `a` and `b`.
-enum Course {
+enum ModeCourse {
     /// `a + b t`.
     Rigid,
     /// `e^(−λt) (a cos ωt + b sin ωt)`.
@@ -78,29 +78,29 @@ impl Numbers {
 }
 
 /// The free motion of a mode with `p'' + c p' + ω² p = 0`.
-fn course(frequency: f64, damping: f64) -> Course {
+fn course(frequency: f64, damping: f64) -> ModeCourse {
     let decay = 0.5 * damping;
     let square = (frequency - decay) * (frequency + decay);
     if frequency == 0.0 && damping == 0.0 {
-        return Course::Rigid;
+        return ModeCourse::Rigid;
     }
     if square.abs() <= 1e-13 * frequency * frequency {
-        return Course::Critical { decay };
+        return ModeCourse::Critical { decay };
     }
     if square > 0.0 {
-        return Course::Oscillating {
+        return ModeCourse::Oscillating {
             decay,
             frequency: square.sqrt(),
         };
     }
     let fast = -(decay + (-square).sqrt());
     let slow = frequency * frequency / fast;
-    Course::Creeping {
+    ModeCourse::Creeping {
         rates: [slow, fast],
     }
 }
 
-impl Course {
+impl ModeCourse {
     fn written(&self, index: &str) -> Expr {
         let a = || Expr::name(format!("A{index}").as_str());
         let b = || Expr::name(format!("B{index}").as_str());

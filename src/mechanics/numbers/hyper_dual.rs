@@ -3,7 +3,7 @@
 
 use super::{Numbers, Unavailable};
 use crate::expr::{HyperDual, Inputs, Precise, Program, Registers, Undefined};
-use crate::mechanics::programs::{Compiled, Data};
+use crate::mechanics::programs::{Compiled, ModelData};
 
 /// M, C and K by rows.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,7 +18,7 @@ pub struct Linearization {
 
 /// Inputs of which two bear an infinitesimal.
 struct Seeded<'a> {
-    data: Data<'a>,
+    data: ModelData<'a>,
     first: u32,
     second: u32,
 }
@@ -142,7 +142,7 @@ impl Kernel<'_> {
         second: u32,
     ) -> Result<HyperDual, Unavailable> {
         let inputs = Seeded {
-            data: Data {
+            data: ModelData {
                 constants: &self.numbers.constants,
                 position: self.position,
             },

@@ -15,7 +15,7 @@ mod steady;
 use std::cell::OnceCell;
 use std::sync::Arc;
 
-use super::programs::{Compiled, Data};
+use super::programs::{Compiled, ModelData};
 use super::{Model, Unavailable};
 use crate::expr::{Name, Precise, Undefined, Value};
 use crate::vibration::Oscillator;
@@ -106,7 +106,7 @@ impl Numbers {
 
     /// A formula at a position.
     fn value(&self, formula: &Compiled, position: &[Precise]) -> Result<Value, Unavailable> {
-        let data = Data {
+        let data = ModelData {
             constants: &self.constants,
             position,
         };

@@ -11,10 +11,10 @@ use crate::vibration::{
 
 /// A function of time of a model: a coordinate, or the energy.
 #[derive(Clone, Debug)]
-pub struct Motion(Kind);
+pub struct Motion(MotionKind);
 
 #[derive(Clone, Debug)]
-enum Kind {
+enum MotionKind {
     Oscillator(Box<OscillatorMotion>),
     Modal(ModalMotion),
     Friction(Box<FrictionPath>, SlidingForces),
@@ -50,15 +50,15 @@ struct EnergyOf {
 
 impl Motion {
     pub(crate) fn of_modes(motion: ModalMotion) -> Self {
-        Self(Kind::Modal(motion))
+        Self(MotionKind::Modal(motion))
     }
 
     pub(crate) fn of_friction(path: Box<FrictionPath>, forces: SlidingForces) -> Self {
-        Self(Kind::Friction(path, forces))
+        Self(MotionKind::Friction(path, forces))
     }
 
     pub(crate) fn of_pendulum(motion: Box<PendulumMotion>, square_rate: f64) -> Self {
-        Self(Kind::Pendulum(motion, square_rate))
+        Self(MotionKind::Pendulum(motion, square_rate))
     }
 
     /// The value at a time in s, or a time derivative of it: order 1 for the velocity, 2 for the acceleration.
@@ -69,13 +69,15 @@ impl Motion {
     /// [`Undefined::Overflow`] for a value that is not finite.
     pub fn at(&self, order: u8, time: f64) -> Result<f64, Undefined> {
         let value = match &self.0 {
-            Kind::Oscillator(motion) => motion.at(order, time),
-            Kind::Modal(motion) => motion.at(order, time),
-            Kind::Friction(path, forces) => friction_at(path, forces, order, time),
-            Kind::Pendulum(motion, square_rate) => pendulum_at(motion, *square_rate, order, time),
-            Kind::Steady(motion) => Some(motion.at(order, time)),
-            Kind::Energy(energy) if order == 0 => Some(energy.at(time)?),
-            Kind::Energy(_) => None,
+            MotionKind::Oscillator(motion) => motion.at(order, time),
+            MotionKind::Modal(motion) => motion.at(order, time),
+            MotionKind::Friction(path, forces) => friction_at(path, forces, order, time),
+            MotionKind::Pendulum(motion, square_rate) => {
+                pendulum_at(motion, *square_rate, order, time)
+            }
+            MotionKind::Steady(motion) => Some(motion.at(order, time)),
+            MotionKind::Energy(energy) if order == 0 => Some(energy.at(time)?),
+            MotionKind::Energy(_) => None,
         };
         let value = value.ok_or(Undefined::NoConvergence)?;
         Some(value)
@@ -220,7 +222,7 @@ impl Numbers {
         };
         let forces: Vec<_> = forces.collect();
         let motion = OscillatorMotion::of(oscillator, offset, initial, &forces);
-        Ok(Motion(Kind::Oscillator(Box::new(motion))))
+        Ok(Motion(MotionKind::Oscillator(Box::new(motion))))
     }
 
     /// The motion of a coordinate that is left when all that decays has decayed.
@@ -241,7 +243,7 @@ impl Numbers {
         let harmonics = harmonics
             .into_iter()
             .map(|(drive, own)| (drive.frequency, own));
-        Ok(Motion(Kind::Steady(SteadyMotion {
+        Ok(Motion(MotionKind::Steady(SteadyMotion {
             offset: self.equilibrium()?[coordinate],
             harmonics: harmonics.collect(),
         })))
@@ -261,7 +263,7 @@ impl Numbers {
         let frequency = modes.natural_angular_frequency(mode);
         let frequency = frequency.ok_or(Unavailable::Unstable)?;
         let amplitude = Complex::new(modes.mode_shape(mode)[coordinate], 0.0);
-        Ok(Motion(Kind::Steady(SteadyMotion {
+        Ok(Motion(MotionKind::Steady(SteadyMotion {
             offset: self.equilibrium()?[coordinate],
             harmonics: vec![(frequency, amplitude)],
         })))
@@ -276,7 +278,7 @@ impl Numbers {
         let motions =
             (0..self.model.degrees_of_freedom()).map(|coordinate| self.motion(coordinate));
         let matrices = self.matrices()?;
-        Ok(Motion(Kind::Energy(EnergyOf {
+        Ok(Motion(MotionKind::Energy(EnergyOf {
             motions: motions.collect::<Result<_, _>>()?,
             rest: self.equilibrium()?.to_vec(),
             mass: matrices.mass.numbers().to_vec(),

@@ -16,7 +16,7 @@ pub(crate) struct Derivative {
 }
 
 /// A line for a term, the sign with which it stands in the equation, its name and what it is.
-struct Entry {
+struct TermEntry {
     is_subtracted: bool,
     term: Term,
     value: Expr,
@@ -42,7 +42,7 @@ impl Deriver<'_> {
                 Side::term(term.clone()),
                 Side::Formula(value.clone()),
             ]));
-            entries.push(Entry {
+            entries.push(TermEntry {
                 is_subtracted: false,
                 term,
                 value,
@@ -75,7 +75,7 @@ impl Deriver<'_> {
             let mut sides = vec![Side::term(term.clone())];
             sides.extend(derivative.sides());
             lines.push(Line::exact(sides));
-            entries.push(Entry {
+            entries.push(TermEntry {
                 is_subtracted,
                 term,
                 value: derivative.shortest,
@@ -100,7 +100,7 @@ impl Deriver<'_> {
     }
 
     /// The law with the names of its terms, and with what they are.
-    fn sum(name: &Name, entries: &[Entry], force: Option<Expr>) -> Step {
+    fn sum(name: &Name, entries: &[TermEntry], force: Option<Expr>) -> Step {
         let law = entries
             .iter()
             .map(|own| (own.is_subtracted, own.term.clone()));
@@ -122,7 +122,7 @@ impl Deriver<'_> {
     fn finish(
         &self,
         at: usize,
-        entries: &[Entry],
+        entries: &[TermEntry],
         force: Option<Expr>,
         steps: &mut Vec<Step>,
     ) -> Result<(), Unavailable> {
@@ -310,7 +310,7 @@ impl Derivative {
     }
 }
 
-fn signed(entries: &[Entry]) -> impl Iterator<Item = (bool, Expr)> {
+fn signed(entries: &[TermEntry]) -> impl Iterator<Item = (bool, Expr)> {
     entries
         .iter()
         .flat_map(|own| signed_terms(&own.value, own.is_subtracted))

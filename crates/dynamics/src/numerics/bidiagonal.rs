@@ -20,7 +20,7 @@ const MAX_PASSES: usize = 200;
 /// none if they are not found, which no finite input is known to do.
 pub(crate) fn singular_values(diagonal: Vec<f64>, off_diagonal: Vec<f64>) -> Option<Vec<f64>> {
     let mut eigenvalues = Vec::with_capacity(diagonal.len());
-    let mut blocks = vec![Block {
+    let mut blocks = vec![UnreducedBlock {
         diagonal,
         off_diagonal,
         shift: Shift::default(),
@@ -33,7 +33,7 @@ pub(crate) fn singular_values(diagonal: Vec<f64>, off_diagonal: Vec<f64>) -> Opt
 }
 
 /// An unreduced part of the matrix, and what has been taken off its eigenvalues.
-struct Block {
+struct UnreducedBlock {
     diagonal: Vec<f64>,
     off_diagonal: Vec<f64>,
     shift: Shift,
@@ -62,7 +62,7 @@ impl Shift {
     }
 }
 
-impl Block {
+impl UnreducedBlock {
     /// Takes eigenvalues off the lower end until none is left or the block falls apart; parts go to `blocks`.
     fn reduce(mut self, blocks: &mut Vec<Self>, eigenvalues: &mut Vec<f64>) -> Option<()> {
         self.put_small_end_last();

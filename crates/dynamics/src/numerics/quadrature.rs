@@ -61,9 +61,9 @@ pub fn integral(
     tolerance: f64,
 ) -> Result<Integral, IntegralError> {
     let mut f = f;
-    let mut pieces = vec![Piece::over(&mut f, lower, upper)?];
+    let mut pieces = vec![Panel::over(&mut f, lower, upper)?];
     loop {
-        let total = Piece::total(&pieces);
+        let total = Panel::total(&pieces);
         // Where positive and negative parts cancel, no number of cuts makes the sum better than the rounding
         // of its parts.
         let rounding = 2.0 * f64::EPSILON * pieces.iter().map(|piece| piece.magnitude).sum::<f64>();
@@ -81,13 +81,13 @@ pub fn integral(
         else {
             return Err(IntegralError::NotConverged { error: total.error });
         };
-        pieces[worst] = Piece::over(&mut f, left.0, left.1)?;
-        pieces.push(Piece::over(&mut f, right.0, right.1)?);
+        pieces[worst] = Panel::over(&mut f, left.0, left.1)?;
+        pieces.push(Panel::over(&mut f, right.0, right.1)?);
     }
 }
 
 /// Integral over one piece by the rule of Gauss and Kronrod.
-struct Piece {
+struct Panel {
     lower: f64,
     upper: f64,
     value: f64,
@@ -96,7 +96,7 @@ struct Piece {
     error: f64,
 }
 
-impl Piece {
+impl Panel {
     fn over(f: &mut impl FnMut(f64) -> f64, lower: f64, upper: f64) -> Result<Self, IntegralError> {
         // Halved before they are added, so that ends near the largest number do not overflow.
         let (middle, half) = (0.5 * lower + 0.5 * upper, 0.5 * upper - 0.5 * lower);

@@ -56,11 +56,11 @@ pub fn bracketed_root(
             .ok_or(RootError::Undefined { at })
     };
     let (start, end) = (
-        End {
+        BracketEnd {
             x: lower,
             y: value(lower)?,
         },
-        End {
+        BracketEnd {
             x: upper,
             y: value(upper)?,
         },
@@ -73,9 +73,9 @@ pub fn bracketed_root(
     if start.y.is_sign_negative() == end.y.is_sign_negative() {
         return Err(RootError::NotBracketed { lower, upper });
     }
-    let mut bracket = Bracket::new(start, end, tolerance);
+    let mut bracket = SignBracket::new(start, end, tolerance);
     while let Some(at) = bracket.next() {
-        bracket.cut(End {
+        bracket.cut(BracketEnd {
             x: at,
             y: value(at)?,
         });
@@ -84,22 +84,22 @@ pub fn bracketed_root(
 }
 
 #[derive(Clone, Copy)]
-struct End {
+struct BracketEnd {
     x: f64,
     y: f64,
 }
 
 /// Two places where the signs differ, and how far from the middle the next one may lie.
-struct Bracket {
-    low: End,
-    high: End,
+struct SignBracket {
+    low: BracketEnd,
+    high: BracketEnd,
     tolerance: f64,
     truncation: f64,
     radius: f64,
 }
 
-impl Bracket {
-    fn new(start: End, end: End, tolerance: f64) -> Self {
+impl SignBracket {
+    fn new(start: BracketEnd, end: BracketEnd, tolerance: f64) -> Self {
         let (low, high) = if start.x <= end.x {
             (start, end)
         } else {
@@ -157,7 +157,7 @@ impl Bracket {
         x.is_finite().then_some(x)
     }
 
-    fn cut(&mut self, at: End) {
+    fn cut(&mut self, at: BracketEnd) {
         if at.y == 0.0 {
             (self.low, self.high) = (at, at);
         } else if at.y.is_sign_negative() == self.low.y.is_sign_negative() {

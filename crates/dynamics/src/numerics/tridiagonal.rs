@@ -212,7 +212,7 @@ impl Eigenpairs {
 
 /// An eigenvalue, and the length of the residual of its vector.
 #[derive(Debug, Clone, Copy, Default)]
-struct Found {
+struct FoundEigenvalue {
     value: f64,
     residual: f64,
 }
@@ -243,10 +243,15 @@ impl Twisted {
     }
 
     /// Steps to the Rayleigh quotient until it stays; as many columns are written as there are values.
-    fn improve(&mut self, matrix: &Factored, values: &[f64], columns: &mut [f64]) -> Vec<Found> {
+    fn improve(
+        &mut self,
+        matrix: &Factored,
+        values: &[f64],
+        columns: &mut [f64],
+    ) -> Vec<FoundEigenvalue> {
         let size = matrix.diagonal.len();
         let mut lanes: Lanes = std::array::from_fn(|l| *values.get(l).unwrap_or(&values[0]));
-        let mut found = vec![Found::default(); values.len()];
+        let mut found = vec![FoundEigenvalue::default(); values.len()];
         for _ in 0..MAX_STEPS {
             self.factor(matrix, &lanes);
             let mut is_settled = true;
@@ -254,7 +259,7 @@ impl Twisted {
                 let (residual, step) = self.vector(l, column);
                 is_settled &= step.abs() <= 4.0 * U * lanes[l].abs();
                 lanes[l] += step;
-                found[l] = Found {
+                found[l] = FoundEigenvalue {
                     value: lanes[l],
                     residual,
                 };

@@ -80,9 +80,9 @@ pub enum Function {
 }
 
 /// Name in formulas, and the smallest and largest number of arguments.
-type Row = (Function, &'static str, usize, usize);
+type FunctionRow = (Function, &'static str, usize, usize);
 
-const TABLE: &[Row] = &[
+const TABLE: &[FunctionRow] = &[
     (Function::Sqrt, "sqrt", 1, 1),
     (Function::Exp, "exp", 1, 1),
     (Function::Ln, "ln", 1, 1),
@@ -171,7 +171,7 @@ impl Function {
             )
     }
 
-    fn row(self) -> &'static Row {
+    fn row(self) -> &'static FunctionRow {
         TABLE
             .iter()
             .find(|row| row.0 == self)

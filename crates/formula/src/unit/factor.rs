@@ -4,7 +4,7 @@ use super::error::ErrorKind;
 use super::product::Unit;
 use super::rational::Rational;
 use super::scale::Scale;
-use super::table::{Found, Prefix, ROWS, Row, prefix};
+use super::table::{Found, Prefix, ROWS, UnitRow, prefix};
 
 /// The most factors that a unit may have.
 pub(crate) const MAX_FACTORS: usize = 8;
@@ -36,7 +36,7 @@ impl Factor {
         }
     }
 
-    pub(crate) fn row(self) -> &'static Row {
+    pub(crate) fn row(self) -> &'static UnitRow {
         &ROWS[usize::from(self.row)]
     }
 

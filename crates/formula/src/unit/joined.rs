@@ -115,7 +115,7 @@ pub(crate) fn units(name: &str, span: Range<usize>) -> Result<Joined, Error> {
         };
         return Err(Error::new(kind, span));
     }
-    let mut search = Search {
+    let mut search = CutSearch {
         best: None,
         rival: None,
     };
@@ -150,12 +150,12 @@ fn capital_kilo(name: &str) -> Option<Found> {
 }
 
 /// The likeliest way to cut a run into symbols, and another one as likely.
-struct Search {
+struct CutSearch {
     best: Option<Joined>,
     rival: Option<Joined>,
 }
 
-impl Search {
+impl CutSearch {
     fn split(&mut self, rest: &str, head: Joined) {
         if rest.is_empty() {
             self.offer(head);

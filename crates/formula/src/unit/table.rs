@@ -15,7 +15,7 @@ pub(crate) enum Turning {
 }
 
 /// One unit.
-pub(crate) struct Row {
+pub(crate) struct UnitRow {
     /// As read; the first is written to files.
     pub(crate) symbols: &'static [&'static str],
     /// As printed for people.
@@ -62,8 +62,8 @@ const fn row(
     prefixes: bool,
     joins: bool,
     coherent: &'static str,
-) -> Row {
-    Row {
+) -> UnitRow {
+    UnitRow {
         symbols,
         print,
         words,
@@ -87,7 +87,7 @@ const NOT: bool = false;
 ///
 /// BIPM, The International System of Units, 9th edition (2019), tables 2 to 5, 7 and 8.
 #[rustfmt::skip]
-pub(crate) static ROWS: &[Row] = &[
+pub(crate) static ROWS: &[UnitRow] = &[
     //   symbols                 print  words                                             kg  m  s   A  K mol cd     2   3   5  g  pi          prefixes joins coherent
     row(&["m"],                  "m",   &["metre", "metres", "meter", "meters", "mètre", "mètres", "metro", "metros"], [ 0,  1,  0,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
     row(&["s"],                  "s",   &["second", "seconds", "sec", "secs", "seconde", "secondes", "sek", "sekunde", "sekunden", "seg", "segundo", "segundos"], [ 0,  0,  1,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
@@ -272,7 +272,7 @@ pub(crate) fn bare_symbol(text: &str) -> Option<u8> {
 /// The unit of a word, `kilonewtons`, in any case.
 pub(crate) fn word(text: &str) -> Option<Found> {
     let whole = |text: &str, prefixed: bool| {
-        let named = |row: &Row| {
+        let named = |row: &UnitRow| {
             (row.prefixes || !prefixed)
                 && row.words.iter().any(|word| word.eq_ignore_ascii_case(text))
         };

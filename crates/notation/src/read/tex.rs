@@ -346,7 +346,7 @@ impl<'a> Fold<'a> {
         };
         let lower = part(ty != ScriptType::Superscript, self)?;
         let upper = part(ty != ScriptType::Subscript, self)?;
-        let boxed = |mark: Option<Mark>| mark.map(|mark| Box::new(mark.math));
+        let boxed = |mark: Option<Attachment>| mark.map(|mark| Box::new(mark.math));
         if position != ScriptPosition::AboveBelow {
             if is_degree(&base, lower.as_ref(), upper.as_ref()) {
                 return Some(Math::operator("°", Class::Ordinary));
@@ -359,7 +359,7 @@ impl<'a> Fold<'a> {
         }
         if let (
             None,
-            Some(Mark {
+            Some(Attachment {
                 accent: Some(accent),
                 ..
             }),
@@ -371,7 +371,7 @@ impl<'a> Fold<'a> {
     }
 
     /// What stands below or above.
-    fn mark(&mut self) -> Option<Mark> {
+    fn mark(&mut self) -> Option<Attachment> {
         let sign = match self.peek()? {
             Event::Content(Content::Ordinary { content, .. }) => Some(*content),
             _ => None,
@@ -388,21 +388,22 @@ impl<'a> Fold<'a> {
             None if is_dots => Some(Accent::TripleDot),
             _ => None,
         };
-        Some(Mark { math, accent })
+        Some(Attachment { math, accent })
     }
 }
 
 /// What stands below or above a base.
-struct Mark {
+struct Attachment {
     math: Math,
     /// The accent that it is, over a base.
     accent: Option<Accent>,
 }
 
 /// `{}^\circ`, the degree sign of LaTeX.
-fn is_degree(base: &Math, lower: Option<&Mark>, upper: Option<&Mark>) -> bool {
+fn is_degree(base: &Math, lower: Option<&Attachment>, upper: Option<&Attachment>) -> bool {
     let is_blank = matches!(base, Math::Row(pieces) if pieces.is_empty());
-    let is_ring = |mark: &Mark| matches!(&mark.math, Math::Operator { text, .. } if text == "∘");
+    let is_ring =
+        |mark: &Attachment| matches!(&mark.math, Math::Operator { text, .. } if text == "∘");
     is_blank && lower.is_none() && upper.is_some_and(is_ring)
 }
 

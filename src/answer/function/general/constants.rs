@@ -1,6 +1,6 @@
 //! Whether free constants can meet any initial state.
 
-use super::{Prepared, Solution};
+use super::{Prepared, TypedSolution};
 use crate::answer::equality::Draws;
 use crate::expr::Workspace;
 
@@ -9,7 +9,7 @@ const ROUNDING: f64 = 1e-9;
 
 /// How a function depends on a constant.
 #[derive(Clone, Copy, PartialEq)]
-enum Role {
+enum ConstantRole {
     /// In proportion, but for what stands without it: `A cos(5 t)`.
     Factor,
     /// As a sine or cosine: `cos(5 t + phi)`.
@@ -19,7 +19,7 @@ enum Role {
 impl Prepared {
     /// The number of initial states, of positions and velocities, that the constants can vary independently: those of
     /// the real and of the imaginary part together.
-    pub(crate) fn rank<'s>(&self, solutions: &'s [Solution]) -> Option<usize> {
+    pub(crate) fn rank<'s>(&self, solutions: &'s [TypedSolution]) -> Option<usize> {
         // About the cube root of the unit roundoff, the best step of a central difference.
         const STEP: f64 = 1e-5;
         let (mut draws, mut room) = (Draws::new(), Workspace::default());
@@ -35,8 +35,8 @@ impl Prepared {
             .map_or(1.0, |(frequency, _)| frequency.max(f64::MIN_POSITIVE));
         let mut state = |constants: &[f64]| -> Option<Vec<f64>> {
             let point = self.point(constants, 0.0);
-            let of_each = |solution: &'s Solution| {
-                let Solution {
+            let of_each = |solution: &'s TypedSolution| {
+                let TypedSolution {
                     positions,
                     velocities,
                     ..
@@ -85,7 +85,7 @@ impl Prepared {
 
     /// Whether each constant is a factor or a phase, and without the factors nothing depends on the phases.
     /// Other functions of a constant, `e^A` or `sin(C)/100`, do not reach all values.
-    pub(crate) fn are_factors_and_phases(&self, solution: &Solution) -> bool {
+    pub(crate) fn are_factors_and_phases(&self, solution: &TypedSolution) -> bool {
         let mut draws = Draws::new();
         let mut draw = || -> Vec<f64> {
             let constants = self.setup.constants.iter();
@@ -96,18 +96,18 @@ impl Prepared {
             if solution.used.contains(&place) {
                 self.role(solution, &constants, place)
             } else {
-                Some(Role::Factor)
+                Some(ConstantRole::Factor)
             }
         };
         let roles = (0..constants.len()).map(role);
-        let Some(roles) = roles.collect::<Option<Vec<Role>>>() else {
+        let Some(roles) = roles.collect::<Option<Vec<ConstantRole>>>() else {
             return false;
         };
         let state = |phases: &[f64], size: f64| {
             let places = roles.iter().zip(phases).zip(&constants);
             let mixed = places.map(|((role, phase), own)| match role {
-                Role::Factor => size * own,
-                Role::Phase => *phase,
+                ConstantRole::Factor => size * own,
+                ConstantRole::Phase => *phase,
             });
             self.positions(solution, &mixed.collect::<Vec<_>>())
         };
@@ -128,7 +128,12 @@ impl Prepared {
     }
 
     /// How positions depend on the constant at a place; none if in no such way.
-    fn role(&self, solution: &Solution, constants: &[f64], place: usize) -> Option<Role> {
+    fn role(
+        &self,
+        solution: &TypedSolution,
+        constants: &[f64],
+        place: usize,
+    ) -> Option<ConstantRole> {
         // No simple part of a turn: five states at this distance tell proportion from a sine.
         const STEP: f64 = 0.7;
         let states = (-2..=2).map(|step| {
@@ -148,7 +153,7 @@ impl Prepared {
             .clone()
             .all(|at| (1..4).all(|step| is_same(slope(step, at), slope(0, at))))
         {
-            return Some(Role::Factor);
+            return Some(ConstantRole::Factor);
         }
         // Of three equidistant values of a sine the outer ones add up to 2 cos(step) times the middle one.
         let size = |of: &(usize, usize)| slope(of.0, of.1).abs();
@@ -161,11 +166,11 @@ impl Prepared {
                 double * slope(step, at),
             )
         });
-        (is_sine && double.abs() < 2.0 - ROUNDING).then_some(Role::Phase)
+        (is_sine && double.abs() < 2.0 - ROUNDING).then_some(ConstantRole::Phase)
     }
 
     /// Whether a part is nothing beside another.
-    pub(crate) fn vanishes(&self, part: &Solution, beside: &Solution) -> bool {
+    pub(crate) fn vanishes(&self, part: &TypedSolution, beside: &TypedSolution) -> bool {
         let mut draws = Draws::new();
         let constants = self.setup.constants.iter();
         let constants: Vec<f64> = constants.map(|_| 1.0 + 0.5 * draws.signed()).collect();
@@ -182,7 +187,7 @@ impl Prepared {
     }
 
     /// The positions at some times.
-    fn positions(&self, solution: &Solution, constants: &[f64]) -> Option<Vec<f64>> {
+    fn positions(&self, solution: &TypedSolution, constants: &[f64]) -> Option<Vec<f64>> {
         let mut room = Workspace::default();
         let mut found = Vec::new();
         for time in self.times().into_iter().take(3) {

@@ -6,30 +6,32 @@
 
 mod complex;
 mod constants;
+mod read;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use self::complex::Parts;
-use super::label::is_fresh;
 use crate::answer::equality::Draws;
 use crate::answer::letters::Allowed;
 use crate::answer::meaning::{Meaning, ORDERS, Prefer};
 use crate::answer::{
     Answer, Answered, Asked, Blank, Context, Credit, Declare, Key, Marker, Marking, Nature, Note,
-    Reading, Remark, Role, Slip, Trial, Unreadable, Why,
+    Reading, Remark, Role, Slip, Trial, Why,
 };
 use crate::expr::{Equation, Expr, Kind as Node, Name, Precise, Program, Workspace};
 use crate::math::Math;
 use crate::quantity::{Absent, NodeId};
-use crate::response::{self, Lexicon, Manner, cut};
-use crate::source::{Span, Table, Text};
+use crate::response::Lexicon;
+use crate::source::{Table, Text};
 
 /// Letters that people give to constants, alone or with a number: all but those of time, of e and of i.
 const LETTERS: &str = "A B C D E F G H J K L M N O P Q R S T U V W X Y Z a b c d f g h k l m n p q r s u v w x y z \
     phi psi alpha beta delta theta gamma epsilon eta chi";
 /// What those write who cannot use C and D, as in Mathematica.
 const DOUBLED: &str = "AA BB CC DD";
+/// A letter that is a constant, or the imaginary unit as programs write it: which is seen from where it stands.
+const DOUBTFUL: &str = "I";
 /// Constants that a response may use: a few more than are needed.
 const MAX_USED: usize = 16;
 /// Highest number behind such a letter.
@@ -50,6 +52,8 @@ pub(crate) struct Setup {
     shapes: Option<NodeId>,
     meaning: Meaning,
     lexicon: Lexicon,
+    /// With the letter that may be a constant or the imaginary unit among the constants.
+    with_doubtful: Option<Lexicon>,
     /// The letters of its answer line.
     letters: Vec<Expr>,
 }
@@ -118,12 +122,19 @@ pub(crate) fn read(
     let free = all
         .map(Name::new)
         .filter(|name| !is_taken(name) && !is_spelling(name));
-    let constants: Vec<Name> = free.collect();
+    let mut constants: Vec<Name> = free.collect();
+    let doubtful = Name::new(DOUBTFUL);
+    let is_free = !is_taken(&doubtful) && lexicon.reads(DOUBTFUL).is_none();
     for name in &constants {
         meaning.add_free(name);
         lexicon.allow(name, crate::math::symbol(name.as_str()), false);
     }
     lexicon.allow(&Name::new("t"), crate::math::symbol("t"), false);
+    let with_doubtful = is_free.then(|| {
+        meaning.add_free(&doubtful);
+        constants.push(doubtful.clone());
+        lexicon.with(&doubtful, crate::math::symbol(DOUBTFUL))
+    });
     letters.retain(|letter| {
         !constants
             .iter()
@@ -146,6 +157,7 @@ pub(crate) fn read(
         shapes,
         meaning,
         lexicon,
+        with_doubtful,
         letters,
     }))))
 }
@@ -188,7 +200,7 @@ impl Answer for General {
 }
 
 /// A typed solution as programs, by coordinate.
-pub(crate) struct Solution {
+pub(crate) struct TypedSolution {
     positions: Vec<Program>,
     velocities: Vec<Program>,
     residuals: Vec<Program>,
@@ -200,87 +212,6 @@ pub(crate) struct Solution {
 }
 
 impl Setup {
-    /// The formulas of a response, by coordinate; with complex numbers in them, where only so they can be read.
-    fn read(&self, response: &str) -> Result<Vec<Expr>, Unreadable> {
-        const REAL: Manner = Manner {
-            comma_is_decimal: true,
-            has_imaginary_unit: false,
-            values: None,
-        };
-        const COMPLEX: Manner = Manner {
-            has_imaginary_unit: true,
-            ..REAL
-        };
-        let may_be_complex = response.contains(['i', 'j', 'I']);
-        self.read_in(response, REAL).or_else(|why| {
-            let complex = may_be_complex.then(|| self.read_in(response, COMPLEX).ok());
-            complex.flatten().ok_or(why)
-        })
-    }
-
-    fn read_in(&self, response: &str, manner: Manner) -> Result<Vec<Expr>, Unreadable> {
-        let all = Span::new(0, response.len());
-        let mut places = cut(response, all, &[';', '\n']);
-        places.retain(|place| !response[place.range()].trim().is_empty());
-        if places.len() == 1 && self.coordinates.len() > 1 {
-            places = cut(response, all, &[',']);
-        }
-        if let ([_], Some(at)) = (&places[..], response.find(" and ")) {
-            places = vec![
-                Span::new(0, at),
-                Span::new(at + " and ".len(), response.len()),
-            ];
-        }
-        let count = self.coordinates.len();
-        if places.len() == 1 && count > 1 {
-            let found = response::components(response, count, &self.lexicon, manner);
-            if let Some(found) = found.map_err(|error| Unreadable::typed(&error, response))? {
-                return Ok(found);
-            }
-        }
-        if places.len() != count {
-            let symbols = self.symbols.iter().map(Math::plain).collect();
-            return Err(Why::Functions(symbols).into());
-        }
-        let mut found: Vec<Option<Expr>> = vec![None; places.len()];
-        for (position, place) in places.into_iter().enumerate() {
-            let text = &response[place.range()];
-            let named = match text.split_once('=') {
-                Some((left, _)) => self.named(left, manner)?,
-                None => None,
-            };
-            let typed = response::formula(text, &self.lexicon, manner)
-                .map_err(|error| Unreadable::typed(&error, text))?;
-            let place = named.unwrap_or(position);
-            if found[place].replace(typed.value).is_some() {
-                return Err(Why::TwoFunctions(self.symbols[place].plain()).into());
-            }
-        }
-        found
-            .into_iter()
-            .collect::<Option<Vec<_>>>()
-            .ok_or_else(|| Why::FunctionMissing.into())
-    }
-
-    /// The place of the coordinate that stands before an equals sign; none for a letter that the item does not know.
-    fn named(&self, left: &str, manner: Manner) -> Result<Option<usize>, Unreadable> {
-        let typed = response::formula(left, &self.lexicon, manner);
-        let is_typed = |name: &Name| {
-            let typed = typed.as_ref().map(|typed| &typed.value);
-            typed.is_ok_and(|typed| *typed == Expr::name(name.clone()))
-        };
-        let place = self.coordinates.iter().position(is_typed);
-        let time = ["t".to_owned()];
-        if place.is_none() && !left.trim().is_empty() && !is_fresh(left, &time) {
-            let asked = self.symbols.first().map_or_else(String::new, Math::plain);
-            return Err(Unreadable::at(
-                left.trim(),
-                Why::OtherFunction(asked + "(t)"),
-            ));
-        }
-        Ok(place)
-    }
-
     /// The constants that occur in a response, as places.
     fn used(&self, typed: &[Expr]) -> Vec<usize> {
         let names: Vec<_> = typed.iter().map(Expr::names).collect();
@@ -293,7 +224,7 @@ impl Setup {
 
     /// A response as one solution of real numbers, or as two, the real and the imaginary part of one of complex
     /// numbers.
-    fn solutions(&self, typed: &[Expr]) -> Option<Vec<Solution>> {
+    fn solutions(&self, typed: &[Expr]) -> Option<Vec<TypedSolution>> {
         if !typed.iter().any(complex::is_complex) {
             return Some(vec![self.solution(typed)?]);
         }
@@ -324,7 +255,7 @@ impl Setup {
         Some(solutions)
     }
 
-    fn solution(&self, typed: &[Expr]) -> Option<Solution> {
+    fn solution(&self, typed: &[Expr]) -> Option<TypedSolution> {
         let coordinates = self.coordinates.iter().cloned();
         let replaced: BTreeMap<Name, Expr> =
             crate::numerics::gather(coordinates.zip(typed.iter().cloned()));
@@ -353,7 +284,7 @@ impl Setup {
             .iter()
             .map(|name| Expr::name(name.clone()).prime(1))
             .collect();
-        Some(Solution {
+        Some(TypedSolution {
             used: self.used(typed),
             positions: all(typed.to_vec(), &none)?,
             velocities: all(rates, &replaced)?,
@@ -401,7 +332,7 @@ impl Prepared {
     }
 
     /// Whether the equations hold for constants at random.
-    fn satisfies(&self, solution: &Solution) -> Option<bool> {
+    fn satisfies(&self, solution: &TypedSolution) -> Option<bool> {
         let (mut draws, mut room) = (Draws::new(), Workspace::default());
         // Frequencies and shapes of three figures are off by up to half a per cent each, squares by twice that.
         let part = if solution.has_decimals { 0.015 } else { 1e-7 };

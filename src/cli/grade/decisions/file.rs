@@ -8,7 +8,7 @@ use vibank::worksheet::{self, HandedOut, Subject};
 
 use super::table::settle;
 use super::{Decision, Decisions, Effect};
-use crate::cli::grade::undecided::Alike;
+use crate::cli::grade::undecided::AlikeAnswers;
 use crate::cli::{Failure, bank, files};
 
 /// The name of the file that stands beside a manifest.
@@ -99,7 +99,7 @@ impl Decisions {
         }
         let kept = match given {
             Some(given) => {
-                let alike = Alike::new(item, part, given);
+                let alike = AlikeAnswers::new(item, part, given);
                 settle(&mut self.all, &mut self.alike, alike, decision)
             }
             None if sheet.is_some() => settle(&mut self.all, &mut self.parts, subject, decision),

@@ -6,7 +6,7 @@ use vibank::output::{Decided, DecidedMark};
 use super::{Decision, Decisions};
 use crate::cli::Failure;
 use crate::cli::folder::Folder;
-use crate::cli::grade::outcome::{Outcome, Standing};
+use crate::cli::grade::outcome::{SheetOutcome, Standing};
 use crate::cli::table::Dialect;
 
 /// The marks that decisions have changed, by the numbers of these.
@@ -34,7 +34,7 @@ const COLUMNS: [&str; 13] = [
 
 impl Log {
     /// Notes the marks of a sheet that are others without the decisions.
-    pub(crate) fn add(&mut self, sheet: &Outcome) {
+    pub(crate) fn add(&mut self, sheet: &SheetOutcome) {
         for part in &sheet.parts {
             let Some(before) = &part.before else {
                 continue;

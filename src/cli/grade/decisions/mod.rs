@@ -18,7 +18,7 @@ use vibank::numerics::Rational;
 use vibank::source::Value;
 use vibank::worksheet::{Marks, Subject, Void};
 
-use super::undecided::Alike;
+use super::undecided::AlikeAnswers;
 use crate::cli::Failure;
 
 pub(crate) use self::correct::Corrected;
@@ -78,11 +78,11 @@ pub(crate) struct Decisions {
     /// The same by the item and the id of the part.
     parts: BTreeMap<Subject, usize>,
     /// For all sheets with the same words.
-    alike: BTreeMap<Alike, usize>,
+    alike: BTreeMap<AlikeAnswers, usize>,
     /// For all sheets with an item, by its name and the id or letter of the part.
     items: BTreeMap<(String, String), usize>,
     /// Those that hold beside the ones that settle, by item and part.
-    rules: BTreeMap<(String, String), Vec<Rule>>,
+    rules: BTreeMap<(String, String), Vec<DecisionRule>>,
     /// The lines of decisions for all sheets by the number of a question alone.
     by_number: Vec<(usize, String)>,
     /// Rules for marks in place of those of the blueprint.
@@ -90,7 +90,7 @@ pub(crate) struct Decisions {
 }
 
 /// The code of the sheet for which a decision holds, all without one, and its number.
-type Rule = (Option<String>, usize);
+type DecisionRule = (Option<String>, usize);
 
 /// What was decided about one part of one sheet, by the numbers of the decisions.
 #[derive(Clone, Debug, Default)]
@@ -175,7 +175,7 @@ impl Decisions {
 
     /// What holds for a part: what settles it for its own sheet, else for all with these words, else for all; and what
     /// holds beside that.
-    pub(crate) fn ruling(&self, place: &Place, alike: &Alike) -> Ruling<'_> {
+    pub(crate) fn ruling(&self, place: &Place, alike: &AlikeAnswers) -> Ruling<'_> {
         if self.all.is_empty() {
             return Ruling::default();
         }
@@ -209,7 +209,7 @@ impl Decisions {
         ruling
     }
 
-    fn settling(&self, place: &Place, alike: &Alike) -> Option<usize> {
+    fn settling(&self, place: &Place, alike: &AlikeAnswers) -> Option<usize> {
         let own = self.places.get(place);
         let subject = Subject {
             sheet: Some(place.code.clone()),
@@ -250,7 +250,7 @@ impl Decisions {
     }
 
     /// Notes that a part was handed out, with this many points at most.
-    pub(crate) fn claim(&mut self, place: &Place, alike: &Alike, most: Rational) {
+    pub(crate) fn claim(&mut self, place: &Place, alike: &AlikeAnswers, most: Rational) {
         if self.all.is_empty() {
             return;
         }
@@ -288,7 +288,7 @@ impl Decisions {
 }
 
 /// The names by which a part of an item is decided upon for all: its id, and its letter.
-fn named(place: &Place, alike: &Alike) -> [(String, String); 2] {
+fn named(place: &Place, alike: &AlikeAnswers) -> [(String, String); 2] {
     [&alike.id, &place.part].map(|part| (alike.item.clone(), part.clone()))
 }
 

@@ -15,8 +15,8 @@ use vibank::seed::Variant;
 
 use super::{ALL, Decision, Decisions, Effect};
 use crate::cli::grade::outcome::fraction;
-use crate::cli::grade::undecided::Alike;
-use crate::cli::table::{Row, Table};
+use crate::cli::grade::undecided::AlikeAnswers;
+use crate::cli::table::{Table, TableRow};
 use crate::cli::{Failure, responses};
 
 /// What a row settles, as it stands there.
@@ -49,7 +49,8 @@ pub(crate) fn read(decisions: &mut Decisions, path: &Path) -> Result<Vec<String>
     let words = ["item", "id", "given"].map(column);
     let [who, why] = ["who", "reason"].map(column);
     let mut faults = Vec::new();
-    let begins_row = |row: &Row<'_>| responses::begins_sheet(row, code) || row.cell(code) == ALL;
+    let begins_row =
+        |row: &TableRow<'_>| responses::begins_sheet(row, code) || row.cell(code) == ALL;
     for row in table.rows(&begins_row) {
         let row = match row {
             Ok(row) => row,
@@ -75,7 +76,9 @@ pub(crate) fn read(decisions: &mut Decisions, path: &Path) -> Result<Vec<String>
         let fault = match field(question).parse() {
             _ if field(code) == ALL && words.iter().all(|at| filled(*at).is_some()) => {
                 let [item, id, given] = words.map(|at| filled(at).unwrap_or_default());
-                decisions.alike(Alike::new(item, id, given), &settled).err()
+                decisions
+                    .alike(AlikeAnswers::new(item, id, given), &settled)
+                    .err()
             }
             _ if field(code) == ALL && filled(words[0]).is_some() => {
                 let item = filled(words[0]).unwrap_or_default().to_owned();
@@ -105,7 +108,7 @@ pub(crate) fn read(decisions: &mut Decisions, path: &Path) -> Result<Vec<String>
 }
 
 impl Decisions {
-    fn alike(&mut self, alike: Alike, settled: &Settled<'_>) -> Result<(), String> {
+    fn alike(&mut self, alike: AlikeAnswers, settled: &Settled<'_>) -> Result<(), String> {
         let (item, id) = (&alike.item, &alike.id);
         let decision = settled.decision(
             format!("`{id}` of `{item}`, where this was answered"),

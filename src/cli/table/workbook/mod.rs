@@ -19,7 +19,7 @@ pub(crate) const IS_BUILT_IN: bool = cfg!(feature = "xlsx");
 
 /// The first sheet of a workbook that has something in it.
 #[derive(Debug, Default)]
-pub(crate) struct Sheet {
+pub(crate) struct WorkbookSheet {
     /// Rows that are not blank, each with its number, from 1.
     pub(crate) rows: Vec<(usize, Vec<String>)>,
     /// What the reader should look at.
@@ -64,7 +64,7 @@ impl Cell {
 
 /// Reads the bytes of a workbook.
 #[cfg(feature = "xlsx")]
-pub(crate) fn read(shown: &str, bytes: &[u8]) -> Result<Sheet, Failure> {
+pub(crate) fn read(shown: &str, bytes: &[u8]) -> Result<WorkbookSheet, Failure> {
     read::sheet(bytes).map_err(|what| {
         Failure::new(format!("`{shown}`: {what}"))
             .help("save the table as CSV (UTF-8), and give that")
@@ -73,7 +73,7 @@ pub(crate) fn read(shown: &str, bytes: &[u8]) -> Result<Sheet, Failure> {
 
 /// Reads the bytes of a workbook.
 #[cfg(not(feature = "xlsx"))]
-pub(crate) fn read(shown: &str, _: &[u8]) -> Result<Sheet, Failure> {
+pub(crate) fn read(shown: &str, _: &[u8]) -> Result<WorkbookSheet, Failure> {
     Err(Failure::new(format!(
         "`{shown}` is a workbook or an archive, and this program was built without the feature `xlsx`"
     ))

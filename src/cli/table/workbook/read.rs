@@ -8,7 +8,7 @@ use calamine::{DataRef, Reader, SheetType, SheetVisible, Xlsx, XlsxError};
 use zip::ZipArchive;
 
 use super::places::misleading;
-use super::{Sheet, Spoilt};
+use super::{Spoilt, WorkbookSheet};
 
 /// Bytes of all files in a workbook, unpacked: a workbook of 30,000 rows has a tenth of it. What is packed may be a
 /// thousand times as much.
@@ -24,7 +24,7 @@ const MAX_CELLS: usize = 5_000_000;
 const MAX_TEXT: usize = 64 << 20;
 
 /// The first visible sheet with something in it, or what is wrong.
-pub(crate) fn sheet(bytes: &[u8]) -> Result<Sheet, String> {
+pub(crate) fn sheet(bytes: &[u8]) -> Result<WorkbookSheet, String> {
     check_size(bytes)?;
     let broken = |error: XlsxError| format!("a workbook that cannot be read: {error}");
     let mut book = Xlsx::new(Cursor::new(bytes)).map_err(broken)?;
@@ -33,7 +33,7 @@ pub(crate) fn sheet(bytes: &[u8]) -> Result<Sheet, String> {
         .filter(|sheet| sheet.typ == SheetType::WorkSheet && sheet.visible == SheetVisible::Visible)
         .map(|sheet| sheet.name.clone())
         .collect();
-    let mut filled: Option<(String, Sheet)> = None;
+    let mut filled: Option<(String, WorkbookSheet)> = None;
     for name in names {
         let sheet = cells(&mut book, &name)?;
         if sheet.rows.is_empty() {
@@ -77,7 +77,7 @@ fn check_size(bytes: &[u8]) -> Result<(), String> {
     Ok(())
 }
 
-fn cells(book: &mut Xlsx<Cursor<&[u8]>>, name: &str) -> Result<Sheet, String> {
+fn cells(book: &mut Xlsx<Cursor<&[u8]>>, name: &str) -> Result<WorkbookSheet, String> {
     let broken = |error: XlsxError| format!("the sheet `{name}` cannot be read: {error}");
     let mut rows: BTreeMap<usize, Vec<String>> = BTreeMap::new();
     let mut spoilt = BTreeMap::new();
@@ -108,7 +108,7 @@ fn cells(book: &mut Xlsx<Cursor<&[u8]>>, name: &str) -> Result<Sheet, String> {
         cells[column] = words;
         spoilt.extend(fault.map(|fault| ((row, column), fault)));
     }
-    Ok(Sheet {
+    Ok(WorkbookSheet {
         rows: rows.into_iter().collect(),
         doubt: None,
         spoilt,

@@ -142,7 +142,7 @@ struct Steady {
 /// The motion from rest where steady and free motion nearly cancel, in scaled units.
 #[derive(Clone, Copy, Debug)]
 struct FromRest {
-    kind: Kind,
+    kind: ResponseKind,
     /// Force over mass as a complex amplitude.
     force: Complex,
     time: PowerOfTwo,
@@ -151,7 +151,7 @@ struct FromRest {
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Kind {
+enum ResponseKind {
     Beat(Beat),
     Nodes(Nodes),
 }
@@ -223,9 +223,9 @@ impl Driven {
         let frequency = scaled.scaled_rate(force.angular_frequency);
         let is_beat = subject.oscillator.damping() == 0.0 && force.sine == 0.0;
         let kind = if is_beat {
-            Kind::Beat(subject.beat(&scaled, frequency))
+            ResponseKind::Beat(subject.beat(&scaled, frequency))
         } else {
-            Kind::Nodes(subject.nodes(&scaled, frequency))
+            ResponseKind::Nodes(subject.nodes(&scaled, frequency))
         };
         Self {
             from_rest: FromRest::of(&scaled, kind, force),
@@ -319,7 +319,7 @@ impl Steady {
 }
 
 impl FromRest {
-    fn of(scaled: &Scaled, kind: Kind, force: HarmonicForce) -> Self {
+    fn of(scaled: &Scaled, kind: ResponseKind, force: HarmonicForce) -> Self {
         let exponent = binary_exponent(force.cosine)
             .max(binary_exponent(force.sine))
             // A force that is zero has the smallest integer for an exponent, which must not overflow when it
@@ -339,22 +339,22 @@ impl FromRest {
     fn position(&self, time: f64) -> f64 {
         let t = self.time.apply(time);
         self.position.apply(match &self.kind {
-            Kind::Beat(beat) => self.force.re * beat.position(t),
-            Kind::Nodes(nodes) => (self.force * nodes.position(t)).re,
+            ResponseKind::Beat(beat) => self.force.re * beat.position(t),
+            ResponseKind::Nodes(nodes) => (self.force * nodes.position(t)).re,
         })
     }
 
     fn state(&self, time: f64) -> State {
         let t = self.time.apply(time);
         let (position, velocity) = match &self.kind {
-            Kind::Beat(beat) => {
+            ResponseKind::Beat(beat) => {
                 let state = beat.state(t);
                 (
                     self.force.re * state.position,
                     self.force.re * state.velocity,
                 )
             }
-            Kind::Nodes(nodes) => {
+            ResponseKind::Nodes(nodes) => {
                 let differences = nodes.differences(t);
                 (
                     (self.force * differences.position).re,

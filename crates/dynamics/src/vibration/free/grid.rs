@@ -10,7 +10,7 @@
 use super::critical::Critical;
 use super::oscillating::Oscillating;
 use super::overdamped::Overdamped;
-use super::{FreeResponse, LOWEST_EXPONENT, MAX_SCALED_TIME, Motion};
+use super::{FreeResponse, LOWEST_EXPONENT, MAX_SCALED_TIME, ScaledMotion};
 use crate::numerics::{Dd, expm1};
 
 /// Longest block; shorter grids take blocks of about the square root of their length.
@@ -18,7 +18,7 @@ const MAX_BLOCK_LENGTH: usize = 64;
 
 /// The tabulated factors α, β, γ for one time within a block.
 #[derive(Clone, Copy, Default)]
-struct Row {
+struct FactorRow {
     position: f64,
     shared: f64,
     velocity: f64,
@@ -26,7 +26,7 @@ struct Row {
 
 /// The factors a, b and c, d of one block.
 #[derive(Clone, Copy)]
-struct Block {
+struct BlockFactors {
     position: (f64, f64),
     velocity: (f64, f64),
 }
@@ -49,7 +49,7 @@ impl FreeResponse {
     /// # Ok::<(), vibank_dynamics::vibration::OscillatorError>(())
     /// ```
     pub fn positions(&self, start: f64, step: f64, positions: &mut [f64]) {
-        let grid = Grid::of(self, start, step, positions.len());
+        let grid = TimeGrid::of(self, start, step, positions.len());
         for (index, chunk) in positions.chunks_mut(grid.block).enumerate() {
             let first = index * grid.block;
             let Some(block) = grid.block(first, chunk.len()) else {
@@ -69,7 +69,7 @@ impl FreeResponse {
     ///
     /// As many samples as both slices have room for.
     pub fn states(&self, start: f64, step: f64, positions: &mut [f64], velocities: &mut [f64]) {
-        let grid = Grid::of(self, start, step, positions.len().min(velocities.len()));
+        let grid = TimeGrid::of(self, start, step, positions.len().min(velocities.len()));
         let chunks = positions
             .chunks_mut(grid.block)
             .zip(velocities.chunks_mut(grid.block));
@@ -93,17 +93,17 @@ impl FreeResponse {
 }
 
 /// A grid in scaled time, with the table for its blocks.
-struct Grid<'a> {
-    motion: &'a Motion,
+struct TimeGrid<'a> {
+    motion: &'a ScaledMotion,
     start: f64,
     step: f64,
     /// Samples in a block.
     block: usize,
-    rows: [Row; MAX_BLOCK_LENGTH],
+    rows: [FactorRow; MAX_BLOCK_LENGTH],
     is_within_range: bool,
 }
 
-impl<'a> Grid<'a> {
+impl<'a> TimeGrid<'a> {
     fn of(response: &'a FreeResponse, start: f64, step: f64, samples: usize) -> Self {
         let motion = &response.motion;
         let (start, step) = (
@@ -111,7 +111,7 @@ impl<'a> Grid<'a> {
             response.units.time.apply(step),
         );
         let block = block_length(samples);
-        let mut rows = [Row::default(); MAX_BLOCK_LENGTH];
+        let mut rows = [FactorRow::default(); MAX_BLOCK_LENGTH];
         let is_within_range = motion.exponent(step * block as f64).abs() < -LOWEST_EXPONENT
             && start.abs() + step.abs() * (samples as f64) < MAX_SCALED_TIME;
         if is_within_range {
@@ -130,7 +130,7 @@ impl<'a> Grid<'a> {
     }
 
     /// The factors of the block that starts at a sample; none if the motion leaves the range of numbers in it.
-    fn block(&self, first: usize, samples: usize) -> Option<Block> {
+    fn block(&self, first: usize, samples: usize) -> Option<BlockFactors> {
         let time = Dd::product(self.step, first as f64) + self.start;
         let last = time.hi() + self.step * samples as f64;
         let is_ordinary = |t: f64| self.motion.exponent(t).abs() < -LOWEST_EXPONENT;
@@ -148,8 +148,8 @@ fn block_length(samples: usize) -> usize {
     length
 }
 
-impl Motion {
-    fn row(&self, time: Dd) -> Row {
+impl ScaledMotion {
+    fn row(&self, time: Dd) -> FactorRow {
         match self {
             Self::Oscillating(motion) => motion.row(time),
             Self::Critical(motion) => motion.row(time),
@@ -157,7 +157,7 @@ impl Motion {
         }
     }
 
-    fn block(&self, time: Dd) -> Block {
+    fn block(&self, time: Dd) -> BlockFactors {
         match self {
             Self::Oscillating(motion) => motion.block(time),
             Self::Critical(motion) => motion.block(time),
@@ -168,22 +168,22 @@ impl Motion {
 
 impl Oscillating {
     /// Decay and rotation, e^(-λτ) cos ω_d τ and -e^(-λτ) sin ω_d τ.
-    fn row(&self, time: Dd) -> Row {
+    fn row(&self, time: Dd) -> FactorRow {
         let (sine, cosine) = (self.frequency * time).sin_cos_to_f64();
         let envelope = if self.is_damped {
             (self.growth * time).exp_to_f64()
         } else {
             1.0
         };
-        Row {
+        FactorRow {
             position: envelope * cosine,
             shared: -envelope * sine,
             velocity: envelope * cosine,
         }
     }
 
-    fn block(&self, time: Dd) -> Block {
-        let Row {
+    fn block(&self, time: Dd) -> BlockFactors {
+        let FactorRow {
             position: cosine,
             shared: minus_sine,
             ..
@@ -194,7 +194,7 @@ impl Oscillating {
                 -even * minus_sine - odd * cosine,
             )
         };
-        Block {
+        BlockFactors {
             position: turned(self.initial.position, self.position_sine),
             velocity: turned(self.initial.velocity, self.velocity_sine),
         }
@@ -203,20 +203,20 @@ impl Oscillating {
 
 impl Critical {
     /// Decay e^(-λτ), alone and times τ.
-    fn row(&self, time: Dd) -> Row {
+    fn row(&self, time: Dd) -> FactorRow {
         let envelope = (self.growth * time).exp_to_f64();
-        Row {
+        FactorRow {
             position: envelope,
             shared: envelope * time.hi(),
             velocity: envelope,
         }
     }
 
-    fn block(&self, time: Dd) -> Block {
+    fn block(&self, time: Dd) -> BlockFactors {
         let envelope = (self.growth * time).exp_to_f64();
         let line =
             |value: f64, slope: f64| (envelope * (value + slope * time.hi()), envelope * slope);
-        Block {
+        BlockFactors {
             position: line(self.initial.position, self.position_slope),
             velocity: line(self.initial.velocity, self.velocity_slope),
         }
@@ -225,10 +225,10 @@ impl Critical {
 
 impl Overdamped {
     /// Decay e^(r_s τ), alone and times P(τ), and e^(r_f τ).
-    fn row(&self, time: Dd) -> Row {
+    fn row(&self, time: Dd) -> FactorRow {
         let envelope = (self.slow * time).exp_to_f64();
         let ramp = -expm1(-self.gap * time.hi()) / self.gap;
-        Row {
+        FactorRow {
             position: envelope,
             shared: envelope * ramp,
             velocity: (self.fast * time).exp_to_f64(),
@@ -236,11 +236,11 @@ impl Overdamped {
     }
 
     /// The state at the block's start, and q and p of the motion from there, which decay with one root each.
-    fn block(&self, time: Dd) -> Block {
+    fn block(&self, time: Dd) -> BlockFactors {
         let state = self.state::<false>(time.hi());
         let beyond_slow = self.beyond_slow * (self.fast * time).exp_to_f64();
         let beyond_fast = self.beyond_fast * (self.slow * time).exp_to_f64();
-        Block {
+        BlockFactors {
             position: (state.position, beyond_slow),
             velocity: (state.velocity, self.slow.hi() * beyond_fast),
         }

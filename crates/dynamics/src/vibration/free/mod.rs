@@ -41,13 +41,13 @@ use crate::numerics::{Dd, binary_exponent, scale_by_power_of_two};
 #[derive(Clone, Copy, Debug)]
 pub struct FreeResponse {
     initial: State,
-    motion: Motion,
+    motion: ScaledMotion,
     units: Units,
 }
 
 /// The scaled motion, by regime.
 #[derive(Clone, Copy, Debug)]
-enum Motion {
+enum ScaledMotion {
     Oscillating(Oscillating),
     Critical(Critical),
     Overdamped(Overdamped),
@@ -79,10 +79,10 @@ impl FreeResponse {
         let root = scaled.root_of(discriminant);
         let motion = match scaled.regime(discriminant) {
             Regime::Undamped | Regime::Underdamped => {
-                Motion::Oscillating(Oscillating::of(scaled, root, state))
+                ScaledMotion::Oscillating(Oscillating::of(scaled, root, state))
             }
-            Regime::Critical => Motion::Critical(Critical::of(scaled, state)),
-            Regime::Overdamped => Motion::Overdamped(Overdamped::of(scaled, root, state)),
+            Regime::Critical => ScaledMotion::Critical(Critical::of(scaled, state)),
+            Regime::Overdamped => ScaledMotion::Overdamped(Overdamped::of(scaled, root, state)),
         };
         Self {
             initial,
@@ -130,12 +130,12 @@ impl FreeResponse {
     /// None if the motion does not oscillate.
     pub fn envelope(&self, time: f64) -> Option<f64> {
         match &self.motion {
-            Motion::Oscillating(motion) => {
+            ScaledMotion::Oscillating(motion) => {
                 let (amplitude, _) = motion.amplitude_and_phase();
                 let decay = motion.envelope::<false>(self.units.scaled_time(time));
                 Some(self.units.position.apply(amplitude * decay))
             }
-            Motion::Critical(_) | Motion::Overdamped(_) => None,
+            ScaledMotion::Critical(_) | ScaledMotion::Overdamped(_) => None,
         }
     }
 
@@ -144,11 +144,11 @@ impl FreeResponse {
     /// None if the motion does not oscillate.
     pub fn amplitude_and_phase(&self) -> Option<(f64, f64)> {
         match &self.motion {
-            Motion::Oscillating(motion) => {
+            ScaledMotion::Oscillating(motion) => {
                 let (amplitude, phase) = motion.amplitude_and_phase();
                 Some((self.units.position.apply(amplitude), phase))
             }
-            Motion::Critical(_) | Motion::Overdamped(_) => None,
+            ScaledMotion::Critical(_) | ScaledMotion::Overdamped(_) => None,
         }
     }
 }
@@ -199,7 +199,7 @@ impl Units {
     }
 }
 
-impl Motion {
+impl ScaledMotion {
     /// Exponent of the term that decays slowest.
     #[inline]
     fn exponent(&self, t: f64) -> f64 {

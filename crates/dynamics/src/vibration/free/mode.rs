@@ -3,7 +3,7 @@
 use super::critical::Critical;
 use super::oscillating::Oscillating;
 use super::overdamped::Overdamped;
-use super::{FreeResponse, Motion, Units};
+use super::{FreeResponse, ScaledMotion, Units};
 use crate::numerics::{Dd, binary_exponent};
 use crate::vibration::state::State;
 
@@ -39,7 +39,7 @@ fn rate_exponent(damping: Dd, stiffness: Dd) -> i32 {
     }
 }
 
-fn motion(damping: Dd, stiffness: Dd, initial: State) -> Motion {
+fn motion(damping: Dd, stiffness: Dd, initial: State) -> ScaledMotion {
     let State { position, velocity } = initial;
     let discriminant = damping.square() - stiffness * 4.0;
     let root = if damping.hi().abs() > LARGE_DAMPING {
@@ -50,7 +50,7 @@ fn motion(damping: Dd, stiffness: Dd, initial: State) -> Motion {
     let growth = damping * -0.5;
     if discriminant == Dd::ZERO {
         let slope = (velocity - growth * position).hi();
-        return Motion::Critical(Critical {
+        return ScaledMotion::Critical(Critical {
             initial,
             position_slope: slope,
             velocity_slope: growth.hi() * slope,
@@ -58,7 +58,7 @@ fn motion(damping: Dd, stiffness: Dd, initial: State) -> Motion {
         });
     }
     if discriminant.is_negative() {
-        return Motion::Oscillating(Oscillating {
+        return ScaledMotion::Oscillating(Oscillating {
             initial,
             position_sine: ((damping * position + 2.0 * velocity) / root).hi(),
             velocity_sine: (-(stiffness * 2.0 * position + damping * velocity) / root).hi(),
@@ -68,7 +68,7 @@ fn motion(damping: Dd, stiffness: Dd, initial: State) -> Motion {
         });
     }
     let (slow, fast) = roots(damping, stiffness, root);
-    Motion::Overdamped(Overdamped {
+    ScaledMotion::Overdamped(Overdamped {
         initial,
         slow,
         fast,

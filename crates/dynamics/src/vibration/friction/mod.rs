@@ -79,13 +79,13 @@ type Factors = [ExactNumber; 3];
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct FrictionOscillator {
-    given: Given,
-    system: System,
+    given: StatedNumbers,
+    system: ClosedForm,
 }
 
 /// The numbers as they were given; ties are decided on them.
 #[derive(Clone, Copy, Debug)]
-struct Given {
+struct StatedNumbers {
     mass: ExactNumber,
     stiffness: ExactNumber,
     friction: DryFriction,
@@ -94,7 +94,7 @@ struct Given {
 
 /// The numbers of the closed forms.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct System {
+pub(crate) struct ClosedForm {
     oscillator: Oscillator,
     scale: Scale,
     /// How far friction shifts the centre of a slide, F_k/k.
@@ -193,13 +193,13 @@ impl FrictionOscillator {
             return Err(FrictionError::OutOfRange);
         }
         Ok(Self {
-            given: Given {
+            given: StatedNumbers {
                 mass,
                 stiffness,
                 friction,
                 force: ExactNumber::ZERO,
             },
-            system: System {
+            system: ClosedForm {
                 oscillator,
                 scale,
                 slip,

@@ -3,7 +3,7 @@
 use super::launch::Launch;
 use super::path::FrictionPath;
 use super::scale::is_decided;
-use super::{FrictionError, FrictionOscillator, Given, System};
+use super::{ClosedForm, FrictionError, FrictionOscillator, StatedNumbers};
 use crate::numerics::{Dd, ExactNumber};
 use crate::vibration::State;
 
@@ -33,7 +33,7 @@ use crate::vibration::State;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct FrictionMotion {
-    pub(crate) system: System,
+    pub(crate) system: ClosedForm,
     pub(crate) initial: State,
     pub(crate) opening: Opening,
     /// The side of the equilibrium where the first turning point lies, 1 or -1.
@@ -142,7 +142,11 @@ impl FrictionMotion {
         self.last_reach = self.reach;
     }
 
-    fn end_from_rest(&mut self, given: &Given, position: ExactNumber) -> Result<(), FrictionError> {
+    fn end_from_rest(
+        &mut self,
+        given: &StatedNumbers,
+        position: ExactNumber,
+    ) -> Result<(), FrictionError> {
         // The magnitudes from which the offset was formed bound its rounding.
         let size = self.initial.position.abs()
             + self.system.equilibrium.hi().abs()
@@ -161,7 +165,7 @@ impl FrictionMotion {
 
     fn end_from_throw(
         &mut self,
-        given: &Given,
+        given: &StatedNumbers,
         position: ExactNumber,
         velocity: ExactNumber,
     ) -> Result<(), FrictionError> {

@@ -2,10 +2,10 @@
 
 use std::cmp::Ordering;
 
-use super::{Factors, Given};
+use super::{Factors, StatedNumbers};
 use crate::numerics::{ExactNumber, sign_of_sum};
 
-impl Given {
+impl StatedNumbers {
     /// Whether friction holds the mass at a position: `|k x - F| <= F_s`.
     pub(crate) fn holds_at(&self, position: ExactNumber) -> bool {
         self.rests_from_rest(position, 0)

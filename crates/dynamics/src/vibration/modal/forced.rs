@@ -62,11 +62,11 @@ pub struct ForcedModalResponse {
     /// Shapes as columns.
     shapes: DMatrix<f64>,
     horizon: f64,
-    motion: Motion,
+    motion: ForcedMotion,
 }
 
 #[derive(Debug, Clone)]
-enum Motion {
+enum ForcedMotion {
     Modes(Vec<ForcedResponse>),
     Coupled(Box<Coupled>),
 }
@@ -106,12 +106,12 @@ impl ForcedModalResponse {
         let initial = Initial::of(modes, &refined, displacements, velocities);
         let driven = driven_modes(&initial, &damping.in_modes(&refined), &forces);
         let motion = if let Some(motions) = driven {
-            Motion::Modes(motions)
+            ForcedMotion::Modes(motions)
         } else {
             refined = modes.fully_refined();
             let initial = Initial::of(modes, &refined, displacements, velocities);
             let damping = damping.in_modes(&refined);
-            Motion::Coupled(Box::new(Coupled::of(&initial, &damping, &forces, horizon)?))
+            ForcedMotion::Coupled(Box::new(Coupled::of(&initial, &damping, &forces, horizon)?))
         };
         Ok(Self {
             shapes: refined.modal_matrix(),
@@ -156,12 +156,12 @@ impl ForcedModalResponse {
 
     fn modal_states(&self, time: f64) -> Vec<(f64, f64)> {
         match &self.motion {
-            Motion::Modes(motions) => motions
+            ForcedMotion::Modes(motions) => motions
                 .iter()
                 .map(|motion| motion.state(time))
                 .map(|state| (state.position, state.velocity))
                 .collect(),
-            Motion::Coupled(coupled) => {
+            ForcedMotion::Coupled(coupled) => {
                 let mut state = coupled.start.clone();
                 coupled.propagator.advance(&mut state, time);
                 let size = coupled.weights.len();

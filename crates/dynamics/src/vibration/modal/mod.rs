@@ -50,11 +50,11 @@ pub struct ModalResponse {
     displacements: Vec<f64>,
     velocities: Vec<f64>,
     horizon: f64,
-    motion: Motion,
+    motion: ModalMotion,
 }
 
 #[derive(Debug, Clone)]
-enum Motion {
+enum ModalMotion {
     Classical(Classical),
     Viscous(Box<Viscous>),
 }
@@ -119,12 +119,12 @@ impl ModalResponse {
         let refined = modes.refined();
         let motion = if let Some(dampings) = uncoupled(&damping.in_modes(&refined)) {
             let initial = Initial::of(modes, &refined, displacements, velocities);
-            Motion::Classical(Classical::of(&initial, &dampings))
+            ModalMotion::Classical(Classical::of(&initial, &dampings))
         } else {
             let refined = modes.fully_refined();
             let initial = Initial::of(modes, &refined, displacements, velocities);
             let damping = damping.in_modes(&refined);
-            Motion::Viscous(Box::new(Viscous::of(&initial, &damping, horizon)?))
+            ModalMotion::Viscous(Box::new(Viscous::of(&initial, &damping, horizon)?))
         };
         Ok(Self {
             displacements: displacements.to_vec(),
@@ -136,7 +136,7 @@ impl ModalResponse {
 
     /// Whether damping leaves the modes uncoupled, `C M⁻¹ K = K M⁻¹ C`.
     pub fn is_classically_damped(&self) -> bool {
-        matches!(self.motion, Motion::Classical(_))
+        matches!(self.motion, ModalMotion::Classical(_))
     }
 
     /// Displacements in m and velocities in m/s at a time in s.
@@ -160,8 +160,8 @@ impl ModalResponse {
             return Ok(());
         }
         match &self.motion {
-            Motion::Classical(motion) => motion.state(time, displacements, velocities),
-            Motion::Viscous(motion) => motion.state(time, displacements, velocities),
+            ModalMotion::Classical(motion) => motion.state(time, displacements, velocities),
+            ModalMotion::Viscous(motion) => motion.state(time, displacements, velocities),
         }
         Ok(())
     }
@@ -179,8 +179,8 @@ impl ModalResponse {
             return Ok(());
         }
         match &self.motion {
-            Motion::Classical(motion) => motion.displacements(time, displacements),
-            Motion::Viscous(motion) => motion.state(time, displacements, &mut []),
+            ModalMotion::Classical(motion) => motion.displacements(time, displacements),
+            ModalMotion::Viscous(motion) => motion.state(time, displacements, &mut []),
         }
         Ok(())
     }
@@ -220,8 +220,8 @@ impl ModalResponse {
         check_time(step, self.horizon * rounding)?;
         check_time(start + step * intervals, self.horizon * rounding)?;
         match &self.motion {
-            Motion::Classical(motion) => motion.grid(start, step, displacements),
-            Motion::Viscous(motion) => motion.grid(start, step, displacements),
+            ModalMotion::Classical(motion) => motion.grid(start, step, displacements),
+            ModalMotion::Viscous(motion) => motion.grid(start, step, displacements),
         }
         Ok(())
     }
@@ -229,7 +229,7 @@ impl ModalResponse {
     /// Modal displacement and velocity of one mode at a time in s; none if damping couples the modes, or there is no such mode.
     pub fn modal_state(&self, mode: usize, time: f64) -> Option<State> {
         match &self.motion {
-            Motion::Classical(motion) if mode < self.displacements.len() => {
+            ModalMotion::Classical(motion) if mode < self.displacements.len() => {
                 Some(motion.modal_state(mode, time))
             }
             _ => None,

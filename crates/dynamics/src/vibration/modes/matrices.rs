@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::mass_root::MassRoot;
-use super::solve::{Solution, completed};
+use super::solve::{ModalBasis, completed};
 use super::system::{Inertia, Stiffness, System};
 use super::{ModesError, factor, reduced};
 use crate::numerics::cholesky::{Real, cholesky, congruent};
@@ -12,7 +12,7 @@ use crate::numerics::symmetric::Symmetric;
 /// Largest size whose matrices are factored in double-double arithmetic.
 const MAX_EXACT: usize = 64;
 
-pub(crate) fn solve(system: &System) -> Result<(MassRoot, Solution), ModesError> {
+pub(crate) fn solve(system: &System) -> Result<(MassRoot, ModalBasis), ModesError> {
     if let Some(solved) = proven(system) {
         return Ok(solved);
     }
@@ -25,7 +25,7 @@ pub(crate) fn solve(system: &System) -> Result<(MassRoot, Solution), ModesError>
 }
 
 /// By reduction to tridiagonal form, if all frequencies are real, not far apart, and proven.
-fn proven(system: &System) -> Option<(MassRoot, Solution)> {
+fn proven(system: &System) -> Option<(MassRoot, ModalBasis)> {
     let size = system.degrees_of_freedom();
     let (root, weighted) = weighted(system, &system.stiffness_matrix()).ok()?;
     let solution = reduced::of_weighted(weighted.as_slice().to_vec(), size)?;
@@ -37,7 +37,7 @@ fn proven(system: &System) -> Option<(MassRoot, Solution)> {
 fn factored<T: Real>(
     system: &System,
     stiffness: &DMatrix<T>,
-) -> Result<(MassRoot, Solution), ModesError> {
+) -> Result<(MassRoot, ModalBasis), ModesError> {
     let size = system.degrees_of_freedom();
     let (root, weighted) = weighted(system, stiffness)?;
     let floor = rounding_floor(system, &weighted);
@@ -103,7 +103,7 @@ fn rounding_floor<T: Real>(system: &System, weighted: &DMatrix<T>) -> Vec<f64> {
 }
 
 /// Eigenvalues of either sign; those that rounding could have made are zero.
-fn indefinite(weighted: DMatrix<f64>) -> Solution {
+fn indefinite(weighted: DMatrix<f64>) -> ModalBasis {
     let size = weighted.nrows() as f64;
     let zero = weighted.amax() * size * f64::EPSILON / 2.0;
     let Symmetric { values, vectors } = Symmetric::of(weighted);
@@ -117,7 +117,7 @@ fn indefinite(weighted: DMatrix<f64>) -> Solution {
             }
         })
         .collect();
-    Solution {
+    ModalBasis {
         rates,
         vectors: vectors.as_slice().to_vec(),
     }

@@ -1,12 +1,12 @@
 //! Networks of attractive springs: elimination and rotations.
 
-use super::solve::{Solution, completed};
+use super::solve::{ModalBasis, completed};
 use super::system::Link;
 use super::{ModesError, Pair, factor, rayleigh, reduced};
 use crate::numerics::jacobi::dot;
 use crate::numerics::{Dd, ascending};
 
-pub(crate) fn solve(masses: &[f64], springs: &[Link]) -> Result<Solution, ModesError> {
+pub(crate) fn solve(masses: &[f64], springs: &[Link]) -> Result<ModalBasis, ModesError> {
     // The cheapest first; each gives way where it would lose digits.
     if let Some(solution) = pair(masses, springs) {
         return Ok(solution);
@@ -23,7 +23,7 @@ pub(crate) fn solve(masses: &[f64], springs: &[Link]) -> Result<Solution, ModesE
 }
 
 /// Two masses whose closed form is in range.
-fn pair(masses: &[f64], springs: &[Link]) -> Option<Solution> {
+fn pair(masses: &[f64], springs: &[Link]) -> Option<ModalBasis> {
     let &[first, second] = masses else {
         return None;
     };
@@ -35,7 +35,7 @@ fn pair(masses: &[f64], springs: &[Link]) -> Option<Solution> {
             _ => sums[1] += spring.coefficient,
         }
     }
-    Pair::is_in_range(masses, sums).then(|| Solution {
+    Pair::is_in_range(masses, sums).then(|| ModalBasis {
         rates: Pair::exact_frequencies([first, second], sums).to_vec(),
         vectors: Pair::of_network([first, second], sums)
             .weighted_shapes()
@@ -144,11 +144,11 @@ fn displacement(weighted: &[f64], roots: &[f64]) -> Vec<f64> {
 /// Rounding leaves as much of every motion in a shape. A stiff one of light masses moves them far, so that little of it
 /// is seen in mass-weighted displacements; but it is known much better from the forces. One step of the correction of Ogita
 /// and Aishima for these pairs of modes. Skipped for densely coupled networks, where it would cost as much as all the rest.
-fn remove_stiff_motions(masses: &[f64], springs: &[Link], solution: &mut Solution) {
+fn remove_stiff_motions(masses: &[f64], springs: &[Link], solution: &mut ModalBasis) {
     // On like springs a motion that is r times as fast is one of masses r² times lighter: u of it,
     // mass-weighted, moves them by r u. Up to this ratio that is 1e-14 and left as it is.
     const STIFFER: f64 = 100.0;
-    let Solution { rates, vectors } = solution;
+    let ModalBasis { rates, vectors } = solution;
     let size = masses.len();
     let (Some(&softest), Some(&stiffest)) = (rates.iter().find(|rate| **rate > 0.0), rates.last())
     else {
@@ -202,10 +202,10 @@ const FEW: usize = 4;
 
 /// Replaces frequencies by Rayleigh quotients `Σ k e² / Σ m φ²`: sums of positive terms, whose error is that of the shape
 /// squared.
-fn take_rayleigh_quotients(masses: &[f64], springs: &[Link], solution: &mut Solution) {
+fn take_rayleigh_quotients(masses: &[f64], springs: &[Link], solution: &mut ModalBasis) {
     /// Squares of extreme frequencies leave the range of numbers, and the quotient with them.
     const AGREEMENT: f64 = 1e-12;
-    let Solution { rates, vectors } = solution;
+    let ModalBasis { rates, vectors } = solution;
     let size = masses.len();
     let stiffest = rates.last().copied().unwrap_or_default();
     if size > FEW && !is_sparse_and_in_range(masses, springs, stiffest) {
@@ -281,7 +281,7 @@ fn is_sparse_and_in_range(masses: &[f64], springs: &[Link], stiffest: f64) -> bo
         && RANGE.contains(&stiffest)
 }
 
-fn sort(size: usize, solution: &mut Solution) {
+fn sort(size: usize, solution: &mut ModalBasis) {
     // Quotients of frequencies that are equal to rounding may have changed places.
     if solution.rates.is_sorted() {
         return;

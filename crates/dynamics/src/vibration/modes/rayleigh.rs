@@ -26,7 +26,7 @@ const PROVEN: f64 = f64::EPSILON / 4.0;
 /// What the springs say of mass-weighted shapes, one after the other.
 pub(crate) fn of_springs(masses: &[f64], springs: &[Link], weighted: &[f64]) -> Vec<Mode> {
     let size = masses.len();
-    let mut motion = Motion::of(masses);
+    let mut motion = ModeMotion::of(masses);
     let mut modes = Vec::with_capacity(weighted.len() / size);
     for block in weighted.chunks(LANES * size) {
         motion.take(block);
@@ -65,7 +65,7 @@ pub(crate) fn are_proven(modes: &[Mode], is_free: bool) -> bool {
 }
 
 /// Displacements and forces of several modes.
-struct Motion<'a> {
+struct ModeMotion<'a> {
     masses: &'a [f64],
     roots: Vec<f64>,
     /// The displacements of all nodes, the ground first.
@@ -73,7 +73,7 @@ struct Motion<'a> {
     forces: Vec<Lanes>,
 }
 
-impl<'a> Motion<'a> {
+impl<'a> ModeMotion<'a> {
     fn of(masses: &'a [f64]) -> Self {
         let empty = vec![[0.0; LANES]; masses.len() + 1];
         Self {

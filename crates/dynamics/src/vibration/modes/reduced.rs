@@ -9,7 +9,7 @@ use nalgebra::DMatrix;
 use super::chain::Chain;
 use super::factor::root_of_ratio;
 use super::rayleigh::{self, Mode, are_proven};
-use super::solve::Solution;
+use super::solve::ModalBasis;
 use super::system::Link;
 use crate::numerics::householder::Reduction;
 use crate::numerics::jacobi::dot;
@@ -30,7 +30,7 @@ fn is_large(size: usize) -> bool {
 const SPREAD: f64 = 1e4;
 
 /// The modes of a network of attractive springs, if they can be proven.
-pub(crate) fn of_network(masses: &[f64], springs: &[Link]) -> Option<Solution> {
+pub(crate) fn of_network(masses: &[f64], springs: &[Link]) -> Option<ModalBasis> {
     // As in `network`: products of four of these numbers stay within 1e±280.
     const RANGE: std::ops::Range<f64> = 1e-70..1e70;
     let in_range = |x: f64| RANGE.contains(&x) || x == 0.0;
@@ -47,7 +47,7 @@ pub(crate) fn of_network(masses: &[f64], springs: &[Link]) -> Option<Solution> {
     }
 }
 
-fn of_chain(chain: &Chain, masses: &[f64], springs: &[Link]) -> Option<Solution> {
+fn of_chain(chain: &Chain, masses: &[f64], springs: &[Link]) -> Option<ModalBasis> {
     let vectors = chain.elastic_shapes()?;
     let modes = rayleigh::of_springs(masses, springs, &vectors);
     let elastic = proven(&modes, chain.is_free(), vectors)?;
@@ -57,7 +57,7 @@ fn of_chain(chain: &Chain, masses: &[f64], springs: &[Link]) -> Option<Solution>
     // The rigid motion is known: all masses move alike.
     let total: f64 = masses.iter().sum();
     let rigid = masses.iter().map(|m| (m / total).sqrt());
-    Some(Solution {
+    Some(ModalBasis {
         rates: std::iter::once(0.0).chain(elastic.rates).collect(),
         vectors: rigid.chain(elastic.vectors).collect(),
     })
@@ -65,7 +65,7 @@ fn of_chain(chain: &Chain, masses: &[f64], springs: &[Link]) -> Option<Solution>
 
 /// By the matrix of the springs; the springs themselves give the quotients of soft modes, of which the matrix loses digits, and
 /// of all modes if they are few.
-fn of_any(masses: &[f64], springs: &[Link]) -> Option<Solution> {
+fn of_any(masses: &[f64], springs: &[Link]) -> Option<ModalBasis> {
     // A mode takes 8 n terms by its springs and n² by the matrix, of which n is 17 at least; the springs lose
     // nothing.
     const FEW: usize = 8;
@@ -110,8 +110,8 @@ fn weighted_matrix(masses: &[f64], springs: &[Link]) -> Vec<f64> {
     entries
 }
 
-fn proven(modes: &[Mode], is_free: bool, vectors: Vec<f64>) -> Option<Solution> {
-    are_proven(modes, is_free).then(|| Solution {
+fn proven(modes: &[Mode], is_free: bool, vectors: Vec<f64>) -> Option<ModalBasis> {
+    are_proven(modes, is_free).then(|| ModalBasis {
         rates: modes.iter().map(|mode| mode.frequency).collect(),
         vectors,
     })
@@ -123,7 +123,7 @@ fn is_narrow(values: &[f64]) -> bool {
 }
 
 /// The modes of a mass-weighted stiffness matrix, given column after column, if they can be proven and none grows.
-pub(crate) fn of_weighted(entries: Vec<f64>, size: usize) -> Option<Solution> {
+pub(crate) fn of_weighted(entries: Vec<f64>, size: usize) -> Option<ModalBasis> {
     if !is_large(size) {
         return None;
     }

@@ -10,7 +10,7 @@ use crate::numerics::Dd;
 use crate::numerics::jacobi::{LeftSingular, dot};
 
 /// Rates in ascending order and mass-weighted orthonormal shapes.
-pub(crate) struct Solution {
+pub(crate) struct ModalBasis {
     pub(crate) rates: Vec<f64>,
     pub(crate) vectors: Vec<f64>,
 }
@@ -28,7 +28,7 @@ pub(crate) fn modes(system: System) -> Result<Modes, ModesError> {
     if !(is_finite(&solution.rates) && is_finite(&solution.vectors)) {
         return Err(ModesError::OutOfRange);
     }
-    let Solution { rates, vectors } = solution;
+    let ModalBasis { rates, vectors } = solution;
     let mut modes = Modes {
         system,
         root,
@@ -180,7 +180,7 @@ pub(crate) fn completed(
     size: usize,
     elastic: LeftSingular,
     rigid: impl FnOnce() -> Vec<Vec<f64>>,
-) -> Solution {
+) -> ModalBasis {
     let LeftSingular {
         mut values,
         mut vectors,
@@ -197,7 +197,7 @@ pub(crate) fn completed(
         vectors.splice(0..0, first);
         values.splice(0..0, std::iter::repeat_n(0.0, missing));
     }
-    Solution {
+    ModalBasis {
         rates: values,
         vectors,
     }

@@ -27,7 +27,7 @@ use crate::numerics::{
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct PendulumMotion {
-    course: Course,
+    course: MotionType,
     /// The full turns of the start, in rad.
     turns: f64,
     /// Positive if the motion begins towards greater angles, or at rest from a positive one.
@@ -62,7 +62,7 @@ pub enum PendulumRegime {
 
 /// The three motions, for a start towards positive angles.
 #[derive(Clone, Copy, Debug)]
-enum Course {
+enum MotionType {
     Swing {
         functions: JacobiFunctions,
         clock: Clock,
@@ -162,13 +162,13 @@ impl Pendulum {
         )
     }
 
-    fn course(&self, start: State, lack: Dd) -> Course {
+    fn course(&self, start: State, lack: Dd) -> MotionType {
         if lack.hi() > 0.0 {
             self.swing(start, lack)
         } else if lack.hi() < 0.0 {
             self.turn(start, -lack)
         } else {
-            Course::Separatrix {
+            MotionType::Separatrix {
                 rate: self.rate(),
                 start: asinh((start.sine / start.cosine).hi()),
             }
@@ -176,7 +176,7 @@ impl Pendulum {
     }
 
     /// `sin(theta/2) = k sn`, `cos(theta/2) = dn`, `kappa = k cn`.
-    fn swing(&self, start: State, lack: Dd) -> Course {
+    fn swing(&self, start: State, lack: Dd) -> MotionType {
         let functions = JacobiFunctions::of(lack);
         let modulus = start.kappa.hypot(start.sine).hi();
         let clock = Clock {
@@ -187,7 +187,7 @@ impl Pendulum {
                 Start::At(functions.phase_rate() * start.swing_argument(modulus))
             },
         };
-        Course::Swing {
+        MotionType::Swing {
             functions,
             clock,
             modulus,
@@ -195,13 +195,13 @@ impl Pendulum {
     }
 
     /// `theta/2 = am`, `kappa = sqrt(E) dn`.
-    fn turn(&self, start: State, excess: Dd) -> Course {
+    fn turn(&self, start: State, excess: Dd) -> MotionType {
         let root = start.kappa.hypot(start.sine);
         let functions = JacobiFunctions::of(excess / root.square());
         let slope = (start.kappa / root).hi();
         let cosine = start.cosine.hi();
         let argument = start.sine.hi() * carlson_rf(cosine * cosine, slope * slope, 1.0);
-        Course::Turn {
+        MotionType::Turn {
             functions,
             clock: Clock {
                 rate: self.rate() * root * functions.phase_rate(),
@@ -217,9 +217,9 @@ impl PendulumMotion {
     #[must_use]
     pub fn regime(&self) -> PendulumRegime {
         match self.course {
-            Course::Swing { .. } => PendulumRegime::Swinging,
-            Course::Separatrix { .. } => PendulumRegime::Separatrix,
-            Course::Turn { .. } => PendulumRegime::Turning,
+            MotionType::Swing { .. } => PendulumRegime::Swinging,
+            MotionType::Separatrix { .. } => PendulumRegime::Separatrix,
+            MotionType::Turn { .. } => PendulumRegime::Turning,
         }
     }
 
@@ -227,9 +227,9 @@ impl PendulumMotion {
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         match &self.course {
-            Course::Swing { clock, .. } => Some((Dd::TAU / clock.rate).hi()),
-            Course::Separatrix { .. } => None,
-            Course::Turn { clock, .. } => Some((Dd::PI / clock.rate).hi()),
+            MotionType::Swing { clock, .. } => Some((Dd::TAU / clock.rate).hi()),
+            MotionType::Separatrix { .. } => None,
+            MotionType::Turn { clock, .. } => Some((Dd::PI / clock.rate).hi()),
         }
     }
 
@@ -270,7 +270,7 @@ impl PendulumMotion {
 }
 
 /// The elliptic functions at one time, from which angle and velocity are read off.
-enum Place {
+enum EllipticValues {
     Swing(JacobiValues),
     /// The argument of the hyperbolic functions.
     Separatrix(f64),
@@ -280,20 +280,20 @@ enum Place {
     },
 }
 
-impl Course {
-    fn at(&self, t: f64) -> Place {
+impl MotionType {
+    fn at(&self, t: f64) -> EllipticValues {
         match self {
             Self::Swing {
                 functions, clock, ..
-            } => Place::Swing(functions.at(clock.sin_cos(t))),
+            } => EllipticValues::Swing(functions.at(clock.sin_cos(t))),
             Self::Separatrix { rate, start } => {
-                Place::Separatrix(separatrix_argument(*rate, *start, t))
+                EllipticValues::Separatrix(separatrix_argument(*rate, *start, t))
             }
             Self::Turn {
                 functions, clock, ..
             } => {
                 let phase = clock.phase(t);
-                Place::Turn {
+                EllipticValues::Turn {
                     values: functions.at(phase.sin_cos_to_f64()),
                     phase,
                 }
@@ -311,9 +311,9 @@ impl Course {
     }
 }
 
-impl Place {
+impl EllipticValues {
     /// The angle of a motion that begins towards positive ones, in rad.
-    fn angle(&self, course: &Course) -> f64 {
+    fn angle(&self, course: &MotionType) -> f64 {
         match self {
             Self::Swing(at) => 2.0 * atan2(course.amplitude() * at.sn, at.dn),
             Self::Separatrix(argument) => 2.0 * atan(sinh(*argument)),
@@ -324,7 +324,7 @@ impl Place {
     }
 
     /// theta'/(2 omega0).
-    fn reduced_velocity(&self, course: &Course) -> f64 {
+    fn reduced_velocity(&self, course: &MotionType) -> f64 {
         match self {
             Self::Swing(at) => course.amplitude() * at.cn,
             Self::Separatrix(argument) => 1.0 / cosh(*argument),

@@ -6,19 +6,19 @@ use super::{Doubt, Scalar, Undefined};
 use crate::expr::Function;
 
 /// Real and imaginary part.
-pub(crate) type Pair<S> = (S, S);
+pub(crate) type ComplexPair<S> = (S, S);
 
 type Result<T> = std::result::Result<T, Undefined>;
 
-pub(crate) fn add<S: Scalar>(a: &Pair<S>, b: &Pair<S>) -> Pair<S> {
+pub(crate) fn add<S: Scalar>(a: &ComplexPair<S>, b: &ComplexPair<S>) -> ComplexPair<S> {
     (a.0.add(&b.0), a.1.add(&b.1))
 }
 
-pub(crate) fn subtract<S: Scalar>(a: &Pair<S>, b: &Pair<S>) -> Pair<S> {
+pub(crate) fn subtract<S: Scalar>(a: &ComplexPair<S>, b: &ComplexPair<S>) -> ComplexPair<S> {
     (a.0.subtract(&b.0), a.1.subtract(&b.1))
 }
 
-pub(crate) fn multiply<S: Scalar>(a: &Pair<S>, b: &Pair<S>) -> Pair<S> {
+pub(crate) fn multiply<S: Scalar>(a: &ComplexPair<S>, b: &ComplexPair<S>) -> ComplexPair<S> {
     (
         a.0.multiply(&b.0).subtract(&a.1.multiply(&b.1)),
         a.0.multiply(&b.1).add(&a.1.multiply(&b.0)),
@@ -26,7 +26,7 @@ pub(crate) fn multiply<S: Scalar>(a: &Pair<S>, b: &Pair<S>) -> Pair<S> {
 }
 
 /// The quotient, by the part of the divisor that is larger, so that no square leaves the range (Smith 1962).
-pub(crate) fn divide<S: Scalar>(a: &Pair<S>, b: &Pair<S>) -> Result<Pair<S>> {
+pub(crate) fn divide<S: Scalar>(a: &ComplexPair<S>, b: &ComplexPair<S>) -> Result<ComplexPair<S>> {
     if b.0.to_f64().abs() >= b.1.to_f64().abs() {
         let ratio = b.1.divide(&b.0)?;
         let scale = b.0.add(&b.1.multiply(&ratio));
@@ -41,26 +41,30 @@ pub(crate) fn divide<S: Scalar>(a: &Pair<S>, b: &Pair<S>) -> Result<Pair<S>> {
     Ok((real, imaginary))
 }
 
-fn negate<S: Scalar>(z: &Pair<S>) -> Pair<S> {
+fn negate<S: Scalar>(z: &ComplexPair<S>) -> ComplexPair<S> {
     (z.0.negate(), z.1.negate())
 }
 
 /// i z.
-fn times_i<S: Scalar>(z: &Pair<S>) -> Pair<S> {
+fn times_i<S: Scalar>(z: &ComplexPair<S>) -> ComplexPair<S> {
     (z.1.negate(), z.0.clone())
 }
 
-fn halved<S: Scalar>(z: &Pair<S>) -> Pair<S> {
+fn halved<S: Scalar>(z: &ComplexPair<S>) -> ComplexPair<S> {
     let half = S::exact(0.5);
     (z.0.multiply(&half), z.1.multiply(&half))
 }
 
-fn one<S: Scalar>() -> Pair<S> {
+fn one<S: Scalar>() -> ComplexPair<S> {
     (S::exact(1.0), S::exact(0.0))
 }
 
 /// The power; with a whole exponent by repeated products, else e^(w ln z).
-pub(crate) fn power<S: Scalar>(z: &Pair<S>, w: &Pair<S>, doubt: &mut Doubt) -> Result<Pair<S>> {
+pub(crate) fn power<S: Scalar>(
+    z: &ComplexPair<S>,
+    w: &ComplexPair<S>,
+    doubt: &mut Doubt,
+) -> Result<ComplexPair<S>> {
     if is_zero(z) {
         let sign = w.0.unary(Function::Sign, doubt)?.to_f64();
         return match sign {
@@ -78,7 +82,7 @@ pub(crate) fn power<S: Scalar>(z: &Pair<S>, w: &Pair<S>, doubt: &mut Doubt) -> R
 }
 
 /// The power with a whole exponent, by squaring.
-pub(crate) fn power_whole<S: Scalar>(z: &Pair<S>, exponent: i32) -> Result<Pair<S>> {
+pub(crate) fn power_whole<S: Scalar>(z: &ComplexPair<S>, exponent: i32) -> Result<ComplexPair<S>> {
     let (mut power, mut square, mut rest) = (one(), z.clone(), exponent.unsigned_abs());
     while rest > 0 {
         if rest % 2 == 1 {
@@ -97,16 +101,16 @@ pub(crate) fn power_whole<S: Scalar>(z: &Pair<S>, exponent: i32) -> Result<Pair<
 }
 
 /// Whether both parts cannot be told from zero.
-fn is_zero<S: Scalar>(z: &Pair<S>) -> bool {
+fn is_zero<S: Scalar>(z: &ComplexPair<S>) -> bool {
     z.0.to_f64().abs() <= z.0.bound() && z.1.to_f64().abs() <= z.1.bound()
 }
 
 /// A complex function of one complex number.
 pub(crate) fn unary<S: Scalar>(
     function: Function,
-    z: &Pair<S>,
+    z: &ComplexPair<S>,
     doubt: &mut Doubt,
-) -> Result<Pair<S>> {
+) -> Result<ComplexPair<S>> {
     match function {
         Function::Sqrt => sqrt(z, doubt),
         Function::Exp => exp(z, doubt),
@@ -145,7 +149,7 @@ pub(crate) fn unary<S: Scalar>(
 }
 
 /// √z with its cut along the negative reals, by the part that does not cancel.
-fn sqrt<S: Scalar>(z: &Pair<S>, doubt: &mut Doubt) -> Result<Pair<S>> {
+fn sqrt<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> Result<ComplexPair<S>> {
     if is_zero(z) {
         let bound = (z.0.bound() + z.1.bound()).sqrt();
         return Ok((S::exact(0.0).widened(bound), S::exact(0.0).widened(bound)));
@@ -170,7 +174,7 @@ fn sqrt<S: Scalar>(z: &Pair<S>, doubt: &mut Doubt) -> Result<Pair<S>> {
     Ok((real, if is_below { large.negate() } else { large }))
 }
 
-fn exp<S: Scalar>(z: &Pair<S>, doubt: &mut Doubt) -> Result<Pair<S>> {
+fn exp<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> Result<ComplexPair<S>> {
     let growth = z.0.unary(Function::Exp, doubt)?;
     Ok((
         growth.multiply(&z.1.unary(Function::Cos, doubt)?),
@@ -178,7 +182,7 @@ fn exp<S: Scalar>(z: &Pair<S>, doubt: &mut Doubt) -> Result<Pair<S>> {
     ))
 }
 
-fn ln<S: Scalar>(z: &Pair<S>, doubt: &mut Doubt) -> Result<Pair<S>> {
+fn ln<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> Result<ComplexPair<S>> {
     if is_zero(z) {
         return Err(Undefined::LogarithmOfZero);
     }
@@ -190,7 +194,7 @@ fn ln<S: Scalar>(z: &Pair<S>, doubt: &mut Doubt) -> Result<Pair<S>> {
 }
 
 /// sin(x + iy) = sin x cosh y + i cos x sinh y.
-fn sin<S: Scalar>(z: &Pair<S>, doubt: &mut Doubt) -> Result<Pair<S>> {
+fn sin<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> Result<ComplexPair<S>> {
     let (sine, cosine) = (
         z.0.unary(Function::Sin, doubt)?,
         z.0.unary(Function::Cos, doubt)?,
@@ -202,7 +206,7 @@ fn sin<S: Scalar>(z: &Pair<S>, doubt: &mut Doubt) -> Result<Pair<S>> {
 }
 
 /// cos(x + iy) = cos x cosh y - i sin x sinh y.
-fn cos<S: Scalar>(z: &Pair<S>, doubt: &mut Doubt) -> Result<Pair<S>> {
+fn cos<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> Result<ComplexPair<S>> {
     let (sine, cosine) = (
         z.0.unary(Function::Sin, doubt)?,
         z.0.unary(Function::Cos, doubt)?,
@@ -214,7 +218,7 @@ fn cos<S: Scalar>(z: &Pair<S>, doubt: &mut Doubt) -> Result<Pair<S>> {
 }
 
 /// ln(z + √(z² + 1)).
-fn asinh<S: Scalar>(z: &Pair<S>, doubt: &mut Doubt) -> Result<Pair<S>> {
+fn asinh<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> Result<ComplexPair<S>> {
     // The function is odd; on the right half-plane the sum does not cancel.
     if z.0.to_f64() < 0.0 {
         return Ok(negate(&asinh(&negate(z), doubt)?));
@@ -224,7 +228,7 @@ fn asinh<S: Scalar>(z: &Pair<S>, doubt: &mut Doubt) -> Result<Pair<S>> {
 }
 
 /// (ln(1 + z) - ln(1 - z))/2.
-fn atanh<S: Scalar>(z: &Pair<S>, doubt: &mut Doubt) -> Result<Pair<S>> {
+fn atanh<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> Result<ComplexPair<S>> {
     let above = ln(&add(&one(), z), doubt)?;
     let below = ln(&subtract(&one(), z), doubt)?;
     Ok(halved(&subtract(&above, &below)))

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use super::CompileError;
 use super::assembler::Assembler;
-use super::entry::Entry;
+use super::entry::EntryRegister;
 use crate::expr::{Field, Form, Function, Operator, Shape};
 
 /// Largest order of a determinant: its minors are computed once each, 2ⁿ of them.
@@ -14,14 +14,14 @@ const MAX_DETERMINANT: usize = 10;
 #[derive(Clone, Debug)]
 pub(crate) struct Array {
     pub(crate) shape: Shape,
-    pub(crate) entries: Rc<[Entry]>,
+    pub(crate) entries: Rc<[EntryRegister]>,
     pub(crate) is_boolean: bool,
 }
 
 type Result<T> = std::result::Result<T, CompileError>;
 
 impl Array {
-    pub(crate) fn new(shape: Shape, entries: Vec<Entry>) -> Self {
+    pub(crate) fn new(shape: Shape, entries: Vec<EntryRegister>) -> Self {
         Self {
             shape,
             entries: entries.into(),
@@ -29,7 +29,7 @@ impl Array {
         }
     }
 
-    pub(crate) fn scalar(entry: Entry) -> Self {
+    pub(crate) fn scalar(entry: EntryRegister) -> Self {
         Self {
             shape: Shape::Scalar,
             entries: Rc::new([entry]),
@@ -40,7 +40,7 @@ impl Array {
     pub(crate) fn boolean(register: u32) -> Self {
         Self {
             is_boolean: true,
-            ..Self::scalar(Entry::real(register))
+            ..Self::scalar(EntryRegister::real(register))
         }
     }
 
@@ -61,7 +61,7 @@ impl Array {
     }
 
     /// The entry of a number.
-    pub(crate) fn number(&self) -> Result<Entry> {
+    pub(crate) fn number(&self) -> Result<EntryRegister> {
         match (self.shape, self.is_boolean) {
             (Shape::Scalar, false) => Ok(self.entries[0]),
             _ => Err(CompileError::Form { found: self.form() }),
@@ -71,7 +71,7 @@ impl Array {
     /// The register of a real number.
     pub(crate) fn real(&self) -> Result<u32> {
         match self.number()? {
-            Entry {
+            EntryRegister {
                 real,
                 imaginary: None,
             } => Ok(real),
@@ -97,7 +97,7 @@ impl Array {
     pub(crate) fn map(
         &self,
         to: &mut Assembler,
-        change: impl Fn(Entry, &mut Assembler) -> Result<Entry>,
+        change: impl Fn(EntryRegister, &mut Assembler) -> Result<EntryRegister>,
     ) -> Result<Self> {
         self.numbers()?;
         let entries = self.entries.iter().map(|entry| change(*entry, to));
@@ -113,8 +113,8 @@ impl Array {
         self.numbers()?;
         other.numbers()?;
         match operator {
-            Operator::Add => self.zip(other, to, Entry::add),
-            Operator::Subtract => self.zip(other, to, Entry::subtract),
+            Operator::Add => self.zip(other, to, EntryRegister::add),
+            Operator::Subtract => self.zip(other, to, EntryRegister::subtract),
             Operator::Multiply => self.multiply(other, to),
             Operator::Divide => {
                 let divisor = other.number()?;
@@ -128,7 +128,7 @@ impl Array {
         &self,
         other: &Self,
         to: &mut Assembler,
-        operation: impl Fn(Entry, Entry, &mut Assembler) -> Result<Entry>,
+        operation: impl Fn(EntryRegister, EntryRegister, &mut Assembler) -> Result<EntryRegister>,
     ) -> Result<Self> {
         if self.shape != other.shape {
             return Err(CompileError::Form {
@@ -195,12 +195,12 @@ impl Array {
         let Shape::Vector(_) = self.shape else {
             return Err(CompileError::Form { found: self.form() });
         };
-        let parts: Vec<Entry> = self
+        let parts: Vec<EntryRegister> = self
             .entries
             .iter()
             .flat_map(|entry| [Some(entry.real), entry.imaginary])
             .flatten()
-            .map(Entry::real)
+            .map(EntryRegister::real)
             .collect();
         let squares = sum_of_products(parts.iter().copied(), parts.iter().copied(), to)?;
         Ok(Self::scalar(squares.function(Function::Sqrt, to)?))
@@ -213,10 +213,10 @@ impl Array {
             return Err(CompileError::Form { found: self.form() });
         }
         // The minor of the first rows and of the columns in the set of bits.
-        let mut minors: Vec<Option<Entry>> = vec![None; 1 << order];
+        let mut minors: Vec<Option<EntryRegister>> = vec![None; 1 << order];
         for set in 1_usize..1 << order {
             let row = set.count_ones() as usize - 1;
-            let mut sum: Option<Entry> = None;
+            let mut sum: Option<EntryRegister> = None;
             let mut is_odd = row % 2 == 1;
             for column in (0..order).filter(|column| set >> column & 1 == 1) {
                 let entry = self.entries[row * order + column];
@@ -293,11 +293,11 @@ impl Array {
 }
 
 fn sum_of_products(
-    left: impl Iterator<Item = Entry>,
-    right: impl Iterator<Item = Entry>,
+    left: impl Iterator<Item = EntryRegister>,
+    right: impl Iterator<Item = EntryRegister>,
     to: &mut Assembler,
-) -> Result<Entry> {
-    let mut sum: Option<Entry> = None;
+) -> Result<EntryRegister> {
+    let mut sum: Option<EntryRegister> = None;
     for (a, b) in left.zip(right) {
         let product = a.multiply(b, to)?;
         sum = Some(match sum {
@@ -307,6 +307,6 @@ fn sum_of_products(
     }
     match sum {
         Some(sum) => Ok(sum),
-        None => Ok(Entry::real(to.exact(0.0)?)),
+        None => Ok(EntryRegister::real(to.exact(0.0)?)),
     }
 }

@@ -1,8 +1,8 @@
 //! Puts the steps of a program together, each computation once.
 
-use super::hash::Table;
-use super::instruction::{Instruction, Register, RegisterPair, Step, Target};
-use super::{CompileError, Entry};
+use super::hash::NumberTable;
+use super::instruction::{Instruction, ProgramStep, Register, RegisterPair, Target};
+use super::{CompileError, EntryRegister};
 use crate::expr::{Function, Precise};
 use vibank_source::Span;
 
@@ -20,10 +20,10 @@ pub(crate) struct Assembler {
     pub(crate) constants: Vec<Precise>,
     pub(crate) registers: u32,
     /// The indices of the constants, by their bits.
-    indices: Table<[u64; 3], u32>,
-    known: Table<Step, Register>,
+    indices: NumberTable<[u64; 3], u32>,
+    known: NumberTable<ProgramStep, Register>,
     /// The known steps, in the order in which they became known.
-    learned: Vec<Step>,
+    learned: Vec<ProgramStep>,
     /// Where the step at hand was written.
     span: Span,
 }
@@ -37,7 +37,7 @@ impl Assembler {
         Self {
             code: Vec::with_capacity(steps),
             spans: Vec::with_capacity(steps),
-            known: Table::with_capacity_and_hasher(steps, Default::default()),
+            known: NumberTable::with_capacity_and_hasher(steps, Default::default()),
             learned: Vec::with_capacity(steps),
             ..Self::default()
         }
@@ -73,7 +73,7 @@ impl Assembler {
     }
 
     /// The register of a computation.
-    pub(crate) fn compute(&mut self, step: Step) -> Result<Register, CompileError> {
+    pub(crate) fn compute(&mut self, step: ProgramStep) -> Result<Register, CompileError> {
         if let Some(&known) = self.known.get(&step) {
             return Ok(known);
         }
@@ -88,13 +88,20 @@ impl Assembler {
     }
 
     /// The two registers of a complex computation.
-    pub(crate) fn compute_pair(&mut self, step: Step) -> Result<Entry, CompileError> {
+    pub(crate) fn compute_pair(
+        &mut self,
+        step: ProgramStep,
+    ) -> Result<EntryRegister, CompileError> {
         let out = self.compute(step)?;
-        Ok(Entry::complex(out, out + 1))
+        Ok(EntryRegister::complex(out, out + 1))
     }
 
     /// Adds a step; its index.
-    pub(crate) fn push(&mut self, step: Step, out: Register) -> Result<Target, CompileError> {
+    pub(crate) fn push(
+        &mut self,
+        step: ProgramStep,
+        out: Register,
+    ) -> Result<Target, CompileError> {
         if self.code.len() >= MAX_STEPS {
             return Err(CompileError::TooLarge);
         }
@@ -112,17 +119,21 @@ impl Assembler {
     pub(crate) fn land(&mut self, at: Target) {
         let here = self.here();
         match &mut self.code[at as usize].step {
-            Step::Jump(target) | Step::JumpIf(_, target) | Step::JumpUnless(_, target) => {
+            ProgramStep::Jump(target)
+            | ProgramStep::JumpIf(_, target)
+            | ProgramStep::JumpUnless(_, target) => {
                 *target = here;
             }
-            Step::Root(search) | Step::Integral(search) => search.end = here,
+            ProgramStep::Root(search) | ProgramStep::Integral(search) => search.end = here,
             _ => {}
         }
     }
 
     /// Says what the body of the search at `at` computes.
     pub(crate) fn set_value(&mut self, at: Target, value: Register) {
-        if let Step::Root(search) | Step::Integral(search) = &mut self.code[at as usize].step {
+        if let ProgramStep::Root(search) | ProgramStep::Integral(search) =
+            &mut self.code[at as usize].step
+        {
             search.value = value;
         }
     }
@@ -134,7 +145,7 @@ impl Assembler {
         if index == next {
             self.constants.push(value);
         }
-        self.compute(Step::Constant(index))
+        self.compute(ProgramStep::Constant(index))
     }
 
     pub(crate) fn exact(&mut self, value: f64) -> Result<Register, CompileError> {
@@ -146,11 +157,11 @@ impl Assembler {
         function: Function,
         a: Register,
     ) -> Result<Register, CompileError> {
-        self.compute(Step::Unary(function, a))
+        self.compute(ProgramStep::Unary(function, a))
     }
 
     /// An entry as a pair of registers.
-    pub(crate) fn pair(&mut self, entry: Entry) -> Result<RegisterPair, CompileError> {
+    pub(crate) fn pair(&mut self, entry: EntryRegister) -> Result<RegisterPair, CompileError> {
         Ok(match entry.imaginary {
             Some(imaginary) => [entry.real, imaginary],
             None => [entry.real, self.exact(0.0)?],

@@ -4,9 +4,9 @@ use std::collections::HashMap;
 
 use super::array::Array;
 use super::assembler::Assembler;
-use super::hash::Table;
-use super::instruction::{Search, Step};
-use super::{Binder, Binding, CompileError, Entry, Program};
+use super::hash::NumberTable;
+use super::instruction::{ProgramStep, SearchBody};
+use super::{Binder, Binding, CompileError, EntryRegister, Program};
 use crate::expr::{
     Constant, Expr, Field, Form, Function, Kind, Name, Operator, Path, Precise, Relation, Shape,
     Variable,
@@ -31,7 +31,7 @@ pub(crate) struct Compiler<'a> {
     /// The names alone, as binders are told them.
     pub(crate) local_names: Vec<Name>,
     /// What nodes to which several ways lead have become, by node and innermost local.
-    known: Table<(usize, usize), Array>,
+    known: NumberTable<(usize, usize), Array>,
     learned: Vec<(usize, usize)>,
     /// Numbers of the scopes of locals that were opened.
     scopes: usize,
@@ -57,7 +57,7 @@ pub(crate) fn compile(expr: &Expr, binder: &dyn Binder) -> Result<Program> {
         assembler: Assembler::with_room(expr.size().min(MAX_ROOM) as usize),
         locals: Vec::new(),
         local_names: Vec::new(),
-        known: Table::default(),
+        known: NumberTable::default(),
         learned: Vec::new(),
         scopes: 0,
         depth: 0,
@@ -130,19 +130,21 @@ impl Compiler<'_> {
             Kind::Path(path) => self.path(path, 0, expr),
             Kind::Prime(inner, order) => self.prime(inner, *order, expr),
             Kind::Index(inner, indices) => self.index(inner, indices),
-            Kind::Negate(inner) => self.array(inner)?.map(&mut self.assembler, Entry::negate),
+            Kind::Negate(inner) => self
+                .array(inner)?
+                .map(&mut self.assembler, EntryRegister::negate),
             Kind::Binary(Operator::Power, base, exponent) => self.power(base, exponent),
             Kind::Binary(operator, a, b) => {
                 let (a, b) = (self.array(a)?, self.array(b)?);
                 a.arithmetic(*operator, &b, &mut self.assembler)
             }
             Kind::Compare(operands, relations) => self.compare(operands, relations),
-            Kind::And(a, b) => self.shortcut(a, b, Step::JumpUnless),
-            Kind::Or(a, b) => self.shortcut(a, b, Step::JumpIf),
+            Kind::And(a, b) => self.shortcut(a, b, ProgramStep::JumpUnless),
+            Kind::Or(a, b) => self.shortcut(a, b, ProgramStep::JumpIf),
             Kind::Not(inner) => {
                 let condition = self.array(inner)?.condition()?;
                 Ok(Array::boolean(
-                    self.assembler.compute(Step::Not(condition))?,
+                    self.assembler.compute(ProgramStep::Not(condition))?,
                 ))
             }
             Kind::If(condition, first, second) => self.choice(condition, first, second),
@@ -152,9 +154,11 @@ impl Compiler<'_> {
                 let derivative = self.derivative(inner, names)?;
                 self.derived(&derivative, inner)
             }
-            Kind::Root(inner, name, low, high) => self.search(Step::Root, inner, name, [low, high]),
+            Kind::Root(inner, name, low, high) => {
+                self.search(ProgramStep::Root, inner, name, [low, high])
+            }
             Kind::Integral(inner, name, low, high) => {
-                self.search(Step::Integral, inner, name, [low, high])
+                self.search(ProgramStep::Integral, inner, name, [low, high])
             }
             Kind::Array(parts) => {
                 let parts = parts.iter().map(|part| self.array(part));
@@ -164,7 +168,9 @@ impl Compiler<'_> {
     }
 
     fn precise(&mut self, value: Precise) -> Result<Array> {
-        Ok(Array::scalar(Entry::real(self.assembler.constant(value)?)))
+        Ok(Array::scalar(EntryRegister::real(
+            self.assembler.constant(value)?,
+        )))
     }
 
     fn reserved(&mut self, constant: Constant) -> Result<Array> {
@@ -176,7 +182,7 @@ impl Compiler<'_> {
             Constant::Infinity => self.precise(Precise::exact(f64::INFINITY)),
             Constant::ImaginaryUnit => {
                 let (zero, one) = (self.assembler.exact(0.0)?, self.assembler.exact(1.0)?);
-                Ok(Array::scalar(Entry::complex(zero, one)))
+                Ok(Array::scalar(EntryRegister::complex(zero, one)))
             }
         }
     }
@@ -218,30 +224,32 @@ impl Compiler<'_> {
             Binding::Input { slot, form } => self.input(slot, form),
             Binding::Motion(index) => {
                 let time = self.name(&Name::from("t"), Span::NONE)?.real()?;
-                let step = Step::Motion(index, order, time);
-                Ok(Array::scalar(Entry::real(self.assembler.compute(step)?)))
+                let step = ProgramStep::Motion(index, order, time);
+                Ok(Array::scalar(EntryRegister::real(
+                    self.assembler.compute(step)?,
+                )))
             }
         }
     }
 
     fn input(&mut self, slot: u32, form: Form) -> Result<Array> {
         if form == Form::REAL {
-            return Ok(Array::scalar(Entry::real(
-                self.assembler.compute(Step::Input(slot))?,
+            return Ok(Array::scalar(EntryRegister::real(
+                self.assembler.compute(ProgramStep::Input(slot))?,
             )));
         }
         let mut slots = slot..slot + form.width() as u32;
         let mut entries = Vec::with_capacity(form.shape.len());
         while let Some(slot) = slots.next() {
-            let real = self.assembler.compute(Step::Input(slot))?;
+            let real = self.assembler.compute(ProgramStep::Input(slot))?;
             let imaginary = match form.field {
                 Field::Complex => slots
                     .next()
-                    .map(|slot| self.assembler.compute(Step::Input(slot)))
+                    .map(|slot| self.assembler.compute(ProgramStep::Input(slot)))
                     .transpose()?,
                 Field::Boolean | Field::Real => None,
             };
-            entries.push(Entry { real, imaginary });
+            entries.push(EntryRegister { real, imaginary });
         }
         let is_boolean = form.field == Field::Boolean;
         Ok(Array {
@@ -324,20 +332,20 @@ impl Compiler<'_> {
         let mut right = self.array(&operands[1])?.real()?;
         let first = self
             .assembler
-            .compute(Step::Compare(relations[0], left, right))?;
+            .compute(ProgramStep::Compare(relations[0], left, right))?;
         if relations.len() == 1 {
             return Ok(Array::boolean(first));
         }
         let out = self.assembler.register();
-        self.assembler.push(Step::Copy(first), out)?;
+        self.assembler.push(ProgramStep::Copy(first), out)?;
         let mark = self.open();
         let mut jumps = Vec::new();
         for (operand, relation) in operands[2..].iter().zip(&relations[1..]) {
-            jumps.push(self.assembler.push(Step::JumpUnless(out, 0), 0)?);
+            jumps.push(self.assembler.push(ProgramStep::JumpUnless(out, 0), 0)?);
             left = right;
             right = self.array(operand)?.real()?;
             self.assembler
-                .push(Step::Compare(*relation, left, right), out)?;
+                .push(ProgramStep::Compare(*relation, left, right), out)?;
         }
         for jump in jumps {
             self.assembler.land(jump);
@@ -347,14 +355,14 @@ impl Compiler<'_> {
     }
 
     /// `and` and `or`: the second operand is computed only if it matters.
-    fn shortcut(&mut self, a: &Expr, b: &Expr, jump: fn(u32, u32) -> Step) -> Result<Array> {
+    fn shortcut(&mut self, a: &Expr, b: &Expr, jump: fn(u32, u32) -> ProgramStep) -> Result<Array> {
         let first = self.array(a)?.condition()?;
         let out = self.assembler.register();
-        self.assembler.push(Step::Copy(first), out)?;
+        self.assembler.push(ProgramStep::Copy(first), out)?;
         let over = self.assembler.push(jump(out, 0), 0)?;
         let mark = self.open();
         let second = self.array(b)?.condition()?;
-        self.assembler.push(Step::Copy(second), out)?;
+        self.assembler.push(ProgramStep::Copy(second), out)?;
         self.close(mark);
         self.assembler.land(over);
         Ok(Array::boolean(out))
@@ -363,11 +371,13 @@ impl Compiler<'_> {
     /// Computes one of two values. The copies of the first stand after the second, when it is known what both are.
     fn choice(&mut self, condition: &Expr, first: &Expr, second: &Expr) -> Result<Array> {
         let condition = self.array(condition)?.condition()?;
-        let to_second = self.assembler.push(Step::JumpUnless(condition, 0), 0)?;
+        let to_second = self
+            .assembler
+            .push(ProgramStep::JumpUnless(condition, 0), 0)?;
         let mark = self.open();
         let first = self.array(first)?;
         self.close(mark);
-        let to_copies = self.assembler.push(Step::Jump(0), 0)?;
+        let to_copies = self.assembler.push(ProgramStep::Jump(0), 0)?;
         self.assembler.land(to_second);
         let mark = self.open();
         let second = self.array(second)?;
@@ -377,15 +387,15 @@ impl Compiler<'_> {
             });
         }
         let is_complex = first.is_complex() || second.is_complex();
-        let merged: Vec<Entry> = (0..first.shape.len())
-            .map(|_| Entry {
+        let merged: Vec<EntryRegister> = (0..first.shape.len())
+            .map(|_| EntryRegister {
                 real: self.assembler.register(),
                 imaginary: is_complex.then(|| self.assembler.register()),
             })
             .collect();
         self.copy(&second, &merged)?;
         self.close(mark);
-        let to_end = self.assembler.push(Step::Jump(0), 0)?;
+        let to_end = self.assembler.push(ProgramStep::Jump(0), 0)?;
         self.assembler.land(to_copies);
         let mark = self.open();
         self.copy(&first, &merged)?;
@@ -397,12 +407,12 @@ impl Compiler<'_> {
         })
     }
 
-    fn copy(&mut self, from: &Array, to: &[Entry]) -> Result<()> {
+    fn copy(&mut self, from: &Array, to: &[EntryRegister]) -> Result<()> {
         for (from, to) in from.entries.iter().zip(to) {
-            self.assembler.push(Step::Copy(from.real), to.real)?;
+            self.assembler.push(ProgramStep::Copy(from.real), to.real)?;
             if let Some(imaginary) = to.imaginary {
                 let part = self.assembler.pair(*from)?[1];
-                self.assembler.push(Step::Copy(part), imaginary)?;
+                self.assembler.push(ProgramStep::Copy(part), imaginary)?;
             }
         }
         Ok(())
@@ -415,9 +425,11 @@ impl Compiler<'_> {
             // K(sin²) by the squared cosine: the sine forgets how far the angle is from a right one.
             let angle = self.array(angle)?.real()?;
             let cosine = self.assembler.unary(Function::Cos, angle)?;
-            let square = self.assembler.compute(Step::Multiply(cosine, cosine))?;
+            let square = self
+                .assembler
+                .compute(ProgramStep::Multiply(cosine, cosine))?;
             let integral = self.assembler.unary(Function::EllipticKm1, square)?;
-            return Ok(Array::scalar(Entry::real(integral)));
+            return Ok(Array::scalar(EntryRegister::real(integral)));
         }
         let arrays = arguments
             .iter()
@@ -434,25 +446,25 @@ impl Compiler<'_> {
             }
             (Function::Arg, [a]) => Ok(Array::scalar(a.number()?.part(function, to)?)),
             (Function::Clamp, [x, low, high]) => {
-                let raised = Step::Binary(Function::Max, x.real()?, low.real()?);
+                let raised = ProgramStep::Binary(Function::Max, x.real()?, low.real()?);
                 let raised = to.compute(raised)?;
-                let step = Step::Binary(Function::Min, raised, high.real()?);
-                Ok(Array::scalar(Entry::real(to.compute(step)?)))
+                let step = ProgramStep::Binary(Function::Min, raised, high.real()?);
+                Ok(Array::scalar(EntryRegister::real(to.compute(step)?)))
             }
             (Function::Min | Function::Max, [first, rest @ ..]) => {
                 let mut extreme = first.real()?;
                 for other in rest {
-                    extreme = to.compute(Step::Binary(function, extreme, other.real()?))?;
+                    extreme = to.compute(ProgramStep::Binary(function, extreme, other.real()?))?;
                 }
-                Ok(Array::scalar(Entry::real(extreme)))
+                Ok(Array::scalar(EntryRegister::real(extreme)))
             }
             (_, [a, b]) => {
-                let step = Step::Binary(function, a.real()?, b.real()?);
-                Ok(Array::scalar(Entry::real(to.compute(step)?)))
+                let step = ProgramStep::Binary(function, a.real()?, b.real()?);
+                Ok(Array::scalar(EntryRegister::real(to.compute(step)?)))
             }
-            (_, [a]) if function.is_real_only() => {
-                Ok(Array::scalar(Entry::real(to.unary(function, a.real()?)?)))
-            }
+            (_, [a]) if function.is_real_only() => Ok(Array::scalar(EntryRegister::real(
+                to.unary(function, a.real()?)?,
+            ))),
             (_, [a]) => Ok(Array::scalar(a.number()?.function(function, to)?)),
             _ => Err(CompileError::TooLarge),
         }
@@ -492,7 +504,7 @@ impl Compiler<'_> {
     /// A search over the values of a name in an interval.
     fn search(
         &mut self,
-        step: fn(Search) -> Step,
+        step: fn(SearchBody) -> ProgramStep,
         inner: &Expr,
         name: &Name,
         [low, high]: [&Expr; 2],
@@ -500,7 +512,7 @@ impl Compiler<'_> {
         let ends = [self.array(low)?.real()?, self.array(high)?.real()?];
         let variable = self.assembler.register();
         let out = self.assembler.register();
-        let search = Search {
+        let search = SearchBody {
             ends,
             variable,
             value: 0,
@@ -508,26 +520,26 @@ impl Compiler<'_> {
         };
         let at = self.assembler.push(step(search), out)?;
         let mark = self.open();
-        let local = Array::scalar(Entry::real(variable));
+        let local = Array::scalar(EntryRegister::real(variable));
         let value = self.with_locals(vec![(name.clone(), local)], |compiler| {
             compiler.array(inner)
         })?;
         self.assembler.set_value(at, value.real()?);
         self.close(mark);
         self.assembler.land(at);
-        Ok(Array::scalar(Entry::real(out)))
+        Ok(Array::scalar(EntryRegister::real(out)))
     }
 
     /// From here on steps may not be run.
-    fn open(&mut self) -> Mark {
-        Mark {
+    fn open(&mut self) -> KnownMark {
+        KnownMark {
             steps: self.assembler.open(),
             nodes: self.learned.len(),
         }
     }
 
     /// Forgets what was computed since.
-    fn close(&mut self, mark: Mark) {
+    fn close(&mut self, mark: KnownMark) {
         self.assembler.close(mark.steps);
         for key in self.learned.drain(mark.nodes..) {
             self.known.remove(&key);
@@ -536,7 +548,7 @@ impl Compiler<'_> {
 }
 
 /// What was known where steps began that may not be run.
-struct Mark {
+struct KnownMark {
     steps: super::assembler::Scope,
     nodes: usize,
 }

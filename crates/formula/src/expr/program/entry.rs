@@ -2,19 +2,19 @@
 
 use super::CompileError;
 use super::assembler::Assembler;
-use super::instruction::{Register, Step};
+use super::instruction::{ProgramStep, Register};
 use crate::expr::Function;
 
 /// The register of a real number, or the two of a complex one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Entry {
+pub(crate) struct EntryRegister {
     pub(crate) real: Register,
     pub(crate) imaginary: Option<Register>,
 }
 
 type Result<T> = std::result::Result<T, CompileError>;
 
-impl Entry {
+impl EntryRegister {
     pub(crate) fn real(real: Register) -> Self {
         Self {
             real,
@@ -34,45 +34,51 @@ impl Entry {
     }
 
     pub(crate) fn add(self, other: Self, to: &mut Assembler) -> Result<Self> {
-        let real = to.compute(Step::Add(self.real, other.real))?;
+        let real = to.compute(ProgramStep::Add(self.real, other.real))?;
         let imaginary = match (self.imaginary, other.imaginary) {
-            (Some(a), Some(b)) => Some(to.compute(Step::Add(a, b))?),
+            (Some(a), Some(b)) => Some(to.compute(ProgramStep::Add(a, b))?),
             (a, b) => a.or(b),
         };
         Ok(Self { real, imaginary })
     }
 
     pub(crate) fn subtract(self, other: Self, to: &mut Assembler) -> Result<Self> {
-        let real = to.compute(Step::Subtract(self.real, other.real))?;
+        let real = to.compute(ProgramStep::Subtract(self.real, other.real))?;
         let imaginary = match (self.imaginary, other.imaginary) {
-            (Some(a), Some(b)) => Some(to.compute(Step::Subtract(a, b))?),
-            (None, Some(b)) => Some(to.compute(Step::Negate(b))?),
+            (Some(a), Some(b)) => Some(to.compute(ProgramStep::Subtract(a, b))?),
+            (None, Some(b)) => Some(to.compute(ProgramStep::Negate(b))?),
             (a, None) => a,
         };
         Ok(Self { real, imaginary })
     }
 
     pub(crate) fn negate(self, to: &mut Assembler) -> Result<Self> {
-        self.each(to, |to, part| to.compute(Step::Negate(part)))
+        self.each(to, |to, part| to.compute(ProgramStep::Negate(part)))
     }
 
     pub(crate) fn multiply(self, other: Self, to: &mut Assembler) -> Result<Self> {
         match (self.imaginary, other.imaginary) {
             (Some(_), Some(_)) => {
                 let (a, b) = (to.pair(self)?, to.pair(other)?);
-                to.compute_pair(Step::ComplexMultiply(a, b))
+                to.compute_pair(ProgramStep::ComplexMultiply(a, b))
             }
-            (None, _) => other.each(to, |to, part| to.compute(Step::Multiply(self.real, part))),
-            (_, None) => self.each(to, |to, part| to.compute(Step::Multiply(part, other.real))),
+            (None, _) => other.each(to, |to, part| {
+                to.compute(ProgramStep::Multiply(self.real, part))
+            }),
+            (_, None) => self.each(to, |to, part| {
+                to.compute(ProgramStep::Multiply(part, other.real))
+            }),
         }
     }
 
     pub(crate) fn divide(self, other: Self, to: &mut Assembler) -> Result<Self> {
         if other.is_complex() {
             let (a, b) = (to.pair(self)?, to.pair(other)?);
-            return to.compute_pair(Step::ComplexDivide(a, b));
+            return to.compute_pair(ProgramStep::ComplexDivide(a, b));
         }
-        self.each(to, |to, part| to.compute(Step::Divide(part, other.real)))
+        self.each(to, |to, part| {
+            to.compute(ProgramStep::Divide(part, other.real))
+        })
     }
 
     pub(crate) fn power_whole(self, exponent: i32, to: &mut Assembler) -> Result<Self> {
@@ -81,21 +87,22 @@ impl Entry {
             (1, _) => Ok(self),
             (2, None) => self.multiply(self, to),
             (_, None) => Ok(Self::real(
-                to.compute(Step::PowerWhole(self.real, exponent))?,
+                to.compute(ProgramStep::PowerWhole(self.real, exponent))?,
             )),
-            (_, Some(imaginary)) => {
-                to.compute_pair(Step::ComplexPowerWhole([self.real, imaginary], exponent))
-            }
+            (_, Some(imaginary)) => to.compute_pair(ProgramStep::ComplexPowerWhole(
+                [self.real, imaginary],
+                exponent,
+            )),
         }
     }
 
     pub(crate) fn power(self, exponent: Self, to: &mut Assembler) -> Result<Self> {
         if self.is_complex() || exponent.is_complex() {
             let (a, b) = (to.pair(self)?, to.pair(exponent)?);
-            return to.compute_pair(Step::ComplexPower(a, b));
+            return to.compute_pair(ProgramStep::ComplexPower(a, b));
         }
         Ok(Self::real(
-            to.compute(Step::Power(self.real, exponent.real))?,
+            to.compute(ProgramStep::Power(self.real, exponent.real))?,
         ))
     }
 
@@ -103,11 +110,11 @@ impl Entry {
     pub(crate) fn function(self, function: Function, to: &mut Assembler) -> Result<Self> {
         match (function, self.imaginary) {
             (Function::Abs, Some(imaginary)) => {
-                let step = Step::Binary(Function::Hypot, self.real, imaginary);
+                let step = ProgramStep::Binary(Function::Hypot, self.real, imaginary);
                 Ok(Self::real(to.compute(step)?))
             }
             (_, Some(imaginary)) => {
-                to.compute_pair(Step::ComplexUnary(function, [self.real, imaginary]))
+                to.compute_pair(ProgramStep::ComplexUnary(function, [self.real, imaginary]))
             }
             (_, None) => Ok(Self::real(to.unary(function, self.real)?)),
         }
@@ -120,10 +127,10 @@ impl Entry {
             Function::Re => Self::real(real),
             Function::Im => Self::real(imaginary),
             Function::Arg => {
-                Self::real(to.compute(Step::Binary(Function::Atan2, imaginary, real))?)
+                Self::real(to.compute(ProgramStep::Binary(Function::Atan2, imaginary, real))?)
             }
             _ => match self.imaginary {
-                Some(imaginary) => Self::complex(real, to.compute(Step::Negate(imaginary))?),
+                Some(imaginary) => Self::complex(real, to.compute(ProgramStep::Negate(imaginary))?),
                 None => self,
             },
         })

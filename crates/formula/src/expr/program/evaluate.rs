@@ -3,7 +3,7 @@
 
 use thiserror::Error;
 
-use super::instruction::Step;
+use super::instruction::ProgramStep;
 use super::machine::{Machine, weight};
 use super::{Program, Value};
 use crate::expr::{Approx, Field, Precise, Real, Scalar, Undefined};
@@ -242,8 +242,12 @@ impl Program {
     /// Whether it computes numbers, step by step: searches and motions are as good as their methods, which more digits do not
     /// change.
     fn is_explicit(&self) -> bool {
-        let is_step =
-            |step: &Step| !matches!(step, Step::Root(_) | Step::Integral(_) | Step::Motion(..));
+        let is_step = |step: &ProgramStep| {
+            !matches!(
+                step,
+                ProgramStep::Root(_) | ProgramStep::Integral(_) | ProgramStep::Motion(..)
+            )
+        };
         self.form.field != Field::Boolean
             && self
                 .code

@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
 /// A table whose keys are made of small numbers.
-pub(crate) type Table<K, V> = HashMap<K, V, BuildHasherDefault<Mixing>>;
+pub(crate) type NumberTable<K, V> = HashMap<K, V, BuildHasherDefault<Mixing>>;
 
 /// Each number is mixed in by a turn, an exclusive or and a product.
 #[derive(Default)]

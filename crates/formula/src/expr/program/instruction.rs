@@ -11,13 +11,13 @@ pub(crate) type RegisterPair = [Register; 2];
 /// One step of a program; what it computes goes to the register `out`, a complex result to `out` and `out + 1`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Instruction {
-    pub(crate) step: Step,
+    pub(crate) step: ProgramStep,
     pub(crate) out: Register,
 }
 
 /// What a step does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Step {
+pub(crate) enum ProgramStep {
     /// Loads the value of a name, by its slot.
     Input(u32),
     /// A number of the formula.
@@ -47,9 +47,9 @@ pub(crate) enum Step {
     /// Goes on at the target if the register holds truth.
     JumpIf(Register, Target),
     /// The zero of a body that follows at once; goes on after it.
-    Root(Search),
+    Root(SearchBody),
     /// The integral of a body that follows at once; goes on after it.
-    Integral(Search),
+    Integral(SearchBody),
 }
 
 /// The index of an instruction.
@@ -57,7 +57,7 @@ pub(crate) type Target = u32;
 
 /// A body that is evaluated for many values of one register.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) struct Search {
+pub(crate) struct SearchBody {
     /// The ends of the interval.
     pub(crate) ends: RegisterPair,
     /// The bound name.
@@ -68,7 +68,7 @@ pub(crate) struct Search {
     pub(crate) end: Target,
 }
 
-impl Step {
+impl ProgramStep {
     /// The registers that it reads; not those that the body of a search reads.
     pub(crate) fn reads(&self) -> impl Iterator<Item = Register> {
         let (count, registers) = match *self {
@@ -89,8 +89,8 @@ impl Step {
             | Self::Binary(_, a, b)
             | Self::Compare(_, a, b) => (2, [a, b, 0, 0]),
             Self::ComplexPowerWhole([a, b], _) | Self::ComplexUnary(_, [a, b]) => (2, [a, b, 0, 0]),
-            Self::Root(Search { ends: [a, b], .. })
-            | Self::Integral(Search { ends: [a, b], .. }) => (2, [a, b, 0, 0]),
+            Self::Root(SearchBody { ends: [a, b], .. })
+            | Self::Integral(SearchBody { ends: [a, b], .. }) => (2, [a, b, 0, 0]),
             Self::ComplexMultiply([a, b], [c, d])
             | Self::ComplexDivide([a, b], [c, d])
             | Self::ComplexPower([a, b], [c, d]) => (4, [a, b, c, d]),

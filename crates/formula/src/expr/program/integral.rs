@@ -1,7 +1,7 @@
 //! Integrals over any kind of number.
 
 use super::machine::Stop;
-use super::search::Curve;
+use super::search::SearchedFunction;
 use crate::expr::{Doubt, Function, Precise, Scalar, Undefined};
 use vibank_dynamics::numerics::Dd;
 
@@ -22,7 +22,7 @@ const LAST_PLACE: f64 = 6.5;
 /// # References
 ///
 /// H. Takahasi, M. Mori, Publ. RIMS Kyoto Univ. 9 (1974) 721.
-pub(crate) fn integral<S: Scalar>(curve: &mut impl Curve<S>) -> Result<S, Stop> {
+pub(crate) fn integral<S: Scalar>(curve: &mut impl SearchedFunction<S>) -> Result<S, Stop> {
     let [low, high] = curve.ends();
     let mut total = S::exact(0.0);
     let mut scale = 0.0_f64;
@@ -54,7 +54,7 @@ fn tolerance<S: Scalar>(scale: f64) -> f64 {
 }
 
 /// A trapezoidal sum.
-struct Rule<S> {
+struct TrapezoidalSum<S> {
     value: S,
     /// The integral of the size of the function.
     magnitude: f64,
@@ -64,11 +64,11 @@ struct Rule<S> {
 
 /// The rule that is refined until it settles, or the finest one.
 fn settled<S: Scalar>(
-    curve: &mut impl Curve<S>,
+    curve: &mut impl SearchedFunction<S>,
     low: &S,
     high: &S,
     scale: f64,
-) -> Result<Rule<S>, Stop> {
+) -> Result<TrapezoidalSum<S>, Stop> {
     let half = high.subtract(low).multiply(&S::exact(0.5));
     let mut nodes = Nodes::new(curve, low, high, &half)?;
     let mut rule = nodes.rule(curve, 0, &S::exact(0.0))?;
@@ -94,7 +94,12 @@ struct Nodes<'a, S> {
 
 impl<'a, S: Scalar> Nodes<'a, S> {
     /// The node in the middle.
-    fn new(curve: &mut impl Curve<S>, low: &'a S, high: &'a S, half: &'a S) -> Result<Self, Stop> {
+    fn new(
+        curve: &mut impl SearchedFunction<S>,
+        low: &'a S,
+        high: &'a S,
+        half: &'a S,
+    ) -> Result<Self, Stop> {
         let quarter_turn = S::of(&Precise::of_dd(Dd::FRAC_PI_2, 1e-33));
         let sum = curve.value(&low.add(half))?.multiply(&quarter_turn);
         let magnitude = sum.to_f64().abs();
@@ -109,7 +114,12 @@ impl<'a, S: Scalar> Nodes<'a, S> {
     }
 
     /// The rule with steps of two to minus `level`, after the one before it.
-    fn rule(&mut self, curve: &mut impl Curve<S>, level: u32, before: &S) -> Result<Rule<S>, Stop> {
+    fn rule(
+        &mut self,
+        curve: &mut impl SearchedFunction<S>,
+        level: u32,
+        before: &S,
+    ) -> Result<TrapezoidalSum<S>, Stop> {
         let step = 1.0 / f64::from(1_u32 << level);
         // The nodes of the rule before are every second one of this.
         let stride = if level == 0 { step } else { 2.0 * step };
@@ -118,7 +128,7 @@ impl<'a, S: Scalar> Nodes<'a, S> {
         let width = self.half.multiply(&S::exact(step));
         let value = self.sum.multiply(&width);
         let error = value.subtract(before).to_f64().abs();
-        Ok(Rule {
+        Ok(TrapezoidalSum {
             value,
             magnitude: self.magnitude * width.to_f64().abs(),
             error,
@@ -128,7 +138,7 @@ impl<'a, S: Scalar> Nodes<'a, S> {
     /// Adds the nodes on one side of the middle, until they no longer matter.
     fn side(
         &mut self,
-        curve: &mut impl Curve<S>,
+        curve: &mut impl SearchedFunction<S>,
         first: f64,
         stride: f64,
         is_low: bool,

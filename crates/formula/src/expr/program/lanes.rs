@@ -2,7 +2,7 @@
 
 use super::arithmetic::{add, binary, compare, divide, multiply, power, power_whole, subtract};
 use super::arithmetic::{truth, unary};
-use super::instruction::{Instruction, Register, Step};
+use super::instruction::{Instruction, ProgramStep, Register};
 use super::{Inputs, Program};
 use crate::expr::{Doubt, Scalar, Undefined};
 
@@ -66,12 +66,12 @@ impl<'a, S: Scalar> Lanes<'a, S> {
         }
     }
 
-    fn column(&mut self, step: Step, inputs: &[impl Inputs<S>]) -> Option<Vec<S>> {
+    fn column(&mut self, step: ProgramStep, inputs: &[impl Inputs<S>]) -> Option<Vec<S>> {
         let mut doubts = std::mem::take(&mut self.doubts);
         let count = doubts.len();
         let column = match step {
-            Step::Input(slot) => inputs.iter().map(|own| own.input(slot)).collect(),
-            Step::Motion(index, order, time) => {
+            ProgramStep::Input(slot) => inputs.iter().map(|own| own.input(slot)).collect(),
+            ProgramStep::Motion(index, order, time) => {
                 let time = self.get(time);
                 let places = inputs.iter().enumerate();
                 let motion = |(place, own): (usize, &_)| {
@@ -79,34 +79,41 @@ impl<'a, S: Scalar> Lanes<'a, S> {
                 };
                 places.map(motion).collect()
             }
-            Step::Copy(a) => self.one(a, count, |a| Ok(a.clone())),
-            Step::Negate(a) => self.one(a, count, |a| Ok(a.negate())),
-            Step::Not(a) => self.one(a, count, |a| Ok(truth(a.to_f64() == 0.0))),
-            Step::PowerWhole(a, exponent) => self.one(a, count, |a| power_whole(a, exponent)),
-            Step::Add(a, b) => self.two([a, b], count, add),
-            Step::Subtract(a, b) => self.two([a, b], count, subtract),
-            Step::Multiply(a, b) => self.two([a, b], count, multiply),
-            Step::Divide(a, b) => self.two([a, b], count, divide),
-            Step::Unary(function, a) => {
+            ProgramStep::Copy(a) => self.one(a, count, |a| Ok(a.clone())),
+            ProgramStep::Negate(a) => self.one(a, count, |a| Ok(a.negate())),
+            ProgramStep::Not(a) => self.one(a, count, |a| Ok(truth(a.to_f64() == 0.0))),
+            ProgramStep::PowerWhole(a, exponent) => {
+                self.one(a, count, |a| power_whole(a, exponent))
+            }
+            ProgramStep::Add(a, b) => self.two([a, b], count, add),
+            ProgramStep::Subtract(a, b) => self.two([a, b], count, subtract),
+            ProgramStep::Multiply(a, b) => self.two([a, b], count, multiply),
+            ProgramStep::Divide(a, b) => self.two([a, b], count, divide),
+            ProgramStep::Unary(function, a) => {
                 self.each([a, a], &mut doubts, |a, _, doubt| unary(function, a, doubt))
             }
-            Step::Power(a, b) => self.each([a, b], &mut doubts, power),
-            Step::Binary(function, a, b) => self.each([a, b], &mut doubts, |a, b, doubt| {
+            ProgramStep::Power(a, b) => self.each([a, b], &mut doubts, power),
+            ProgramStep::Binary(function, a, b) => self.each([a, b], &mut doubts, |a, b, doubt| {
                 binary(function, a, b, doubt)
             }),
-            Step::Compare(relation, a, b) => self.each([a, b], &mut doubts, |a, b, doubt| {
-                Ok(compare(relation, a, b, doubt))
-            }),
+            ProgramStep::Compare(relation, a, b) => {
+                self.each([a, b], &mut doubts, |a, b, doubt| {
+                    Ok(compare(relation, a, b, doubt))
+                })
+            }
             // A constant does not vary, and nothing is gone on with elsewhere.
-            Step::Constant(_) | Step::Jump(_) | Step::JumpUnless(..) | Step::JumpIf(..) => {
+            ProgramStep::Constant(_)
+            | ProgramStep::Jump(_)
+            | ProgramStep::JumpUnless(..)
+            | ProgramStep::JumpIf(..) => {
                 return None;
             }
-            Step::Root(_) | Step::Integral(_) => return None,
-            Step::ComplexMultiply(..)
-            | Step::ComplexDivide(..)
-            | Step::ComplexPower(..)
-            | Step::ComplexPowerWhole(..)
-            | Step::ComplexUnary(..) => return None,
+            ProgramStep::Root(_) | ProgramStep::Integral(_) => return None,
+            ProgramStep::ComplexMultiply(..)
+            | ProgramStep::ComplexDivide(..)
+            | ProgramStep::ComplexPower(..)
+            | ProgramStep::ComplexPowerWhole(..)
+            | ProgramStep::ComplexUnary(..) => return None,
         };
         self.doubts = doubts;
         column.ok()

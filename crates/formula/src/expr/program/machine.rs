@@ -1,11 +1,11 @@
 //! Runs the steps of a program.
 
 use super::arithmetic::{self, truth};
-use super::instruction::{Instruction, Register, RegisterPair, Search, Step};
+use super::instruction::{Instruction, ProgramStep, Register, RegisterPair, SearchBody};
 use super::integral::integral;
 use super::search::{self, root};
 use super::{Absence, Inputs, Program};
-use crate::expr::number::complex::{self, Pair};
+use crate::expr::number::complex::{self, ComplexPair};
 use crate::expr::{Doubt, Scalar, Undefined};
 use crate::work;
 
@@ -96,55 +96,57 @@ impl<'a, S: Scalar> Machine<'a, S> {
 
     /// Takes one step; where to go on, if not at the next one.
     #[inline]
-    fn step(&mut self, step: &Step, out: Register, at: usize) -> Result<Option<u32>, Stop> {
+    fn step(&mut self, step: &ProgramStep, out: Register, at: usize) -> Result<Option<u32>, Stop> {
         let value = match *step {
-            Step::Input(slot) => self.inputs.input(slot)?,
-            Step::Constant(index) => S::of(&self.program.constants[index as usize]),
-            Step::Copy(a) => self.get(a).clone(),
-            Step::Add(a, b) => arithmetic::add(self.get(a), self.get(b))?,
-            Step::Subtract(a, b) => arithmetic::subtract(self.get(a), self.get(b))?,
-            Step::Multiply(a, b) => arithmetic::multiply(self.get(a), self.get(b))?,
-            Step::Divide(a, b) => arithmetic::divide(self.get(a), self.get(b))?,
-            Step::Negate(a) => self.get(a).negate(),
-            Step::Power(a, b) => {
+            ProgramStep::Input(slot) => self.inputs.input(slot)?,
+            ProgramStep::Constant(index) => S::of(&self.program.constants[index as usize]),
+            ProgramStep::Copy(a) => self.get(a).clone(),
+            ProgramStep::Add(a, b) => arithmetic::add(self.get(a), self.get(b))?,
+            ProgramStep::Subtract(a, b) => arithmetic::subtract(self.get(a), self.get(b))?,
+            ProgramStep::Multiply(a, b) => arithmetic::multiply(self.get(a), self.get(b))?,
+            ProgramStep::Divide(a, b) => arithmetic::divide(self.get(a), self.get(b))?,
+            ProgramStep::Negate(a) => self.get(a).negate(),
+            ProgramStep::Power(a, b) => {
                 let (a, b) = (&self.registers[a as usize], &self.registers[b as usize]);
                 arithmetic::power(a, b, &mut self.doubt)?
             }
-            Step::PowerWhole(a, exponent) => arithmetic::power_whole(self.get(a), exponent)?,
-            Step::Unary(function, a) => {
+            ProgramStep::PowerWhole(a, exponent) => arithmetic::power_whole(self.get(a), exponent)?,
+            ProgramStep::Unary(function, a) => {
                 arithmetic::unary(function, &self.registers[a as usize], &mut self.doubt)?
             }
-            Step::Binary(function, a, b) => {
+            ProgramStep::Binary(function, a, b) => {
                 let (a, b) = (&self.registers[a as usize], &self.registers[b as usize]);
                 arithmetic::binary(function, a, b, &mut self.doubt)?
             }
-            Step::Compare(relation, a, b) => {
+            ProgramStep::Compare(relation, a, b) => {
                 let (a, b) = (&self.registers[a as usize], &self.registers[b as usize]);
                 arithmetic::compare(relation, a, b, &mut self.doubt)
             }
-            Step::Not(a) => truth(!self.holds(a)),
-            Step::Motion(index, order, time) => self.inputs.motion(index, order, self.get(time))?,
-            Step::Jump(target) => return Ok(Some(target)),
-            Step::JumpUnless(a, target) => return Ok((!self.holds(a)).then_some(target)),
-            Step::JumpIf(a, target) => return Ok(self.holds(a).then_some(target)),
-            Step::Root(_) | Step::Integral(_) if !S::SEARCHES => {
+            ProgramStep::Not(a) => truth(!self.holds(a)),
+            ProgramStep::Motion(index, order, time) => {
+                self.inputs.motion(index, order, self.get(time))?
+            }
+            ProgramStep::Jump(target) => return Ok(Some(target)),
+            ProgramStep::JumpUnless(a, target) => return Ok((!self.holds(a)).then_some(target)),
+            ProgramStep::JumpIf(a, target) => return Ok(self.holds(a).then_some(target)),
+            ProgramStep::Root(_) | ProgramStep::Integral(_) if !S::SEARCHES => {
                 return Err(Undefined::TooLong.into());
             }
-            Step::Root(search) => {
+            ProgramStep::Root(search) => {
                 let value = root(&mut self.body(search, at)?)?;
                 self.set(out, value);
                 return Ok(Some(search.end));
             }
-            Step::Integral(search) => {
+            ProgramStep::Integral(search) => {
                 let value = integral(&mut self.body(search, at)?)?;
                 self.set(out, value);
                 return Ok(Some(search.end));
             }
-            Step::ComplexMultiply(..)
-            | Step::ComplexDivide(..)
-            | Step::ComplexPower(..)
-            | Step::ComplexPowerWhole(..)
-            | Step::ComplexUnary(..) => {
+            ProgramStep::ComplexMultiply(..)
+            | ProgramStep::ComplexDivide(..)
+            | ProgramStep::ComplexPower(..)
+            | ProgramStep::ComplexPowerWhole(..)
+            | ProgramStep::ComplexUnary(..) => {
                 let (real, imaginary) = self.complex(step)?;
                 self.set(out + 1, imaginary);
                 real
@@ -154,15 +156,17 @@ impl<'a, S: Scalar> Machine<'a, S> {
         Ok(None)
     }
 
-    fn complex(&mut self, step: &Step) -> Result<Pair<S>, Stop> {
+    fn complex(&mut self, step: &ProgramStep) -> Result<ComplexPair<S>, Stop> {
         let value = match *step {
-            Step::ComplexMultiply(a, b) => complex::multiply(&self.pair(a), &self.pair(b)),
-            Step::ComplexDivide(a, b) => complex::divide(&self.pair(a), &self.pair(b))?,
-            Step::ComplexPower(a, b) => {
+            ProgramStep::ComplexMultiply(a, b) => complex::multiply(&self.pair(a), &self.pair(b)),
+            ProgramStep::ComplexDivide(a, b) => complex::divide(&self.pair(a), &self.pair(b))?,
+            ProgramStep::ComplexPower(a, b) => {
                 complex::power(&self.pair(a), &self.pair(b), &mut self.doubt)?
             }
-            Step::ComplexPowerWhole(a, exponent) => complex::power_whole(&self.pair(a), exponent)?,
-            Step::ComplexUnary(function, a) => {
+            ProgramStep::ComplexPowerWhole(a, exponent) => {
+                complex::power_whole(&self.pair(a), exponent)?
+            }
+            ProgramStep::ComplexUnary(function, a) => {
                 complex::unary(function, &self.pair(a), &mut self.doubt)?
             }
             _ => unreachable!("the other steps are real"),
@@ -187,7 +191,7 @@ impl<'a, S: Scalar> Machine<'a, S> {
         self.registers[register as usize] = value;
     }
 
-    fn pair(&self, [real, imaginary]: RegisterPair) -> Pair<S> {
+    fn pair(&self, [real, imaginary]: RegisterPair) -> ComplexPair<S> {
         (self.get(real).clone(), self.get(imaginary).clone())
     }
 
@@ -197,7 +201,7 @@ impl<'a, S: Scalar> Machine<'a, S> {
     }
 
     /// The body of a search, with its interval.
-    fn body<'b>(&'b mut self, search: Search, at: usize) -> Result<Body<'b, 'a, S>, Stop> {
+    fn body<'b>(&'b mut self, search: SearchBody, at: usize) -> Result<Body<'b, 'a, S>, Stop> {
         let [low, high] = search.ends;
         let ends = [self.get(low).clone(), self.get(high).clone()];
         if ends.iter().any(|end| !end.to_f64().is_finite()) {
@@ -215,12 +219,12 @@ impl<'a, S: Scalar> Machine<'a, S> {
 /// The body of a search as a function of the bound name.
 struct Body<'b, 'a, S> {
     machine: &'b mut Machine<'a, S>,
-    search: Search,
+    search: SearchBody,
     start: u32,
     ends: [S; 2],
 }
 
-impl<S: Scalar> search::Curve<S> for Body<'_, '_, S> {
+impl<S: Scalar> search::SearchedFunction<S> for Body<'_, '_, S> {
     fn ends(&self) -> [S; 2] {
         self.ends.clone()
     }

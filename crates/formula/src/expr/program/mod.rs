@@ -30,8 +30,8 @@ pub use evaluate::{Absence, Inputs, Outcome, Registers, Workspace};
 pub use sweep::Sweep;
 pub use value::Value;
 
-use self::entry::Entry;
-use self::instruction::{Instruction, Register, Step};
+use self::entry::EntryRegister;
+use self::instruction::{Instruction, ProgramStep, Register};
 use super::{Expr, Form, Precise};
 use crate::unit::{Decimal, Quantity, Unit};
 use vibank_dynamics::numerics::{Dd, Rational};
@@ -83,7 +83,7 @@ impl Program {
     /// The slots of the inputs that a run may ask for, in ascending order.
     pub fn slots(&self) -> Vec<u32> {
         let slot = |instruction: &Instruction| match instruction.step {
-            Step::Input(slot) => Some(slot),
+            ProgramStep::Input(slot) => Some(slot),
             _ => None,
         };
         let mut slots: Vec<u32> = self.code.iter().filter_map(slot).collect();
@@ -95,7 +95,7 @@ impl Program {
     /// The numbers of the functions of time that a run may ask for, in ascending order.
     pub fn motions(&self) -> Vec<u32> {
         let motion = |instruction: &Instruction| match instruction.step {
-            Step::Motion(index, ..) => Some(index),
+            ProgramStep::Motion(index, ..) => Some(index),
             _ => None,
         };
         let mut motions: Vec<u32> = self.code.iter().filter_map(motion).collect();

@@ -4,7 +4,7 @@ use super::machine::Stop;
 use crate::expr::{Doubt, Function, Scalar, Undefined};
 
 /// A function of one number over an interval.
-pub(crate) trait Curve<S> {
+pub(crate) trait SearchedFunction<S> {
     /// The ends of the interval.
     fn ends(&self) -> [S; 2];
 
@@ -16,7 +16,7 @@ pub(crate) trait Curve<S> {
 const MAX_STEPS: usize = 250;
 
 /// Two places, and the values there.
-struct Bracket<S> {
+struct SearchBracket<S> {
     x: [S; 2],
     f: [S; 2],
 }
@@ -28,7 +28,7 @@ struct Bracket<S> {
 /// # References
 ///
 /// T. R. Chandrupatla, Advances in Engineering Software 28 (1997) 145.
-pub(crate) fn root<S: Scalar>(curve: &mut impl Curve<S>) -> Result<S, Stop> {
+pub(crate) fn root<S: Scalar>(curve: &mut impl SearchedFunction<S>) -> Result<S, Stop> {
     let x = curve.ends();
     let f = [curve.value(&x[0])?, curve.value(&x[1])?];
     for (x, f) in x.iter().zip(&f) {
@@ -39,7 +39,7 @@ pub(crate) fn root<S: Scalar>(curve: &mut impl Curve<S>) -> Result<S, Stop> {
     if sign(&f[0]) == sign(&f[1]) {
         return Err(Stop::Here(Undefined::NoSignChange));
     }
-    let mut bracket = Bracket { x, f };
+    let mut bracket = SearchBracket { x, f };
     let start = bracket.width();
     let mut third: Option<(S, S)> = None;
     for _ in 0..MAX_STEPS {
@@ -72,8 +72,8 @@ pub(crate) fn root<S: Scalar>(curve: &mut impl Curve<S>) -> Result<S, Stop> {
 ///
 /// The first guess of the bound is what the value there and the slope imply.
 fn enclosed<S: Scalar>(
-    curve: &mut impl Curve<S>,
-    bracket: &Bracket<S>,
+    curve: &mut impl SearchedFunction<S>,
+    bracket: &SearchBracket<S>,
     x: S,
     f: &S,
 ) -> Result<S, Stop> {
@@ -119,7 +119,7 @@ fn within<S: Scalar>(x: &S, low: &S, high: &S) -> S {
 }
 
 /// The size of the slope near a place, from two values inside the interval.
-fn slope<S: Scalar>(curve: &mut impl Curve<S>, x: &S, reach: f64) -> f64 {
+fn slope<S: Scalar>(curve: &mut impl SearchedFunction<S>, x: &S, reach: f64) -> f64 {
     let [low, high] = curve.ends();
     let (first, last) = (
         low.to_f64().min(high.to_f64()),
@@ -133,7 +133,7 @@ fn slope<S: Scalar>(curve: &mut impl Curve<S>, x: &S, reach: f64) -> f64 {
     }
 }
 
-impl<S: Scalar> Bracket<S> {
+impl<S: Scalar> SearchBracket<S> {
     fn width(&self) -> f64 {
         self.x[1].subtract(&self.x[0]).to_f64().abs()
     }

@@ -4,7 +4,7 @@
 //! was taken for a reason that stays, later runs repeat these steps alone; else, and within searches, they are whole runs.
 //! Either way each step gets the numbers that it gets in a whole run, so that results are the same to the last bit.
 
-use super::instruction::{Instruction, Step};
+use super::instruction::{Instruction, ProgramStep};
 use super::lanes::Lanes;
 use super::machine::{Machine, weight};
 use super::{Absence, Inputs, Outcome, Program, Registers};
@@ -39,11 +39,11 @@ pub struct Sweep<'p> {
 /// What runs over one kind of number leave for the next one.
 struct Lap<S> {
     registers: Registers<S>,
-    path: Option<Path>,
+    path: Option<SweptSteps>,
 }
 
 /// The steps of a run that are taken anew.
-enum Path {
+enum SweptSteps {
     /// All, since which ones are taken may change.
     Whole,
     /// These.
@@ -131,7 +131,7 @@ impl<S> Default for Lap<S> {
 impl<S: Scalar> Lap<S> {
     /// The runs with each of these inputs, if all of them take the steps that are known.
     fn lanes(&self, program: &Program, inputs: &[impl Inputs<S>]) -> Option<Lanes<'_, S>> {
-        let Some(Path::Fixed {
+        let Some(SweptSteps::Fixed {
             steps,
             taken,
             is_open,
@@ -152,8 +152,8 @@ impl<S: Scalar> Lap<S> {
         inputs: &(impl Inputs<S> + ?Sized),
     ) -> Result<Outcome<'a, S>, Absence> {
         let is_open = match &self.path {
-            Some(Path::Whole) => return program.run(inputs, &mut self.registers),
-            Some(Path::Fixed {
+            Some(SweptSteps::Whole) => return program.run(inputs, &mut self.registers),
+            Some(SweptSteps::Fixed {
                 steps,
                 taken,
                 is_open,
@@ -167,7 +167,7 @@ impl<S: Scalar> Lap<S> {
             }
             None => {
                 if program.code.iter().any(|own| is_search(own.step)) {
-                    self.path = Some(Path::Whole);
+                    self.path = Some(SweptSteps::Whole);
                     return program.run(inputs, &mut self.registers);
                 }
                 let mut machine = Machine::new(program, &inputs, self.registers.of(program));
@@ -186,7 +186,7 @@ fn first<S: Scalar>(
     machine: &mut Machine<'_, S>,
     program: &Program,
     varied: &[u32],
-) -> Result<Path, Absence> {
+) -> Result<SweptSteps, Absence> {
     let count = program.registers as usize;
     let (mut varies, mut is_written) = (vec![false; count], vec![false; count]);
     let (mut steps, mut taken) = (Vec::new(), 0);
@@ -194,7 +194,7 @@ fn first<S: Scalar>(
     let mut at = 0;
     while let Some(&Instruction { step, out }) = program.code.get(at as usize) {
         let moves = match step {
-            Step::Input(slot) => varied.contains(&slot),
+            ProgramStep::Input(slot) => varied.contains(&slot),
             _ => step.reads().any(|register| varies[register as usize]),
         };
         let was_open = std::mem::take(&mut machine.doubt.is_open);
@@ -216,18 +216,18 @@ fn first<S: Scalar>(
     }
     let _ = work::spend(taken * weight::<S>());
     Ok(if is_fixed {
-        Path::Fixed {
+        SweptSteps::Fixed {
             steps,
             taken,
             is_open: stays_open,
         }
     } else {
-        Path::Whole
+        SweptSteps::Whole
     })
 }
 
-fn is_search(step: Step) -> bool {
-    matches!(step, Step::Root(_) | Step::Integral(_))
+fn is_search(step: ProgramStep) -> bool {
+    matches!(step, ProgramStep::Root(_) | ProgramStep::Integral(_))
 }
 
 #[cfg(test)]

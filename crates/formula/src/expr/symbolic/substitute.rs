@@ -22,19 +22,19 @@ use vibank_dynamics::numerics::gather;
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Substitution {
-    names: BTreeMap<Name, Arc<Value>>,
-    paths: BTreeMap<Path, Arc<Value>>,
+    names: BTreeMap<Name, Arc<Replacement>>,
+    paths: BTreeMap<Path, Arc<Replacement>>,
     moving: BTreeSet<Name>,
 }
 
 /// What is substituted, with the names that stand in it.
 #[derive(Debug)]
-struct Value {
+struct Replacement {
     expr: Expr,
     names: BTreeSet<Name>,
 }
 
-impl Value {
+impl Replacement {
     fn of(expr: Expr) -> Arc<Self> {
         let mut names = BTreeSet::new();
         expr.walk(&mut |node| {
@@ -63,14 +63,14 @@ impl Substitution {
     /// Puts a formula in for a name.
     #[must_use]
     pub fn with(mut self, name: impl Into<Name>, value: Expr) -> Self {
-        self.names.insert(name.into(), Value::of(value));
+        self.names.insert(name.into(), Replacement::of(value));
         self
     }
 
     /// Puts a formula in for a quantity of a model.
     #[must_use]
     pub fn with_path(mut self, path: Path, value: Expr) -> Self {
-        self.paths.insert(path, Value::of(value));
+        self.paths.insert(path, Replacement::of(value));
         self
     }
 

@@ -1,6 +1,6 @@
 //! Functions and operators.
 
-use super::{Hold, Math, Piece, Setter, separated};
+use super::{Hold, Math, SetPiece, Setter, separated};
 use crate::expr::{Expr, Function, Kind, Name, Operator};
 use vibank_notation::Class;
 
@@ -12,29 +12,29 @@ const MAX_EXPONENT: u32 = 16;
 const MAX_SHARE: u32 = 4;
 
 impl Setter<'_> {
-    pub(crate) fn call(&self, function: Function, arguments: &[Expr]) -> Piece {
+    pub(crate) fn call(&self, function: Function, arguments: &[Expr]) -> SetPiece {
         let one = arguments.first();
         match (function, one) {
-            (Function::Sqrt, Some(u)) => Piece::atom(Math::root(self.math(u))),
+            (Function::Sqrt, Some(u)) => SetPiece::atom(Math::root(self.math(u))),
             (Function::Exp, Some(u)) if u.size() <= MAX_EXPONENT && !is_tiny_as_exponent(u) => {
-                Piece::new(Math::upright("e").with_sup(self.math(u)), Hold::Power)
+                SetPiece::new(Math::upright("e").with_sup(self.math(u)), Hold::Power)
             }
-            (Function::Abs, Some(u)) => Piece::atom(self.math(u).fenced("|", "|")),
-            (Function::Norm, Some(u)) => Piece::atom(self.math(u).fenced("‖", "‖")),
-            (Function::Floor, Some(u)) => Piece::atom(self.math(u).fenced("⌊", "⌋")),
-            (Function::Ceil, Some(u)) => Piece::atom(self.math(u).fenced("⌈", "⌉")),
+            (Function::Abs, Some(u)) => SetPiece::atom(self.math(u).fenced("|", "|")),
+            (Function::Norm, Some(u)) => SetPiece::atom(self.math(u).fenced("‖", "‖")),
+            (Function::Floor, Some(u)) => SetPiece::atom(self.math(u).fenced("⌊", "⌋")),
+            (Function::Ceil, Some(u)) => SetPiece::atom(self.math(u).fenced("⌈", "⌉")),
             (Function::Conj, Some(u)) => {
                 let conjugate = self.math(u).with_accent(vibank_notation::Accent::Bar);
-                Piece::atom(conjugate)
+                SetPiece::atom(conjugate)
             }
             (Function::Transpose, Some(u)) => {
                 let base = self.piece(u).at_least(Hold::Atom);
-                Piece::new(base.with_sup(Math::upright("T")), Hold::Power)
+                SetPiece::new(base.with_sup(Math::upright("T")), Hold::Power)
             }
             (Function::Hypot, _) => {
                 let squares = arguments.iter().cloned().map(Expr::squared);
                 let sum = squares.reduce(|sum, square| sum + square);
-                Piece::atom(Math::root(sum.map_or(Math::row([]), |sum| self.math(&sum))))
+                SetPiece::atom(Math::root(sum.map_or(Math::row([]), |sum| self.math(&sum))))
             }
             (Function::EllipticKm1, Some(p)) => {
                 let parameter = Expr::number(1) - p.clone();
@@ -47,26 +47,26 @@ impl Setter<'_> {
     }
 
     /// A sign or word between operands.
-    fn between(&self, sign: &str, operands: &[Expr]) -> Piece {
+    fn between(&self, sign: &str, operands: &[Expr]) -> SetPiece {
         let operands = operands
             .iter()
             .map(|operand| self.piece(operand).at_least(Hold::Fraction));
         let sign = Math::binary(sign);
-        Piece::new(separated(operands, Some(&sign)), Hold::Product)
+        SetPiece::new(separated(operands, Some(&sign)), Hold::Product)
     }
 
     /// A named function before its arguments; one that is a single symbol stands bare.
-    pub(crate) fn applied(&self, name: &str, arguments: &[Expr]) -> Piece {
+    pub(crate) fn applied(&self, name: &str, arguments: &[Expr]) -> SetPiece {
         let function = function_name(name);
         self.named(function, arguments)
     }
 
-    fn named(&self, function: Math, arguments: &[Expr]) -> Piece {
+    fn named(&self, function: Math, arguments: &[Expr]) -> SetPiece {
         let argument = match arguments {
             [only] if is_symbol(only) => self.piece(only).at_least(Hold::Atom),
             _ => self.arguments(arguments),
         };
-        Piece::new(Math::row([function, argument]), Hold::Fraction)
+        SetPiece::new(Math::row([function, argument]), Hold::Fraction)
     }
 
     fn arguments(&self, arguments: &[Expr]) -> Math {
@@ -98,7 +98,7 @@ impl Setter<'_> {
     }
 
     /// sin²x for sin(x)^2.
-    pub(crate) fn power_of_call(&self, base: &Expr, exponent: &Expr) -> Option<Piece> {
+    pub(crate) fn power_of_call(&self, base: &Expr, exponent: &Expr) -> Option<SetPiece> {
         let Kind::Call(function, arguments) = base.kind() else {
             return None;
         };
@@ -108,17 +108,17 @@ impl Setter<'_> {
     }
 
     /// f with a bar and the values of its names below it.
-    pub(crate) fn at(&self, inner: &Expr, values: &[(Name, Expr)]) -> Piece {
+    pub(crate) fn at(&self, inner: &Expr, values: &[(Name, Expr)]) -> SetPiece {
         let equations = values.iter().map(|(name, value)| {
             let name = self.math(&Expr::name(name.clone()));
             Math::row([name, Math::relation("="), self.math(value)])
         });
         let condition = separated(equations, Some(&Math::punctuation(",")));
-        Piece::atom(self.math(inner).fenced("", "|").with_sub(condition))
+        SetPiece::atom(self.math(inner).fenced("", "|").with_sub(condition))
     }
 
     /// ∂²f/∂x∂y.
-    pub(crate) fn partial_derivative(&self, inner: &Expr, names: &[Name]) -> Piece {
+    pub(crate) fn partial_derivative(&self, inner: &Expr, names: &[Name]) -> SetPiece {
         let partial = || Math::operator("∂", Class::Ordinary);
         let above = match names.len() {
             1 => partial(),
@@ -140,17 +140,17 @@ impl Setter<'_> {
             let body = self.piece(inner).at_least(Hold::Atom);
             Math::row([Math::fraction(above, below), body])
         };
-        Piece::new(math, Hold::Fraction)
+        SetPiece::new(math, Hold::Fraction)
     }
 
-    pub(crate) fn integral(&self, inner: &Expr, name: &Name, from: &Expr, to: &Expr) -> Piece {
+    pub(crate) fn integral(&self, inner: &Expr, name: &Name, from: &Expr, to: &Expr) -> SetPiece {
         let sign = Math::operator("∫", Class::Large)
             .with_sub(self.math(from))
             .with_sup(self.math(to));
         let body = self.piece(inner).at_least(Hold::Product);
         let variable = self.math(&Expr::name(name.clone()));
         let row = [sign, body, Math::thin_space(), Math::upright("d"), variable];
-        Piece::new(Math::row(row), Hold::Sum)
+        SetPiece::new(Math::row(row), Hold::Sum)
     }
 }
 

@@ -88,12 +88,12 @@ enum Hold {
 
 /// A typeset piece.
 #[derive(Clone, Debug)]
-struct Piece {
+struct SetPiece {
     math: Math,
     hold: Hold,
 }
 
-impl Piece {
+impl SetPiece {
     fn new(math: Math, hold: Hold) -> Self {
         Self { math, hold }
     }
@@ -139,24 +139,24 @@ impl Setter<'_> {
         self.piece(expr).math
     }
 
-    fn piece(&self, expr: &Expr) -> Piece {
+    fn piece(&self, expr: &Expr) -> SetPiece {
         match expr.kind() {
             Kind::Number(value) => number(*value),
             Kind::Measure(value, unit) => {
                 let number = number(*value).at_least(Hold::Product);
-                Piece::new(
+                SetPiece::new(
                     Math::row([number, Math::Space(3), unit.math()]),
                     Hold::Product,
                 )
             }
-            Kind::Constant(constant) => Piece::atom(constant_symbol(*constant)),
+            Kind::Constant(constant) => SetPiece::atom(constant_symbol(*constant)),
             Kind::Name(name) => of_symbol(self.notation.name(name)),
             Kind::Path(path) => of_symbol(self.notation.path(path)),
             Kind::Prime(inner, order) => self.prime(inner, *order),
             Kind::Index(inner, indices) => self.index(inner, indices),
             Kind::Negate(inner) => {
                 let operand = self.piece(inner).at_least(Hold::Product);
-                Piece::new(Math::row([Math::prefix("−"), operand]), Hold::Sign)
+                SetPiece::new(Math::row([Math::prefix("−"), operand]), Hold::Sign)
             }
             Kind::Binary(Operator::Add, a, b) => self.sum(a, "+", b),
             Kind::Binary(Operator::Subtract, a, b) => self.sum(a, "−", b),
@@ -167,7 +167,7 @@ impl Setter<'_> {
             Kind::Or(a, b) => self.joined(a, "or", b),
             Kind::Not(inner) => {
                 let operand = self.piece(inner).at_least(Hold::Sum);
-                Piece::new(Math::row([Math::text("not "), operand]), Hold::Loose)
+                SetPiece::new(Math::row([Math::text("not "), operand]), Hold::Loose)
             }
             Kind::If(..) => self.cases(expr),
             Kind::Call(function, arguments) => self.call(*function, arguments),
@@ -182,26 +182,26 @@ impl Setter<'_> {
         }
     }
 
-    fn sum(&self, a: &Expr, sign: &str, b: &Expr) -> Piece {
+    fn sum(&self, a: &Expr, sign: &str, b: &Expr) -> SetPiece {
         let left = self.piece(a).at_least(Hold::Sum);
         let right = self.piece(b).at_least(Hold::Product);
-        Piece::new(
+        SetPiece::new(
             Math::row(flat(left).into_iter().chain([Math::binary(sign), right])),
             Hold::Sum,
         )
     }
 
-    fn prime(&self, inner: &Expr, order: u8) -> Piece {
+    fn prime(&self, inner: &Expr, order: u8) -> SetPiece {
         if let Kind::Name(_) = inner.kind() {
-            return Piece::atom(self.math(inner).derivative(u32::from(order)));
+            return SetPiece::atom(self.math(inner).derivative(u32::from(order)));
         }
         let marks = "′".repeat(usize::from(order));
         let base = self.piece(inner).at_least(Hold::Atom);
         let marks = Math::operator(marks, Class::Ordinary);
-        Piece::new(base.with_sup(marks), Hold::Power)
+        SetPiece::new(base.with_sup(marks), Hold::Power)
     }
 
-    fn index(&self, inner: &Expr, indices: &[Expr]) -> Piece {
+    fn index(&self, inner: &Expr, indices: &[Expr]) -> SetPiece {
         let base = self.piece(inner).at_least(Hold::Atom);
         let base = match &base {
             Math::Script { sub: Some(_), .. } => base.fenced("(", ")"),
@@ -213,10 +213,10 @@ impl Setter<'_> {
         });
         let indices = indices.iter().map(|index| self.math(index));
         let separator = (!are_digits).then(|| Math::punctuation(","));
-        Piece::atom(base.with_sub(separated(indices, separator.as_ref())))
+        SetPiece::atom(base.with_sub(separated(indices, separator.as_ref())))
     }
 
-    fn power(&self, base: &Expr, exponent: &Expr) -> Piece {
+    fn power(&self, base: &Expr, exponent: &Expr) -> SetPiece {
         if let Some(piece) = self.power_of_call(base, exponent) {
             return piece;
         }
@@ -229,7 +229,7 @@ impl Setter<'_> {
             ]),
             _ => self.math(exponent),
         };
-        Piece::new(bottom.with_sup(top), Hold::Power)
+        SetPiece::new(bottom.with_sup(top), Hold::Power)
     }
 
     /// What may bear an exponent.
@@ -247,26 +247,26 @@ impl Setter<'_> {
         }
     }
 
-    fn comparison(&self, operands: &[Expr], relations: &[Relation]) -> Piece {
+    fn comparison(&self, operands: &[Expr], relations: &[Relation]) -> SetPiece {
         let mut row = vec![self.piece(&operands[0]).at_least(Hold::Sum)];
         for (relation, operand) in relations.iter().zip(&operands[1..]) {
             row.push(Math::relation(relation_symbol(*relation)));
             row.push(self.piece(operand).at_least(Hold::Sum));
         }
-        Piece::new(Math::row(row), Hold::Loose)
+        SetPiece::new(Math::row(row), Hold::Loose)
     }
 
-    fn joined(&self, a: &Expr, word: &str, b: &Expr) -> Piece {
+    fn joined(&self, a: &Expr, word: &str, b: &Expr) -> SetPiece {
         let side = |expr: &Expr| match expr.kind() {
             Kind::And(..) | Kind::Or(..) | Kind::If(..) => self.math(expr).fenced("(", ")"),
             _ => self.math(expr),
         };
         let row = [side(a), Math::text(format!(" {word} ")), side(b)];
-        Piece::new(Math::row(row), Hold::Loose)
+        SetPiece::new(Math::row(row), Hold::Loose)
     }
 
     /// `if` and what follows in its `else` as one list of cases.
-    fn cases(&self, expr: &Expr) -> Piece {
+    fn cases(&self, expr: &Expr) -> SetPiece {
         let (mut rows, mut rest) = (Vec::new(), expr);
         while let Kind::If(condition, first, second) = rest.kind() {
             let condition = Math::row([Math::text("if "), self.math(condition)]);
@@ -274,44 +274,44 @@ impl Setter<'_> {
             rest = second;
         }
         rows.push(vec![self.math(rest), Math::text("otherwise")]);
-        Piece::new(Math::cases(rows), Hold::Loose)
+        SetPiece::new(Math::cases(rows), Hold::Loose)
     }
 
     /// A vector as a column, an array of arrays as a matrix.
-    fn array(&self, entries: &[Expr]) -> Piece {
+    fn array(&self, entries: &[Expr]) -> SetPiece {
         let row = |entry: &Expr| match entry.kind() {
             Kind::Array(row) => row.iter().map(|entry| self.math(entry)).collect(),
             _ => vec![self.math(entry)],
         };
-        Piece::atom(Math::matrix(entries.iter().map(row).collect()))
+        SetPiece::atom(Math::matrix(entries.iter().map(row).collect()))
     }
 }
 
-fn of_symbol(symbol: Symbol) -> Piece {
+fn of_symbol(symbol: Symbol) -> SetPiece {
     let hold = match symbol.kind {
         SymbolKind::Letter | SymbolKind::Number => Hold::Atom,
         SymbolKind::Negative | SymbolKind::NegativeQuantity => Hold::Sign,
         SymbolKind::Quantity => Hold::Product,
     };
-    Piece::new(symbol.math, hold)
+    SetPiece::new(symbol.math, hold)
 }
 
 /// An integer or a decimal that ends soon as it is; any other as a fraction.
-fn number(value: vibank_dynamics::numerics::Rational) -> Piece {
+fn number(value: vibank_dynamics::numerics::Rational) -> SetPiece {
     // A longer decimal reads worse than its fraction.
     const MAX_DIGITS: usize = 12;
     let magnitude = match text::decimal(value.abs()) {
         Some(digits) if value.is_integer() || digits.len() <= MAX_DIGITS => {
-            Piece::atom(Math::number(digits))
+            SetPiece::atom(Math::number(digits))
         }
         _ => {
             let part = |part: i128| Math::number(part.to_string());
             let fraction = Math::fraction(part(value.abs().numerator()), part(value.denominator()));
-            Piece::new(fraction, Hold::Fraction)
+            SetPiece::new(fraction, Hold::Fraction)
         }
     };
     if value.is_negative() {
-        return Piece::new(Math::row([Math::prefix("−"), magnitude.math]), Hold::Sign);
+        return SetPiece::new(Math::row([Math::prefix("−"), magnitude.math]), Hold::Sign);
     }
     magnitude
 }

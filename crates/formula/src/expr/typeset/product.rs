@@ -1,6 +1,6 @@
 //! Products and quotients.
 
-use super::{Hold, Math, Piece, Setter, SymbolKind};
+use super::{Hold, Math, SetPiece, Setter, SymbolKind};
 use crate::expr::{Expr, Kind, Operator};
 
 /// One factor of a product as it is set.
@@ -14,13 +14,13 @@ struct Factor {
 
 impl Setter<'_> {
     /// A product or quotient, with all factors of a chain side by side.
-    pub(crate) fn product(&self, expr: &Expr) -> Piece {
+    pub(crate) fn product(&self, expr: &Expr) -> SetPiece {
         let mut factors = Vec::new();
         flatten(expr, &mut factors);
         let is_negative = factors.first_mut().is_some_and(take_sign);
         let product = match factors.as_slice() {
-            [Part::Quotient(above, below)] => {
-                Piece::new(self.fraction(above, below), Hold::Fraction)
+            [ProductPart::Quotient(above, below)] => {
+                SetPiece::new(self.fraction(above, below), Hold::Fraction)
             }
             _ => {
                 let hold = if self.begins_with_sign(&factors) {
@@ -28,11 +28,11 @@ impl Setter<'_> {
                 } else {
                     Hold::Product
                 };
-                Piece::new(self.side_by_side(&factors), hold)
+                SetPiece::new(self.side_by_side(&factors), hold)
             }
         };
         if is_negative {
-            Piece::new(Math::row([Math::prefix("−"), product.math]), Hold::Sign)
+            SetPiece::new(Math::row([Math::prefix("−"), product.math]), Hold::Sign)
         } else {
             product
         }
@@ -41,8 +41,8 @@ impl Setter<'_> {
     /// Whether a sign stands in front, as where a negative number is substituted for the first factor.
     ///
     /// Only what is set in one step can bear one: setting the factor to see would double the work at each level.
-    fn begins_with_sign(&self, factors: &[Part]) -> bool {
-        let Some(Part::Factor(first)) = factors.first() else {
+    fn begins_with_sign(&self, factors: &[ProductPart]) -> bool {
+        let Some(ProductPart::Factor(first)) = factors.first() else {
             return false;
         };
         match first.kind() {
@@ -55,14 +55,14 @@ impl Setter<'_> {
         }
     }
 
-    fn fraction(&self, above: &[Part], below: &[Part]) -> Math {
+    fn fraction(&self, above: &[ProductPart], below: &[ProductPart]) -> Math {
         // A number alone above or below keeps its own size; ½ m x / l is written m x / 2 l.
         let (above, below) = hoisted(above, below);
         Math::fraction(self.side_by_side(&above), self.side_by_side(&below))
     }
 
-    fn side_by_side(&self, parts: &[Part]) -> Math {
-        if let [Part::Factor(only)] = parts {
+    fn side_by_side(&self, parts: &[ProductPart]) -> Math {
+        if let [ProductPart::Factor(only)] = parts {
             return self.math(only);
         }
         let mut row: Vec<Math> = Vec::new();
@@ -82,13 +82,13 @@ impl Setter<'_> {
         Math::row(row)
     }
 
-    fn factor(&self, part: &Part, is_first: bool, is_last: bool) -> Factor {
+    fn factor(&self, part: &ProductPart, is_first: bool, is_last: bool) -> Factor {
         match part {
-            Part::Quotient(above, below) => {
-                let is_number = |parts: &[Part]| {
+            ProductPart::Quotient(above, below) => {
+                let is_number = |parts: &[ProductPart]| {
                     parts
                         .iter()
-                        .all(|part| matches!(part, Part::Factor(own) if own.as_number().is_some()))
+                        .all(|part| matches!(part, ProductPart::Factor(own) if own.as_number().is_some()))
                 };
                 let is_number = is_number(above) && is_number(below);
                 Factor {
@@ -97,7 +97,7 @@ impl Setter<'_> {
                     is_quantity: false,
                 }
             }
-            Part::Factor(expr) => self.plain_factor(expr, is_first, is_last),
+            ProductPart::Factor(expr) => self.plain_factor(expr, is_first, is_last),
         }
     }
 
@@ -147,13 +147,13 @@ impl Setter<'_> {
 
 /// A factor of a chain of products, or a quotient within it.
 #[derive(Clone)]
-enum Part {
+enum ProductPart {
     Factor(Expr),
-    Quotient(Vec<Part>, Vec<Part>),
+    Quotient(Vec<ProductPart>, Vec<ProductPart>),
 }
 
 /// The factors of a chain of products and quotients: `a*b/c*d` is the fraction ab/c, then d.
-fn flatten(expr: &Expr, parts: &mut Vec<Part>) {
+fn flatten(expr: &Expr, parts: &mut Vec<ProductPart>) {
     match expr.kind() {
         Kind::Binary(Operator::Multiply, a, b) => {
             flatten(a, parts);
@@ -163,59 +163,61 @@ fn flatten(expr: &Expr, parts: &mut Vec<Part>) {
             let (mut above, mut below) = (Vec::new(), Vec::new());
             flatten(a, &mut above);
             flatten(b, &mut below);
-            if let [Part::Quotient(_, lower)] = above.as_slice()
+            if let [ProductPart::Quotient(_, lower)] = above.as_slice()
                 && !is_number_fraction(&above[0])
             {
                 below = lower.iter().cloned().chain(below).collect();
-                if let Some(Part::Quotient(upper, _)) = above.pop() {
+                if let Some(ProductPart::Quotient(upper, _)) = above.pop() {
                     above = upper;
                 }
             }
-            parts.push(Part::Quotient(above, below));
+            parts.push(ProductPart::Quotient(above, below));
         }
-        _ => parts.push(Part::Factor(expr.clone())),
+        _ => parts.push(ProductPart::Factor(expr.clone())),
     }
 }
 
 /// Takes the sign of the first factor or numerator away, so that it stands before the product: what
 /// follows a sign is set as any other factor, `-sign(v)*d` as −sgn(v)d.
-fn take_sign(part: &mut Part) -> bool {
+fn take_sign(part: &mut ProductPart) -> bool {
     match part {
-        Part::Factor(first) => match first.kind() {
+        ProductPart::Factor(first) => match first.kind() {
             Kind::Negate(inner) => {
                 *first = inner.clone();
                 true
             }
             _ => false,
         },
-        Part::Quotient(above, _) => above.first_mut().is_some_and(take_sign),
+        ProductPart::Quotient(above, _) => above.first_mut().is_some_and(take_sign),
     }
 }
 
-fn is_number(part: &Part) -> bool {
-    matches!(part, Part::Factor(expr) if expr.as_number().is_some())
+fn is_number(part: &ProductPart) -> bool {
+    matches!(part, ProductPart::Factor(expr) if expr.as_number().is_some())
 }
 
-fn is_number_fraction(part: &Part) -> bool {
+fn is_number_fraction(part: &ProductPart) -> bool {
     match part {
-        Part::Factor(_) => false,
-        Part::Quotient(above, below) => above.iter().all(is_number) && below.iter().all(is_number),
+        ProductPart::Factor(_) => false,
+        ProductPart::Quotient(above, below) => {
+            above.iter().all(is_number) && below.iter().all(is_number)
+        }
     }
 }
 
 /// A fraction of numbers in front of a numerator goes to the two sides of the bar.
-fn hoisted(above: &[Part], below: &[Part]) -> (Vec<Part>, Vec<Part>) {
+fn hoisted(above: &[ProductPart], below: &[ProductPart]) -> (Vec<ProductPart>, Vec<ProductPart>) {
     let unchanged = || (above.to_vec(), below.to_vec());
     let Some((first, rest)) = above.split_first() else {
         return unchanged();
     };
-    let Part::Quotient(upper, lower) = first else {
+    let ProductPart::Quotient(upper, lower) = first else {
         return unchanged();
     };
     if rest.is_empty() || !is_number_fraction(first) {
         return unchanged();
     }
-    let is_one = |part: &Part| matches!(part, Part::Factor(expr) if expr.is_one());
+    let is_one = |part: &ProductPart| matches!(part, ProductPart::Factor(expr) if expr.is_one());
     let upper = upper.iter().filter(|part| !is_one(part));
     (
         upper.chain(rest).cloned().collect(),

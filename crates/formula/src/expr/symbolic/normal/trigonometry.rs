@@ -328,12 +328,12 @@ impl Polynomial {
 
 /// A sine or cosine that is a factor of a term.
 #[derive(Clone)]
-struct Factor {
+struct TrigonometricFactor {
     is_sine: bool,
     angle: Inner,
 }
 
-impl Factor {
+impl TrigonometricFactor {
     fn atom(&self) -> Atom {
         let function = if self.is_sine {
             Function::Sin
@@ -365,24 +365,29 @@ impl Factor {
 }
 
 /// The term divided by two of its factors.
-fn without_both(monomial: &Monomial, factors: [&Factor; 2]) -> Result<Monomial, SymbolicError> {
-    let inverse = |factor: &Factor| Monomial::of(factor.atom(), -Rational::ONE);
+fn without_both(
+    monomial: &Monomial,
+    factors: [&TrigonometricFactor; 2],
+) -> Result<Monomial, SymbolicError> {
+    let inverse = |factor: &TrigonometricFactor| Monomial::of(factor.atom(), -Rational::ONE);
     monomial
         .times(&inverse(factors[0]))?
         .times(&inverse(factors[1]))
 }
 
 /// All pairs of sines and cosines of different angles in a term.
-fn pairs_of_angles(monomial: &Monomial) -> Vec<[Factor; 2]> {
+fn pairs_of_angles(monomial: &Monomial) -> Vec<[TrigonometricFactor; 2]> {
     let factors: Vec<_> = monomial
         .0
         .iter()
         .filter(|(_, exponent)| exponent.is_integer() && !exponent.is_negative())
         .filter_map(|(atom, _)| match atom {
-            Atom::Call(function @ (Function::Sin | Function::Cos), arguments) => Some(Factor {
-                is_sine: *function == Function::Sin,
-                angle: arguments[0].clone(),
-            }),
+            Atom::Call(function @ (Function::Sin | Function::Cos), arguments) => {
+                Some(TrigonometricFactor {
+                    is_sine: *function == Function::Sin,
+                    angle: arguments[0].clone(),
+                })
+            }
             _ => None,
         })
         // Six make fifteen pairs, each of which takes a look-up of its partner.
@@ -401,7 +406,7 @@ fn pairs_of_angles(monomial: &Monomial) -> Vec<[Factor; 2]> {
 
 /// `f(a) g(b)` and, with equal or opposite coefficient, its conjugate as one sine or cosine.
 fn joined(
-    [first, second]: [&Factor; 2],
+    [first, second]: [&TrigonometricFactor; 2],
     coefficient: Rational,
     other: Rational,
     work: &mut Work,

@@ -91,7 +91,7 @@ impl<'o> NormalWriter<'o> {
 
 /// Where a factor stands in a product.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
-enum Place {
+enum FactorPlace {
     Measure,
     Root,
     Constant,
@@ -218,8 +218,8 @@ fn collected(group: &Polynomial, part: &Monomial, writer: &NormalWriter<'_>) -> 
         .first()
         .map(|(monomial, _)| sorted_factors(monomial, order));
     let place = first.and_then(|factors| factors.into_iter().next());
-    let sum = Bracket {
-        place: place.map_or(Place::Root, |(place, ..)| place),
+    let sum = BracketedSum {
+        place: place.map_or(FactorPlace::Root, |(place, ..)| place),
         sum: sum_of_signed_terms(separate_terms(&rest, writer)),
     };
     let all = below.times(part).unwrap_or_else(|_| below.clone());
@@ -297,7 +297,7 @@ fn sorted_terms<'a>(sum: &'a Polynomial, order: &Order) -> Vec<(&'a Monomial, Ra
     terms.into_iter().map(|(_, term)| term).collect()
 }
 
-fn sorted_factors(monomial: &Monomial, order: &Order) -> Vec<(Place, Atom, Rational)> {
+fn sorted_factors(monomial: &Monomial, order: &Order) -> Vec<(FactorPlace, Atom, Rational)> {
     let mut factors: Vec<_> = monomial
         .0
         .iter()
@@ -307,27 +307,29 @@ fn sorted_factors(monomial: &Monomial, order: &Order) -> Vec<(Place, Atom, Ratio
     factors
 }
 
-fn place(atom: &Atom, order: &Order) -> Place {
+fn place(atom: &Atom, order: &Order) -> FactorPlace {
     match atom {
-        Atom::Opaque(opaque) if matches!(opaque.expr.kind(), Kind::Measure(..)) => Place::Measure,
-        Atom::Constant(_) => Place::Constant,
+        Atom::Opaque(opaque) if matches!(opaque.expr.kind(), Kind::Measure(..)) => {
+            FactorPlace::Measure
+        }
+        Atom::Constant(_) => FactorPlace::Constant,
         Atom::Variable(variable) => match order.moving_index(&variable.name) {
-            Some(index) if variable.order >= 2 => Place::Acceleration(index, variable.order),
-            Some(index) => Place::Position(index, variable.order),
+            Some(index) if variable.order >= 2 => FactorPlace::Acceleration(index, variable.order),
+            Some(index) => FactorPlace::Position(index, variable.order),
             None => {
                 let rank = order.ranks.get(&variable.name).copied();
-                Place::Name(rank.unwrap_or(usize::MAX), variable.name.clone())
+                FactorPlace::Name(rank.unwrap_or(usize::MAX), variable.name.clone())
             }
         },
-        Atom::Base(base) if base.as_number().is_some() => Place::Root,
-        _ if atom.mentions(&order.moving_names()) => Place::Function,
-        _ => Place::Other,
+        Atom::Base(base) if base.as_number().is_some() => FactorPlace::Root,
+        _ if atom.mentions(&order.moving_names()) => FactorPlace::Function,
+        _ => FactorPlace::Other,
     }
 }
 
 /// A sum within a product, and where it stands in it: where its first name would.
-struct Bracket {
-    place: Place,
+struct BracketedSum {
+    place: FactorPlace,
     sum: Expr,
 }
 
@@ -335,7 +337,7 @@ struct Bracket {
 fn product(
     number: Rational,
     monomial: &Monomial,
-    bracket: Option<Bracket>,
+    bracket: Option<BracketedSum>,
     writer: &NormalWriter<'_>,
 ) -> Expr {
     let order = writer.order;

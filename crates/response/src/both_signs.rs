@@ -1,0 +1,74 @@
+//! Equations with both signs, `a = ±b`: two of them, of which one holds, as the product `(a - b)*(a + b) = 0`.
+
+use super::parser::Parser;
+use super::{Chain, Trouble, Typed, TypedError};
+use vibank_formula::expr::{Expr, Operator, Relation};
+use vibank_source::Span;
+
+/// The upper and the lower sign, and those of plus and minus that take as much room.
+const SIGNS: [(&str, [&str; 2]); 2] = [("±", ["+ ", "- "]), ("∓", ["-  ", "+  "])];
+
+/// A text with the upper ones of its signs alone, and with the lower ones; all places stay.
+pub(crate) struct Two {
+    upper: String,
+    lower: String,
+    /// Where the first of them stands.
+    first: Span,
+}
+
+impl Two {
+    /// The two texts that one is whose place holds such signs.
+    pub(crate) fn of(text: &str, from: usize, place: &str) -> Option<Self> {
+        let (at, sign) = place.match_indices(['±', '∓']).next()?;
+        let with = |which: usize| {
+            let replace =
+                |text: String, (sign, plain): &(&str, [&str; 2])| text.replace(sign, plain[which]);
+            SIGNS.iter().fold(text.to_owned(), replace)
+        };
+        Some(Self {
+            upper: with(0),
+            lower: with(1),
+            first: Span::new(from + at, from + at + sign.len()),
+        })
+    }
+
+    /// With the upper ones, and with the lower ones.
+    pub(crate) fn texts(self) -> [String; 2] {
+        [self.upper, self.lower]
+    }
+
+    /// The one equation that both are.
+    ///
+    /// # Errors
+    ///
+    /// What stands in the way of one of them, and anything but one equation.
+    pub(crate) fn chain(
+        &self,
+        read: impl Fn(&str) -> Result<Typed<Chain>, TypedError>,
+    ) -> Result<Typed<Chain>, TypedError> {
+        let (upper, lower) = (read(&self.upper)?, read(&self.lower)?);
+        let others = upper.others.iter().zip(&lower.others);
+        let both = |(upper, lower): (&Chain, &Chain)| self.product(upper, lower);
+        Ok(Typed {
+            others: others.map(both).collect::<Result<_, _>>()?,
+            value: both((&upper.value, &lower.value))?,
+        })
+    }
+
+    fn product(&self, upper: &Chain, lower: &Chain) -> Result<Chain, TypedError> {
+        let difference = |chain: &Chain| match (&chain.sides[..], &chain.relations[..]) {
+            ([left, right], [Relation::Equal]) => {
+                Parser::binary(Operator::Subtract, left.clone(), right.clone())
+            }
+            _ => Err(TypedError {
+                trouble: Trouble::TwoValues,
+                span: self.first,
+            }),
+        };
+        let product = Parser::binary(Operator::Multiply, difference(upper)?, difference(lower)?)?;
+        Ok(Chain {
+            sides: vec![product, Expr::number(0)],
+            relations: vec![Relation::Equal],
+        })
+    }
+}

@@ -1,0 +1,79 @@
+//! Where the equations of a response stand, and what is typed beside one.
+
+use super::list::cut;
+use vibank_source::Span;
+
+/// The equations of a text, cut at semicolons, line ends, and commas or `and` between equations.
+pub fn equations(text: &str) -> Vec<Span> {
+    const RELATIONS: [char; 6] = ['=', '<', '>', '≤', '≥', '≠'];
+    let all = Span::new(0, text.len());
+    let mut found = Vec::new();
+    for line in cut(text, all, &[';', '\n']) {
+        let commas = cut(text, line, &[',']).into_iter();
+        let parts: Vec<Span> = commas.flat_map(|part| cut_at_and(text, part)).collect();
+        let is_relation = |part: &Span| text[part.range()].contains(RELATIONS);
+        found.extend(if parts.iter().all(is_relation) {
+            parts
+        } else {
+            vec![line]
+        });
+    }
+    found.retain(|place| !text[place.range()].trim().is_empty());
+    if found.is_empty() {
+        found.push(all);
+    }
+    found
+}
+
+fn cut_at_and(text: &str, place: Span) -> Vec<Span> {
+    const AND: &str = " and ";
+    let mut from = place.range().start;
+    let mut found = Vec::new();
+    while let Some(at) = text[from..place.range().end].find(AND) {
+        found.push(Span::new(from, from + at));
+        from += at + AND.len();
+    }
+    found.push(Span::new(from, place.range().end));
+    found
+}
+
+/// Whether an equation is the state at the start, `x(0) = 0`.
+pub fn is_initial_state(equation: &str) -> bool {
+    let left = equation.split_once('=').map_or("", |(left, _)| left);
+    let name = left.trim_end().strip_suffix("(0)").unwrap_or_default();
+    name.starts_with(char::is_alphabetic)
+        && name
+            .chars()
+            .all(|char| char.is_alphanumeric() || "_'\"".contains(char))
+}
+
+/// A number that an equation bears, `(2) m x'' = …`, `2. m x'' = …` or `m x'' = … (2)`.
+pub fn number_of_equation(equation: &str) -> Option<&str> {
+    let digits = |text: &str| {
+        let end = text.find(|char: char| !char.is_ascii_digit());
+        end.unwrap_or(text.len())
+    };
+    let open = usize::from(equation.starts_with('('));
+    let count = digits(&equation[open..]);
+    let behind = open + count;
+    let sign = equation[behind..].chars().next()?;
+    let rest = &equation[behind + sign.len_utf8()..];
+    let is_closed = match sign {
+        ')' => true,
+        '.' => open == 0 && rest.starts_with(' '),
+        _ => false,
+    };
+    let begins_term = |char: char| char.is_alphanumeric() || "\\-√".contains(char);
+    if count > 0 && is_closed && rest.trim_start().starts_with(begins_term) {
+        return Some(&equation[..=behind]);
+    }
+    let (before, last) = equation.rsplit_once(" (")?;
+    let is_number = last.len() == digits(last) + 1 && last.len() > 1 && last.ends_with(')');
+    let ends_term = before.ends_with(|char: char| char.is_alphanumeric() || ")]}'".contains(char));
+    // Zero times a number is zero.
+    let is_zero = before
+        .rsplit('=')
+        .next()
+        .is_some_and(|side| side.trim() == "0");
+    (is_number && ends_term && !is_zero).then(|| &equation[before.len() + 1..])
+}
