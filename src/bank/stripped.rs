@@ -61,9 +61,10 @@ impl Template {
         let problems = Problems::default();
         let tree = toml::read(&self.source, &problems);
         let file = table(&tree);
-        let mut out = String::from("[item]\ntitle = \"\"\nsource = \"\"\n");
+        // Texts that an item must have say nothing here.
+        let mut out = String::from("[item]\ntitle = \"-\"\nsource = \"-\"\n");
         let _ = writeln!(out, "digits = {}", self.about.digits);
-        out.push_str("[statement]\ntext = \"\"\n");
+        out.push_str("[statement]\ntext = \"-\"\n");
         section(&mut out, "parameters", &self.data(file));
         let symbols = entry(file, "symbols").map(table).unwrap_or_default();
         let symbols: Vec<(String, String)> = symbols
@@ -203,7 +204,7 @@ impl Template {
                 put("options", format!("[{}]", options.join(", ")));
             }
             AnswerKind::Work => {
-                put("rubric", "[{ points = 1, text = \"\" }]".to_owned());
+                put("rubric", "[{ points = 1, text = \"-\" }]".to_owned());
             }
             AnswerKind::Equation => {
                 let unknown = items(stated, "unknowns");

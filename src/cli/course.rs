@@ -31,7 +31,7 @@ enum Size {
     /// 210 mm by 297 mm.
     #[default]
     A4,
-    /// 8.5 in by 11 in.
+    /// The paper of North America, 8.5 in by 11 in.
     Letter,
 }
 

@@ -58,7 +58,7 @@ const TICKED: &str = "ticked:";
 /// What stands before the number of a question.
 const QUESTION: [&str; 4] = ["question", "quest", "item", "q"];
 
-/// A column of answers.
+/// A column of the scanner's table that holds answers, and to what.
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum AnswerColumn {
     /// The choice with this number on the sheet, from 1.

@@ -8,6 +8,7 @@ use std::sync::Arc;
 use super::manifest::Csv;
 use super::marks::Marks;
 use super::own::Own;
+use super::paper::Paper;
 use super::printing::Printing;
 use super::rules::Rules;
 use crate::answer::{Credit, Doubt};
@@ -142,17 +143,6 @@ pub struct Blueprint {
     pub questions: Vec<Question>,
     /// What may be wrong with its own questions.
     pub warnings: Vec<Finding>,
-}
-
-/// Size of the paper.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Paper {
-    /// 210 mm by 297 mm.
-    #[default]
-    A4,
-    /// 8.5 in by 11 in, the paper of North America.
-    Letter,
 }
 
 /// What a `[[question]]` of the blueprint asks for.

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::blueprint::Paper;
 use super::marks::Marks;
+use super::paper::Paper;
 use crate::answer::Doubt;
 use crate::bank::{ItemId, Revision};
 use crate::scene::Data;

@@ -18,6 +18,7 @@ mod manifest;
 mod marks;
 #[cfg(feature = "render")]
 mod own;
+mod paper;
 #[cfg(feature = "render")]
 mod plan;
 mod practice;
@@ -36,7 +37,7 @@ mod variants;
 #[cfg(feature = "render")]
 pub use blueprint::{
     AnswerSpace, Audience, Blueprint, BlueprintError, Choice, Columns, FORMATS, Filter, Keys,
-    Paper, Question,
+    Question,
 };
 #[cfg(feature = "render")]
 pub use candidate::{Candidate, Fixed};
@@ -55,6 +56,7 @@ pub use marks::MarksError;
 pub use marks::{Best, Bound, Direction, Exact, Marks, Rounding, Scored, Step, Total, Worth};
 #[cfg(feature = "render")]
 pub use own::Own;
+pub use paper::Paper;
 #[cfg(feature = "render")]
 pub use plan::{Plan, Planned};
 pub use practice::{Practice, PracticeError, PracticeQuestion, Weighed};

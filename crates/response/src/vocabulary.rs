@@ -170,7 +170,7 @@ impl Words {
         for entry in entries {
             match entry {
                 LexiconEntry::Allowed(name, symbol, is_moving) => {
-                    words.allow(name, symbol, *is_moving)
+                    words.allow(name, symbol, *is_moving);
                 }
                 LexiconEntry::Forbidden(name) => words.forbid(name),
             }

@@ -38,7 +38,7 @@ use crate::response::Lexicon;
 use crate::source::Table;
 use crate::unit::Unit;
 
-/// Which scale is asked.
+/// The scale in which components are to be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum AskedScale {
     Any,

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::{
     AnswerSpace, Audience, Blueprint, BlueprintError, Choice, Columns, FORMATS, Filter, Keys,
-    MAX_QUESTIONS, MAX_TITLE_LENGTH, MAX_VARIANTS, Paper, Question,
+    MAX_QUESTIONS, MAX_TITLE_LENGTH, MAX_VARIANTS, Question,
 };
 use crate::answer::{Credit, Doubt};
 use crate::bank::Space;
@@ -16,6 +16,7 @@ use crate::source::{Data, Source, Span, Table, Text};
 use crate::worksheet::manifest::Csv;
 use crate::worksheet::marks::Marks;
 use crate::worksheet::own::Own;
+use crate::worksheet::paper::Paper;
 use crate::worksheet::printing::Printing;
 use crate::worksheet::rules::Rules;
 

@@ -14,7 +14,7 @@ pub(crate) enum Turning {
     Cycles,
 }
 
-/// One unit.
+/// A unit as it is defined: its symbols, what it is made of, and which prefixes it takes.
 pub(crate) struct UnitRow {
     /// As read; the first is written to files.
     pub(crate) symbols: &'static [&'static str],

@@ -53,7 +53,7 @@ fn tolerance<S: Scalar>(scale: f64) -> f64 {
     20.0 * S::ROUNDOFF * scale
 }
 
-/// A trapezoidal sum.
+/// The trapezoidal rule at the points so far.
 struct TrapezoidalSum<S> {
     value: S,
     /// The integral of the size of the function.
