@@ -125,9 +125,10 @@ impl Pages {
                 },
                 ChapterPiece::Picture { item, plot, words } => {
                     let template = known(catalogue, line, item)?;
+                    let id = self.writer.line(&Document::sentence(&format!("`{item}`")));
                     PieceView {
                         picture: self.picture(line, template, plot)?,
-                        text: format!("{} ({})", self.line(line, words)?, self.id(item)),
+                        text: format!("{} ({id})", self.line(line, words)?),
                         ..PieceView::default()
                     }
                 }
@@ -163,12 +164,6 @@ impl Pages {
             }
         }
         Ok(self.writer.line(&Document::of(blocks, Vec::new())))
-    }
-
-    fn id(&self, item: &str) -> String {
-        let code = vec![Inline::Code(item.to_owned())];
-        let document = Document::of(vec![Block::Paragraph(code)], Vec::new());
-        self.writer.line(&document)
     }
 
     fn picture(

@@ -29,7 +29,7 @@ use crate::bank::Template;
 /// Where the letter of a part stands on a sheet: how long its letters are, these, and the same of its number.
 pub type Order<'a> = (usize, &'a str, usize, &'a str);
 
-/// By what the letters of parts are put into the order of a sheet: `b`, `c1`, `c2`, `c10`, `d`, `aa`.
+/// By what the letters of parts are sorted as on a sheet: `b`, `c1`, `c2`, `c10`, `d`, `aa`.
 pub fn order(letter: &str) -> Order<'_> {
     let end = letter
         .find(|sign: char| sign.is_ascii_digit())

@@ -46,7 +46,7 @@ fn by_parts(
     let (mut source, mut symbols, mut values) = (None, Substitution::new(), Vec::new());
     let mut has_formulas = true;
     for own in answers.own() {
-        // Where the graph shows that the key depends on the answer, this is put in anyway.
+        // Where the graph shows that the key depends on the answer, this is substituted anyway.
         let goes_on =
             !graph.depends(key, &own.name) && own.node != key && own.source != Source::Related;
         let (Some(value), Some(asked)) = (own.value.as_real(), graph.expr(own.node)) else {

@@ -55,7 +55,7 @@ impl<'a> Chain<'a> {
     /// The mass-weighted stiffness matrix comes as a product of accurate factors, so that shapes are as good as the relative
     /// distances of the frequencies allow.
     pub(crate) fn elastic_shapes(&self) -> Option<Vec<f64>> {
-        // Parts of a chain that fell apart may have the same frequency, and shapes are told apart by their
+        // Parts of a chain that fell apart may have the same frequency, and shapes are distinguished by their
         // frequencies alone.
         if self.couplings.contains(&0.0) {
             return None;
@@ -88,7 +88,7 @@ impl<'a> Chain<'a> {
             let pivot = ground + coupling;
             squares.push(pivot / self.masses[i]);
             if i + 1 < size {
-                // A free mass at the end has no pivot, and 0/0 is no number.
+                // A free mass at the end has no pivot, and 0/0 is undefined.
                 let share = if coupling == 0.0 {
                     0.0
                 } else {
