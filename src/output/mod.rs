@@ -4,6 +4,7 @@
 //! with what a sheet shows. Layouts can read no files and run no code, and see finished pieces only:
 //! numbers are printed by `unit`, texts by `document`, and everything else is escaped.
 
+mod chapter;
 mod fairness;
 mod feedback;
 mod form;
@@ -25,6 +26,7 @@ mod textbook;
 mod view;
 mod words;
 
+pub use chapter::{ChapterError, ChapterPiece, pieces as chapter_pieces};
 pub use form::{FormQuestion, FormSheet, form};
 pub use key_table::{KeyRow, KeyTable};
 pub use layouts::{Layouts, OutputError};

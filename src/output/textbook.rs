@@ -1,11 +1,10 @@
 //! The course as one book for print: chapters of text with figures, plots and worked examples of the bank.
 //!
-//! A chapter is Markdown as item texts are. On a line of its own, `<!-- plot ITEM NAME | WORDS -->` and
-//! `<!-- figure ITEM | WORDS -->` stand for a picture with words under it, `<!-- item ITEM -->` for a worked example.
-//! All are made of the data in the items' files.
+//! All pictures and examples are made of the data in the items' files.
 
 use serde::Serialize;
 
+use super::chapter::{self, ChapterError, ChapterPiece};
 use super::layouts::OutputError;
 use super::pages::{PageKind, Pages};
 use super::view::{QuestionView, View};
@@ -29,6 +28,9 @@ pub enum TextbookError {
         /// What is wrong with it.
         error: TextError,
     },
+    /// A line of its own that cannot be read.
+    #[error(transparent)]
+    Chapter(#[from] ChapterError),
     /// A line that asks for what there is not.
     #[error("line {line}: {message}")]
     Line {
@@ -40,20 +42,6 @@ pub enum TextbookError {
     /// The layout.
     #[error(transparent)]
     Output(#[from] OutputError),
-}
-
-/// What follows one another in a chapter.
-enum ChapterPiece<'t> {
-    /// Its level from 1, and its line as a whole.
-    Heading(u8, &'t str),
-    Text(&'t str),
-    Picture {
-        item: &'t str,
-        /// The figure of the item, if none is named.
-        plot: Option<&'t str>,
-        words: &'t str,
-    },
-    Example(&'t str),
 }
 
 #[derive(Serialize)]
@@ -108,7 +96,7 @@ impl Pages {
     fn chapter(&self, text: &str, catalogue: &Catalogue) -> Result<ChapterView, TextbookError> {
         let mut title = String::new();
         let (mut pieces, mut examples) = (Vec::new(), 0);
-        for (line, piece) in pieces_of(text)? {
+        for (line, piece) in chapter::pieces(text)? {
             let view = match piece {
                 ChapterPiece::Heading(1, text) => {
                     title = self.line(line, text)?;
@@ -231,63 +219,6 @@ fn read(line: usize, text: &str) -> Result<Document, TextbookError> {
     }
     let blocks = reading.document.blocks().iter().cloned().map(for_paper);
     Ok(Document::of(blocks.collect(), Vec::new()))
-}
-
-/// A chapter in pieces, each with the line where it begins, from 1.
-fn pieces_of(text: &str) -> Result<Vec<(usize, ChapterPiece<'_>)>, TextbookError> {
-    let mut pieces = Vec::new();
-    // Where the text begins that no piece holds yet, and on which line.
-    let (mut from, mut first) = (0, 1);
-    let mut at = 0;
-    for (place, raw) in text.split_inclusive('\n').enumerate() {
-        let (line, start) = (place + 1, at);
-        at += raw.len();
-        let Some(piece) = own_line(raw.trim_end(), line)? else {
-            continue;
-        };
-        pieces.push((first, ChapterPiece::Text(&text[from..start])));
-        pieces.push((line, piece));
-        (from, first) = (at, line + 1);
-    }
-    pieces.push((first, ChapterPiece::Text(&text[from..])));
-    pieces
-        .retain(|(_, piece)| !matches!(piece, ChapterPiece::Text(text) if text.trim().is_empty()));
-    Ok(pieces)
-}
-
-/// A heading, a picture or an example, where the line is one.
-fn own_line(line: &str, number: usize) -> Result<Option<ChapterPiece<'_>>, TextbookError> {
-    let level = line.bytes().take_while(|byte| *byte == b'#').count();
-    if (1..=6).contains(&level) && line[level..].starts_with(' ') {
-        return Ok(Some(ChapterPiece::Heading(level as u8, line)));
-    }
-    let Some(inner) = line.strip_prefix("<!-- ") else {
-        return Ok(None);
-    };
-    let inner = inner.strip_suffix(" -->").unwrap_or(inner);
-    let (place, words) = inner.split_once(" | ").unwrap_or((inner, ""));
-    let asked: Vec<&str> = place.split(' ').collect();
-    let piece = match asked[..] {
-        ["plot", item, plot] => ChapterPiece::Picture {
-            item,
-            plot: Some(plot),
-            words,
-        },
-        ["figure", item] => ChapterPiece::Picture {
-            item,
-            plot: None,
-            words,
-        },
-        ["item", item] => ChapterPiece::Example(item),
-        _ => {
-            let expected = "`plot ITEM NAME | WORDS`, `figure ITEM | WORDS` or `item ITEM`";
-            return Err(TextbookError::Line {
-                line: number,
-                message: format!("found `{inner}`, expected {expected}"),
-            });
-        }
-    };
-    Ok(Some(piece))
 }
 
 /// A block whose links are words: where they lead to an exercise, with its name behind.

@@ -362,7 +362,7 @@ impl Prepared {
         let unit = self.setup.unit;
         let number = |end: &End| {
             let value = unit.of_si(end.value);
-            match Decimal::rounded(value, self.digits + 2) {
+            match Decimal::rounded(value, self.digits) {
                 Some(_) if value == 0.0 => Quantity::new(Decimal::ZERO, Unit::ONE),
                 Some(decimal) => {
                     let shortest = Decimal::shortest(decimal.to_f64()).unwrap_or(decimal);

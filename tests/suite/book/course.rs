@@ -3,6 +3,8 @@
 use std::fs;
 use std::path::PathBuf;
 
+use vibank::output::{ChapterPiece, chapter_pieces};
+
 use super::{items, pictures};
 use crate::generated;
 
@@ -13,21 +15,30 @@ fn page(name: &str, text: &str) -> String {
     let mut out = format!(
         "<!-- Made of bank/course/{name}: `UPDATE_BOOK=1 cargo test --test suite` writes it anew. -->\n\n"
     );
-    for line in text.split_inclusive('\n') {
-        let words = line.trim_end();
-        let directive = words
-            .strip_prefix("<!-- ")
-            .and_then(|rest| rest.strip_suffix(" -->"));
-        let display = words
-            .strip_prefix("$$")
-            .and_then(|rest| rest.strip_suffix("$$"));
-        match (directive, display) {
-            (Some(directive), _) => out.push_str(&format!("{}\n", made(directive))),
-            (_, Some(latex)) => out.push_str(&format!("{}\n", items::math(latex))),
-            _ => out.push_str(&pictures::typeset(line)),
+    for (_, piece) in chapter_pieces(text).unwrap() {
+        match piece {
+            ChapterPiece::Heading(_, line) => {
+                out.push_str(&format!("{}\n", pictures::typeset(line)));
+            }
+            ChapterPiece::Text(text) => text
+                .split_inclusive('\n')
+                .for_each(|line| out.push_str(&typeset(line))),
+            ChapterPiece::Picture { item, plot, words } => {
+                out.push_str(&format!("{}\n", pictures::picture(item, plot, words)));
+            }
+            ChapterPiece::Example(item) => out.push_str(&format!("{}\n", items::worked(item))),
         }
     }
     out
+}
+
+/// A line of text with its formulas typeset, or a displayed formula.
+fn typeset(line: &str) -> String {
+    let display = line.trim_end().strip_prefix("$$");
+    match display.and_then(|rest| rest.strip_suffix("$$")) {
+        Some(latex) => format!("{}\n", items::math(latex)),
+        None => pictures::typeset(line),
+    }
 }
 
 /// Where to go on from a chapter: its exercises, and the chapter behind it.
@@ -40,16 +51,6 @@ fn onward(place: usize) -> &'static str {
         "[All exercises of this chapter](../exercises/ch5.md)",
     ];
     LINES.get(place).copied().unwrap_or_default()
-}
-
-/// What a line of its own stands for.
-fn made(directive: &str) -> String {
-    match directive.split_once(' ') {
-        Some(("plot", argument)) => pictures::plot(argument),
-        Some(("figure", argument)) => pictures::figure(argument),
-        Some(("item", argument)) => items::worked(argument),
-        _ => panic!("there is no directive `{directive}`"),
-    }
 }
 
 #[test]

@@ -4,29 +4,37 @@ use vibank::document::read_math;
 use vibank::instance::Instance;
 use vibank::math::Display;
 use vibank::message::Language;
+use vibank::output::{ChapterPiece, chapter_pieces};
 use vibank::scene::{Data, Scene};
 use vibank::solution::Solution;
 
 use super::items::{block, find};
 
-/// A plot with the data of its source: `ch3/t2-pick-the-regime regimes | Words under it, with $x$.`
-pub(super) fn plot(argument: &str) -> String {
-    let (place, words) = captioned(argument);
-    let (id, plot) = place.split_once(' ').expect("an item and a plot");
-    let solution = Solution::of(Instance::of_source(find(id)));
-    let picture = Scene::of(&solution, Data::Both).plot(plot);
-    let picture = picture.unwrap_or_else(|error| panic!("{place}: {error}"));
-    let name = format!("course-{}-{plot}", id.replace('/', "-"));
-    shown(&picture.svg(&name, &Language::English), words, id)
+/// What a directive in the notation of chapters asks for: `plot ch3/t2-pick-the-regime regimes | Words under it.`
+pub(super) fn asked(directive: &str) -> String {
+    let line = format!("<!-- {directive} -->");
+    let pieces = chapter_pieces(&line).unwrap_or_else(|error| panic!("{error}"));
+    match pieces[..] {
+        [(_, ChapterPiece::Picture { item, plot, words })] => picture(item, plot, words),
+        _ => panic!("`{directive}` is no picture"),
+    }
 }
 
-/// The figure of an item: `ch4/p1-rolling-disk-hub-moment | Words under it.`
-pub(super) fn figure(argument: &str) -> String {
-    let (id, words) = captioned(argument);
+/// A plot or the figure of an item with the data of its file, and words under it, with `$x$`.
+pub(super) fn picture(id: &str, plot: Option<&str>, words: &str) -> String {
     let solution = Solution::of(Instance::of_source(find(id)));
-    let picture = Scene::of(&solution, Data::Both).picture();
-    let picture = picture.unwrap_or_else(|| panic!("`{id}` has no figure"));
-    shown(&picture.svg, words, id)
+    let scene = Scene::of(&solution, Data::Both);
+    let svg = if let Some(plot) = plot {
+        let picture = scene.plot(plot);
+        let picture = picture.unwrap_or_else(|error| panic!("{id} {plot}: {error}"));
+        let name = format!("course-{}-{plot}", id.replace('/', "-"));
+        picture.svg(&name, &Language::English)
+    } else {
+        let picture = scene.picture();
+        let picture = picture.unwrap_or_else(|| panic!("`{id}` has no figure"));
+        picture.svg.clone()
+    };
+    shown(&svg, words, id)
 }
 
 /// A table of an item's file, as it stands there: `ch3/e5-log-decrement plots.decay`.
@@ -39,10 +47,6 @@ pub(super) fn source(argument: &str) -> String {
     let text = &text[begin..];
     let end = text[1..].find("\n[").map_or(text.len(), |end| end + 1);
     format!("```toml\n{}\n```", text[..end].trim_end())
-}
-
-fn captioned(argument: &str) -> (&str, &str) {
-    argument.split_once(" | ").unwrap_or((argument, ""))
 }
 
 fn shown(svg: &str, words: &str, id: &str) -> String {
