@@ -19,7 +19,7 @@ use super::{Failure, Outcome};
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
     /// The file to write.
-    #[arg(long, value_name = "FILE", default_value = "course.pdf")]
+    #[arg(short, long, value_name = "FILE", default_value = "course.pdf")]
     out: PathBuf,
     /// The size of its pages.
     #[arg(long, value_enum, default_value_t)]

@@ -91,8 +91,16 @@ pub(crate) fn not_a_manifest(path: &Path, why: &str) -> Failure {
             Failure::new(format!("`{shown}` is {}, not a manifest", kind.words()))
                 .help("give the `manifest.json` that `vibank sheet` wrote, then the answers")
         }
-        _ => Failure::new(format!("`{shown}` is not a manifest: {why}"))
-            .help("give the `manifest.json` that `vibank sheet` wrote"),
+        _ => {
+            // What the reader of JSON says of a list is about its own types.
+            let bytes = files::read_bytes(path).unwrap_or_default();
+            let why = match bytes.trim_ascii_start().first() {
+                Some(b'{') => why,
+                _ => "it is not one JSON object",
+            };
+            Failure::new(format!("`{shown}` is not a manifest: {why}"))
+                .help("give the `manifest.json` that `vibank sheet` wrote")
+        }
     }
 }
 

@@ -1,11 +1,32 @@
 //! Which items of the bank are meant.
 
 use std::collections::BTreeSet;
+use std::path::Path;
 
-use vibank::bank::{Catalogue, Listing, Template};
+use vibank::bank::{Catalogue, ItemId, Listing, Template};
 use vibank::source::nearest;
 
 use super::{Failure, bank};
+
+/// What a command is given in the place of a blueprint.
+pub(crate) enum Given<'a> {
+    /// The path of a blueprint.
+    Blueprint(&'a Path),
+    /// A word that names items.
+    Word(&'a str),
+}
+
+impl<'a> Given<'a> {
+    /// A blueprint is a file, and its name ends with `.toml`; anything else may be the name of an item.
+    pub(crate) fn of(given: &'a Path) -> Self {
+        let is_blueprint =
+            given.exists() || given.extension().is_some_and(|ending| ending == "toml");
+        match given.to_str() {
+            Some(word) if !is_blueprint => Self::Word(word),
+            _ => Self::Blueprint(given),
+        }
+    }
+}
 
 /// Items by chapter, topic, level and kind of answer.
 #[derive(clap::Args)]
@@ -62,6 +83,62 @@ impl Filter {
         Ok(wanted)
     }
 
+    /// The items that a word names, all of which are read; those that pass where there is none.
+    ///
+    /// # Errors
+    ///
+    /// Why there is none.
+    pub(crate) fn items_of<'c>(
+        &self,
+        word: Option<&str>,
+        catalogue: &'c Catalogue,
+    ) -> Result<Vec<&'c Template>, Failure> {
+        let Some(word) = word else {
+            return self.items(catalogue);
+        };
+        if let Some(item) = catalogue.find(word) {
+            return Ok(vec![item]);
+        }
+        bank::read_all(catalogue);
+        let all: Vec<Listing> = catalogue.items().map(Listing::of).collect();
+        let named = self.named(word, &all, catalogue)?.into_iter();
+        Ok(named.filter_map(|id| catalogue.find(id.as_str())).collect())
+    }
+
+    /// The items among these that a word names and that pass: those of a chapter or a topic, and those in whose title or
+    /// identity it stands. An empty word names all.
+    ///
+    /// # Errors
+    ///
+    /// Why there is none.
+    pub(crate) fn named(
+        &self,
+        word: &str,
+        all: &[Listing],
+        catalogue: &Catalogue,
+    ) -> Result<Vec<ItemId>, Failure> {
+        let items = all.iter();
+        let items: Vec<ItemId> = items
+            .filter(|item| self.wants(item) && is_named(item, word))
+            .map(|item| item.id.clone())
+            .collect();
+        if !items.is_empty() {
+            return Ok(items);
+        }
+        if word.is_empty() || self.unknown(all).is_some() {
+            return Err(self.refusal(all));
+        }
+        if catalogue.has(word) {
+            let failure = Failure::new(format!("there is something wrong with the item `{word}`"));
+            return Err(failure.help(format!("`vibank check {word}` shows what it is")));
+        }
+        let failure = Failure::new(format!("no item fits `{word}`"));
+        Err(match catalogue.nearest(word) {
+            Some(near) => failure.help(format!("did you mean `{near}`?")),
+            None => failure.help("`vibank list` shows all items, chapters and topics"),
+        })
+    }
+
     /// Why no item passes.
     pub(crate) fn refusal(&self, all: &[Listing]) -> Failure {
         self.unknown(all).unwrap_or_else(|| {
@@ -102,6 +179,15 @@ impl Filter {
             ("kind", self.kind.as_ref(), kinds.collect()),
         ]
     }
+}
+
+/// Whether a word names the chapter or a topic of an item, or stands in its title or identity.
+fn is_named(item: &Listing, word: &str) -> bool {
+    let word = word.to_lowercase();
+    item.id.chapter() == word
+        || item.topics.iter().any(|topic| topic.to_lowercase() == word)
+        || item.title.to_lowercase().contains(&word)
+        || !item.id.chapter().contains(&word) && item.id.as_str().contains(&word)
 }
 
 fn has(found: &[&str], wanted: &str) -> bool {

@@ -37,7 +37,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "CODE", value_delimiter = ',')]
     code: Vec<String>,
     /// The folder to write to; `form` beside the manifest if left out.
-    #[arg(long, value_name = "FOLDER")]
+    #[arg(short, long, value_name = "FOLDER")]
     out: Option<PathBuf>,
     #[command(flatten)]
     bank: BankArgument,

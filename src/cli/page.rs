@@ -11,7 +11,7 @@ use vibank::worksheet::{Blueprint, Feedback, Plan, Practice, Rules, Worked};
 use super::bank::{self, BankArgument};
 use super::doubt::doubt;
 use super::files::{self, Access};
-use super::filter::Filter;
+use super::filter::{Filter, Given};
 use super::{Failure, Outcome, counted, file_kind};
 
 /// Write a page on which students practise and check themselves: one file, which works without a network.
@@ -22,8 +22,10 @@ use super::{Failure, Outcome, counted, file_kind};
 /// Example: vibank page --chapter ch3 --out damping.html
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
-    /// A blueprint whose questions are practised; else the items that pass the filter.
-    blueprint: Option<PathBuf>,
+    /// A blueprint whose questions are practised, or a word that names items as in `vibank practice`; else the items that
+    /// pass the filter.
+    #[arg(value_name = "BLUEPRINT|ITEMS")]
+    given: Option<PathBuf>,
     #[command(flatten)]
     filter: Filter,
     /// The title of the page; else that of the blueprint or the bank.
@@ -64,16 +66,19 @@ struct Offered {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let catalogue = arguments.bank.catalogue()?;
-    let mut offered = match &arguments.blueprint {
-        Some(path) if arguments.filter.is_open() => match planned(path, &catalogue)? {
-            Ok(offered) => offered,
-            Err(findings) => return bank::refuse(&findings),
-        },
-        Some(_) => {
+    let mut offered = match arguments.given.as_deref().map(Given::of) {
+        Some(Given::Blueprint(path)) if arguments.filter.is_open() => {
+            match planned(path, &catalogue)? {
+                Ok(offered) => offered,
+                Err(findings) => return bank::refuse(&findings),
+            }
+        }
+        Some(Given::Blueprint(_)) => {
             return Err(Failure::new("a page is made of a blueprint or of a filter")
                 .help("give one of the two"));
         }
-        None => filtered(&arguments.filter, &catalogue)?,
+        Some(Given::Word(word)) => filtered(Some(word), &arguments.filter, &catalogue)?,
+        None => filtered(None, &arguments.filter, &catalogue)?,
     };
     if let Some(title) = &arguments.title {
         offered.practice.title.clone_from(title);
@@ -155,8 +160,13 @@ fn planned(
     Ok(Blueprint::read(&source).and_then(plan))
 }
 
-fn filtered(filter: &Filter, catalogue: &Catalogue) -> Result<Offered, Failure> {
-    let items = filter.items(catalogue)?;
+/// The practice of the items that a word names and that pass a filter.
+fn filtered(
+    word: Option<&str>,
+    filter: &Filter,
+    catalogue: &Catalogue,
+) -> Result<Offered, Failure> {
+    let items = filter.items_of(word, catalogue)?;
     let (practice, items) = Practice::of_items(catalogue, &items, &catalogue.bank.title);
     Ok(Offered {
         practice,

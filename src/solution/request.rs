@@ -137,15 +137,16 @@ pub(crate) fn read<T: DeserializeOwned>(line: &str) -> Result<T, Map<String, Jso
         let message = format!("the line has more than {MAX_LINE_LENGTH} bytes");
         (Refusal::new("limit", message), Json::Null)
     } else {
-        let error = match serde_json::from_str(line) {
-            Ok(request) => return Ok(request),
-            Err(error) => error.to_string(),
-        };
-        let parts = serde_json::from_str(line).unwrap_or(Json::Null);
-        let message = match parts {
-            Json::Null | Json::Object(_) => error.replace(" at line 1 column ", " at column "),
+        // A list would be read as the values of a request in the order of its fields.
+        let is_object = line.trim_start().starts_with('{');
+        let message = match serde_json::from_str(line) {
+            Ok(request) if is_object => return Ok(request),
+            Err(error) if is_object => error
+                .to_string()
+                .replace(" at line 1 column ", " at column "),
             _ => "a request is one JSON object".to_owned(),
         };
+        let parts = serde_json::from_str(line).unwrap_or(Json::Null);
         (Refusal::new("json", message), parts)
     };
     let is_plain = |value: &&Json| !value.is_object() && !value.is_array();

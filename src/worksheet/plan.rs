@@ -168,10 +168,9 @@ impl Planned<'_> {
     }
 }
 
-/// Points that can be given.
-fn positive(points: f64) -> Option<Rational> {
-    let points = Rational::from_decimal(&points.to_string());
-    points.filter(|points| *points > Rational::ZERO)
+/// Points as they were written.
+fn exact(points: f64) -> Option<Rational> {
+    Rational::from_decimal(&points.to_string())
 }
 
 struct Planner<'c> {
@@ -198,19 +197,11 @@ impl<'c> Planner<'c> {
     }
 
     fn question(&mut self, place: usize, question: &'c Question) {
-        let points = question.points.map(positive);
-        if points == Some(None) {
-            let span = question.span;
-            return self.find(&PlanError::Points { span });
-        }
-        let points = points.flatten();
-        let mut part_points = Vec::new();
-        for (part, points) in &question.part_points {
-            match positive(*points) {
-                Some(points) => part_points.push((part.value.clone(), points)),
-                None => self.find(&PlanError::Points { span: part.span }),
-            }
-        }
+        let points = question.points.and_then(exact);
+        let part_points = question.part_points.iter();
+        let part_points =
+            part_points.filter_map(|(part, points)| Some((part.value.clone(), exact(*points)?)));
+        let part_points: Vec<_> = part_points.collect();
         let planned = |candidates| Planned {
             candidates,
             parts: question

@@ -199,6 +199,21 @@ impl<'s> Table<'s> {
         number.or_else(|| self.out_of_range(key, expected, value))
     }
 
+    /// A value of this table as a number of a range, which `expected` says in words.
+    pub fn as_number_in(
+        &self,
+        key: &str,
+        value: &Value,
+        expected: &'static str,
+        range: std::ops::RangeInclusive<f64>,
+    ) -> Option<f64> {
+        let number = match &value.data {
+            Data::Number { number } => binary(number).filter(|number| range.contains(number)),
+            _ => None,
+        };
+        number.or_else(|| self.out_of_range(key, expected, value))
+    }
+
     /// An integer of a range.
     pub fn integer(
         &self,

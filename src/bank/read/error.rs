@@ -129,7 +129,7 @@ pub enum ItemError {
     #[error("a credit lies from 0 to 1")]
     Credit,
     /// Points that are zero, negative or not a number.
-    #[error("points are a positive number")]
+    #[error("`points` has to be a positive number")]
     Points,
     /// A working space that cannot be read.
     #[cfg(feature = "render")]

@@ -16,7 +16,7 @@ use vibank::worksheet::{Audience, Blueprint, Choice, Chooser, Plan, Sheet, Sheet
 use self::manifest::Record;
 use super::bank::{self, BankArgument};
 use super::files::{self, Access};
-use super::filter::Filter;
+use super::filter::{Filter, Given};
 use super::{Failure, Outcome, counted, file_kind};
 
 /// Variants of each item where no blueprint says how many.
@@ -33,8 +33,10 @@ const VARIANTS: usize = 10;
 pub(crate) struct Arguments {
     /// The course platform that imports the questions.
     platform: Platform,
-    /// A blueprint whose questions are exported; else the items that pass the filter.
-    blueprint: Option<PathBuf>,
+    /// A blueprint whose questions are exported, or a word that names items as in `vibank practice`; else the items that
+    /// pass the filter.
+    #[arg(value_name = "BLUEPRINT|ITEMS")]
+    given: Option<PathBuf>,
     #[command(flatten)]
     filter: Filter,
     /// Variants of each question; else as many as the blueprint says, or 10.
@@ -94,15 +96,18 @@ enum Notation {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let catalogue = arguments.bank.catalogue()?;
-    let made = match &arguments.blueprint {
-        Some(path) if arguments.filter.is_open() => of_blueprint(path, arguments, &catalogue)?,
-        Some(_) => {
+    let made = match arguments.given.as_deref().map(Given::of) {
+        Some(Given::Blueprint(path)) if arguments.filter.is_open() => {
+            of_blueprint(path, arguments, &catalogue)?
+        }
+        Some(Given::Blueprint(_)) => {
             return Err(
                 Failure::new("questions are exported of a blueprint or of a filter")
                     .help("give one of the two"),
             );
         }
-        None => of_filter(arguments, &catalogue)?,
+        Some(Given::Word(word)) => of_filter(Some(word), arguments, &catalogue)?,
+        None => of_filter(None, arguments, &catalogue)?,
     };
     let (export, record) = match made {
         Ok(made) => made,
@@ -203,8 +208,12 @@ fn of_blueprint(
 }
 
 /// The items that pass the filter, a category each.
-fn of_filter(arguments: &Arguments, catalogue: &Catalogue) -> Result<MadeExport, Failure> {
-    let items = arguments.filter.items(catalogue)?;
+fn of_filter(
+    word: Option<&str>,
+    arguments: &Arguments,
+    catalogue: &Catalogue,
+) -> Result<MadeExport, Failure> {
+    let items = arguments.filter.items_of(word, catalogue)?;
     let language = &catalogue.bank.language;
     let mut export = begin(
         arguments,

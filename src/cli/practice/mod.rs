@@ -8,7 +8,7 @@ use std::io::IsTerminal;
 use std::path::PathBuf;
 
 use vibank::answer::Doubt;
-use vibank::bank::{Catalogue, ItemId, Listing, Template};
+use vibank::bank::{Catalogue, ItemId, Template};
 use vibank::instance::Instance;
 use vibank::seed::{Seed, Streams};
 use vibank::solution::Solution;
@@ -95,36 +95,7 @@ fn chosen(
     }
     let (all, further) = bank::listings(catalogue);
     bank::warn(errors + further);
-    let items = all.iter();
-    let items: Vec<ItemId> = items
-        .filter(|item| arguments.filter.wants(item) && is_meant(item, wanted))
-        .map(|item| item.id.clone())
-        .collect();
-    if !items.is_empty() {
-        return Ok(items);
-    }
-    let filter = &arguments.filter;
-    if wanted.is_empty() || filter.unknown(&all).is_some() {
-        return Err(filter.refusal(&all));
-    }
-    if catalogue.has(wanted) {
-        let failure = Failure::new(format!("there is something wrong with the item `{wanted}`"));
-        return Err(failure.help(format!("`vibank check {wanted}` shows what it is")));
-    }
-    let failure = Failure::new(format!("no item fits `{wanted}`"));
-    Err(match catalogue.nearest(wanted) {
-        Some(near) => failure.help(format!("did you mean `{near}`?")),
-        None => failure.help("`vibank list` shows all items, chapters and topics"),
-    })
-}
-
-/// Whether a word names the chapter or a topic of an item, or stands in its title or identity.
-fn is_meant(item: &Listing, word: &str) -> bool {
-    let word = word.to_lowercase();
-    item.id.chapter() == word
-        || item.topics.iter().any(|topic| topic.to_lowercase() == word)
-        || item.title.to_lowercase().contains(&word)
-        || !item.id.chapter().contains(&word) && item.id.as_str().contains(&word)
+    arguments.filter.named(wanted, &all, catalogue)
 }
 
 /// The first suitable instance for an exercise of a session.

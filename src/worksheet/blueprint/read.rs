@@ -12,7 +12,7 @@ use crate::diagnostic::{Finding, Severity};
 use crate::document::Document;
 use crate::message::Language;
 use crate::scene;
-use crate::source::{Data, Source, Span, Table, Text};
+use crate::source::{Data, Source, Span, Table, Text, Value};
 use crate::worksheet::manifest::Csv;
 use crate::worksheet::marks::Marks;
 use crate::worksheet::own::Own;
@@ -384,8 +384,9 @@ fn question(
     let choice = choice(&table, place, whole, faults);
     let set = table.table("set").map(settings).unwrap_or_default();
     let parts = table.texts("parts");
-    let points = table.number("points");
-    let part_points = table.table("part_points").map(numbers).unwrap_or_default();
+    let points = table.value("points");
+    let points = points.and_then(|value| points_of(&table, "points", value));
+    let part_points = table.table("part_points").map(part_points);
     let space = table.text("space").and_then(|text| faults.space(&text));
     let part_space = table.table("part_space");
     let part_space = part_space.map_or_else(Vec::new, |table| spaces(&table, faults));
@@ -398,7 +399,7 @@ fn question(
         choice: choice?,
         parts,
         points,
-        part_points,
+        part_points: part_points.unwrap_or_default(),
         space,
         part_space,
         set,
@@ -446,14 +447,20 @@ fn choice(
     }
 }
 
-fn numbers(table: Table<'_>) -> Vec<(Text, f64)> {
+fn part_points(table: Table<'_>) -> Vec<(Text, f64)> {
     let entries = table.entries().iter();
     entries
         .filter_map(|entry| {
-            let number = table.as_number(&entry.key, &entry.value)?;
-            Some((entry.name(), number))
+            let points = points_of(&table, &entry.key, &entry.value)?;
+            Some((entry.name(), points))
         })
         .collect()
+}
+
+/// Points that can be given: sums of them stay exact, and their shares show in print.
+fn points_of(table: &Table<'_>, key: &str, value: &Value) -> Option<f64> {
+    let expected = "a number of points from 0.001 to 1000000";
+    table.as_number_in(key, value, expected, 0.001..=1e6)
 }
 
 fn spaces(table: &Table<'_>, faults: &mut Faults<'_>) -> Vec<(Text, Space)> {

@@ -49,8 +49,6 @@ pub(crate) enum PlanError {
         wanted: usize,
         span: Span,
     },
-    #[error("points are a positive number")]
-    Points { span: Span },
     #[error("the points of parts belong to one `item`")]
     PartPoints { span: Span },
     #[error("the space of parts belongs to one `item`")]
@@ -100,7 +98,6 @@ impl Diagnose for PlanError {
         | Self::Value { span, .. }
         | Self::Word { span, .. }
         | Self::TooFew { span, .. }
-        | Self::Points { span }
         | Self::PartPoints { span }
         | Self::PartSpace { span }
         | Self::NotAsked { span, .. }
@@ -154,7 +151,7 @@ impl Diagnose for PlanError {
             Self::Language { bank, .. } => Some(format!(
                 "write `language = \"{bank}\"`, or remove the key; a bank in another language is given with `--bank`"
             )),
-            Self::Value { .. } | Self::Points { .. } => None,
+            Self::Value { .. } => None,
         }
     }
 }

@@ -369,6 +369,10 @@ fn files_that_are_no_form_or_manifest_are_refused() {
     small(&["grade", &no_manifest, &form])
         .ends(2)
         .complains("is not a manifest");
+    let listed = put(&exam.folder, "listed.json", "[]");
+    small(&["grade", &listed, &form])
+        .ends(2)
+        .complains("is not a manifest: it is not one JSON object");
     let newer = content(&manifest).replace("\"format\":1", "\"format\":99");
     let newer = put(&exam.folder, "newer.json", newer);
     small(&["grade", &newer, &form])

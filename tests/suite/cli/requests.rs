@@ -306,6 +306,12 @@ fn what_is_no_request_is_told_in_plain_words() {
     );
     let message = |at: usize| replies[at]["error"]["message"].as_str().unwrap_or_default();
     assert_eq!(message(0), "a request is one JSON object");
+    // Not a request whose `id` comes first.
+    let listed = answers("solve", &[json!(["ch2/e8-springs-parallel-series"])]);
+    assert_eq!(
+        listed[0]["error"]["message"],
+        "a request is one JSON object"
+    );
     assert_eq!(replies[1]["tag"], 7);
     assert!(
         message(2).contains("`answer`") && !message(2).contains("line"),

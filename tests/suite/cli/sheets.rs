@@ -632,7 +632,14 @@ fn points_of_parts_sum_up_to_those_of_their_question() {
     assert_eq!((whole, parts[1]), (parts.iter().sum::<f64>().into(), 1.3));
     for (keys, words) in [
         ("part_points = { f_m = 1 }", "did you mean `f_n`?"),
-        ("part_points = { f_n = 0 }", "a positive number"),
+        (
+            "part_points = { f_n = 0 }",
+            "`f_n` is `0`, expected a number of points from 0.001 to 1000000",
+        ),
+        (
+            "points = 1e300",
+            "`points` is `1e300`, expected a number of points",
+        ),
         (
             "parts = [\"omega_n\"]\npart_points = { f_n = 1 }",
             "is not asked",
