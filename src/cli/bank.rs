@@ -13,7 +13,7 @@ use vibank::worksheet::Blueprint;
 
 use super::index::{Index, Stamp};
 use super::report::Reporter;
-use super::{Failure, Outcome, file_kind, files};
+use super::{Failure, Outcome, counted, file_kind, files};
 
 /// The options that select the bank a command works on.
 #[derive(clap::Args, Default)]
@@ -191,7 +191,9 @@ pub(crate) fn errors(findings: &[Finding]) -> usize {
 /// Says in one line that a bank has errors, since they hide items.
 pub(crate) fn warn(errors: usize) {
     if errors > 0 {
-        eprintln!("warning: {errors} errors in the bank, `vibank check` shows them");
+        let stated = counted(errors, "error");
+        let shown = if errors == 1 { "it" } else { "them" };
+        eprintln!("warning: {stated} in the bank, `vibank check` shows {shown}");
     }
 }
 

@@ -61,7 +61,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         if let Some(failure) = arguments.filter.unknown(&all) {
             return Err(failure);
         }
-        eprintln!("no item fits all of this");
+        eprintln!(
+            "{}",
+            if all.is_empty() {
+                "the bank has no items"
+            } else {
+                "no item fits all of this"
+            }
+        );
     }
     Ok(Outcome::Done)
 }
