@@ -20,6 +20,7 @@ struct SheetView {
     code: String,
     name: String,
     student: String,
+    type_size: Option<u8>,
     total: String,
     questions: Vec<FeedbackQuestionView>,
 }
@@ -56,6 +57,7 @@ impl Pages {
             code: feedback.code.clone(),
             name: self.placed(self.run.name(&feedback.name, &feedback.student)),
             student: self.placed(self.run.plain_name(&feedback.student)),
+            type_size: feedback.type_size,
             total: self.total(feedback),
             questions: feedback
                 .questions
@@ -82,10 +84,11 @@ impl Pages {
 
     fn marked(&self, part: &PartFeedback) -> FeedbackPartView {
         let remark = |remark: &Comment| {
-            self.writer.texts(&[Shown {
+            let shown = Shown {
                 document: &remark.document,
                 fillings: remark.fillings.clone(),
-            }])
+            };
+            self.writer.texts(&[shown], self.run.voice())
         };
         FeedbackPartView {
             letter: part.letter.clone(),
@@ -99,10 +102,9 @@ impl Pages {
                 _ => self.reached(part.points, Rational::ZERO, part.max),
             },
             response: self.placed(&part.response),
-            reading: part
-                .reading
-                .as_ref()
-                .map_or_else(String::new, |reading| self.writer.math(reading)),
+            reading: part.reading.as_ref().map_or_else(String::new, |reading| {
+                self.writer.math(reading, self.run.voice())
+            }),
             remarks: part.remarks.iter().map(remark).collect(),
         }
     }

@@ -96,6 +96,7 @@ pub(crate) struct ReportWords {
     pub(crate) sheets: String,
     pub(crate) undecided: String,
     pub(crate) undecided_note: String,
+    pub(crate) unused: String,
     pub(crate) part: String,
     pub(crate) answer: String,
     pub(crate) why: String,

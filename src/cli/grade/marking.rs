@@ -7,7 +7,7 @@ use vibank::bank::Template;
 use vibank::grade::{Feedback, Grade, QuestionFeedback, Responses, Sheet};
 use vibank::message::Language;
 use vibank::numerics::Rational;
-use vibank::worksheet::{Marks, QuestionEntry, Scored, VariantEntry, Void};
+use vibank::worksheet::{Marks, QuestionEntry, Scored, Student, VariantEntry, Void};
 
 use super::answered::Answered;
 use super::decisions::{Corrected, Decisions};
@@ -77,6 +77,7 @@ impl Marker<'_> {
         let outcome = SheetOutcome {
             code: variant.code.clone(),
             student: variant.student.clone().unwrap_or_default(),
+            spare: variant.student.is_none(),
             parts,
             questions,
             total: Standing::of_total(&total),
@@ -85,6 +86,7 @@ impl Marker<'_> {
             code: outcome.code.clone(),
             name: outcome.column("name").to_owned(),
             student: outcome.column("id").to_owned(),
+            type_size: Student::read_type_size(outcome.column("large_print")).unwrap_or_default(),
             points: total.points,
             open: total.open,
             max: total.max,

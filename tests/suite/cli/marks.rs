@@ -126,6 +126,30 @@ const ONE: &str =
     "[[question]]\nitem = 'c/a'\npoints = 10\npart_points = { omega = 2, v = 5, way = 3 }\n";
 
 #[test]
+fn spare_sheets_that_nobody_used_are_in_no_statistics() {
+    let top = "spares = 2\n[marks]\npass = '50 %'\n";
+    let run = Run::new("marks-spares", top, ONE);
+    let rows = [
+        "12.57 rad/s,37.7 m/s,b",
+        "12.57 rad/s,37.7 m/s,b",
+        "12.57 rad/s,1 m/s,a",
+        ",,",
+        // Somebody who was not in the list got a spare sheet; the other one is left over.
+        "12.57 rad/s,37.7 m/s,b",
+    ];
+    run.grade("1a,1b,1c", &rows, &[])
+        .ends(0)
+        .says("5 sheets: ")
+        .says("1 spare sheet has no answer, and is in no statistics");
+    assert_eq!(run.column("points"), ["10", "10", "2", "0", "10", "0"]);
+    let groups = run.table("groups.csv");
+    let all = ["sheets", "mean", "passed", "failed"].map(|name| groups[0][name].as_str());
+    assert_eq!(all, ["5", "6.400", "3", "2"]);
+    let report = content(run.folder.join("marks/report.html"));
+    assert!(report.contains("Spare sheets without an answer, left out: 1"));
+}
+
+#[test]
 fn a_scale_makes_grades_and_what_is_open_leaves_them_open() {
     let top = "[marks]\nscale = { A = '90 %', B = '50 %', F = 0.0 }\n";
     let mixed = Run::new("marks-mixed", "", ONE);
