@@ -200,6 +200,14 @@ impl Language {
         }
     }
 
+    /// Whether a number takes the singular: in French all below two do.
+    pub fn is_singular(self, number: f64) -> bool {
+        match self {
+            Self::English => number == 1.0,
+            Self::French => number.abs() < 2.0,
+        }
+    }
+
     /// The words with which formulas are heard.
     ///
     /// ```

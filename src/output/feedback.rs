@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::layouts::OutputError;
 use super::pages::{Pages, Run};
+use super::words::filled;
 use crate::answer::Verdict;
 use crate::grade::{Comment, Feedback, PartFeedback, QuestionFeedback};
 use crate::numerics::Rational;
@@ -113,7 +114,11 @@ impl Pages {
     fn total(&self, feedback: &Feedback) -> String {
         let reached = self.reached(feedback.points, feedback.open, feedback.max);
         match &feedback.grade {
-            Some(grade) => format!("{reached}, grade {}", self.placed(grade)),
+            Some(grade) => {
+                let grade = self.placed(grade);
+                let values = [("reached", reached.as_str()), ("grade", grade.as_str())];
+                filled(&self.run.words.graded, &values)
+            }
             None => reached,
         }
     }

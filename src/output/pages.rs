@@ -250,7 +250,7 @@ impl Run {
 
     /// Points in words, `2.5 points`.
     pub fn points(&self, points: Rational) -> String {
-        let is_one = points == Rational::ONE;
+        let is_one = self.spoken().is_singular(points.to_f64());
         self.words.points(&self.number(points), is_one)
     }
 

@@ -39,6 +39,7 @@ pub(crate) struct Words {
     one_point: String,
     many_points: String,
     reached_of: String,
+    pub(crate) graded: String,
     pub(crate) accepted: String,
     pub(crate) in_the_solution: String,
     pub(crate) by_hand: String,

@@ -117,8 +117,16 @@ impl Marker<'_> {
         let now = self.corrected.get(&key).unwrap_or(template);
         let mut marked = self.marked(now, question, &answered)?;
         rescale(&mut marked, &answered);
+        let voided = |wanted: &dyn Fn(Void) -> bool| {
+            let parts = answered.iter();
+            let parts = parts.filter(|part| part.ruling.void.is_some_and(|(_, own)| wanted(own)));
+            let numbers = parts.flat_map(|part| part.ruling.numbers.iter().copied());
+            numbers.collect::<BTreeSet<usize>>()
+        };
+        let shared = voided(&|own| own == Void::Rescaled);
+        let void = voided(&|_| true);
         let all = marked.iter().flat_map(|part| &part.outcome.decisions);
-        let all: BTreeSet<usize> = all.copied().collect();
+        let carried: BTreeSet<usize> = all.copied().filter(|own| !void.contains(own)).collect();
         for (part, before) in marked.iter_mut().zip(&before) {
             let outcome = &mut part.outcome;
             let before = Standing::of(&before.outcome);
@@ -127,9 +135,12 @@ impl Marker<'_> {
                 continue;
             }
             outcome.before = Some(before);
-            // What no decision is about follows from one about another part.
+            // What no decision is about follows from one about another part: the points of one that is void, or a value
+            // that was carried on.
             if outcome.decisions.is_empty() {
-                outcome.decisions = all.iter().copied().collect();
+                let is_scaled = before.max != outcome.max;
+                let from = if is_scaled { &shared } else { &carried };
+                outcome.decisions = from.iter().copied().collect();
             }
         }
         Ok(marked)

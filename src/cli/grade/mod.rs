@@ -442,11 +442,11 @@ impl GradeJob<'_> {
             self.analysis.add(outcome);
             self.undecided.add(outcome);
             self.class.add(outcome);
+            if let Some(gradebook) = &mut self.gradebook {
+                gradebook.add(outcome);
+            }
         }
         self.log.add(outcome);
-        if let Some(gradebook) = &mut self.gradebook {
-            gradebook.add(outcome);
-        }
         if let Some(changes) = &mut self.changes {
             changes.add(outcome);
         }

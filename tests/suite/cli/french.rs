@@ -207,7 +207,7 @@ fn desk(name: &str) -> (Desk, String) {
     ] {
         put(&bank.join("ooo"), &format!("{name}.toml"), &item);
     }
-    let blueprint = "title = \"Ooo\"\nlanguage = \"fr\"\nseed = 1\nvariants = 2\nduration = \"90 min\"\nhints = true\nformats = [\"html\", \"md\"]\n[[question]]\nitem = \"ooo/ooo\"\n[[question]]\nitem = \"ooo/ooo\"\n";
+    let blueprint = "title = \"Ooo\"\nlanguage = \"fr\"\nseed = 1\nvariants = 2\nduration = \"90 min\"\nhints = true\nformats = [\"html\", \"md\"]\n[marks]\nscale = { A = \"50 %\", F = \"0 %\" }\n[[question]]\nitem = \"ooo/ooo\"\n[[question]]\nitem = \"ooo/ooo\"\n";
     put(&desk.folder, "t.toml", blueprint);
     let bank = text_of(&bank);
     (desk, bank)
@@ -242,7 +242,7 @@ fn english() -> BTreeSet<String> {
     ));
     // Of formulas that are heard, where a word stands in no other list.
     all.extend(split(
-        "equals over root square sub end fraction squared cubed to the power capital open close paren bracket times minus \
+        "grade passed failed equals over root square sub end fraction squared cubed to the power capital open close paren bracket times minus \
          dot cosine sine exponential derivative less greater least row per second metre metres radians",
     ));
     // Of LaTeX, and a word of both languages.

@@ -355,6 +355,25 @@ fn a_void_part_gives_its_points_to_all_to_the_others_or_to_nobody() {
 }
 
 #[test]
+fn points_of_a_void_part_are_changes_of_its_decision_alone() {
+    let run = Run::new("void-beside", "", ONE);
+    let decision = |part: &str, how: &str| {
+        format!("[[decision]]\nitem = 'c/a'\npart = '{part}'\nvoid = '{how}'\nwho = '{part}'\nwhy = 'B'\n")
+    };
+    run.decide(&(decision("omega", "full marks") + &decision("v", "rescaled")));
+    let rows = ["1 rad/s,1 m/s,b", ",,", ",,", ",,"];
+    run.grade("1a,1b,1c", &rows, &[]).ends(0);
+    let decided = run.table("decisions.csv");
+    let first = decided.iter().filter(|row| row["code"] == run.codes[0]);
+    let told: Vec<(&str, &str)> = first
+        .map(|row| (row["who"].as_str(), row["part"].as_str()))
+        .collect();
+    // All of `omega`, and twice the 3 points of the choice, which only the 5 of `v` make more.
+    assert_eq!(told, [("omega", "a"), ("v", "b"), ("v", "c")]);
+    assert_eq!(run.column("points")[0], "10");
+}
+
+#[test]
 fn a_decision_that_cannot_be_carried_out_is_refused_with_its_place() {
     let run = Run::new("decisions-wrong", "", ONE);
     let refused = |text: &str, words: &[&str]| {
