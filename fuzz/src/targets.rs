@@ -12,7 +12,7 @@ use vibank::diagnostic::Finding;
 use vibank::document::{Document, Filling, read_math};
 use vibank::grade::{Grade, mark};
 use vibank::instance::Instance;
-use vibank::math::Display;
+use vibank::math::{Display, Voice};
 use vibank::scene::{Data, Scene};
 use vibank::seed::Seed;
 use vibank::solution::Solution;
@@ -145,9 +145,9 @@ fn shown(solution: &Solution<'_>, item: &Template) {
 
 /// A document in all formats.
 fn written(document: &Document, fillings: &Vec<Filling>) {
-    let _ = document.html(fillings);
+    let _ = document.html(fillings, Voice::ENGLISH);
     let _ = document.latex(fillings);
-    let _ = document.typst(fillings);
+    let _ = document.typst(fillings, Voice::ENGLISH);
     let _ = document.markdown(fillings);
     let _ = document.plain(fillings);
 }
@@ -165,8 +165,8 @@ fn prose(text: &str) -> u64 {
     }
     written(&reading.document, &Vec::new());
     if let Ok(math) = read_math(text) {
-        let _ = (math.mathml(Display::Block), math.latex(), math.typst(Display::Block));
-        let _ = (math.plain(), math.spoken());
+        let _ = (math.mathml(Display::Block, Voice::ENGLISH), math.latex(), math.typst(Display::Block, Voice::ENGLISH));
+        let _ = (math.plain(), math.spoken(Voice::ENGLISH));
     }
     saw(&reading.errors.iter().map(ToString::to_string).collect::<Vec<_>>())
 }

@@ -93,7 +93,7 @@ impl Diagnose for AnswerError {
                 "write `modulo = \"360 deg\"` and `within = \"(-180 deg, 180 deg]\"`".to_owned()
             }
             Self::Rubric(_) => {
-                "write `rubric = [{ points = 2, text = \"…\" }]`, whose points sum up to those of the part".to_owned()
+                "write `rubric = [{ points = 2, text = \"…\" }]`, and `points` of the part as the sum of its rows".to_owned()
             }
             Self::NoUnit => "name a quantity that has a unit, or add `unit`".to_owned(),
             _ => return None,

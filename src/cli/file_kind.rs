@@ -147,18 +147,43 @@ pub(crate) fn not_of_authors(path: &Path, text: &str) -> Option<Failure> {
     Some(failure.help("give files of items, chapters and blueprints, which end with `.toml`"))
 }
 
+/// A failure where a file of another kind, or the folder of a run, stands in the place of an item.
+pub(crate) fn not_an_item(wanted: &str) -> Option<Failure> {
+    let path = of_run(PathBuf::from(wanted));
+    let shown = path.display();
+    let kind = FileKind::of_file(&path)?;
+    let failure = Failure::new(format!("`{shown}` is {}, not an item", kind.words()));
+    Some(failure.help(match kind {
+        FileKind::Manifest => {
+            format!("`vibank show CODE --manifest {shown}` shows the sheet of a code")
+        }
+        FileKind::Blueprint => format!(
+            "`vibank show CODE --blueprint {shown}` shows the sheet of a code, `vibank preview {shown}` all of them"
+        ),
+        FileKind::Archive => {
+            format!("`vibank show --learner ID {shown}` shows what a learner has in a package")
+        }
+        FileKind::Answers | FileKind::Table | FileKind::Page => {
+            "`vibank list` shows all items".to_owned()
+        }
+    }))
+}
+
+/// The manifest in the folder of a run; any other path as it is.
+fn of_run(path: PathBuf) -> PathBuf {
+    let within = path.join("manifest.json");
+    // Of a folder that may not be looked into, the reader says so.
+    let is_missing = matches!(within.try_exists(), Ok(false));
+    if path.is_dir() && !is_missing {
+        within
+    } else {
+        path
+    }
+}
+
 /// Reads the path of a manifest from the command line: of the folder of a run the manifest in it.
 pub(crate) fn manifest() -> impl TypedValueParser<Value = PathBuf> {
-    PathBufValueParser::new().map(|path| {
-        let within = path.join("manifest.json");
-        // Of a folder that may not be looked into, the reader says so.
-        let is_missing = matches!(within.try_exists(), Ok(false));
-        if path.is_dir() && !is_missing {
-            within
-        } else {
-            path
-        }
-    })
+    PathBufValueParser::new().map(of_run)
 }
 
 #[cfg(test)]

@@ -115,16 +115,25 @@ impl ReadPackage<'_> {
         }
     }
 
-    /// The question of an item with the data of a variant.
-    pub(crate) fn question(
+    /// The question that asks a part of an item, with the data of a variant.
+    pub(crate) fn asking(
         &self,
         item: &str,
+        part: &str,
         code: Variant,
     ) -> Result<Option<QuestionEntry>, Failure> {
-        let mut asked = self.practice.questions.iter();
-        let Some(place) = asked.position(|question| question.item.as_str() == item) else {
-            return Ok(None);
+        let asks = |place: &usize| {
+            let (template, _) = &self.questions[*place];
+            let question = &self.practice.questions[*place];
+            let part = template.parts.iter().find(|own| own.id == part);
+            question.item.as_str() == item && part.is_some_and(|part| question.asks(part))
         };
+        let place = (0..self.questions.len()).find(asks);
+        place.map(|place| self.question(place, code)).transpose()
+    }
+
+    /// The question at a place, from 0, with the data of a variant.
+    pub(crate) fn question(&self, place: usize, code: Variant) -> Result<QuestionEntry, Failure> {
         let question = &self.practice.questions[place];
         let (template, worths) = &self.questions[place];
         let set: Vec<(&str, &str)> = question
@@ -132,7 +141,11 @@ impl ReadPackage<'_> {
             .iter()
             .map(|(name, value)| (name.as_str(), value.as_str()))
             .collect();
-        let instance = Instance::of(template, Some(code.item(item, None)), &set);
+        let instance = Instance::of(
+            template,
+            Some(code.item(question.item.as_str(), None)),
+            &set,
+        );
         let instance = instance.map_err(|error| Failure::new(error.to_string()))?;
         let solution = Solution::of(instance);
         let asks = |place: &usize| solution.asks(*place) && question.asks(&template.parts[*place]);
@@ -145,7 +158,7 @@ impl ReadPackage<'_> {
             points.unwrap_or(Rational::ONE)
         };
         let points = parts.iter().map(points).collect();
-        Ok(Some(record::question(&SheetQuestion {
+        Ok(record::question(&SheetQuestion {
             number: place + 1,
             place,
             solution,
@@ -154,7 +167,7 @@ impl ReadPackage<'_> {
             points,
             bonus: false,
             section: String::new(),
-        })))
+        }))
     }
 
     /// The variant of a learner's question.

@@ -85,6 +85,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
                 Failure::new(format!("there is something wrong with the item `{wanted}`"));
             return Err(failure.help(format!("`vibank check {wanted}` shows what it is")));
         }
+        if let Some(failure) = file_kind::not_an_item(wanted) {
+            return Err(failure);
+        }
         let failure = Failure::new(format!("there is no item `{wanted}`"));
         let is_code = arguments.item.parse::<Variant>().is_ok();
         return Err(match catalogue.nearest(wanted) {

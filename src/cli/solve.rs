@@ -6,7 +6,7 @@ use vibank::solution::request::{self, SolveRequest, Solved};
 use vibank::solution::{Entry, Nested, Session};
 
 use super::bank::BankArgument;
-use super::{Failure, Outcome, lines};
+use super::{Failure, Outcome, file_kind, lines};
 
 /// Solve an item for given data, or requests of a script.
 ///
@@ -66,7 +66,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     match &reply.outcome {
         request::SolveOutcome::Refused { error } if !arguments.json => {
-            return Err(Failure::new(error.message.as_str()));
+            let is_unknown = error.code == "unknown-item";
+            let other = Some(&reply.id).filter(|_| is_unknown);
+            let other = other.and_then(|id| file_kind::not_an_item(id));
+            return Err(other.unwrap_or_else(|| Failure::new(error.message.as_str())));
         }
         request::SolveOutcome::Refused { .. } => return Ok(Outcome::Findings),
         request::SolveOutcome::Solved(solved) if !arguments.json => print(&reply.id, solved),

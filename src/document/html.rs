@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 use super::fill::InMath;
 use super::{Alignment, Block, Document, Fill, Fills, Inline, Step};
-use crate::math::{Display, Empty, Holes, Math, escape};
+use crate::math::{Display, Empty, Holes, Math, Voice, escape};
 
 /// How formulas stand in HTML.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -14,14 +14,19 @@ pub enum Formulas {
     /// As MathML, which browsers typeset.
     #[default]
     MathMl,
+    /// As MathML that says about how wide it is, `--w`, so that a style sheet can keep it within its page.
+    Measured,
     /// As TeX between `\(` and `\)`, or `\[` and `\]`, which MathJax and filters of platforms typeset.
     Tex,
 }
 
+/// Em that any page has room for.
+const NARROW: f64 = 6.0;
+
 impl Formulas {
-    /// Appends a formula.
-    pub fn write(self, out: &mut String, math: &Math, display: Display) {
-        self.write_with(out, math, display, &Empty);
+    /// Appends a formula, which is heard in a voice.
+    pub fn write(self, out: &mut String, math: &Math, display: Display, voice: &'static Voice) {
+        self.write_with(out, math, display, &Empty, voice);
     }
 
     /// Whether it is TeX, which the core without texts does not write.
@@ -29,9 +34,26 @@ impl Formulas {
         cfg!(feature = "render") && self == Self::Tex
     }
 
-    fn write_with(self, out: &mut String, math: &Math, display: Display, holes: &dyn Holes) {
+    /// An attribute with the width of what may be too wide for a page in large print.
+    fn measure(self, width: impl Fn() -> f64) -> Option<String> {
+        let width = Some(width).filter(|_| self == Self::Measured)?();
+        (width > NARROW).then(|| format!(" style=\"--w:{width:.0}\""))
+    }
+
+    fn write_with(
+        self,
+        out: &mut String,
+        math: &Math,
+        display: Display,
+        holes: &dyn Holes,
+        voice: &'static Voice,
+    ) {
         if !self.is_tex() {
-            math.write_mathml(out, display, holes);
+            let from = out.len();
+            math.write_mathml(out, display, holes, voice);
+            if let Some(measure) = self.measure(|| math.width(holes)) {
+                out.insert_str(from + "<math".len(), &measure);
+            }
             return;
         }
         let [open, close] = match display {
@@ -47,40 +69,59 @@ impl Formulas {
 }
 
 impl Document {
-    /// As an HTML fragment.
-    pub fn html(&self, fills: &dyn Fills) -> String {
+    /// As an HTML fragment, whose formulas are heard in a voice.
+    pub fn html(&self, fills: &dyn Fills, voice: &'static Voice) -> String {
         let mut out = String::new();
-        self.write_html(&mut out, fills);
+        self.write_html(&mut out, fills, voice);
         out
     }
 
     /// Appends an HTML fragment.
-    pub fn write_html(&self, out: &mut String, fills: &dyn Fills) {
-        self.write_html_with(out, fills, Formulas::MathMl);
+    pub fn write_html(&self, out: &mut String, fills: &dyn Fills, voice: &'static Voice) {
+        self.write_html_with(out, fills, Formulas::MathMl, voice);
     }
 
     /// Appends an HTML fragment with its formulas as they are wanted.
-    pub(crate) fn write_html_with(&self, out: &mut String, fills: &dyn Fills, formulas: Formulas) {
+    pub(crate) fn write_html_with(
+        &self,
+        out: &mut String,
+        fills: &dyn Fills,
+        formulas: Formulas,
+        voice: &'static Voice,
+    ) {
         let mut writer = HtmlWriter {
             out,
             fills,
             formulas,
+            voice,
         };
         writer.blocks(&self.blocks);
     }
 
     /// Appends the words of its first paragraph without an element around them, for a heading or
     /// a cell; a text of any other shape is written whole.
-    pub(crate) fn write_html_line(&self, out: &mut String, fills: &dyn Fills) {
-        self.write_html_line_with(out, fills, Formulas::MathMl);
+    pub(crate) fn write_html_line(
+        &self,
+        out: &mut String,
+        fills: &dyn Fills,
+        voice: &'static Voice,
+    ) {
+        self.write_html_line_with(out, fills, Formulas::MathMl, voice);
     }
 
     /// As `write_html_line`, with its formulas as they are wanted.
-    pub fn write_html_line_with(&self, out: &mut String, fills: &dyn Fills, formulas: Formulas) {
+    pub fn write_html_line_with(
+        &self,
+        out: &mut String,
+        fills: &dyn Fills,
+        formulas: Formulas,
+        voice: &'static Voice,
+    ) {
         let mut writer = HtmlWriter {
             out,
             fills,
             formulas,
+            voice,
         };
         match self.blocks.as_slice() {
             [Block::Paragraph(content)] => writer.inlines(content),
@@ -93,6 +134,7 @@ struct HtmlWriter<'a> {
     out: &'a mut String,
     fills: &'a dyn Fills,
     formulas: Formulas,
+    voice: &'static Voice,
 }
 
 impl HtmlWriter<'_> {
@@ -275,9 +317,16 @@ impl HtmlWriter<'_> {
                 self.math(&step.aligned(), Display::Block);
                 continue;
             }
-            self.out.push_str("<div class=\"steps\">");
+            let width = |side: usize| {
+                let lines = step.lines.iter();
+                let widths = lines.map(|line| line[side].width(&InMath(self.fills)));
+                widths.fold(0.0, f64::max)
+            };
+            let measure = self.formulas.measure(|| width(0) + width(1));
+            let measure = measure.unwrap_or_default();
+            let _ = write!(self.out, "<div class=\"steps\"{measure}>");
             for [left, right] in &step.lines {
-                Math::write_mathml_line(self.out, left, right, &InMath(self.fills));
+                Math::write_mathml_line(self.out, left, right, &InMath(self.fills), self.voice);
             }
             self.out.push_str("</div>");
         }
@@ -285,7 +334,8 @@ impl HtmlWriter<'_> {
 
     fn math(&mut self, math: &Math, display: Display) {
         let holes = InMath(self.fills);
-        self.formulas.write_with(self.out, math, display, &holes);
+        self.formulas
+            .write_with(self.out, math, display, &holes, self.voice);
     }
 
     fn hole(&mut self, hole: u32) {

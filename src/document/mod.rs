@@ -167,9 +167,10 @@ impl Document {
     /// A sentence of our own; what stands between back-ticks is code.
     ///
     /// ```
-    /// use vibank::document::Document;
+    /// use vibank::{document::Document, math::Voice};
+    ///
     /// let sentence = Document::sentence("Write `5 m`, not `5 <b>`.");
-    /// assert_eq!(sentence.html(&Vec::new()).trim(), "<p>Write <code>5 m</code>, not <code>5 &lt;b&gt;</code>.</p>");
+    /// assert_eq!(sentence.html(&Vec::new(), Voice::ENGLISH).trim(), "<p>Write <code>5 m</code>, not <code>5 &lt;b&gt;</code>.</p>");
     /// assert_eq!(sentence.plain(&Vec::new()), "Write 5 m, not 5 <b>.");
     /// ```
     pub fn sentence(words: &str) -> Self {

@@ -5,25 +5,26 @@
 
 use super::fill::InMath;
 use super::{Alignment, Block, Document, Fill, Fills, Inline, Step};
-use crate::math::{Display, Math, quote};
+use crate::math::{Display, Math, Voice, quote};
 
 impl Document {
-    /// As Typst markup.
-    pub fn typst(&self, fills: &dyn Fills) -> String {
+    /// As Typst markup, whose formulas are heard in a voice.
+    pub fn typst(&self, fills: &dyn Fills, voice: &'static Voice) -> String {
         let mut out = String::new();
-        self.write_typst(&mut out, fills);
+        self.write_typst(&mut out, fills, voice);
         out
     }
 
     /// Appends Typst markup, its blocks parted by empty lines.
-    pub fn write_typst(&self, out: &mut String, fills: &dyn Fills) {
-        TypstWriter { out, fills }.blocks(&self.blocks);
+    pub fn write_typst(&self, out: &mut String, fills: &dyn Fills, voice: &'static Voice) {
+        TypstWriter { out, fills, voice }.blocks(&self.blocks);
     }
 }
 
 struct TypstWriter<'a> {
     out: &'a mut String,
     fills: &'a dyn Fills,
+    voice: &'static Voice,
 }
 
 impl TypstWriter<'_> {
@@ -159,7 +160,7 @@ impl TypstWriter<'_> {
     }
 
     fn math(&mut self, math: &Math, display: Display) {
-        math.write_typst(self.out, display, &InMath(self.fills));
+        math.write_typst(self.out, display, &InMath(self.fills), self.voice);
     }
 
     fn steps(&mut self, steps: &[Step]) {

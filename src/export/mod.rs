@@ -69,8 +69,8 @@ pub trait Export {
     /// Begins the variants of a question, of which a student gets one: its path below the title.
     fn category(&mut self, path: &[&str]);
 
-    /// Adds a question of a sheet to the category.
-    fn add(&mut self, sheet: &Sheet<'_>, question: &SheetQuestion<'_>);
+    /// Adds a question of a sheet to the category, under its number in the whole export.
+    fn add(&mut self, sheet: &Sheet<'_>, question: &SheetQuestion<'_>, number: usize);
 
     /// What was written so far.
     fn tally(&self) -> &Tally;

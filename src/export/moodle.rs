@@ -46,8 +46,8 @@ impl Export for Moodle {
         self.path = format!("{}{}", step(&self.wish.title), steps.collect::<String>());
     }
 
-    fn add(&mut self, sheet: &Sheet<'_>, question: &SheetQuestion<'_>) {
-        let words = Words::of(sheet, question, &self.wish, FILES);
+    fn add(&mut self, sheet: &Sheet<'_>, question: &SheetQuestion<'_>, number: usize) {
+        let words = Words::of(sheet, question, number, &self.wish, FILES);
         let sorted = Sorted::of(&words.scene, question, &mut self.tally.unfit);
         match single(&words, &sorted).filter(|_| self.wish.has_units) {
             Some((asked, bands, unit)) => self.numerical(&words, asked, bands, &unit),

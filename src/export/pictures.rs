@@ -1,7 +1,7 @@
 //! Figures as files of their own, beside the text that shows them.
 
 use crate::document::{Filling, Formulas};
-use crate::math::escape;
+use crate::math::{Voice, escape};
 use crate::scene::Shown;
 
 /// The figures of one question.
@@ -50,7 +50,13 @@ impl Pictures {
     }
 
     /// Texts as HTML, one after the other, their figures shown as files.
-    pub(crate) fn html(&mut self, folder: &str, formulas: Formulas, shown: &[Shown<'_>]) -> String {
+    pub(crate) fn html(
+        &mut self,
+        folder: &str,
+        formulas: Formulas,
+        voice: &'static Voice,
+        shown: &[Shown<'_>],
+    ) -> String {
         let mut out = String::new();
         for piece in shown {
             let fillings: Vec<Filling> = piece
@@ -64,7 +70,7 @@ impl Pictures {
                 .collect();
             piece
                 .document
-                .write_html_with(&mut out, &fillings, formulas);
+                .write_html_with(&mut out, &fillings, formulas, voice);
         }
         out
     }

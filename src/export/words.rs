@@ -19,6 +19,8 @@ pub(crate) struct Words<'s, 'c> {
     pub(crate) scene: Scene<'s, 'c>,
     /// The code of its variant.
     code: String,
+    /// Its number in the export, which tells apart questions of one item.
+    number: usize,
     /// How often the item stands on the sheet up to this question.
     time: usize,
     formulas: Formulas,
@@ -32,6 +34,7 @@ impl<'s, 'c> Words<'s, 'c> {
     pub(crate) fn of(
         sheet: &Sheet<'_>,
         question: &'s SheetQuestion<'c>,
+        number: usize,
         wish: &Wish,
         folder: &'static str,
     ) -> Self {
@@ -45,6 +48,7 @@ impl<'s, 'c> Words<'s, 'c> {
             .filter(|own| own.solution.template().id == *item)
             .count();
         Self {
+            number,
             time,
             scene: Scene::of(&question.solution, wish.data)
                 .spoken(wish.spoken())
@@ -57,10 +61,10 @@ impl<'s, 'c> Words<'s, 'c> {
         }
     }
 
-    /// Where a question comes from: item, code, and the letter of the part of each of its boxes.
+    /// Where a question comes from: item, code, number, and the letter of the part of each of its boxes.
     pub(crate) fn origin(&self, letters: &str) -> String {
         let item = self.scene.solution().template().id.as_str();
-        format!("{item} {} {letters}", self.code)
+        format!("{item} {} {} {letters}", self.code, self.number)
     }
 
     /// A name of the question with its data that standards for identifiers allow.
@@ -79,13 +83,14 @@ impl<'s, 'c> Words<'s, 'c> {
     }
 
     fn html(&self, pictures: &mut Pictures, shown: &[Shown<'_>]) -> String {
-        pictures.html(self.folder, self.formulas, shown)
+        pictures.html(self.folder, self.formulas, self.language.voice(), shown)
     }
 
     /// A formula within a line.
     pub(crate) fn math(&self, math: &Math) -> String {
         let mut out = String::new();
-        self.formulas.write(&mut out, math, Display::Inline);
+        let voice = self.language.voice();
+        self.formulas.write(&mut out, math, Display::Inline, voice);
         out
     }
 
@@ -93,7 +98,9 @@ impl<'s, 'c> Words<'s, 'c> {
     fn line(&self, document: &Document) -> String {
         let mut out = String::new();
         if !document.is_empty() {
-            document.write_html_line_with(&mut out, &Vec::<Filling>::new(), self.formulas);
+            let voice = self.language.voice();
+            let none = Vec::<Filling>::new();
+            document.write_html_line_with(&mut out, &none, self.formulas, voice);
         }
         out
     }
@@ -255,9 +262,8 @@ impl<'s, 'c> Words<'s, 'c> {
             let points = (points.to_f64() * 100.0).round() / 100.0;
             let mark = self.scene.solution().mark().char();
             let points = points.to_string().replace('.', &mark.to_string());
-            let _ = write!(out, "<tr><td>{points}</td><td>");
-            row.text.write_html_line(&mut out, &Vec::new());
-            out.push_str("</td></tr>");
+            let words = self.line(&row.text);
+            let _ = write!(out, "<tr><td>{points}</td><td>{words}</td></tr>");
         }
         out.push_str("</table>");
         out

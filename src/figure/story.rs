@@ -6,7 +6,7 @@ use super::element::Role;
 use super::part::Part;
 use super::schematic::Item;
 use super::{Path, Point};
-use crate::math::Math;
+use crate::math::{Math, Voice};
 
 /// What a picture shows.
 #[derive(Clone, Debug, PartialEq)]
@@ -232,7 +232,8 @@ impl Thing {
 
     /// What it is, with its letter.
     pub(crate) fn words(&self) -> String {
-        let label = self.label.as_ref().map(Math::spoken).unwrap_or_default();
+        let label = self.label.as_ref();
+        let label = label.map_or_else(String::new, |label| label.spoken(Voice::ENGLISH));
         format!("{} {label}", self.noun).trim_end().to_owned()
     }
 }

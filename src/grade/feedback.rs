@@ -28,6 +28,8 @@ pub struct Feedback {
     pub name: String,
     /// Identity; may be empty.
     pub student: String,
+    /// The size of type in points, where it is not the usual one.
+    pub type_size: Option<u8>,
     /// Points reached.
     pub points: Rational,
     /// Points that nobody has decided yet.

@@ -12,7 +12,7 @@ use crate::answer::{Blank, Remark, Verdict};
 use crate::document::{Document, Inline};
 use crate::expr::Notation;
 use crate::figure::story::{Caption, Speaker, Story};
-use crate::math::Math;
+use crate::math::{Math, Voice};
 use crate::mechanics::Reason;
 
 /// A language in which responses are spoken about.
@@ -197,6 +197,31 @@ impl Language {
                 math.reword(&fr::derivation::word);
                 Cow::Owned(math)
             }
+        }
+    }
+
+    /// Whether a number takes the singular: in French all below two do.
+    pub fn is_singular(self, number: f64) -> bool {
+        match self {
+            Self::English => number == 1.0,
+            Self::French => number.abs() < 2.0,
+        }
+    }
+
+    /// The words with which formulas are heard.
+    ///
+    /// ```
+    /// use vibank::math::{Math, symbol};
+    /// use vibank::message::Language;
+    ///
+    /// let root = Math::root(symbol("Omega_n"));
+    /// let heard = root.spoken(Language::French.voice());
+    /// assert_eq!(heard, "racine carrée de oméga majuscule indice n fin de racine");
+    /// ```
+    pub fn voice(self) -> &'static Voice {
+        match self {
+            Self::English => Voice::ENGLISH,
+            Self::French => &fr::voice::VOICE,
         }
     }
 

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::layouts::OutputError;
 use super::pages::{Pages, Run};
+use super::words::filled;
 use crate::answer::Verdict;
 use crate::grade::{Comment, Feedback, PartFeedback, QuestionFeedback};
 use crate::numerics::Rational;
@@ -20,6 +21,7 @@ struct SheetView {
     code: String,
     name: String,
     student: String,
+    type_size: Option<u8>,
     total: String,
     questions: Vec<FeedbackQuestionView>,
 }
@@ -56,6 +58,7 @@ impl Pages {
             code: feedback.code.clone(),
             name: self.placed(self.run.name(&feedback.name, &feedback.student)),
             student: self.placed(self.run.plain_name(&feedback.student)),
+            type_size: feedback.type_size,
             total: self.total(feedback),
             questions: feedback
                 .questions
@@ -82,10 +85,11 @@ impl Pages {
 
     fn marked(&self, part: &PartFeedback) -> FeedbackPartView {
         let remark = |remark: &Comment| {
-            self.writer.texts(&[Shown {
+            let shown = Shown {
                 document: &remark.document,
                 fillings: remark.fillings.clone(),
-            }])
+            };
+            self.writer.texts(&[shown], self.run.voice())
         };
         FeedbackPartView {
             letter: part.letter.clone(),
@@ -99,10 +103,9 @@ impl Pages {
                 _ => self.reached(part.points, Rational::ZERO, part.max),
             },
             response: self.placed(&part.response),
-            reading: part
-                .reading
-                .as_ref()
-                .map_or_else(String::new, |reading| self.writer.math(reading)),
+            reading: part.reading.as_ref().map_or_else(String::new, |reading| {
+                self.writer.math(reading, self.run.voice())
+            }),
             remarks: part.remarks.iter().map(remark).collect(),
         }
     }
@@ -111,7 +114,11 @@ impl Pages {
     fn total(&self, feedback: &Feedback) -> String {
         let reached = self.reached(feedback.points, feedback.open, feedback.max);
         match &feedback.grade {
-            Some(grade) => format!("{reached}, grade {}", self.placed(grade)),
+            Some(grade) => {
+                let grade = self.placed(grade);
+                let values = [("reached", reached.as_str()), ("grade", grade.as_str())];
+                filled(&self.run.words.graded, &values)
+            }
             None => reached,
         }
     }

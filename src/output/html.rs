@@ -4,8 +4,8 @@
 
 use super::Writer;
 use super::layouts::style;
-use crate::document::{Document, Filling};
-use crate::math::{Display, MATHML_STYLE, Math, escape};
+use crate::document::{Document, Filling, Formulas};
+use crate::math::{Display, MATHML_STYLE, Math, Voice, escape};
 use crate::scene::Shown;
 
 /// The format.
@@ -38,29 +38,37 @@ impl Writer for Html {
     }
 
     /// A long sum may go on in the next line, which browsers do not do by themselves.
-    fn math(&self, math: &Math) -> String {
+    fn math(&self, math: &Math, voice: &'static Voice) -> String {
+        let written = |math: &Math| {
+            let mut out = String::new();
+            Formulas::Measured.write(&mut out, math, Display::Inline, voice);
+            out
+        };
         if math.plain().chars().count() < LONG {
-            return math.mathml(Display::Inline);
+            return written(math);
         }
-        let terms = math.terms();
-        let terms = terms.iter().map(|term| term.mathml(Display::Inline));
-        terms.collect::<Vec<_>>().join("<wbr>")
+        let terms: Vec<String> = math.terms().iter().map(written).collect();
+        terms.join("<wbr>")
     }
 
-    fn texts(&self, shown: &[Shown<'_>]) -> String {
+    fn texts(&self, shown: &[Shown<'_>], voice: &'static Voice) -> String {
         let mut out = String::new();
         for piece in shown {
-            piece.document.write_html(&mut out, &piece.fillings);
+            let formulas = Formulas::Measured;
+            piece
+                .document
+                .write_html_with(&mut out, &piece.fillings, formulas, voice);
         }
         out
     }
 
-    fn line(&self, document: &Document) -> String {
+    fn line(&self, document: &Document, voice: &'static Voice) -> String {
         let mut out = String::new();
+        let (none, formulas) = (Vec::<Filling>::new(), Formulas::Measured);
         if super::is_line(document) {
-            document.write_html_line(&mut out, &Vec::<Filling>::new());
+            document.write_html_line_with(&mut out, &none, formulas, voice);
         } else {
-            document.write_html(&mut out, &Vec::<Filling>::new());
+            document.write_html_with(&mut out, &none, formulas, voice);
         }
         out
     }

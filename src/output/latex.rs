@@ -4,7 +4,7 @@
 
 use super::Writer;
 use crate::document::{Document, Filling, latex_words, picture_name};
-use crate::math::Math;
+use crate::math::{Math, Voice};
 use crate::scene::Shown;
 
 /// The format.
@@ -37,18 +37,18 @@ impl Writer for Latex {
         out
     }
 
-    fn math(&self, math: &Math) -> String {
+    fn math(&self, math: &Math, _: &'static Voice) -> String {
         format!("${}$", math.latex())
     }
 
-    fn texts(&self, shown: &[Shown<'_>]) -> String {
+    fn texts(&self, shown: &[Shown<'_>], _: &'static Voice) -> String {
         let pieces = shown
             .iter()
             .map(|piece| piece.document.latex(&piece.fillings));
         pieces.collect::<Vec<_>>().join("\n\n")
     }
 
-    fn line(&self, document: &Document) -> String {
+    fn line(&self, document: &Document, _: &'static Voice) -> String {
         document.latex(&Vec::<Filling>::new())
     }
 

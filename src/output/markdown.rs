@@ -2,7 +2,7 @@
 
 use super::Writer;
 use crate::document::{Document, Filling};
-use crate::math::Math;
+use crate::math::{Math, Voice};
 use crate::scene::Shown;
 
 /// The format.
@@ -32,11 +32,11 @@ impl Writer for Markdown {
         out
     }
 
-    fn math(&self, math: &Math) -> String {
+    fn math(&self, math: &Math, _: &'static Voice) -> String {
         format!("${}$", math.latex())
     }
 
-    fn texts(&self, shown: &[Shown<'_>]) -> String {
+    fn texts(&self, shown: &[Shown<'_>], _: &'static Voice) -> String {
         let pieces = shown.iter().map(|piece| {
             piece
                 .document
@@ -47,7 +47,7 @@ impl Writer for Markdown {
         pieces.collect::<Vec<_>>().join("\n\n")
     }
 
-    fn line(&self, document: &Document) -> String {
+    fn line(&self, document: &Document, _: &'static Voice) -> String {
         document
             .markdown(&Vec::<Filling>::new())
             .trim_end()

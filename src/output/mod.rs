@@ -39,7 +39,7 @@ pub use scorm::{DESCRIPTION, Scorm, scorm};
 pub use textbook::TextbookError;
 
 use crate::document::{Block, Document};
-use crate::math::Math;
+use crate::math::{Math, Voice};
 use crate::scene::Shown;
 
 /// Writes words that a layout places so that they mean themselves.
@@ -76,14 +76,14 @@ pub trait Writer: Sync {
     /// Some words that are not markup.
     fn words(&self, words: &str) -> String;
 
-    /// A formula in the line.
-    fn math(&self, math: &Math) -> String;
+    /// A formula in the line, heard in a voice where the notation can say it.
+    fn math(&self, math: &Math, voice: &'static Voice) -> String;
 
     /// Texts, one after the other.
-    fn texts(&self, shown: &[Shown<'_>]) -> String;
+    fn texts(&self, shown: &[Shown<'_>], voice: &'static Voice) -> String;
 
     /// A text of one paragraph, without the marks of a paragraph.
-    fn line(&self, document: &Document) -> String;
+    fn line(&self, document: &Document, voice: &'static Voice) -> String;
 
     /// A figure, given as SVG, beside a text.
     fn figure(&self, svg: &str) -> String {

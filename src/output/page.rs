@@ -58,7 +58,10 @@ fn page(
     };
     let words: serde_json::Value =
         serde_json::from_str(texts).map_err(|error| fail(error.to_string()))?;
-    let instructions = practice.instructions.html(&Vec::<Filling>::new());
+    let instructions = practice.instructions.html(
+        &Vec::<Filling>::new(),
+        Language::of(&practice.language).unwrap_or_default().voice(),
+    );
     let style = [
         crate::math::MATHML_STYLE,
         "\n",

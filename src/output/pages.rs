@@ -12,7 +12,7 @@ use super::view::{SheetView, View};
 use super::words::Words;
 use crate::bank::Chapter;
 use crate::document::{Block, Document, Inline};
-use crate::math::quote;
+use crate::math::{Voice, quote};
 use crate::message::Language;
 use crate::numerics::Rational;
 use crate::scene::{Data, Scene, Shown};
@@ -154,7 +154,7 @@ impl Run {
             instructions: if is_empty {
                 String::new()
             } else {
-                writer.line(instructions)
+                writer.line(instructions, spoken(&blueprint.language.value).voice())
             },
             formulas: String::new(),
             answer_space: match blueprint.answer_space {
@@ -240,7 +240,8 @@ impl Run {
                     document,
                     fillings: Vec::new(),
                 };
-                self.formulas.push_str(&writer.texts(&[shown]));
+                let texts = writer.texts(&[shown], self.voice());
+                self.formulas.push_str(&texts);
                 self.formulas.push_str("\n\n");
             }
         }
@@ -249,7 +250,7 @@ impl Run {
 
     /// Points in words, `2.5 points`.
     pub fn points(&self, points: Rational) -> String {
-        let is_one = points == Rational::ONE;
+        let is_one = self.spoken().is_singular(points.to_f64());
         self.words.points(&self.number(points), is_one)
     }
 
@@ -261,6 +262,11 @@ impl Run {
     /// The language in which responses are spoken about.
     pub(crate) fn spoken(&self) -> Language {
         spoken(&self.language)
+    }
+
+    /// The words with which formulas are heard.
+    pub(crate) fn voice(&self) -> &'static Voice {
+        self.spoken().voice()
     }
 
     /// Decimals with the sign of the run.
@@ -520,7 +526,10 @@ impl Pages {
             let headings = headings(template, &question.parts);
             for (heading, place) in headings.iter().zip(&question.parts) {
                 let (cell, width) = match scene.key(*place) {
-                    Ok(Some(key)) => (self.writer.math(&key), key.plain().chars().count()),
+                    Ok(Some(key)) => (
+                        self.writer.math(&key, self.run.voice()),
+                        key.plain().chars().count(),
+                    ),
                     Ok(None) => phrase(&words.in_the_solution),
                     Err(_) if is_by_hand(*place) => phrase(&words.by_hand),
                     Err(_) => (self.writer.words("–"), 1),

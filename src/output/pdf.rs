@@ -5,7 +5,7 @@
 
 use super::Writer;
 use crate::document::{Document, Filling, write_picture};
-use crate::math::{Display, Math, TYPST_PRELUDE, quote};
+use crate::math::{Display, Math, TYPST_PRELUDE, Voice, quote};
 use crate::scene::Shown;
 
 /// The format.
@@ -50,19 +50,19 @@ impl Writer for Pdf {
         out
     }
 
-    fn math(&self, math: &Math) -> String {
-        math.typst(Display::Inline)
+    fn math(&self, math: &Math, voice: &'static Voice) -> String {
+        math.typst(Display::Inline, voice)
     }
 
-    fn texts(&self, shown: &[Shown<'_>]) -> String {
+    fn texts(&self, shown: &[Shown<'_>], voice: &'static Voice) -> String {
         let pieces = shown
             .iter()
-            .map(|piece| piece.document.typst(&piece.fillings));
+            .map(|piece| piece.document.typst(&piece.fillings, voice));
         pieces.collect::<Vec<_>>().join("\n\n")
     }
 
-    fn line(&self, document: &Document) -> String {
-        document.typst(&Vec::<Filling>::new())
+    fn line(&self, document: &Document, voice: &'static Voice) -> String {
+        document.typst(&Vec::<Filling>::new(), voice)
     }
 
     fn figure(&self, svg: &str) -> String {

@@ -18,6 +18,8 @@ pub struct Analysed<'a> {
     pub lost: &'a [Lost],
     /// How many responses could not be read.
     pub unreadable: u64,
+    /// How many spare sheets nobody has used, which the statistics leave out.
+    pub unused: usize,
     /// Rows that were left out, each with its line.
     pub faults: &'a [String],
     /// The marks of the sheets, where there is more to say of them than points.
@@ -139,6 +141,7 @@ impl<'a> LostView<'a> {
 struct ReportPage<'a> {
     run: &'a Run,
     sheets: usize,
+    unused: String,
     lost: Vec<LostView<'a>>,
     unreadable: u64,
     undecided: String,
@@ -212,6 +215,10 @@ impl Pages {
         let page = ReportPage {
             run: &self.run,
             sheets: summary.sheets,
+            unused: match analysed.unused {
+                0 => String::new(),
+                count => filled(&words.unused, &[("count", &count.to_string())]),
+            },
             lost: analysed.lost.iter().map(LostView::of).collect(),
             unreadable: analysed.unreadable,
             undecided: filled(

@@ -113,7 +113,9 @@ impl Pages {
                 },
                 ChapterPiece::Picture { item, plot, words } => {
                     let template = known(catalogue, line, item)?;
-                    let id = self.writer.line(&Document::sentence(&format!("`{item}`")));
+                    let id = self
+                        .writer
+                        .line(&Document::sentence(&format!("`{item}`")), self.run.voice());
                     PieceView {
                         picture: self.picture(line, template, plot)?,
                         text: format!("{} ({id})", self.line(line, words)?),
@@ -140,7 +142,7 @@ impl Pages {
             document: &document,
             fillings: Vec::<Filling>::new(),
         };
-        Ok(self.writer.texts(&[shown]))
+        Ok(self.writer.texts(&[shown], self.run.voice()))
     }
 
     /// Words on one line, or a heading without its rank, written.
@@ -151,7 +153,9 @@ impl Pages {
                 *block = Block::Paragraph(std::mem::take(content));
             }
         }
-        Ok(self.writer.line(&Document::of(blocks, Vec::new())))
+        Ok(self
+            .writer
+            .line(&Document::of(blocks, Vec::new()), self.run.voice()))
     }
 
     fn picture(

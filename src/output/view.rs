@@ -277,7 +277,7 @@ impl<'p> View<'p> {
                 }
             }
         }
-        self.writer.texts(&shown)
+        self.writer.texts(&shown, self.run.voice())
     }
 
     /// Notes a figure that becomes a file of its own.
@@ -393,7 +393,7 @@ impl<'p> View<'p> {
         if caption.is_empty() {
             String::new()
         } else {
-            self.writer.line(caption)
+            self.writer.line(caption, self.run.voice())
         }
     }
 
@@ -425,13 +425,15 @@ impl<'p> View<'p> {
                 let blank = part.blank();
                 view.unit = blank
                     .unit_behind()
-                    .map(|unit| self.writer.math(&unit.math()))
+                    .map(|unit| self.writer.math(&unit.math(), self.run.voice()))
                     .unwrap_or_default();
-                view.asked = self.writer.line(&self.run.spoken().blank(blank));
+                view.asked = self
+                    .writer
+                    .line(&self.run.spoken().blank(blank), self.run.voice());
             }
             PageKind::Key | PageKind::Solutions => match scene.key(place) {
                 Ok(Some(key)) => {
-                    view.key = self.writer.math(&key);
+                    view.key = self.writer.math(&key, self.run.voice());
                     view.accepted = self.accepted(solution, place);
                 }
                 Ok(None) if self.kind == PageKind::Solutions => {}
@@ -453,7 +455,7 @@ impl<'p> View<'p> {
         let rows = rows.iter().zip(shares);
         rows.map(|(row, points)| RowView {
             points: self.run.number(points),
-            text: self.writer.line(&row.text),
+            text: self.writer.line(&row.text, self.run.voice()),
         })
         .collect()
     }
@@ -467,14 +469,19 @@ impl<'p> View<'p> {
         let range = key.and_then(|key| key.accepted.as_ref());
         range.map_or_else(String::new, |range| {
             let range = self.run.spoken().formula(range);
-            format!("{} {}", self.run.words.accepted, self.writer.math(&range))
+            format!(
+                "{} {}",
+                self.run.words.accepted,
+                self.writer.math(&range, self.run.voice())
+            )
         })
     }
 
     /// The symbol of the quantity that is asked, and an equals sign.
     fn lead(&self, scene: &Scene<'_, '_>, place: usize) -> String {
         let math = scene.lead(place);
-        math.map(|math| self.writer.math(&math)).unwrap_or_default()
+        math.map(|math| self.writer.math(&math, self.run.voice()))
+            .unwrap_or_default()
     }
 
     fn options(&self, scene: &Scene<'_, '_>, place: usize) -> Vec<OptionView> {
@@ -498,7 +505,7 @@ impl<'p> View<'p> {
             let option = &options[at];
             OptionView {
                 letter: letter(position),
-                text: self.writer.line(&option.text),
+                text: self.writer.line(&option.text, self.run.voice()),
                 right: right.contains(&option.id),
             }
         };

@@ -30,6 +30,7 @@ use std::rc::Rc;
 
 use crate::bank::{Compiled, Template};
 use crate::instance::Instance;
+use crate::math::Voice;
 use crate::message::Language;
 use crate::scene::Scene;
 use crate::seed::{Seed, Variant};
@@ -123,6 +124,11 @@ impl Grader {
     /// The language of what is said about answers.
     pub(crate) fn language(&self) -> Language {
         Language::of(&self.practice.language).unwrap_or_default()
+    }
+
+    /// The words with which formulas are heard.
+    pub(crate) fn voice(&self) -> &'static Voice {
+        self.language().voice()
     }
 
     /// A question and its item.

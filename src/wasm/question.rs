@@ -7,7 +7,7 @@ use crate::bank::{Part, Template};
 use crate::document::Document;
 use crate::expr::Shape;
 use crate::figure::Picture;
-use crate::math::Display;
+use crate::math::{Display, Voice};
 use crate::scene::Shown;
 use crate::solution::Solution;
 use crate::worksheet::{PracticeQuestion, letter};
@@ -21,20 +21,20 @@ pub(crate) fn asked(question: &PracticeQuestion, solution: &Solution<'_>) -> Vec
 }
 
 /// Texts, one after the other.
-pub(crate) fn html(shown: &[Shown<'_>]) -> String {
+pub(crate) fn html(shown: &[Shown<'_>], voice: &'static Voice) -> String {
     let mut out = String::new();
     for piece in shown {
-        piece.document.write_html(&mut out, &piece.fillings);
+        piece.document.write_html(&mut out, &piece.fillings, voice);
     }
     out
 }
 
 /// A figure with what is written under it.
-pub(crate) fn figure(picture: &Picture, caption: &Document) -> String {
+pub(crate) fn figure(picture: &Picture, caption: &Document, voice: &'static Voice) -> String {
     let mut out = format!("<figure>{}", picture.svg);
     if !caption.is_empty() {
         out.push_str("<figcaption>");
-        caption.write_html_line(&mut out, &Vec::new());
+        caption.write_html_line(&mut out, &Vec::new(), voice);
         out.push_str("</figcaption>");
     }
     out.push_str("</figure>\n");
@@ -50,14 +50,19 @@ pub(crate) struct ShownOption {
 }
 
 /// The options of a choice in the order in which they are shown.
-pub(crate) fn options(solution: &Solution<'_>, place: usize) -> Vec<ShownOption> {
+pub(crate) fn options(
+    solution: &Solution<'_>,
+    place: usize,
+    voice: &'static Voice,
+) -> Vec<ShownOption> {
     let options = solution.template().parts[place].answer.options();
     if options.is_empty() {
         return Vec::new();
     }
     let option = |(at, place): (usize, usize)| {
         let mut text = String::new();
-        options[place].text.write_html_line(&mut text, &Vec::new());
+        let own = &options[place].text;
+        own.write_html_line(&mut text, &Vec::new(), voice);
         ShownOption {
             id: options[place].id.clone(),
             letter: letter(at),
@@ -80,16 +85,16 @@ pub(crate) struct Insertion {
 }
 
 /// The letters that an answer may use, and the unit of its numbers.
-pub(crate) fn insertions(blank: &Blank) -> Vec<Insertion> {
+pub(crate) fn insertions(blank: &Blank, voice: &'static Voice) -> Vec<Insertion> {
     let letters = blank.letters.iter().map(|letter| Insertion {
         typed: letter.typed.clone(),
-        symbol: letter.symbol.mathml(Display::Inline),
-        name: letter.symbol.spoken(),
+        symbol: letter.symbol.mathml(Display::Inline, voice),
+        name: letter.symbol.spoken(voice),
     });
     let unit = blank.unit.iter().map(|unit| Insertion {
         typed: format!(" {unit}"),
-        symbol: unit.math().mathml(Display::Inline),
-        name: unit.spoken(true),
+        symbol: unit.math().mathml(Display::Inline, voice),
+        name: unit.spoken(true, voice),
     });
     letters.chain(unit).collect()
 }

@@ -302,7 +302,10 @@ impl AskedInstance<'_> {
     }
 
     fn texts(&self, passage: &'static Passage) -> String {
-        html(&self.grader.scene(&self.solution).passage(passage))
+        html(
+            &self.grader.scene(&self.solution).passage(passage),
+            self.grader.voice(),
+        )
     }
 
     fn show(&self) -> Reply {
@@ -323,7 +326,9 @@ impl AskedInstance<'_> {
             return String::new();
         }
         let picture = self.grader.scene(&self.solution).picture();
-        picture.map_or_else(String::new, |picture| figure(&picture, &template.caption))
+        picture.map_or_else(String::new, |picture| {
+            figure(&picture, &template.caption, self.grader.voice())
+        })
     }
 
     fn part(&self, heading: &Heading<'static>, place: usize) -> ShownPart {
@@ -331,6 +336,7 @@ impl AskedInstance<'_> {
         let scene = self.grader.scene(&self.solution);
         let blank = part.answer.blank();
         let unit = blank.unit_behind();
+        let voice = self.grader.voice();
         let said = self.grader.language().blank(&blank);
         let (rows, columns) = shape(part, self.template()).unzip();
         ShownPart {
@@ -343,13 +349,15 @@ impl AskedInstance<'_> {
             }),
             kind: part.answer.kind().name(),
             ask: self.texts(&part.ask),
-            lead: scene.lead(place).map(|math| math.mathml(Display::Inline)),
-            unit: unit.map(|unit| unit.math().mathml(Display::Inline)),
-            asked: said.html(&Vec::new()),
-            insertions: insertions(&blank),
+            lead: scene
+                .lead(place)
+                .map(|math| math.mathml(Display::Inline, voice)),
+            unit: unit.map(|unit| unit.math().mathml(Display::Inline, voice)),
+            asked: said.html(&Vec::new(), voice),
+            insertions: insertions(&blank, voice),
             hints: part.hints.len(),
             choosing: part.answer.choosing().map(Choosing::name),
-            options: options(&self.solution, place),
+            options: options(&self.solution, place, voice),
             rows,
             columns,
         }
@@ -359,8 +367,13 @@ impl AskedInstance<'_> {
         let place = self.place(id)?;
         Ok(match grade::echo(&self.solution, place, response) {
             Ok(echo) => Reply::Read {
-                reading: echo.reading.math.mathml(Display::Inline),
-                other: echo.other.map(|other| other.mathml(Display::Inline)),
+                reading: echo
+                    .reading
+                    .math
+                    .mathml(Display::Inline, self.grader.voice()),
+                other: echo
+                    .other
+                    .map(|other| other.mathml(Display::Inline, self.grader.voice())),
             },
             Err(why) => Reply::Unread {
                 problem: self.feedback(place, &Marking::unreadable(why)),
@@ -389,7 +402,8 @@ impl AskedInstance<'_> {
         Ok(Reply::Marked {
             verdict: marking.verdict,
             credit: marking.credit,
-            reading: reading.map(|reading| reading.math.mathml(Display::Inline)),
+            reading: reading
+                .map(|reading| reading.math.mathml(Display::Inline, self.grader.voice())),
             si: reading.map(|reading| reading.answered.si()),
             reasons: marking.reasons().iter().map(Reason::code).collect(),
             feedback: self.feedback(place, marking),
@@ -398,7 +412,8 @@ impl AskedInstance<'_> {
 
     fn feedback(&self, place: usize, marking: &Marking) -> String {
         let remarks = grade::remarks(&self.solution, place, marking, self.grader.language());
-        let html = |remark: &grade::Comment| remark.document.html(&remark.fillings);
+        let html =
+            |remark: &grade::Comment| remark.document.html(&remark.fillings, self.grader.voice());
         remarks.iter().map(html).collect()
     }
 
@@ -434,7 +449,7 @@ impl AskedInstance<'_> {
             moves: moves.is_some_and(|figure| figure.moves()),
             key: key.map_or_else(String::new, |key| {
                 let math = self.grader.language().formula(&key.math);
-                math.mathml(Display::Inline)
+                math.mathml(Display::Inline, self.grader.voice())
             }),
             right,
             html: part
@@ -467,7 +482,7 @@ impl AskedInstance<'_> {
             symbols: moving
                 .symbols
                 .iter()
-                .map(|symbol| symbol.mathml(Display::Inline))
+                .map(|symbol| symbol.mathml(Display::Inline, self.grader.voice()))
                 .collect(),
             shares: shares
                 .map(|own| own.into_iter().map(short).collect())
@@ -475,7 +490,13 @@ impl AskedInstance<'_> {
             turns: moving
                 .turns
                 .into_iter()
-                .map(|(time, place, value)| (time, place, value.mathml(Display::Inline)))
+                .map(|(time, place, value)| {
+                    (
+                        time,
+                        place,
+                        value.mathml(Display::Inline, self.grader.voice()),
+                    )
+                })
                 .collect(),
         })))
     }

@@ -124,7 +124,8 @@ for (const version of ["1.2", "2004"]) {
     const { share } = await frame.evaluate(() => globalThis.page.course.result());
     assert.ok(share > 0);
     await solve("c").click();
-    assert.notEqual((await part(frame, "c").locator(".solution").textContent()).trim(), "");
+    // The grader answers when it has time.
+    await part(frame, "c").locator(".solution").filter({ hasText: /\S/ }).waitFor();
     await answer(frame, "d", keys.d);
     assert.equal((await frame.evaluate(() => globalThis.page.course.result())).share, share, "nothing is added");
     await leave(sitting);

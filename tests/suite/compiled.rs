@@ -6,6 +6,7 @@ use crate::BANK;
 use vibank::bank::{Compiled, Template};
 use vibank::grade;
 use vibank::instance::Instance;
+use vibank::math::Voice;
 use vibank::scene::{Data, Scene};
 use vibank::seed::{Seed, Variant};
 use vibank::solution::Solution;
@@ -20,7 +21,9 @@ fn shown(template: &Template, seed: Seed) -> String {
     let mut out = solution.instance().identity();
     let show = |out: &mut String, passage| {
         for piece in scene.passage(passage) {
-            piece.document.write_html(out, &piece.fillings);
+            piece
+                .document
+                .write_html(out, &piece.fillings, Voice::ENGLISH);
         }
     };
     show(&mut out, &template.statement);
@@ -33,7 +36,9 @@ fn shown(template: &Template, seed: Seed) -> String {
             .iter()
             .for_each(|mistake| show(&mut out, &mistake.feedback));
         for option in part.answer.options() {
-            option.text.write_html(&mut out, &Vec::new());
+            option
+                .text
+                .write_html(&mut out, &Vec::new(), Voice::ENGLISH);
         }
         let key = solution.marker(place).map(|marker| marker.key());
         // `Debug` of a number is the shortest text that reads back to the same bits.

@@ -190,7 +190,7 @@ fn each_question(variants: u64, mut call: impl FnMut(&Sheet<'_>, &SheetQuestion<
 fn exported(sheet: &Sheet<'_>, question: &SheetQuestion<'_>, wish: Wish) -> String {
     let mut moodle = Box::new(Moodle::new(wish));
     moodle.category(&["c", "a/b"]);
-    moodle.add(sheet, question);
+    moodle.add(sheet, question, question.number);
     String::from_utf8(moodle.finish().expect("a file")).expect("text")
 }
 
@@ -385,6 +385,7 @@ fn each_blank_names_its_part_and_what_it_says_is_read_back() {
             let origin = name.rsplit_once('[').expect("an origin").1;
             let mut words = origin.trim_end_matches(']').split(' ').skip(1);
             assert_eq!(words.next(), Some(sheet.variant.to_string().as_str()));
+            assert_eq!(words.next(), Some("1"));
             let text = body(question);
             assert_eq!(words.count(), blanks(text).len(), "{origin}");
             assert!(text.contains(origin.trim_end_matches(']')));
@@ -416,7 +417,7 @@ fn essays_are_not_drawn_in_place_of_boxes() {
     }));
     each_question(2, |sheet, question| {
         export.category(&[question.solution.template().id.as_str()]);
-        export.add(sheet, question);
+        export.add(sheet, question, question.number);
     });
     let xml = String::from_utf8(export.finish().unwrap()).unwrap();
     let (mut path, mut kinds) = (String::new(), std::collections::BTreeMap::new());
@@ -558,7 +559,7 @@ fn numbers_are_marked_by_players_of_qti_as_by_the_grader() {
     let mut compared = 0;
     each_question(1, |sheet, question| {
         let mut qti = Box::new(Qti::new(Wish::default(), Version::V21));
-        qti.add(sheet, question);
+        qti.add(sheet, question, question.number);
         let files = unpacked(qti.finish().expect("a package"));
         let Some((_, item)) = files.iter().find(|(name, _)| name.ends_with("/item.xml")) else {
             return;
@@ -630,7 +631,7 @@ fn packages_are_whole_in_each_version() {
             if is_new {
                 package.category(&["c", &item]);
             }
-            package.add(sheet, question);
+            package.add(sheet, question, question.number);
         }
         last = item;
     });
@@ -712,7 +713,7 @@ fn canvas_gets_numbers_that_its_rounding_leaves() {
     let mut compared = 0;
     each_question(1, |sheet, question| {
         let mut canvas = Box::new(Canvas::new(Wish::default()));
-        canvas.add(sheet, question);
+        canvas.add(sheet, question, question.number);
         let files = unpacked(canvas.finish().expect("a package"));
         let text = &files["assessment/assessment.xml"];
         // What no question shows is not in the package.

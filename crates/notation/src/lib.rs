@@ -8,7 +8,7 @@
 //! # Examples
 //!
 //! ```
-//! use vibank_notation::{Math, symbol};
+//! use vibank_notation::{Math, Voice, symbol};
 //!
 //! let law = Math::row([
 //!     symbol("omega_n"),
@@ -17,7 +17,7 @@
 //! ]);
 //! assert_eq!(law.latex(), r"\omega_n = \sqrt{\frac{k}{m}}");
 //! assert_eq!(law.plain(), "ωₙ = √(k/m)");
-//! assert_eq!(law.spoken(), "omega sub n equals the square root of k over m end root");
+//! assert_eq!(law.spoken(Voice::ENGLISH), "omega sub n equals the square root of k over m end root");
 //! ```
 
 mod alphabet;
@@ -35,6 +35,8 @@ mod spoken;
 mod symbol;
 mod terms;
 mod typst;
+mod voice;
+mod width;
 
 pub(crate) use atom::Atom;
 pub use mathml::escape;
@@ -45,6 +47,7 @@ pub use sign::{GREEK, SIGNS, Sign, greek_name};
 pub use symbol::symbol;
 pub use typst::PRELUDE as TYPST_PRELUDE;
 pub use typst::quote;
+pub use voice::Voice;
 
 use serde::Serialize;
 

@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 use super::alphabet::styled;
 use super::script::Bearer;
-use super::{Accent, Atom, Class, Empty, Holes, Math, Size, Style, TableKind};
+use super::{Accent, Atom, Class, Empty, Holes, Math, Size, Style, TableKind, Voice};
 
 /// Whether a formula stands in a line or on its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,22 +42,28 @@ math .aligned mtd:nth-child(odd):not(:first-child){padding-left:2em}\
 
 impl Math {
     /// As a `math` element.
-    pub fn mathml(&self, display: Display) -> String {
+    pub fn mathml(&self, display: Display, voice: &'static Voice) -> String {
         let mut out = String::new();
-        self.write_mathml(&mut out, display, &Empty);
+        self.write_mathml(&mut out, display, &Empty, voice);
         out
     }
 
     /// Appends a line of a derivation, `left` and a relation with what follows, as one `math` element whose two halves
     /// the style sheet aligns with those of the lines around it.
-    pub fn write_mathml_line(out: &mut String, left: &Math, right: &Math, holes: &dyn Holes) {
+    pub fn write_mathml_line(
+        out: &mut String,
+        left: &Math,
+        right: &Math,
+        holes: &dyn Holes,
+        voice: &'static Voice,
+    ) {
         out.push_str("<math display=\"block\" alttext=\"");
         let words = out.len();
-        left.write_spoken(out, holes);
+        left.write_spoken(out, holes, voice);
         if out.len() > words {
             out.push(' ');
         }
-        right.write_spoken(out, holes);
+        right.write_spoken(out, holes, voice);
         escape_from(out, words);
         out.push_str("\">");
         let mut writer = MathmlWriter {
@@ -75,14 +81,20 @@ impl Math {
     }
 
     /// Appends a `math` element with its words as `alttext`.
-    pub fn write_mathml(&self, out: &mut String, display: Display, holes: &dyn Holes) {
+    pub fn write_mathml(
+        &self,
+        out: &mut String,
+        display: Display,
+        holes: &dyn Holes,
+        voice: &'static Voice,
+    ) {
         out.push_str("<math");
         if display == Display::Block {
             out.push_str(" display=\"block\"");
         }
         out.push_str(" alttext=\"");
         let words = out.len();
-        self.write_spoken(out, holes);
+        self.write_spoken(out, holes, voice);
         escape_from(out, words);
         out.push_str("\">");
         let mut writer = MathmlWriter {

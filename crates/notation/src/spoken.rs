@@ -2,45 +2,53 @@
 
 use super::script::Bearer;
 use super::sign::greek_name;
-use super::{Accent, Class, Empty, Holes, Math, Sign, Style, TableKind};
+use super::{Accent, Class, Empty, Holes, Math, Sign, Style, TableKind, Voice};
 use vibank_source::is_capital;
 
 impl Math {
     /// As words: `omega sub n equals the square root of k over m end root`.
-    pub fn spoken(&self) -> String {
+    pub fn spoken(&self, voice: &'static Voice) -> String {
         let mut out = String::new();
-        self.write_spoken(&mut out, &Empty);
+        self.write_spoken(&mut out, &Empty, voice);
         out
     }
 
     /// Appends the words.
-    pub fn write_spoken(&self, out: &mut String, holes: &dyn Holes) {
+    pub fn write_spoken(&self, out: &mut String, holes: &dyn Holes, voice: &'static Voice) {
         let start = out.len();
-        SpokenWriter { out, holes, start }.math(self);
+        let mut writer = SpokenWriter {
+            out,
+            holes,
+            voice,
+            start,
+        };
+        writer.math(self);
     }
 }
 
 struct SpokenWriter<'a> {
     out: &'a mut String,
     holes: &'a dyn Holes,
+    voice: &'static Voice,
     /// Where this formula begins.
     start: usize,
 }
 
 impl SpokenWriter<'_> {
     fn math(&mut self, math: &Math) {
+        let voice = self.voice;
         match math {
             Math::Row(pieces) => pieces.iter().for_each(|piece| self.math(piece)),
             Math::Identifier { text, style } => self.identifier(text, *style),
             Math::Number(digits) => match digits.strip_prefix(['-', '−']) {
                 Some(digits) => {
-                    self.say("minus");
+                    self.say(voice.minus);
                     self.say(digits);
                 }
                 None => self.say(digits),
             },
             Math::Operator { text, class } => self.operator(text, *class),
-            Math::Function(name) => self.say(function_words(name)),
+            Math::Function(name) => self.say((voice.function)(name).unwrap_or(name)),
             Math::Text(words) => self.say(words.trim()),
             Math::Space(_) => {}
             Math::Fraction {
@@ -51,15 +59,11 @@ impl SpokenWriter<'_> {
             } => self.fraction(numerator, denominator, *bar),
             Math::Root { radicand, degree } => {
                 match degree {
-                    None => self.say("the square root of"),
-                    Some(degree) => {
-                        self.say("the root of degree");
-                        self.math(degree);
-                        self.say("of");
-                    }
+                    None => self.say(voice.root[0]),
+                    Some(degree) => self.around(voice.degree, degree),
                 }
                 self.math(radicand);
-                self.say("end root");
+                self.say(voice.root[1]);
             }
             Math::Script { base, sub, sup } => self.script(base, sub.as_deref(), sup.as_deref()),
             Math::Stack { base, under, over } => {
@@ -67,22 +71,24 @@ impl SpokenWriter<'_> {
             }
             Math::Accent { base, accent } => {
                 self.math(base);
-                self.say(match accent {
-                    Accent::Dot => "dot",
-                    Accent::DoubleDot => "double dot",
-                    Accent::TripleDot => "triple dot",
-                    Accent::Hat => "hat",
-                    Accent::Tilde => "tilde",
-                    Accent::Bar => "bar",
-                    Accent::Vector => "vector",
-                });
+                self.say(
+                    voice.accents[match accent {
+                        Accent::Dot => 0,
+                        Accent::DoubleDot => 1,
+                        Accent::TripleDot => 2,
+                        Accent::Hat => 3,
+                        Accent::Tilde => 4,
+                        Accent::Bar => 5,
+                        Accent::Vector => 6,
+                    }],
+                );
             }
             Math::Fence {
                 open, close, body, ..
             } => self.fence(open, close, body),
             Math::Table { rows, kind } => self.table(rows, *kind),
             Math::Hole(hole) => match self.holes.filling(*hole) {
-                Some(Math::Hole(_)) | None => self.say("blank"),
+                Some(Math::Hole(_)) | None => self.say(voice.blank),
                 Some(filling) => {
                     let holes = std::mem::replace(&mut self.holes, &Empty);
                     self.math(filling);
@@ -102,49 +108,63 @@ impl SpokenWriter<'_> {
         self.out.push_str(words);
     }
 
+    /// Something between two words.
+    fn around(&mut self, words: [&str; 2], math: &Math) {
+        self.say(words[0]);
+        self.math(math);
+        self.say(words[1]);
+    }
+
     fn identifier(&mut self, text: &str, style: Style) {
-        match style {
-            Style::Bold | Style::BoldItalic => self.say("bold"),
-            Style::Script => self.say("script"),
-            Style::Double => self.say("double-struck"),
-            Style::Default | Style::Upright => {}
-        }
+        let style = match style {
+            Style::Bold | Style::BoldItalic => self.voice.bold,
+            Style::Script => self.voice.script,
+            Style::Double => self.voice.double,
+            Style::Default | Style::Upright => ["", ""],
+        };
+        self.say(style[0]);
         let mut chars = text.chars();
-        if let (Some(letter), None) = (chars.next(), chars.next()) {
-            return self.letter(letter);
+        match (chars.next(), chars.next()) {
+            (Some(letter), None) => self.letter(letter),
+            _ => self.say(text),
         }
-        self.say(text);
+        self.say(style[1]);
     }
 
     fn letter(&mut self, letter: char) {
-        if is_capital(letter) {
-            self.say("capital");
-        }
+        let capital = if is_capital(letter) {
+            self.voice.capital
+        } else {
+            ["", ""]
+        };
+        self.say(capital[0]);
         match greek_name(letter) {
             Some(name) => {
-                let name = name.strip_prefix("var").unwrap_or(name);
+                let name = (self.voice.letter)(name.strip_prefix("var").unwrap_or(name));
                 let start = self.out.len();
                 self.say(name);
                 let capital = start + usize::from(start > self.start);
                 self.out[capital..].make_ascii_lowercase();
             }
-            None => match Sign::of(letter) {
-                Some(sign) => self.say(sign.words),
-                None => self.say(letter.encode_utf8(&mut [0; 4])),
-            },
+            None => self.sign(letter),
+        }
+        self.say(capital[1]);
+    }
+
+    /// A sign by its name; one that has none as it is.
+    fn sign(&mut self, char: char) {
+        match Sign::of(char) {
+            Some(sign) => self.say((self.voice.sign)(sign.words)),
+            None => self.say(char.encode_utf8(&mut [0; 4])),
         }
     }
 
     fn operator(&mut self, text: &str, class: Class) {
         for char in text.chars() {
-            let char = if char == '-' { '−' } else { char };
-            match Sign::of(char) {
-                Some(sign) => self.say(sign.words),
-                None => self.say(char.encode_utf8(&mut [0; 4])),
-            }
+            self.sign(if char == '-' { '−' } else { char });
         }
         if class == Class::Large {
-            self.say("of");
+            self.say(self.voice.of);
         }
     }
 
@@ -158,17 +178,21 @@ impl SpokenWriter<'_> {
     }
 
     fn fraction(&mut self, numerator: &Math, denominator: &Math, bar: bool) {
-        let over = if bar { "over" } else { "above" };
+        let over = if bar {
+            self.voice.over
+        } else {
+            self.voice.above
+        };
         if self.is_short(numerator) && self.is_short(denominator) {
             self.math(numerator);
             self.say(over);
             return self.math(denominator);
         }
-        self.say("the fraction");
+        self.say(self.voice.fraction[0]);
         self.math(numerator);
         self.say(over);
         self.math(denominator);
-        self.say("end fraction");
+        self.say(self.voice.fraction[1]);
     }
 
     fn script(&mut self, base: &Math, sub: Option<&Math>, sup: Option<&Math>) {
@@ -183,10 +207,10 @@ impl SpokenWriter<'_> {
         }
         self.math(bearer.base);
         if let Some(sub) = bearer.sub {
-            self.say("sub");
+            self.say(self.voice.sub[0]);
             self.math(sub);
             if !self.is_short(sub) {
-                self.say("end sub");
+                self.say(self.voice.sub[1]);
             }
         }
         if let Some(sup) = bearer.sup {
@@ -195,17 +219,18 @@ impl SpokenWriter<'_> {
     }
 
     fn power(&mut self, sup: &Math) {
+        let voice = self.voice;
         match sup.filled(self.holes) {
-            Math::Number(digits) if digits == "2" => self.say("squared"),
-            Math::Number(digits) if digits == "3" => self.say("cubed"),
-            Math::Operator { text, .. } if text == "′" => self.say("prime"),
-            Math::Operator { text, .. } if text == "∘" => self.say("degrees"),
-            Math::Operator { text, .. } if text == "∗" => self.say("star"),
+            Math::Number(digits) if digits == "2" => self.say(voice.squared),
+            Math::Number(digits) if digits == "3" => self.say(voice.cubed),
+            Math::Operator { text, .. } if text == "′" => self.say(voice.prime),
+            Math::Operator { text, .. } if text == "∘" => self.say(voice.degrees),
+            Math::Operator { text, .. } if text == "∗" => self.say(voice.star),
             _ => {
-                self.say("to the power");
+                self.say(voice.power[0]);
                 self.math(sup);
                 if !self.is_short(sup) {
-                    self.say("end power");
+                    self.say(voice.power[1]);
                 }
             }
         }
@@ -214,15 +239,17 @@ impl SpokenWriter<'_> {
     /// A sum or integral with its bounds.
     fn bounds(&mut self, sign: &str, from: Option<&Math>, to: Option<&Math>) {
         for char in sign.chars() {
-            self.say(Sign::of(char).map_or("the operator", |sign| sign.words));
+            let name = Sign::of(char).map(|sign| (self.voice.sign)(sign.words));
+            self.say(name.unwrap_or(self.voice.operator));
         }
-        for (word, bound) in [("from", from), ("to", to)] {
+        let [first, last] = self.voice.bounds;
+        for (word, bound) in [(first, from), (last, to)] {
             if let Some(bound) = bound {
                 self.say(word);
                 self.math(bound);
             }
         }
-        self.say("of");
+        self.say(self.voice.of);
     }
 
     fn stack(&mut self, base: &Math, under: Option<&Math>, over: Option<&Math>) {
@@ -235,16 +262,11 @@ impl SpokenWriter<'_> {
             return self.bounds(text, under, over);
         }
         self.math(base);
-        for (word, mark) in [("with", under), ("under", over)] {
+        let voice = self.voice;
+        for (words, mark) in [(voice.with, under), ([voice.under, ""], over)] {
             match mark {
-                Some(mark) if is_brace(mark) => self.say("in a brace"),
-                Some(mark) => {
-                    self.say(word);
-                    self.math(mark);
-                    if word == "with" {
-                        self.say("below");
-                    }
-                }
+                Some(mark) if is_brace(mark) => self.say(voice.brace),
+                Some(mark) => self.around(words, mark),
                 None => {}
             }
         }
@@ -253,14 +275,12 @@ impl SpokenWriter<'_> {
     fn fence(&mut self, open: &str, close: &str, body: &Math) {
         if let Math::Table { .. } = body {
             if (open, close) == ("|", "|") {
-                self.say("the determinant of");
+                self.say(self.voice.determinant);
             }
             return self.math(body);
         }
         if (open, close) == ("|", "|") {
-            self.say("the absolute value of");
-            self.math(body);
-            return self.say("end absolute value");
+            return self.around(self.voice.absolute, body);
         }
         self.operator(open, Class::Opening);
         self.math(body);
@@ -268,10 +288,10 @@ impl SpokenWriter<'_> {
     }
 
     fn table(&mut self, rows: &[Vec<Math>], kind: TableKind) {
-        let (name, line, cell, end) = match kind {
-            TableKind::Matrix => ("the matrix with", "row", ",", "end matrix"),
-            TableKind::Cases => ("the cases", "case", "", "end cases"),
-            TableKind::Aligned => ("", "line", "", ""),
+        let ([name, line, end], cell) = match kind {
+            TableKind::Matrix => (self.voice.matrix, ","),
+            TableKind::Cases => (self.voice.cases, ""),
+            TableKind::Aligned => (["", self.voice.line, ""], ""),
         };
         self.say(name);
         for (number, row) in rows.iter().enumerate() {
@@ -289,29 +309,6 @@ impl SpokenWriter<'_> {
             }
         }
         self.say(end);
-    }
-}
-
-fn function_words(name: &str) -> &str {
-    match name {
-        "sin" => "sine",
-        "cos" => "cosine",
-        "tan" => "tangent",
-        "exp" => "the exponential of",
-        "ln" => "the natural logarithm of",
-        "log" => "the logarithm of",
-        "arctan" => "the arc tangent of",
-        "arcsin" => "the arc sine of",
-        "arccos" => "the arc cosine of",
-        "sinh" => "the hyperbolic sine of",
-        "cosh" => "the hyperbolic cosine of",
-        "tanh" => "the hyperbolic tangent of",
-        "lim" => "the limit",
-        "max" => "the maximum",
-        "min" => "the minimum",
-        "det" => "the determinant of",
-        "arg" => "the argument of",
-        name => name,
     }
 }
 
@@ -367,7 +364,7 @@ mod tests {
                 "the determinant of the matrix with row 1: a, b end matrix",
             ),
         ] {
-            assert_eq!(math.spoken(), words);
+            assert_eq!(math.spoken(Voice::ENGLISH), words);
         }
     }
 }

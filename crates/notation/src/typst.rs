@@ -7,7 +7,7 @@
 use std::fmt::Write;
 
 use super::script::Bearer;
-use super::{Accent, Class, Display, Empty, Holes, Math, Size, Style, TableKind};
+use super::{Accent, Class, Display, Empty, Holes, Math, Size, Style, TableKind, Voice};
 
 /// What a Typst file defines before the formulas that are written here: `m`, `sm`, `dm` and `lm` set a
 /// formula in a line, one so short that no line ends in it, one on its own, and one on its own that is
@@ -42,14 +42,20 @@ const LONG: usize = 200;
 
 impl Math {
     /// As Typst markup that sets the formula, for a file that begins with [`PRELUDE`].
-    pub fn typst(&self, display: Display) -> String {
+    pub fn typst(&self, display: Display, voice: &'static Voice) -> String {
         let mut out = String::new();
-        self.write_typst(&mut out, display, &Empty);
+        self.write_typst(&mut out, display, &Empty, voice);
         out
     }
 
     /// Appends Typst markup that sets the formula.
-    pub fn write_typst(&self, out: &mut String, display: Display, holes: &dyn Holes) {
+    pub fn write_typst(
+        &self,
+        out: &mut String,
+        display: Display,
+        holes: &dyn Holes,
+        voice: &'static Voice,
+    ) {
         let mut body = String::new();
         TypstWriter {
             out: &mut body,
@@ -63,7 +69,7 @@ impl Math {
             Display::Block => "#lm(",
         });
         let mut words = String::new();
-        self.write_spoken(&mut words, holes);
+        self.write_spoken(&mut words, holes, voice);
         quote(out, &words);
         out.push_str(",$");
         out.push_str(&body);
@@ -397,7 +403,7 @@ mod tests {
     use crate::symbol;
 
     fn check(math: Math, expected: &str) {
-        let written = math.typst(Display::Inline);
+        let written = math.typst(Display::Inline, Voice::ENGLISH);
         let body = written
             .split_once(",$")
             .and_then(|(_, rest)| rest.strip_suffix("$)"));
@@ -440,7 +446,7 @@ mod tests {
     #[test]
     fn words_cannot_leave_their_string() {
         let text = Math::text("a\" + panic() \\");
-        let written = text.typst(Display::Block);
+        let written = text.typst(Display::Block, Voice::ENGLISH);
         let words = r#""a\" + panic() \\""#;
         assert_eq!(written, format!("#dm({words},${words}$)"));
     }

@@ -4,7 +4,7 @@ use vibank::answer::Verdict;
 use vibank::bank::{Catalogue, embedded};
 use vibank::document::{Document, Fill, Fills};
 use vibank::grade::{Comment, Feedback, PartFeedback, QuestionFeedback};
-use vibank::math::{Display, Math, TYPST_PRELUDE};
+use vibank::math::{Display, Math, TYPST_PRELUDE, Voice};
 use vibank::numerics::Rational;
 use vibank::output::{self, KeyTable, List, PageKind, Pages, Roll, Run};
 use vibank::source::Source;
@@ -320,7 +320,7 @@ fn figures_are_vectors_with_words() {
         }
     }
     let reading = Document::read("See\n\n<< figure >>\n\nhere.");
-    let typst = reading.document.typst(&Figure);
+    let typst = reading.document.typst(&Figure, Voice::ENGLISH);
     assert!(typst.contains("picture(\"A <spring>\",\"<svg "), "{typst}");
     let latex = reading.document.latex(&Figure);
     assert!(latex.contains(r"\figureblock{figure-"), "{latex}");
@@ -385,8 +385,8 @@ fn every_piece_of_a_formula_is_typst() {
     let mut text = String::from(TYPST_PRELUDE);
     text.push_str("#set document(title: [T])\n");
     for math in pieces.iter().cloned().chain(nested.collect::<Vec<_>>()) {
-        text.push_str(&math.typst(Display::Inline));
-        text.push_str(&math.typst(Display::Block));
+        text.push_str(&math.typst(Display::Inline, Voice::ENGLISH));
+        text.push_str(&math.typst(Display::Block, Voice::ENGLISH));
         text.push('\n');
     }
     if let Err(error) = bound(text.clone()) {

@@ -199,7 +199,7 @@ fn of_blueprint(
         for sheet in &sheets {
             let mut questions = sheet.questions.iter();
             if let Some(question) = questions.find(|own| own.place == place) {
-                export.add(sheet, question);
+                export.add(sheet, question, number);
                 record.add(sheet, question, number);
             }
         }
@@ -246,7 +246,7 @@ fn of_filter(
         export.category(&[chapter, &item.about.title]);
         for sheet in &sheets {
             for question in &sheet.questions {
-                export.add(sheet, question);
+                export.add(sheet, question, place + 1);
                 record.add(sheet, question, place + 1);
             }
         }

@@ -21,6 +21,8 @@ pub(crate) struct Analysis {
     report: Report,
     verdicts: BTreeMap<Verdict, u64>,
     sheets: usize,
+    /// Spare sheets that nobody has used.
+    unused: usize,
     /// Parts that nobody has marked by hand yet.
     open: u64,
 }
@@ -75,8 +77,18 @@ impl Analysis {
         }
     }
 
+    /// Counts a sheet that nobody has used, which no statistics are about.
+    pub(crate) fn leave_out(&mut self) {
+        self.unused += 1;
+    }
+
     pub(crate) fn sheets(&self) -> usize {
         self.sheets
+    }
+
+    /// How many spare sheets nobody has used.
+    pub(crate) fn unused(&self) -> usize {
+        self.unused
     }
 
     /// How many parts wait for a person.
@@ -111,6 +123,7 @@ impl Analysis {
             "rows_left_out": findings.faults,
             "decisions": findings.decided,
             "marks": findings.marks.map(|marks| &marks.summary),
+            "unused_spares": self.unused,
             "summary": summary,
         });
         let text = serde_json::to_string_pretty(&json).expect("a report is plain data");
@@ -124,6 +137,7 @@ impl Analysis {
             summary: &summary,
             lost: findings.lost,
             unreadable,
+            unused: self.unused,
             faults: findings.faults,
             marks: findings.marks,
             decided: findings.decided,

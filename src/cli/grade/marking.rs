@@ -7,7 +7,7 @@ use vibank::bank::Template;
 use vibank::grade::{Feedback, Grade, QuestionFeedback, Responses, Sheet};
 use vibank::message::Language;
 use vibank::numerics::Rational;
-use vibank::worksheet::{Marks, QuestionEntry, Scored, VariantEntry, Void};
+use vibank::worksheet::{Marks, QuestionEntry, Scored, Student, VariantEntry, Void};
 
 use super::answered::Answered;
 use super::decisions::{Corrected, Decisions};
@@ -77,6 +77,7 @@ impl Marker<'_> {
         let outcome = SheetOutcome {
             code: variant.code.clone(),
             student: variant.student.clone().unwrap_or_default(),
+            spare: variant.student.is_none(),
             parts,
             questions,
             total: Standing::of_total(&total),
@@ -85,6 +86,7 @@ impl Marker<'_> {
             code: outcome.code.clone(),
             name: outcome.column("name").to_owned(),
             student: outcome.column("id").to_owned(),
+            type_size: Student::read_type_size(outcome.column("large_print")).unwrap_or_default(),
             points: total.points,
             open: total.open,
             max: total.max,
@@ -115,8 +117,16 @@ impl Marker<'_> {
         let now = self.corrected.get(&key).unwrap_or(template);
         let mut marked = self.marked(now, question, &answered)?;
         rescale(&mut marked, &answered);
+        let voided = |wanted: &dyn Fn(Void) -> bool| {
+            let parts = answered.iter();
+            let parts = parts.filter(|part| part.ruling.void.is_some_and(|(_, own)| wanted(own)));
+            let numbers = parts.flat_map(|part| part.ruling.numbers.iter().copied());
+            numbers.collect::<BTreeSet<usize>>()
+        };
+        let shared = voided(&|own| own == Void::Rescaled);
+        let void = voided(&|_| true);
         let all = marked.iter().flat_map(|part| &part.outcome.decisions);
-        let all: BTreeSet<usize> = all.copied().collect();
+        let carried: BTreeSet<usize> = all.copied().filter(|own| !void.contains(own)).collect();
         for (part, before) in marked.iter_mut().zip(&before) {
             let outcome = &mut part.outcome;
             let before = Standing::of(&before.outcome);
@@ -125,9 +135,12 @@ impl Marker<'_> {
                 continue;
             }
             outcome.before = Some(before);
-            // What no decision is about follows from one about another part.
+            // What no decision is about follows from one about another part: the points of one that is void, or a value
+            // that was carried on.
             if outcome.decisions.is_empty() {
-                outcome.decisions = all.iter().copied().collect();
+                let is_scaled = before.max != outcome.max;
+                let from = if is_scaled { &shared } else { &carried };
+                outcome.decisions = from.iter().copied().collect();
             }
         }
         Ok(marked)

@@ -213,6 +213,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
         out: &out,
         sheets,
         takes_points: handed.is_typed(),
+        has_class: !census.students.is_empty(),
         responses: handed.responses,
         decisions,
     };
@@ -293,6 +294,8 @@ struct GradeJob<'a> {
     responses: Responses,
     /// Whether these are what a teacher typed.
     takes_points: bool,
+    /// Whether sheets are those of students, and others are spare.
+    has_class: bool,
     decisions: Decisions,
     journal: Journal,
     /// What was marked apart and is joined.
@@ -433,13 +436,17 @@ impl GradeJob<'_> {
             return Ok(());
         };
         tables.add(outcome)?;
-        self.analysis.add(outcome);
-        self.undecided.add(outcome);
-        self.class.add(outcome);
-        self.log.add(outcome);
-        if let Some(gradebook) = &mut self.gradebook {
-            gradebook.add(outcome);
+        if self.has_class && outcome.is_unused() {
+            self.analysis.leave_out();
+        } else {
+            self.analysis.add(outcome);
+            self.undecided.add(outcome);
+            self.class.add(outcome);
+            if let Some(gradebook) = &mut self.gradebook {
+                gradebook.add(outcome);
+            }
         }
+        self.log.add(outcome);
         if let Some(changes) = &mut self.changes {
             changes.add(outcome);
         }

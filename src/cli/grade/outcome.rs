@@ -13,6 +13,9 @@ use vibank::worksheet::Total;
 pub(crate) struct SheetOutcome {
     pub(crate) code: String,
     pub(crate) student: BTreeMap<String, String>,
+    /// Whether it was made for nobody in the class list.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub(crate) spare: bool,
     pub(crate) parts: Vec<PartOutcome>,
     pub(crate) questions: Vec<QuestionOutcome>,
     /// What the sheet came to.
@@ -73,6 +76,14 @@ impl SheetOutcome {
     /// A column of the class list.
     pub(crate) fn column(&self, name: &str) -> &str {
         self.student.get(name).map_or("", String::as_str)
+    }
+
+    /// Whether it is a spare sheet that nobody seems to have got.
+    pub(crate) fn is_unused(&self) -> bool {
+        let is_untouched = |part: &PartOutcome| {
+            part.response.is_empty() && part.points.0.is_zero() && part.decisions.is_empty()
+        };
+        self.spare && self.parts.iter().all(is_untouched)
     }
 
     /// The points that are decided.

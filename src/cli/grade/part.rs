@@ -191,7 +191,7 @@ impl Marker<'_> {
                 standing.credit = standing.points.checked_div(max).unwrap_or(Rational::ZERO);
                 standing.reasons.push("negative".to_owned());
                 let points = rounded(penalty).replace('.', &self.decimal.to_string());
-                let is_one = penalty == Rational::ONE;
+                let is_one = self.language.is_singular(penalty.to_f64());
                 let words = self.language.by_hand(&ByHand::Charged { points, is_one });
                 standing.remarks.push(Comment::sentence(&words));
             }

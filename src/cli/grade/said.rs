@@ -144,6 +144,11 @@ impl WrittenFiles<'_> {
             .collect();
         let sheets = counted(self.analysis.sheets(), "sheet");
         println!("{sheets}: {}", counts.join(", "));
+        match self.analysis.unused() {
+            0 => {}
+            1 => println!("1 spare sheet has no answer, and is in no statistics"),
+            count => println!("{count} spare sheets have no answer, and are in no statistics"),
+        }
         if self.analysis.count(Verdict::Unreadable) > 0 {
             file(
                 "unreadable.csv",

@@ -188,7 +188,7 @@ fn nothing(path: &Path, name: &str) -> Failure {
         "`{}` is a {name} without a question of this program",
         path.display()
     ))
-    .help("in Moodle, tick the display of the question text before you download the report, then give the new file; each question of an export ends with a line such as `ch1/e1-… XM2-9SB-THF a b`; a form of answers has a column `code`")
+    .help("in Moodle, tick the display of the question text before you download the report, then give the new file; each question of an export ends with a line such as `ch1/e1-… XM2-9SB-THF 1 a b`; a form of answers has a column `code`")
 }
 
 /// Whether a heading is `1234: text` of a question, followed by its points.

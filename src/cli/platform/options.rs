@@ -2,6 +2,7 @@
 
 use vibank::bank::Part;
 use vibank::document::{Document, Filling, Formulas};
+use vibank::math::Voice;
 
 use super::cells::bare;
 
@@ -17,7 +18,9 @@ pub(crate) fn chosen(part: &Part, words: &str) -> Option<usize> {
     let notations = [Formulas::MathMl, Formulas::Tex];
     let exported = |document: &Document, notation| {
         let mut html = String::new();
-        document.write_html_line_with(&mut html, &Vec::<Filling>::new(), notation);
+        // What is heard of formulas is an attribute, which is not reported.
+        let none = Vec::<Filling>::new();
+        document.write_html_line_with(&mut html, &none, notation, Voice::ENGLISH);
         bare(&html)
     };
     let is_own = |document: &Document| {

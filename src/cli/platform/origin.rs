@@ -2,12 +2,14 @@
 
 use vibank::seed::Variant;
 
-/// What the last line of an exported question says: its item, its code, and the part of each box.
+/// What the last line of an exported question says: its item, its code, its number, and the part of each box.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct QuestionOrigin {
     /// A word that ends in the identity of the item; platforms that drop line breaks glue the word before to it.
     pub(crate) item: String,
     pub(crate) code: Variant,
+    /// Its number in the export; none in questions that were exported before these were written.
+    pub(crate) number: Option<usize>,
     pub(crate) boxes: Vec<BoxAnswer>,
 }
 
@@ -25,7 +27,9 @@ impl QuestionOrigin {
     pub(crate) fn read(text: &str) -> Option<Self> {
         let words: Vec<&str> = text.split_whitespace().collect();
         let at = words.iter().rposition(|word| code(word).is_some())?;
-        let boxes: Vec<BoxAnswer> = words[at + 1..]
+        let rest = &words[at + 1..];
+        let number = rest.first().and_then(|word| word.parse().ok());
+        let boxes: Vec<BoxAnswer> = rest[usize::from(number.is_some())..]
             .iter()
             .map_while(|word| BoxAnswer::read(word))
             .collect();
@@ -34,6 +38,7 @@ impl QuestionOrigin {
         is_item.then_some(Self {
             item: (*item).to_owned(),
             code: code(words[at])?,
+            number,
             boxes,
         })
     }
@@ -95,11 +100,16 @@ mod tests {
     #[test]
     fn the_last_line_of_a_question_names_its_boxes() {
         let code = Variant::new(7).expect("it is a variant");
-        let text = format!("A block of 2 kg. ω = _____ rad/s\n\nch1/e2-block {code} a b1 b2");
+        let text = format!("A block of 2 kg. ω = _____ rad/s\n\nch1/e2-block {code} 12 a b1 b2");
         let origin = QuestionOrigin::read(&text).expect("it is exported");
         let letters: Vec<&str> = origin.boxes.iter().map(|own| own.letter.as_str()).collect();
         assert_eq!((origin.item.as_str(), origin.code), ("ch1/e2-block", code));
-        assert_eq!(letters, ["a", "b1", "b2"]);
+        assert_eq!(
+            (origin.number, &letters[..]),
+            (Some(12), &["a", "b1", "b2"][..])
+        );
+        let before = QuestionOrigin::read(&text.replace(" 12 ", " ")).expect("it was exported");
+        assert_eq!((before.number, before.boxes), (None, origin.boxes));
         let canvas = QuestionOrigin::read(&format!("How far?ch1/e2-block {code} c*1e-3"));
         let origin = canvas.expect("it is exported");
         assert_eq!(origin.item, "far?ch1/e2-block");
@@ -107,7 +117,10 @@ mod tests {
         for text in ["", "What is 2 + 2?", "ch1/e2-block XXX-XXX-XXX a"] {
             assert_eq!(QuestionOrigin::read(text), None, "{text}");
         }
-        assert_eq!(QuestionOrigin::read(&format!("ch1/e2-block {code}")), None);
+        for rest in ["", " 3", " 3 4 a", " a3b"] {
+            let text = format!("ch1/e2-block {code}{rest}");
+            assert_eq!(QuestionOrigin::read(&text), None, "{text}");
+        }
     }
 
     #[test]

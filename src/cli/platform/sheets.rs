@@ -126,6 +126,7 @@ impl KnownQuestions<'_> {
         };
         let questions = variants.get(&origin.code.to_string())?.iter();
         let mut question = questions
+            .filter(|question| origin.number.is_none_or(|number| number == question.number))
             .filter(|question| origin.item.ends_with(question.item.as_str()) && has_all(question))
             .max_by_key(|question| question.item.as_str().len())?
             .clone();
@@ -139,7 +140,7 @@ impl KnownQuestions<'_> {
     /// The question of which a package reports a part.
     fn interacted(&self, own: &Interaction) -> Result<Option<QuestionEntry>, Failure> {
         match self {
-            Self::Package(package) => package.question(&own.item, own.code),
+            Self::Package(package) => package.asking(&own.item, &own.part, own.code),
             Self::Manifest(_) => Ok(None),
         }
     }
@@ -265,6 +266,7 @@ impl AttemptSheet<'_> {
             let at = self.questions.iter().position(|question| {
                 question.item.as_str() == own.item
                     && question.seed == own.code.item(&own.item, None).number()
+                    && question.parts.iter().any(|part| part.id == own.part)
             });
             let at = match at {
                 Some(at) => at,
@@ -292,16 +294,15 @@ impl AttemptSheet<'_> {
 
     /// Adds the questions of a package of which no part was answered, so that they count as missing.
     fn unanswered(&mut self, package: &ReadPackage<'_>, student: &str) -> Result<(), Failure> {
-        for (place, asked) in package.practice.questions.iter().enumerate() {
-            if self.questions.iter().any(|own| own.item == asked.item) {
+        for place in 0..package.practice.questions.len() {
+            if self.questions.iter().any(|own| own.number == place + 1) {
                 continue;
             }
             // Its data do not matter, since nothing was typed: those of one student do for all.
             if !self.unanswered.contains_key(&place) {
                 let code = package.variant(place, student)?;
-                let question = package.question(asked.item.as_str(), code)?;
-                self.unanswered
-                    .extend(question.map(|question| (place, question)));
+                let question = package.question(place, code)?;
+                self.unanswered.insert(place, question);
             }
             self.questions.extend(self.unanswered.get(&place).cloned());
         }

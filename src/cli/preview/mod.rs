@@ -69,8 +69,8 @@ struct Board {
 }
 
 pub(crate) fn run(arguments: Arguments) -> Result<Outcome, Failure> {
-    // What is no file at all is misuse, and not to be waited for.
-    super::files::open(&arguments.blueprint)?;
+    // What is no file at all, or surely another one, is misuse and not to be waited for.
+    super::file_kind::blueprint(&arguments.blueprint)?;
     let server = Server::listen(arguments.port)?;
     let bench = Arc::new(Bench {
         blueprint: arguments.blueprint,

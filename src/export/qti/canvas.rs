@@ -233,9 +233,9 @@ impl Export for Canvas {
         });
     }
 
-    fn add(&mut self, sheet: &Sheet<'_>, question: &SheetQuestion<'_>) {
+    fn add(&mut self, sheet: &Sheet<'_>, question: &SheetQuestion<'_>, number: usize) {
         let wish = self.wish.clone();
-        let words = Words::of(sheet, question, &wish, FILES);
+        let words = Words::of(sheet, question, number, &wish, FILES);
         let mut sorted = Sorted::of(&words.scene, question, &mut self.tally.unfit);
         let mut pictures = Pictures::named(format!("{}-", words.identifier()));
         let mut common = None;

@@ -231,9 +231,9 @@ impl Export for Qti {
         });
     }
 
-    fn add(&mut self, sheet: &Sheet<'_>, question: &SheetQuestion<'_>) {
+    fn add(&mut self, sheet: &Sheet<'_>, question: &SheetQuestion<'_>, number: usize) {
         let wish = self.wish.clone();
-        let words = Words::of(sheet, question, &wish, "");
+        let words = Words::of(sheet, question, number, &wish, "");
         let sorted = Sorted::of(&words.scene, question, &mut self.tally.unfit);
         let identifier = words.identifier();
         if !sorted.fit.is_empty() {

@@ -2,6 +2,7 @@
 
 use crate::document::Inline;
 use crate::expr::Notation;
+use crate::math::Voice;
 use crate::mechanics::Reason;
 use crate::message::Phrase;
 
@@ -64,7 +65,7 @@ pub(crate) fn phrase(phrase: &Phrase<'_>) -> String {
         Phrase::ModeShown { number, shape } => {
             let shape: Vec<String> = shape
                 .iter()
-                .map(|(symbol, share)| format!("{} {share}", symbol.spoken()))
+                .map(|(symbol, share)| format!("{} {share}", symbol.spoken(Voice::ENGLISH)))
                 .collect();
             let shape = shape.join(", ");
             format!("The figure with both extremes of mode {number}: {shape}.")

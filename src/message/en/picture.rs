@@ -5,7 +5,7 @@ use crate::figure::story::{
     Action, Behaviour, Caption, Curve, Curves, FreeBody, Joint, Line, Mode, Pointer, Sense, Sketch,
     Story, Tendency, Thing,
 };
-use crate::math::Math;
+use crate::math::{Math, Voice};
 use crate::source::capital;
 
 /// The words of a picture.
@@ -34,7 +34,7 @@ fn sketch(sketch: &Sketch) -> Caption {
         let on = on.map_or_else(String::new, |on| format!(" acts on {}", the(on)));
         sentences.push(format!("{}{on}", a(force)));
     }
-    let marked: Vec<String> = sketch.marked.iter().map(Math::spoken).collect();
+    let marked: Vec<String> = sketch.marked.iter().map(heard).collect();
     match marked.as_slice() {
         [] => {}
         [one] => sentences.push(format!("marked is {one}")),
@@ -114,7 +114,7 @@ fn action(action: &Action) -> String {
     };
     let when = action.velocity.as_ref();
     let when = when.map_or_else(String::new, |velocity| {
-        format!(" (where {} is positive)", velocity.spoken())
+        format!(" (where {} is positive)", velocity.spoken(Voice::ENGLISH))
     });
     format!("{force} {sense}{when}")
 }
@@ -248,9 +248,13 @@ fn phasors(pointers: &[Pointer], angles: &[(Option<Math>, String)]) -> Caption {
     }
 }
 
+fn heard(math: &Math) -> String {
+    math.spoken(Voice::ENGLISH)
+}
+
 /// A letter as it is spoken of, behind a noun.
 fn spoken(label: Option<&Math>) -> String {
-    match label.map(Math::spoken).unwrap_or_default() {
+    match label.map(heard).unwrap_or_default() {
         words if words.is_empty() => words,
         words => format!(" {words}"),
     }

@@ -6,6 +6,7 @@ mod misfit;
 pub(crate) mod picture;
 mod typography;
 mod unreadable;
+pub(crate) mod voice;
 
 pub(crate) use self::blank::blank;
 use self::misfit::misfit;

@@ -6,7 +6,7 @@ use crate::BANK;
 use vibank::bank::Template;
 use vibank::document::read_math;
 use vibank::instance::Instance;
-use vibank::math::Display;
+use vibank::math::{Display, Voice};
 use vibank::scene::{Data, Scene, Shown};
 use vibank::seed::Seed;
 use vibank::solution::Solution;
@@ -15,7 +15,7 @@ use vibank::worksheet::headings;
 /// A displayed formula.
 pub(super) fn math(latex: &str) -> String {
     let math = read_math(latex).unwrap_or_else(|error| panic!("`{latex}`: {error:?}"));
-    format!("<div>{}</div>", math.mathml(Display::Block))
+    format!("<div>{}</div>", math.mathml(Display::Block, Voice::ENGLISH))
 }
 
 pub(super) fn find(id: &str) -> &'static Template {
@@ -26,7 +26,7 @@ pub(super) fn find(id: &str) -> &'static Template {
 fn texts(shown: &[Shown<'_>]) -> String {
     let pieces = shown
         .iter()
-        .map(|piece| piece.document.html(&piece.fillings));
+        .map(|piece| piece.document.html(&piece.fillings, Voice::ENGLISH));
     pieces.collect()
 }
 
@@ -69,7 +69,11 @@ fn shown(solution: &Solution<'_>) -> String {
         if !options.is_empty() {
             out.push_str("<ol type=\"a\">\n");
             for option in solution.order(place) {
-                let _ = writeln!(out, "<li>{}</li>", options[option].text.html(&Vec::new()));
+                let _ = writeln!(
+                    out,
+                    "<li>{}</li>",
+                    options[option].text.html(&Vec::new(), Voice::ENGLISH)
+                );
             }
             out.push_str("</ol>\n");
         }
@@ -83,7 +87,7 @@ fn shown(solution: &Solution<'_>) -> String {
         let key = scene
             .key(place)
             .map(|key| {
-                key.map(|key| key.mathml(Display::Inline))
+                key.map(|key| key.mathml(Display::Inline, Voice::ENGLISH))
                     .unwrap_or_default()
             })
             // A line of its own has room for fractions of full size.

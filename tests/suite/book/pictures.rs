@@ -2,7 +2,7 @@
 
 use vibank::document::read_math;
 use vibank::instance::Instance;
-use vibank::math::Display;
+use vibank::math::{Display, Voice};
 use vibank::message::Language;
 use vibank::output::{ChapterPiece, chapter_pieces};
 use vibank::scene::{Data, Scene};
@@ -71,7 +71,7 @@ fn with_math(words: &str) -> String {
 
 fn inline(latex: &str) -> String {
     let math = read_math(latex).unwrap_or_else(|error| panic!("`{latex}`: {error:?}"));
-    math.mathml(Display::Inline)
+    math.mathml(Display::Inline, Voice::ENGLISH)
 }
 
 /// A line of a page with its formulas typeset: `$…$` as it is typed, and what an earlier run made of it,

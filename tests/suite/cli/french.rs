@@ -207,7 +207,7 @@ fn desk(name: &str) -> (Desk, String) {
     ] {
         put(&bank.join("ooo"), &format!("{name}.toml"), &item);
     }
-    let blueprint = "title = \"Ooo\"\nlanguage = \"fr\"\nseed = 1\nvariants = 2\nduration = \"90 min\"\nhints = true\nformats = [\"html\", \"md\"]\n[[question]]\nitem = \"ooo/ooo\"\n[[question]]\nitem = \"ooo/ooo\"\n";
+    let blueprint = "title = \"Ooo\"\nlanguage = \"fr\"\nseed = 1\nvariants = 2\nduration = \"90 min\"\nhints = true\nformats = [\"html\", \"md\"]\n[marks]\nscale = { A = \"50 %\", F = \"0 %\" }\n[[question]]\nitem = \"ooo/ooo\"\n[[question]]\nitem = \"ooo/ooo\"\n";
     put(&desk.folder, "t.toml", blueprint);
     let bank = text_of(&bank);
     (desk, bank)
@@ -240,6 +240,11 @@ fn english() -> BTreeSet<String> {
         "sketch block spring damper wall floor ceiling joins join acts act left upwards downwards free body diagram \
          against plot curve limit rises falls oscillates decays turning phasor mode shapes clockwise",
     ));
+    // Of formulas that are heard, where a word stands in no other list.
+    all.extend(split(
+        "grade passed failed equals over root square sub end fraction squared cubed to the power capital open close paren bracket times minus \
+         dot cosine sine exponential derivative less greater least row per second metre metres radians",
+    ));
     // Of LaTeX, and a word of both languages.
     all.remove("text");
     all.remove("compare");
@@ -270,7 +275,13 @@ fn split(text: &str) -> BTreeSet<String> {
 fn seen(html: &str) -> String {
     let mut text = without(html);
     let mut heard = String::new();
-    for attribute in ["alt=\"", "aria-label=\"", "placeholder=\""] {
+    for attribute in [
+        "alt=\"",
+        "alttext=\"",
+        "aria-label=\"",
+        "placeholder=\"",
+        "title=\"",
+    ] {
         let pieces = text.split(attribute).skip(1);
         let values = pieces.filter_map(|piece| piece.split('"').next());
         values.for_each(|value| heard.extend([" ", value]));

@@ -126,6 +126,30 @@ const ONE: &str =
     "[[question]]\nitem = 'c/a'\npoints = 10\npart_points = { omega = 2, v = 5, way = 3 }\n";
 
 #[test]
+fn spare_sheets_that_nobody_used_are_in_no_statistics() {
+    let top = "spares = 2\n[marks]\npass = '50 %'\n";
+    let run = Run::new("marks-spares", top, ONE);
+    let rows = [
+        "12.57 rad/s,37.7 m/s,b",
+        "12.57 rad/s,37.7 m/s,b",
+        "12.57 rad/s,1 m/s,a",
+        ",,",
+        // Somebody who was not in the list got a spare sheet; the other one is left over.
+        "12.57 rad/s,37.7 m/s,b",
+    ];
+    run.grade("1a,1b,1c", &rows, &[])
+        .ends(0)
+        .says("5 sheets: ")
+        .says("1 spare sheet has no answer, and is in no statistics");
+    assert_eq!(run.column("points"), ["10", "10", "2", "0", "10", "0"]);
+    let groups = run.table("groups.csv");
+    let all = ["sheets", "mean", "passed", "failed"].map(|name| groups[0][name].as_str());
+    assert_eq!(all, ["5", "6.400", "3", "2"]);
+    let report = content(run.folder.join("marks/report.html"));
+    assert!(report.contains("Spare sheets without an answer, left out: 1"));
+}
+
+#[test]
 fn a_scale_makes_grades_and_what_is_open_leaves_them_open() {
     let top = "[marks]\nscale = { A = '90 %', B = '50 %', F = 0.0 }\n";
     let mixed = Run::new("marks-mixed", "", ONE);
@@ -328,6 +352,25 @@ fn a_void_part_gives_its_points_to_all_to_the_others_or_to_nobody() {
     assert_eq!(points, ["10", "4", "6", "0"]);
     assert_eq!(max, ["10"; 4]);
     assert_eq!(run.column("1a"), ["4", "4", "0", "0"]);
+}
+
+#[test]
+fn points_of_a_void_part_are_changes_of_its_decision_alone() {
+    let run = Run::new("void-beside", "", ONE);
+    let decision = |part: &str, how: &str| {
+        format!("[[decision]]\nitem = 'c/a'\npart = '{part}'\nvoid = '{how}'\nwho = '{part}'\nwhy = 'B'\n")
+    };
+    run.decide(&(decision("omega", "full marks") + &decision("v", "rescaled")));
+    let rows = ["1 rad/s,1 m/s,b", ",,", ",,", ",,"];
+    run.grade("1a,1b,1c", &rows, &[]).ends(0);
+    let decided = run.table("decisions.csv");
+    let first = decided.iter().filter(|row| row["code"] == run.codes[0]);
+    let told: Vec<(&str, &str)> = first
+        .map(|row| (row["who"].as_str(), row["part"].as_str()))
+        .collect();
+    // All of `omega`, and twice the 3 points of the choice, which only the 5 of `v` make more.
+    assert_eq!(told, [("omega", "a"), ("v", "b"), ("v", "c")]);
+    assert_eq!(run.column("points")[0], "10");
 }
 
 #[test]

@@ -70,6 +70,39 @@ fn items_stand_in_the_place_of_a_blueprint() {
 }
 
 #[test]
+fn what_is_no_item_is_named_and_shown_by_its_own_command() {
+    let desk = Desk::with_class("mistaken-item", 2);
+    let plan = desk.plan("seed = 1\nstudents = \"class.csv\"");
+    desk.sheet(&plan, &[]).ends(0);
+    let (manifest, form) = (desk.path("manifest.json"), desk.path("responses.csv"));
+    let run = text_of(&desk.out);
+    for (given, what, way) in [
+        (
+            &manifest,
+            "the manifest of a run",
+            "vibank show CODE --manifest",
+        ),
+        (
+            &run,
+            "the manifest of a run",
+            &*format!("--manifest {manifest}"),
+        ),
+        (&plan, "a blueprint", "vibank preview"),
+        (&form, "a table of answers", "vibank list"),
+    ] {
+        for command in ["show", "solve"] {
+            desk.run(&[command, given])
+                .ends(2)
+                .complains(&format!("is {what}, not an item"))
+                .complains(way);
+        }
+    }
+    desk.run(&["preview", &manifest])
+        .ends(2)
+        .complains("is the manifest of a run, not a blueprint");
+}
+
+#[test]
 fn the_folder_of_a_run_stands_for_its_manifest() {
     let desk = Desk::with_class("mistaken-folder", 2);
     let plan = desk.plan("seed = 1\nstudents = \"class.csv\"");

@@ -278,3 +278,89 @@ fn what_a_report_lacks_is_said() {
         .complains("the answers of its boxes cannot be told apart");
     assert_eq!(course.verdicts()["1001 1a"], "unreadable");
 }
+
+/// A blueprint with two questions on the same item, which ask different parts under the same letters.
+fn twice(course: &Course) -> String {
+    let question = |part: &str| {
+        format!(
+            "[[question]]\nitem = \"free/spring\"\nparts = [\"{part}\"]\nset = {{ m = \"2 kg\", k = \"800 N/m\" }}\n"
+        )
+    };
+    let text = format!(
+        "title = \"Twice\"\nseed = 7\nvariants = 1\n{}{}",
+        question("omega_n"),
+        question("both")
+    );
+    put(&course.folder, "twice.toml", text)
+}
+
+#[test]
+fn an_item_that_stands_twice_gives_questions_that_are_told_apart() {
+    let course = Course::new("platform-twice");
+    let out = text_of(&course.folder.join("twice.xml"));
+    course
+        .run(&["export", "moodle", &twice(&course), "--out", &out])
+        .ends(0);
+    let xml = content(&out);
+    let names = xml.split("<name><text>").skip(1);
+    let origins: Vec<&str> = names
+        .filter_map(|name| name.split_once('[')?.1.split_once(']'))
+        .map(|(origin, _)| origin)
+        .collect();
+    let [first, second] = origins[..] else {
+        panic!("{origins:?}");
+    };
+    assert!(first.ends_with(" 1 a") && second.ends_with(" 2 a a"));
+    let manifest = text_of(&course.folder.join("twice.manifest.json"));
+    // In the order of a quiz that is shuffled: sqrt(800/2) is 20.
+    let report = format!(
+        "Last name,First name,ID number,Question 1,Response 1,Question 2,Response 2\n\
+         Abel,Ada,1001,{second},part 1: 20; part 2: 40,{first},part 1: 20\n"
+    );
+    let report = put(&course.folder, "report.csv", report);
+    course.grade(&manifest, &report, &[]).ends(0);
+    let right = |place: &str| (place.to_owned(), "right".to_owned());
+    let both: BTreeMap<String, String> = ["1001 1a", "1001 2a"].map(right).into();
+    assert_eq!(course.verdicts(), both);
+}
+
+#[test]
+fn an_item_that_stands_twice_in_a_package_is_marked_twice() {
+    let course = Course::new("platform-package-twice");
+    let package = text_of(&course.folder.join("twice.zip"));
+    course
+        .run(&["page", &twice(&course), "--scorm", "1.2", "--out", &package])
+        .ends(0);
+    let shown = course.run(&["show", "--learner", "1001", &package]);
+    let codes: Vec<&str> = shown
+        .out
+        .split(|char: char| char.is_whitespace() || char == ',')
+        .filter(|word| word.len() == 11 && word.matches('-').count() == 2)
+        .collect();
+    let [first, second] = codes[..] else {
+        panic!("{}", shown.out);
+    };
+    let report = |answers: &str| {
+        let text = format!(
+            "Name\tID number\tAttempt\tScore\tQuestion 0\tResponse 0\tResult 0\tQuestion 1\tResponse 1\tResult 1\nAda Abel\t1001\t1\t60\t{answers}\n"
+        );
+        put(&course.folder, "report.txt", text)
+    };
+    let both = format!(
+        "free.spring.both.{second}.1\t20; 40 rad/s\tcorrect\tfree.spring.omega_n.{first}.1\t20 rad/s\tcorrect"
+    );
+    course.grade(&package, &report(&both), &[]).ends(0);
+    let verdicts = course.verdicts();
+    assert_eq!(
+        (&*verdicts["1001 1a"], &*verdicts["1001 2a"]),
+        ("right", "right")
+    );
+    // Of two questions on an item, the one that nobody answered counts as missing.
+    let one = format!("free.spring.both.{second}.1\t20; 40 rad/s\tcorrect\t\t\t");
+    course.grade(&package, &report(&one), &[]).ends(0);
+    let verdicts = course.verdicts();
+    assert_eq!(
+        (&*verdicts["1001 1a"], &*verdicts["1001 2a"]),
+        ("missing", "right")
+    );
+}

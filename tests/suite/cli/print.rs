@@ -180,6 +180,19 @@ fn a_sheet_says_where_its_student_sits_and_what_is_granted() {
     assert!(!sheet(4).contains("--zoom:"), "`no` is not a large print");
     // A spare sheet has room for a seat.
     assert!(sheet(5).contains("Seat <span></span>"));
+    // What comes back is read in the same size.
+    let marks = text_of(&desk.folder.join("marks"));
+    let form = desk.path("responses.csv");
+    desk.run(&["grade", &desk.path("manifest.json"), &form, "--out", &marks]);
+    let feedback = |at: usize| {
+        content(
+            desk.folder
+                .join(format!("marks/feedback/{}.html", codes[at])),
+        )
+    };
+    assert!(feedback(1).contains("class=\"sheet feedback large\""));
+    assert!(feedback(1).contains("--zoom: 1.714") && feedback(3).contains("--zoom: 2.28"));
+    assert!(!feedback(0).contains("--zoom:") && !feedback(4).contains("--zoom:"));
     // The questions are the same as in usual print.
     put(&desk.folder, "class.csv", CLASS.replace("yes", ""));
     desk.sheet(&plan(&desk, CLASSES, ""), &["--split"]).ends(0);

@@ -2,7 +2,7 @@
 
 use vibank::diagnostic::Diagnose;
 use vibank::document::{Document, Filling, Form, Reading};
-use vibank::math::{Math, symbol};
+use vibank::math::{Math, Voice, symbol};
 
 fn read(text: &str) -> Document {
     let Reading { document, errors } = Document::read(text);
@@ -119,7 +119,7 @@ A block of mass m = 2.0 kg hangs on a spring; x is measured from rest.
 quantity | value
 mass | 2.0 kg"
     );
-    let html = document.html(&fills());
+    let html = document.html(&fills(), Voice::ENGLISH);
     assert!(html.contains("<svg></svg>"));
     assert!(html.contains("<a href=\"https://example.org/a?b=1&amp;c=2\">the notes</a>"));
     assert!(html.contains("<td style=\"text-align:right\"><math alttext=\"2.0 kg\"><mn>2.0</mn>"));
@@ -129,7 +129,7 @@ mass | 2.0 kg"
 #[test]
 fn a_formula_stays_on_the_line_of_its_punctuation() {
     let text = "Over ($r$), in the $x$-direction, $y$ and $z$.";
-    let html = read(text).html(&Vec::<Filling>::new());
+    let html = read(text).html(&Vec::<Filling>::new(), Voice::ENGLISH);
     assert!(html.contains("Over <span class=\"tie\">(<math"), "{html}");
     for after in ["),", "-direction,", "."] {
         assert!(html.contains(&format!("</math>{after}</span>")), "{html}");
@@ -159,7 +159,10 @@ fn a_compiled_text_reads_back() {
     let document = read(STATEMENT);
     let json = serde_json::to_string(&document).unwrap();
     let again: Document = serde_json::from_str(&json).unwrap();
-    assert_eq!(again.html(&fills()), document.html(&fills()));
+    assert_eq!(
+        again.html(&fills(), Voice::ENGLISH),
+        document.html(&fills(), Voice::ENGLISH)
+    );
     assert_eq!(serde_json::to_string(&again).unwrap(), json);
     assert!(json.len() < 4 * STATEMENT.len(), "{}", json.len());
 }

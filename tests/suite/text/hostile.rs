@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use vibank::document::{Document, Filling, read_math};
-use vibank::math::{Display, Math};
+use vibank::math::{Display, Math, Voice};
 
 /// Pieces of LaTeX, from which formulas right and wrong are put together.
 const PIECES: &[&str] = &[
@@ -103,16 +103,16 @@ proptest! {
             let latex = math.latex();
             let again = read_math(&latex);
             prop_assert_eq!(again.as_ref(), Ok(&math), "{} -> {}", source, latex);
-            math.mathml(Display::Block);
+            math.mathml(Display::Block, Voice::ENGLISH);
             math.plain();
-            math.spoken();
+            math.spoken(Voice::ENGLISH);
         }
     }
 
     #[test]
     fn any_text_is_read_without_panic(text in any::<String>()) {
         let reading = Document::read(&text);
-        reading.document.html(&Vec::<Filling>::new());
+        reading.document.html(&Vec::<Filling>::new(), Voice::ENGLISH);
         reading.document.markdown(&Vec::<Filling>::new());
         reading.document.plain(&Vec::<Filling>::new());
         for error in reading.errors {
@@ -136,7 +136,7 @@ proptest! {
         let json = serde_json::to_string(&reading.document).unwrap();
         let again: Document = serde_json::from_str(&json).unwrap();
         let fills: Vec<Filling> = Vec::new();
-        prop_assert_eq!(again.html(&fills), reading.document.html(&fills));
+        prop_assert_eq!(again.html(&fills, Voice::ENGLISH), reading.document.html(&fills, Voice::ENGLISH));
         for error in reading.errors {
             prop_assert!(text.get(error.span().range()).is_some(), "{:?} in {:?}", error, text);
         }
@@ -146,7 +146,7 @@ proptest! {
     fn words_are_never_markup(words in "[<>&\"'a-z$\\\\{}%#_^~ ]{0,40}") {
         let fills = vec![Filling::words(words.clone()), Filling::words(words.clone())];
         let document = Document::read("<< a >> and $x + << a >>$").document;
-        let html = document.html(&fills);
+        let html = document.html(&fills, Voice::ENGLISH);
         let bare: String = html
             .split(['<', '>'])
             .enumerate()

@@ -1,7 +1,7 @@
 use super::*;
 
 fn check(math: Math, expected: &str) {
-    let written = math.mathml(Display::Inline);
+    let written = math.mathml(Display::Inline, Voice::ENGLISH);
     let body = written
         .split_once("\">")
         .and_then(|(_, rest)| rest.strip_suffix("</math>"));
@@ -36,7 +36,7 @@ fn functions_keep_a_thin_space_from_letters_alone() {
         row(Math::letter('x')),
         &format!("<mi>a</mi>{thin}{sine}{thin}<mi>x</mi>"),
     );
-    let closed = row(Math::letter('x').in_parentheses()).mathml(Display::Inline);
+    let closed = row(Math::letter('x').in_parentheses()).mathml(Display::Inline, Voice::ENGLISH);
     assert!(
         closed.contains(&format!("<mi>a</mi>{thin}{sine}<mrow>")),
         "{closed}"
@@ -55,7 +55,7 @@ fn scripts_hold_no_spaces() {
 #[test]
 fn words_cannot_leave_their_element() {
     let text = Math::text("a\"></math><script>&");
-    let written = text.mathml(Display::Block);
+    let written = text.mathml(Display::Block, Voice::ENGLISH);
     assert_eq!(
         written,
         "<math display=\"block\" alttext=\"a&quot;&gt;&lt;/math&gt;&lt;script&gt;&amp;\">\
@@ -67,7 +67,12 @@ fn words_cannot_leave_their_element() {
 fn a_filling_has_no_holes_of_its_own() {
     let fills = vec![Math::Hole(0), Math::row([Math::Hole(1), Math::letter('y')])];
     let mut out = String::new();
-    Math::row([Math::Hole(0), Math::Hole(1)]).write_mathml(&mut out, Display::Inline, &fills);
+    Math::row([Math::Hole(0), Math::Hole(1)]).write_mathml(
+        &mut out,
+        Display::Inline,
+        &fills,
+        Voice::ENGLISH,
+    );
     assert!(
         out.ends_with("<mi>□</mi><mi>□</mi><mi>y</mi></math>"),
         "{out}"
