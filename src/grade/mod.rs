@@ -21,7 +21,7 @@ pub use points::{of_marking, rounded, standing};
 pub use responses::{Place, Responses, Row, RowError};
 
 use crate::answer::{AnswerKind, Credit, Echo, Marker, Marking, Unreadable, Why};
-use crate::response::{Folded, withdrawn};
+use crate::response::{Folded, behind_arrow, withdrawn};
 use crate::solution::Solution;
 
 use self::bound::bounded;
@@ -80,9 +80,14 @@ fn folded<'s, 'r>(
         return Err(Why::LongerThan(MAX_RESPONSE_LENGTH).into());
     }
     let part = &solution.template().parts[place];
-    if let Some(words) = withdrawn(response, part.answer.kind() == AnswerKind::Choice) {
+    let kind = part.answer.kind();
+    if let Some(words) = withdrawn(response, kind == AnswerKind::Choice) {
         return Err(Unreadable::at(words, Why::Withdrawn));
     }
+    let response = match kind {
+        AnswerKind::Interval => response,
+        _ => behind_arrow(response),
+    };
     let folded = part.naming.named(Folded::of(response)?)?;
     part.naming.check(folded.text()).map_err(|mut why| {
         why.point_at_typed(&folded);

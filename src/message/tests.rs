@@ -276,6 +276,8 @@ fn troubles() -> Vec<Trouble> {
         Trouble::UnitOfEntry,
         Trouble::UnitOrLetter,
         Trouble::Order,
+        Trouble::Determinant,
+        Trouble::NamedMatrices,
         Trouble::Ragged,
     ]
 }

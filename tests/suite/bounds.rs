@@ -283,7 +283,7 @@ fn kinds() -> Catalogue {
 
 #[test]
 fn no_response_takes_much_work() {
-    const PIECES: [&str; 24] = [
+    const PIECES: [&str; 34] = [
         "1;",
         "1,2;",
         "2 N/m, ",
@@ -308,6 +308,16 @@ fn no_response_takes_much_work() {
         "a<b<",
         "\\frac{1}{",
         "k*l/m+",
+        "kN ",
+        "abc ",
+        "x<",
+        "é",
+        "\\mathrm{m}",
+        "x''/x1+",
+        "A* e^(i*t)+",
+        "A^4 e^(2i t)+",
+        "(A + B) e^((1+2i) t)+",
+        "D(x1+",
     ];
     let catalogue = kinds();
     let template = catalogue.items().next().expect("it is sound");

@@ -7,6 +7,9 @@ use super::token::Item;
 use super::words::CONJUGATES;
 use vibank_formula::expr::{Expr, Function, Kind, Operator};
 
+/// What stands behind the letter of a complex conjugate.
+const MARKS: [&str; 4] = ["^*", "^{*}", "\u{304}", "\u{305}"];
+
 impl Lexer<'_> {
     /// `+ c.c.`, where numbers are complex; whether it stands here.
     pub(crate) fn conjugate_terms(&mut self) -> bool {
@@ -33,6 +36,49 @@ impl Lexer<'_> {
             self.push(Item::Unread(Box::new(error)), start);
         }
         true
+    }
+}
+
+impl Lexer<'_> {
+    /// `A^*`, and a line over the letter before; whether such a mark stands here, where numbers are complex.
+    pub(crate) fn conjugate_mark(&mut self) -> bool {
+        let is_complex = self.manner.has_imaginary_unit && self.manner.values.is_none();
+        let is_behind = matches!(self.tokens.last(), Some(token) if matches!(token.item, Item::Leaf(_) | Item::Sign(')')));
+        if !is_complex || !is_behind {
+            return false;
+        }
+        let mark = MARKS.iter().find(|mark| self.rest().starts_with(**mark));
+        if let Some(mark) = mark {
+            self.take(mark.len(), Item::Conjugate);
+        }
+        mark.is_some()
+    }
+
+    /// Has `A* e^(-it)` the conjugate of a letter that stands before it as `A e^(it)`: of the sign of a product both
+    /// sides or none have a space.
+    pub(crate) fn stars(&mut self) {
+        if !self.manner.has_imaginary_unit || self.manner.values.is_some() {
+            return;
+        }
+        let mut bare: Vec<Expr> = Vec::new();
+        for at in 0..self.tokens.len() {
+            let Item::Leaf(leaf) = &self.tokens[at].item else {
+                continue;
+            };
+            let is_star = self
+                .tokens
+                .get(at + 1)
+                .is_some_and(|token| token.item == Item::Sign('*') && !token.is_spaced);
+            let stands_apart = match self.tokens.get(at + 2) {
+                Some(token) => token.is_spaced || matches!(token.item, Item::Sign('*' | '+' | ')')),
+                None => true,
+            };
+            if !(is_star && stands_apart) {
+                bare.push(leaf.clone());
+            } else if bare.contains(leaf) {
+                self.tokens[at + 1].item = Item::Conjugate;
+            }
+        }
     }
 }
 

@@ -1,11 +1,11 @@
 //! Determinants of matrices that are written out: `det([[a, b], [c, d]])`, `\det\begin{pmatrix}…`,
 //! `\begin{vmatrix} a & b \\ c & d \end{vmatrix}`, as the sums of products that they are.
 
-use super::TypedError;
 use super::lexer::Lexer;
 use super::list::{Wanted, list_of_form};
 use super::parser::Parser;
 use super::token::Item;
+use super::{Trouble, TypedError};
 use vibank_formula::expr::{Expr, Operator};
 
 /// What people and programs call it.
@@ -46,12 +46,23 @@ impl Lexer<'_> {
         let rows = rows.map(|list| list.rows);
         let sum = rows
             .and_then(|rows| expanded(&rows.iter().map(Vec::as_slice).collect::<Vec<_>>()).ok());
-        match sum {
-            Some(sum) => self.take(length, Item::Leaf(sum)),
+        let item = match sum {
+            Some(sum) => Item::Leaf(sum),
+            // `det(K - ω² M)` says what is true of every system.
+            None if is_called(self.rest()) && !self.lexicon.knows("det") => {
+                let error = TypedError::new(Trouble::NamedMatrices, self.at, self.at + length);
+                Item::Unread(Box::new(error))
+            }
             None => return false,
-        }
+        };
+        self.take(length, item);
         true
     }
+}
+
+/// Whether a text begins with the name of a determinant.
+fn is_called(text: &str) -> bool {
+    NAMES.iter().any(|name| text.starts_with(name))
 }
 
 /// The matrix of the determinant with which a text begins, and the length of all of it.

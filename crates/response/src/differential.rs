@@ -1,6 +1,7 @@
 //! Time derivatives as quotients of differentials, `dx/dt`, `\frac{d^2 x}{dt^2}`, and as functions, `diff(x, t, 2)`.
 
 use super::letters::{Letters, greek_word};
+use vibank_formula::work;
 
 /// Reads a quotient of differentials at a place: spelling of the name, order, end.
 pub(crate) fn leibniz(text: &str, at: usize) -> Option<(String, u8, usize)> {
@@ -51,7 +52,7 @@ pub(crate) fn behind(text: &str, at: usize) -> Option<(String, u8, usize)> {
     let (inner, end) = match rest.trim_start().strip_prefix('(') {
         Some(inner) => {
             let start = text.len() - inner.len();
-            let close = closing(inner).filter(|close| *close < MAX_LENGTH)?;
+            let close = closing(inner, MAX_LENGTH)?;
             let inner = inner[..close].trim();
             let inner = if is_sized {
                 inner.strip_suffix("\\right")?.trim_end()
@@ -94,6 +95,9 @@ fn spelling(name: &str) -> Option<String> {
     Some(greek_word(&letters)?.to_owned() + &rest)
 }
 
+/// What derivatives are called.
+const CALLS: [&str; 6] = ["dot", "ddot", "diff", "Diff", "D", "Derivative"];
+
 /// Reads a derivative that is written as a function at a place, `diff(x, t, 2)`, `ddot(x1)`: spelling of the name,
 /// order, end.
 pub(crate) fn called(text: &str, at: usize) -> Option<(String, u8, usize)> {
@@ -109,15 +113,16 @@ pub(crate) fn called(text: &str, at: usize) -> Option<(String, u8, usize)> {
         let length = rest.len() - name.len() + end;
         return Some((Letters::spelling(&name[..end])?, *order, at + length));
     }
-    let open = rest.find(['(', '['])?;
-    let (name, inner) = (&rest[..open], &rest[open + 1..]);
+    let (name, inner) = CALLS.iter().find_map(|name| {
+        let inner = rest.strip_prefix(name)?.strip_prefix(['(', '['])?;
+        Some((*name, inner))
+    })?;
     let dots = match name {
         "dot" => Some(1),
         "ddot" => Some(2),
-        "diff" | "Diff" | "D" | "Derivative" => None,
-        _ => return None,
+        _ => None,
     };
-    let close = closing(inner).filter(|close| *close < MAX_LENGTH)?;
+    let close = closing(inner, MAX_LENGTH)?;
     let whole = &inner[..close];
     // `diff(diff(x, t), t)`
     let (spelling, own, behind) = match called(whole, 0) {
@@ -157,6 +162,8 @@ pub(crate) fn called(text: &str, at: usize) -> Option<(String, u8, usize)> {
 /// order, end.
 pub(crate) fn method(text: &str, at: usize) -> Option<(String, u8, usize)> {
     const CALL: &str = ".diff(";
+    // The time, and the order.
+    const MAX_LENGTH: usize = 20;
     let rest = &text[at..];
     let name = &rest[..rest.find(|char: char| !char.is_alphanumeric() && char != '_')?];
     let behind = &rest[name.len()..];
@@ -164,7 +171,7 @@ pub(crate) fn method(text: &str, at: usize) -> Option<(String, u8, usize)> {
         .strip_prefix("(t)")
         .unwrap_or(behind)
         .strip_prefix(CALL)?;
-    let close = closing(inner)?;
+    let close = closing(inner, MAX_LENGTH)?;
     let arguments: Vec<&str> = inner[..close].split(',').map(str::trim).collect();
     let start = text.len() - inner.len();
     Some((
@@ -183,8 +190,10 @@ fn order_by(arguments: &[&str]) -> Option<u8> {
     }
 }
 
-/// Where the bracket closes that stands open before a text.
-fn closing(text: &str) -> Option<usize> {
+/// Where the bracket closes that stands open before a text, if that is before so many bytes.
+fn closing(text: &str, before: usize) -> Option<usize> {
+    let text = &text[..text.floor_char_boundary(before)];
+    let _ = work::spend(text.len() as u64 / 8);
     let mut depth = 0_i32;
     let closes = |char: char| {
         depth += match char {

@@ -61,6 +61,9 @@ impl Lexer<'_> {
         match Rational::from_decimal(&decimal) {
             Some(number) => {
                 self.push(Item::Number(number), start);
+                if number.is_zero() && self.manner.values.is_none() {
+                    self.unit_of_nothing();
+                }
                 Ok(())
             }
             None => self.error(Trouble::Number, start),

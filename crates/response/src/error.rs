@@ -61,6 +61,8 @@ pub enum Trouble {
     Order,
     /// A matrix between bars, which is a number.
     Determinant,
+    /// The determinant of matrices that are given by their names.
+    NamedMatrices,
     /// What stands in the way of reading a number.
     Value(ValueTrouble),
     /// Rows of different lengths.

@@ -3,14 +3,16 @@
 mod alphabets;
 mod latex;
 mod programs;
+mod spaces;
 
 use std::borrow::Cow;
 
 use self::alphabets::unstyled;
 use self::latex::Environment;
 use self::programs::holds_list;
+use self::spaces::OneWidth;
 use super::signs::{Plain, RUNS, TURNS, begins_run, is_minus, of_char};
-use super::surroundings::{answer_in, enumeration};
+use super::surroundings::{answer_in, behind_words, enumeration};
 use super::words::{EQUATIONS, LISTS, NUMBERS, PERCENT, ROOTS, VERBS, WORDS};
 use vibank_source::Span;
 
@@ -46,6 +48,26 @@ impl<'t> Folded<'t> {
     ///
     /// Where a dollar sign encloses nothing.
     pub fn of(typed: &'t str) -> Result<Self, LoneDollar> {
+        let Some(plain) = OneWidth::of(typed) else {
+            return Self::of_one_width(typed);
+        };
+        let Folded { text, pieces, .. } = Folded::of_one_width(&plain.text)?;
+        let pieces = if pieces.is_empty() {
+            let places = text.char_indices().map(|(at, _)| at as u32);
+            places.map(|at| (at, plain.place(at))).collect()
+        } else {
+            let pieces = pieces.into_iter();
+            pieces.map(|(at, own)| (at, plain.place(own))).collect()
+        };
+        Ok(Self {
+            typed,
+            text: Cow::Owned(text.into_owned()),
+            pieces,
+        })
+    }
+
+    /// Folds what was typed in spaces and letters of one width.
+    fn of_one_width(typed: &'t str) -> Result<Self, LoneDollar> {
         // Most responses are plain, and are not copied.
         if is_plain(typed) {
             return Ok(Self {
@@ -409,19 +431,19 @@ impl Folder<'_> {
         }
         let rest = self.rest();
         let of_words = |rest: &str| {
-            let found = WORDS.iter().find(|(words, plain)| {
-                rest.strip_prefix(words).is_some_and(|rest| {
-                    rest.starts_with(' ')
-                        || *plain == PERCENT && !rest.starts_with(char::is_alphanumeric)
-                })
-            });
-            found.map(|(words, plain)| (words.len(), *plain))
+            WORDS.iter().find_map(|(words, plain)| {
+                let behind = behind_words(rest, words, str::eq)?;
+                let ends = behind.starts_with(' ')
+                    || *plain == PERCENT && !behind.starts_with(char::is_alphanumeric);
+                ends.then(|| (rest.len() - behind.len(), *plain))
+            })
         };
         let compares = |verb: &str| {
-            let behind = rest.strip_prefix(verb)?.strip_prefix(' ')?;
-            let (length, plain) = of_words(behind)?;
+            let behind = behind_words(rest, verb, str::eq)?;
+            let compared = behind.strip_prefix(' ')?.trim_start_matches(' ');
+            let (length, plain) = of_words(compared)?;
             let is_sign = matches!(plain, "<" | ">" | "≤" | "≥");
-            is_sign.then_some((verb.len() + 1 + length, plain))
+            is_sign.then(|| (rest.len() - compared.len() + length, plain))
         };
         // `or` and the like join what stands on both sides.
         VERBS
@@ -558,6 +580,9 @@ mod tests {
             ("x < 1 \\text{ or } x > 2", "x < 1    or   x > 2"),
             ("1 et 2 ou 3", "1 and 2 or 3"),
             ("30^{\\circ}", "30°"),
+            ("Réponse\u{a0}: 5\u{202f}m", "5 m"),
+            ("x\u{a0}≥ 1 et\u{a0}x ≤ 2", "x ≥ 1 and x ≤ 2"),
+            ("x ＞＝ １", "x ≥ 1"),
         ] {
             assert_eq!(Folded::of(pasted).unwrap().text(), meant, "{pasted}");
         }

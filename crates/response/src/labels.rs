@@ -1,6 +1,6 @@
 //! Symbols before the pieces of a list: `x1 = 1, x2 = 0.291`, `u2 = (1, 0, -1)`, `mode 1: (1, 1.414, 1)`.
 
-use super::list::{Reader, trimmed};
+use super::list::{Reader, cut, trimmed};
 use super::{Trouble, TypedError};
 use vibank_source::Span;
 
@@ -97,19 +97,24 @@ fn is_computed(label: &str) -> bool {
 }
 
 /// The rows of a matrix whose entries have symbols with two indices, in any order and several for one value,
-/// `K22 = k, K12 = K21 = -k, K11 = 2k`; nothing where not each entry is given once.
-pub(crate) fn by_indices(
-    text: &str,
-    pieces: &[Span],
-    labels: &[Option<Span>],
-) -> Option<Vec<Vec<Span>>> {
+/// `K22 = k, K12 = K21 = -k, K11 = 2k`; nothing where not each entry is given once. The value stands behind its first
+/// symbol, and others may follow: `K12 = -k = K21`.
+pub(crate) fn by_indices(text: &str, pieces: &[Span]) -> Option<Vec<Vec<Span>>> {
     let mut entries = std::collections::BTreeMap::new();
-    for (piece, label) in pieces.iter().zip(labels) {
-        let symbols = text[label.as_ref()?.range()]
-            .trim_end()
-            .strip_suffix(['=', '≈'])?;
-        for symbol in symbols.split('=') {
-            if entries.insert(indices(symbol)?, *piece).is_some() {
+    for piece in pieces {
+        let mut sides = cut(text, *piece, &['=', '≈']);
+        let is_value = |side: &Span| indices(&text[side.range()]).is_none();
+        // `K11 = k11` has a letter of the question as its value.
+        let value = sides.iter().position(is_value).unwrap_or(sides.len() - 1);
+        let value = sides.remove(value);
+        if sides.is_empty() || value.range().start == piece.range().start {
+            return None;
+        }
+        for symbol in sides {
+            if entries
+                .insert(indices(&text[symbol.range()])?, value)
+                .is_some()
+            {
                 return None;
             }
         }

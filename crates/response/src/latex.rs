@@ -35,6 +35,11 @@ impl Lexer<'_> {
                 return Ok(());
             }
             "sqrt" => Item::Radical,
+            "bar" | "overline"
+                if self.manner.has_imaginary_unit && self.manner.values.is_none() =>
+            {
+                Item::Bar
+            }
             "dot" | "ddot" => return self.dots(if name == "dot" { 1 } else { 2 }, start),
             "begin" | "end" => {
                 if let Some(end) = self.rest().find('}').filter(|end| *end < 12) {

@@ -10,7 +10,11 @@ use super::{Lexicon, Manner, Trouble, TypedError};
 use vibank_dynamics::numerics::Rational;
 use vibank_formula::expr::{Constant, Expr, Function};
 use vibank_formula::unit::Unit;
+use vibank_formula::work;
 use vibank_source::Span;
+
+/// Units of work of a token: it is looked for among names, functions and derivatives.
+const UNITS_OF_A_TOKEN: u64 = 30;
 
 /// The tokens of `text[from..to]`.
 pub(crate) fn tokens(
@@ -30,6 +34,9 @@ pub(crate) fn tokens(
     };
     while let Some(char) = lexer.peek() {
         let start = lexer.at;
+        if work::spend(UNITS_OF_A_TOKEN).is_err() {
+            return Err(TypedError::new(Trouble::TooLong, start, to));
+        }
         let Err(error) = lexer.token(char) else {
             continue;
         };
@@ -39,6 +46,7 @@ pub(crate) fn tokens(
         lexer.at = (lexer.at.max(error.span.range().end)).max(start + char.len_utf8());
         lexer.push(Item::Unread(Box::new(error)), start);
     }
+    lexer.stars();
     Ok(lexer.tokens)
 }
 
@@ -93,6 +101,7 @@ impl Lexer<'_> {
         // First, or the `d` of a quotient would be a letter.
         if self.determinant()
             || self.conjugate_terms()
+            || self.conjugate_mark()
             || self.derivative_over_time()
             || self.manner.values.is_none() && self.degrees()
             || self.end_of_sentence(char)
@@ -240,7 +249,7 @@ impl Lexer<'_> {
         let next = self.rest()[1..].chars().next();
         let begins = |next: char| next.is_alphabetic() || next == '(';
         let is_factor = !self.is_spaced && next.is_some_and(begins);
-        let is_entrywise = next.is_some_and(|next| matches!(next, '*' | '/' | '^'));
+        let is_entrywise = next.is_some_and(|next| matches!(next, '*' | '/' | '^' | '²' | '³'));
         if is_factor {
             self.take(1, Item::Sign('*'));
         } else if is_entrywise {
@@ -275,6 +284,38 @@ impl Lexer<'_> {
         let (start, mut whole) = (self.at, letters.clone());
         self.subscripts(&mut whole);
         if self.at > start && self.lexicon.split(&whole, 0, primes, false).is_ok() {
+            *letters = whole;
+        } else {
+            self.at = start;
+        }
+    }
+
+    /// `Delta m`, where only both words are a name.
+    fn letter_behind_greek(&mut self, letters: &mut Letters) {
+        let is_behind = self
+            .rest()
+            .strip_prefix(' ')
+            .is_some_and(|next| next.starts_with(char::is_alphabetic));
+        if !is_behind || greek_word(&letters.text).is_none() || self.lexicon.knows(&letters.text) {
+            return;
+        }
+        let (start, mut whole) = (self.at, letters.clone());
+        self.at += 1;
+        while let Some(char) = self
+            .peek()
+            .filter(|next| next.is_alphanumeric() || *next == '_')
+        {
+            let at = self.at;
+            if char == '_' {
+                self.subscript(&mut whole);
+                continue;
+            }
+            self.at += char.len_utf8();
+            if !whole.push(char, at, at) {
+                break;
+            }
+        }
+        if self.lexicon.knows(&whole.text) {
             *letters = whole;
         } else {
             self.at = start;
@@ -351,6 +392,9 @@ impl Lexer<'_> {
         if dots > 0 {
             // A subscript may stand behind the dot, as in ẋ₁.
             self.subscripts(&mut letters);
+        }
+        if dots == 0 {
+            self.letter_behind_greek(&mut letters);
         }
         let mut end = self.at;
         let primes = if dots > 0 { dots } else { self.primes() };

@@ -335,7 +335,7 @@ impl Reader<'_> {
     fn body(&self, span: Span, depth: u32) -> Result<Listed, TypedError> {
         let pieces = self.pieces(span, SEPARATORS);
         let labels: Vec<_> = pieces.iter().map(|piece| self.labelled(*piece).0).collect();
-        if let Some(rows) = by_indices(self.text, &pieces, &labels) {
+        if let Some(rows) = by_indices(self.text, &pieces) {
             return self.placed(&rows);
         }
         in_order(self.text, &labels)?;
@@ -517,7 +517,8 @@ pub fn cut(text: &str, span: Span, signs: &[char]) -> Vec<Span> {
     cut_where(text, span, |_, char| signs.contains(&char))
 }
 
-fn cut_where(text: &str, span: Span, parts: impl Fn(usize, char) -> bool) -> Vec<Span> {
+/// The pieces between places that stand in no bracket.
+pub fn cut_where(text: &str, span: Span, parts: impl Fn(usize, char) -> bool) -> Vec<Span> {
     let (mut pieces, mut start, mut depth) = (Vec::new(), span.range().start, 0_usize);
     for (at, char) in text[span.range()].char_indices() {
         let at = span.range().start + at;

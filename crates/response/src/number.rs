@@ -11,7 +11,11 @@ use super::{Trouble, TypedError, ValueTrouble};
 use vibank_dynamics::numerics::Rational;
 use vibank_formula::expr::{Constant, Expr, Kind};
 use vibank_formula::unit::{Decimal, DecimalMark, Error, ErrorKind, Unit};
+use vibank_formula::work;
 use vibank_source::Span;
+
+/// Longest unit that is read, in bytes; with all in words or in LaTeX the longest have half of it.
+const MAX_UNIT_LENGTH: usize = 200;
 
 /// A text that begins with a number, with a point for the sign in it that is a decimal sign and nothing else.
 fn with_certain_sign(text: &str) -> Option<String> {
@@ -115,6 +119,10 @@ impl Lexer<'_> {
     /// The text that may be a unit: up to a word that joins, or the end of the line.
     fn unit_text(&self) -> &str {
         let rest = self.rest();
+        // Each word of a long text may be a unit: none of them is looked for in all of it.
+        let rest = &rest[..rest.floor_char_boundary(MAX_UNIT_LENGTH)];
+        // A text whose units are used up is not read in the end.
+        let _ = work::spend(rest.len() as u64);
         let line = rest.find('\n').unwrap_or(rest.len());
         let word = JOINING.iter().filter_map(|word| {
             let mut from = 0;

@@ -306,6 +306,7 @@ impl<'a> Parser<'a> {
                 | Item::Root
                 | Item::Radical
                 | Item::Fraction
+                | Item::Bar
                 | Item::Unit(_),
             ) => true,
             _ => false,
@@ -331,6 +332,11 @@ impl<'a> Parser<'a> {
                     let span = base.span().join(self.here());
                     self.at += 1;
                     base = Expr::new(Kind::Prime(base, *order), span);
+                }
+                Some(Item::Conjugate) => {
+                    let span = base.span().join(self.here());
+                    self.at += 1;
+                    base = Expr::new(Kind::Call(Function::Conj, vec![base]), span);
                 }
                 Some(Item::Sign('^')) => {
                     self.at += 1;
@@ -430,6 +436,10 @@ impl<'a> Parser<'a> {
             Item::Powered(powered) => self.deeper(|parser| parser.powered(*powered, span)),
             Item::Root => self.deeper(|parser| parser.root(span)),
             Item::Radical => self.deeper(|parser| parser.radical(span)),
+            Item::Bar => self.deeper(|parser| {
+                let inner = parser.argument_of_command()?;
+                Ok(Expr::new(Kind::Call(Function::Conj, vec![inner]), span))
+            }),
             Item::Fraction => self.deeper(|parser| {
                 let above = parser.argument_of_command()?;
                 let below = parser.argument_of_command()?;

@@ -54,35 +54,21 @@ pub(crate) fn of_char(char: char) -> Option<Plain> {
         '∶' => ":",
         '、' => ",",
         'ˆ' => "^",
-        '∣' | '｜' => "|",
+        '∣' => "|",
         // Letters.
         '\u{2126}' => "Ω",
         '\u{2206}' => "Δ",
         'ℎ' => "h",
+        // With a line over it, as complex conjugates have.
+        'Ā' => "A\u{304}",
         'ℜ' => "Re",
         'ℑ' => "Im",
         // With the signs that calculators set before an exponent.
         'ℯ' | 'ⅇ' | 'ᴇ' | '⏨' => "e",
         'ⅈ' => "i",
         'ⅉ' => "j",
-        // Spaces, invisible operators.
-        '\t'
-        | '~'
-        | '\u{a0}'
-        | '\u{2000}'..='\u{200a}'
-        | '\u{202f}'
-        | '\u{205f}'
-        | '\u{3000}'
-        | '\u{2061}'..='\u{2064}' => " ",
-        '\u{200b}'..='\u{200f}'
-        | '\u{2060}'
-        | '\u{ad}'
-        | '\u{fe0e}'
-        | '\u{fe0f}'
-        | '\u{feff}'
-        | '\r' => {
-            return Some(Nothing);
-        }
+        // Spaces within a line, invisible operators; others are ordinary ones by now.
+        '\t' | '~' | '\u{2061}'..='\u{2064}' => " ",
         _ => return None,
     }))
 }

@@ -29,6 +29,12 @@ pub(crate) fn answer_in(typed: &str) -> Range<usize> {
     }
 }
 
+/// What stands behind the arrow with which a response begins, `=> 5 m`, where none asks for a bound.
+pub fn behind_arrow(typed: &str) -> &str {
+    let behind = typed.strip_prefix("=>").map(str::trim_start);
+    behind.filter(|behind| !behind.is_empty()).unwrap_or(typed)
+}
+
 /// The words or the mark by which a response takes itself back: `~~5 m~~`, and where words are none of what may be
 /// answered, `wrong: 5 m`, `5 m is wrong`.
 pub fn withdrawn(typed: &str, may_be_words: bool) -> Option<&str> {
@@ -62,6 +68,23 @@ fn trimmed(typed: &str, range: &Range<usize>) -> Range<usize> {
     start..start + text.trim().len()
 }
 
+/// What stands behind words, however they are spaced; `is_same` says when two words are.
+pub(crate) fn behind_words<'t>(
+    text: &'t str,
+    words: &str,
+    is_same: impl Fn(&str, &str) -> bool,
+) -> Option<&'t str> {
+    let mut rest = text;
+    for (place, word) in words.split(' ').enumerate() {
+        if place > 0 {
+            rest = rest.strip_prefix(' ')?.trim_start_matches(' ');
+        }
+        let head = rest.get(..word.len())?;
+        rest = is_same(head, word).then(|| &rest[word.len()..])?;
+    }
+    Some(rest)
+}
+
 /// The length of words before an answer, with the colon or the space behind them.
 fn lead(text: &str) -> Option<usize> {
     let first = text.chars().next()?;
@@ -70,11 +93,10 @@ fn lead(text: &str) -> Option<usize> {
     }
     LEADS.iter().find_map(|lead| {
         // Most answers begin with another letter than any of these words.
-        let is_it = lead.as_bytes()[0].eq_ignore_ascii_case(&text.as_bytes()[0])
-            && text
-                .get(..lead.len())
-                .is_some_and(|head| head.eq_ignore_ascii_case(lead));
-        let behind = text.get(lead.len()..).filter(|_| is_it)?;
+        let is_it = lead.as_bytes()[0].eq_ignore_ascii_case(&text.as_bytes()[0]);
+        let behind = is_it
+            .then(|| behind_words(text, lead, str::eq_ignore_ascii_case))
+            .flatten()?;
         // The French set a space before a colon; `Hence, x = 3` has a comma.
         let behind = match behind.trim_start_matches(' ').strip_prefix(':') {
             Some(behind) => behind,
@@ -251,11 +273,14 @@ fn program(text: &str) -> Option<(usize, usize)> {
 
 /// The length of words behind an answer, of a remark in brackets, of a semicolon, or of a comma.
 fn trail(text: &str) -> Option<usize> {
-    let words = TRAILS.iter().find(|trail| text.ends_with(**trail));
-    if let Some(words) = words {
-        let before = &text[..text.len() - words.len()];
+    // The sentence may end behind them.
+    let ended = text.strip_suffix('.').map_or(text, str::trim_end);
+    let of_words = |text: &'_ str| TRAILS.iter().find(|trail| text.ends_with(**trail));
+    let found = of_words(text).map(|words| (text, words));
+    if let Some((own, words)) = found.or_else(|| Some((ended, of_words(ended)?))) {
+        let before = &own[..own.len() - words.len()];
         let is_apart = before.ends_with([' ', ')', ']']) || words.starts_with(',');
-        return is_apart.then_some(words.len());
+        return is_apart.then(|| text.len() - before.len());
     }
     // A row of LaTeX that none follows.
     if text.ends_with("\\\\") {
@@ -277,8 +302,10 @@ fn trail(text: &str) -> Option<usize> {
         return is_aside.then(|| text.len() - before.len());
     }
     if let Some(before) = text.strip_suffix('!') {
-        // `3!` is a factorial.
-        return before.ends_with(char::is_alphabetic).then_some(1);
+        // `3!` is a factorial. The French set a space before the mark.
+        let ends =
+            |last: char| last.is_alphabetic() || before.ends_with(' ') && ")]}°²³".contains(last);
+        return before.trim_end().ends_with(ends).then_some(1);
     }
     if let Some(before) = text.strip_suffix(';') {
         let ends = |last: char| last.is_alphanumeric() || ")]}°%²³'".contains(last);
@@ -340,6 +367,9 @@ mod tests {
             ("1. -5 m", "-5 m"),
             ("1. - 5 m", "1. - 5 m"),
             ("5 m # ok", "5 m"),
+            ("I  get 5 m", "5 m"),
+            ("5 m environ.", "5 m"),
+            ("5 m approx.", "5 m"),
             ("5 m // Newton", "5 m"),
             ("(2) x = 5", "(2) x = 5"),
             ("(b) x + c", "(b) x + c"),

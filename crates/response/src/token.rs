@@ -20,6 +20,10 @@ pub(crate) enum Item {
     Power(i128),
     /// `c.c.`, the complex conjugates of the terms before it.
     Conjugates,
+    /// The mark of a complex conjugate behind its letter, `A*`.
+    Conjugate,
+    /// `\bar`.
+    Bar,
     /// Primes behind a bracket.
     Primes(u8),
     /// `√`.

@@ -123,7 +123,7 @@ impl<'t> Values<'t> {
         let mut before = None;
         self.tokens.iter().any(|token| {
             let behind = before.replace(&token.item);
-            matches!(token.item, Item::Sign(';') | Item::Word("and" | "or"))
+            matches!(token.item, Item::Sign(';' | '&') | Item::Word("and" | "or"))
                 || token.is_spaced && behind == Some(&Item::Sign(','))
         })
     }
@@ -150,7 +150,7 @@ impl<'t> Values<'t> {
     /// The values of a part between semicolons, commas, `and` and `or`; empty ones are kept.
     pub fn statements(&self, part: &Part) -> Vec<Part> {
         self.cut(part, |item| {
-            matches!(item, Item::Sign(';' | ',') | Item::Word("and" | "or"))
+            matches!(item, Item::Sign(';' | ',' | '&') | Item::Word("and" | "or"))
         })
     }
 
@@ -292,10 +292,17 @@ impl<'t> Values<'t> {
 
     /// Numbers with their units, parted by spaces alone: `5 rad/s 8.7 rad/s`.
     pub fn spaced_amounts(&self, part: &Part) -> Option<Vec<Part>> {
+        let is_named = |at: usize| {
+            let behind = self.tokens.get(at + 1).filter(|_| at + 1 < part.end);
+            behind.is_some_and(|token| token.item == Item::Sign('='))
+        };
         let begins = |at: usize| {
             let before = &self.tokens[at - 1];
             let token = &self.tokens[at];
-            token.literal.is_some() && token.is_spaced && matches!(before.item, Item::Unit(_))
+            let is_behind_unit = matches!(before.item, Item::Unit(_));
+            let begins = token.literal.is_some() && is_behind_unit
+                || is_named(at) && (is_behind_unit || before.literal.is_some());
+            begins && token.is_spaced
         };
         let starts: Vec<usize> = std::iter::once(part.start)
             .chain((part.start + 1..part.end).filter(|at| begins(*at)))
@@ -312,8 +319,8 @@ impl<'t> Values<'t> {
                 .get(own.start)
                 .is_some_and(|own| own.literal.is_some())
         };
-        (parts.len() > 1 && parts.iter().all(|own| is_number(own) && has_unit(own)))
-            .then_some(parts)
+        let is_amount = |own: &Part| is_number(own) && has_unit(own) || is_named(own.start);
+        (parts.len() > 1 && parts.iter().all(is_amount)).then_some(parts)
     }
 
     /// A part with the upper and with the lower one of its signs `±`, and whether such is its first sign.

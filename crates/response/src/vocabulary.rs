@@ -17,6 +17,8 @@ pub(crate) struct Words {
     allowed: Vec<String>,
     /// Spellings with a letter that looks like the right one.
     latin: Vec<String>,
+    /// Spellings of the names that move with time.
+    moving: Vec<(String, Name)>,
 }
 
 #[derive(Debug)]
@@ -175,6 +177,7 @@ impl Words {
                 LexiconEntry::Forbidden(name) => words.forbid(name),
             }
         }
+        words.add_rates();
         words
     }
 
@@ -246,6 +249,8 @@ impl Words {
             };
             if let Some(base) = Letters::spelling(base.trim_end_matches('_')) {
                 self.add(&base, sense.clone(), primes);
+                let dots = if primes == 2 { "ddot" } else { "dot" };
+                self.add(&format!("{dots}{base}"), sense.clone(), 0);
             }
         }
         let plain = math.plain();
@@ -474,8 +479,26 @@ impl Words {
         self.add(&spelling, WordSense::Function(function), 0);
     }
 
+    /// `xd`, `thetad`, `x1d` and `xd1`, where no name of the item is the letter d.
+    fn add_rates(&mut self) {
+        if self.knows("d") {
+            return;
+        }
+        for (spelling, name) in std::mem::take(&mut self.moving) {
+            let stem = spelling.trim_end_matches(|last: char| last.is_ascii_digit());
+            let digits = &spelling[stem.len()..];
+            let rate = WordSense::Leaf(Expr::name(name).prime(1));
+            for word in [format!("{spelling}d"), format!("{stem}d{digits}")] {
+                if !self.knows(&word) {
+                    self.add(&word, rate.clone(), 0);
+                }
+            }
+        }
+    }
+
     /// `xdot`, `xddot`, and with a subscript `xdot1`.
     fn add_dotted(&mut self, spelling: &str, name: &Name) {
+        self.moving.push((spelling.to_owned(), name.clone()));
         let stem = spelling.trim_end_matches(|last: char| last.is_ascii_digit());
         let digits = &spelling[stem.len()..];
         // As people call them in programs: `ddx1`, `xdd1`, `x1dd`, `D2x1`, `x1pp`; `dx` and `xp` mean other things, too.
@@ -496,6 +519,7 @@ impl Words {
         for (word, order) in [("dot", 1), ("ddot", 2), ("dotdot", 2)] {
             let sense = WordSense::Leaf(Expr::name(name.clone()).prime(order));
             self.add(&format!("{spelling}{word}"), sense.clone(), 0);
+            self.add(&format!("{word}{spelling}"), sense.clone(), 0);
             if !digits.is_empty() {
                 self.add(&format!("{stem}{word}{digits}"), sense, 0);
             }

@@ -39,17 +39,23 @@ impl Prepared {
     }
 
     /// Equations, their programs, and how they compare with the key: as they were typed or, unless that is right,
-    /// without roots.
+    /// without roots, or without quotients of unknowns.
     fn compared(&self, equations: Vec<Equation>) -> Option<(Vec<Equation>, Vec<Program>, Rows)> {
-        let typed = self.setup.compile(&equations, &BTreeMap::new())?;
-        let rows = self.compare(&*self.key, &typed);
-        match self.without_roots(&equations) {
-            Some(squared) if rows != Rows::Same => {
-                let typed = self.setup.compile(&squared, &BTreeMap::new())?;
-                let rows = self.compare(&*self.key, &typed);
-                Some((squared, typed, rows))
-            }
-            _ => Some((equations, typed, rows)),
+        let compared = |equations: Vec<Equation>| {
+            let typed = self.setup.compile(&equations, &BTreeMap::new())?;
+            let rows = self.compare(&*self.key, &typed);
+            Some((equations, typed, rows))
+        };
+        let as_typed = compared(equations)?;
+        if as_typed.2 == Rows::Same {
+            return Some(as_typed);
+        }
+        let other = self
+            .without_roots(&as_typed.0)
+            .or_else(|| self.setup.without_quotients(&as_typed.0));
+        match other {
+            Some(other) => compared(other),
+            None => Some(as_typed),
         }
     }
 

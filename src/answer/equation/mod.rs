@@ -18,6 +18,7 @@
 
 mod marker;
 mod points;
+mod quotient;
 mod read;
 mod root;
 mod rows;

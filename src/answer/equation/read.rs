@@ -30,7 +30,22 @@ impl Setup {
                 let mut equations = equations.iter();
                 equations.all(|equation| equation.check(&self.meaning).is_ok())
             };
-            found.extend(of_chain(&chain.fitting(fits))?);
+            for mut equation in of_chain(&chain.fitting(fits))? {
+                let fits = equation.check(&self.meaning).is_ok();
+                for side in [&mut equation.left, &mut equation.right] {
+                    if response::is_nothing(side) {
+                        let span = side.span();
+                        *side = Expr::number(0);
+                        if !fits {
+                            return Err(Unreadable::at(
+                                &response[span.range()],
+                                Why::Formula(Trouble::Unit),
+                            ));
+                        }
+                    }
+                }
+                found.push(equation);
+            }
         }
         Ok(found)
     }

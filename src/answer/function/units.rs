@@ -94,7 +94,7 @@ pub(crate) fn without_words(text: &str) -> Option<String> {
         at = end;
         let behind = text[end..].trim_start();
         let start = text.len() - behind.len();
-        let is_last = |rest: &str| rest.trim_start().starts_with(')');
+        let is_last = |rest: &str| rest.trim_start().starts_with([')', ']']);
         if behind.strip_prefix(RADIANS).is_some_and(is_last) && is_in_wave(&text[..start]) {
             bare.replace_range(start..start + RADIANS.len(), &" ".repeat(RADIANS.len()));
         }
@@ -106,19 +106,19 @@ pub(crate) fn without_words(text: &str) -> Option<String> {
 fn is_in_wave(before: &str) -> bool {
     let mut closed = 0_usize;
     let open = before.char_indices().rev().find(|(_, char)| match char {
-        ')' => {
+        ')' | ']' => {
             closed += 1;
             false
         }
-        '(' if closed > 0 => {
+        '(' | '[' if closed > 0 => {
             closed -= 1;
             false
         }
-        char => *char == '(',
+        char => matches!(char, '(' | '['),
     });
     open.is_some_and(|(at, _)| {
         let name = before[..at].trim_end();
-        ["cos", "sin", "Cos", "Sin"]
+        ["cos", "sin", "Cos", "Sin", "COS", "SIN"]
             .iter()
             .any(|wave| name.ends_with(wave))
     })

@@ -8,7 +8,7 @@ use super::spelling::{normalized, spelt, unbracketed};
 use super::subject::BoundedSubject;
 use crate::answer::{Example, Misfit, Unreadable, Why};
 use crate::expr::Precise;
-use crate::response::cut;
+use crate::response::{cut, cut_where};
 use crate::source::Span;
 use crate::unit::{DecimalMark, Unit};
 
@@ -74,21 +74,15 @@ impl Ends<'_> {
             return Err(Why::TooLong.into());
         }
         let text = normalized(response, self.setup.is_strict);
-        let pieces = cut(&text, Span::new(0, text.len()), &[',', ';']);
-        let is_relation = |piece: &Span| text[piece.range()].contains(['<', '>', '≤', '≥']);
-        let parts = |(at, char): (usize, char)| {
-            let is_digit = |char: char| char.is_ascii_digit();
-            let is_decimal =
-                || text[..at].ends_with(is_digit) && text[at + 1..].starts_with(is_digit);
-            char == ';' || char == ',' && !is_decimal()
-        };
-        let is_parted = text.char_indices().any(parts);
-        if is_parted && pieces.len() > 1 && pieces.iter().all(is_relation) {
-            return Err(Why::JoinInequalities.into());
-        }
-        let mut pieces = Vec::new();
+        let inequalities = inequalities(&text);
         // A number without a unit has that of the next one.
         let mut unit = None;
+        if inequalities.len() > 1 {
+            let sets = inequalities.iter().rev();
+            let sets = sets.map(|piece| self.condition(text[piece.range()].trim(), &mut unit));
+            return side_by_side(&sets.collect::<Read<Vec<Set>>>()?);
+        }
+        let mut pieces = Vec::new();
         for part in text.rsplit('∪') {
             let conditions = part.rsplit('∩').map(str::trim);
             let sets = conditions
@@ -255,6 +249,39 @@ impl Ends<'_> {
             Some(why) => why,
             None => like_interval(Why::NotInInequality(symbol)),
         }
+    }
+}
+
+/// The inequalities that stand side by side, parted by commas or semicolons; none where it is anything else.
+fn inequalities(text: &str) -> Vec<Span> {
+    let is_digit = |char: char| char.is_ascii_digit();
+    let pieces = cut_where(text, Span::new(0, text.len()), |at, char| {
+        let is_decimal = || text[..at].ends_with(is_digit) && text[at + 1..].starts_with(is_digit);
+        char == ';' || char == ',' && !is_decimal()
+    });
+    let is_relation = |piece: &Span| text[piece.range()].contains(['<', '>', '≤', '≥']);
+    let are_joined = text.contains(['∪', '∩']);
+    if are_joined || !pieces.iter().all(is_relation) {
+        return Vec::new();
+    }
+    pieces
+}
+
+/// What inequalities side by side mean together. `x > 1, x < 3` holds for both, since everything would satisfy one of
+/// them; `x < 1, x > 3` holds for one of them, since nothing satisfies both. Where neither is so, one has to ask.
+fn side_by_side(sets: &[Set]) -> Read<Set> {
+    let common = sets
+        .iter()
+        .cloned()
+        .reduce(|all, own| all.common(&own))
+        .unwrap_or_default();
+    let either = Set::of(sets.iter().flat_map(|set| set.0.clone()).collect());
+    let is_all =
+        matches!(&either.0[..], [SetPiece(ends)] if ends.iter().all(|end| !end.value.is_finite()));
+    match (is_all, common.0.is_empty()) {
+        (true, false) => Ok(common),
+        (false, true) => Ok(either),
+        _ => Err(Why::JoinInequalities.into()),
     }
 }
 

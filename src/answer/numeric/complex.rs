@@ -403,7 +403,7 @@ impl Marker for Numbers {
 impl Numbers {
     fn values<'r>(&self, response: &'r str) -> Result<Values<'r>, Unreadable> {
         if self.is_list {
-            return parted(response, self.mark, true);
+            return parted(response, self.mark, true, self.targets.len());
         }
         let style = Style {
             mark: self.mark,

@@ -9,6 +9,13 @@ use crate::numerics::Rational;
 use crate::response::{Label, Part, Style, Trouble, Values};
 use crate::unit::{DecimalMark, Unit};
 
+/// Numbers as they were typed.
+pub(crate) struct List {
+    pub(crate) items: Vec<TypedNumber>,
+    /// Whether they are two with one distance from their mean, `6.8 ± 1.8`, of which neither is the first.
+    pub(crate) are_about_mean: bool,
+}
+
 /// The most numbers of a list.
 const MAX_ITEMS: usize = 100;
 
@@ -24,8 +31,8 @@ pub(crate) fn list(
     count: usize,
     is_ordered: bool,
     mark: DecimalMark,
-) -> Result<Vec<TypedNumber>, Unreadable> {
-    let values = parted(response, mark, false)?;
+) -> Result<List, Unreadable> {
+    let values = parted(response, mark, false, count)?;
     if let Some(bracket) = values.lone_bracket() {
         return Err(Unreadable::at(bracket, Why::Formula(Trouble::Bracket)));
     }
@@ -73,7 +80,7 @@ pub(crate) fn list(
         .chain(labels.first().cloned())
         .any(|name| is_of_frequency(values.text(&name)));
     let mut items: Vec<(Option<u32>, TypedNumber)> = Vec::new();
-    let mut named = Vec::new();
+    let (mut named, mut are_about_mean) = (Vec::new(), false);
     for piece in &pieces {
         let first = &values.statement(piece).sides[0];
         let label = values.index(first).filter(|_| values.is_name(first));
@@ -85,6 +92,7 @@ pub(crate) fn list(
             named.push(name);
         }
         let both = both_signs(&values, piece, pieces.len() == 1 && count == 2, mark)?;
+        are_about_mean |= pieces.len() == 1 && both.len() == 2;
         items.extend(both.into_iter().map(|item| (label, item)));
     }
     if values.has_tight_comma(&inner)
@@ -113,7 +121,10 @@ pub(crate) fn list(
             return Err(Why::LabelsInOtherOrder.into());
         }
     }
-    Ok(items.into_iter().map(|(_, item)| item).collect())
+    Ok(List {
+        items: items.into_iter().map(|(_, item)| item).collect(),
+        are_about_mean,
+    })
 }
 
 /// Whether a name is that of a frequency, of which the lower one is the first by custom; roots and places are numbered
@@ -139,11 +150,13 @@ pub(crate) fn without_empty_ends(
         .collect())
 }
 
-/// The values of a list. A comma between digits parts them, unless something else does.
+/// The values of a list of which `count` are asked. A comma between digits parts them, unless something else does, or two
+/// are asked and stand at one distance from their mean, `6,83 ± 1,83`.
 pub(crate) fn parted(
     response: &str,
     mark: DecimalMark,
     is_complex: bool,
+    count: usize,
 ) -> Result<Values<'_>, Unreadable> {
     let read = |comma_is_decimal| {
         let style = Style {
@@ -154,7 +167,12 @@ pub(crate) fn parted(
         Values::read(response, style).map_err(|error| Unreadable::typed(&error, response))
     };
     let values = read(true)?;
-    if mark == DecimalMark::Comma || values.is_parted() {
+    let are_about_mean = || {
+        let whole = values.statement(&values.all()).sides;
+        let signs = whole.last().and_then(|value| values.both_signs(value));
+        count == 2 && signs.is_some_and(|(_, is_first)| !is_first)
+    };
+    if mark == DecimalMark::Comma || values.is_parted() || are_about_mean() {
         return Ok(values);
     }
     read(false)
@@ -205,7 +223,7 @@ fn unbracketed(values: &Values<'_>, part: &Part) -> (Part, Option<Unit>) {
 
 impl Numbers {
     /// Marks the numbers of a list.
-    pub(crate) fn mark_list(&self, items: &[TypedNumber]) -> Marking {
+    pub(crate) fn mark_list(&self, items: &[TypedNumber], is_ordered: bool) -> Marking {
         let mut typed = Vec::with_capacity(items.len());
         for item in items {
             match self.si(&item.quantity) {
@@ -222,7 +240,7 @@ impl Numbers {
         }
         let numbers: Vec<f64> = typed.iter().map(|value| value.hi()).collect();
         let reading = Self::reading(items, &numbers, self.mark);
-        let matched = pair(&self.targets, &typed, self.modulo, self.is_ordered);
+        let matched = pair(&self.targets, &typed, self.modulo, is_ordered);
         let (expected, given) = (self.targets.len(), typed.len());
         let is_bare =
             |item: &TypedNumber| item.quantity.unit.is_one() && !item.quantity.value.is_zero();

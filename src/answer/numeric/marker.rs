@@ -1,6 +1,6 @@
 //! Marks numbers: right, a named mistake, or a slip that can be diagnosed from the number alone.
 
-use super::list::list;
+use super::list::{List, list};
 use super::read::{self, TypedNumber};
 use super::slip::mixes_energy_and_moment;
 use super::target::{Target, Typed, pair};
@@ -277,7 +277,7 @@ impl Numbers {
     }
 
     /// A number as it is meant where this is asked: the one reading that has the dimension; radians for its unit, where
-    /// degrees are asked and it has none, but π in it.
+    /// degrees are asked and it has none, but π in it, and perhaps those in which its π counts cycles.
     fn meant(&self, mut number: TypedNumber) -> TypedNumber {
         let fits = |number: &TypedNumber| self.si(&number.quantity).is_ok();
         if !fits(&number)
@@ -291,6 +291,13 @@ impl Numbers {
         if has_pi && number.quantity.unit.is_one() && self.unit.text() == "°" {
             number.quantity.unit = Unit::radian();
         }
+        // Of `2π · 2 Hz` people mean the angular frequency of two cycles a second.
+        let is_angular = self.unit.text() == "rad/s";
+        number.others.extend(
+            (has_pi && is_angular)
+                .then(|| number.in_radians())
+                .flatten(),
+        );
         number
     }
 
@@ -361,7 +368,7 @@ impl Marker for Numbers {
 
     fn echo(&self, response: &str) -> Result<Echo, Unreadable> {
         let items = if self.is_list {
-            list(response, self.targets.len(), self.is_ordered, self.mark)?
+            list(response, self.targets.len(), self.is_ordered, self.mark)?.items
         } else {
             vec![read::number(response, self.mark)?]
         };
@@ -374,15 +381,19 @@ impl Marker for Numbers {
     fn mark(&self, response: &str) -> Marking {
         if self.is_list {
             return match list(response, self.targets.len(), self.is_ordered, self.mark) {
-                Ok(items) => {
+                Ok(List {
+                    items,
+                    are_about_mean,
+                }) => {
                     let items: Vec<TypedNumber> =
                         items.into_iter().map(|item| self.meant(item)).collect();
+                    let is_ordered = self.is_ordered && !are_about_mean;
                     // One convention holds for the whole list.
                     let otherwise: Vec<TypedNumber> =
                         items.iter().map(TypedNumber::otherwise).collect();
                     let is_doubtful = items.iter().any(|item| !item.others.is_empty());
                     let other = is_doubtful.then_some(&otherwise[..]);
-                    self.settled(&items, other, |items| self.mark_list(items))
+                    self.settled(&items, other, |items| self.mark_list(items, is_ordered))
                 }
                 Err(why) => Marking::unreadable(why),
             };

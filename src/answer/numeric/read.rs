@@ -6,7 +6,7 @@ use crate::math::Math;
 use crate::response::{
     Amount, Number as Typed, Part, Style, Trouble, TypedError, ValueTrouble, Values,
 };
-use crate::unit::{Decimal, DecimalMark, Quantity};
+use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
 
 /// A number with its unit as it was typed.
 #[derive(Clone, Debug)]
@@ -61,6 +61,18 @@ impl TypedNumber {
             Some(expr) if self.quantity.unit.is_one() => expr.to_string(),
             Some(expr) => format!("({expr}) {}", self.quantity.unit),
         }
+    }
+
+    /// With radians per second for its hertz.
+    pub(crate) fn in_radians(&self) -> Option<Self> {
+        let text = self.quantity.unit.text();
+        let prefix = text.strip_suffix("Hz")?;
+        let unit = Unit::parse(&format!("{prefix}rad/s")).ok()?;
+        Some(Self {
+            quantity: Quantity::new(self.quantity.value, unit),
+            arithmetic: self.arithmetic.clone(),
+            others: Vec::new(),
+        })
     }
 
     /// Its other reading, where it has one.

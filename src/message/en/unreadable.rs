@@ -314,6 +314,9 @@ fn formula(trouble: &Trouble) -> String {
             "this ends with a letter or with a unit; put the list in brackets, and that behind them."
         }
         Trouble::Order => "give them in the order of the question, as a list without names.",
+        Trouble::NamedMatrices => {
+            "the names of matrices do not say what is in them: write their entries, as in `det([[a, b], [c, d]])`, or the determinant itself."
+        }
         Trouble::Determinant => "bars make a determinant or a norm of it: put a matrix in square brackets.",
         Trouble::Ragged => "the rows have different lengths.",
         Trouble::Value(_) => "this is not a number.",

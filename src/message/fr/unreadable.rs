@@ -371,6 +371,9 @@ fn formula(trouble: &Trouble) -> String {
             "ceci se termine par une lettre ou par une unité ; mettez la liste entre crochets, et le reste après."
         }
         Trouble::Order => "donnez-les dans l’ordre de la question, en liste et sans noms.",
+        Trouble::NamedMatrices => {
+            "les noms des matrices ne disent pas ce qu’elles contiennent : écrivez leurs termes, comme dans `det([[a, b], [c, d]])`, ou le déterminant développé."
+        }
         Trouble::Determinant => {
             "des barres forment un déterminant ou une norme : mettez une matrice entre crochets."
         }

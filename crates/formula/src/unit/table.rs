@@ -99,7 +99,7 @@ pub(crate) static ROWS: &[UnitRow] = &[
     row(&["W"],                  "W",   &["watt", "watts"],                               [ 1,  2, -3,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
     row(&["Pa"],                 "Pa",  &["pascal", "pascals"],                           [ 1, -1, -2,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
     row(&["V"],                  "V",   &["volt", "volts"],                               [ 1,  2, -3, -1, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
-    row(&["A"],                  "A",   &["ampere", "amperes", "amp", "amps"],            [ 0,  0,  0,  1, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
+    row(&["A"],                  "A",   &["ampere", "amperes", "ampère", "ampères", "amp", "amps"], [ 0,  0,  0,  1, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
     row(&["ohm", "Ω", "\u{2126}"], "Ω", &["ohm", "ohms"],                                 [ 1,  2, -3, -2, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
     row(&["F"],                  "F",   &["farad", "farads"],                             [-1, -2,  4,  2, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
     row(&["H"],                  "H",   &["henry", "henries", "henrys"],                  [ 1,  2, -2, -2, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),

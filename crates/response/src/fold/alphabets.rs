@@ -1,9 +1,8 @@
-//! Letters and digits of other widths and styles.
+//! Letters and digits of other styles.
 
-/// The ordinary letter or digit for one of another width or style.
+/// The ordinary letter or digit for one of another style.
 pub(crate) fn unstyled(char: char) -> char {
     match char {
-        '！'..='～' => char::from_u32(u32::from(char) - 0xfee0).unwrap_or(char),
         '\u{1d400}'..='\u{1d7ff}' => mathematical(u32::from(char) - 0x1d400).unwrap_or(char),
         _ => char,
     }

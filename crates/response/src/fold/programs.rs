@@ -132,8 +132,12 @@ impl Folder<'_> {
         };
         let is_greek = greek_word(&word).is_some();
         if is_greek {
-            // What follows the bracket is no part of the letter's name.
-            self.write(&format!("\\{word} "), name.len() + "\\[]".len());
+            // A letter behind the bracket is no part of the command's name.
+            let length = name.len() + "\\[]".len();
+            let is_letter =
+                self.rest()[length..].starts_with(|next: char| next.is_ascii_alphabetic());
+            let space = if is_letter { " " } else { "" };
+            self.write(&format!("\\{word}{space}"), length);
         }
         is_greek
     }

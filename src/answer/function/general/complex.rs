@@ -8,9 +8,10 @@ use std::collections::BTreeMap;
 
 use crate::expr::{Constant, Expr, Function, Kind, Name, Operator};
 
-/// Nodes of a part. A motion of three coordinates has some hundred; a product of sums has each factor in it four times, so
-/// that a short response could have more nodes than memory holds.
-const MAX_SIZE: u32 = 20_000;
+/// Nodes of all parts of a response. Motions of three coordinates have some hundred, in sums of products perhaps a
+/// thousand; each is derived twice and compiled, in some microseconds a node. A product of sums has each factor in it four
+/// times, so that a short response could have more nodes than memory holds.
+pub(crate) const MAX_SIZE: u32 = 4_000;
 
 /// A formula as its real part and, where it is not real, its imaginary part.
 #[derive(Clone, Debug)]

@@ -224,9 +224,14 @@ impl Setup {
 
     /// A response as one solution of real numbers, or as two, the real and the imaginary part of one of complex
     /// numbers.
-    fn solutions(&self, typed: &[Expr]) -> Option<Vec<TypedSolution>> {
+    ///
+    /// # Errors
+    ///
+    /// Why the response has no derivatives that can be compared.
+    fn solutions(&self, typed: &[Expr]) -> Result<Vec<TypedSolution>, Why> {
+        let solution = |typed: &[Expr]| self.solution(typed).ok_or(Why::Undifferentiable);
         if !typed.iter().any(complex::is_complex) {
-            return Some(vec![self.solution(typed)?]);
+            return Ok(vec![solution(typed)?]);
         }
         let used = self.used(typed);
         let phases: Vec<Name> = typed.iter().flat_map(complex::phases).collect();
@@ -241,18 +246,23 @@ impl Setup {
         let parts: Vec<Parts> = typed
             .iter()
             .map(|formula| Parts::of(formula, &complex))
-            .collect::<Option<_>>()?;
+            .collect::<Option<_>>()
+            .ok_or(Why::Undifferentiable)?;
+        let size = |own: &Parts| own.real.size() + own.imaginary.as_ref().map_or(0, Expr::size);
+        if parts.iter().map(size).sum::<u32>() > complex::MAX_SIZE {
+            return Err(Why::TooLong);
+        }
         let real: Vec<Expr> = parts.iter().map(|own| own.real.clone()).collect();
         let none = || Expr::number(0);
         let imaginary: Vec<Expr> = parts
             .into_iter()
             .map(|own| own.imaginary.unwrap_or_else(none))
             .collect();
-        let mut solutions = vec![self.solution(&real)?];
+        let mut solutions = vec![solution(&real)?];
         if !imaginary.iter().all(Expr::is_zero) {
-            solutions.push(self.solution(&imaginary)?);
+            solutions.push(solution(&imaginary)?);
         }
-        Some(solutions)
+        Ok(solutions)
     }
 
     fn solution(&self, typed: &[Expr]) -> Option<TypedSolution> {
@@ -479,8 +489,9 @@ impl Marker for Prepared {
                 needed,
             });
         }
-        let Some(mut solutions) = setup.solutions(&typed) else {
-            return Marking::unreadable(Why::Undifferentiable);
+        let mut solutions = match setup.solutions(&typed) {
+            Ok(solutions) => solutions,
+            Err(why) => return Marking::unreadable(why),
         };
         // Of a sum of conjugates nothing is imaginary.
         if solutions.len() > 1 && self.vanishes(&solutions[1], &solutions[0]) {
