@@ -201,7 +201,7 @@ impl<'t> Solution<'t> {
         let answer = &self.template().parts[place].answer;
         match answer.printed(&self.evaluation) {
             Some(printed) => printed.map(|_| None),
-            None => Ok(self.marker(place)?.clearance()),
+            None => Ok(self.marker(place)?.clearance(f64::INFINITY)),
         }
     }
 

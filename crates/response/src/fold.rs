@@ -182,20 +182,15 @@ impl<'t> Folded<'t> {
 /// Whether nothing is to be folded: printable ASCII without commands, dollars, marks and runs of signs.
 fn is_plain(typed: &str) -> bool {
     let is_kept =
-        |byte: u8| byte == b'\n' || (b' '..=b'~').contains(&byte) && !b"$\\`~".contains(&byte);
+        |byte: u8| (b' '..=b'~').contains(&byte) && !b"$\\`~|".contains(&byte);
+    let bytes = typed.as_bytes();
     let mut may_run = false;
-    let is_kept_all = typed.bytes().all(|byte| {
-        may_run |= b"=*&{".contains(&byte);
-        is_kept(byte)
+    let is_kept_all = bytes.iter().enumerate().all(|(at, byte)| {
+        may_run |= b"=*&{".contains(byte);
+        is_kept(*byte) && !begins_sign(&bytes[at..])
     });
     is_kept_all
         && !(may_run && (RUNS.iter().any(|(run, _)| typed.contains(run)) || typed.contains("*^")))
-        && ![
-            "..", "->", "_]", "_C", "C[", " 10^", "> =", "< =", "|", "+-", "-+", "+/-", "-/+",
-        ]
-        .iter()
-        .any(|sign| typed.contains(sign))
-        && !typed.contains('\n')
         && !TURNS.iter().any(|(turn, _)| typed.contains(turn))
         && !typed
             .match_indices('(')
@@ -203,6 +198,23 @@ fn is_plain(typed: &str) -> bool {
         && !typed.split(' ').any(begins_words)
         && answer_in(typed).len() == typed.len()
         && enumeration(typed).is_empty()
+}
+
+/// Whether a sign of several characters begins here that is folded, or is none of a plain response.
+// In one pass over the bytes: a search for each of them takes longer than all the rest of a plain response.
+fn begins_sign(rest: &[u8]) -> bool {
+    matches!(
+        rest,
+        [b'.', b'.', ..]
+            | [b'-', b'>' | b'+', ..]
+            | [b'+', b'-', ..]
+            | [b'+', b'/', b'-', ..]
+            | [b'-', b'/', b'+', ..]
+            | [b'_', b']' | b'C', ..]
+            | [b'C', b'[', ..]
+            | [b'>' | b'<', b' ', b'=', ..]
+            | [b' ', b'1', b'0', b'^', ..]
+    )
 }
 
 /// Whether what stands before a bracket is a call of which the fold knows.
@@ -235,13 +247,20 @@ fn has_barred_numbers(typed: &str) -> bool {
 /// Whether one of the words that stand for others begins with a word.
 fn begins_words(own: &str) -> bool {
     let is_word = |byte: u8| byte.is_ascii_alphabetic() || byte == b'.';
-    let begins = |words: &str| {
+    let is_begun = |words: &str| {
         let behind = words.as_bytes().get(own.len());
-        words.starts_with(own) && matches!(behind, None | Some(b' '))
+        begins(words, own) && matches!(behind, None | Some(b' '))
     };
     own.len() > 1
         && own.bytes().all(is_word)
-        && (WORDS.iter().any(|(words, _)| begins(words)) || VERBS.iter().any(|verb| begins(verb)))
+        && (WORDS.iter().any(|(words, _)| is_begun(words))
+            || VERBS.iter().any(|verb| is_begun(verb)))
+}
+
+/// Whether a text begins with a word.
+// Of a table, most words differ in their first byte, and a comparison of texts is a call.
+fn begins(text: &str, word: &str) -> bool {
+    text.as_bytes().first() == word.as_bytes().first() && text.starts_with(word)
 }
 
 struct Folder<'t> {
@@ -309,10 +328,13 @@ impl Folder<'_> {
     /// Whether a sign would make a run with what stands before it.
     fn would_run(&self, sign: &str) -> bool {
         let is_letter = sign.starts_with(|char: char| char.is_ascii_alphanumeric() || char == ' ');
+        let last = sign.as_bytes().last();
         !is_letter
             && RUNS.iter().any(|(run, _)| {
-                let before = run.strip_suffix(sign).unwrap_or_default();
-                !before.is_empty() && self.text.ends_with(before)
+                run.as_bytes().last() == last
+                    && run.strip_suffix(sign).is_some_and(|before| {
+                        !before.is_empty() && self.text.ends_with(before)
+                    })
             })
     }
 
@@ -410,15 +432,17 @@ impl Folder<'_> {
         let rest = self.rest();
         let of_words = |rest: &str| {
             let found = WORDS.iter().find(|(words, plain)| {
-                rest.strip_prefix(words).is_some_and(|rest| {
-                    rest.starts_with(' ')
-                        || *plain == PERCENT && !rest.starts_with(char::is_alphanumeric)
-                })
+                begins(rest, words) && {
+                    let behind = &rest[words.len()..];
+                    behind.starts_with(' ')
+                        || *plain == PERCENT && !behind.starts_with(char::is_alphanumeric)
+                }
             });
             found.map(|(words, plain)| (words.len(), *plain))
         };
         let compares = |verb: &str| {
-            let behind = rest.strip_prefix(verb)?.strip_prefix(' ')?;
+            let behind = begins(rest, verb).then(|| &rest[verb.len()..])?;
+            let behind = behind.strip_prefix(' ')?;
             let (length, plain) = of_words(behind)?;
             let is_sign = matches!(plain, "<" | ">" | "≤" | "≥");
             is_sign.then_some((verb.len() + 1 + length, plain))
@@ -474,19 +498,16 @@ impl Folder<'_> {
             let goes_on = next.trim_start().starts_with(['=', '≈']);
             return goes_on.then_some((1, " "));
         }
-        let begins = rest.starts_with(char::is_alphabetic);
-        if !begins
+        if !rest.starts_with(char::is_alphabetic)
             || self.typed[..self.at].ends_with(|char: char| char.is_alphabetic() || char == '_')
         {
             return None;
         }
-        if let Some((turn, plain)) = TURNS.iter().find(|(turn, _)| rest.starts_with(turn)) {
+        if let Some((turn, plain)) = TURNS.iter().find(|(turn, _)| begins(rest, turn)) {
             return Some((turn.len(), plain));
         }
-        let is_call = |name: &&&str| {
-            rest.strip_prefix(**name)
-                .is_some_and(|rest| rest.starts_with('('))
-        };
+        let is_call =
+            |name: &&&str| begins(rest, name) && rest.as_bytes().get(name.len()) == Some(&b'(');
         if let Some(root) = ROOTS.iter().find(is_call) {
             return Some((root.len(), "sqrt"));
         }
