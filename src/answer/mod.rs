@@ -58,6 +58,8 @@ pub use trial::{Nature, Trial};
 #[cfg(feature = "render")]
 pub use work::Criterion;
 
+use std::sync::Arc;
+
 use crate::document::Document;
 use crate::expr::{Equation, Name, Precise};
 use crate::numerics::Complex;
@@ -163,7 +165,7 @@ pub trait Answer: Send + Sync {
 
     /// The key as it is printed, from a kind that has it without preparing what marks; such a kind knows
     /// no distance of mistakes.
-    fn printed(&self, _evaluation: &Evaluation<'_>) -> Option<Result<Key, Absent>> {
+    fn printed(&self, _evaluation: &Evaluation<'_>) -> Option<Result<Arc<Key>, Absent>> {
         None
     }
 

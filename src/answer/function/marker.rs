@@ -221,7 +221,7 @@ impl Marker for Prepared<'_> {
     }
 
     fn key(&self) -> Key {
-        self.setup.printed()
+        Key::clone(self.setup.printed())
     }
 
     fn clearance(&self, limit: f64) -> Option<f64> {
