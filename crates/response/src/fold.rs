@@ -181,8 +181,7 @@ impl<'t> Folded<'t> {
 
 /// Whether nothing is to be folded: printable ASCII without commands, dollars, marks and runs of signs.
 fn is_plain(typed: &str) -> bool {
-    let is_kept =
-        |byte: u8| (b' '..=b'~').contains(&byte) && !b"$\\`~|".contains(&byte);
+    let is_kept = |byte: u8| (b' '..=b'~').contains(&byte) && !b"$\\`~|".contains(&byte);
     let bytes = typed.as_bytes();
     let mut may_run = false;
     let is_kept_all = bytes.iter().enumerate().all(|(at, byte)| {
@@ -332,9 +331,9 @@ impl Folder<'_> {
         !is_letter
             && RUNS.iter().any(|(run, _)| {
                 run.as_bytes().last() == last
-                    && run.strip_suffix(sign).is_some_and(|before| {
-                        !before.is_empty() && self.text.ends_with(before)
-                    })
+                    && run
+                        .strip_suffix(sign)
+                        .is_some_and(|before| !before.is_empty() && self.text.ends_with(before))
             })
     }
 

@@ -42,8 +42,14 @@ impl Chosen {
 
     /// What was chosen: by the letters that are printed and the texts of the options; by ids for programs.
     fn reading(&self, places: &[usize]) -> Reading {
-        let ids: Vec<String> = places.iter().map(|at| self.options.ids[*at].clone()).collect();
-        let texts: Vec<&str> = places.iter().map(|at| self.options.texts[*at].as_str()).collect();
+        let ids: Vec<String> = places
+            .iter()
+            .map(|at| self.options.ids[*at].clone())
+            .collect();
+        let texts: Vec<&str> = places
+            .iter()
+            .map(|at| self.options.texts[*at].as_str())
+            .collect();
         Reading {
             math: self.letters(places),
             text: texts.join("; "),

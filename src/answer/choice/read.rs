@@ -151,8 +151,12 @@ impl Chosen {
 
     /// The only option that is this formula, however it is written.
     fn of_formula(&self, typed: &str) -> Option<usize> {
-        let formulas: Vec<Option<Formula>> =
-            self.options.texts.iter().map(|text| Formula::of(text)).collect();
+        let formulas: Vec<Option<Formula>> = self
+            .options
+            .texts
+            .iter()
+            .map(|text| Formula::of(text))
+            .collect();
         let typed = Formula::of(typed)?;
         let is_it = |place: &usize| formulas[*place].as_ref().is_some_and(|own| own.is(&typed));
         only((0..formulas.len()).filter(is_it))
@@ -170,7 +174,12 @@ impl Chosen {
     fn of_words(&self, words: &str) -> Option<usize> {
         let place = |is_it: &dyn Fn(&String) -> bool| self.options.words.iter().position(is_it);
         place(&|own| own == words)
-            .or_else(|| self.options.ids.iter().position(|id| normalized(id) == words))
+            .or_else(|| {
+                self.options
+                    .ids
+                    .iter()
+                    .position(|id| normalized(id) == words)
+            })
             .or_else(|| {
                 let word = joined(words)?;
                 place(&|own| joined(own).as_ref() == Some(&word))
@@ -183,7 +192,8 @@ impl Chosen {
             let rest = own.strip_prefix(words);
             rest.is_some_and(|rest| !rest.starts_with(char::is_alphanumeric))
         };
-        let found = (0..self.options.words.len()).filter(|place| begins(&self.options.words[*place]));
+        let found =
+            (0..self.options.words.len()).filter(|place| begins(&self.options.words[*place]));
         only(found).filter(|_| words.chars().count() >= MIN_LETTERS)
     }
 

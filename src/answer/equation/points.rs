@@ -33,7 +33,11 @@ pub(crate) fn points(setup: &Setup, key: &[Program], evaluation: &Evaluation<'_>
         let factors = factors(setup, key, &data);
         let points = (0..count).map(|_| {
             let mut point = around.point_beside(&data, 0.6);
-            for (value, factor) in point.iter_mut().zip(&factors).filter(|(_, own)| **own != 1.0) {
+            for (value, factor) in point
+                .iter_mut()
+                .zip(&factors)
+                .filter(|(_, own)| **own != 1.0)
+            {
                 *value = Precise::exact(value.high() * factor);
             }
             point
