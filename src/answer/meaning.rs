@@ -38,6 +38,13 @@ pub(crate) struct Input {
     pub(crate) is_moving: bool,
 }
 
+impl Input {
+    /// Whether it has a value for an instance.
+    pub(crate) fn is_datum(&self) -> bool {
+        self.node.is_some()
+    }
+}
+
 /// A name and its time derivatives take this many slots.
 pub(crate) const ORDERS: usize = 4;
 
@@ -165,16 +172,6 @@ impl Meaning {
     pub(crate) fn conditions(&self) -> &[Condition] {
         let compile = || Condition::of(self, &self.constraints);
         self.conditions.get_or_init(compile)
-    }
-
-    /// A point with the data of another.
-    pub(crate) fn with_data(&self, mut point: Vec<Precise>, data: &[Precise]) -> Vec<Precise> {
-        for (place, input) in self.inputs.iter().enumerate() {
-            if input.node.is_some() {
-                point[place * ORDERS] = data[place * ORDERS];
-            }
-        }
-        point
     }
 
     /// Compiles a formula; `replaced` stand in for names.

@@ -58,6 +58,8 @@ pub use trial::{Nature, Trial};
 #[cfg(feature = "render")]
 pub use work::Criterion;
 
+use std::sync::Arc;
+
 use crate::document::Document;
 use crate::expr::{Equation, Name, Precise};
 use crate::numerics::Complex;
@@ -163,7 +165,7 @@ pub trait Answer: Send + Sync {
 
     /// The key as it is printed, from a kind that has it without preparing what marks; such a kind knows
     /// no distance of mistakes.
-    fn printed(&self, _evaluation: &Evaluation<'_>) -> Option<Result<Key, Absent>> {
+    fn printed(&self, _evaluation: &Evaluation<'_>) -> Option<Result<Arc<Key>, Absent>> {
         None
     }
 
@@ -218,8 +220,10 @@ pub trait Marker {
     where
         Self: Sized;
 
-    /// The least distance of a named mistake from the key, in tolerances; `None` without a mistake that differs.
-    fn clearance(&self) -> Option<f64> {
+    /// The least distance of a named mistake from the key, in tolerances, if it is below `limit`; `None` without a mistake
+    /// that differs.
+    fn clearance(&self, limit: f64) -> Option<f64> {
+        let _ = limit;
         None
     }
 
@@ -244,9 +248,14 @@ pub trait Marker {
         None
     }
 
-    /// The times at which functions are compared with the key, where functions are asked and these times decide alone.
-    fn times(&self) -> &[Precise] {
-        &[]
+    /// The times at which functions are compared with the key, and its values there; none where no functions are asked.
+    fn samples(&self) -> (&[Precise], &[f64]) {
+        (&[], &[])
+    }
+
+    /// Whether functions are compared beyond these times, too, where what is near at them may be told apart.
+    fn looks_later(&self) -> bool {
+        false
     }
 
     /// Whether rounding leaves less of the key than answers are marked by.

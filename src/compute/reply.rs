@@ -83,10 +83,13 @@ impl ResultReply {
         vectors: impl IntoIterator<Item = &'v [f64]>,
     ) -> Self {
         self.key(name);
+        let vectors: Vec<&[f64]> = vectors.into_iter().collect();
+        // At once: a text of a million bytes is moved as often as it grows.
+        let count: usize = vectors.iter().map(|vector| vector.len()).sum();
+        self.text.reserve(MAX_NUMBER_LENGTH * count);
         self.text.push(b'[');
         for (i, vector) in vectors.into_iter().enumerate() {
             self.separate(i);
-            self.text.reserve(MAX_NUMBER_LENGTH * vector.len());
             self.values(name, vector.iter().copied());
         }
         self.text.push(b']');

@@ -2,9 +2,10 @@
 //! statement, `ω = sqrt(k/m) = 15.81 rad/s`.
 
 use super::Sheet;
+use super::typed::TypedResponse;
 use crate::answer::{Credit, Marker, Marking, Naming, Note, Reason, Remark, Slip, Verdict, Why};
 use crate::numerics::Rational;
-use crate::response::{self, Folded};
+use crate::response;
 use crate::solution::Solution;
 
 /// The marking of a response that its own kind hands back, if it says something in the other form: of a statement in
@@ -12,17 +13,17 @@ use crate::solution::Solution;
 pub(crate) fn otherwise(
     solution: &Solution<'_>,
     place: usize,
-    response: &str,
+    response: &TypedResponse<'_>,
     first: &Marking,
     sheet: &Sheet<'_>,
 ) -> Option<Marking> {
-    if response.len() > super::MAX_RESPONSE_LENGTH || is_of_another(first) {
+    if response.is_too_long() || is_of_another(first) {
         return None;
     }
     let is_open = first.verdict == Verdict::Unreadable && !is_doubtful(first);
     let part = &solution.template().parts[place];
     part.answer.other_form()?;
-    let folded = part.naming.named(Folded::of(response).ok()?).ok()?;
+    let folded = part.naming.named(response.folded().ok()?.clone()).ok()?;
     let text = folded.text().trim();
     let sides = response::statement(text);
     // A key in the other form is prepared only where it may decide.
@@ -52,16 +53,15 @@ pub(crate) fn otherwise(
 pub(crate) fn standing(
     solution: &Solution<'_>,
     place: usize,
-    response: &str,
+    response: &TypedResponse<'_>,
     marking: &Marking,
 ) -> Option<Marking> {
-    let is_open =
-        marking.verdict == Verdict::Unreadable && response.len() <= super::MAX_RESPONSE_LENGTH;
+    let is_open = marking.verdict == Verdict::Unreadable && !response.is_too_long();
     if !is_open || is_doubtful(marking) || is_of_another(marking) {
         return None;
     }
     let naming = &solution.template().parts[place].naming;
-    let folded = naming.named(Folded::of(response).ok()?).ok()?;
+    let folded = naming.named(response.folded().ok()?.clone()).ok()?;
     let other = solution.other_marker(place)?.mark(folded.text().trim());
     other.reading.is_some().then_some(other)
 }

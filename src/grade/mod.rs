@@ -13,6 +13,7 @@ mod points;
 pub mod request;
 mod responses;
 mod silence;
+mod typed;
 
 pub use among::mark_among;
 pub use feedback::{Comment, Feedback, PartFeedback, QuestionFeedback, remarks};
@@ -21,10 +22,11 @@ pub use points::{of_marking, rounded, standing};
 pub use responses::{Place, Responses, Row, RowError};
 
 use crate::answer::{AnswerKind, Credit, Echo, Marker, Marking, Unreadable, Why};
-use crate::response::{Folded, behind_arrow, withdrawn};
+use crate::response::{Folded, withdrawn};
 use crate::solution::Solution;
 
 use self::bound::bounded;
+use self::typed::TypedResponse;
 
 /// Longest response that is read.
 pub const MAX_RESPONSE_LENGTH: usize = 4000;
@@ -46,15 +48,20 @@ pub const MAX_RESPONSE_LENGTH: usize = 4000;
 /// # }
 /// ```
 pub fn mark(solution: &Solution<'_>, place: usize, response: &str) -> Marking {
-    let response = response.trim();
-    if response.is_empty() {
+    mark_typed(solution, place, &TypedResponse::new(response))
+}
+
+/// The same for a response that may have been folded before.
+fn mark_typed(solution: &Solution<'_>, place: usize, response: &TypedResponse<'_>) -> Marking {
+    let typed = response.typed();
+    if typed.is_empty() {
         return Marking::missing();
     }
     let marking = match folded(solution, place, response) {
         Ok((marker, folded)) => bounded(|| marker.mark(folded.text().trim()).in_typed(&folded)),
         Err(why) => Marking::unreadable(why),
     };
-    silence::heard(response, marking)
+    silence::heard(typed, marking)
 }
 
 /// How a response to a part is read while it is typed: this tells nothing of the key.
@@ -63,7 +70,7 @@ pub fn mark(solution: &Solution<'_>, place: usize, response: &str) -> Marking {
 ///
 /// Why it cannot be read.
 pub fn echo(solution: &Solution<'_>, place: usize, response: &str) -> Result<Echo, Unreadable> {
-    let (marker, folded) = folded(solution, place, response.trim())?;
+    let (marker, folded) = folded(solution, place, &TypedResponse::new(response))?;
     marker.echo(folded.text().trim()).map_err(|mut why| {
         why.point_at_typed(&folded);
         why
@@ -74,21 +81,22 @@ pub fn echo(solution: &Solution<'_>, place: usize, response: &str) -> Result<Ech
 fn folded<'s, 'r>(
     solution: &'s Solution<'_>,
     place: usize,
-    response: &'r str,
+    response: &TypedResponse<'r>,
 ) -> Result<(&'s dyn Marker, Folded<'r>), Unreadable> {
-    if response.len() > MAX_RESPONSE_LENGTH {
+    if response.is_too_long() {
         return Err(Why::LongerThan(MAX_RESPONSE_LENGTH).into());
     }
     let part = &solution.template().parts[place];
     let kind = part.answer.kind();
-    if let Some(words) = withdrawn(response, kind == AnswerKind::Choice) {
+    if let Some(words) = withdrawn(response.typed(), kind == AnswerKind::Choice) {
         return Err(Unreadable::at(words, Why::Withdrawn));
     }
-    let response = match kind {
-        AnswerKind::Interval => response,
-        _ => behind_arrow(response),
+    let folded = match kind {
+        // Before a bound, `=>` is a sign of its own.
+        AnswerKind::Interval => Folded::of(response.typed())?,
+        _ => response.folded()?.clone(),
     };
-    let folded = part.naming.named(Folded::of(response)?)?;
+    let folded = part.naming.named(folded)?;
     part.naming.check(folded.text()).map_err(|mut why| {
         why.point_at_typed(&folded);
         why
@@ -161,15 +169,17 @@ impl Grade {
     ) -> Self {
         let mut responses: Vec<(usize, &str)> = responses.into_iter().collect();
         crate::numerics::sort_by_key(&mut responses, |(place, _)| *place);
-        let mut all = vec![""; solution.template().parts.len()];
+        let mut all: Vec<TypedResponse<'_>> = Vec::new();
+        all.resize_with(solution.template().parts.len(), TypedResponse::default);
         for (place, response) in &responses {
-            all[*place] = response;
+            all[*place] = TypedResponse::new(response);
         }
         let mut grade = Self::default();
         // What later parts go on from: also what was answered in the other form.
         let mut earlier: Vec<(usize, Marking)> = Vec::new();
-        for (place, response) in responses {
-            let first = mark_among(solution, place, &all);
+        for (place, _) in responses {
+            let response = &all[place];
+            let first = among::marked(solution, place, &all);
             let first = form::otherwise(solution, place, response, &first, sheet).unwrap_or(first);
             let followed = follow::follow(solution, place, response, &first, &earlier);
             let marking = followed.unwrap_or(first);

@@ -208,14 +208,10 @@ impl<'g> Evaluation<'g> {
         };
         let mut spread: Vec<f64> = value.numbers().iter().map(|number| number.abs()).collect();
         for step in self.graph.steps(id) {
-            let Some(moved) = self
-                .value(step)
-                .ok()
-                .and_then(|given| scaled(given, 1.0 + STEP))
-            else {
+            let Ok(given) = self.value(step) else {
                 continue;
             };
-            let other = self.replacing(vec![(step, moved)]);
+            let other = self.replacing(vec![(step, given.scaled(1.0 + STEP))]);
             let Ok(changed) = other.value(id) else {
                 continue;
             };
@@ -458,16 +454,6 @@ impl<'g> Evaluation<'g> {
             absence,
         }
     }
-}
-
-/// A value with all its numbers multiplied.
-fn scaled(value: &Value, factor: f64) -> Option<Value> {
-    let numbers = value
-        .numbers()
-        .iter()
-        .map(|number| number * factor)
-        .collect();
-    Value::new(value.form(), numbers, value.bounds().to_vec())
 }
 
 impl Function<'_, '_> {

@@ -246,10 +246,7 @@ impl<'g> Evaluation<'g> {
         let step = method.step;
         let value = match &method.change {
             Change::Formula(computation, _) => self.by(step, computation)?,
-            Change::Times(factor) => {
-                let value = self.value(step)?;
-                scaled(value, *factor).ok_or_else(|| self.none(step))?
-            }
+            Change::Times(factor) => self.value(step)?.scaled(*factor),
             Change::Number(number) => Value::real(*number, 0.0),
         };
         let known = method.held.iter().filter(|node| **node != step);
@@ -268,12 +265,6 @@ impl<'g> Evaluation<'g> {
             _ => None,
         }
     }
-}
-
-/// A value with all its numbers multiplied.
-fn scaled(value: &Value, factor: f64) -> Option<Value> {
-    let numbers = value.numbers().iter().map(|number| number * factor);
-    Value::new(value.form(), numbers.collect(), value.bounds().to_vec())
 }
 
 /// The ways in which a formula is commonly taken wrongly, each with what it is then.

@@ -8,6 +8,7 @@ mod session;
 use std::cell::{Cell, OnceCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
+use std::sync::Arc;
 
 pub use entry::{Entry, Nested, Number};
 pub use session::Session;
@@ -30,7 +31,9 @@ pub struct Solution<'t> {
     markers: Vec<OnceCell<Result<Box<dyn Marker + 't>, Absent>>>,
     /// What marks the other form of an answer.
     others: Vec<OnceCell<Option<Box<dyn Marker + 't>>>>,
-    /// The keys as they are printed, on several pages of one sheet.
+    /// The keys as they are printed, from kinds that have them without what marks; none of others.
+    alone: Vec<OnceCell<Option<Result<Arc<Key>, Absent>>>>,
+    /// Those of the others.
     printed: Vec<OnceCell<Result<Key, Absent>>>,
     /// The keys that a scene writes in its own way.
     written: Vec<OnceCell<Option<Math>>>,
@@ -60,6 +63,7 @@ impl<'t> Solution<'t> {
         Self {
             markers: cells(template),
             others: cells(template),
+            alone: cells(template),
             printed: cells(template),
             written: cells(template),
             instance,
@@ -95,6 +99,7 @@ impl<'t> Solution<'t> {
         Self {
             markers: cells(self.template()),
             others: cells(self.template()),
+            alone: cells(self.template()),
             printed: cells(self.template()),
             written: cells(self.template()),
             instance: self.instance.clone(),
@@ -173,14 +178,18 @@ impl<'t> Solution<'t> {
     ///
     /// As [`Self::marker`].
     pub fn key(&self, place: usize) -> Result<&Key, Absent> {
-        let printed = self.printed[place].get_or_init(|| {
-            let answer = &self.template().parts[place].answer;
-            match answer.printed(&self.evaluation) {
-                Some(printed) => printed,
-                None => self.marker(place).map(Marker::key),
-            }
-        });
+        if let Some(key) = self.key_alone(place) {
+            return key.as_deref().map_err(Clone::clone);
+        }
+        let printed = self.printed[place].get_or_init(|| self.marker(place).map(Marker::key));
         printed.as_ref().map_err(Clone::clone)
+    }
+
+    /// The key of a part from a kind that has it without what marks.
+    fn key_alone(&self, place: usize) -> Option<&Result<Arc<Key>, Absent>> {
+        let answer = &self.template().parts[place].answer;
+        let key = self.alone[place].get_or_init(|| answer.printed(&self.evaluation));
+        key.as_ref()
     }
 
     /// The key of a part as a scene writes it, which it does once.
@@ -198,10 +207,9 @@ impl<'t> Solution<'t> {
     ///
     /// As [`Self::marker`].
     pub fn clearance(&self, place: usize) -> Result<Option<f64>, Absent> {
-        let answer = &self.template().parts[place].answer;
-        match answer.printed(&self.evaluation) {
-            Some(printed) => printed.map(|_| None),
-            None => Ok(self.marker(place)?.clearance()),
+        match self.key_alone(place) {
+            Some(key) => key.as_ref().map(|_| None).map_err(Clone::clone),
+            None => Ok(self.marker(place)?.clearance(f64::INFINITY)),
         }
     }
 

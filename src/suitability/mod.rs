@@ -117,11 +117,14 @@ pub fn judge_methods(solution: &Solution<'_>, parts: &[usize]) -> Result<(), Unf
             });
         }
         // Functions are prepared for this alone, which costs more than a key.
-        let clearance = match part.answer.kind() {
-            AnswerKind::Function => solution.marker(*place).ok().and_then(|own| own.clearance()),
+        let nearest = match part.answer.kind() {
+            AnswerKind::Function => {
+                let marker = solution.marker(*place).ok();
+                marker.and_then(|own| own.clearance(CLEARANCE))
+            }
             _ => None,
         };
-        if let Some(tolerances) = clearance.filter(|clearance| *clearance < CLEARANCE) {
+        if let Some(tolerances) = nearest {
             return Err(Unfit::NearMistake {
                 part: part.id.clone(),
                 tolerances,
@@ -152,7 +155,11 @@ pub fn judge_methods(solution: &Solution<'_>, parts: &[usize]) -> Result<(), Unf
 /// How far what a wrong method gives lies from the key of a part that asks for numbers or a function, in tolerances; none
 /// where the method gives nothing, or the very key.
 pub fn distance(solution: &Solution<'_>, place: usize, method: &Method) -> Option<f64> {
-    Beside::of(solution, place)?.distance(method)
+    let beside = Beside::of(solution, place)?;
+    if beside.marker.looks_later() {
+        return None;
+    }
+    beside.distance(method)
 }
 
 /// The key of a part, with which what wrong methods give is compared.
@@ -163,7 +170,7 @@ struct Beside<'s> {
     /// The times at which it is compared, if it is a function.
     times: Option<&'s [Precise]>,
     /// Its numbers, or its values at these times.
-    right: Vec<f64>,
+    right: &'s [f64],
     /// Which functions are the key for these data.
     in_force: RefCell<BTreeMap<NodeId, bool>>,
 }
@@ -175,16 +182,17 @@ impl<'s> Beside<'s> {
         let key = *answer.keys().first()?;
         let marker = solution.marker(place).ok()?;
         let evaluation = solution.evaluation();
-        let times = match answer.kind() {
-            AnswerKind::Numeric => None,
-            AnswerKind::Function => Some(marker.times()).filter(|times| !times.is_empty()),
+        let (times, right) = match answer.kind() {
+            AnswerKind::Numeric => (None, evaluation.value(key).ok()?.numbers()),
+            AnswerKind::Function => {
+                let (times, values) = marker.samples();
+                (Some(times).filter(|times| !times.is_empty()), values)
+            }
             _ => return None,
         };
-        let right = match (answer.kind(), times) {
-            (AnswerKind::Numeric, _) => evaluation.value(key).ok()?.numbers().to_vec(),
-            (_, Some(times)) => samples(&evaluation.function(key).ok()?, times, 0.0)?,
-            _ => return None,
-        };
+        if right.is_empty() {
+            return None;
+        }
         Some(Self {
             evaluation,
             marker,
@@ -204,8 +212,8 @@ impl<'s> Beside<'s> {
             }
             Some(times) => self.course(method, |wrong| samples(wrong, times, self.fine()))?,
         };
-        let size = largest(&self.right);
-        let mut pairs = wrong.iter().zip(&self.right);
+        let size = largest(self.right);
+        let mut pairs = wrong.iter().zip(self.right);
         let is_same = pairs.all(|(a, b)| (a - b).abs() <= SAME * size);
         let is_finite = wrong.iter().all(|number| number.is_finite());
         let distance = self.marker.distance(&wrong);
@@ -217,8 +225,9 @@ impl<'s> Beside<'s> {
         if self.is_seen_apart(method) {
             return None;
         }
-        self.distance(method)
-            .filter(|distance| *distance < CLEARANCE)
+        let near = self.distance(method).filter(|own| *own < CLEARANCE);
+        // Asked last: it costs as much as all methods.
+        near.filter(|_| !self.marker.looks_later())
     }
 
     /// Whether one time already shows that a function by a wrong method is far from the key, since the farthest decides.
@@ -233,7 +242,7 @@ impl<'s> Beside<'s> {
                 let Some(value) = value(wrong, times[place], self.fine()) else {
                     return false;
                 };
-                let mut values = self.right.clone();
+                let mut values = self.right.to_vec();
                 values[place] = value;
                 let distance = self.marker.distance(&values);
                 distance.is_some_and(|distance| distance >= CLEARANCE)
@@ -262,7 +271,7 @@ impl<'s> Beside<'s> {
 
     /// The accuracy of what is compared with the key: far below [`SAME`].
     fn fine(&self) -> f64 {
-        1e-12 * largest(&self.right)
+        1e-12 * largest(self.right)
     }
 
     fn is_in_force(&self, step: NodeId) -> bool {

@@ -80,7 +80,11 @@ impl AnswerSurvey {
             return;
         };
         self.keys += 1;
-        note(&mut self.clearance, marker.clearance(), f64::min);
+        note(
+            &mut self.clearance,
+            marker.clearance(f64::INFINITY),
+            f64::min,
+        );
         let answer = &solution.template().parts[self.place].answer;
         let spreads = answer
             .keys()

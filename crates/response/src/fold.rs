@@ -203,21 +203,15 @@ impl<'t> Folded<'t> {
 
 /// Whether nothing is to be folded: printable ASCII without commands, dollars, marks and runs of signs.
 fn is_plain(typed: &str) -> bool {
-    let is_kept =
-        |byte: u8| byte == b'\n' || (b' '..=b'~').contains(&byte) && !b"$\\`~".contains(&byte);
+    let is_kept = |byte: u8| (b' '..=b'~').contains(&byte) && !b"$\\`~|".contains(&byte);
+    let bytes = typed.as_bytes();
     let mut may_run = false;
-    let is_kept_all = typed.bytes().all(|byte| {
-        may_run |= b"=*&{".contains(&byte);
-        is_kept(byte)
+    let is_kept_all = bytes.iter().enumerate().all(|(at, byte)| {
+        may_run |= b"=*&{".contains(byte);
+        is_kept(*byte) && !begins_sign(&bytes[at..])
     });
     is_kept_all
         && !(may_run && (RUNS.iter().any(|(run, _)| typed.contains(run)) || typed.contains("*^")))
-        && ![
-            "..", "->", "_]", "_C", "C[", " 10^", "> =", "< =", "|", "+-", "-+", "+/-", "-/+",
-        ]
-        .iter()
-        .any(|sign| typed.contains(sign))
-        && !typed.contains('\n')
         && !TURNS.iter().any(|(turn, _)| typed.contains(turn))
         && !typed
             .match_indices('(')
@@ -225,6 +219,23 @@ fn is_plain(typed: &str) -> bool {
         && !typed.split(' ').any(begins_words)
         && answer_in(typed).len() == typed.len()
         && enumeration(typed).is_empty()
+}
+
+/// Whether a sign of several characters begins here that is folded, or is none of a plain response.
+// In one pass over the bytes: a search for each of them takes longer than all the rest of a plain response.
+fn begins_sign(rest: &[u8]) -> bool {
+    matches!(
+        rest,
+        [b'.', b'.', ..]
+            | [b'-', b'>' | b'+', ..]
+            | [b'+', b'-', ..]
+            | [b'+', b'/', b'-', ..]
+            | [b'-', b'/', b'+', ..]
+            | [b'_', b']' | b'C', ..]
+            | [b'C', b'[', ..]
+            | [b'>' | b'<', b' ', b'=', ..]
+            | [b' ', b'1', b'0', b'^', ..]
+    )
 }
 
 /// Whether what stands before a bracket is a call of which the fold knows.
@@ -257,13 +268,25 @@ fn has_barred_numbers(typed: &str) -> bool {
 /// Whether one of the words that stand for others begins with a word.
 fn begins_words(own: &str) -> bool {
     let is_word = |byte: u8| byte.is_ascii_alphabetic() || byte == b'.';
-    let begins = |words: &str| {
+    let is_begun = |words: &str| {
         let behind = words.as_bytes().get(own.len());
-        words.starts_with(own) && matches!(behind, None | Some(b' '))
+        begins(words, own) && matches!(behind, None | Some(b' '))
     };
     own.len() > 1
         && own.bytes().all(is_word)
-        && (WORDS.iter().any(|(words, _)| begins(words)) || VERBS.iter().any(|verb| begins(verb)))
+        && (WORDS.iter().any(|(words, _)| is_begun(words))
+            || VERBS.iter().any(|verb| is_begun(verb)))
+}
+
+/// Whether a text begins with a word.
+fn begins(text: &str, word: &str) -> bool {
+    begin_alike(text, word) && text.starts_with(word)
+}
+
+/// Whether two texts have the same first byte.
+// Of a table, most words differ in it, and a comparison of texts is a call.
+fn begin_alike(text: &str, word: &str) -> bool {
+    text.as_bytes().first() == word.as_bytes().first()
 }
 
 struct Folder<'t> {
@@ -331,10 +354,13 @@ impl Folder<'_> {
     /// Whether a sign would make a run with what stands before it.
     fn would_run(&self, sign: &str) -> bool {
         let is_letter = sign.starts_with(|char: char| char.is_ascii_alphanumeric() || char == ' ');
+        let last = sign.as_bytes().last();
         !is_letter
             && RUNS.iter().any(|(run, _)| {
-                let before = run.strip_suffix(sign).unwrap_or_default();
-                !before.is_empty() && self.text.ends_with(before)
+                run.as_bytes().last() == last
+                    && run
+                        .strip_suffix(sign)
+                        .is_some_and(|before| !before.is_empty() && self.text.ends_with(before))
             })
     }
 
@@ -431,7 +457,8 @@ impl Folder<'_> {
         }
         let rest = self.rest();
         let of_words = |rest: &str| {
-            WORDS.iter().find_map(|(words, plain)| {
+            let mut likely = WORDS.iter().filter(|(words, _)| begin_alike(rest, words));
+            likely.find_map(|(words, plain)| {
                 let behind = behind_words(rest, words, str::eq)?;
                 let ends = behind.starts_with(' ')
                     || *plain == PERCENT && !behind.starts_with(char::is_alphanumeric);
@@ -439,7 +466,8 @@ impl Folder<'_> {
             })
         };
         let compares = |verb: &str| {
-            let behind = behind_words(rest, verb, str::eq)?;
+            let likely = begin_alike(rest, verb).then_some(rest)?;
+            let behind = behind_words(likely, verb, str::eq)?;
             let compared = behind.strip_prefix(' ')?.trim_start_matches(' ');
             let (length, plain) = of_words(compared)?;
             let is_sign = matches!(plain, "<" | ">" | "≤" | "≥");
@@ -496,19 +524,16 @@ impl Folder<'_> {
             let goes_on = next.trim_start().starts_with(['=', '≈']);
             return goes_on.then_some((1, " "));
         }
-        let begins = rest.starts_with(char::is_alphabetic);
-        if !begins
+        if !rest.starts_with(char::is_alphabetic)
             || self.typed[..self.at].ends_with(|char: char| char.is_alphabetic() || char == '_')
         {
             return None;
         }
-        if let Some((turn, plain)) = TURNS.iter().find(|(turn, _)| rest.starts_with(turn)) {
+        if let Some((turn, plain)) = TURNS.iter().find(|(turn, _)| begins(rest, turn)) {
             return Some((turn.len(), plain));
         }
-        let is_call = |name: &&&str| {
-            rest.strip_prefix(**name)
-                .is_some_and(|rest| rest.starts_with('('))
-        };
+        let is_call =
+            |name: &&&str| begins(rest, name) && rest.as_bytes().get(name.len()) == Some(&b'(');
         if let Some(root) = ROOTS.iter().find(is_call) {
             return Some((root.len(), "sqrt"));
         }

@@ -320,6 +320,10 @@ fn trail(text: &str) -> Option<usize> {
 fn comment(text: &str) -> Option<usize> {
     /// Longer words are no symbols of units.
     const MAX_UNIT: usize = 5;
+    // Most responses have neither sign, and a search for two letters takes longer than one for their bytes.
+    if !text.bytes().any(|byte| b"#/".contains(&byte)) {
+        return None;
+    }
     let (before, comment) = text.split_once(" # ").or_else(|| text.split_once(" // "))?;
     // A word behind `//` that is as short as a letter of a formula may be one.
     let word = comment.split([' ', ',', ':']).next().unwrap_or(comment);

@@ -1,5 +1,7 @@
 //! Marks what was chosen.
 
+use std::sync::Arc;
+
 use crate::answer::{
     Answered, Credit, Key, KeyValue, Marker, Marking, Nature, Reading, Remark, Slip, Trial,
     Unreadable, Why,
@@ -8,14 +10,20 @@ use crate::document::Document;
 use crate::math::Math;
 use crate::numerics::Rational;
 
-/// A prepared key; places are those of the file.
-pub(crate) struct Chosen {
+/// The options of a part, whatever the data; places are those of the file.
+#[derive(Debug)]
+pub(crate) struct Options {
     pub(crate) ids: Vec<String>,
-    /// The options without regard to case and spacing.
+    /// Without regard to case and spacing.
     pub(crate) words: Vec<String>,
     /// As they are printed.
     pub(crate) texts: Vec<String>,
     pub(crate) feedback: Vec<Option<Document>>,
+}
+
+/// A prepared key.
+pub(crate) struct Chosen {
+    pub(crate) options: Arc<Options>,
     pub(crate) right: Vec<bool>,
     pub(crate) order: Vec<usize>,
     pub(crate) is_several: bool,
@@ -34,8 +42,14 @@ impl Chosen {
 
     /// What was chosen: by the letters that are printed and the texts of the options; by ids for programs.
     fn reading(&self, places: &[usize]) -> Reading {
-        let ids: Vec<String> = places.iter().map(|at| self.ids[*at].clone()).collect();
-        let texts: Vec<&str> = places.iter().map(|at| self.texts[*at].as_str()).collect();
+        let ids: Vec<String> = places
+            .iter()
+            .map(|at| self.options.ids[*at].clone())
+            .collect();
+        let texts: Vec<&str> = places
+            .iter()
+            .map(|at| self.options.texts[*at].as_str())
+            .collect();
         Reading {
             math: self.letters(places),
             text: texts.join("; "),
@@ -50,7 +64,7 @@ impl Chosen {
     }
 
     fn remark(&self, place: usize) -> Option<Remark> {
-        self.feedback[place].clone().map(Remark::Option)
+        self.options.feedback[place].clone().map(Remark::Option)
     }
 
     fn mark_one(&self, places: &[usize]) -> Marking {
@@ -89,8 +103,8 @@ impl Chosen {
         let mut seen = places.to_vec();
         crate::numerics::sort_by(&mut seen, Ord::cmp);
         seen.dedup();
-        if seen.len() != self.ids.len() || places.len() != self.ids.len() {
-            return Marking::unreadable(Why::Ranking(self.ids.len()));
+        if seen.len() != self.options.ids.len() || places.len() != self.options.ids.len() {
+            return Marking::unreadable(Why::Ranking(self.options.ids.len()));
         }
         let ordered = places.windows(2).filter(|pair| pair[0] < pair[1]).count();
         let all = places.len() - 1;
@@ -105,7 +119,7 @@ impl Chosen {
 
 impl Marker for Chosen {
     fn trials(&self) -> Vec<Trial> {
-        let all: Vec<usize> = (0..self.ids.len()).collect();
+        let all: Vec<usize> = (0..self.options.ids.len()).collect();
         let letters = |places: &[usize]| {
             let letters = places.iter().map(|place| self.letter(*place).to_string());
             letters.collect::<Vec<_>>().join(", ")
@@ -134,15 +148,15 @@ impl Marker for Chosen {
 
     fn key(&self) -> Key {
         let places: Vec<usize> = if self.is_ranking {
-            (0..self.ids.len()).collect()
+            (0..self.options.ids.len()).collect()
         } else {
-            (0..self.ids.len())
+            (0..self.options.ids.len())
                 .filter(|place| self.right[*place])
                 .collect()
         };
         let ids = places
             .iter()
-            .map(|place| self.ids[*place].clone())
+            .map(|place| self.options.ids[*place].clone())
             .collect();
         let is_list = self.is_several || self.is_ranking;
         Key {

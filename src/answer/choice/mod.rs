@@ -21,7 +21,9 @@ mod formula;
 mod marker;
 mod read;
 
-use self::marker::Chosen;
+use std::sync::{Arc, OnceLock};
+
+use self::marker::{Chosen, Options};
 use super::{Answer, AnswerError, Asked, Blank, Choosable, Choosing, Context, Declare, Marker};
 use crate::document::Document;
 use crate::quantity::{Absent, NodeId};
@@ -32,6 +34,8 @@ struct ChoiceAnswer {
     options: Vec<Choosable>,
     rights: Vec<Right>,
     feedback: Vec<Option<Document>>,
+    /// As they are compared with responses, once one was marked.
+    compared: OnceLock<Arc<Options>>,
     is_several: bool,
     is_ranking: bool,
     shuffles: bool,
@@ -86,6 +90,7 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         options,
         rights,
         feedback,
+        compared: OnceLock::new(),
         is_several,
         is_ranking,
         shuffles,
@@ -107,6 +112,21 @@ fn right(table: &Table<'_>, declare: &mut dyn Declare) -> Option<Right> {
 }
 
 impl ChoiceAnswer {
+    /// The options as responses are compared with them: the same for all data.
+    fn compared(&self) -> Options {
+        let options = self.options.iter();
+        let ids = options.clone().map(|option| option.id.clone()).collect();
+        let texts: Vec<String> = options
+            .map(|option| option.text.plain(&no_fills()))
+            .collect();
+        Options {
+            ids,
+            words: texts.iter().map(|text| read::words(text)).collect(),
+            texts,
+            feedback: self.feedback.clone(),
+        }
+    }
+
     fn manner(&self) -> Choosing {
         match (self.is_ranking, self.is_several) {
             (true, _) => Choosing::Ranking,
@@ -174,26 +194,13 @@ impl Answer for ChoiceAnswer {
             .iter()
             .map(is_right)
             .collect::<Result<Vec<_>, _>>()?;
-        let texts: Vec<String> = self
-            .options
-            .iter()
-            .map(|option| option.text.plain(&no_fills()))
-            .collect();
-        let words = texts.iter().map(|text| read::words(text)).collect();
         let order = if context.order.len() == self.options.len() {
             context.order.clone()
         } else {
             (0..self.options.len()).collect()
         };
         Ok(Box::new(Chosen {
-            ids: self
-                .options
-                .iter()
-                .map(|option| option.id.clone())
-                .collect(),
-            words,
-            texts,
-            feedback: self.feedback.clone(),
+            options: Arc::clone(self.compared.get_or_init(|| Arc::new(self.compared()))),
             right,
             order,
             is_several: self.is_several,

@@ -151,8 +151,12 @@ impl Chosen {
 
     /// The only option that is this formula, however it is written.
     fn of_formula(&self, typed: &str) -> Option<usize> {
-        let formulas: Vec<Option<Formula>> =
-            self.texts.iter().map(|text| Formula::of(text)).collect();
+        let formulas: Vec<Option<Formula>> = self
+            .options
+            .texts
+            .iter()
+            .map(|text| Formula::of(text))
+            .collect();
         let typed = Formula::of(typed)?;
         let is_it = |place: &usize| formulas[*place].as_ref().is_some_and(|own| own.is(&typed));
         only((0..formulas.len()).filter(is_it))
@@ -168,9 +172,14 @@ impl Chosen {
 
     /// The option that reads so, however it is spaced, or that is called so in the file.
     fn of_words(&self, words: &str) -> Option<usize> {
-        let place = |is_it: &dyn Fn(&String) -> bool| self.words.iter().position(is_it);
+        let place = |is_it: &dyn Fn(&String) -> bool| self.options.words.iter().position(is_it);
         place(&|own| own == words)
-            .or_else(|| self.ids.iter().position(|id| normalized(id) == words))
+            .or_else(|| {
+                self.options
+                    .ids
+                    .iter()
+                    .position(|id| normalized(id) == words)
+            })
             .or_else(|| {
                 let word = joined(words)?;
                 place(&|own| joined(own).as_ref() == Some(&word))
@@ -183,7 +192,8 @@ impl Chosen {
             let rest = own.strip_prefix(words);
             rest.is_some_and(|rest| !rest.starts_with(char::is_alphanumeric))
         };
-        let found = (0..self.words.len()).filter(|place| begins(&self.words[*place]));
+        let found =
+            (0..self.options.words.len()).filter(|place| begins(&self.options.words[*place]));
         only(found).filter(|_| words.chars().count() >= MIN_LETTERS)
     }
 
@@ -195,17 +205,17 @@ impl Chosen {
         ];
         let typed = contents(words);
         let stands = |place: &usize| {
-            let own = contents(&self.words[*place]);
+            let own = contents(&self.options.words[*place]);
             let mut runs = own.windows(typed.len().max(1));
             runs.any(|run| run == typed)
         };
         let is_joined = |place: &usize| {
-            let own = contents(&self.words[*place]);
+            let own = contents(&self.options.words[*place]);
             own.iter()
                 .any(|word| JOINTS.contains(word) && !typed.contains(word))
         };
-        let is_all = |place: &usize| contents(&self.words[*place]) == typed;
-        let places = || 0..self.words.len();
+        let is_all = |place: &usize| contents(&self.options.words[*place]) == typed;
+        let places = || 0..self.options.words.len();
         let is_long = typed.iter().any(|word| word.chars().count() >= MIN_LETTERS);
         only(places().filter(is_all))
             .or_else(|| only(places().filter(stands)).filter(|place| !is_joined(place)))
@@ -223,10 +233,10 @@ impl Chosen {
             })
         };
         let is_it = |place: &usize| {
-            let id = normalized(&self.ids[*place]);
-            stands(&contents(&self.words[*place])) || stands(&[id.as_str()])
+            let id = normalized(&self.options.ids[*place]);
+            stands(&contents(&self.options.words[*place])) || stands(&[id.as_str()])
         };
-        only((0..self.words.len()).filter(is_it))
+        only((0..self.options.words.len()).filter(is_it))
     }
 
     /// The option `yes` or `no` in another language.
@@ -258,7 +268,7 @@ impl Chosen {
         // All words of an option are it, also those that could announce one: `only if K = 0`. One word may be a letter.
         let whole = normalized(response);
         let is_it = |words: &&String| whole.contains(' ') && **words == whole;
-        if let Some(place) = self.words.iter().position(|words| is_it(&words)) {
+        if let Some(place) = self.options.words.iter().position(|words| is_it(&words)) {
             return Ok(vec![place]);
         }
         let response = announced(response);
@@ -300,7 +310,7 @@ impl Chosen {
 
     /// Whether a word is a run of printed letters, each once, where several are asked.
     fn are_letters(&self, word: &str) -> bool {
-        let last = b'a' + (self.ids.len() - 1) as u8;
+        let last = b'a' + (self.options.ids.len() - 1) as u8;
         let mut letters = word.to_ascii_lowercase().into_bytes();
         crate::numerics::sort_by(&mut letters, Ord::cmp);
         (self.is_several || self.is_ranking)

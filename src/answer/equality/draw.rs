@@ -119,7 +119,7 @@ impl<'a> Around<'a> {
         flips: bool,
         keeps_whole: bool,
     ) -> Option<Vec<Precise>> {
-        let mut point = self.drawn(spread, flips, keeps_whole);
+        let mut point = self.drawn(spread, flips, keeps_whole, None);
         for condition in &self.conditions {
             condition.solve(&mut point, &mut self.room)?;
         }
@@ -147,13 +147,25 @@ impl<'a> Around<'a> {
 
     /// A point within `spread` decades of the data, wherever that is.
     pub(crate) fn free_point(&mut self, spread: f64) -> Vec<Precise> {
-        self.drawn(spread, false, false)
+        self.drawn(spread, false, false, None)
     }
 
-    fn drawn(&mut self, spread: f64, flips: bool, keeps_whole: bool) -> Vec<Precise> {
+    /// A point within `spread` decades of the data that differs from another in all but its data.
+    pub(crate) fn point_beside(&mut self, other: &[Precise], spread: f64) -> Vec<Precise> {
+        self.drawn(spread, false, false, Some(other))
+    }
+
+    fn drawn(
+        &mut self,
+        spread: f64,
+        flips: bool,
+        keeps_whole: bool,
+        beside: Option<&[Precise]>,
+    ) -> Vec<Precise> {
         let octaves = spread * std::f64::consts::LOG2_10;
         let mut point = Vec::with_capacity(self.centres.len() * ORDERS);
         for (input, centre) in self.meaning.inputs.iter().zip(&self.centres) {
+            let held = beside.filter(|_| input.is_datum());
             for order in 0..ORDERS {
                 if order > 0 && !input.is_moving {
                     point.push(Precise::exact(0.0));
@@ -163,12 +175,18 @@ impl<'a> Around<'a> {
                 // What is zero on the sheet may be anything, but near the sheet it is near zero.
                 let near_zero = if spread > 0.0 { spread.min(1.0) } else { 1.0 };
                 let size = if size == 0.0 { near_zero } else { size };
-                let mut value = size * exp2(octaves * self.state.draws.signed());
+                // Drawn also where it is not taken, so that what is drawn after it stays.
+                let share = self.state.draws.signed();
                 let is_negative = match centre {
                     Some(centre) if *centre < 0.0 => true,
                     Some(centre) if *centre > 0.0 && !flips => false,
                     _ => input.is_signed && self.state.draws.signed() < 0.0,
                 };
+                if let Some(other) = held {
+                    point.push(other[point.len()]);
+                    continue;
+                }
+                let mut value = size * exp2(octaves * share);
                 let seems_whole = || keeps_whole && centre.is_some_and(|own| own == own.round());
                 if input.is_integer || seems_whole() {
                     value = value.round().max(1.0);

@@ -183,7 +183,7 @@ impl Marker for Prepared {
     }
 
     fn key(&self) -> Key {
-        self.setup.printed()
+        Key::clone(self.setup.printed())
     }
 
     fn echo(&self, response: &str) -> Result<Echo, Unreadable> {

@@ -56,7 +56,7 @@ pub(crate) struct Setup {
     /// The key and the named mistakes, compiled once for all data.
     compiled: Shared<Vec<Program>>,
     /// As it is printed, once it was.
-    printed: OnceLock<Key>,
+    printed: OnceLock<Arc<Key>>,
 }
 
 /// Reads the keys of a part that belong to this kind; what is wrong is noted.
@@ -204,8 +204,8 @@ impl Answer for Equations {
         own.map(|(_, equations)| written(equations))
     }
 
-    fn printed(&self, _evaluation: &Evaluation<'_>) -> Option<Result<Key, Absent>> {
-        Some(Ok(self.setup.printed()))
+    fn printed(&self, _evaluation: &Evaluation<'_>) -> Option<Result<Arc<Key>, Absent>> {
+        Some(Ok(Arc::clone(self.setup.printed())))
     }
 
     fn prepare<'t>(&self, context: &Context<'t>) -> Result<Box<dyn Marker + 't>, Absent> {
@@ -250,9 +250,9 @@ impl Answer for Equations {
 
 impl Setup {
     /// The key as it is printed: the same for all data.
-    fn printed(&self) -> Key {
+    fn printed(&self) -> &Arc<Key> {
         let print = || Key::formula(written(&self.key), self.typeset(&self.key));
-        self.printed.get_or_init(print).clone()
+        self.printed.get_or_init(|| Arc::new(print()))
     }
 
     fn compile(

@@ -32,11 +32,15 @@ pub(crate) fn points(setup: &Setup, key: &[Program], evaluation: &Evaluation<'_>
         let data = data(&mut around, spread);
         let factors = factors(setup, key, &data);
         let points = (0..count).map(|_| {
-            let mut point = around.free_point(0.6);
-            for (value, factor) in point.iter_mut().zip(&factors) {
+            let mut point = around.point_beside(&data, 0.6);
+            for (value, factor) in point
+                .iter_mut()
+                .zip(&factors)
+                .filter(|(_, own)| **own != 1.0)
+            {
                 *value = Precise::exact(value.high() * factor);
             }
-            setup.meaning.with_data(point, &data)
+            point
         });
         choices.push(points.collect());
     }
@@ -55,18 +59,15 @@ fn factors(setup: &Setup, key: &[Program], point: &[Precise]) -> Vec<f64> {
     let mut factors = vec![1.0; point.len()];
     let mut room = Registers::default();
     let mut value = |program: &Program, point: &[Precise]| value_in(&mut room, program, point);
-    let whole: Vec<f64> = key
-        .iter()
-        .map(|program| value(program, point).abs())
-        .collect();
+    let whole: Vec<f64> = key.iter().map(|program| value(program, point)).collect();
     let mut still = point.to_vec();
     for (place, input) in setup.meaning.inputs.iter().enumerate() {
         let slots = place * ORDERS + 1..(place + 1) * ORDERS;
         for slot in slots.filter(|_| input.is_moving) {
             still[slot] = Precise::exact(0.0);
             let shares = key.iter().zip(&whole).map(|(program, whole)| {
-                let term = (value(program, point) - value(program, &still)).abs();
-                if *whole > 0.0 { term / whole } else { 0.0 }
+                let (term, size) = ((whole - value(program, &still)).abs(), whole.abs());
+                if size > 0.0 { term / size } else { 0.0 }
             });
             let share = shares.fold(0.0, f64::max);
             still[slot] = point[slot];

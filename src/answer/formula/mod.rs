@@ -59,14 +59,14 @@ pub(crate) struct Setup {
     /// The key and the named mistakes, compiled once for all data.
     compiled: Shared<Comparable>,
     /// As it is printed, once it was.
-    printed: OnceLock<Key>,
+    printed: OnceLock<Arc<Key>>,
 }
 
 impl Setup {
     /// The key as it is printed: the same for all data.
-    fn printed(&self) -> Key {
+    fn printed(&self) -> &Arc<Key> {
         let print = || Key::formula(self.shown.to_string(), self.shown.typeset(&self.lexicon));
-        self.printed.get_or_init(print).clone()
+        self.printed.get_or_init(|| Arc::new(print()))
     }
 }
 
@@ -160,9 +160,9 @@ impl Answer for Formula {
         true
     }
 
-    fn printed(&self, evaluation: &Evaluation<'_>) -> Option<Result<Key, Absent>> {
+    fn printed(&self, evaluation: &Evaluation<'_>) -> Option<Result<Arc<Key>, Absent>> {
         let exists = evaluation.exists_for(self.key);
-        Some(exists.map(|()| self.setup.printed()))
+        Some(exists.map(|()| Arc::clone(self.setup.printed())))
     }
 
     fn prepare<'t>(&self, context: &Context<'t>) -> Result<Box<dyn Marker + 't>, Absent> {

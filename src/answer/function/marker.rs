@@ -221,17 +221,18 @@ impl Marker for Prepared<'_> {
     }
 
     fn key(&self) -> Key {
-        self.setup.printed()
+        Key::clone(self.setup.printed())
     }
 
-    fn clearance(&self) -> Option<f64> {
+    fn clearance(&self, limit: f64) -> Option<f64> {
         let mistakes = self.mistakes().iter();
         let costly = mistakes.filter(|mistake| mistake.credit < Credit::FULL);
         let distances = costly.filter_map(|mistake| self.distance(&mistake.values));
         // What is the key itself but for rounding is no other answer for these data.
-        distances
-            .filter(|distance| !self.times().is_empty() && *distance > SAME)
-            .min_by(f64::total_cmp)
+        let nearest = distances
+            .filter(|distance| *distance > SAME)
+            .min_by(f64::total_cmp);
+        nearest.filter(|nearest| *nearest < limit && !self.looks_later())
     }
 
     fn distance(&self, si: &[f64]) -> Option<f64> {
@@ -243,13 +244,12 @@ impl Marker for Prepared<'_> {
         (si.len() == self.values.len()).then_some(largest)
     }
 
-    fn times(&self) -> &[Precise] {
-        // Where later times decide, too, what is near on the span may be told apart there.
-        if self.windows().is_empty() {
-            &self.times
-        } else {
-            &[]
-        }
+    fn samples(&self) -> (&[Precise], &[f64]) {
+        (&self.times, &self.values)
+    }
+
+    fn looks_later(&self) -> bool {
+        !self.windows().is_empty()
     }
 
     fn mark(&self, response: &str) -> Marking {

@@ -94,14 +94,14 @@ pub(crate) struct Setup {
     letters: Vec<Expr>,
     labels: Labels,
     /// As it is printed, once it was.
-    printed: OnceLock<Key>,
+    printed: OnceLock<Arc<Key>>,
 }
 
 impl Setup {
     /// The key as it is printed: the same for all data.
-    fn printed(&self) -> Key {
+    fn printed(&self) -> &Arc<Key> {
         let print = || Key::formula(self.shown.to_string(), self.shown.typeset(&self.lexicon));
-        self.printed.get_or_init(print).clone()
+        self.printed.get_or_init(|| Arc::new(print()))
     }
 }
 
@@ -196,10 +196,10 @@ impl Answer for ComparedTimes {
         true
     }
 
-    fn printed(&self, evaluation: &Evaluation<'_>) -> Option<Result<Key, Absent>> {
+    fn printed(&self, evaluation: &Evaluation<'_>) -> Option<Result<Arc<Key>, Absent>> {
         let times = self.span.ends(evaluation).map(times);
         let first = times.and_then(|times| samples(evaluation, self.key, &times[..1], 0.0));
-        Some(first.map(|_| self.setup.printed()))
+        Some(first.map(|_| Arc::clone(self.setup.printed())))
     }
 
     fn figures(&self) -> u32 {

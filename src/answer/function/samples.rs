@@ -1,6 +1,6 @@
 //! Values of a function at the times of a span, and how far rounding in the steps moves them.
 
-use crate::expr::{Precise, Value};
+use crate::expr::Precise;
 use crate::quantity::{Absent, Evaluation, NodeId};
 
 /// The values of a node at these times, with an absolute error of at most `accuracy`; exact to rounding for 0.
@@ -62,24 +62,11 @@ pub(crate) fn derived(
         .into_iter()
         .filter(|step| graph.variables(*step).is_empty())
     {
-        let scaled = evaluation.value(step).ok().and_then(|value| {
-            let numbers = value
-                .numbers()
-                .iter()
-                .map(|number| number * (1.0 + STEP))
-                .collect();
-            Value::new(value.form(), numbers, value.bounds().to_vec())
-        });
-        let moved = scaled.and_then(|moved| {
-            samples(
-                &evaluation.replacing(vec![(step, moved)]),
-                key,
-                times,
-                fine(largest),
-            )
-            .ok()
-        });
-        if let Some(moved) = moved {
+        let Ok(given) = evaluation.value(step) else {
+            continue;
+        };
+        let other = evaluation.replacing(vec![(step, given.scaled(1.0 + STEP))]);
+        if let Ok(moved) = samples(&other, key, times, fine(largest)) {
             add(&moved);
         }
     }

@@ -415,10 +415,10 @@ impl Marker for Numbers {
         self.made_up()
     }
 
-    fn clearance(&self) -> Option<f64> {
+    fn clearance(&self, limit: f64) -> Option<f64> {
         let distance = self.nearest_mistake()?;
         let half = self.targets.first()?.half;
-        (half > 0.0).then(|| distance / half)
+        Some(distance / half).filter(|clearance| half > 0.0 && *clearance < limit)
     }
 
     fn distance(&self, si: &[f64]) -> Option<f64> {

@@ -1,6 +1,7 @@
 //! The tables of a grading run: `marks.csv`, `details.csv` and `results.json`, and `marks.xlsx` where it is asked for.
 
-use serde_json::json;
+use serde::Serialize;
+use vibank::answer::Verdict;
 use vibank::grade;
 use vibank::numerics::Rational;
 use vibank::worksheet::{Csv, Marks};
@@ -221,32 +222,31 @@ impl Tables {
 
     fn result(&mut self, sheet: &SheetOutcome, part: &PartOutcome) -> Result<(), Failure> {
         let settled = |number: f64| (!part.is_undecided()).then_some(number);
-        let mut entry = json!({
-            "code": sheet.code,
-            "student": sheet.column("id"),
-            "question": part.question,
-            "part": part.letter,
-            "item": part.item,
-            "id": part.id,
-            "response": part.response,
-            "reading": if part.reading.is_empty() { None } else { Some(&part.reading) },
-            "verdict": part.verdict,
-            "credit": settled(part.credit.0.to_f64()),
-            "points": settled(part.points.0.to_f64()),
-            "max": part.max.0.to_f64(),
-            "reasons": part.reasons,
-            "feedback": part.feedback,
-        });
-        if part.by_hand {
-            entry["by_hand"] = true.into();
-        }
+        let entry = ResultEntry {
+            code: &sheet.code,
+            student: sheet.column("id"),
+            question: part.question,
+            part: &part.letter,
+            item: &part.item,
+            id: &part.id,
+            response: &part.response,
+            reading: Some(&*part.reading).filter(|reading| !reading.is_empty()),
+            verdict: part.verdict,
+            credit: settled(part.credit.0.to_f64()),
+            points: settled(part.points.0.to_f64()),
+            max: part.max.0.to_f64(),
+            reasons: &part.reasons,
+            feedback: &part.feedback,
+            by_hand: part.by_hand.then_some(true),
+        };
+        let entry = serde_json::to_vec(&entry).expect("a result is plain data");
         let before: &[u8] = if std::mem::take(&mut self.is_first) {
             b"\n"
         } else {
             b",\n"
         };
         self.results.write(before)?;
-        self.results.write(entry.to_string().as_bytes())
+        self.results.write(&entry)
     }
 
     /// Moves the tables to their places; the files with the marks are named.
@@ -268,6 +268,28 @@ impl Tables {
         }
         Ok(files)
     }
+}
+
+/// A part in `results.json`.
+#[derive(Serialize)]
+struct ResultEntry<'a> {
+    code: &'a str,
+    student: &'a str,
+    question: usize,
+    part: &'a str,
+    item: &'a str,
+    id: &'a str,
+    response: &'a str,
+    /// None if it was not read.
+    reading: Option<&'a str>,
+    verdict: Verdict,
+    credit: Option<f64>,
+    points: Option<f64>,
+    max: f64,
+    reasons: &'a [String],
+    feedback: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    by_hand: Option<bool>,
 }
 
 /// Whether there is more to say of a sheet than its points.

@@ -22,7 +22,8 @@ mod system;
 
 use std::collections::BTreeMap;
 
-use super::mark;
+use super::mark_typed;
+use super::typed::TypedResponse;
 use crate::answer::{KeyValue, Marking, Reason, Remark, Verdict};
 use crate::math::Math;
 use crate::solution::Solution;
@@ -33,7 +34,7 @@ use self::answers::{Answers, Own, Source};
 pub(crate) fn follow(
     solution: &Solution<'_>,
     place: usize,
-    response: &str,
+    response: &TypedResponse<'_>,
     first: &Marking,
     earlier: &[(usize, Marking)],
 ) -> Option<Marking> {
@@ -113,7 +114,7 @@ fn is_needed(solution: &Solution<'_>, place: usize, own: &Own) -> bool {
 fn again(
     solution: &Solution<'_>,
     place: usize,
-    response: &str,
+    response: &TypedResponse<'_>,
     answers: &Answers,
     own: &[&Own],
     first: &Marking,
@@ -124,7 +125,7 @@ fn again(
     if !guard::is_fair(&right, &other, &keys, own) {
         return None;
     }
-    let mut marking = mark(&other, place, response);
+    let mut marking = mark_typed(&other, place, response);
     if is_explained(first) && !is_close(&other, place, &marking) {
         return None;
     }

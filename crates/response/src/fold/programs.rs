@@ -63,12 +63,14 @@ impl Folder<'_> {
     pub(crate) fn equation(&mut self) -> bool {
         let rest = self.rest();
         let is_letter = |before: char| before.is_alphanumeric() || before == '_';
-        let behind = EQUATIONS.iter().find_map(|name| {
+        if self.typed[..self.at].ends_with(is_letter) {
+            return false;
+        }
+        let call = EQUATIONS.iter().find_map(|name| {
             let inner = rest.strip_prefix(*name)?.strip_prefix('(')?;
             Some((name.len(), inner))
         });
-        let Some((length, inner)) = behind.filter(|_| !self.typed[..self.at].ends_with(is_letter))
-        else {
+        let Some((length, inner)) = call else {
             return false;
         };
         let (close, commas) = arguments_of_call(inner);

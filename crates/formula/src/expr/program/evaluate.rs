@@ -332,15 +332,22 @@ impl Program {
     }
 
     /// A value of finite numbers.
-    fn value(&self, numbers: impl ExactSizeIterator<Item = (f64, f64)>) -> Result<Value, Absence> {
-        let (numbers, bounds): (Vec<f64>, Vec<f64>) = numbers.unzip();
-        let is_finite = numbers.iter().all(|number| number.is_finite());
-        Value::new(self.form, numbers, bounds)
-            .filter(|_| is_finite)
-            .ok_or_else(|| Absence {
-                reason: Undefined::Overflow,
-                span: self.span(),
-            })
+    fn value(
+        &self,
+        mut numbers: impl ExactSizeIterator<Item = (f64, f64)>,
+    ) -> Result<Value, Absence> {
+        let value = if numbers.len() == 1 {
+            let one = numbers.next();
+            one.and_then(|(number, bound)| Value::of_one(self.form, number, bound))
+        } else {
+            let (numbers, bounds) = numbers.unzip();
+            Value::new(self.form, numbers, bounds)
+        };
+        let is_finite = |value: &Value| value.numbers().iter().all(|number| number.is_finite());
+        value.filter(is_finite).ok_or_else(|| Absence {
+            reason: Undefined::Overflow,
+            span: self.span(),
+        })
     }
 
     /// Where the whole formula was written.

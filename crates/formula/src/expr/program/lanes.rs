@@ -69,15 +69,13 @@ impl<'a, S: Scalar> Lanes<'a, S> {
     fn column(&mut self, step: ProgramStep, inputs: &[impl Inputs<S>]) -> Option<Vec<S>> {
         let mut doubts = std::mem::take(&mut self.doubts);
         let count = doubts.len();
-        let column = match step {
-            ProgramStep::Input(slot) => inputs.iter().map(|own| own.input(slot)).collect(),
+        let found = match step {
+            ProgramStep::Input(slot) => filled(count, |place| inputs[place].input(slot)),
             ProgramStep::Motion(index, order, time) => {
                 let time = self.get(time);
-                let places = inputs.iter().enumerate();
-                let motion = |(place, own): (usize, &_)| {
-                    Inputs::<S>::motion(own, index, order, time.at(place))
-                };
-                places.map(motion).collect()
+                filled(count, |place| {
+                    inputs[place].motion(index, order, time.at(place))
+                })
             }
             ProgramStep::Copy(a) => self.one(a, count, |a| Ok(a.clone())),
             ProgramStep::Negate(a) => self.one(a, count, |a| Ok(a.negate())),
@@ -116,7 +114,7 @@ impl<'a, S: Scalar> Lanes<'a, S> {
             | ProgramStep::ComplexUnary(..) => return None,
         };
         self.doubts = doubts;
-        column.ok()
+        found.ok()
     }
 
     #[inline]
@@ -127,7 +125,7 @@ impl<'a, S: Scalar> Lanes<'a, S> {
         step: impl Fn(&S) -> Result<S, Undefined>,
     ) -> Result<Vec<S>, Undefined> {
         let a = self.get(a);
-        (0..count).map(|place| step(a.at(place))).collect()
+        filled(count, |place| step(a.at(place)))
     }
 
     #[inline]
@@ -138,8 +136,7 @@ impl<'a, S: Scalar> Lanes<'a, S> {
         step: impl Fn(&S, &S) -> Result<S, Undefined>,
     ) -> Result<Vec<S>, Undefined> {
         let (a, b) = (self.get(a), self.get(b));
-        let places = 0..count;
-        places.map(|place| step(a.at(place), b.at(place))).collect()
+        filled(count, |place| step(a.at(place), b.at(place)))
     }
 
     #[inline]
@@ -150,9 +147,22 @@ impl<'a, S: Scalar> Lanes<'a, S> {
         step: impl Fn(&S, &S, &mut Doubt) -> Result<S, Undefined>,
     ) -> Result<Vec<S>, Undefined> {
         let (a, b) = (self.get(a), self.get(b));
-        let places = doubts.iter_mut().enumerate();
-        places
-            .map(|(place, doubt)| step(a.at(place), b.at(place), doubt))
-            .collect()
+        filled(doubts.len(), |place| {
+            step(a.at(place), b.at(place), &mut doubts[place])
+        })
     }
+}
+
+/// What a step gives at so many places.
+// Collected with its errors, a column would not know how long it becomes, and would move five times while it grows.
+#[inline]
+fn filled<S>(
+    count: usize,
+    mut step: impl FnMut(usize) -> Result<S, Undefined>,
+) -> Result<Vec<S>, Undefined> {
+    let mut column = Vec::with_capacity(count);
+    for place in 0..count {
+        column.push(step(place)?);
+    }
+    Ok(column)
 }

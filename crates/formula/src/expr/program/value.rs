@@ -18,29 +18,51 @@ use vibank_dynamics::numerics::Complex;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Value {
     form: Form,
-    /// The entries by rows; of complex entries real and imaginary part.
-    numbers: Vec<f64>,
-    bounds: Vec<f64>,
+    numbers: Numbers,
+}
+
+/// The entries by rows; of complex entries real and imaginary part.
+// Most values are one number, of which thousands are computed for a sheet: they take no allocation.
+#[derive(Clone, Debug, PartialEq)]
+enum Numbers {
+    One { number: f64, bound: f64 },
+    Several { numbers: Vec<f64>, bounds: Vec<f64> },
 }
 
 impl Value {
     /// A value of this form; `None` unless there are as many numbers and bounds as it holds.
     pub fn new(form: Form, numbers: Vec<f64>, bounds: Vec<f64>) -> Option<Self> {
         let fits = numbers.len() == form.width() && bounds.len() == numbers.len();
-        fits.then_some(Self {
-            form,
-            numbers,
-            bounds,
-        })
+        let numbers = match (&numbers[..], &bounds[..]) {
+            (&[number], &[bound]) => Numbers::One { number, bound },
+            _ => Numbers::Several { numbers, bounds },
+        };
+        fits.then_some(Self { form, numbers })
+    }
+
+    /// The one number that a value of this form is, with a bound on its error; `None` for forms of several.
+    pub(crate) fn of_one(form: Form, number: f64, bound: f64) -> Option<Self> {
+        let numbers = Numbers::One { number, bound };
+        (form.width() == 1).then_some(Self { form, numbers })
     }
 
     /// A real number with a bound on its error.
     pub fn real(number: f64, bound: f64) -> Self {
         Self {
             form: Form::REAL,
-            numbers: vec![number],
-            bounds: vec![bound],
+            numbers: Numbers::One { number, bound },
         }
+    }
+
+    /// The same with all numbers multiplied by a factor.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        let mut scaled = self.clone();
+        match &mut scaled.numbers {
+            Numbers::One { number, .. } => *number *= factor,
+            Numbers::Several { numbers, .. } => numbers.iter_mut().for_each(|own| *own *= factor),
+        }
+        scaled
     }
 
     /// Field and shape.
@@ -55,7 +77,7 @@ impl Value {
 
     /// The real number that it is.
     pub fn as_real(&self) -> Option<f64> {
-        (self.form == Form::REAL).then(|| self.numbers[0])
+        (self.form == Form::REAL).then(|| self.numbers()[0])
     }
 
     /// The complex number that it is; a real number is one, too.
@@ -68,13 +90,13 @@ impl Value {
 
     /// The truth that it is.
     pub fn as_boolean(&self) -> Option<bool> {
-        (self.form == Form::BOOLEAN).then(|| self.numbers[0] != 0.0)
+        (self.form == Form::BOOLEAN).then(|| self.numbers()[0] != 0.0)
     }
 
     /// The list of real numbers that it is.
     pub fn as_vector(&self) -> Option<&[f64]> {
         match (self.form.field, self.form.shape) {
-            (Field::Real, Shape::Vector(_)) => Some(&self.numbers),
+            (Field::Real, Shape::Vector(_)) => Some(self.numbers()),
             _ => None,
         }
     }
@@ -82,7 +104,7 @@ impl Value {
     /// The rows of the real matrix that it is.
     pub fn as_matrix(&self) -> Option<impl ExactSizeIterator<Item = &[f64]>> {
         match (self.form.field, self.form.shape) {
-            (Field::Real, Shape::Matrix(_, columns)) => Some(self.numbers.chunks_exact(columns)),
+            (Field::Real, Shape::Matrix(_, columns)) => Some(self.numbers().chunks_exact(columns)),
             _ => None,
         }
     }
@@ -93,21 +115,26 @@ impl Value {
     ///
     /// If there is no such entry.
     pub fn entry(&self, position: usize) -> Complex {
+        let numbers = self.numbers();
         match self.form.field {
-            Field::Complex => {
-                Complex::new(self.numbers[2 * position], self.numbers[2 * position + 1])
-            }
-            Field::Boolean | Field::Real => Complex::from(self.numbers[position]),
+            Field::Complex => Complex::new(numbers[2 * position], numbers[2 * position + 1]),
+            Field::Boolean | Field::Real => Complex::from(numbers[position]),
         }
     }
 
     /// All numbers by rows; of complex entries real and imaginary part.
     pub fn numbers(&self) -> &[f64] {
-        &self.numbers
+        match &self.numbers {
+            Numbers::One { number, .. } => std::slice::from_ref(number),
+            Numbers::Several { numbers, .. } => numbers,
+        }
     }
 
     /// Bounds on the errors of the numbers.
     pub fn bounds(&self) -> &[f64] {
-        &self.bounds
+        match &self.numbers {
+            Numbers::One { bound, .. } => std::slice::from_ref(bound),
+            Numbers::Several { bounds, .. } => bounds,
+        }
     }
 }
