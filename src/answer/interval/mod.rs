@@ -357,12 +357,18 @@ impl Prepared {
         Self::accepts(&self.key, &self.halves, given)
     }
 
-    /// A set, as inequalities or intervals.
+    /// A set as it was typed or might be, with figures beyond those that are asked.
     fn typeset(&self, set: &Set) -> (Math, String) {
+        // Two more tell ends apart that lie just inside of a tolerance and just outside.
+        self.rounded(set, self.digits + 2)
+    }
+
+    /// A set with so many significant figures, as inequalities or intervals.
+    fn rounded(&self, set: &Set, digits: u32) -> (Math, String) {
         let unit = self.setup.unit;
         let number = |end: &End| {
             let value = unit.of_si(end.value);
-            match Decimal::rounded(value, self.digits) {
+            match Decimal::rounded(value, digits) {
                 Some(_) if value == 0.0 => Quantity::new(Decimal::ZERO, Unit::ONE),
                 Some(decimal) => {
                     let shortest = Decimal::shortest(decimal.to_f64()).unwrap_or(decimal);
@@ -425,7 +431,7 @@ impl Marker for Prepared {
     }
 
     fn key(&self) -> Key {
-        let (math, text) = self.typeset(&self.key);
+        let (math, text) = self.rounded(&self.key, self.digits);
         Key {
             math,
             accepted: None,

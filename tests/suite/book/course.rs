@@ -10,33 +10,33 @@ use crate::generated;
 
 const FOLDER: &str = "book/src/course";
 
-/// A chapter as a page of the book.
+/// A chapter as a page of the book, its pieces apart: HTML goes on to the next empty line.
 fn page(name: &str, text: &str) -> String {
-    let mut out = format!(
-        "<!-- Made of bank/course/{name}: `UPDATE_BOOK=1 cargo test --test suite` writes it anew. -->\n\n"
+    let head = format!(
+        "<!-- Made of bank/course/{name}: `UPDATE_BOOK=1 cargo test --test suite` writes it anew. -->"
     );
-    for (_, piece) in chapter_pieces(text).unwrap() {
-        match piece {
-            ChapterPiece::Heading(_, line) => {
-                out.push_str(&format!("{}\n", pictures::typeset(line)));
-            }
-            ChapterPiece::Text(text) => text
-                .split_inclusive('\n')
-                .for_each(|line| out.push_str(&typeset(line))),
-            ChapterPiece::Picture { item, plot, words } => {
-                out.push_str(&format!("{}\n", pictures::picture(item, plot, words)));
-            }
-            ChapterPiece::Example(item) => out.push_str(&format!("{}\n", items::worked(item))),
+    let pieces = chapter_pieces(text).unwrap().into_iter();
+    let pieces = pieces.map(|(_, piece)| match piece {
+        ChapterPiece::Heading(_, line) => pictures::typeset(line),
+        ChapterPiece::Text(text) => {
+            let lines = text.trim_matches('\n').split_inclusive('\n');
+            lines.map(typeset).collect()
         }
-    }
-    out
+        ChapterPiece::Picture { item, plot, words } => pictures::picture(item, plot, words),
+        ChapterPiece::Example(item) => items::worked(item),
+    });
+    let pieces: Vec<String> = std::iter::once(head).chain(pieces).collect();
+    pieces.join("\n\n") + "\n"
 }
 
 /// A line of text with its formulas typeset, or a displayed formula.
 fn typeset(line: &str) -> String {
     let display = line.trim_end().strip_prefix("$$");
     match display.and_then(|rest| rest.strip_suffix("$$")) {
-        Some(latex) => format!("{}\n", items::math(latex)),
+        Some(latex) => {
+            let end = if line.ends_with('\n') { "\n" } else { "" };
+            format!("{}{end}", items::math(latex))
+        }
         None => pictures::typeset(line),
     }
 }

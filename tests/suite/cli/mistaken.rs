@@ -44,26 +44,20 @@ fn items_stand_in_the_place_of_a_blueprint() {
     let desk = Desk::with_class("mistaken-items", 1);
     let out = text_of(&desk.folder.join("page.html"));
     for (word, questions) in [
-        ("ch2/e8-springs-parallel-series", "1 question"),
-        ("log-decrement", "1 question"),
-        ("viscous coupling", "1 question"),
+        ("free/spring-mass", "1 question"),
+        ("on a spring", "2 questions"),
+        ("free", "2 questions"),
     ] {
         desk.run(&["page", word, "--out", &out])
             .ends(0)
             .says(questions);
     }
     let questions = text_of(&desk.folder.join("questions.xml"));
-    desk.run(&[
-        "export",
-        "moodle",
-        "ch2/e8-springs-parallel-series",
-        "--out",
-        &questions,
-    ])
-    .ends(0);
-    desk.run(&["page", "ch3/e5-log-decrment", "--out", &out])
+    desk.run(&["export", "moodle", "free/spring-mass", "--out", &questions])
+        .ends(0);
+    desk.run(&["page", "free/spring-mas", "--out", &out])
         .ends(2)
-        .complains("did you mean `ch3/e5-log-decrement`?");
+        .complains("did you mean `free/spring-mass`?");
     desk.run(&["page", "exam.toml", "--out", &out])
         .ends(2)
         .complains("cannot read `exam.toml`");

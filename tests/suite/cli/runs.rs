@@ -314,7 +314,7 @@ fn a_blueprint_that_would_be_misunderstood_is_refused() {
     let plan = put(&desk.folder, "t.toml", plan);
     desk.sheet(&plan, &[])
         .ends(2)
-        .complains("expected a finite number");
+        .complains("expected a number of points from 0.001 to 1000000");
 }
 
 #[test]
