@@ -31,8 +31,8 @@ pub struct Solution<'t> {
     markers: Vec<OnceCell<Result<Box<dyn Marker + 't>, Absent>>>,
     /// What marks the other form of an answer.
     others: Vec<OnceCell<Option<Box<dyn Marker + 't>>>>,
-    /// The keys as they are printed, from kinds that have them without what marks; none of others.
-    alone: Vec<OnceCell<Option<Result<Arc<Key>, Absent>>>>,
+    /// The keys as they are printed, from kinds that have them without what marks.
+    alone: Vec<OnceCell<KeyAlone>>,
     /// Those of the others.
     printed: Vec<OnceCell<Result<Key, Absent>>>,
     /// The keys that a scene writes in its own way.
@@ -44,6 +44,9 @@ pub struct Solution<'t> {
     doubt: Doubt,
     is_drawn: Cell<bool>,
 }
+
+/// The key as a kind prints it without what marks, if it does.
+type KeyAlone = Option<Result<Arc<Key>, Absent>>;
 
 /// An empty cell for each part.
 fn cells<T>(template: &Template) -> Vec<OnceCell<T>> {
