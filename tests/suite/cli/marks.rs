@@ -358,7 +358,9 @@ fn a_void_part_gives_its_points_to_all_to_the_others_or_to_nobody() {
 fn points_of_a_void_part_are_changes_of_its_decision_alone() {
     let run = Run::new("void-beside", "", ONE);
     let decision = |part: &str, how: &str| {
-        format!("[[decision]]\nitem = 'c/a'\npart = '{part}'\nvoid = '{how}'\nwho = '{part}'\nwhy = 'B'\n")
+        format!(
+            "[[decision]]\nitem = 'c/a'\npart = '{part}'\nvoid = '{how}'\nwho = '{part}'\nwhy = 'B'\n"
+        )
     };
     run.decide(&(decision("omega", "full marks") + &decision("v", "rescaled")));
     let rows = ["1 rad/s,1 m/s,b", ",,", ",,", ",,"];
