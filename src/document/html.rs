@@ -37,7 +37,7 @@ impl Formulas {
     /// An attribute with the width of what may be too wide for a page in large print.
     fn measure(self, width: impl Fn() -> f64) -> Option<String> {
         let width = Some(width).filter(|_| self == Self::Measured)?();
-        (width > NARROW).then(|| format!(" style=\"--w:{width:.0}\""))
+        (width > NARROW).then(|| format!(" style=\"--w:{}\"", width.ceil()))
     }
 
     fn write_with(

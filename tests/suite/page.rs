@@ -257,6 +257,41 @@ fn the_module_answers_as_the_library_does() {
 }
 
 #[test]
+fn a_french_page_is_heard_in_french() {
+    const ENGLISH: &[&str] = &[
+        "equals", "square", "over", "capital", "squared", "per", "sub", "minus", "end", "cosine",
+        "paren", "second", "metres",
+    ];
+    let catalogue = super::small_bank();
+    let all: Vec<&Template> = catalogue.items().collect();
+    let (mut practice, items) = Practice::of_items(&catalogue, &all, "Small");
+    practice.language = "fr".to_owned();
+    let grader = Grader::of(&practice.lines(&items)).expect("it was written so");
+    let mut heard = Vec::new();
+    for (number, question) in practice.questions.iter().enumerate() {
+        let template = catalogue.find(question.item.as_str()).expect("it is there");
+        let code = "000-000-000";
+        for request in requests(number, code, template, &keys(template, code)) {
+            let reply = grader.answer(&request).replace("\\\"", "\"");
+            for attribute in ["alttext=\"", "\"name\":\""] {
+                let values = reply.split(attribute).skip(1);
+                heard.extend(values.filter_map(|rest| Some(rest.split_once('"')?.0.to_owned())));
+            }
+        }
+    }
+    for words in &heard {
+        let english = words.split(' ').find(|word| ENGLISH.contains(word));
+        assert_eq!(english, None, "{words}");
+    }
+    for words in ["racine carrée de", "radian par seconde", "oméga indice n"] {
+        assert!(
+            heard.iter().any(|own| own.contains(words)),
+            "`{words}` is not heard"
+        );
+    }
+}
+
+#[test]
 fn a_request_that_makes_no_sense_gets_an_error() {
     let catalogue = super::small_bank();
     let all: Vec<&Template> = catalogue.items().collect();

@@ -1,5 +1,6 @@
 //! Attempts as sheets: what each student was asked, from the manifest of the export or from the package, and answered.
 
+use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 
 use vibank::bank::Template;
@@ -299,12 +300,14 @@ impl AttemptSheet<'_> {
                 continue;
             }
             // Its data do not matter, since nothing was typed: those of one student do for all.
-            if !self.unanswered.contains_key(&place) {
-                let code = package.variant(place, student)?;
-                let question = package.question(place, code)?;
-                self.unanswered.insert(place, question);
-            }
-            self.questions.extend(self.unanswered.get(&place).cloned());
+            let question = match self.unanswered.entry(place) {
+                Entry::Occupied(known) => known.into_mut(),
+                Entry::Vacant(vacant) => {
+                    let code = package.variant(place, student)?;
+                    vacant.insert(package.question(place, code)?)
+                }
+            };
+            self.questions.push(question.clone());
         }
         self.questions.sort_by_key(|question| question.number);
         Ok(())

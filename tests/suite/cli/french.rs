@@ -242,7 +242,7 @@ fn english() -> BTreeSet<String> {
     ));
     // Of formulas that are heard, where a word stands in no other list.
     all.extend(split(
-        "grade passed failed equals over root square sub end fraction squared cubed to the power capital open close paren bracket times minus \
+        "grade passed failed equals over root square sub end squared cubed to the power capital open close paren bracket times minus \
          dot cosine sine exponential derivative less greater least row per second metre metres radians",
     ));
     // Of LaTeX, and a word of both languages.
