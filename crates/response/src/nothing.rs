@@ -26,12 +26,12 @@ impl Lexer<'_> {
     }
 }
 
-/// Whether a side is a zero with a unit.
-pub fn is_nothing(side: &Expr) -> bool {
+/// The unit of a side that is a zero with one, as a quantity.
+pub fn unit_of_zero(side: &Expr) -> Option<&Expr> {
     match side.kind() {
-        Kind::Binary(Operator::Multiply, zero, unit) => {
-            zero.is_zero() && matches!(unit.kind(), Kind::Measure(..))
+        Kind::Binary(Operator::Multiply, zero, unit) if zero.is_zero() => {
+            matches!(unit.kind(), Kind::Measure(..)).then_some(unit)
         }
-        _ => false,
+        _ => None,
     }
 }
