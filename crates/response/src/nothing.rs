@@ -18,10 +18,10 @@ impl Lexer<'_> {
         if !is_whole || !unit.starts_with([' ', '\\']) && !unit.starts_with(char::is_alphabetic) {
             return;
         }
-        if let Ok(unit_read) = Unit::read(unit.trim())
-            && !unit_read.is_one()
+        if let Ok(read) = Unit::read(unit.trim())
+            && !read.is_one()
         {
-            self.take(unit.len(), Item::Unit(Box::new(unit_read)));
+            self.take(unit.len(), Item::Unit(Box::new(read)));
         }
     }
 }

@@ -130,7 +130,7 @@ impl Lexer<'_> {
                 let next = behind.strip_prefix(*word);
                 next.is_some_and(|next| next.starts_with(' '))
             };
-            JOINING.iter().any(|word| is_it(&word)).then_some(space + 1)
+            JOINING.iter().any(is_it).then_some(space + 1)
         };
         let word = rest.match_indices(' ').find_map(joins);
         let text = &rest[..word.unwrap_or(line).min(line)];

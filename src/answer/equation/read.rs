@@ -44,9 +44,10 @@ impl Setup {
         response: &str,
     ) -> Result<Equation, Unreadable> {
         let Equation { left, right } = &equation;
-        let sides = [(left, right), (right, left)].into_iter();
-        let found = sides.filter_map(|(zero, other)| Some((zero, unit_of_zero(zero)?, other)));
-        let Some((zero, unit, other)) = found.last() else {
+        let found = [(left, right), (right, left)]
+            .into_iter()
+            .find_map(|(zero, other)| Some((zero, unit_of_zero(zero)?, other)));
+        let Some((zero, unit, other)) = found else {
             return Ok(equation);
         };
         let measured = Equation {
