@@ -62,15 +62,20 @@ impl Lexer<'_> {
         }
         let mut bare: Vec<Expr> = Vec::new();
         for at in 0..self.tokens.len() {
-            let Item::Leaf(leaf) = &self.tokens[at].item else {
-                continue;
+            let leaf = match &self.tokens[at].item {
+                Item::Leaf(leaf) if matches!(leaf.kind(), Kind::Name(_)) => leaf,
+                _ => continue,
             };
             let is_star = self
                 .tokens
                 .get(at + 1)
                 .is_some_and(|token| token.item == Item::Sign('*') && !token.is_spaced);
             let stands_apart = match self.tokens.get(at + 2) {
-                Some(token) => token.is_spaced || matches!(token.item, Item::Sign('*' | '+' | ')')),
+                Some(token) => match token.item {
+                    Item::Number(_) => false,
+                    Item::Sign('*' | '+' | ')') => true,
+                    _ => token.is_spaced,
+                },
                 None => true,
             };
             if !(is_star && stands_apart) {

@@ -605,7 +605,7 @@ mod tests {
             ("x < 1 \\text{ or } x > 2", "x < 1    or   x > 2"),
             ("1 et 2 ou 3", "1 and 2 or 3"),
             ("30^{\\circ}", "30°"),
-            ("Réponse\u{a0}: 5\u{202f}m", "5 m"),
+            ("Réponse\u{a0}: 5\u{202f}m", " 5 m"),
             ("x\u{a0}≥ 1 et\u{a0}x ≤ 2", "x ≥ 1 and x ≤ 2"),
             ("x ＞＝ １", "x ≥ 1"),
         ] {

@@ -312,6 +312,7 @@ impl Lexer<'_> {
             }
             self.at += char.len_utf8();
             if !whole.push(char, at, at) {
+                self.at = at;
                 break;
             }
         }

@@ -81,7 +81,7 @@ pub use label::Label;
 pub use letters::{is_dotted, letter};
 pub use lexicon::Lexicon;
 pub use list::{Listed, Wanted, cut, cut_where, list_of_form};
-pub use nothing::is_nothing;
+pub use nothing::unit_of_zero;
 pub use sides::{sides, statement};
 pub use surroundings::{behind_arrow, withdrawn};
 pub use values::{Part, Style, Values};

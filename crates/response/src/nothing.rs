@@ -18,20 +18,20 @@ impl Lexer<'_> {
         if !is_whole || !unit.starts_with([' ', '\\']) && !unit.starts_with(char::is_alphabetic) {
             return;
         }
-        if let Ok(unit_read) = Unit::read(unit.trim())
-            && !unit_read.is_one()
+        if let Ok(read) = Unit::read(unit.trim())
+            && !read.is_one()
         {
-            self.take(unit.len(), Item::Unit(Box::new(unit_read)));
+            self.take(unit.len(), Item::Unit(Box::new(read)));
         }
     }
 }
 
-/// Whether a side is a zero with a unit.
-pub fn is_nothing(side: &Expr) -> bool {
+/// The unit of a side that is a zero with one, as a quantity.
+pub fn unit_of_zero(side: &Expr) -> Option<&Expr> {
     match side.kind() {
-        Kind::Binary(Operator::Multiply, zero, unit) => {
-            zero.is_zero() && matches!(unit.kind(), Kind::Measure(..))
+        Kind::Binary(Operator::Multiply, zero, unit) if zero.is_zero() => {
+            matches!(unit.kind(), Kind::Measure(..)).then_some(unit)
         }
-        _ => false,
+        _ => None,
     }
 }

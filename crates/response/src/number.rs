@@ -124,18 +124,16 @@ impl Lexer<'_> {
         // A text whose units are used up is not read in the end.
         let _ = work::spend(rest.len() as u64);
         let line = rest.find('\n').unwrap_or(rest.len());
-        let word = JOINING.iter().filter_map(|word| {
-            let mut from = 0;
-            loop {
-                let at = from + rest[from..].find(word)?;
-                let is_word = rest[..at].ends_with(' ') && rest[at + word.len()..].starts_with(' ');
-                if is_word {
-                    return Some(at);
-                }
-                from = at + word.len();
-            }
-        });
-        let text = &rest[..word.min().unwrap_or(line).min(line)];
+        let joins = |(space, _): (usize, &str)| {
+            let behind = &rest[space + 1..];
+            let is_it = |word: &&str| {
+                let next = behind.strip_prefix(*word);
+                next.is_some_and(|next| next.starts_with(' '))
+            };
+            JOINING.iter().any(is_it).then_some(space + 1)
+        };
+        let word = rest.match_indices(' ').find_map(joins);
+        let text = &rest[..word.unwrap_or(line).min(line)];
         // In `5 ∠ 53 deg ohm` the angle has its unit, and the whole has its own behind that.
         match text.split_once(' ') {
             Some((first, _)) if self.is_behind_angle() => first,

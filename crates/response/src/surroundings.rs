@@ -106,7 +106,8 @@ fn lead(text: &str) -> Option<usize> {
             }
         };
         // `=> 3` is at least three where nothing else relates.
-        let relates = || behind.contains(['=', '<', '>', '≤', '≥', '≈']);
+        let relates =
+            || behind.contains(['=', '<', '>', '≤', '≥', '≈', '∈']) || behind.contains(" in ");
         let is_lead = !behind.trim().is_empty() && (*lead != "=>" || relates());
         is_lead.then(|| text.len() - behind.len())
     })

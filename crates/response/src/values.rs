@@ -290,7 +290,7 @@ impl<'t> Values<'t> {
         (start == part.end && parts.len() > 1).then_some(parts)
     }
 
-    /// Numbers with their units, parted by spaces alone: `5 rad/s 8.7 rad/s`.
+    /// Numbers with their units or behind names, parted by spaces alone: `5 rad/s 8.7 rad/s`, `a = 5 b = 8.7`.
     pub fn spaced_amounts(&self, part: &Part) -> Option<Vec<Part>> {
         let is_named = |at: usize| {
             let behind = self.tokens.get(at + 1).filter(|_| at + 1 < part.end);

@@ -4,7 +4,7 @@ use super::{Setup, written};
 use crate::answer::{Answered, Reading, Unreadable, Why};
 use crate::expr::{Equation, Expr, Relation};
 use crate::math::Math;
-use crate::response::{self, Chain, Manner, Trouble, equations};
+use crate::response::{self, Chain, Manner, Trouble, equations, unit_of_zero};
 
 impl Setup {
     /// The equations that a response is.
@@ -30,24 +30,38 @@ impl Setup {
                 let mut equations = equations.iter();
                 equations.all(|equation| equation.check(&self.meaning).is_ok())
             };
-            for mut equation in of_chain(&chain.fitting(fits))? {
-                let fits = equation.check(&self.meaning).is_ok();
-                for side in [&mut equation.left, &mut equation.right] {
-                    if response::is_nothing(side) {
-                        let span = side.span();
-                        *side = Expr::number(0);
-                        if !fits {
-                            return Err(Unreadable::at(
-                                &response[span.range()],
-                                Why::Formula(Trouble::Unit),
-                            ));
-                        }
-                    }
-                }
-                found.push(equation);
+            for equation in of_chain(&chain.fitting(fits))? {
+                found.push(self.without_unit_of_zero(equation, response)?);
             }
         }
         Ok(found)
+    }
+
+    /// An equation without the unit behind its zero, which has to be that of the other side.
+    fn without_unit_of_zero(
+        &self,
+        equation: Equation,
+        response: &str,
+    ) -> Result<Equation, Unreadable> {
+        let Equation { left, right } = &equation;
+        let found = [(left, right), (right, left)]
+            .into_iter()
+            .find_map(|(zero, other)| Some((zero, unit_of_zero(zero)?, other)));
+        let Some((zero, unit, other)) = found else {
+            return Ok(equation);
+        };
+        let measured = Equation {
+            left: other.clone(),
+            right: unit.clone(),
+        };
+        if measured.check(&self.meaning).is_err() {
+            let place = &response[zero.span().range()];
+            return Err(Unreadable::at(place, Why::Formula(Trouble::Unit)));
+        }
+        Ok(Equation {
+            left: other.clone(),
+            right: Expr::number(0),
+        })
     }
 
     /// How equations were read.

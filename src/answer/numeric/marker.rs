@@ -292,12 +292,9 @@ impl Numbers {
             number.quantity.unit = Unit::radian();
         }
         // Of `2π · 2 Hz` people mean the angular frequency of two cycles a second.
-        let is_angular = self.unit.text() == "rad/s";
-        number.others.extend(
-            (has_pi && is_angular)
-                .then(|| number.in_radians())
-                .flatten(),
-        );
+        if self.unit.text() == "rad/s" {
+            number.others.extend(number.in_radians());
+        }
         number
     }
 

@@ -1,7 +1,7 @@
 //! Numbers with units: what a response says that its name is, and how that is shown.
 
 use crate::answer::{Example, Unreadable, Why};
-use crate::expr::{Expr, PlainNotation};
+use crate::expr::{Constant, Expr, Kind, Operator, PlainNotation};
 use crate::math::Math;
 use crate::response::{
     Amount, Number as Typed, Part, Style, Trouble, TypedError, ValueTrouble, Values,
@@ -63,8 +63,11 @@ impl TypedNumber {
         }
     }
 
-    /// With radians per second for its hertz.
+    /// With radians per second for its hertz, where π multiplies them.
     pub(crate) fn in_radians(&self) -> Option<Self> {
+        self.arithmetic
+            .as_ref()
+            .filter(|value| has_pi_as_factor(value))?;
         let text = self.quantity.unit.text();
         let prefix = text.strip_suffix("Hz")?;
         let unit = Unit::parse(&format!("{prefix}rad/s")).ok()?;
@@ -85,6 +88,18 @@ impl TypedNumber {
         let other = self.others.first()?;
         let shown = |number: &Self| number.quantity.text(mark);
         Some(Why::TwoReadings(shown(self), shown(other)).into())
+    }
+}
+
+/// Whether a formula is π times something.
+fn has_pi_as_factor(formula: &Expr) -> bool {
+    match formula.kind() {
+        Kind::Constant(Constant::Pi) => true,
+        Kind::Negate(inner) | Kind::Binary(Operator::Divide, inner, _) => has_pi_as_factor(inner),
+        Kind::Binary(Operator::Multiply, left, right) => {
+            has_pi_as_factor(left) || has_pi_as_factor(right)
+        }
+        _ => false,
     }
 }
 

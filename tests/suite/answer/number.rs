@@ -125,7 +125,7 @@ fn lists_are_read_and_told() {
         &[
             ("15; 5; 10 rad/s", "right"),
             ("5, 10, and 15", "right matches: Taken in rad/s"),
-            ("5 & 10 & 15", "unreadable"),
+            ("5 & 10 & 15", "right"),
             ("5 10 15", "right"),
             ("\\{5,10,15\\}", "right"),
             ("[5 10 15]", "right"),

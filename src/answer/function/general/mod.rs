@@ -17,7 +17,7 @@ use crate::answer::letters::Allowed;
 use crate::answer::meaning::{Meaning, ORDERS, Prefer};
 use crate::answer::{
     Answer, Answered, Asked, Blank, Context, Credit, Declare, Key, Marker, Marking, Nature, Note,
-    Reading, Remark, Role, Slip, Trial, Why,
+    Reading, Remark, Role, Slip, Trial, Unreadable, Why,
 };
 use crate::expr::{Equation, Expr, Kind as Node, Name, Precise, Program, Workspace};
 use crate::math::Math;
@@ -228,8 +228,9 @@ impl Setup {
     /// # Errors
     ///
     /// Why the response has no derivatives that can be compared.
-    fn solutions(&self, typed: &[Expr]) -> Result<Vec<TypedSolution>, Why> {
-        let solution = |typed: &[Expr]| self.solution(typed).ok_or(Why::Undifferentiable);
+    fn solutions(&self, typed: &[Expr]) -> Result<Vec<TypedSolution>, Unreadable> {
+        let none = || Unreadable::of(Why::Undifferentiable);
+        let solution = |typed: &[Expr]| self.solution(typed).ok_or_else(none);
         if !typed.iter().any(complex::is_complex) {
             return Ok(vec![solution(typed)?]);
         }
@@ -247,16 +248,16 @@ impl Setup {
             .iter()
             .map(|formula| Parts::of(formula, &complex))
             .collect::<Option<_>>()
-            .ok_or(Why::Undifferentiable)?;
+            .ok_or_else(none)?;
         let size = |own: &Parts| own.real.size() + own.imaginary.as_ref().map_or(0, Expr::size);
         if parts.iter().map(size).sum::<u32>() > complex::MAX_SIZE {
-            return Err(Why::TooLong);
+            return Err(Why::TooLong.into());
         }
         let real: Vec<Expr> = parts.iter().map(|own| own.real.clone()).collect();
-        let none = || Expr::number(0);
+        let zero = || Expr::number(0);
         let imaginary: Vec<Expr> = parts
             .into_iter()
-            .map(|own| own.imaginary.unwrap_or_else(none))
+            .map(|own| own.imaginary.unwrap_or_else(zero))
             .collect();
         let mut solutions = vec![solution(&real)?];
         if !imaginary.iter().all(Expr::is_zero) {
