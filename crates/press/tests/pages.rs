@@ -278,6 +278,7 @@ fn nothing_typed_is_read_as_markup() {
         max,
         open: Rational::ZERO,
         grade: None,
+        type_size: None,
         questions: vec![QuestionFeedback {
             open: Rational::ZERO,
             number: 1,
