@@ -55,7 +55,7 @@ fn items_stand_in_the_place_of_a_blueprint() {
     let questions = text_of(&desk.folder.join("questions.xml"));
     desk.run(&["export", "moodle", "free/spring-mass", "--out", &questions])
         .ends(0);
-    desk.run(&["page", "free/spring-mas", "--out", &out])
+    desk.run(&["page", "free/sprng-mass", "--out", &out])
         .ends(2)
         .complains("did you mean `free/spring-mass`?");
     desk.run(&["page", "exam.toml", "--out", &out])
