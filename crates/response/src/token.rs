@@ -22,7 +22,7 @@ pub(crate) enum Item {
     Conjugates,
     /// The mark of a complex conjugate behind its letter, `A*`.
     Conjugate,
-    /// `\bar`.
+    /// The line over a conjugate, `\bar`.
     Bar,
     /// Primes behind a bracket.
     Primes(u8),
