@@ -187,7 +187,7 @@ for (const version of ["1.2", "2004"]) {
     await end(platform);
   });
 
-  await step(`${version}: where an item has changed, learners begin anew, are told, and keep their score`, async () => {
+  await step(`${version}: where an item has changed, learners are informed, begin anew and keep their score`, async () => {
     const { platform, keys: own } = await begin(version, "");
     const first = await platform.sit(LEARNER);
     await open(first.frame, 0);

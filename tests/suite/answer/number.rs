@@ -1,4 +1,4 @@
-//! Numbers with units: the slips that are told, and what is asked back.
+//! Numbers with units: the slips that are diagnosed, and what is asked back.
 
 use vibank::bank::Catalogue;
 

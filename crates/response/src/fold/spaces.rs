@@ -1,5 +1,5 @@
-//! Spaces and letters of every width as ordinary ones, before anything else is looked at: what is said around an answer,
-//! words and runs of signs are told by the spaces and signs that keyboards have.
+//! Spaces and letters of every width as ordinary ones, before anything else is read: what is said around an answer, words and
+//! runs of signs are recognized by the spaces and signs of a keyboard.
 
 /// A text in spaces and letters of one width.
 pub(crate) struct OneWidth {
