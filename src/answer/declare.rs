@@ -12,7 +12,7 @@ use crate::quantity::{Evaluation, Graph, NodeId};
 use crate::source::Text;
 use crate::unit::{DecimalMark, Unit};
 
-use super::{Credit, Drawn};
+use super::{Credit, Sampling};
 
 /// The item that is being read.
 pub trait Declare {
@@ -109,8 +109,8 @@ pub enum Role {
 pub struct Context<'t> {
     /// The values.
     pub evaluation: Rc<Evaluation<'t>>,
-    /// The points at which formulas are compared, as far as they were drawn.
-    pub drawn: Rc<Drawn>,
+    /// What formulas are compared at.
+    pub sampling: Rc<Sampling<'t>>,
     /// The named mistakes that apply.
     pub mistakes: Vec<Mistaken>,
     /// Formulas that stand in for quantities of a symbolic key: what was answered to earlier parts.

@@ -252,15 +252,24 @@ impl Meaning {
         evaluation.real(self.inputs[place].node?).ok()
     }
 
+    /// The value of each input for an instance, if it has one.
+    pub(crate) fn values(&self, evaluation: &Evaluation<'_>) -> Vec<Option<f64>> {
+        let places = 0..self.inputs.len();
+        places.map(|place| self.value(place, evaluation)).collect()
+    }
+
     /// The inputs for an instance; what has no value there is zero.
     pub(crate) fn data(&self, evaluation: &Evaluation<'_>) -> Vec<Precise> {
-        let mut data = vec![Precise::exact(0.0); self.inputs.len() * ORDERS];
-        for place in 0..self.inputs.len() {
-            if let Some(value) = self.value(place, evaluation) {
-                data[place * ORDERS] = Precise::exact(value);
-            }
+        Self::slots(&self.values(evaluation))
+    }
+
+    /// The slots of inputs with these values; all else is zero.
+    pub(crate) fn slots(values: &[Option<f64>]) -> Vec<Precise> {
+        let mut slots = vec![Precise::exact(0.0); values.len() * ORDERS];
+        for (slot, value) in slots.iter_mut().step_by(ORDERS).zip(values) {
+            *slot = Precise::exact(value.unwrap_or_default());
         }
-        data
+        slots
     }
 
     /// A formula with all names substituted that an answer may not use.

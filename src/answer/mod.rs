@@ -42,7 +42,7 @@ pub use band::Band;
 pub use blank::{Asked, Blank, Entries, Letter, ShapeScale};
 pub use declare::{Context, Declare, Known, Mistaken, Role};
 pub use echo::Echo;
-pub use equality::Drawn;
+pub use equality::{Drawn, Sampling};
 pub use error::AnswerError;
 pub use kind::AnswerKind;
 pub use marking::{Credit, Key, KeyValue, Marking, Reading, Reason, Verdict};

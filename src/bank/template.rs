@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::plot::Plot;
 use super::{About, ItemId, Parameter, Passage, Revision};
-use crate::answer::{Answer, Blank, Naming};
+use crate::answer::{Answer, Blank, Drawn, Naming};
 use crate::document::Document;
 use crate::expr::{Expr, Kind as Node, Name, Precise};
 use crate::figure::Figure;
@@ -56,6 +56,8 @@ pub struct Template {
     pub allowed: Vec<Allowed>,
     /// The standard wrong methods of each part, once they were asked for.
     pub(crate) methods: OnceLock<Vec<Vec<Method>>>,
+    /// The points at which formulas are compared, as far as they were drawn.
+    pub(crate) drawn: Drawn,
 }
 
 /// A finding of `check` that is in order in an item, with the reason.

@@ -97,6 +97,13 @@ impl<'t> Instance<'t> {
         }
     }
 
+    /// An instance that stands for all: one that is drawn, or that of the source where no draw meets the constraints.
+    pub fn typical(template: &'t Template) -> Self {
+        // Any seed will do, as long as it is always the same.
+        const SEED: Seed = Seed::new(1);
+        Self::draw(template, SEED).unwrap_or_else(|_| Self::of_source(template))
+    }
+
     /// The instance with these values; what is not set is drawn if there is a seed, and else has the value of the
     /// source. Ranges and constraints bind what is drawn, never what is set.
     ///

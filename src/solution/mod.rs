@@ -13,7 +13,7 @@ use std::sync::Arc;
 pub use entry::{Entry, Nested, Number};
 pub use session::Session;
 
-use crate::answer::{Context, Credit, Doubt, Drawn, Key, Marker, Mistaken};
+use crate::answer::{Context, Credit, Doubt, Key, Marker, Mistaken, Sampling};
 use crate::bank::{Mistake, MistakeAnswer, Part, Template};
 use crate::expr::{Expr, Name, Value};
 use crate::instance::Instance;
@@ -26,8 +26,8 @@ use crate::unit::DecimalMark;
 pub struct Solution<'t> {
     instance: Instance<'t>,
     evaluation: Rc<Evaluation<'t>>,
-    /// What its parts are compared at, shared with all solutions that follow from it.
-    drawn: Rc<Drawn>,
+    /// What formulas are compared at, shared with all solutions that follow from it.
+    sampling: Rc<Sampling<'t>>,
     markers: Vec<OnceCell<Result<Box<dyn Marker + 't>, Absent>>>,
     /// What marks the other form of an answer.
     others: Vec<OnceCell<Option<Box<dyn Marker + 't>>>>,
@@ -71,7 +71,9 @@ impl<'t> Solution<'t> {
             written: cells(template),
             instance,
             evaluation,
-            drawn: Rc::default(),
+            sampling: Rc::new(Sampling::new(&template.drawn, || {
+                Instance::typical(template).evaluation()
+            })),
             standing: BTreeMap::new(),
             is_following: false,
             mark,
@@ -107,7 +109,7 @@ impl<'t> Solution<'t> {
             written: cells(self.template()),
             instance: self.instance.clone(),
             evaluation: Rc::new(self.evaluation.replacing(values)),
-            drawn: Rc::clone(&self.drawn),
+            sampling: Rc::clone(&self.sampling),
             standing: formulas,
             is_following: true,
             mark: self.mark,
@@ -262,7 +264,7 @@ impl<'t> Solution<'t> {
             .collect();
         Context {
             evaluation: Rc::clone(&self.evaluation),
-            drawn: Rc::clone(&self.drawn),
+            sampling: Rc::clone(&self.sampling),
             mistakes,
             standing: self.standing.clone(),
             order: self.order(place),

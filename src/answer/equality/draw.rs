@@ -1,10 +1,9 @@
-//! Points around the data of an instance, from a fixed seed: a verdict can be repeated.
+//! Points around data, from a fixed seed: a verdict can be repeated.
 
 use super::domain::Condition;
 use crate::answer::meaning::{Meaning, ORDERS};
 use crate::expr::{Approx, Precise, Registers};
 use crate::numerics::exp2;
-use crate::quantity::Evaluation;
 
 /// Numbers from a fixed seed (SplitMix64).
 #[derive(Clone, Debug)]
@@ -42,11 +41,11 @@ pub(crate) struct Ties {
     pub(crate) is_some_equal: bool,
 }
 
-/// The inputs around the data of an instance, inside the domain of the item.
+/// The inputs around some data, inside the domain of the item.
 pub(crate) struct Around<'a> {
     meaning: &'a Meaning,
     centres: Vec<Option<f64>>,
-    /// The conditions that the instance meets itself; data that were set by hand need not meet all.
+    /// The conditions that the data meet themselves; those of a source need not meet all.
     conditions: Vec<&'a Condition>,
     state: State,
     room: Registers<Approx<f64>>,
@@ -76,11 +75,9 @@ const MAX_ALIKE: usize = 3;
 const NARROW: f64 = 0.2;
 
 impl<'a> Around<'a> {
-    pub(crate) fn new(meaning: &'a Meaning, evaluation: &Evaluation<'_>) -> Self {
-        let centres = (0..meaning.inputs.len())
-            .map(|place| meaning.value(place, evaluation))
-            .collect();
-        let (data, mut room) = (meaning.data(evaluation), Registers::default());
+    /// Around these values of the inputs; one without a value may be anything.
+    pub(crate) fn new(meaning: &'a Meaning, centres: Vec<Option<f64>>) -> Self {
+        let (data, mut room) = (Meaning::slots(&centres), Registers::default());
         let conditions = meaning.conditions().iter();
         let met = conditions.filter(|condition| condition.holds(&data, &mut room));
         Self {
@@ -90,11 +87,6 @@ impl<'a> Around<'a> {
             state: State::new(),
             room,
         }
-    }
-
-    /// The value of each input, where it has one.
-    pub(crate) fn centres(&self) -> &[Option<f64>] {
-        &self.centres
     }
 
     /// What the next point depends on.

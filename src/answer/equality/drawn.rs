@@ -1,10 +1,13 @@
-//! Points that are drawn once for all parts of an instance.
+//! Points that are drawn once for all instances of an item.
 //!
-//! What is drawn depends on the names of an item, their values and its constraints, not on a key; most draws break a
-//! constraint. Parts whose answers are made of the same names take their points from the same draws, in the same order.
+//! Whether two formulas are the same is no matter of the data on a sheet, so they are compared around data that stand for
+//! all sheets of an item; only the signs are those of the sheet, since what is negative there stays so. What is drawn
+//! depends on the names of an item and its constraints, not on a key; most draws break a constraint. Parts whose answers
+//! are made of the same names take their points from the same draws, in the same order.
 
-use std::cell::RefCell;
-use std::sync::Arc;
+use std::cell::LazyCell;
+use std::cmp::Ordering;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use super::draw::{Around, State};
 use super::{MAX_DRAWS, WIDEST};
@@ -12,14 +15,61 @@ use crate::answer::meaning::{Input, Meaning};
 use crate::expr::Precise;
 use crate::quantity::Evaluation;
 
-/// The draws for an instance, made as parts ask for them.
-#[derive(Debug, Default)]
-pub struct Drawn(RefCell<Vec<Draw>>);
+/// Patterns of signs for which something is kept: the data of a bank have one or two, and what a manifest claims is not
+/// to fill the memory.
+const MAX_KEPT: usize = 16;
+/// Draws that are kept for an item, by the names of its answers and the signs of their data.
+const MAX_DRAWN: usize = 64;
 
-/// The draws around some values of some names.
+/// By input, how its datum compares with zero; none without a datum. Nothing else of an instance counts where formulas are
+/// compared.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Signs(Vec<Option<Ordering>>);
+
+impl Signs {
+    /// Those of data, by input.
+    pub(crate) fn of(data: &[Option<f64>]) -> Self {
+        let sign = |value: &Option<f64>| value.and_then(|value| value.partial_cmp(&0.0));
+        Self(data.iter().map(sign).collect())
+    }
+}
+
+/// What follows from the signs of the data, made once for each pattern of them.
+#[derive(Debug)]
+pub(crate) struct BySigns<T>(Mutex<Vec<(Signs, Arc<T>)>>);
+
+impl<T> Default for BySigns<T> {
+    fn default() -> Self {
+        Self(Mutex::default())
+    }
+}
+
+impl<T> BySigns<T> {
+    /// The value for these signs.
+    pub(crate) fn get(&self, signs: &Signs, make: impl FnOnce() -> T) -> Arc<T> {
+        // A panic elsewhere leaves the values as they were: each is added whole.
+        let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, value)) = kept.iter().find(|(own, _)| own == signs) {
+            return Arc::clone(value);
+        }
+        let value = Arc::new(make());
+        if kept.len() < MAX_KEPT {
+            kept.push((signs.clone(), Arc::clone(&value)));
+        }
+        value
+    }
+}
+
+/// The draws for an item, made as parts ask for them.
+#[derive(Debug, Default)]
+pub struct Drawn(Mutex<Vec<Draw>>);
+
+/// The draws for some names and some signs of their data.
 #[derive(Debug)]
 struct Draw {
     inputs: Vec<Input>,
+    signs: Signs,
+    /// What the points lie around.
     centres: Vec<Option<f64>>,
     /// By attempt; none where the draw broke a constraint.
     points: Vec<Option<Arc<[Precise]>>>,
@@ -27,28 +77,57 @@ struct Draw {
     state: State,
 }
 
-impl Drawn {
-    /// Hands out draws around the data of an instance, nearer and nearer to them, until `take` has enough; what the
-    /// draws after all of them go on from is left in what is returned.
+/// What the formulas of an item are compared at.
+pub struct Sampling<'t> {
+    drawn: &'t Drawn,
+    /// Data that stand for those of all instances.
+    typical: LazyCell<Evaluation<'t>, Box<dyn FnOnce() -> Evaluation<'t> + 't>>,
+}
+
+impl<'t> Sampling<'t> {
+    /// With the draws that an item keeps, and data that stand for those of all its instances; they are made where there
+    /// are no draws yet.
+    pub fn new(drawn: &'t Drawn, typical: impl FnOnce() -> Evaluation<'t> + 't) -> Self {
+        Self {
+            drawn,
+            typical: LazyCell::new(Box::new(typical)),
+        }
+    }
+
+    /// Typical data with these signs.
+    pub(crate) fn centres(&self, meaning: &Meaning, signs: &Signs) -> Vec<Option<f64>> {
+        let centre = |(typical, sign): (Option<f64>, &Option<Ordering>)| {
+            let sign = f64::from(i32::from((*sign)? as i8));
+            // Of a datum that is zero on the typical sheet nothing says how large it may be.
+            let size = typical.filter(|size| *size != 0.0).map_or(1.0, f64::abs);
+            Some(sign * size)
+        };
+        let typical = meaning.values(&self.typical).into_iter();
+        typical.zip(&signs.0).map(centre).collect()
+    }
+
+    /// Hands out draws, nearer and nearer to typical data, until `take` has enough; what the draws after all of them go on
+    /// from is left in what is returned.
     pub(crate) fn around<'a>(
         &self,
         meaning: &'a Meaning,
-        evaluation: &Evaluation<'_>,
+        signs: &Signs,
         mut take: impl FnMut(&Arc<[Precise]>) -> bool,
     ) -> Around<'a> {
-        let mut around = Around::new(meaning, evaluation);
-        let mut all = self.0.borrow_mut();
-        let is_own = |own: &Draw| own.inputs == meaning.inputs && own.centres == around.centres();
-        let place = all.iter().position(is_own).unwrap_or_else(|| {
-            all.push(Draw {
+        let mut all = self.drawn.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let is_own = |own: &Draw| own.inputs == meaning.inputs && own.signs == *signs;
+        let place = all.iter().position(is_own);
+        let mut own = match place {
+            Some(place) => all.swap_remove(place),
+            None => Draw {
                 inputs: meaning.inputs.clone(),
-                centres: around.centres().to_vec(),
+                signs: signs.clone(),
+                centres: self.centres(meaning, signs),
                 points: Vec::new(),
                 state: State::new(),
-            });
-            all.len() - 1
-        });
-        let own = &mut all[place];
+            },
+        };
+        let mut around = Around::new(meaning, own.centres.clone());
         std::mem::swap(around.state(), &mut own.state);
         for attempt in 0..MAX_DRAWS {
             if attempt == own.points.len() {
@@ -60,12 +139,15 @@ impl Drawn {
             }
         }
         own.state = around.state().clone();
+        if all.len() < MAX_DRAWN {
+            all.push(own);
+        }
         around
     }
 }
 
 impl Around<'_> {
-    /// One of the draws for an instance.
+    /// One of the draws for an item.
     fn attempt(&mut self, attempt: usize) -> Option<Vec<Precise>> {
         // What has no value far from the data may have one near to them.
         let share = attempt as f64 / MAX_DRAWS as f64;

@@ -2,10 +2,10 @@
 //!
 //! 1. Rational formulas that differ [modulo two primes](residue) are different; those that agree are the same
 //!    unless the points find them different.
-//! 2. All formulas are evaluated at points that are drawn around the data of the instance, a decade to either side, where
+//! 2. All formulas are evaluated at points that are drawn around typical data of the item, a decade to either side, where
 //!    the [constraints](domain) of the item hold: at real numbers between the steps of the grid, at integers where a
-//!    datum is one by its meaning. A datum that is negative
-//!    on the sheet stays so; one that may be negative, and letters without data, have both signs.
+//!    datum is one by its meaning. A datum that is negative on the sheet stays so; one that may be negative, and letters
+//!    without data, have both signs. Nothing else of a sheet counts: the same formula has the same verdict on all.
 //!    Each value comes with a running bound on the rounding errors.
 //!    At a point two values are the same where they differ by less than four times the sum of their bounds,
 //!    and the bounds are small; where the bounds are not, the point is computed again with twice the digits,
@@ -31,12 +31,12 @@ use std::sync::Arc;
 pub(crate) use self::domain::Condition;
 use self::draw::Ties;
 pub(crate) use self::draw::{Around, Draws};
-pub use self::drawn::Drawn;
+pub(crate) use self::drawn::{BySigns, Signs};
+pub use self::drawn::{Drawn, Sampling};
 use self::judge::{AtPoint, DIFFERENT, Rooms};
 use self::residue::Residue;
 use super::meaning::Meaning;
 use crate::expr::{CompileError, Expr, Field, Kind, Name, Precise, Program};
-use crate::quantity::Evaluation;
 
 /// Points at which formulas are compared.
 // At a random point two different analytic formulas agree with probability zero; the others guard against points at
@@ -130,11 +130,11 @@ pub(crate) enum Comparison {
 }
 
 impl Points {
-    /// Points around the data of an instance at which all of these have values.
+    /// Points around typical data of an item, with these signs, at which all of the keys have values.
     pub(crate) fn around(
         meaning: &Meaning,
-        evaluation: &Evaluation<'_>,
-        drawn: &Drawn,
+        sampling: &Sampling<'_>,
+        signs: &Signs,
         keys: &[&Comparable],
     ) -> Self {
         let mut rooms = Rooms::default();
@@ -143,7 +143,7 @@ impl Points {
             keys.all(|key| key.program.run(&point[..], &mut rooms.first).is_ok())
         };
         let mut points = Vec::new();
-        let mut around = drawn.around(meaning, evaluation, |point| {
+        let mut around = sampling.around(meaning, signs, |point| {
             points.extend(is_defined(point).then(|| Arc::clone(point)));
             points.len() == DRAWN
         });

@@ -1,25 +1,30 @@
 //! Marks equations: alone, and together with the responses to the other parts that ask for equations.
 
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
-use super::points::Choice;
+use super::points::{Choice, Choices, of_instance};
 use super::rows::Rows;
 use super::system::Other;
 use super::{Arc, Setup, told, written};
-use crate::answer::meaning::ORDERS;
 use crate::answer::{
     Beside, Credit, Echo, Equations, Key, Marker, Marking, Misfit, Nature, Note, Reading, Remark,
     Slip, Trial, Unreadable, Why,
 };
 use crate::expr::{Equation, Kind, Name, Program};
 use crate::numerics::Rational;
+use crate::work;
 
 /// A prepared key.
 pub(crate) struct Prepared {
     pub(crate) setup: Arc<Setup>,
     pub(crate) key: Arc<Vec<Program>>,
-    /// For each choice of data, points that differ in all else; the last choice is that of the instance.
-    pub(crate) points: Vec<Choice>,
+    /// The data for which equations are compared.
+    pub(crate) choices: Arc<Choices>,
+    /// The data of the instance, by input.
+    pub(crate) data: Vec<Option<f64>>,
+    /// The points for these, once numbers were typed in place of letters.
+    pub(crate) own: OnceCell<Choice>,
     pub(crate) mistakes: Vec<(usize, Arc<Vec<Program>>, Credit)>,
 }
 
@@ -31,11 +36,26 @@ impl Prepared {
     ) -> Rows {
         let key: Vec<&Program> = key.into_iter().collect();
         let typed: Vec<&Program> = typed.into_iter().collect();
-        let at = self
-            .points
-            .iter()
-            .map(|points| Rows::of(&key, &typed, points));
+        let choices = self.choices.points.iter();
+        let at = choices.map(|points| Rows::of(&key, &typed, points));
         at.reduce(Rows::worse).unwrap_or(Rows::Undefined)
+    }
+
+    /// How typed equations compare with the key.
+    fn compare_with_key(&self, typed: &[Program]) -> Rows {
+        let typed: Vec<&Program> = typed.iter().collect();
+        let choices = self.choices.spaces.iter().zip(&self.choices.points);
+        let at = choices.map(|(space, points)| match space {
+            Some(space) => space.compare(&typed, points),
+            None => Rows::Undefined,
+        });
+        at.reduce(Rows::worse).unwrap_or(Rows::Undefined)
+    }
+
+    /// The points for the data of the instance.
+    fn own(&self) -> &Choice {
+        let make = || of_instance(&self.setup, &self.key, &self.data);
+        self.own.get_or_init(|| work::aside(make))
     }
 
     /// Equations, their programs, and how they compare with the key: as they were typed or, unless that is right,
@@ -43,7 +63,7 @@ impl Prepared {
     fn compared(&self, equations: Vec<Equation>) -> Option<(Vec<Equation>, Vec<Program>, Rows)> {
         let compared = |equations: Vec<Equation>| {
             let typed = self.setup.compile(&equations, &BTreeMap::new())?;
-            let rows = self.compare(&*self.key, &typed);
+            let rows = self.compare_with_key(&typed);
             Some((equations, typed, rows))
         };
         let as_typed = compared(equations)?;
@@ -75,8 +95,7 @@ impl Prepared {
             self.key.iter().collect::<Vec<_>>(),
             typed.iter().collect::<Vec<_>>(),
         );
-        let last = self.points.last();
-        last.is_some_and(|points| Rows::of(&key, &typed, points) == Rows::Same)
+        Rows::of(&key, &typed, self.own()) == Rows::Same
     }
 
     /// Whether numbers stand in equations where the key has data: in place of them all, or of some.
@@ -103,11 +122,7 @@ impl Prepared {
         // One as a value is not written: a letter that is missing is missing.
         let is_written = |name: &Name| {
             let place = self.setup.meaning.place(name);
-            let point = self.points.last().and_then(|points| points.first());
-            let value = place
-                .zip(point)
-                .map(|(place, point)| point[place * ORDERS].high());
-            value != Some(1.0)
+            place.and_then(|place| self.data[place]) != Some(1.0)
         };
         let mut missing = key.iter().filter(|name| !typed.contains(name));
         let lacks_some = missing.any(is_written);
@@ -141,7 +156,7 @@ impl Prepared {
         if let Some(misfit) = misfit {
             return Marking::wrong(reading, Remark::from(misfit));
         }
-        let terms = told::terms(&self.setup, &self.key, typed, &self.points);
+        let terms = told::terms(&self.setup, &self.key, typed, &self.choices.points);
         Marking::wrong(reading, terms.map(|terms| Slip::Terms(terms).into()))
     }
 }

@@ -26,10 +26,13 @@ mod system;
 mod terms;
 mod told;
 
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
 use self::marker::Prepared;
+use self::points::Choices;
+use super::equality::{BySigns, Signs};
 use super::letters::Allowed;
 use super::meaning::{Meaning, Prefer};
 use super::shared::{self, Shared};
@@ -55,6 +58,8 @@ pub(crate) struct Setup {
     letters: Vec<Expr>,
     /// The key and the named mistakes, compiled once for all data.
     compiled: Shared<Vec<Program>>,
+    /// The data for which equations are compared with the key.
+    choices: BySigns<Choices>,
     /// As it is printed, once it was.
     printed: OnceLock<Arc<Key>>,
 }
@@ -114,6 +119,7 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
             lexicon,
             letters,
             compiled: Shared::default(),
+        choices: BySigns::default(),
             printed: OnceLock::new(),
         }),
         mistakes: Vec::new(),
@@ -223,7 +229,16 @@ impl Answer for Equations {
             compile().map(Arc::new)
         };
         let key = key.ok_or_else(absent)?;
-        let points = points::points(setup, &key, &context.evaluation);
+        let data = setup.meaning.values(&context.evaluation);
+        let signs = Signs::of(&data);
+        let around = || {
+            let centres = context.sampling.centres(&setup.meaning, &signs);
+            Choices::around(setup, &key, centres)
+        };
+        let choices = match context.standing.is_empty() {
+            true => setup.choices.get(&signs, around),
+            false => Arc::new(around()),
+        };
         let mut mistakes = Vec::new();
         for mistaken in &context.mistakes {
             let own = self
@@ -242,7 +257,9 @@ impl Answer for Equations {
         Ok(Box::new(Prepared {
             setup: Arc::clone(setup),
             key,
-            points,
+            choices,
+            data,
+            own: OnceCell::new(),
             mistakes,
         }))
     }

@@ -5,16 +5,16 @@
 //! term that is small for everyday values shows as well as in any other.
 
 use super::Setup;
+use super::rows::RowSpace;
 use crate::answer::equality::Around;
 use crate::answer::meaning::ORDERS;
 use crate::expr::{Approx, Precise, Program, Registers};
-use crate::quantity::Evaluation;
 
-/// Choices of the data besides those of the instance.
+/// Choices of the data besides typical data of the item.
 const DATA_POINTS: usize = 4;
 /// Points for each of them, beyond two for each equation of the key.
 const SPARE: usize = 10;
-/// Draws until data lie in the domain of the item; later ones are nearer to those of the instance.
+/// Draws until data lie in the domain of the item; later ones are nearer to typical data.
 const MAX_DRAWS: usize = 40;
 /// The largest and, inverted, the least factor by which a term is brought to size.
 const MAX_FACTOR: f64 = 1e4;
@@ -22,32 +22,60 @@ const MAX_FACTOR: f64 = 1e4;
 /// Points that differ in all but the data.
 pub(crate) type Choice = Vec<Vec<Precise>>;
 
-/// The points for a key around the data of an instance; the last choice is these data.
-pub(crate) fn points(setup: &Setup, key: &[Program], evaluation: &Evaluation<'_>) -> Vec<Choice> {
-    let count = 2 * key.len() + SPARE;
-    let mut around = Around::new(&setup.meaning, evaluation);
-    let mut choices = Vec::with_capacity(DATA_POINTS + 1);
-    for place in 0..=DATA_POINTS {
-        let spread = 0.3 * (1.0 - place as f64 / DATA_POINTS as f64);
-        let data = data(&mut around, spread);
-        let factors = factors(setup, key, &data);
-        let points = (0..count).map(|_| {
-            let mut point = around.point_beside(&data, 0.6);
-            for (value, factor) in point
-                .iter_mut()
-                .zip(&factors)
-                .filter(|(_, own)| **own != 1.0)
-            {
-                *value = Precise::exact(value.high() * factor);
-            }
-            point
-        });
-        choices.push(points.collect());
-    }
-    choices
+/// The choices of data for a key, with the points for each.
+#[derive(Debug)]
+pub(crate) struct Choices {
+    pub(crate) points: Vec<Choice>,
+    /// For each choice what follows from the key; none where the key has no value at some point.
+    pub(crate) spaces: Vec<Option<RowSpace>>,
 }
 
-/// Data within `spread` decades of those of the instance, where the constraints hold.
+impl Choices {
+    /// Those around typical data of the item.
+    pub(crate) fn around(setup: &Setup, key: &[Program], centres: Vec<Option<f64>>) -> Self {
+        let mut around = Around::new(&setup.meaning, centres);
+        let choice = |place: usize| {
+            let spread = 0.3 * (1.0 - place as f64 / DATA_POINTS as f64);
+            let data = data(&mut around, spread);
+            beside(setup, key, &mut around, &data)
+        };
+        let points: Vec<Choice> = (0..=DATA_POINTS).map(choice).collect();
+        let key: Vec<&Program> = key.iter().collect();
+        let spaces = points.iter().map(|points| RowSpace::of(&key, points));
+        Self {
+            spaces: spaces.collect(),
+            points,
+        }
+    }
+}
+
+/// The points for the data of an instance.
+pub(crate) fn of_instance(setup: &Setup, key: &[Program], data: &[Option<f64>]) -> Choice {
+    let mut around = Around::new(&setup.meaning, data.to_vec());
+    let data = around.free_point(0.0);
+    beside(setup, key, &mut around, &data)
+}
+
+/// Points with these data.
+fn beside(
+    setup: &Setup,
+    key: &[Program],
+    around: &mut Around<'_>,
+    data: &[Precise],
+) -> Vec<Vec<Precise>> {
+    let factors = factors(setup, key, data);
+    let points = (0..2 * key.len() + SPARE).map(|_| {
+        let mut point = around.point_beside(data, 0.6);
+        let slots = point.iter_mut().zip(&factors);
+        for (value, factor) in slots.filter(|(_, own)| **own != 1.0) {
+            *value = Precise::exact(value.high() * factor);
+        }
+        point
+    });
+    points.collect()
+}
+
+/// Data within `spread` decades of typical ones, where the constraints hold.
 fn data(around: &mut Around<'_>, spread: f64) -> Vec<Precise> {
     let mut spreads = (0..MAX_DRAWS).map(|draw| spread * (1.0 - draw as f64 / MAX_DRAWS as f64));
     let found = spreads.find_map(|spread| around.point(spread, false, false));

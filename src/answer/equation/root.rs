@@ -39,7 +39,7 @@ impl Prepared {
         let program = setup.meaning.compile(side, &BTreeMap::new());
         is_datum
             && program.is_ok_and(|program| {
-                let mut points = self.points.iter().flatten();
+                let mut points = self.choices.points.iter().flatten();
                 points.all(|point| value(&program, point) > 0.0)
             })
     }

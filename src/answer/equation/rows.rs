@@ -29,29 +29,8 @@ pub(crate) enum Rows {
 
 impl Rows {
     pub(crate) fn of(key: &[&Program], typed: &[&Program], points: &[Vec<Precise>]) -> Self {
-        let (Some(key), Some(typed)) = (rows(key, points), rows(typed, points)) else {
-            return Self::Undefined;
-        };
-        let mut basis = Basis::default();
-        for row in &key {
-            basis.add(row);
-        }
-        let needed = basis.rows.len();
-        // As many rows as points would span everything.
-        if needed + 2 > points.len() {
-            return Self::Undefined;
-        }
-        let mut own = Basis::default();
-        for row in &typed {
-            if basis.rest(row).1 {
-                return Self::Different;
-            }
-            own.add(row);
-        }
-        match own.rows.len() {
-            found if found == needed => Self::Same,
-            found => Self::Fewer { found, needed },
-        }
+        let space = RowSpace::of(key, points);
+        space.map_or(Self::Undefined, |space| space.compare(typed, points))
     }
 
     /// How many of these equations are independent; none if they have no value at some point.
@@ -71,6 +50,42 @@ impl Rows {
             (Self::Same, other) => other,
             (Self::Different, _) | (_, Self::Different) => Self::Different,
             (own, _) => own,
+        }
+    }
+}
+
+/// What follows from equations for fixed data.
+#[derive(Debug)]
+pub(crate) struct RowSpace(Basis);
+
+impl RowSpace {
+    /// What follows from a key; none where it has no value at one of the points.
+    pub(crate) fn of(key: &[&Program], points: &[Vec<Precise>]) -> Option<Self> {
+        let mut basis = Basis::default();
+        for row in rows(key, points)? {
+            basis.add(&row);
+        }
+        Some(Self(basis))
+    }
+
+    /// How typed equations compare with the key at the same points.
+    pub(crate) fn compare(&self, typed: &[&Program], points: &[Vec<Precise>]) -> Rows {
+        let (basis, needed) = (&self.0, self.0.rows.len());
+        // As many rows as points would span everything.
+        let typed = rows(typed, points).filter(|_| needed + 2 <= points.len());
+        let Some(typed) = typed else {
+            return Rows::Undefined;
+        };
+        let mut own = Basis::default();
+        for row in &typed {
+            if basis.rest(row).1 {
+                return Rows::Different;
+            }
+            own.add(row);
+        }
+        match own.rows.len() {
+            found if found == needed => Rows::Same,
+            found => Rows::Fewer { found, needed },
         }
     }
 }
@@ -113,7 +128,7 @@ fn row(program: &Program, points: &[Vec<Precise>]) -> Option<ScaledRow> {
 }
 
 /// Orthonormal rows.
-#[derive(Default)]
+#[derive(Debug, Default)]
 struct Basis {
     rows: Vec<Vec<f64>>,
 }

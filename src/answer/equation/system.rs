@@ -48,7 +48,7 @@ impl Prepared {
 
     fn is_linear(&self, equations: &[Program]) -> bool {
         let all = terms(&self.setup);
-        let Some(point) = self.points.first().and_then(|choice| choice.first()) else {
+        let Some(point) = self.choices.points.first().and_then(|choice| choice.first()) else {
             return true;
         };
         equations
@@ -86,6 +86,6 @@ impl Prepared {
 
     /// The number of independent equations.
     fn rank(&self, equations: &[Program]) -> Option<usize> {
-        Rows::rank(equations, self.points.first()?)
+        Rows::rank(equations, self.choices.points.first()?)
     }
 }

@@ -20,7 +20,7 @@ use crate::unit::DecimalMark;
 pub(crate) struct Prepared {
     pub(crate) setup: Arc<Setup>,
     pub(crate) key: Arc<Comparable>,
-    pub(crate) points: Points,
+    pub(crate) points: Arc<Points>,
     pub(crate) mistakes: Vec<Mistake>,
     pub(crate) mark: DecimalMark,
     pub(crate) doubt: Doubt,

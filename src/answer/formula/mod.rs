@@ -23,7 +23,7 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
 use self::marker::{Mistake, Prepared};
-use super::equality::{Comparable, Points};
+use super::equality::{BySigns, Comparable, Points, Signs};
 use super::letters::Allowed;
 use super::meaning::{Meaning, Prefer};
 use super::shared::{self, Shared};
@@ -58,6 +58,8 @@ pub(crate) struct Setup {
     letters: Vec<Expr>,
     /// The key and the named mistakes, compiled once for all data.
     compiled: Shared<Comparable>,
+    /// The points at which answers are compared with the key.
+    points: BySigns<Points>,
     /// As it is printed, once it was.
     printed: OnceLock<Arc<Key>>,
 }
@@ -129,6 +131,7 @@ pub(crate) fn of_key(
         meaning,
         lexicon: allowed.lexicon,
         compiled: Shared::default(),
+        points: BySigns::default(),
         printed: OnceLock::new(),
     };
     Some(Formula {
@@ -184,7 +187,12 @@ impl Answer for Formula {
             label: "key".into(),
             of: Vec::new(),
         })?;
-        let points = Points::around(&setup.meaning, &context.evaluation, &context.drawn, &[&key]);
+        let signs = Signs::of(&setup.meaning.values(&context.evaluation));
+        let around = || Points::around(&setup.meaning, &context.sampling, &signs, &[&key]);
+        let points = match context.standing.is_empty() {
+            true => setup.points.get(&signs, around),
+            false => Arc::new(around()),
+        };
         let mistakes = context.mistakes.iter().filter_map(|mistaken| {
             let compile = || match mistaken.given.first() {
                 Some(node) => compile(&symbolic::formula(graph, *node), &none),

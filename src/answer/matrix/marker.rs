@@ -19,7 +19,7 @@ use crate::unit::{Decimal, Unit};
 pub(crate) struct Prepared {
     pub(crate) setup: Arc<Setup>,
     /// The entries as formulas, where they can be compared as such.
-    pub(crate) formulas: Option<(Arc<Vec<Comparable>>, Points)>,
+    pub(crate) formulas: Option<(Arc<Vec<Comparable>>, Arc<Points>)>,
     pub(crate) value: Value,
     pub(crate) halves: Vec<f64>,
     pub(crate) mistakes: Vec<Mistake>,

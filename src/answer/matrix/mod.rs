@@ -21,7 +21,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use self::marker::{Mistake, Prepared};
-use super::equality::{Comparable, Points};
+use super::equality::{BySigns, Comparable, Points, Signs};
 use super::letters::Allowed;
 use super::meaning::{Meaning, Prefer};
 use super::shared::{self, Shared};
@@ -108,6 +108,8 @@ pub(crate) struct Setup {
     letters: Vec<Expr>,
     /// The entries of the key and of the named mistakes, compiled once for all data.
     compiled: Shared<Vec<Comparable>>,
+    /// The points at which answers are compared with the key.
+    points: BySigns<Points>,
 }
 
 /// Reads the keys of a part that belong to this kind; what is wrong is noted.
@@ -150,6 +152,7 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         letters: allowed.letters(),
         lexicon: allowed.lexicon,
         compiled: Shared::default(),
+        points: BySigns::default(),
     };
     Some(Box::new(Matrix {
         key,
@@ -272,12 +275,13 @@ impl Answer for Matrix {
             None => setup.compile(&entries, &context.standing).map(Arc::new),
         };
         let formulas = formulas.map(|formulas| {
-            let points = Points::around(
-                &setup.meaning,
-                evaluation,
-                &context.drawn,
-                &formulas.iter().collect::<Vec<_>>(),
-            );
+            let signs = Signs::of(&setup.meaning.values(evaluation));
+            let keys: Vec<&Comparable> = formulas.iter().collect();
+            let around = || Points::around(&setup.meaning, &context.sampling, &signs, &keys);
+            let points = match context.standing.is_empty() {
+                true => setup.points.get(&signs, around),
+                false => Arc::new(around()),
+            };
             (formulas, points)
         });
         let mistakes = context.mistakes.iter().map(|mistaken| {

@@ -33,7 +33,7 @@ impl Prepared {
     /// The same for formulas, which compare with the key like this.
     pub(crate) fn slip_of_formulas(
         &self,
-        (keys, points): &(Arc<Vec<Comparable>>, Points),
+        (keys, points): &(Arc<Vec<Comparable>>, Arc<Points>),
         typed: &[Comparable],
         comparisons: &[Comparison],
     ) -> Option<Slip> {

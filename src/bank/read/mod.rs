@@ -197,6 +197,7 @@ impl<'s> ItemReader<'s> {
             checks,
             allowed,
             methods: std::sync::OnceLock::new(),
+            drawn: crate::answer::Drawn::default(),
         };
         table.finish_ref();
         Some(template)

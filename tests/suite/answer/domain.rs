@@ -51,6 +51,61 @@ fn a_negative_datum_stays_negative() {
     assert_eq!(of("2 m/s", "|v|"), Verdict::Right);
 }
 
+/// All that is said of a formula, matrix or equation is the same on every sheet, whichever was marked first.
+#[test]
+fn the_data_of_a_sheet_do_not_count() {
+    let item = r#"
+[parameters]
+m = { value = "2 kg", range = "1 .. 5 kg", step = "0.5 kg" }
+k = { value = "800 N/m", range = "200 .. 900 N/m", step = "50 N/m" }
+[constraints]
+stiff = "k/m > 200[1/s^2]"
+[model]
+coordinates = { x = { unit = "m" } }
+kinetic = "1/2*m*x'^2"
+potential = "1/2*k*x^2"
+[quantities]
+omega_n = { formula = "sqrt(k/m)", unit = "rad/s" }
+[[part]]
+id = "f"
+kind = "formula"
+key = "omega_n"
+ask = "Find it."
+[[part]]
+id = "e"
+kind = "equation"
+key = "model.equation"
+ask = "Find it."
+"#;
+    let responses = [
+        (0, "sqrt(k/m)"),
+        (0, "sqrt(k/(2*m))"),
+        (0, "sqrt(k/m)/(2*pi)"),
+        (0, "sqrt(m/k)"),
+        (1, "m*x'' + k*x = 0"),
+        (1, "m*x'' - k*x = 0"),
+        (1, "m*x'' + 2*k*x = 0"),
+        (1, "x'' + k*x = 0"),
+    ];
+    let sheets = [("1 kg", "250 N/m"), ("2 kg", "900 N/m"), ("4 kg", "850 N/m")];
+    let marked = |order: [usize; 3]| {
+        let catalogue = super::catalogue(item);
+        let template = catalogue.items().next().expect("an item");
+        let mut markings = vec![String::new(); sheets.len()];
+        for place in order {
+            let (m, k) = sheets[place];
+            let instance = Instance::of(template, None, &[("m", m), ("k", k)]).expect("data");
+            let solution = Solution::of(instance);
+            let all = responses.map(|(part, response)| grade::mark(&solution, part, response));
+            markings[place] = format!("{all:?}");
+        }
+        markings
+    };
+    let markings = marked([0, 1, 2]);
+    assert!(markings.iter().all(|own| *own == markings[0]));
+    assert_eq!(markings, marked([2, 0, 1]));
+}
+
 #[test]
 fn an_equality_among_the_constraints_is_solved() {
     let item = "[parameters]\na = { value = '2 m', range = '1 .. 3 m', step = '1 m' }\n\
