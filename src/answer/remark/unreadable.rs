@@ -90,7 +90,7 @@ pub enum Why {
     BracketAfterNumber,
     /// `60°30'`.
     Minutes,
-    /// An inequality where one value is asked.
+    /// An inequality where one value is asked for.
     Inequality,
     /// A unit beside the name, and the value.
     UnitBesideName {

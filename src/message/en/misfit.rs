@@ -28,7 +28,7 @@ pub(crate) fn misfit(misfit: &Misfit) -> String {
                 (None, asked) => asked.map(comes_out),
             };
             match due {
-                Some(due) => format!("{what} comes out {found}, it has to be {due}."),
+                Some(due) => format!("{what} comes out {found}; it has to be {due}."),
                 None => format!("{what} comes out {found}."),
             }
         }
@@ -149,11 +149,11 @@ fn units(typed: &Unit, asked: &Unit) -> String {
         format!(": `{}` measures {words}", typed.text())
     });
     if asked.is_one() {
-        return format!("The unit does not fit{is}. A pure number is asked, without a unit.");
+        return format!("The unit does not fit{is}. A pure number is asked for, without a unit.");
     }
     let due = measured(asked).map_or_else(String::new, |words| format!("{words}, "));
     format!(
-        "The unit does not fit{is}. What is asked is {due}in {}.",
+        "The unit does not fit{is}. The answer is {due}in {}.",
         asked.text()
     )
 }

@@ -126,12 +126,12 @@ fn note(note: &Note) -> String {
             format!("This can be read as {taken} or as {other}; it was taken as {taken}.")
         }
         Note::Figures { asked, typed: None } => {
-            format!("A decimal with {asked} significant figures is asked.")
+            format!("A decimal with {asked} significant figures is asked for.")
         }
         Note::Figures {
             asked,
             typed: Some((number, has)),
-        } => format!("{asked} significant figures are asked, `{number}` has {has}."),
+        } => format!("{asked} significant figures are asked for, `{number}` has {has}."),
         Note::JouleForMoment(unit) => {
             format!(
                 "The joule is kept for energies: write this in {}.",
@@ -145,10 +145,10 @@ fn note(note: &Note) -> String {
             "Right; the other equations belong to the other parts.".to_owned()
         }
         Note::OtherForm => {
-            "Right, but not in the form that is asked; see the line for the answer.".to_owned()
+            "Right, but not in the form that is asked for; see the line for the answer.".to_owned()
         }
         Note::ConstantsToSpare { needed, found } => {
-            format!("Right; {needed} constants would do, here are {found}.")
+            format!("Right; {needed} constants would do, this has {found}.")
         }
     }
 }
@@ -239,7 +239,7 @@ fn slip(slip: &Slip) -> String {
         Slip::Scale(Scaling::Mass) => "The shape is right; scale it so that its modal mass is 1.",
         Slip::Angle => "The magnitude fits, the angle does not.",
         Slip::UnequalSides => "The sides of this statement are not equal.",
-        Slip::NotInteger => "An integer is asked.",
+        Slip::NotInteger => "An integer is asked for.",
         Slip::NoValueForData => "This has no value for data for which there is an answer.",
         Slip::NoValueOnSpan => "This has no value somewhere on the span.",
         Slip::NoValueAtTimes => "This has no value at some times.",
@@ -253,7 +253,7 @@ fn slip(slip: &Slip) -> String {
         Slip::Reversed => "The order is right, but it begins at the wrong end.",
         Slip::CountOfIntervals => "Look again at how many intervals there are.",
         Slip::DependentShapes => {
-            "These shapes are multiples of one another; independent ones are asked."
+            "These shapes are multiples of one another; independent ones are asked for."
         }
         Slip::NoMotion => "A shape with all components zero is not a motion.",
         Slip::Unsatisfied => {
@@ -267,7 +267,7 @@ fn slip(slip: &Slip) -> String {
              every initial state."
         }
         Slip::OtherEquation => {
-            "This follows from the equations of motion, but it is not the one that is asked here, and with \
+            "This follows from the equations of motion, but it is not the one asked for here, and with \
              the other answers it does not make up all of them."
         }
         Slip::Tautology => "This holds for any motion: it says nothing about this one.",
@@ -283,16 +283,16 @@ fn two_pi(slip: &TwoPi) -> String {
                 .to_owned()
         }
         TwoPi::Number => {
-            "A factor 2π slipped: an angular frequency ω in rad/s is 2π times the frequency f in Hz."
+            "Off by a factor of 2π: an angular frequency ω in rad/s is 2π times the frequency f in Hz."
                 .to_owned()
         }
         TwoPi::Cycles { typed, asked } => format!(
-            "A factor 2π slipped: `{}` counts cycles, what is asked is in {}.",
+            "Off by a factor of 2π: `{}` counts cycles, the answer is in {}.",
             typed.text(),
             asked.text()
         ),
         TwoPi::Wave => {
-            "A factor 2π slipped: the argument of the sine and the cosine takes the angular frequency ω in rad/s, \
+            "Off by a factor of 2π: the argument of the sine and the cosine takes the angular frequency ω in rad/s, \
              2π times the frequency f in Hz."
                 .to_owned()
         }
@@ -329,10 +329,10 @@ fn fewer(typed: usize, found: usize, needed: usize) -> String {
     if typed > found {
         let verb = if found == 1 { "is" } else { "are" };
         return format!(
-            "Right as far as it goes, but of these equations only {found} {verb} independent; {needed} are asked."
+            "Right as far as it goes, but of these equations only {found} {verb} independent; {needed} are asked for."
         );
     }
-    format!("Right as far as it goes: {needed} independent equations are asked.")
+    format!("Right as far as it goes: {needed} independent equations are asked for.")
 }
 
 fn terms(terms: &Terms) -> String {
@@ -348,10 +348,10 @@ fn terms(terms: &Terms) -> String {
     );
     let last = terms.linearity.map(|linearity| match linearity {
         Linearity::Due => {
-            "It is right as it stands, but it has still to be linearized for small motions."
+            "It is right as it stands, but it still has to be linearized for small motions."
         }
         Linearity::Surplus => {
-            "This holds for small motions alone; the equation is asked without that approximation."
+            "This holds for small motions alone; the equation is asked for without that approximation."
         }
         Linearity::WrongForLarge => {
             "It is right for small motions alone: look at how it depends on large ones."

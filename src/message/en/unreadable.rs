@@ -32,7 +32,7 @@ fn example(example: Example) -> &'static str {
             "Type a complex number and its unit, for example `3 - 4i ohm` or `5 ohm at -53 deg`."
         }
         Example::Interval => "Type for example `0.1 <= x < 0.5`, `x > 2` or `[0.1, 0.5)`.",
-        Example::OneValue => "Type it alone, or behind its name as in `x = 7.78`.",
+        Example::OneValue => "Type it alone, or after its name as in `x = 7.78`.",
     }
 }
 
@@ -56,21 +56,21 @@ fn why(why: &Why) -> String {
             None => "the dimensions do not fit.".to_owned(),
         },
 
-        Why::Letters => "a number is asked, without letters.".to_owned(),
-        Why::UnitNotLast => "the unit stands last, behind the whole number.".to_owned(),
+        Why::Letters => "a number is asked for, without letters.".to_owned(),
+        Why::UnitNotLast => "the unit comes last, after the whole number.".to_owned(),
         Why::Counted(word) => format!("type the number alone, without `{word}`."),
         Why::CountedUnit => "type the number alone, without what it counts.".to_owned(),
-        Why::NumberAlone => "a number alone is asked: omit what it counts.".to_owned(),
+        Why::NumberAlone => "a number alone is asked for: omit what it counts.".to_owned(),
         Why::TwoSigns(text) => format!("`{text}` begins with two signs: give one number."),
         Why::NoValue(text) => format!("`{text}` has no value."),
         Why::ExponentMissing(text) => format!(
-            "in `{text}` the exponent is missing behind `e`: type `2e-3`, or `exp(1)` for the number e."
+            "in `{text}` the exponent is missing after `e`: type `2e-3`, or `exp(1)` for the number e."
         ),
         Why::RangeOrDifference(text) => format!(
             "`{text}` may be a range or a difference: give one number, or spaces around the minus."
         ),
         Why::MixedDegrees => {
-            "one of these angles has a sign of degrees, another one has none.".to_owned()
+            "one of these angles has a degree sign, another has none.".to_owned()
         }
         Why::TwoUnits => "there are two units.".to_owned(),
         Why::CommaOfThree {
@@ -85,16 +85,16 @@ fn why(why: &Why) -> String {
         ),
         Why::BracketAfterNumber => "it is not clear whether this is a factor or another value. Type one number; a product needs its sign, `*`.".to_owned(),
         Why::Minutes => "type an angle with decimals of a degree, `60.5°` for 60° 30′.".to_owned(),
-        Why::Inequality => "one value is asked.".to_owned(),
+        Why::Inequality => "one value is asked for.".to_owned(),
         Why::UnitBesideName { value, unit } => {
-            format!("the unit stands behind the number: `{value} {unit}`.")
+            format!("the unit comes after the number: `{value} {unit}`.")
         }
         Why::UnequalSides(one, other) => {
             format!("`{one}` and `{other}` are not equal: give one value.")
         }
         Why::OutsideOfSpan => "the function is asked for other times than these. Omit them if it holds there, too.".to_owned(),
-        Why::Withdrawn => "this says that the answer is not meant. Type what you mean, and that alone.".to_owned(),
-        Why::UnclearSide => "it is not clear what the value is of. Type it alone, or behind the name of what is asked, as in `x = 7.78`.".to_owned(),
+        Why::Withdrawn => "this says that the answer is withdrawn. Type what you mean, and that alone.".to_owned(),
+        Why::UnclearSide => "it is not clear what the value is of. Type it alone, or after the name of what is asked for, as in `x = 7.78`.".to_owned(),
         Why::TooManyTurns { times, turn } => format!(
             "this is more than {times} times {}: give the value within one turn.",
             turn.text(DecimalMark::Point)
@@ -107,10 +107,10 @@ fn why(why: &Why) -> String {
             format!("this is read as `{read}`: write `{meant}` with a space.")
         }
         Why::AngleInUnit(asked) => {
-            format!("angles do not enter like this; what is asked is in {}.", asked.text())
+            format!("angles do not enter like this; the answer is in {}.", asked.text())
         }
         Why::OtherQuantity => {
-            "this names another quantity than the one that is asked. Give the answer alone.".to_owned()
+            "this names another quantity than the one asked for. Give the answer alone.".to_owned()
         }
         Why::LabelsInOtherOrder => {
             "the lower one of these has the first symbol: give the values without symbols, or exchange them.".to_owned()
@@ -125,10 +125,10 @@ fn why(why: &Why) -> String {
             format!("the angle `{angle}` has no unit: is it in degrees? Type `{angle}°`.")
         }
         Why::AngleUnit => "an angle is in degrees or radians.".to_owned(),
-        Why::SeveralComplex => "one complex number is asked.".to_owned(),
+        Why::SeveralComplex => "one complex number is asked for.".to_owned(),
 
         Why::NoOption(last) => format!("this is not one of the options: type a letter from a to {last}."),
-        Why::OneOption => "one option is asked: type one letter.".to_owned(),
+        Why::OneOption => "choose one option: type one letter.".to_owned(),
         Why::Ranking(count) => format!("give all {count} letters, each once, in order."),
 
         Why::JoinInequalities => "join the inequalities by `or`, or by `and`.".to_owned(),
@@ -137,30 +137,30 @@ fn why(why: &Why) -> String {
         Why::SameWay => "both signs point the same way.".to_owned(),
         Why::NoInterval => "no inequality sign and no interval.".to_owned(),
         Why::BeforeInterval(symbol) => format!(
-            "only `{symbol} in` may stand before the interval of values that are asked, several are joined by `or`."
+            "only `{symbol} in` may stand before an interval of values; several are joined by `or`."
         ),
         Why::IntervalBracket => "a bracket is missing.".to_owned(),
         Why::NoUnit => "this is not a known unit.".to_owned(),
         Why::TwoEnds => {
-            "an interval has two ends; with decimal commas, put a semicolon in between.".to_owned()
+            "an interval has two ends; with decimal commas, separate them by a semicolon.".to_owned()
         }
         Why::SolveForDistance(symbol) => format!("solve for `{symbol}` or `|{symbol}|` first."),
         Why::SolveFor(symbol) => format!("solve for `{symbol}` first."),
-        Why::NotInInequality(symbol) => format!("`{symbol}` does not stand in this inequality."),
+        Why::NotInInequality(symbol) => format!("`{symbol}` does not occur in this inequality."),
         Why::BoundsOrder => "the lower bound is above the upper one.".to_owned(),
         Why::BoundsAsFormulas => "give the bounds as formulas in symbols.".to_owned(),
         Why::BoundsAsNumbers => "give the bounds as numbers.".to_owned(),
         Why::BoundValue => "this has no value.".to_owned(),
 
         Why::FormulaNotNumber => {
-            "a formula in symbols is asked, not a number: give it without its value.".to_owned()
+            "a formula in symbols is asked for, not a number: give it without its value.".to_owned()
         }
         Why::Incomparable => {
             "this formula cannot be compared; write it in a simpler form.".to_owned()
         }
         Why::DigitsLost => "all digits are lost when this is computed, so it cannot be compared; write it in a simpler form.".to_owned(),
         Why::TwoReadings(one, other) => format!(
-            "this can be read as `{one}` or as `{other}`: type the one that you mean."
+            "this can be read as `{one}` or as `{other}`: type the one you mean."
         ),
         Why::UnitBehindLetters => {
             "letters carry their units, and this one does not fit. Omit it.".to_owned()
@@ -170,13 +170,13 @@ fn why(why: &Why) -> String {
             format!("letters carry their units, and this comes out {own} by itself. Omit the unit.")
         }
 
-        Why::NoEquation => "an equation is asked: an equals sign is missing.".to_owned(),
-        Why::NotInequality => "an equation is asked, not an inequality.".to_owned(),
+        Why::NoEquation => "an equation is asked for: an equals sign is missing.".to_owned(),
+        Why::NotInequality => "an equation is asked for, not an inequality.".to_owned(),
         Why::EquationNumber => {
             "is this the number of the equation? Omit it; a factor is written `2*`.".to_owned()
         }
         Why::InitialState => {
-            "give the equation alone; the state at the start does not belong to it.".to_owned()
+            "give the equation alone; the initial state does not belong to it.".to_owned()
         }
         Why::IncomparableEquation => {
             "this equation cannot be compared; write it in a simpler form.".to_owned()
@@ -190,17 +190,17 @@ fn why(why: &Why) -> String {
             "these entries cannot be compared; write them in a simpler form.".to_owned()
         }
         Why::UnitBehindMatrix => {
-            "this is left over behind the matrix. Letters carry their units: omit it.".to_owned()
+            "this is left over after the matrix. Letters carry their units: omit it.".to_owned()
         }
         Why::Shape { found, asked } => format!(
-            "this has {} of {}; a matrix of {} by {} is asked, such as `[[a, b], [c, d]]`, with a comma between entries.",
+            "this has {} of {}; a matrix of {} by {} is asked for, such as `[[a, b], [c, d]]`, with a comma between entries.",
             counted(found.0, "row"),
             found.1,
             asked.0,
             asked.1
         ),
-        Why::NumbersNotFormulas => "numbers are asked here, not formulas.".to_owned(),
-        Why::FormulasNotNumbers => "formulas in symbols are asked here, not numbers.".to_owned(),
+        Why::NumbersNotFormulas => "numbers are asked for here, not formulas.".to_owned(),
+        Why::FormulasNotNumbers => "formulas in symbols are asked for here, not numbers.".to_owned(),
         Why::EntryValue => "an entry has no value.".to_owned(),
         Why::UnitOfEntries(unit) => format!("the unit `{}` does not fit all entries.", unit.text()),
 
@@ -213,7 +213,7 @@ fn why(why: &Why) -> String {
         ),
         Why::ComponentValue => "a component has no value.".to_owned(),
         Why::Components { found, asked } => format!(
-            "this has {}; {asked} are asked, such as `(1, -0.5)` for two.",
+            "this has {}; {asked} are asked for, such as `(1, -0.5)` for two.",
             counted(*found, "component")
         ),
         Why::ShapesOf {
@@ -222,7 +222,7 @@ fn why(why: &Why) -> String {
             shapes,
             width,
         } => format!(
-            "this has {} in {}; {shapes} shapes of {} are asked, such as `(1, -0.5), (1, 2)`.",
+            "this has {} in {}; {shapes} shapes of {} are asked for, such as `(1, -0.5), (1, 2)`.",
             counted(*found, "component"),
             counted(*rows, "row"),
             counted(*width, "component")
@@ -235,13 +235,13 @@ fn why(why: &Why) -> String {
         Why::AngleAdded => {
             "an angle is added to the function: put brackets, as in `cos(5 t + 30°)`.".to_owned()
         }
-        Why::UnitOfTerms => "give each term its unit, or write one behind the whole.".to_owned(),
+        Why::UnitOfTerms => "give each term its unit, or write one after the whole.".to_owned(),
         Why::UnitOfFunction(unit) => {
-            format!("the unit does not fit; what is asked is in {}.", unit.text())
+            format!("the unit does not fit; the answer is in {}.", unit.text())
         }
-        Why::OneFunction(asked) => format!("one function is asked here: {asked} = …."),
+        Why::OneFunction(asked) => format!("one function is asked for here: {asked} = …."),
         Why::OtherFunction(asked) => format!(
-            "{asked} is asked. Give it alone, or with its own name before the equals sign."
+            "{asked} is asked for. Give it alone, or with its own name before the equals sign."
         ),
         Why::UnclearFunction(asked) => format!(
             "it is not clear what this stands for; write {asked} = … or the function alone."
@@ -292,26 +292,26 @@ fn formula(trouble: &Trouble) -> String {
         Trouble::Unit => {
             "units do not belong into a formula: letters carry their own, and numbers are in SI units."
         }
-        Trouble::Sign => "this sign is not understood here.",
+        Trouble::Sign => "this sign has no meaning here.",
         Trouble::Number => "this number has too many digits.",
         Trouble::Bracket => "this bracket has no partner.",
         Trouble::NumberAfter => {
             "a sign is missing before this number; write `*` for a product or `^` for a power."
         }
-        Trouble::List => "one formula is due here, not a list; write decimals with a point.",
+        Trouble::List => "one formula is expected here, not a list; write decimals with a point.",
         Trouble::Exponent => {
             "does this belong to the exponent? Write brackets: `e^(-2 t)` or `e^(-2)*t`."
         }
         Trouble::Logarithm => "write `ln` or `log10`.",
         Trouble::TwoValues => "give one value, without `±`.",
         Trouble::Unsolved => {
-            "only the symbol that is asked may stand before an equals sign; solve for it and give the formula alone."
+            "only the symbol that is asked for may stand before an equals sign; solve for it and give the formula alone."
         }
         Trouble::LeftOver => "this is left over; is a sign missing before it?",
         Trouble::NoRelation => "an equals sign or an inequality sign is missing.",
-        Trouble::UnitOfEntry => "give one unit for all, behind the list in brackets.",
+        Trouble::UnitOfEntry => "give one unit for all, after the list in brackets.",
         Trouble::UnitOrLetter => {
-            "this ends with a letter or with a unit; put the list in brackets, and that behind them."
+            "this ends with a letter or with a unit; put the list in brackets, and that after them."
         }
         Trouble::Order => "give them in the order of the question, as a list without names.",
         Trouble::NamedMatrices => {
