@@ -370,7 +370,7 @@ fn number(value: f64, stream: &mut Stream) -> String {
     let power = (stream.draw() % 5) as i32 - 2;
     let has_power = stream.draw() % 3 == 0;
     let scaled = if has_power { value / 10_f64.powi(power) } else { value };
-    // Neither three decimals, which may be thousands behind a comma, nor fewer figures than four.
+    // Neither three decimals, which may be thousands after a comma, nor fewer figures than four.
     let mut digits = format!("{scaled:.7}");
     while digits.ends_with('0') {
         digits.pop();

@@ -134,7 +134,7 @@ impl Blank {
         self
     }
 
-    /// The unit that is printed behind the line: that of values. Others stand with what it says.
+    /// The unit that is printed after the line: that of values. Others stand with what it says.
     pub fn unit_behind(&self) -> Option<Unit> {
         let has_values = matches!(
             self.form,

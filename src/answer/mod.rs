@@ -90,7 +90,7 @@ pub trait Answer: Send + Sync {
     /// What its answer line says.
     fn blank(&self) -> Blank;
 
-    /// The unit that is printed behind the blank.
+    /// The unit that is printed after the blank.
     fn unit(&self) -> Option<Unit> {
         None
     }

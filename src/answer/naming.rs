@@ -321,7 +321,7 @@ fn customary(
     }
 }
 
-/// What stands before the first equals sign of each statement, or behind the last where a value stands first.
+/// What stands before the first equals sign of each statement, or after the last where a value stands first.
 fn labels(response: &str) -> impl Iterator<Item = Range<usize>> {
     let whole = Span::new(0, response.len());
     let statements = cut(response, whole, &[';', ',', '\n']).into_iter();

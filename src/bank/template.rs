@@ -180,7 +180,7 @@ impl Part {
         self.hints.get(shared..).unwrap_or_default()
     }
 
-    /// Its worked solution, behind that of its group.
+    /// Its worked solution, after that of its group.
     pub fn worked(&self) -> impl Iterator<Item = &Passage> {
         let shared = self.group.iter().map(|group| &group.solution);
         let all = shared.chain(std::iter::once(&self.solution));

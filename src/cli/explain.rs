@@ -10,7 +10,7 @@ use super::{Failure, Outcome};
 /// Example: vibank explain bank::unknown-key
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
-    /// The code, as it stands in brackets behind `error`; without it, all codes are listed.
+    /// The code, as it stands in brackets after `error`; without it, all codes are listed.
     code: Option<String>,
 }
 

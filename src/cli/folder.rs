@@ -123,7 +123,7 @@ impl Folder {
             .left(name, left)
             .ok_or_else(|| fail(io::Error::other("what an interrupted run has left is gone")))?;
         let mut file = open_own(&draft).map_err(fail)?;
-        // What was written behind the last note in the ledger may be half a sheet.
+        // What was written after the last note in the ledger may be half a sheet.
         file.set_len(left.length).map_err(fail)?;
         // The state of a hash is nowhere kept, so that what is there is read once more.
         let digest = files::hash(&mut file).map_err(fail)?;

@@ -1,4 +1,4 @@
-//! A journal: lines of JSON behind a first line that says of what, appended as a run goes, so that an interrupted run is
+//! A journal: lines of JSON after a first line that says of what, appended as a run goes, so that an interrupted run is
 //! gone on with. The ledger of `sheet`, the journal of `grade` and that of `enter` are such files.
 
 use std::fs::File;
@@ -35,7 +35,7 @@ impl JournalFile {
         Ok(head.map(|line| line.trim_end().to_owned()))
     }
 
-    /// Goes on behind the lines, after the first, that are whole and are taken; how many there are. The rest is cut
+    /// Goes on after the lines, after the first, that are whole and are taken; how many there are. The rest is cut
     /// off: its first line may have been interrupted in the middle.
     pub(crate) fn go_on(&mut self, mut take: impl FnMut(&str) -> bool) -> Result<usize, Failure> {
         let mut reader = self.reader()?;

@@ -311,7 +311,7 @@ fn begin(bare: &Manifest) -> String {
         .to_owned()
 }
 
-/// What stands behind the sheets of a manifest.
+/// What comes after the sheets of a manifest.
 fn end(items: &BTreeMap<String, String>, form: &str, files: &BTreeMap<String, String>) -> String {
     let end = json!({ "items": items, "form": form, "files": files }).to_string();
     let end = end

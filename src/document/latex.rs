@@ -41,7 +41,7 @@ pub(crate) fn write_words(out: &mut String, words: &str) {
     let mut before = ' ';
     let mut rest = words.chars().filter(|char| !is_invisible(*char)).peekable();
     while let Some(char) = rest.next() {
-        // An accent on its own stands behind its letter, and its command before.
+        // An accent on its own comes after its letter, and its command before.
         let marks = std::iter::from_fn(|| rest.next_if(|mark| is_combining(*mark)));
         let accents: Vec<&str> = marks.filter_map(accent).collect();
         for accent in accents.iter().rev() {

@@ -167,7 +167,7 @@ fn definition(text: &str, name: &str) -> Span {
     })
 }
 
-/// The line of a part that gives its identity: its `id`, or the `key` that stands for it; of a blank behind that of its
+/// The line of a part that gives its identity: its `id`, or the `key` that stands for it; of a blank after that of its
 /// group.
 fn part_place(text: &str, part: &str) -> Span {
     let (group, id) = part.split_once('.').unwrap_or(("", part));

@@ -88,9 +88,9 @@ pub(crate) fn number(value: f64) -> String {
 }
 
 /// HTML within a blank: what means something there is written as an entity, line breaks as spaces. The reader of the
-/// notation decodes entities once, so that a `<` of the words needs no letter behind it.
+/// notation decodes entities once, so that a `<` of the words needs no letter after it.
 fn escaped(html: &str) -> String {
-    // Behind its entities the platform takes `\}` for a brace, so that TeX would lose it.
+    // After its entities the platform takes `\}` for a brace, so that TeX would lose it.
     let html = html.trim();
     let html = html.replace("\\}", "\\rbrace ").replace("\\{", "\\lbrace ");
     let mut out = String::with_capacity(html.len());

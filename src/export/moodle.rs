@@ -180,7 +180,7 @@ impl Moodle {
         let _ = write!(body, "<p><small>{origin}</small></p>");
         let mut of_worked = Pictures::default();
         let worked = words.worked(parts.iter(), &mut of_worked);
-        // Behind these letters `vibank grade` finds the answers again.
+        // After these letters `vibank grade` finds the answers again.
         let places = parts.iter().filter(|_| parts.len() > 1);
         let template: String = places
             .map(|asked| format!("<p>{}) </p>", asked.letter))
@@ -292,7 +292,7 @@ fn html(out: &mut String, element: &str, content: &str, pictures: &Pictures) {
     let _ = writeln!(out, "</{element}>");
 }
 
-/// The boxes of a part, what they ask for before them and the unit behind.
+/// The boxes of a part, what they ask for before them and the unit after.
 fn write_blank(
     out: &mut String,
     words: &Words<'_, '_>,

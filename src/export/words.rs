@@ -142,14 +142,14 @@ impl<'s, 'c> Words<'s, 'c> {
         lead.map_or_else(String::new, |lead| format!("{} ", self.math(&lead)))
     }
 
-    /// The unit that is printed behind a box, and that the box takes a number alone.
+    /// The unit that is printed after a box, and that the box takes a number alone.
     pub(crate) fn unit(&self, place: usize) -> String {
         let part = &self.scene.solution().template().parts[place];
         let unit = part.answer.unit();
         unit.map_or_else(String::new, |unit| self.behind(&self.math(&unit.math())))
     }
 
-    /// A unit as it stands behind a box.
+    /// A unit as it comes after a box.
     pub(crate) fn behind(&self, unit: &str) -> String {
         let only = self.language.phrase(&Phrase::NumberOnly);
         format!(" {unit} <small>{only}</small>")

@@ -60,7 +60,7 @@ impl Side {
         Some([Self::Above, Self::Below, Self::Left, Self::Right][place])
     }
 
-    /// The side of a body by its word behind a point, `B.left`.
+    /// The side of a body by its word after a point, `B.left`.
     pub(crate) fn of_body(word: &str) -> Option<Self> {
         let place = Self::BODY.iter().position(|known| *known == word)?;
         Some([Self::Above, Self::Below, Self::Left, Self::Right][place])
@@ -69,7 +69,7 @@ impl Side {
     /// The words of `at`.
     pub const WORDS: [&str; 4] = ["above", "below", "left", "right"];
 
-    /// The words behind a point.
+    /// The words after a point.
     pub(crate) const BODY: [&str; 4] = ["top", "bottom", "left", "right"];
 }
 

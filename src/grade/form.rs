@@ -94,7 +94,7 @@ fn statement(
     if !is_led && is_symbol(sides[0]) && are_letters(sides[0]) {
         sides.remove(0);
     } else if let Some(last) = sides.last().filter(|side| is_symbol(side)) {
-        // Or behind the last one: `15.8 rad/s = ω`.
+        // Or after the last one: `15.8 rad/s = ω`.
         if are_letters(last) {
             sides.pop();
         }

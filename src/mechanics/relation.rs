@@ -7,7 +7,7 @@
 use super::Sdof;
 
 impl Sdof {
-    /// All numbers of one degree of freedom, each behind those by which it is usually found.
+    /// All numbers of one degree of freedom, each after those by which it is usually found.
     pub const ALL: [Self; 14] = [
         Self::Mass,
         Self::Damping,

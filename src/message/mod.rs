@@ -88,7 +88,7 @@ pub enum Phrase<'a> {
     Plot(&'a str),
     /// In place of a plot that these data do not have.
     NoPlot,
-    /// Behind a box of a course platform, which takes no unit.
+    /// After a box of a course platform, which takes no unit.
     NumberOnly,
     /// The name of a question of a course platform, by its number from 1.
     Question(usize),
@@ -143,7 +143,7 @@ impl Language {
         }
     }
 
-    /// What an answer line says: form, letters, unit where it is not behind the line, figures, order.
+    /// What an answer line says: form, letters, unit where it is not after the line, figures, order.
     ///
     /// ```
     /// # #[cfg(feature = "render")] {

@@ -45,7 +45,7 @@ pub struct Decided {
     pub changed: Vec<DecidedMark>,
 }
 
-/// A mark before and after a decision; points that are not decided stand behind a question mark.
+/// A mark before and after a decision; points that are not decided come after a question mark.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct DecidedMark {
     /// Code of the sheet.

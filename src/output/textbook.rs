@@ -225,7 +225,7 @@ fn read(line: usize, text: &str) -> Result<Document, TextbookError> {
     Ok(Document::of(blocks.collect(), Vec::new()))
 }
 
-/// A block whose links are words: where they lead to an exercise, with its name behind.
+/// A block whose links are words: where they lead to an exercise, with its name after.
 fn for_paper(block: Block) -> Block {
     match block {
         Block::Paragraph(content) => Block::Paragraph(unlinked(content)),

@@ -172,7 +172,7 @@ pub(crate) struct View<'p> {
     pictures: RefCell<BTreeMap<String, String>>,
 }
 
-/// How many questions count, in words behind their number.
+/// How many questions count, in words after their number.
 fn best(best: &[Best]) -> String {
     let words = best.iter().map(|best| match best.section.as_str() {
         "" => format!(", of which the best {} count", best.count),

@@ -41,7 +41,7 @@ impl<'g> NodeOrder<'g> {
         self.chain(id);
     }
 
-    /// Gives a node its place, behind those that it needs; the length of the longest chain that ends with it.
+    /// Gives a node its place, after those that it needs; the length of the longest chain that ends with it.
     ///
     /// The order in which quantities are written decides how deep this recurs, but not how long a chain is.
     fn chain(&mut self, id: NodeId) -> usize {
@@ -100,7 +100,7 @@ impl<'g> NodeOrder<'g> {
         length
     }
 
-    /// Notes that a chain is too long; behind this place it is counted anew.
+    /// Notes that a chain is too long; after this place it is counted anew.
     fn refuse(&mut self, id: NodeId) -> usize {
         let name = Name::new(self.graph.label(id));
         let limit = MAX_CHAIN_LENGTH;

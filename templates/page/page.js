@@ -280,7 +280,7 @@ class Question {
       this.motion.replaceChildren();
       new Moving(this, this.motion).begin();
     });
-    // What changes with each picture is nothing to be announced, so it stands behind the solution.
+    // What changes with each picture is nothing to be announced, so it comes after the solution.
     place.after(this.motion);
   }
 
@@ -351,7 +351,7 @@ class Part {
     return this.root.querySelector(selector);
   }
 
-  /** Its section, behind what the blanks of its group have in common where it is the first of them. */
+  /** Its section, after what the blanks of its group have in common where it is the first of them. */
   opened() {
     if (this.group) this.root.classList.add("blank");
     const { group } = this.part;

@@ -380,7 +380,7 @@ impl PlainWriter<'_> {
         self.push(close);
     }
 
-    /// Has a row that goes on with the relation of the one before, `a = b` and `= c` below it, stand behind it as one
+    /// Has a row that goes on with the relation of the one before, `a = b` and `= c` below it, come after it as one
     /// chain.
     fn join(&mut self, before: usize, between: &str) {
         const RELATIONS: [char; 8] = ['=', '≈', '<', '>', '≤', '≥', '≡', '⇒'];

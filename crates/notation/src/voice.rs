@@ -43,7 +43,7 @@ pub struct Voice {
     pub accents: [&'static str; 7],
     /// A hole without a filling.
     pub blank: &'static str,
-    /// Behind the sign and the bounds of a sum or integral.
+    /// After the sign and the bounds of a sum or integral.
     pub of: &'static str,
     /// Before the lower and the upper bound.
     pub bounds: [&'static str; 2],

@@ -1,6 +1,6 @@
 //! A formula of numbers with units in it, as a formula of bare numbers and the unit of the whole.
 //!
-//! A unit belongs to the number that it stands behind. One that stands last serves the numbers before it that have
+//! A unit belongs to the number that it comes after. One that stands last serves the numbers before it that have
 //! none, as in `3 - 4i ohm` and `400 - 238 mm`; with `3 mm + 4i m` each number has its own.
 
 use super::{Trouble, ValueTrouble};
@@ -218,7 +218,7 @@ fn called(function: Function, arguments: &[Expr], formula: &Expr) -> Result<Spli
             Ok((call(in_one_unit(&first)?), Some(unit)))
         }
         Function::Abs | Function::Hypot | Function::Min | Function::Max => {
-            // A unit behind the last number serves all.
+            // A unit after the last number serves all.
             Ok((call(in_one_unit(&first)?), Some(first)))
         }
         Function::Atan2 | Function::Sign => Ok((call(in_one_unit(&first)?), None)),

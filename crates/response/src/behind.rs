@@ -1,11 +1,11 @@
-//! Units behind formulas.
+//! Units after formulas.
 
 use vibank_formula::unit::Unit;
 
 /// Most places that are tried for the beginning of the unit.
 const MAX_PLACES: usize = 16;
 
-/// The ways to cut a text into a formula and a unit behind it, the shortest unit first.
+/// The ways to cut a text into a formula and a unit after it, the shortest unit first.
 pub fn with_unit(text: &str) -> impl Iterator<Item = (&str, Unit)> {
     places(text).into_iter().rev().filter_map(|place| {
         let (formula, unit) = text.split_at(place);

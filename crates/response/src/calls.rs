@@ -185,7 +185,7 @@ impl Parser<'_> {
         Ok(arguments)
     }
 
-    /// The digits behind a comma that is a decimal sign by the rule, and may part two arguments.
+    /// The digits after a comma that is a decimal sign by the rule, and may part two arguments.
     fn decimals(&mut self, arguments: &mut Vec<Expr>) -> Result<()> {
         self.at += 1;
         let span = self.here();

@@ -16,7 +16,7 @@ struct Vector {
     parts: Vec<usize>,
 }
 
-/// The components of a sum of vectors behind the last equals sign; nothing where no vectors of this length stand.
+/// The components of a sum of vectors after the last equals sign; nothing where no vectors of this length stand.
 ///
 /// # Errors
 ///

@@ -7,7 +7,7 @@ use super::token::Item;
 use super::words::CONJUGATES;
 use vibank_formula::expr::{Expr, Function, Kind, Operator};
 
-/// What stands behind the letter of a complex conjugate.
+/// What comes after the letter of a complex conjugate.
 const MARKS: [&str; 4] = ["^*", "^{*}", "\u{304}", "\u{305}"];
 
 impl Lexer<'_> {
@@ -89,7 +89,7 @@ impl Lexer<'_> {
 
 impl Parser<'_> {
     pub(crate) fn sum(&mut self) -> Result<Expr> {
-        // What stands before `c.c.` is real with it, and the next such is of what stands behind that.
+        // What stands before `c.c.` is real with it, and the next such is of what comes after that.
         let mut real: Option<Expr> = None;
         let mut sum = self.term()?;
         loop {

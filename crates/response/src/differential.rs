@@ -30,7 +30,7 @@ pub(crate) fn leibniz(text: &str, at: usize) -> Option<(String, u8, usize)> {
     (!goes_on || is_fraction).then_some((spelling, order, scanner.at))
 }
 
-/// Reads a derivative whose name stands behind the quotient, `d/dt(x)`, `\frac{d}{dt}\left(\frac{dx}{dt}\right)`,
+/// Reads a derivative whose name comes after the quotient, `d/dt(x)`, `\frac{d}{dt}\left(\frac{dx}{dt}\right)`,
 /// `\frac{d^2}{dt^2} x`, `(d/dt) x`: spelling of the name, order, end.
 pub(crate) fn behind(text: &str, at: usize) -> Option<(String, u8, usize)> {
     // Longer than any name with its subscripts: a bracket that closes later belongs to something else.

@@ -9,7 +9,7 @@ use vibank_dynamics::numerics::Rational;
 use vibank_formula::expr::Function;
 
 impl Lexer<'_> {
-    /// `30 deg`; whether the word stands here behind a number.
+    /// `30 deg`; whether the word stands here after a number.
     pub(crate) fn degrees(&mut self) -> bool {
         let is_behind_number =
             matches!(self.tokens.last(), Some(token) if matches!(token.item, Item::Number(_)));

@@ -32,7 +32,7 @@ pub enum Trouble {
     NumberAfter,
     /// A list where one formula is due.
     List,
-    /// A time behind an exponent, of which it may be a factor.
+    /// A time after an exponent, of which it may be a factor.
     Exponent,
     /// `log`, of which people mean different things.
     Logarithm,
@@ -55,7 +55,7 @@ pub enum Trouble {
     NoRelation,
     /// A unit at an entry of a list.
     UnitOfEntry,
-    /// A list without brackets with `m` behind.
+    /// A list without brackets with `m` after.
     UnitOrLetter,
     /// Symbols before the entries that do not ascend.
     Order,
@@ -74,7 +74,7 @@ pub enum Trouble {
 pub enum At {
     /// These signs.
     Here(String),
-    /// Behind these signs.
+    /// After these signs.
     Behind(String),
 }
 
@@ -91,9 +91,9 @@ pub enum ValueTrouble {
     NoExponent,
     /// `19-21`.
     Range,
-    /// A number behind a unit.
+    /// A number after a unit.
     UnitLast,
-    /// A bracket behind a number.
+    /// A bracket after a number.
     Bracketed,
     /// Units that do not fit together.
     Units,

@@ -139,7 +139,7 @@ impl<'t> Folded<'t> {
         if self.pieces.is_empty() {
             self.pieces.push((0, 0));
         }
-        // Without a piece behind it the last one would go on to the end of what was typed.
+        // Without a piece after it the last one would go on to the end of what was typed.
         self.pieces.push((end as u32, last as u32));
         self.text = Cow::Owned(self.text[..end].to_owned());
         self
@@ -483,7 +483,7 @@ impl Folder<'_> {
             })
     }
 
-    /// `x1..`, the dots of a derivative behind its letter; one dot alone is such where two are.
+    /// `x1..`, the dots of a derivative after its letter; one dot alone is such where two are.
     fn dots(&self) -> Option<(usize, &'static str)> {
         let rest = self.rest();
         if !rest.starts_with('.') {
@@ -516,7 +516,7 @@ impl Folder<'_> {
             && !before.contains(['[', '&', '^'])
     }
 
-    /// What is read together with what stands behind it: units of turning, roots, a statement that goes on in the
+    /// What is read together with what comes after it: units of turning, roots, a statement that goes on in the
     /// next line.
     fn before_others(&self) -> Option<(usize, &'static str)> {
         let rest = self.rest();

@@ -98,7 +98,7 @@ impl Reader<'_> {
     }
 }
 
-/// The places that may be a unit before or behind a list, the longest behind it first.
+/// The places that may be a unit before or after a list, the longest after it first.
 fn units_around(rest: &str, start: usize, list: std::ops::Range<usize>) -> Vec<(Span, Unit)> {
     let behind = &rest[list.end..];
     let whole = behind.trim().trim_start_matches(TIMES).trim();
@@ -170,7 +170,7 @@ const RAISED: &[&str] = &[
     "ᵀ",
 ];
 
-/// Signs of transposition behind a list or its name alone: behind a number `^t` is an exponent.
+/// Signs of transposition after a list or its name alone: after a number `^t` is an exponent.
 const BEHIND_LISTS: &[&str] = &["^t", ".transpose()", ".T"];
 
 /// What follows a sign of transposition, `^T` or `'`.

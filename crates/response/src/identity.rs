@@ -66,7 +66,7 @@ impl Reader<'_> {
     }
 }
 
-/// The spellings of the number of rows behind its letter.
+/// The spellings of the number of rows after its letter.
 fn indices(rows: usize) -> [String; 4] {
     let digit = u32::try_from(rows).ok().filter(|rows| *rows < 10);
     let lowered = digit.and_then(|digit| char::from_u32(u32::from('₀') + digit));

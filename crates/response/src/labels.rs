@@ -97,7 +97,7 @@ fn is_computed(label: &str) -> bool {
 }
 
 /// The rows of a matrix whose entries have symbols with two indices, in any order and several for one value,
-/// `K22 = k, K12 = K21 = -k, K11 = 2k`; nothing where not each entry is given once. The value stands behind its first
+/// `K22 = k, K12 = K21 = -k, K11 = 2k`; nothing where not each entry is given once. The value comes after its first
 /// symbol, and others may follow: `K12 = -k = K21`.
 pub(crate) fn by_indices(text: &str, pieces: &[Span]) -> Option<Vec<Vec<Span>>> {
     let mut entries = std::collections::BTreeMap::new();

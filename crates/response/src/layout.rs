@@ -247,7 +247,7 @@ pub(crate) fn spaced(text: &str) -> String {
     })
 }
 
-/// Whether a sign stands at the number behind a space, where commas may be decimal signs.
+/// Whether a sign stands at the number after a space, where commas may be decimal signs.
 pub(crate) fn has_signed_gap(text: &str) -> bool {
     let digit = |char: char| char.is_ascii_digit();
     let has_decimals = text

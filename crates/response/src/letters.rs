@@ -44,7 +44,7 @@ impl Letters {
         true
     }
 
-    /// The place of an unknown letter that is the last of a run, behind names: where the run cannot be split.
+    /// The place of an unknown letter that is the last of a run, after names: where the run cannot be split.
     pub(crate) fn unknown_from(&self, stuck: usize) -> Option<usize> {
         let (_, last) = self.cuts.last()?;
         (*last == stuck).then_some(stuck)

@@ -160,7 +160,7 @@ impl Lexer<'_> {
         Ok(())
     }
 
-    /// The point, comma or semicolon behind the last sign; whether it stands here.
+    /// The point, comma or semicolon after the last sign; whether it stands here.
     fn end_of_sentence(&mut self, char: char) -> bool {
         let is_last = (char == '.' || matches!(char, ',' | ';') && self.manner.values.is_none())
             && self.rest()[1..].trim().is_empty();
@@ -323,7 +323,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// Subscripts that stand behind dots or primes.
+    /// Subscripts that come after dots or primes.
     fn subscripts(&mut self, letters: &mut Letters) {
         while let Some(char) = self
             .peek()
@@ -391,7 +391,7 @@ impl Lexer<'_> {
             }
         }
         if dots > 0 {
-            // A subscript may stand behind the dot, as in ẋ₁.
+            // A subscript may come after the dot, as in ẋ₁.
             self.subscripts(&mut letters);
         }
         if dots == 0 {
@@ -538,7 +538,7 @@ impl Lexer<'_> {
         self.pieces(pieces, primes)
     }
 
-    /// Whether a run of letters that are not names is a unit: only behind a number, and of one letter only the second.
+    /// Whether a run of letters that are not names is a unit: only after a number, and of one letter only the second.
     fn is_unit(&self, start: usize, end: usize) -> bool {
         let run = &self.text[start..end];
         let is_behind_number =

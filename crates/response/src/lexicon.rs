@@ -141,7 +141,7 @@ impl Lexicon {
         }
     }
 
-    /// Whether a run of letters ends with a function for which the number behind it is the argument, `sin2θ`.
+    /// Whether a run of letters ends with a function for which the number after it is the argument, `sin2θ`.
     pub(crate) fn ends_with_function(&self, run: &str, behind: &str) -> bool {
         self.words().ends_with_function(run, behind)
     }
@@ -176,7 +176,7 @@ impl Lexicon {
         self.words().dotted_word(spelling, primes)
     }
 
-    /// The words of a run with this many primes behind it, as few as can be; the place where it sticks.
+    /// The words of a run with this many primes after it, as few as can be; the place where it sticks.
     pub(crate) fn split(
         &self,
         letters: &Letters,

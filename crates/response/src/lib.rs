@@ -24,8 +24,8 @@
 //!
 //! # The slash
 //!
-//! A slash takes what stands right behind it, without a space: `k/2m` is `k/(2m)`, while `k/2 m` is `(k/2) m`.
-//! Between two numbers it is a fraction: `1/2mv²` is `½ m v²`. What stands behind a bracket does not
+//! A slash takes what stands right after it, without a space: `k/2m` is `k/(2m)`, while `k/2 m` is `(k/2) m`.
+//! Between two numbers it is a fraction: `1/2mv²` is `½ m v²`. What comes after a bracket does not
 //! belong to the divisor: `1/(2m)c` is `c/(2m)`.
 //!
 //! # Other readings
@@ -105,7 +105,7 @@ pub struct Manner {
     pub comma_is_decimal: bool,
     /// Whether `i` and `j` are the imaginary unit.
     pub has_imaginary_unit: bool,
-    /// For values: units stand behind numbers, and decimals are exact, with this decimal sign.
+    /// For values: units come after numbers, and decimals are exact, with this decimal sign.
     pub values: Option<DecimalMark>,
 }
 

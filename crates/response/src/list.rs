@@ -239,7 +239,7 @@ impl Reader<'_> {
         let start = piece.range().start;
         let pieces = cut_where(self.text, piece, |at, char| {
             let before = self.text[start..at].trim_end();
-            // Another sign belongs to the number behind it.
+            // Another sign belongs to the number after it.
             let ends = |last: char| last.is_alphanumeric() || ")]}".contains(last);
             matches!(char, '+' | '-') && before.ends_with(ends)
         });
@@ -295,7 +295,7 @@ impl Reader<'_> {
         })
     }
 
-    /// A list without brackets, behind which a unit may stand.
+    /// A list without brackets, after which a unit may stand.
     fn bare(&self, span: Span, depth: u32) -> Result<Listed, TypedError> {
         let listed = self.body(span, depth);
         if depth > 0 {
@@ -358,7 +358,7 @@ impl Reader<'_> {
             for (place, piece) in pieces.iter().enumerate() {
                 let row = self.framed(*piece, depth + 1)?;
                 let is_same = row.unit == unit;
-                // One behind the last row is that of all.
+                // One after the last row is that of all.
                 if place > 0 && !is_same && (unit.is_some() || place + 1 < pieces.len()) {
                     return Err(TypedError {
                         trouble: Trouble::UnitOfEntry,
@@ -410,7 +410,7 @@ impl Reader<'_> {
         Ok(Listed { rows, unit })
     }
 
-    /// An entry, and the unit behind it.
+    /// An entry, and the unit after it.
     fn entry(&self, place: Span) -> Result<(Expr, Option<Unit>), TypedError> {
         let place = self.labelled(place).1;
         self.formula(place)

@@ -4,7 +4,7 @@ use super::amount::Amount;
 use super::token::{Item, Token};
 use vibank_formula::unit::{Decimal, Unit};
 
-/// A power of ten whose exponent is not raised, `162·10-3` and `1.25×103`, or one behind a point, `162.10^-3`.
+/// A power of ten whose exponent is not raised, `162·10-3` and `1.25×103`, or one after a point, `162.10^-3`.
 pub(crate) fn lost_power(tokens: &[Token], text: &str) -> Option<Amount> {
     let typed = |token: &Token| &text[token.span.range()];
     let whole = |token: &Token| typed(token).parse::<u32>().ok();

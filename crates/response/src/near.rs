@@ -1,11 +1,11 @@
-//! Words of a response that are next to those that are known: slips of names, functions with a number behind them.
+//! Words of a response that are next to those that are known: slips of names, functions with a number after them.
 
 use super::vocabulary::{ALIASES, BARE, Words};
 use vibank_formula::expr::Function;
 use vibank_source::nearest;
 
 impl Words {
-    /// The symbol of a name that a word may be a slip of. One letter may only be of the wrong case; a digit behind a
+    /// The symbol of a name that a word may be a slip of. One letter may only be of the wrong case; a digit after a
     /// letter may have lost the sign of a power.
     pub(crate) fn nearest(&self, word: &str) -> Option<String> {
         let allowed = || self.allowed().iter().map(String::as_str);
@@ -24,7 +24,7 @@ impl Words {
         found.map(str::to_owned)
     }
 
-    /// Whether a run of letters ends with a function for which the number behind it is the argument.
+    /// Whether a run of letters ends with a function for which the number after it is the argument.
     pub(crate) fn ends_with_function(&self, run: &str, behind: &str) -> bool {
         let digits = behind.len()
             - behind

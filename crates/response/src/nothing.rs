@@ -1,4 +1,4 @@
-//! A unit behind a zero that is one side of an equation, `m x'' + k x = 0 N`.
+//! A unit after a zero that is one side of an equation, `m x'' + k x = 0 N`.
 
 use super::lexer::Lexer;
 use super::token::Item;
@@ -6,7 +6,7 @@ use vibank_formula::expr::{Expr, Kind, Operator};
 use vibank_formula::unit::Unit;
 
 impl Lexer<'_> {
-    /// Takes the unit behind the zero that was read, where both are a whole side.
+    /// Takes the unit after the zero that was read, where both are a whole side.
     pub(crate) fn unit_of_nothing(&mut self) {
         let side = self.rest().split('=').next().unwrap_or_default();
         let is_whole = match &self.tokens[..] {

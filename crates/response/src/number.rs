@@ -1,4 +1,4 @@
-//! Tokens among values: exact decimals, units behind numbers, words that join.
+//! Tokens among values: exact decimals, units after numbers, words that join.
 
 use super::behind::gathered;
 use super::digits::Comma;
@@ -106,7 +106,7 @@ impl Lexer<'_> {
         Ok(true)
     }
 
-    /// Whether a unit may stand here: behind a number, or behind what multiplies or divides one.
+    /// Whether a unit may stand here: after a number, or after what multiplies or divides one.
     fn is_behind_value(&self) -> bool {
         match self.tokens.last().map(|token| &token.item) {
             Some(Item::Number(_) | Item::Power(_)) => true,
@@ -134,7 +134,7 @@ impl Lexer<'_> {
         };
         let word = rest.match_indices(' ').find_map(joins);
         let text = &rest[..word.unwrap_or(line).min(line)];
-        // In `5 ∠ 53 deg ohm` the angle has its unit, and the whole has its own behind that.
+        // In `5 ∠ 53 deg ohm` the angle has its unit, and the whole has its own after that.
         match text.split_once(' ') {
             Some((first, _)) if self.is_behind_angle() => first,
             _ => text,
@@ -220,7 +220,7 @@ impl Lexer<'_> {
             _ => false,
         };
         let rest = self.rest();
-        // What binds closer than a product takes no power of ten behind a sign of multiplication.
+        // What binds closer than a product takes no power of ten after a sign of multiplication.
         let mut end = rest.len();
         if is_tied {
             end = rest.find(['*', 'x', 'X', '\\']).unwrap_or(end);
@@ -346,7 +346,7 @@ impl Lexer<'_> {
         reaches
     }
 
-    /// Why a run of letters behind a number is no unit.
+    /// Why a run of letters after a number is no unit.
     fn no_unit(&mut self, start: usize) -> Option<TypedError> {
         let is_due = self.manner.values.is_some() && self.is_behind_value();
         let (after, at) = (self.at, start);

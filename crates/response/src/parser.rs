@@ -146,7 +146,7 @@ impl<'a> Parser<'a> {
                     let divisor = self.divisor(&left)?;
                     left = Self::binary(Operator::Divide, left, divisor)?;
                 }
-                // `√(50:2)`; outside of brackets a colon stands behind a name, or in a time of day.
+                // `√(50:2)`; outside of brackets a colon comes after a name, or in a time of day.
                 Some(Item::Sign(':')) if self.has_units && self.depth > 0 => {
                     self.at += 1;
                     let right = self.signed()?;
@@ -186,8 +186,8 @@ impl<'a> Parser<'a> {
         Ok(())
     }
 
-    /// Refuses a bracket of which it is not clear whether it is a factor or another value: behind a unit, a number
-    /// alone behind another, arithmetic behind a space.
+    /// Refuses a bracket of which it is not clear whether it is a factor or another value: after a unit, a number
+    /// alone after another, arithmetic after a space.
     fn bracket_behind_value(&self) -> Result<()> {
         let (Some(Item::Sign('(' | '[' | '{')), Some(before), true) =
             (self.item(), self.before(1), self.has_units)
@@ -318,7 +318,7 @@ impl<'a> Parser<'a> {
         self.raised(base)
     }
 
-    /// A base with the exponents behind it.
+    /// A base with the exponents after it.
     fn raised(&mut self, base: Expr) -> Result<Expr> {
         let mut base = base;
         loop {
@@ -394,7 +394,7 @@ impl<'a> Parser<'a> {
         self.is_tight() || matches!(self.item(), Some(Item::Leaf(_))) && self.ways.choose(false)
     }
 
-    /// Whether a number goes on as a fraction that is not whole: behind it a slash and a number, without a space.
+    /// Whether a number goes on as a fraction that is not whole: after it a slash and a number, without a space.
     fn begins_fraction(&self, above: &Expr) -> bool {
         let Some([slash, below]) = self.tokens.get(self.at..self.at + 2) else {
             return false;

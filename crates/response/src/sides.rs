@@ -39,7 +39,7 @@ pub fn statement(text: &str) -> Vec<&str> {
     pieces.map(|piece| text[piece.range()].trim()).collect()
 }
 
-/// What stands behind the last equals sign.
+/// What comes after the last equals sign.
 pub(crate) fn last_side(text: &str) -> Span {
     cut_at_equals(text)
         .pop()
@@ -106,7 +106,7 @@ fn symbol(text: &str, lexicon: &Lexicon) -> Option<Symbol> {
     }
 }
 
-/// Marks behind a letter that are not letters: those of conjugate values and of parallel springs.
+/// Marks after a letter that are not letters: those of conjugate values and of parallel springs.
 const MARKS: &[&str] = &[
     "^*",
     "^{*}",
@@ -123,7 +123,7 @@ const MARKS: &[&str] = &[
     "_⊥",
 ];
 
-/// A text without what stands behind a symbol, `(t)`, `(0)`, `[rad/s]`.
+/// A text without what comes after a symbol, `(t)`, `(0)`, `[rad/s]`.
 fn without_arguments(text: &str) -> &str {
     let open = text.find(['(', '[']).filter(|open| *open > 0);
     let Some(open) = open.filter(|_| text.ends_with([')', ']'])) else {

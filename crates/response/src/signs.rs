@@ -1,12 +1,12 @@
 //! The one table of signs: each spelling that people type, and the sign that stands for it from here on.
 //!
-//! Nothing behind [`Folded`](super::Folded) knows a second minus or another way to write "at most".
+//! Nothing after [`Folded`](super::Folded) knows a second minus or another way to write "at most".
 //! A new spelling is a row here.
 
 /// What a spelling becomes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Plain {
-    /// The spelling that everything behind this table reads.
+    /// The spelling that everything after this table reads.
     Text(&'static str),
     /// Nothing: it has no width, or only sets the size of what follows.
     Nothing,
@@ -38,7 +38,7 @@ pub(crate) fn of_char(char: char) -> Option<Plain> {
         '’' | '′' | '´' | '`' | '‘' | 'ʹ' | 'ʼ' => "'",
         '″' | '“' | '”' => "\"",
         '‴' => "'''",
-        // Dots that stand behind their letter.
+        // Dots that come after their letter.
         '¨' => "\u{308}",
         '˙' => "\u{307}",
         // Brackets, points, raising.
@@ -85,7 +85,7 @@ pub(crate) const DECIMAL: char = '⎖';
 pub(crate) const RUNS: &[(&str, &str)] = &[
     ("=/=", "≠"),
     ("=\\=", "≠"),
-    // A matrix of Maple behind its name.
+    // A matrix of Maple after its name.
     ("=<<", "=<<"),
     ("<=", "≤"),
     ("< =", "≤"),
@@ -178,7 +178,7 @@ pub(crate) const COMMANDS: &[(&str, Plain)] = &[
     ("neq", Text("≠")),
     ("gtrsim", Text("≳")),
     ("lesssim", Text("≲")),
-    // What is denied stands behind it, `\not=`, `\not\ge`: never the same without it.
+    // What is denied comes after it, `\not=`, `\not\ge`: never the same without it.
     ("not", Text("≠")),
     ("approx", Text("≈")),
     ("simeq", Text("≈")),
@@ -301,7 +301,7 @@ pub(crate) const DISPLAYS: &[&str] = &[
     "math",
 ];
 
-/// Environments whose rows are statements, each perhaps with its condition behind a sign of alignment.
+/// Environments whose rows are statements, each perhaps with its condition after a sign of alignment.
 pub(crate) const CASES: &[&str] = &["cases", "dcases", "rcases"];
 
 /// Commands whose arguments stand for themselves: their braces are spaces. With how many there are.
@@ -329,7 +329,7 @@ pub(crate) const FACES: &[&str] = &[
     "underbrace",
 ];
 
-/// Units that are read only with what stands behind them, since their first letter means other things alone.
+/// Units that are read only with what comes after them, since their first letter means other things alone.
 pub(crate) const TURNS: &[(&str, &str)] = &[("U/min", "rev/min"), ("r/min", "rev/min")];
 
 /// A backslash before a sign.

@@ -29,7 +29,7 @@ pub(crate) fn answer_in(typed: &str) -> Range<usize> {
     }
 }
 
-/// What stands behind the arrow with which a response begins, `=> 5 m`, where none asks for a bound.
+/// What comes after the arrow with which a response begins, `=> 5 m`, where none asks for a bound.
 pub fn behind_arrow(typed: &str) -> &str {
     let behind = typed.strip_prefix("=>").map(str::trim_start);
     behind.filter(|behind| !behind.is_empty()).unwrap_or(typed)
@@ -38,7 +38,7 @@ pub fn behind_arrow(typed: &str) -> &str {
 /// The words or the mark by which a response takes itself back: `~~5 m~~`, and where words are none of what may be
 /// answered, `wrong: 5 m`, `5 m is wrong`.
 pub fn withdrawn(typed: &str, may_be_words: bool) -> Option<&str> {
-    // Two spaces of LaTeX stand behind what they part, a mark that strikes out before what it strikes.
+    // Two spaces of LaTeX come after what they part, a mark that strikes out before what it strikes.
     let struck = typed.match_indices("~~").find(|(at, mark)| {
         let behind = &typed[at + mark.len()..];
         let opens = typed[..*at]
@@ -68,7 +68,7 @@ fn trimmed(typed: &str, range: &Range<usize>) -> Range<usize> {
     start..start + text.trim().len()
 }
 
-/// What stands behind words, however they are spaced; `is_same` says when two words are.
+/// What comes after words, however they are spaced; `is_same` says when two words are.
 pub(crate) fn behind_words<'t>(
     text: &'t str,
     words: &str,
@@ -85,7 +85,7 @@ pub(crate) fn behind_words<'t>(
     Some(rest)
 }
 
-/// The length of words before an answer, with the colon or the space behind them.
+/// The length of words before an answer, with the colon or the space after them.
 fn lead(text: &str) -> Option<usize> {
     let first = text.chars().next()?;
     if first.is_ascii_digit() || "-+.([{$<".contains(first) && !text.starts_with("->") {
@@ -195,7 +195,7 @@ fn labels(text: &str, open: &str, first: char, close: &str) -> Vec<Range<usize>>
     found
 }
 
-/// Whether a statement stands behind each label: `(1) + (2) x` and `1. m + 2. m` are sums.
+/// Whether a statement comes after each label: `(1) + (2) x` and `1. m + 2. m` are sums.
 fn are_apart(text: &str, labels: &[Range<usize>], close: &str) -> bool {
     let ends = labels[1..]
         .iter()
@@ -272,9 +272,9 @@ fn program(text: &str) -> Option<(usize, usize)> {
     (text.contains("->") && !inner.is_empty() || is_set()).then_some((1, 1))
 }
 
-/// The length of words behind an answer, of a remark in brackets, of a semicolon, or of a comma.
+/// The length of words after an answer, of a remark in brackets, of a semicolon, or of a comma.
 fn trail(text: &str) -> Option<usize> {
-    // The sentence may end behind them.
+    // The sentence may end after them.
     let ended = text.strip_suffix('.').map_or(text, str::trim_end);
     let of_words = |text: &'_ str| TRAILS.iter().find(|trail| text.ends_with(**trail));
     let found = of_words(text).map(|words| (text, words));
@@ -326,7 +326,7 @@ fn comment(text: &str) -> Option<usize> {
         return None;
     }
     let (before, comment) = text.split_once(" # ").or_else(|| text.split_once(" // "))?;
-    // A word behind `//` that is as short as a letter of a formula may be one.
+    // A word after `//` that is as short as a letter of a formula may be one.
     let word = comment.split([' ', ',', ':']).next().unwrap_or(comment);
     let is_word =
         word.starts_with(char::is_alphabetic) && (text.contains(" # ") || word.chars().count() > 2);

@@ -20,11 +20,11 @@ pub(crate) enum Item {
     Power(i128),
     /// `c.c.`, the complex conjugates of the terms before it.
     Conjugates,
-    /// The mark of a complex conjugate behind its letter, `A*`.
+    /// The mark of a complex conjugate after its letter, `A*`.
     Conjugate,
     /// The line over a conjugate, `\bar`.
     Bar,
-    /// Primes behind a bracket.
+    /// Primes after a bracket.
     Primes(u8),
     /// `√`.
     Root,

@@ -4,7 +4,7 @@
 //! response  = statement { ( ";" | "," | new line | "and" | "or" ) statement }
 //! statement = side { ( "=" | ":" | "<" | … ) side }
 //! side      = name | amount
-//! amount    = formula of numbers, in which units stand behind numbers or behind the whole
+//! amount    = formula of numbers, in which units come after numbers or after the whole
 //! ```
 //!
 //! What cannot be read is kept as a token that says why, and is an error only where its place is read as an amount:
@@ -217,7 +217,7 @@ impl<'t> Values<'t> {
         rest.is_empty().then_some(inner)
     }
 
-    /// What the bracket holds with which a part begins, and what stands behind it.
+    /// What the bracket holds with which a part begins, and what comes after it.
     pub fn front_bracket(&self, part: &Part) -> Option<(Part, Part)> {
         let mut depth = 0_usize;
         for at in part.clone() {
@@ -234,7 +234,7 @@ impl<'t> Values<'t> {
         None
     }
 
-    /// What stands before the bracket with which a part ends, and what that holds; only behind a value.
+    /// What stands before the bracket with which a part ends, and what that holds; only after a value.
     pub fn back_bracket(&self, part: &Part) -> Option<(Part, Part)> {
         let mut depth = 0_usize;
         let open = part.clone().rev().find(|at| {
@@ -290,7 +290,7 @@ impl<'t> Values<'t> {
         (start == part.end && parts.len() > 1).then_some(parts)
     }
 
-    /// Numbers with their units or behind names, parted by spaces alone: `5 rad/s 8.7 rad/s`, `a = 5 b = 8.7`.
+    /// Numbers with their units or after names, parted by spaces alone: `5 rad/s 8.7 rad/s`, `a = 5 b = 8.7`.
     pub fn spaced_amounts(&self, part: &Part) -> Option<Vec<Part>> {
         let is_named = |at: usize| {
             let behind = self.tokens.get(at + 1).filter(|_| at + 1 < part.end);
@@ -337,7 +337,7 @@ impl<'t> Values<'t> {
         Some((part.start..at, at + 1..part.end))
     }
 
-    /// An angle without the unit that stands behind its own, as in `-53° ohm`.
+    /// An angle without the unit that comes after its own, as in `-53° ohm`.
     pub fn unit_behind_angle(&self, part: &Part) -> (Part, Option<Unit>) {
         match &self.tokens[part.clone()] {
             [

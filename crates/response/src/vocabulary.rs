@@ -349,7 +349,7 @@ impl Words {
         }
     }
 
-    /// The words of a run with this many primes behind it, as few as can be; the place where it sticks.
+    /// The words of a run with this many primes after it, as few as can be; the place where it sticks.
     pub(crate) fn split(
         &self,
         letters: &Letters,

@@ -23,7 +23,7 @@ impl Ways {
         by_rule != departs
     }
 
-    /// The ways with one departure more, behind the last.
+    /// The ways with one departure more, after the last.
     fn further(&self) -> impl Iterator<Item = Self> {
         let first = self.departures.last().map_or(0, |last| last + 1);
         (first..self.met).map(|place| Self {

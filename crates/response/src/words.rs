@@ -225,7 +225,7 @@ pub(crate) const LEADS: &[&str] = &[
     "=>",
 ];
 
-/// What is said behind an answer and is not part of it.
+/// What is said after an answer and is not part of it.
 pub(crate) const TRAILS: &[&str] = &[
     "approx.",
     "approximately",
@@ -249,7 +249,7 @@ pub(crate) const TRAILS: &[&str] = &[
     ", t in seconds",
 ];
 
-/// What is said before or behind a response that is not meant.
+/// What is said before or after a response that is not meant.
 pub(crate) const WITHDRAWALS: &[&str] = &[
     "wrong",
     "false",
@@ -261,7 +261,7 @@ pub(crate) const WITHDRAWALS: &[&str] = &[
     "incorrecto",
 ];
 
-/// Words of a remark in brackets behind an answer, `(to 3 s.f.)`, `(in SI units)`.
+/// Words of a remark in brackets after an answer, `(to 3 s.f.)`, `(in SI units)`.
 pub(crate) const ASIDES: &[&str] = &[
     "approx",
     "approx.",

@@ -52,7 +52,7 @@ pub struct Entry {
     /// Where the key stands.
     #[serde(skip)]
     pub span: Span,
-    /// The value behind the equals sign.
+    /// The value after the equals sign.
     #[serde(rename = "v")]
     pub value: Value,
 }

@@ -57,7 +57,7 @@ fn without_face(text: &str) -> &str {
         .unwrap_or(text)
 }
 
-/// What stands behind words that say that an answer comes: `option b`, `answer: b`.
+/// What comes after words that say that an answer comes: `option b`, `answer: b`.
 fn announced(text: &str) -> &str {
     const WORDS: &[&str] = &[
         "the answer is",

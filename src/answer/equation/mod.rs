@@ -119,7 +119,7 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
             lexicon,
             letters,
             compiled: Shared::default(),
-        choices: BySigns::default(),
+            choices: BySigns::default(),
             printed: OnceLock::new(),
         }),
         mistakes: Vec::new(),

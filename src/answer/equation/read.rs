@@ -37,7 +37,7 @@ impl Setup {
         Ok(found)
     }
 
-    /// An equation without the unit behind its zero, which has to be that of the other side.
+    /// An equation without the unit after its zero, which has to be that of the other side.
     fn without_unit_of_zero(
         &self,
         equation: Equation,

@@ -48,7 +48,12 @@ impl Prepared {
 
     fn is_linear(&self, equations: &[Program]) -> bool {
         let all = terms(&self.setup);
-        let Some(point) = self.choices.points.first().and_then(|choice| choice.first()) else {
+        let Some(point) = self
+            .choices
+            .points
+            .first()
+            .and_then(|choice| choice.first())
+        else {
             return true;
         };
         equations

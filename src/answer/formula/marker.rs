@@ -40,7 +40,7 @@ struct Read {
 }
 
 impl Prepared {
-    /// The marking of a formula alone, without a unit behind it.
+    /// The marking of a formula alone, without a unit after it.
     pub(crate) fn mark_alone(&self, response: &str) -> Result<Marking, TypedError> {
         let mut readings = self.readings(response)?.into_iter();
         let Some(first) = readings.next() else {

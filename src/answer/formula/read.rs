@@ -1,4 +1,4 @@
-//! Reads the formula of a response, and the unit that may stand behind it all the same.
+//! Reads the formula of a response, and the unit that may come after it all the same.
 
 use super::marker::Prepared;
 use crate::answer::{Marking, Misfit, Note, Unreadable, Verdict, Why};
@@ -67,7 +67,7 @@ impl Prepared {
         self.setup.unit.filter(|unit| !unit.is_one())
     }
 
-    /// A formula and the unit that stands behind it all the same, `sqrt(k/m) rad/s`.
+    /// A formula and the unit that comes after it all the same, `sqrt(k/m) rad/s`.
     pub(crate) fn before_unit<'a>(&self, response: &'a str) -> Option<(&'a str, Unit)> {
         let has_names = self.has_names();
         let reads = |(text, _): &(&str, Unit)| {

@@ -18,7 +18,7 @@ pub(crate) struct FunctionPiece<'r> {
     pub(crate) condition: Option<&'r str>,
 }
 
-/// The pieces of a function, each on a line or behind a semicolon, `…, t < 1; …, t >= 1` or `… if t < 1 otherwise …`;
+/// The pieces of a function, each on a line or after a semicolon, `…, t < 1; …, t >= 1` or `… if t < 1 otherwise …`;
 /// one piece with its times, if there is no more.
 pub(crate) fn pieces(response: &str) -> Vec<FunctionPiece<'_>> {
     if let Some(pieces) = conditional(response) {
@@ -32,7 +32,7 @@ pub(crate) fn pieces(response: &str) -> Vec<FunctionPiece<'_>> {
         .map(piece)
         .filter(|piece| !piece.formula.is_empty())
         .collect();
-    // A condition may stand behind a comma that parts it from the next function.
+    // A condition may come after a comma that parts it from the next function.
     let last = pieces.len().saturating_sub(1);
     let is_by_pieces = last > 0
         && pieces[..last].iter().all(|piece| piece.condition.is_some())
@@ -59,7 +59,7 @@ fn conditional(text: &str) -> Option<Vec<FunctionPiece<'_>>> {
     Some(std::iter::once(first).chain(others).collect())
 }
 
-/// A function and the times behind it: `…, t >= 0` or `… for t > 0`.
+/// A function and the times after it: `…, t >= 0` or `… for t > 0`.
 fn piece(text: &str) -> FunctionPiece<'_> {
     let text = text.trim().trim_end_matches([',', '.']);
     let is_condition = |text: &str| text.contains(['<', '>', '≤', '≥']);
@@ -91,7 +91,7 @@ fn piece(text: &str) -> FunctionPiece<'_> {
     }
 }
 
-/// The comparison that a condition is; the unit behind a number of it, one of SI, adds nothing.
+/// The comparison that a condition is; the unit after a number of it, one of SI, adds nothing.
 pub(crate) fn condition(text: &str, lexicon: &Lexicon) -> Result<Expr, response::TypedError> {
     let text = text.trim_start_matches("for ").trim_start_matches("if ");
     let read = |text: &str| {

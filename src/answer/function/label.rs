@@ -15,7 +15,7 @@ pub(crate) struct Labels {
     own: Vec<Name>,
     /// What is asked, as a message has it.
     asked: String,
-    /// What may stand in brackets behind a name: the variable.
+    /// What may stand in brackets after a name: the variable.
     arguments: [String; 2],
 }
 
@@ -94,7 +94,7 @@ impl Labels {
         }
     }
 
-    /// What is behind the last equals sign, and the other forms before it.
+    /// What is after the last equals sign, and the other forms before it.
     pub(crate) fn forms<'r>(&self, response: &'r str) -> Result<(&'r str, Vec<Expr>), Unreadable> {
         let mut forms = Vec::new();
         let mut rest = response;
@@ -128,7 +128,7 @@ impl Labels {
         Ok((rest, forms))
     }
 
-    /// What the text before an equals sign is; `x(t) [m]` has its unit behind it.
+    /// What the text before an equals sign is; `x(t) [m]` has its unit after it.
     fn side(&self, text: &str) -> Result<Side, Unreadable> {
         let text = without_unit(text);
         let typed = response::formula(text, &self.lexicon, MANNER);
@@ -178,7 +178,7 @@ fn without_unit(text: &str) -> &str {
     bracket.map_or(text, |at| text[..at].trim_end())
 }
 
-/// A text before and behind its first equals sign.
+/// A text before and after its first equals sign.
 fn split(text: &str) -> (&str, Option<&str>) {
     let found = text.char_indices().find(|(_, char)| "=≈".contains(*char));
     match found {

@@ -1,8 +1,8 @@
-//! What shows late: windows behind the span, in which functions are compared by their size.
+//! What shows late: windows after the span, in which functions are compared by their size.
 //!
 //! Light damping hardly shows over three periods, so that a motion without it is as near to the key as rounding allows.
 //! Many periods later the damping shows, but there a frequency of three figures has lost the phase. So where a datum of
-//! the key does not show on the span, the function is compared once more in a window behind it, by its root mean square
+//! the key does not show on the span, the function is compared once more in a window after it, by its root mean square
 //! under a Hann weight, which the phase does not change:
 //!
 //! ```text
@@ -21,14 +21,14 @@ use crate::quantity::{Evaluation, NodeId};
 
 /// A datum shows where its own size moves the function by this many half-widths: an error of an eighth is seen.
 const SHOWS: f64 = 8.0;
-/// Windows that are tried; each lies twice as far behind the span as the one before.
+/// Windows that are tried; each lies twice as far after the span as the one before.
 const MAX_DOUBLINGS: i32 = 12;
 /// The times of the span are thinned out by this where it is looked whether a datum shows.
 const STRIDE: usize = 4;
 /// The relative step of the derivatives.
 const STEP: f64 = 1e-6;
 
-/// A window behind the span.
+/// A window after the span.
 #[derive(Clone, Debug)]
 pub(crate) struct Window {
     pub(crate) times: Vec<Precise>,
@@ -116,7 +116,7 @@ impl OnSpan<'_> {
         })
     }
 
-    /// The window that lies `2^doubling` spans behind the span, but for what rounding in the steps does to it.
+    /// The window that lies `2^doubling` spans after the span, but for what rounding in the steps does to it.
     fn outline(&self, doubling: i32) -> Option<Outline> {
         let [from, to] = self.ends;
         let start = to + (to - from) * (crate::numerics::powi(2.0, doubling) - 1.0);

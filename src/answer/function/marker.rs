@@ -298,7 +298,7 @@ impl Prepared<'_> {
         wrong(response, slip.map(Remark::from))
     }
 
-    /// Whether a function that fits on the span has the size of the key behind it, where the windows ask for it.
+    /// Whether a function that fits on the span has the size of the key after it, where the windows ask for it.
     fn fits_late(&self, response: &Response) -> bool {
         let in_si = |unit: &Unit, values: &[f64]| -> Vec<f64> {
             values.iter().map(|value| unit.to_si(*value)).collect()

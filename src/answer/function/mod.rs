@@ -10,7 +10,7 @@
 //! ```
 //!
 //! Where a datum of the key does not show on the span, as light damping does not over three periods, the sizes of both
-//! functions are compared once more behind the span, where it does.
+//! functions are compared once more after the span, where it does.
 //!
 //! A response all in letters has nothing to be rounded: unless a tolerance is stated, it has to be exact.
 //!

@@ -193,7 +193,7 @@ impl Prepared<'_> {
         }
     }
 
-    /// A function of numbers with a unit, behind each of its terms or behind the whole.
+    /// A function of numbers with a unit, after each of its terms or after the whole.
     fn with_unit(&self, text: &str) -> Option<Result<Response, Unreadable>> {
         let setup = &self.setup;
         let own = setup.unit?;

@@ -1,4 +1,4 @@
-//! Units in a function of time: behind its terms, behind their numbers, or behind the whole.
+//! Units in a function of time: after its terms, after their numbers, or after the whole.
 
 use std::ops::Range;
 
@@ -13,7 +13,7 @@ pub(crate) struct Measured {
     pub(crate) unit: Unit,
 }
 
-/// The function with the units taken out that stand behind numbers and brackets; none if there are none, or different ones.
+/// The function with the units taken out that come after numbers and brackets; none if there are none, or different ones.
 /// The letter of the variable is no unit.
 pub(crate) fn measured(
     text: &str,
@@ -102,7 +102,7 @@ pub(crate) fn without_words(text: &str) -> Option<String> {
     (bare != text).then_some(bare)
 }
 
-/// Whether the bracket that stands open behind a text is that of a sine or cosine.
+/// Whether the bracket that stands open after a text is that of a sine or cosine.
 fn is_in_wave(before: &str) -> bool {
     let mut closed = 0_usize;
     let open = before.char_indices().rev().find(|(_, char)| match char {
@@ -184,7 +184,7 @@ fn places(text: &str, variable: &str, fits: impl Fn(&Unit) -> bool) -> Vec<(Rang
     found
 }
 
-/// The unit that begins here, behind spaces.
+/// The unit that begins here, after spaces.
 fn unit_at(text: &str, at: usize) -> Option<(Range<usize>, Unit)> {
     let rest = &text[at..];
     let start = at + rest.len() - rest.trim_start().len();

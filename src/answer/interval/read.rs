@@ -223,7 +223,7 @@ impl Ends<'_> {
         Ok(subject.where_it_is_in(one(piece)?))
     }
 
-    /// The unit that stands behind a bracket.
+    /// The unit that comes after a bracket.
     fn unit_behind(&self, text: &str) -> Read<Unit> {
         let one = format!("1 {text}");
         // A unit of another dimension is reported as that of a bound is.

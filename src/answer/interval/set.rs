@@ -174,7 +174,7 @@ impl Set {
                 } else {
                     ("≤", "<=")
                 };
-                // One bound stands behind the symbol, two around it.
+                // One bound comes after the symbol, two around it.
                 if high.value.is_finite() {
                     row.extend([quantity.math(mark), Math::relation(sign)]);
                     let _ = write!(text, "{quantity} {plain} ");

@@ -67,7 +67,7 @@ impl Prepared {
         })
     }
 
-    /// Marks entries in symbols behind which a unit stands all the same.
+    /// Marks entries in symbols after which a unit stands all the same.
     fn mark_with_unit(&self, reading: Reading, entries: &[Expr], unit: &Unit) -> Marking {
         let (dimension, text) = (unit.dimension(), unit.text());
         let is_own = |own: &Unit| own.dimension() == dimension;

@@ -76,7 +76,7 @@ fn multiple(name: &str, product: &str) -> Option<String> {
     ordered(&[own, other], &[&format!("{before}(1){behind}"), "1"], 2)
 }
 
-/// Whether terms are added outside of all brackets, behind a sign that stands `before` the text; a sign before the first
+/// Whether terms are added outside of all brackets, after a sign that stands `before` the text; a sign before the first
 /// of them, or in an exponent, adds nothing.
 fn is_sum(text: &str, mut before: Option<char>) -> bool {
     let mut depth = 0_i32;

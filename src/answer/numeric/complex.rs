@@ -131,7 +131,7 @@ pub(crate) fn complex_number(text: &str) -> Option<(Complex, Option<Unit>)> {
     Some((value, unit))
 }
 
-/// Modulus and angle; the unit stands behind either.
+/// Modulus and angle; the unit comes after either.
 fn of_polar(
     values: &Values<'_>,
     modulus: &Part,

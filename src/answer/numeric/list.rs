@@ -21,7 +21,7 @@ const MAX_ITEMS: usize = 100;
 
 /// The numbers of a list where `count` are asked; numbers whose names have indices come in their order, and frequencies
 /// have to ascend in it where the question gives no other. A unit at
-/// the end of the last one, or behind the bracket, serves for all that have none.
+/// the end of the last one, or after the bracket, serves for all that have none.
 ///
 /// # Errors
 ///
@@ -136,7 +136,7 @@ fn is_of_frequency(name: &str) -> bool {
     behind.is_some_and(|behind| !behind.starts_with(char::is_alphabetic))
 }
 
-/// The pieces of a list without what is empty behind its last sign.
+/// The pieces of a list without what is empty after its last sign.
 pub(crate) fn without_empty_ends(
     values: &Values<'_>,
     pieces: Vec<Part>,
@@ -194,7 +194,7 @@ fn both_signs(
     }
 }
 
-/// Without the brackets around a whole list, `([5, 8.7])` included, and the unit that stands behind them.
+/// Without the brackets around a whole list, `([5, 8.7])` included, and the unit that comes after them.
 fn unframed(values: &Values<'_>, part: &Part) -> (Part, Option<Unit>) {
     let (inner, unit) = unbracketed(values, part);
     if inner == *part || values.unbracketed(&inner).is_none() {

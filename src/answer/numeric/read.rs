@@ -282,7 +282,7 @@ pub(crate) fn quantity(response: &str, mark: DecimalMark) -> Result<Quantity, Un
     }
 }
 
-/// The word for what is counted, behind a number: `2 periods`.
+/// The word for what is counted, after a number: `2 periods`.
 fn counted(value: &str) -> Option<&str> {
     const WORDS: [&str; 16] = [
         "period",

@@ -48,7 +48,7 @@ pub enum Misfit {
     },
     /// A complex number in another unit.
     UnitOf(Unit),
-    /// A unit behind a count.
+    /// A unit after a count.
     Count,
     /// A formula that comes out in another dimension.
     Comes {
@@ -111,7 +111,7 @@ pub enum Note {
     JouleForMoment(Unit),
     /// Right, though a step goes against the dimensions.
     RightBut(Misfit),
-    /// A unit was typed behind letters, which carry their own.
+    /// A unit was typed after letters, which carry their own.
     LettersCarryUnits(String),
     /// Right together with the equations of other parts.
     RightTogether,

@@ -27,7 +27,7 @@ pub enum Example {
     Complex,
     /// Inequalities and intervals.
     Interval,
-    /// One value, alone or behind its name.
+    /// One value, alone or after its name.
     OneValue,
 }
 
@@ -57,7 +57,7 @@ pub enum Why {
     Letters,
     /// A unit before the end of a number.
     UnitNotLast,
-    /// What is counted, behind a number.
+    /// What is counted, after a number.
     Counted(String),
     /// What is counted, by a unit such as a turn.
     CountedUnit,
@@ -73,7 +73,7 @@ pub enum Why {
     RangeOrDifference(String),
     /// An angle in degrees beside one without a unit.
     MixedDegrees,
-    /// Two units behind one number.
+    /// Two units after one number.
     TwoUnits,
     /// `1,250`: how it reads with a decimal sign and without.
     CommaOfThree {
@@ -96,7 +96,7 @@ pub enum Why {
     UnitBesideName {
         /// The number, as it was typed.
         value: String,
-        /// The unit, which belongs behind the number.
+        /// The unit, which belongs after the number.
         unit: String,
     },
     /// Two sides that are not equal.
@@ -168,7 +168,7 @@ pub enum Why {
     BeforeInterval(String),
     /// A bracket of an interval.
     IntervalBracket,
-    /// No unit, behind an interval.
+    /// No unit, after an interval.
     NoUnit,
     /// An interval without two ends.
     TwoEnds,
@@ -195,9 +195,9 @@ pub enum Why {
     DigitsLost,
     /// Two readings, of which one may be right.
     TwoReadings(String, String),
-    /// A unit behind letters that does not fit.
+    /// A unit after letters that does not fit.
     UnitBehindLetters,
-    /// A unit behind letters that come out in another one by themselves.
+    /// A unit after letters that come out in another one by themselves.
     UnitComesOut(Option<Unit>),
 
     /// No equals sign.
@@ -217,7 +217,7 @@ pub enum Why {
     EntriesAsNumbers,
     /// Entries that cannot be compared.
     IncomparableEntries,
-    /// A unit behind a matrix of formulas.
+    /// A unit after a matrix of formulas.
     UnitBehindMatrix,
     /// Another shape than that of the matrix.
     Shape {
@@ -235,7 +235,7 @@ pub enum Why {
     /// A unit that does not fit all entries.
     UnitOfEntries(Unit),
 
-    /// Components in several units behind which one stands.
+    /// Components in several units after which one stands.
     UnitOfComponents,
     /// A unit that is not that of a shape with unit modal mass.
     UnitOfShape(Unit),

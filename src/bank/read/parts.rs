@@ -135,7 +135,7 @@ impl<'s> ItemReader<'s> {
             );
             return None;
         };
-        // Behind the name of its group a blank may have any name.
+        // After the name of its group a blank may have any name.
         self.part = match group {
             Some(group) => format!("{}.{id}", group.id),
             None => {

@@ -339,7 +339,7 @@ impl Places {
     }
 }
 
-/// A cell as it is seen: marks of direction and byte order, which would reverse what stands behind a name, are dropped, those
+/// A cell as it is seen: marks of direction and byte order, which would reverse what comes after a name, are dropped, those
 /// that join letters of some scripts are kept.
 fn visible(cell: &str) -> String {
     let joins = |char| matches!(char, '\u{200c}' | '\u{200d}' | '\u{fe0e}' | '\u{fe0f}');

@@ -41,7 +41,7 @@ impl<'a> Sheet<'a> {
     ///
     /// # Errors
     ///
-    /// What is wrong with it, as a sentence that goes on behind its place.
+    /// What is wrong with it, as a sentence that goes on after its place.
     pub(crate) fn read(&self, text: &str) -> Result<Option<Hand>, String> {
         let text = text.trim();
         if text.is_empty() {

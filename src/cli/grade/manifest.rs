@@ -210,7 +210,7 @@ impl Sheets {
     }
 }
 
-/// What stands behind the sheets.
+/// What comes after the sheets.
 #[derive(Deserialize)]
 struct Foot {
     #[serde(default)]

@@ -517,7 +517,7 @@ impl GradeJob<'_> {
             }
             None => false,
         };
-        // Behind all that was written from it: while the journal stands, everything can be made again.
+        // After all that was written from it: while the journal stands, everything can be made again.
         self.journal.finish();
         told(&self.analysis, &lost, faults);
         items_moved_on(changed, self.arguments.accept_revisions, earlier.is_some());

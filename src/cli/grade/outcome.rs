@@ -160,7 +160,7 @@ impl Standing {
         }
     }
 
-    /// The points of a part as they are shown: behind a question mark what is not decided.
+    /// The points of a part as they are shown: after a question mark what is not decided.
     pub(crate) fn shown(&self) -> String {
         if self.open.0.is_zero() {
             rounded(self.points.0)

@@ -96,7 +96,7 @@ pub(crate) fn boxes(text: &str, count: usize) -> Option<Result<Vec<String>, ()>>
     Some(Ok(answers))
 }
 
-/// The answers to several parts in one text, each behind its letter: `c) k1 + k2`, a new line, `d) …`.
+/// The answers to several parts in one text, each after its letter: `c) k1 + k2`, a new line, `d) …`.
 ///
 /// `None` if letters are missing, in another order, or twice.
 pub(crate) fn essay(text: &str, letters: &[&str]) -> Option<Vec<String>> {
@@ -121,7 +121,7 @@ pub(crate) fn essay(text: &str, letters: &[&str]) -> Option<Vec<String>> {
     (answers.len() == letters.len()).then_some(answers)
 }
 
-/// The part whose letter a line begins with, and what stands behind it.
+/// The part whose letter a line begins with, and what comes after it.
 fn labelled<'l>(line: &'l str, letters: &[&str]) -> Option<(usize, &'l str)> {
     let line = line.trim_start();
     let (word, rest) = line.strip_prefix('(').unwrap_or(line).split_once(')')?;

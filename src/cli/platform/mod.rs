@@ -266,7 +266,7 @@ fn is_one_of(heading: &str, words: &[&str]) -> bool {
     words.iter().any(|word| heading.contains(word))
 }
 
-/// In each group the column of the question, and that of the response behind it.
+/// In each group the column of the question, and that of the response after it.
 fn pairs(
     path: &Path,
     table: &Table,

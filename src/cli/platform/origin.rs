@@ -18,7 +18,7 @@ pub(crate) struct QuestionOrigin {
 pub(crate) struct BoxAnswer {
     /// The letter of the part.
     pub(crate) letter: String,
-    /// The power of ten of the unit behind the box: -3 where millimetres are asked in place of metres.
+    /// The power of ten of the unit after the box: -3 where millimetres are asked in place of metres.
     pub(crate) power: i32,
 }
 

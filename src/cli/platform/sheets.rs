@@ -398,7 +398,7 @@ impl AttemptSheet<'_> {
                         Some(answers) => (answers, false),
                         None => {
                             let why = format!(
-                                "the answers to {} do not stand behind their letters, such as `{})`",
+                                "the answers to {} do not follow their letters, such as `{})`",
                                 letters.join(", "),
                                 letters[0]
                             );
@@ -465,7 +465,7 @@ impl ColumnAnswer {
     }
 }
 
-/// A number with the unit that was printed behind its box; what has a unit of its own stays as it is.
+/// A number with the unit that was printed after its box; what has a unit of its own stays as it is.
 fn with_unit(text: &str, unit: &str, power: i32) -> String {
     const WORDS: &[&str] = &["e", "E", "x", "pi", "sqrt", "π"];
     let mut words = text.split(|char: char| !char.is_alphabetic());

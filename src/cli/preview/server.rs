@@ -22,7 +22,7 @@ const PATIENCE: Duration = Duration::from_secs(10);
 /// Requests that are answered at once; a page has one that waits and four others.
 const MAX_AT_ONCE: usize = 64;
 
-/// What is asked for: the last word of the address, and what stands behind the question mark.
+/// What is asked for: the last word of the address, and what comes after the question mark.
 #[derive(Debug)]
 pub(crate) struct Request {
     pub(crate) word: String,
@@ -37,7 +37,7 @@ pub(crate) struct HttpReply {
 }
 
 impl Request {
-    /// The number behind a name, `variant=3`.
+    /// The number after a name, `variant=3`.
     pub(crate) fn number(&self, name: &str) -> Option<u64> {
         let mut pairs = self
             .query

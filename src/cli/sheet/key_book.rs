@@ -1,6 +1,6 @@
 //! The table of keys as a workbook: a sheet in a row, a part in a column.
 //!
-//! While the run lasts, each row is a line of JSON in the draft, so that an interrupted run goes on behind it.
+//! While the run lasts, each row is a line of JSON in the draft, so that an interrupted run goes on after it.
 
 use vibank::message::Language;
 use vibank::scene::{Data, Scene};

@@ -33,9 +33,9 @@ pub(crate) enum RowFault {
         /// Line in the file, from 1.
         line: usize,
     },
-    /// Something behind the quote that closes a cell.
+    /// Something after the quote that closes a cell.
     #[error(
-        "line {line}: `{found}` stands behind the quote that closes a cell; a quote inside of a cell is written twice"
+        "line {line}: `{found}` comes after the quote that closes a cell; a quote inside of a cell is written twice"
     )]
     Behind {
         /// Line in the file, from 1.
@@ -97,7 +97,7 @@ impl<'t> Cursor<'t> {
         self.at
     }
 
-    /// Reads the next row, if there is one; behind a row with a fault, reading goes on in the next line.
+    /// Reads the next row, if there is one; after a row with a fault, reading goes on in the next line.
     ///
     /// `begins_row` says whether cells look like those of a row of their own: a quoted cell that has such a line in it
     /// was not closed.
@@ -248,7 +248,7 @@ impl<'t> Cursor<'t> {
         self.line += 1;
     }
 
-    /// Skips up to behind the end of the line.
+    /// Skips up to after the end of the line.
     fn end_of_row(&mut self) {
         let rest = &self.text[self.at..];
         self.at += rest.find(['\n', '\r']).unwrap_or(rest.len());
@@ -290,7 +290,7 @@ mod tests {
         let open = "line 2: a quote is not closed";
         let text = "1,a,b\n2,\"c,d\n3,e,f\n4,g,h\n";
         assert_eq!(rows(text), ["1 1|a|b", open, "3 3|e|f", "4 4|g|h"]);
-        // Closed by a later one, with or without something behind.
+        // Closed by a later one, with or without something after.
         let text = "1,a,b\n2,\"c,d\n3,\"e,f\n4,g,h\n";
         let also = "line 3: a quote is not closed";
         assert_eq!(rows(text), ["1 1|a|b", open, also, "4 4|g|h"]);
@@ -306,7 +306,7 @@ mod tests {
     fn words_behind_a_closing_quote_are_a_fault() {
         let read = rows("1,\"5\" pipe\",b\n2,c,d\n");
         assert!(
-            read[0].starts_with("line 1: `pipe\",b` stands behind"),
+            read[0].starts_with("line 1: `pipe\",b` comes after"),
             "{read:?}"
         );
         assert_eq!(read[1], "2 2|c|d");

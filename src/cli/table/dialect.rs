@@ -57,7 +57,7 @@ impl Dialect {
             .map_err(|error| Failure::new(format!("cannot write CSV: {error}")))
     }
 
-    /// The first line, behind the mark of byte order.
+    /// The first line, after the mark of byte order.
     pub(crate) fn head(self, names: &[&str]) -> Result<Vec<u8>, Failure> {
         let mut head = self.mark().as_bytes().to_vec();
         head.extend(self.line(names)?);

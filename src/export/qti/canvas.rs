@@ -52,7 +52,7 @@ struct Group {
 /// How small values are asked: how often they are divided by a thousand, and the unit for that.
 struct UnitScale {
     thousandths: usize,
-    /// Of what is printed behind the box, as HTML.
+    /// Of what is printed after the box, as HTML.
     unit: String,
 }
 

@@ -101,7 +101,7 @@ impl Numbers {
         })
     }
 
-    /// The slot of a coordinate, or of a velocity behind them.
+    /// The slot of a coordinate, or of a velocity after them.
     fn slot(&self, at: usize) -> u32 {
         (self.constants.len() + at) as u32
     }

@@ -252,7 +252,7 @@ fn heard(math: &Math) -> String {
     math.spoken(Voice::ENGLISH)
 }
 
-/// A letter as it is spoken of, behind a noun.
+/// A letter as it is spoken of, after a noun.
 fn spoken(label: Option<&Math>) -> String {
     match label.map(heard).unwrap_or_default() {
         words if words.is_empty() => words,

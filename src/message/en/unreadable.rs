@@ -36,7 +36,7 @@ fn example(example: Example) -> &'static str {
     }
 }
 
-/// Why a response could not be read: a sentence that goes on behind a place.
+/// Why a response could not be read: a sentence that goes on after a place.
 #[expect(clippy::too_many_lines, reason = "a table")]
 fn why(why: &Why) -> String {
     match why {
@@ -92,7 +92,7 @@ fn why(why: &Why) -> String {
         Why::UnequalSides(one, other) => {
             format!("`{one}` and `{other}` are not equal: give one value.")
         }
-        Why::OutsideOfSpan => "the function is asked for other times than these. Omit them if it holds there, too.".to_owned(),
+        Why::OutsideOfSpan => "the question is about other times than these. Omit them if it holds there, too.".to_owned(),
         Why::Withdrawn => "this says that the answer is withdrawn. Type what you mean, and that alone.".to_owned(),
         Why::UnclearSide => "it is not clear what the value is of. Type it alone, or after the name of what is asked for, as in `x = 7.78`.".to_owned(),
         Why::TooManyTurns { times, turn } => format!(

@@ -101,7 +101,7 @@ impl Noun {
         }
     }
 
-    /// Behind the preposition « à ».
+    /// After the preposition « à ».
     fn behind_to(self) -> String {
         match self.definite() {
             definite if definite.starts_with("le ") => format!("au {}", self.word),
@@ -331,7 +331,7 @@ fn phasors(pointers: &[Pointer], angles: &[(Option<Math>, String)]) -> Caption {
     }
 }
 
-/// A letter as it is written, behind a noun.
+/// A letter as it is written, after a noun.
 fn plain(label: Option<&Math>) -> String {
     match label.map(Math::plain).unwrap_or_default() {
         words if words.is_empty() => words,

@@ -1,6 +1,6 @@
 //! Les espaces insécables : French sets high punctuation off with a space at which no line is broken.
 
-/// A text whose high punctuation stands behind spaces that do not break. What is quoted between backticks was typed by
+/// A text whose high punctuation comes after spaces that do not break. What is quoted between backticks was typed by
 /// somebody, and stays as it is.
 ///
 /// The full no-break space serves for all of them: the narrow one (U+202F), which some houses set before `;`, `!` and `?`,

@@ -39,7 +39,7 @@ fn example(example: Example) -> &'static str {
     }
 }
 
-/// Why a response could not be read: a sentence that goes on behind a place.
+/// Why a response could not be read: a sentence that goes on after a place.
 #[expect(clippy::too_many_lines, reason = "a table")]
 fn why(why: &Why) -> String {
     match why {

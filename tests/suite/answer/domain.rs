@@ -87,7 +87,11 @@ ask = "Find it."
         (1, "m*x'' + 2*k*x = 0"),
         (1, "x'' + k*x = 0"),
     ];
-    let sheets = [("1 kg", "250 N/m"), ("2 kg", "900 N/m"), ("4 kg", "850 N/m")];
+    let sheets = [
+        ("1 kg", "250 N/m"),
+        ("2 kg", "900 N/m"),
+        ("4 kg", "850 N/m"),
+    ];
     let marked = |order: [usize; 3]| {
         let catalogue = super::catalogue(item);
         let template = catalogue.items().next().expect("an item");

@@ -57,7 +57,7 @@ fn said(marking: &Marking) -> String {
 }
 
 /// Marks each response to the first part of an item with this text. Expected is the verdict, the code of the main reason,
-/// and behind a colon what the feedback has to contain; each may be left out.
+/// and after a colon what the feedback has to contain; each may be left out.
 fn check(item: &str, responses: &[(&str, &str)]) {
     let catalogue = catalogue(item);
     let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));

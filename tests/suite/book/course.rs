@@ -41,7 +41,7 @@ fn typeset(line: &str) -> String {
     }
 }
 
-/// Where to go on from a chapter: its exercises, and the chapter behind it.
+/// Where to go on from a chapter: its exercises, and the chapter after it.
 fn onward(place: usize) -> &'static str {
     const LINES: [&str; 5] = [
         "[All exercises of this chapter](../exercises/ch1.md) · next: [free oscillations](2-free.md)",

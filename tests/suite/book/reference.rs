@@ -35,7 +35,7 @@ fn console(text: &str) -> String {
     format!("```console\n{}\n```", text.trim_end())
 }
 
-/// A command with what it prints: `vibank list --topic "beats"`, and behind `<<<` what is typed,
+/// A command with what it prints: `vibank list --topic "beats"`, and after `<<<` what is typed,
 /// between bars.
 pub(super) fn run(command: &str) -> String {
     let (command, typed) = command.split_once(" <<< ").unwrap_or((command, ""));
@@ -166,7 +166,7 @@ pub(super) fn elements() -> String {
     out
 }
 
-/// The names in code that stand in the first column, or behind the first, of the table under a heading.
+/// The names in code that stand in the first column, or after the first, of the table under a heading.
 fn listed(heading: &str) -> BTreeSet<String> {
     let page = include_str!("../../../book/src/reference/item-file.md");
     let (_, text) = page

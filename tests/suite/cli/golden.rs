@@ -150,7 +150,7 @@ fn runs_of_earlier_versions_are_marked_with_the_same_result() {
                 .unwrap_or_else(|| panic!("marks.csv has no column {name}"));
             lines.map(|mut cells| cells.nth(place).unwrap()).collect()
         };
-        // Points that are still open stand behind those that are settled, `27 + ?1`; they counted as none in 0.1.0.
+        // Points that are still open come after those that are settled, `27 + ?1`; they counted as none in 0.1.0.
         let settled = |cells: Vec<String>| -> Vec<String> {
             let settle = |cell: String| match cell.split_once('?') {
                 Some(("", _)) => "0".to_owned(),

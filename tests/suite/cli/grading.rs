@@ -230,7 +230,7 @@ fn sums_agree(exam: &Exam, details: &BTreeMap<(String, String), Json>) {
             .filter(|((code, _), _)| *code == row[0])
             .filter_map(|(_, entry)| entry["points"].as_f64())
             .sum();
-        // What is not decided stands behind the sum of what is.
+        // What is not decided comes after the sum of what is.
         let points = row[4].split(" + ?").next().expect("it begins with points");
         assert_eq!(points.parse::<f64>().expect("points are a number"), sum);
         assert_eq!(&row[5], "8");

@@ -123,7 +123,9 @@ fn answers_to_a_quiz_of_moodle_are_marked_by_this_grader() {
     ran.ends(1)
         .says("4 attempts of 3 students; of several the last counts")
         .complains("not marked: `Question 3`")
-        .complains("line 64, column `Response 2`: the answers to b, d, e do not stand behind their letters");
+        .complains(
+            "line 64, column `Response 2`: the answers to b, d, e do not follow their letters",
+        );
 }
 
 #[test]

@@ -109,7 +109,7 @@ fn a_class_list_that_would_lose_a_student_is_refused_with_the_line() {
             3,
             "quote is not closed",
         ),
-        // A comma in a name shifts the columns behind it.
+        // A comma in a name shifts the columns after it.
         (
             "id,name,group\n1,Ada,A\n2,Doe, Bob,A\n",
             3,
@@ -125,7 +125,7 @@ fn a_class_list_that_would_lose_a_student_is_refused_with_the_line() {
             3,
             "more cells than the header",
         ),
-        ("id,name\n1,\"Ada\" Lovelace\n", 2, "behind the quote"),
+        ("id,name\n1,\"Ada\" Lovelace\n", 2, "after the quote"),
         ("id,name\n1,Ada\n,Bob\n", 3, "without `id`"),
         (
             "id,name\n1,Ada\n2,Bob\n1,Cleo\n",

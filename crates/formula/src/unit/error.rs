@@ -154,7 +154,7 @@ impl Error {
                 "put the divisor in parentheses, `N/(m s)`, or before the slash, `N s/m`"
             }
             ErrorKind::NumberWithinUnit => {
-                "type one number, and its unit behind it, as in `15.8 rad/s`"
+                "type one number, and its unit after it, as in `15.8 rad/s`"
             }
             ErrorKind::NotAnExponent => "write a small integer or fraction, `m^2` or `kg^(-1/2)`",
             ErrorKind::NotARange | ErrorKind::EmptyRange => {

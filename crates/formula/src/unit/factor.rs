@@ -96,7 +96,7 @@ impl Builder {
         known.get(first).is_some() && known.get(first) == known.get(second)
     }
 
-    /// Whether the last factor is a sign such as `°`, behind which no power stands.
+    /// Whether the last factor is a sign such as `°`, after which no power stands.
     pub(crate) fn ends_with_sign(&self) -> bool {
         let last = self.factors[..self.length].last();
         last.is_some_and(|last| ["°", "′", "″", "%"].contains(&last.row().print))

@@ -9,7 +9,7 @@
 //!
 //! A slash divides by the one item after it. What follows such an item without another slash might belong above or
 //! below, and `N/m/s` might be N/(m/s), so both are refused with the readings named; only `m/s/s` is clear.
-//! A power without a sign, `s-2`, is small and stands behind letters: in `180°-10°` and `10 mm-5 mm` a minus is a minus.
+//! A power without a sign, `s-2`, is small and comes after letters: in `180°-10°` and `10 mm-5 mm` a minus is a minus.
 
 use super::error::{Error, ErrorKind};
 use super::factor::{Builder, Factor};
@@ -134,7 +134,7 @@ impl<'a> UnitReader<'a> {
         }
     }
 
-    /// Reads what stands behind a sign between items; the first factor below a slash, if there is one.
+    /// Reads what comes after a sign between items; the first factor below a slash, if there is one.
     fn further(
         &mut self,
         between: Option<Between>,
@@ -355,7 +355,7 @@ impl<'a> UnitReader<'a> {
         Ok(name)
     }
 
-    /// The units behind `\mu`, `\mu m` or `\mu\mathrm{m}`; returns their letters.
+    /// The units after `\mu`, `\mu m` or `\mu\mathrm{m}`; returns their letters.
     fn micro(&mut self, start: usize) -> Result<&'a str, Error> {
         self.space();
         let is_braced = self.scanner.takes('{');
@@ -413,7 +413,7 @@ impl<'a> UnitReader<'a> {
         } else if begins_exponent(ahead.rest()) && !self.builder.ends_with_sign() {
             let few = |power: &Rational| power.abs().is_integer() && power.abs().numerator() <= 4;
             let power = ahead.exponent(true).filter(few);
-            // `10 mm-5 mm` goes on behind the unit.
+            // `10 mm-5 mm` goes on after the unit.
             let is_number = power.is_none() || ahead.rest().trim_start().starts_with(is_letter);
             if self.is_front && self.depth == 0 && behind.rest().starts_with('-') && is_number {
                 return Ok(());

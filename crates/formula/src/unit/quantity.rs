@@ -28,7 +28,7 @@ use super::{lenient, number, strict};
 pub struct Quantity {
     /// The number before the unit.
     pub value: Decimal,
-    /// The unit behind the number, [`Unit::ONE`] where there is none.
+    /// The unit after the number, [`Unit::ONE`] where there is none.
     pub unit: Unit,
 }
 

@@ -73,7 +73,7 @@ impl Range {
         Quantity::new(self.hi, self.unit)
     }
 
-    /// The unit behind the second number, which counts for both.
+    /// The unit after the second number, which counts for both.
     pub const fn unit(&self) -> Unit {
         self.unit
     }

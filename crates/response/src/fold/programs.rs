@@ -6,7 +6,7 @@ use crate::signs::is_minus;
 use crate::words::EQUATIONS;
 
 impl Folder<'_> {
-    /// What stands here behind a digit and is read otherwise there: the power of ten of Mathematica, the points of a
+    /// What stands here after a digit and is read otherwise there: the power of ten of Mathematica, the points of a
     /// decimal that goes on.
     pub(crate) fn beside_digits(&self) -> Option<(usize, &'static str)> {
         let is_digit = |char: char| char.is_ascii_digit();
@@ -28,7 +28,7 @@ impl Folder<'_> {
         (!goes_on || behind.trim_end() == ".").then_some((points.len(), ""))
     }
 
-    /// The length of a sign that only programs write: the one behind the argument of `x[t_]`, that before the constant
+    /// The length of a sign that only programs write: the one after the argument of `x[t_]`, that before the constant
     /// `_C1` of Maple, the brackets of `C[1]`.
     pub(crate) fn silent(&self) -> Option<usize> {
         let (before, rest) = (&self.typed[..self.at], self.rest());
@@ -134,7 +134,7 @@ impl Folder<'_> {
         };
         let is_greek = greek_word(&word).is_some();
         if is_greek {
-            // A letter behind the bracket is no part of the command's name.
+            // A letter after the bracket is no part of the command's name.
             let length = name.len() + "\\[]".len();
             let is_letter =
                 self.rest()[length..].starts_with(|next: char| next.is_ascii_alphabetic());

@@ -34,7 +34,7 @@ const DOUBLED: &str = "AA BB CC DD";
 const DOUBTFUL: &str = "I";
 /// Constants that a response may use: a few more than are needed.
 const MAX_USED: usize = 16;
-/// Highest number behind such a letter.
+/// Highest number after such a letter.
 const MAX_NUMBERED: usize = 6;
 
 #[derive(Debug)]

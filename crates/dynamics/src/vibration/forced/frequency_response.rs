@@ -82,7 +82,7 @@ impl FrequencyResponse {
         self.ratio(force, 1.0, -self.stiffness_exponent())
     }
 
-    /// Lag φ of the displacement behind the force in rad, in [0, π].
+    /// Lag φ of the displacement after the force in rad, in [0, π].
     pub fn phase_lag(&self) -> f64 {
         atan2(self.loss.hi(), self.residual.hi())
     }

@@ -95,7 +95,7 @@ impl Modes {
             if shape.iter().any(|x| !x.is_finite()) {
                 return Err(ModesError::NotFinite);
             }
-            // Before the weights and behind them: shapes are typed in any unit, and neither products nor
+            // Before the weights and after them: shapes are typed in any unit, and neither products nor
             // squares are to overflow.
             entries.extend(normalized(self.root.weighted(&normalized(shape.clone()))));
         }

@@ -387,7 +387,7 @@ fn measure(number: Rational, atom: &Atom, exponent: Rational) -> Option<Expr> {
     let Kind::Measure(one, unit) = opaque.expr.kind() else {
         return None;
     };
-    // A unit stands behind a decimal, and a third of a kilogram has none that ends.
+    // A unit comes after a decimal, and a third of a kilogram has none that ends.
     let ends = [2, 5]
         .into_iter()
         .fold(number.denominator(), |mut rest, prime| {
@@ -401,7 +401,7 @@ fn measure(number: Rational, atom: &Atom, exponent: Rational) -> Option<Expr> {
         .then(|| Expr::derived(Kind::Measure(number, unit.clone())))
 }
 
-/// What moves stands behind the fraction of its coefficient.
+/// What moves comes after the fraction of its coefficient.
 fn split_moving(factors: Vec<Expr>, order: &Order) -> (Vec<Expr>, Vec<Expr>) {
     factors
         .into_iter()
