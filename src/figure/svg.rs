@@ -254,7 +254,10 @@ impl SvgWriter<'_> {
             ..
         } = lettering;
         let baseline = bounds.low.y + label.depth();
+        let is_marked = !label.marks.is_empty();
+        // The marks are placed from the left end, so letters below them start there whatever their width.
         let (x, side) = match anchor.x {
+            _ if is_marked => (bounds.low.x, None),
             x if x < 0.0 => (bounds.low.x, None),
             x if x > 0.0 => (bounds.high.x, Some("end")),
             _ => (bounds.centre().x, Some("middle")),
@@ -270,14 +273,14 @@ impl SvgWriter<'_> {
             self.out.push('"');
         }
         // What is drawn above letters stays above them, whatever the width of the letters in the font of the reader.
-        if !label.marks.is_empty() {
+        if is_marked {
             self.text(" lengthAdjust=\"spacingAndGlyphs\"");
             self.attribute(" textLength=\"", label.width() * SCALE);
         }
         self.out.push('>');
         let mut rise = 0.0;
         for run in &label.runs {
-            self.run(run, rise);
+            self.run(run, rise, is_marked);
             rise = run.look.rise;
         }
         self.text("</text>\n");
@@ -308,7 +311,8 @@ impl SvgWriter<'_> {
         self.text("\"/>\n");
     }
 
-    fn run(&mut self, run: &LetterRun, rise: f64) {
+    /// In a marked label every run has an element of its own: the press stretches bare text to the length of the label.
+    fn run(&mut self, run: &LetterRun, rise: f64, is_marked: bool) {
         let Look {
             is_italic,
             is_bold,
@@ -317,7 +321,7 @@ impl SvgWriter<'_> {
         } = run.look;
         let is_plain = !is_italic && !is_bold && size == LETTER_SIZE;
         let shift = (run.look.rise - rise) * SCALE;
-        if is_plain && shift == 0.0 && run.gap == 0.0 {
+        if is_plain && shift == 0.0 && run.gap == 0.0 && !is_marked {
             self.escaped(&run.text);
             return;
         }
