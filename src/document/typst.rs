@@ -33,8 +33,23 @@ impl TypstWriter<'_> {
             if number > 0 {
                 self.out.push_str("\n\n");
             }
-            self.block(block);
+            match block {
+                // What announces the next block does not end a page.
+                Block::Paragraph(content)
+                    if number + 1 < blocks.len() && is_announcement(content) =>
+                {
+                    self.sticky(content);
+                }
+                _ => self.block(block),
+            }
         }
+    }
+
+    /// On the page of what follows.
+    fn sticky(&mut self, content: &[Inline]) {
+        self.out.push_str("#block(sticky:true)[");
+        self.inlines(content);
+        self.out.push(']');
     }
 
     fn block(&mut self, block: &Block) {
@@ -169,9 +184,8 @@ impl TypstWriter<'_> {
                 self.out.push_str("\n\n");
             }
             if !step.words.is_empty() {
-                self.out.push_str("#block(sticky:true)[");
-                self.inlines(&step.words);
-                self.out.push_str("]\n\n");
+                self.sticky(&step.words);
+                self.out.push_str("\n\n");
             }
             self.math(&step.aligned(), Display::Block);
         }
@@ -191,6 +205,11 @@ impl TypstWriter<'_> {
             None => self.words("□"),
         }
     }
+}
+
+/// Whether a paragraph ends with a colon.
+fn is_announcement(content: &[Inline]) -> bool {
+    matches!(content.last(), Some(Inline::Text(words)) if words.trim_end().ends_with(':'))
 }
 
 /// Appends the call that sets a figure with its words, which are those of its `title` and `desc`.
