@@ -43,6 +43,8 @@ pub struct Chooser<'p, 'c> {
     rejected: u64,
     /// By item, how often its data were not suitable.
     unsuitable: BTreeMap<String, u64>,
+    /// Sheets that were taken though a wrong method may come within a tolerance.
+    lenient: u64,
     fairness: Fairness,
 }
 
@@ -71,6 +73,9 @@ enum Objection {
 
 /// Seeds tried for one variant before one is taken that repeats another or is not like most.
 const TRIES_FOR_FAIRNESS: u64 = 60;
+/// Seeds tried for one variant before one is taken on which a wrong method comes within a tolerance.
+// A sheet of forty questions takes some twenty; only one of about a hundred takes more than these.
+const TRIES_FOR_METHODS: u64 = 340;
 /// Seeds tried for one variant before giving up.
 const MAX_TRIES: u64 = 400;
 /// The same where nothing of an earlier sheet may come again: drawing data alone costs little.
@@ -122,6 +127,7 @@ impl<'p, 'c> Chooser<'p, 'c> {
             marks: BTreeMap::new(),
             rejected: 0,
             unsuitable: BTreeMap::new(),
+            lenient: 0,
             fairness: Fairness {
                 questions: questions.map(|_| QuestionFairness::default()).collect(),
                 ..Fairness::default()
@@ -222,6 +228,11 @@ impl<'p, 'c> Chooser<'p, 'c> {
         let mut counts: Vec<(&str, u64)> = counts.map(|(item, n)| (item.as_str(), *n)).collect();
         counts.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
         counts
+    }
+
+    /// How many sheets were taken though a wrong method may come within a tolerance: no seed suited all of their questions.
+    pub fn lenient(&self) -> u64 {
+        self.lenient
     }
 
     /// The variants that were taken so far, by place in the run.
@@ -326,6 +337,7 @@ impl<'p, 'c> Chooser<'p, 'c> {
         self.codes.insert(candidate.variant);
         self.taken.insert(candidate.index, candidate.variant);
         self.rejected += candidate.tries;
+        self.lenient += u64::from(!candidate.is_fixed && candidate.tries >= TRIES_FOR_METHODS);
         for item in &candidate.unsuitable {
             *self.unsuitable.entry(item.clone()).or_default() += 1;
         }
@@ -397,11 +409,11 @@ impl<'p, 'c> Chooser<'p, 'c> {
     ) -> Result<AskedQuestion, Objection> {
         suitability::judge(&question.solution, &question.parts)?;
         let asked = self.asked(question, data);
-        if tries < TRIES_FOR_FAIRNESS {
+        if tries < TRIES_FOR_METHODS {
             suitability::judge_methods(&question.solution, &question.parts)?;
-            if asked.is_unusual {
-                self.usual(question).judge(question)?;
-            }
+        }
+        if tries < TRIES_FOR_FAIRNESS && asked.is_unusual {
+            self.usual(question).judge(question)?;
         }
         Ok(asked)
     }

@@ -61,6 +61,8 @@ pub(crate) struct Made {
     pub(crate) rejected: u64,
     /// The item whose data were not suitable most often, with how often.
     pub(crate) unsuitable: Option<(String, u64)>,
+    /// Sheets on which a wrong method may come within a tolerance.
+    pub(crate) lenient: u64,
     pub(crate) fairness: Fairness,
     /// Files that could not be printed, and why.
     pub(crate) unprinted: Vec<String>,
@@ -108,6 +110,7 @@ impl Job<'_, '_> {
                 .unsuitable()
                 .first()
                 .map(|(item, count)| ((*item).to_owned(), *count)),
+            lenient: chooser.lenient(),
             fairness: chooser.fairness().clone(),
             unprinted: Vec::new(),
             shown: Vec::new(),

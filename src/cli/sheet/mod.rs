@@ -359,6 +359,8 @@ struct RunSummary {
     rejected: u64,
     /// The item whose data were not suitable most often, with how often.
     unsuitable: Option<(String, u64)>,
+    /// Sheets on which a wrong method may come within a tolerance.
+    lenient: u64,
     /// Nothing where nothing was made.
     fairness: Option<Fairness>,
     /// Each with what it is.
@@ -377,6 +379,7 @@ impl RunSummary {
             unchanged: made.unchanged,
             rejected: made.rejected,
             unsuitable: made.unsuitable,
+            lenient: made.lenient,
             fairness: Some(made.fairness),
             files: made.shown,
             unprinted: made.unprinted,
@@ -391,6 +394,7 @@ impl RunSummary {
             unchanged: count,
             rejected: 0,
             unsuitable: None,
+            lenient: 0,
             fairness: None,
             files: Vec::new(),
             unprinted: Vec::new(),
@@ -408,6 +412,7 @@ impl RunSummary {
                 "questions": plan.questions.len(),
                 "rejected": self.rejected,
                 "unsuitable": self.unsuitable,
+                "lenient": self.lenient,
                 "fairness": self.fairness,
                 "files": files.collect::<Vec<_>>(),
                 "unprinted": self.unprinted,
@@ -455,6 +460,12 @@ impl RunSummary {
             .is_some_and(|fairness| !fairness.is_fair())
         {
             eprintln!("the variants are not all alike: see the page on fairness");
+        }
+        if self.lenient > 0 {
+            eprintln!(
+                "no seed suits all questions of {}: there a wrong method may come within the tolerance of an answer; ask fewer questions on a sheet",
+                counted(self.lenient as usize, "sheet")
+            );
         }
         if self.rejected > 0 {
             let were = if self.rejected == 1 { "was" } else { "were" };
