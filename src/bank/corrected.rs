@@ -1,6 +1,7 @@
 //! An item with another key than its file states: what is marked when a key was found to be wrong after the sheets were
 //! handed out.
 
+use super::own;
 use super::read::{self, Parsers};
 use super::{Part, Template};
 use crate::answer::AnswerKind;
@@ -60,7 +61,7 @@ impl Template {
     /// ```
     pub fn with_key(&self, part: &str, key: &Value) -> Result<Self, CorrectionError> {
         let problems = Problems::default();
-        let mut tree = toml::read(&self.source, &problems);
+        let mut tree = own::in_form(toml::read(&self.source, &problems));
         self.correct(&mut tree, part, key)?;
         self.read_again(&tree, part)
     }
@@ -82,6 +83,10 @@ impl Template {
             }
             _ => {
                 set(table, "key", unplaced(key).data);
+                // As such a question may state a fixed value.
+                if self.id.is_own() && own.answer.kind() == AnswerKind::Numeric {
+                    own::fix(table, "key");
+                }
                 // A quantity had a unit, which a formula in its place has not.
                 let unit = own
                     .answer

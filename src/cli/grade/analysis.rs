@@ -23,6 +23,8 @@ pub(crate) struct Analysis {
     sheets: usize,
     /// Spare sheets that nobody has used.
     unused: usize,
+    /// Students on whose sheets nothing was answered, who were absent: the `id`, or the code where names are unknown.
+    absent: Vec<String>,
     /// Parts that nobody has marked by hand yet.
     open: u64,
 }
@@ -82,6 +84,18 @@ impl Analysis {
         self.unused += 1;
     }
 
+    /// Counts a student who was absent, whom no statistics are about.
+    pub(crate) fn leave_absent_out(&mut self, sheet: &SheetOutcome) {
+        let id = sheet.column("id");
+        let shown = if id.is_empty() { &sheet.code } else { id };
+        self.absent.push(shown.to_owned());
+    }
+
+    /// Who was absent.
+    pub(crate) fn absent(&self) -> &[String] {
+        &self.absent
+    }
+
     pub(crate) fn sheets(&self) -> usize {
         self.sheets
     }
@@ -124,6 +138,7 @@ impl Analysis {
             "decisions": findings.decided,
             "marks": findings.marks.map(|marks| &marks.summary),
             "unused_spares": self.unused,
+            "absent": self.absent.len(),
             "summary": summary,
         });
         let text = serde_json::to_string_pretty(&json).expect("a report is plain data");
@@ -138,6 +153,7 @@ impl Analysis {
             lost: findings.lost,
             unreadable,
             unused: self.unused,
+            absent: self.absent.len(),
             faults: findings.faults,
             marks: findings.marks,
             decided: findings.decided,

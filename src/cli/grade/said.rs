@@ -125,6 +125,9 @@ pub(crate) struct WrittenFiles<'a> {
     pub(crate) makes_feedback: bool,
 }
 
+/// Most students who are named in a line.
+const MAX_NAMED: usize = 12;
+
 impl WrittenFiles<'_> {
     /// How many verdicts of each kind there are, and what is in which file.
     pub(crate) fn tell(&self) {
@@ -148,6 +151,22 @@ impl WrittenFiles<'_> {
             0 => {}
             1 => println!("1 spare sheet has no answer, and is in no statistics"),
             count => println!("{count} spare sheets have no answer, and are in no statistics"),
+        }
+        match self.analysis.absent() {
+            [] => {}
+            [one] => println!("1 student has no answer and counts as absent: {one}"),
+            all => {
+                let named = all.iter().take(MAX_NAMED).map(String::as_str);
+                let named = named.collect::<Vec<_>>().join(", ");
+                let others = match all.len().saturating_sub(MAX_NAMED) {
+                    0 => String::new(),
+                    count => format!(" and {count} more"),
+                };
+                println!(
+                    "{} students have no answer and count as absent: {named}{others}",
+                    all.len()
+                );
+            }
         }
         if self.analysis.count(Verdict::Unreadable) > 0 {
             file(
