@@ -189,7 +189,7 @@ fn a_student_without_any_answer_was_absent_unless_somebody_says_otherwise() {
         let name = format!("marks/feedback/{}.html", run.codes[at]);
         content(run.folder.join(name))
     };
-    assert!(feedback(1).contains("Grade") && !feedback(3).contains("Grade"));
+    assert!(feedback(1).contains(", grade F") && !feedback(3).contains(", grade"));
     // Full marks for all are for those who were there.
     run.decide(
         "[[decision]]\nitem = 'c/a'\npart = 'v'\nvoid = 'full marks'\nwho = 'A'\nwhy = 'B'\n",

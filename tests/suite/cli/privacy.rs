@@ -399,7 +399,8 @@ fn what_interrupted_commands_have_left_beside_a_file_is_removed() {
     } else {
         &[]
     };
-    let expected = [&[".other.html.b.part", ".p.html.b.c.part"], busy].concat();
+    let others: &[&str] = &[".other.html.b.part", ".p.html.b.c.part"];
+    let expected = [others, busy].concat();
     assert_eq!(left, expected);
 }
 
