@@ -60,10 +60,22 @@ impl Template {
     /// assert_eq!(grade::mark(&solution, place, "12.6 rad/s").verdict, Verdict::Right);
     /// ```
     pub fn with_key(&self, part: &str, key: &Value) -> Result<Self, CorrectionError> {
+        self.with_keys(&[(part, key)])
+    }
+
+    /// The same with the keys of several parts, each named once.
+    ///
+    /// # Errors
+    ///
+    /// [`CorrectionError`].
+    pub fn with_keys(&self, keys: &[(&str, &Value)]) -> Result<Self, CorrectionError> {
         let problems = Problems::default();
         let mut tree = own::in_form(toml::read(&self.source, &problems));
-        self.correct(&mut tree, part, key)?;
-        self.read_again(&tree, part)
+        for (part, key) in keys {
+            self.correct(&mut tree, part, key)?;
+        }
+        let parts: Vec<&str> = keys.iter().map(|(part, _)| *part).collect();
+        self.read_again(&tree, &parts.join("`, `"))
     }
 
     fn correct(&self, tree: &mut Value, part: &str, key: &Value) -> Result<(), CorrectionError> {

@@ -44,6 +44,9 @@ impl Reporter {
         let message = shown(&finding.message);
         let title = level.primary_title(&*message).id(finding.code.name());
         let (text, before) = lines_of(finding);
+        if text.len() > MAX_LINES {
+            return plain(finding, &message);
+        }
         let first_line = finding.source.text[..before].matches('\n').count() + 1;
         let path = shown(&finding.source.path);
         let mut snippet = Snippet::source(text).line_start(first_line).path(&*path);
@@ -74,6 +77,25 @@ impl Reporter {
         }
         self.renderer.render(&[group]).clone()
     }
+}
+
+/// Most bytes of the lines that are drawn: of longer ones a reader sees nothing, and the renderer looks at each letter.
+const MAX_LINES: usize = 8_000;
+
+/// A finding without the lines that it points at.
+fn plain(finding: &Finding, message: &str) -> String {
+    let place = finding.place();
+    let code = finding.code.name();
+    let mut drawn = format!(
+        "{}[{code}]: {message}\n --> {}",
+        finding.severity,
+        shown(&place)
+    );
+    if let Some(help) = &finding.help {
+        drawn.push_str("\n  = help: ");
+        drawn.push_str(&shown(help));
+    }
+    drawn
 }
 
 /// The lines that a finding points at, and how many bytes stand before them; all where it points at none.

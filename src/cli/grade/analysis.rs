@@ -1,6 +1,6 @@
 //! The report of a run: what could not be read, and the item analysis, as a page, JSON and CSV.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::json;
 use vibank::answer::Verdict;
@@ -25,6 +25,8 @@ pub(crate) struct Analysis {
     unused: usize,
     /// Students on whose sheets nothing was answered, who were absent: the `id`, or the code where names are unknown.
     absent: Vec<String>,
+    /// Those who have answered on some sheet: of several runs a student may have another one.
+    present: BTreeSet<String>,
     /// Parts that nobody has marked by hand yet.
     open: u64,
 }
@@ -52,6 +54,7 @@ const COLUMNS: [&str; 16] = [
 impl Analysis {
     pub(crate) fn add(&mut self, sheet: &SheetOutcome) {
         self.sheets += 1;
+        self.present.insert(sheet.column("id").to_owned());
         let reasons: Vec<Vec<&str>> = sheet
             .parts
             .iter()
@@ -92,8 +95,9 @@ impl Analysis {
     }
 
     /// Who was absent.
-    pub(crate) fn absent(&self) -> &[String] {
-        &self.absent
+    pub(crate) fn absent(&self) -> Vec<&str> {
+        let all = self.absent.iter().map(String::as_str);
+        all.filter(|own| !self.present.contains(*own)).collect()
     }
 
     pub(crate) fn sheets(&self) -> usize {
@@ -138,7 +142,7 @@ impl Analysis {
             "decisions": findings.decided,
             "marks": findings.marks.map(|marks| &marks.summary),
             "unused_spares": self.unused,
-            "absent": self.absent.len(),
+            "absent": self.absent().len(),
             "summary": summary,
         });
         let text = serde_json::to_string_pretty(&json).expect("a report is plain data");
@@ -153,7 +157,7 @@ impl Analysis {
             lost: findings.lost,
             unreadable,
             unused: self.unused,
-            absent: self.absent.len(),
+            absent: self.absent().len(),
             faults: findings.faults,
             marks: findings.marks,
             decided: findings.decided,

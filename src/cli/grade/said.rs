@@ -152,12 +152,11 @@ impl WrittenFiles<'_> {
             1 => println!("1 spare sheet has no answer, and is in no statistics"),
             count => println!("{count} spare sheets have no answer, and are in no statistics"),
         }
-        match self.analysis.absent() {
+        match &self.analysis.absent()[..] {
             [] => {}
             [one] => println!("1 student has no answer and counts as absent: {one}"),
             all => {
-                let named = all.iter().take(MAX_NAMED).map(String::as_str);
-                let named = named.collect::<Vec<_>>().join(", ");
+                let named = all[..all.len().min(MAX_NAMED)].join(", ");
                 let others = match all.len().saturating_sub(MAX_NAMED) {
                     0 => String::new(),
                     count => format!(" and {count} more"),

@@ -158,9 +158,14 @@ impl Table {
                 return Ok(row);
             };
             let (line, column) = (row.line, at + 1);
+            // Behind the last heading a cell with a delimiter in it has shifted the others.
+            let is_between = |at: usize| {
+                let mut behind = self.headings.iter().skip(at);
+                behind.any(|heading| !heading.is_empty())
+            };
             let fault = match delimiter {
                 None => RowFault::Unheaded { line },
-                Some(_) if at < self.headings.len() => RowFault::Nameless { line, column },
+                Some(_) if is_between(at) => RowFault::Nameless { line, column },
                 Some(delimiter) => RowFault::Wide { line, delimiter },
             };
             Err(Broken { fault, row })

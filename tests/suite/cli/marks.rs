@@ -412,7 +412,7 @@ fn a_void_part_gives_its_points_to_all_to_the_others_or_to_nobody() {
         "12.57 rad/s,37.7 m/s,b",
         "12.57 rad/s,1 m/s,a",
         ",what?,b",
-        ",,",
+        "-,,",
     ];
     let void = |how: &str| {
         run.decide(&format!(
@@ -531,7 +531,7 @@ fn a_decision_that_cannot_be_carried_out_is_refused_with_its_place() {
     run.decide(&format!(
         "[[decision]]\nitem = 'c/a'\npart = 'way'\nkey = 'along'\n{signed}"
     ));
-    run.grade("1a,1b,1c", &[",,a", ",,b", ",,", ""], &[])
+    run.grade("1a,1b,1c", &[",,a", ",,b", "-,,", "-,,"], &[])
         .ends(0);
     assert_eq!(run.column("1c"), ["3", "0", "0", "0"]);
 }
