@@ -94,14 +94,15 @@ impl Analysis {
         self.absent.push(shown.to_owned());
     }
 
+    /// How many sheets were marked, those of absent students among them.
+    pub(crate) fn marked(&self) -> usize {
+        self.sheets + self.absent.len()
+    }
+
     /// Who was absent.
     pub(crate) fn absent(&self) -> Vec<&str> {
         let all = self.absent.iter().map(String::as_str);
         all.filter(|own| !self.present.contains(*own)).collect()
-    }
-
-    pub(crate) fn sheets(&self) -> usize {
-        self.sheets
     }
 
     /// How many spare sheets nobody has used.

@@ -145,7 +145,7 @@ impl WrittenFiles<'_> {
             .filter(|(count, _)| *count > 0)
             .map(|(count, name)| format!("{count} {name}"))
             .collect();
-        let sheets = counted(self.analysis.sheets(), "sheet");
+        let sheets = counted(self.analysis.marked(), "sheet");
         println!("{sheets}: {}", counts.join(", "));
         match self.analysis.unused() {
             0 => {}

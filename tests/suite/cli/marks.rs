@@ -139,7 +139,7 @@ fn spare_sheets_that_nobody_used_are_in_no_statistics() {
     ];
     run.grade("1a,1b,1c", &rows, &[])
         .ends(0)
-        .says("4 sheets: ")
+        .says("5 sheets: ")
         .says("1 spare sheet has no answer, and is in no statistics");
     assert_eq!(run.column("points"), ["10", "10", "2", "absent", "10", "0"]);
     let groups = run.table("groups.csv");
@@ -163,7 +163,7 @@ fn a_student_without_any_answer_was_absent_unless_somebody_says_otherwise() {
     let heads = "1a,1b,1c";
     run.grade(heads, &rows, &["--gradebook", "canvas"])
         .ends(0)
-        .says("3 sheets: ")
+        .says("4 sheets: ")
         .says("1 student has no answer and counts as absent: s4");
     assert_eq!(run.column("points"), ["10", "0", "0", "absent"]);
     assert_eq!(run.column("grade"), ["A", "F", "F", ""]);

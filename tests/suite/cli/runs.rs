@@ -203,7 +203,7 @@ fn a_code_is_found_in_the_manifest_of_any_run() {
     let ran = desk.grade(&["--no-feedback"]);
     assert!(!ran.err.contains("no sheet"), "{}", ran.err);
     assert!(!ran.out.contains("absent"), "{}", ran.out);
-    ran.says("3 sheets");
+    ran.says("6 sheets");
     let marks = desk.text("marks/marks.csv");
     let row = old.lines().nth(1).expect("a row");
     let code = row.split(',').next().expect("a code");
